@@ -1,0 +1,165 @@
+"""One tick of the whole arena."""
+
+import math
+from collections.abc import Sequence
+from typing import NamedTuple
+
+from physics.escape import freed
+from physics.response import collision_response, leaving_at
+from physics.shapes import Ball, Contact, Ring
+from physics.time_of_impact import Impact, time_of_impact
+from physics.tolerances import LEAST_SEPARATION, MAX_IMPACTS
+from physics.vectors import dot, length
+
+PERMANENT = -1
+"""Layers of a sector that no hit removes."""
+
+
+class Arena(NamedTuple):
+    """Everything that moves or can be hit."""
+
+    balls: tuple[Ball, ...]
+    rings: tuple[Ring, ...]
+    layers: tuple[tuple[int, ...], ...]  # per ring and slot: bricks stacked there, 0 empty, PERMANENT unbreakable
+
+
+class Hit(NamedTuple):
+    """One bounce."""
+
+    time: float  # seconds after the tick's start
+    ball: int
+    ring: int
+    slot: int
+    contact: Contact
+    before: complex  # the ball's velocity
+    after: complex
+    layers: int  # left in the slot after the hit; PERMANENT where it cannot break
+
+
+class Step(NamedTuple):
+    """What one tick did."""
+
+    arena: Arena
+    hits: tuple[Hit, ...]  # in the order of time, ball, ring, slot
+    dropped: int  # balls that used up MAX_IMPACTS and rested for what was left of the tick
+    freed: int  # balls that overlapped material and were put outside it
+
+
+class _Next(NamedTuple):
+    """The next impact of one ball."""
+
+    time: float
+    ball: int
+    ring: int
+    impact: Impact
+
+
+def advance(arena: Arena, dt: float, speed: float) -> Step:
+    """The arena dt seconds later, and the hits on the way, in the order of time.
+
+    dt: seconds, finite and >= 0, else ValueError; 0 changes nothing. speed: every ball's fixed speed after a bounce.
+    Each ball flies from impact to impact. A hit takes one layer from its slot at once, so that a ball that comes
+    later in the same tick meets what is left. Equal times are answered in the order of ball, ring, slot.
+    """
+    if not 0.0 <= dt < math.inf:
+        raise ValueError(f"dt must be finite and at least 0, not {dt}")
+    if dt == 0.0:
+        return Step(arena, (), 0, 0)
+    turned = tuple([ring.turned(dt) if ring[5] else ring for ring in arena.rings])
+    if not _any_near(arena, dt):
+        return Step(Arena(tuple([ball.moved(dt) for ball in arena.balls]), turned, arena.layers), (), 0, 0)
+    return _flown(_all_freed(arena), turned, dt, speed)
+
+
+def _any_near(arena: Arena, dt: float) -> bool:
+    """Whether any ball may reach into any ring's band within dt: the broad phase of the whole tick."""
+    for p, v, ball_radius in arena.balls:
+        distance = length(p)
+        reach = length(v) * dt + ball_radius
+        for ring in arena.rings:
+            if abs(distance - ring[0]) <= ring[1] + reach:
+                return True
+    return False
+
+
+def _all_freed(arena: Arena) -> Step:
+    """The arena, each ball moved out of the material it overlaps, and how many had to be."""
+    balls = tuple([freed(ball, arena.rings, arena.layers) for ball in arena.balls])
+    count = sum([new is not old for new, old in zip(balls, arena.balls, strict=True)])
+    return Step(arena._replace(balls=balls) if count else arena, (), 0, count)
+
+
+def _next_impact(
+    index: int, ball: Ball, clock: float, rings: tuple[Ring, ...], layers: Sequence[tuple[int, ...]], dt: float
+) -> _Next | None:
+    """The first impact of a ball, given where it is at `clock`, before the tick ends."""
+    rest = dt - clock
+    p, v, ball_radius = ball
+    distance = length(p)
+    reach = length(v) * rest + ball_radius
+    first: _Next | None = None
+    for k, ring in enumerate(rings):
+        radius, half_width = ring[0], ring[1]
+        if abs(distance - radius) > half_width + reach:
+            continue
+        now = ring.turned(clock) if clock > 0.0 and ring.spin != 0.0 else ring
+        impact = time_of_impact(ball, now, rest, layers[k])
+        if impact is not None and (first is None or clock + impact.time < first.time):
+            first = _Next(clock + impact.time, index, k, impact)
+    return first
+
+
+def _flown(start: Step, turned: tuple[Ring, ...], dt: float, speed: float) -> Step:
+    """The tick after `start`, whose balls overlap nothing: every impact answered in the order of time."""
+    arena = start.arena
+    balls, rings, layers = list(arena.balls), arena.rings, list(arena.layers)
+    clocks, impacts = [0.0] * len(balls), [0] * len(balls)
+    hits: list[Hit] = []
+    upcoming = [_next_impact(i, ball, 0.0, rings, layers, dt) for i, ball in enumerate(balls)]
+    while pending := [found for found in upcoming if found is not None]:
+        time, i, k, impact = min(pending, key=_time_and_ball)
+        ball = balls[i].moved(time - clocks[i])
+        hit = _hit(time, i, k, impact, ball, rings[k], layers[k], speed)
+        balls[i], clocks[i] = Ball(ball.position, hit.after, ball.radius), time
+        impacts[i] += 1
+        slot = hit.slot
+        if dot(hit.before - rings[k].surface_velocity(hit.contact.point), hit.contact.normal) < 0.0:
+            hits.append(hit)
+            layers[k] = (*layers[k][:slot], hit.layers, *layers[k][slot + 1 :])
+        for j, found in enumerate(upcoming):
+            target_gone = found is not None and found.ring == k and found.impact.slot == slot and layers[k][slot] == 0
+            if j == i or target_gone:
+                free = impacts[j] < MAX_IMPACTS
+                upcoming[j] = _next_impact(j, balls[j], clocks[j], rings, layers, dt) if free else None
+    dropped = [count >= MAX_IMPACTS for count in impacts]
+    moved = [ball if out else ball.moved(dt - clock) for ball, clock, out in zip(balls, clocks, dropped, strict=True)]
+    end = Step(Arena(tuple(moved), turned, tuple(layers)), tuple(hits), sum(dropped), start.freed)
+    if not any(dropped):
+        return end
+    after = _all_freed(end.arena)
+    return end._replace(arena=after.arena, freed=start.freed + after.freed)
+
+
+def _hit(time: float, index: int, k: int, impact: Impact, ball: Ball, ring: Ring, layers: tuple[int, ...], speed: float) -> Hit:
+    """The bounce that an impact makes of the ball at the moment of touch."""
+    contact, slot = impact.contact, impact.slot
+    surface_velocity = ring.surface_velocity(contact.point)
+    after = _bounce(ball.velocity, contact.normal, surface_velocity, ring.friction, speed)
+    return Hit(time, index, k, slot, contact, ball.velocity, after, _one_less(layers[slot]))
+
+
+def _time_and_ball(found: _Next) -> tuple[float, int]:
+    """The order in which impacts are answered."""
+    return found.time, found.ball
+
+
+def _one_less(layers: int) -> int:
+    """Layers left in a slot after a hit."""
+    return layers - 1 if layers > 0 else layers
+
+
+def _bounce(v: complex, normal: complex, surface_velocity: complex, friction: float, speed: float) -> complex:
+    """Velocity after a contact: the response, and never slower off the surface than LEAST_SEPARATION."""
+    after = collision_response(v, normal, surface_velocity, friction, speed)
+    least = dot(surface_velocity, normal) + LEAST_SEPARATION * speed
+    return leaving_at(after, normal, least, speed) if dot(after, normal) < least else after

@@ -1,0 +1,1 @@
+"""Programs that check and measure the game and its physics from outside."""
