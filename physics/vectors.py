@@ -6,6 +6,11 @@ these three use only `+ - *` and `math.sqrt` on floats, which IEEE 754 fixes to 
 
 import math
 
+# Below 1e-146 the squares in a length are subnormal and lose their bits, below 1e-162 all of them; grown by a power
+# of two, which changes no bit, even the shortest float has a square of full precision.
+_SQUARES_LOSE_BITS = 1e-140
+_GROWTH = 2.0**600
+
 
 def dot(a: complex, b: complex) -> float:
     """Scalar product of two vectors.
@@ -32,6 +37,19 @@ def length(a: complex) -> float:
     5.0
     """
     return math.sqrt(a.real * a.real + a.imag * a.imag)
+
+
+def unit(a: complex) -> complex:
+    """The vector of length 1 along a, which must not be 0.
+
+    >>> unit(3 - 4j)
+    (0.6-0.8j)
+    """
+    size = length(a)
+    if size < _SQUARES_LOSE_BITS:
+        a = a * _GROWTH
+        size = length(a)
+    return complex(a.real / size, a.imag / size)
 
 
 def quarter_turn(a: complex) -> complex:

@@ -1,0 +1,16 @@
+"""Settings that every test shares."""
+
+import os
+
+from hypothesis import HealthCheck, settings
+
+# The same examples on every run of a build, and no deadline: a busy machine is not a wrong answer.
+settings.register_profile(
+    "ci", derandomize=True, deadline=None, max_examples=300, print_blob=True, suppress_health_check=[HealthCheck.too_slow]
+)
+# At the desk: other examples every time.
+settings.register_profile("desk", deadline=None, max_examples=100)
+# Before a release: pytest --hypothesis-profile=long
+settings.register_profile("long", deadline=None, max_examples=20_000, suppress_health_check=[HealthCheck.too_slow])
+
+settings.load_profile("ci" if os.environ.get("CI") else "desk")
