@@ -2,10 +2,10 @@
 
 import math
 
-from physics.polar import on_left, signed_difference
+from physics.polar import on_left
 from physics.shapes import Ball, Contact, Feature, Ring
-from physics.trig import angle_of, direction
-from physics.vectors import cross, dot, length, quarter_turn
+from physics.trig import bearing_of, direction
+from physics.vectors import cross, dot, length, quarter_turn, unit
 
 
 def closest_point_on_line(a: complex, b: complex, p: complex) -> complex:
@@ -35,9 +35,8 @@ def narrow_phase_case_1(p: complex, radius: float) -> complex:
     >>> narrow_phase_case_1(3 + 4j, 6.0), narrow_phase_case_1(3 + 4j, 4.0)
     ((-0.6-0.8j), (0.6+0.8j))
     """
-    distance = length(p)
-    n = complex(p.real / distance, p.imag / distance) if distance > 0.0 else complex(1.0, 0.0)
-    return -n if distance < radius else n
+    n = unit(p) if p != 0.0 else complex(1.0, 0.0)
+    return -n if length(p) < radius else n
 
 
 def narrow_phase_case_2(
@@ -63,9 +62,9 @@ def contact(ball: Ball, ring: Ring, slot: int) -> Contact:
     of their own, they are the clamped foot of the perpendicular.
     A ball whose centre is inside the material is nearest to the side through which the way out is shortest.
     """
-    middle = ring.angle(slot)
-    offset = signed_difference(angle_of(ball.position), middle)
-    return sector_contact(ball.position, ball.radius, ring, middle, offset)
+    bearing = bearing_of(ball.position)
+    middle = ring.angle_near(slot, bearing)
+    return sector_contact(ball.position, ball.radius, ring, middle, bearing - middle)
 
 
 def sector_contact(p: complex, ball_radius: float, ring: Ring, middle: float, offset: float) -> Contact:
@@ -105,7 +104,7 @@ def end_contact(p: complex, ball_radius: float, end: complex, sign: float, inner
         own = quarter_turn(end) * sign
         normal = own if dot(p - q, own) >= 0.0 else -own
     else:
-        normal = complex((p - q).real / distance, (p - q).imag / distance)
+        normal = unit(p - q)
     return Contact(normal, q, distance - ball_radius, feature)
 
 

@@ -3,7 +3,7 @@
 import math
 
 from physics.tolerances import STOPPED
-from physics.vectors import dot, length, quarter_turn
+from physics.vectors import dot, length, quarter_turn, unit
 
 
 def collision_response(v: complex, normal: complex, surface_velocity: complex, friction: float, speed: float) -> complex:
@@ -29,10 +29,9 @@ def collision_response(v: complex, normal: complex, surface_velocity: complex, f
     slip = length(across)
     grip = friction * min(-approach, slip) / slip if slip > 0.0 else 0.0
     result = v - normal * (2.0 * approach) - across * grip
-    size = length(result)
-    if size <= STOPPED * speed:
+    if length(result) <= STOPPED * speed:
         return normal * speed
-    result = result * (speed / size)
+    result = unit(result) * speed
     pace = dot(surface_velocity, normal)
     return leaving_at(result, normal, pace, speed) if dot(result, normal) < pace else result
 
@@ -47,6 +46,5 @@ def leaving_at(v: complex, normal: complex, normal_speed: float, speed: float) -
     tangent = quarter_turn(normal)
     if dot(v, tangent) < 0.0:
         tangent = -tangent
-    along = math.sqrt((speed - normal_speed) * (speed + normal_speed)) if normal_speed > -speed else 0.0
-    result = normal * normal_speed + tangent * along
-    return result * (speed / length(result))
+    along = math.sqrt(speed - normal_speed) * math.sqrt(speed + normal_speed) if normal_speed > -speed else 0.0
+    return unit(normal * normal_speed + tangent * along) * speed

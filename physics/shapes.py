@@ -4,7 +4,7 @@ import math
 from enum import IntEnum
 from typing import NamedTuple, Self
 
-from physics.polar import add_angles, normalize_angle
+from physics.polar import add_angles, normalize_angle, signed_difference
 from physics.tolerances import ANGLE_GRID, LARGEST
 from physics.vectors import length, quarter_turn
 
@@ -76,7 +76,7 @@ class Ring(_RingFields):
             raise ValueError(f"radius must be finite and above 0, not {radius}")
         if not 0.0 < half_width < radius:
             raise ValueError(f"half_width must lie between 0 and the radius {radius}, not be {half_width}")
-        if not (isinstance(count, int) and count >= 1):
+        if not (isinstance(count, int) and not isinstance(count, bool) and 1 <= count <= LARGEST):
             raise ValueError(f"count must be a whole number from 1 up, not {count}")
         widest = math.pi / count
         if not 0.0 < half_angle <= widest * (1.0 + 1e-12):
@@ -105,6 +105,17 @@ class Ring(_RingFields):
     def angle(self, slot: int) -> float:
         """Middle angle of a slot, in [0, 2 pi)."""
         return add_angles(self.phase, slot * (math.tau / self.count))
+
+    def angle_near(self, slot: int, bearing: float) -> float:
+        """Middle angle of a slot, not folded to [0, 2 pi) but within half a turn of a bearing.
+
+        A mirrored ring (phase and slot negated) has exactly the negated angle near the negated bearing: folding a small
+        negative angle to near 2 pi would cost it its last bits.
+        """
+        pitch = math.tau / self.count
+        phase = signed_difference(self.phase, 0.0)
+        turns = round((phase + slot * pitch - bearing) / math.tau)
+        return phase + (slot - turns * self.count) * pitch
 
     def turned(self, time: float) -> Self:
         """The ring after turning for some seconds. Not checked: valid stays valid."""

@@ -16,6 +16,10 @@ _HALF_PI_LOW = float.fromhex("0x1.3198a2e037073p-69")
 _QUADRANTS_PER_RADIAN = 2.0 / math.pi
 _EXACT_RANGE = 2.0**20
 
+# Outside of this range a product of the octants' reduction could underflow or overflow: the point is scaled first.
+_SMALL, _LARGE = 2.0**-800, 2.0**800
+_GROWTH, _SHRINKAGE = 2.0**600, 2.0**-600
+
 _TAN_22_5_DEG = math.sqrt(2.0) - 1.0
 _TAN_11_25_DEG = 0.198912367379658
 _TAN_33_75_DEG = 0.6681786379192989
@@ -99,8 +103,11 @@ def _first_octant(y: float, x: float) -> float:
     The point is first turned clockwise by 0, 22.5 or 45 degrees, whichever brings it within 11.25
     degrees of the x axis, where the series of the arc tangent to degree 23 leaves less than 1e-18.
     """
-    if x == 0.0:
-        return 0.0
+    if not _SMALL < x < _LARGE:
+        if x == 0.0:
+            return 0.0
+        scale = _GROWTH if x < 1.0 else _SHRINKAGE
+        x, y = x * scale, y * scale
     if y < x * _TAN_11_25_DEG:
         base, z = 0.0, y / x
     elif y < x * _TAN_33_75_DEG:
