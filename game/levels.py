@@ -125,6 +125,11 @@ def parse(data: bytes, source: str) -> Level:
         what, _, where = str(error).partition(" - at ")
         key = where.strip("`").removeprefix("$.")
         raise BadInputError(f"{source}: {key + ': ' if key else ''}{what}") from None
+    return checked(level, source)
+
+
+def checked(level: Level, source: str) -> Level:
+    """The level itself, if it describes a possible arena; else BadInputError with the first rule it breaks."""
     for key, rule in _broken_rules(level):
         raise BadInputError(f"{source}: {key}: {rule}")
     return level

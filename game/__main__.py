@@ -1,0 +1,184 @@
+"""The command line of the game: `polar-breakout`, `python -m game`."""
+
+import secrets
+import sys
+import tempfile
+from pathlib import Path
+from typing import Annotated
+
+import typer
+from rich.console import Console
+from rich.table import Table
+
+from game import VERSION, kept, replay
+from game.command_line import run, say
+from game.errors import BadInputError, CheckFailedError, EnvironmentMissingError
+from game.headless import autopilot_game, free_path, result_line
+from game.levels import Level, built_in, chosen
+from game.rules import Game
+from game.verify import verified
+
+app = typer.Typer(
+    help="A circular Breakout.",
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    invoke_without_command=True,
+    rich_markup_mode=None,
+)
+
+_DEMO_TICKS = 240 * 20
+_MOST_TICKS = replay.MAX_TICKS
+
+
+def main() -> None:
+    """Run the command line and exit."""
+    sys.exit(run(app, "polar-breakout"))
+
+
+@app.callback()
+def play(
+    context: typer.Context,
+    level: Annotated[str, typer.Option(help="Start at a level: its number, its name, or a TOML file of one's own.")] = "1",
+    seed: Annotated[
+        int | None, typer.Option(min=0, max=2**63 - 1, help="Seed of the game's chance.", show_default="random")
+    ] = None,
+    headless: Annotated[bool, typer.Option("--headless", help="Play without a window and print one result line.")] = False,
+    autopilot: Annotated[bool, typer.Option("--autopilot", help="Let the program play.")] = False,
+    ticks: Annotated[int, typer.Option(min=0, max=_MOST_TICKS, help="Ticks of 1/240 s to play headless.")] = 24_000,
+    record: Annotated[Path | None, typer.Option(help="Write a replay of the game to this file.")] = None,
+    screenshot: Annotated[Path | None, typer.Option(help="Draw the last tick of a headless game into this PNG file.")] = None,
+    size: Annotated[str, typer.Option(metavar="WxH", help="Size of the screenshot in pixels.")] = "1280x800",
+    version: Annotated[bool, typer.Option("--version", help="Print the version.")] = False,
+) -> None:
+    """Play the circular Breakout; without options, in a window."""
+    if context.invoked_subcommand is not None:
+        return
+    if version:
+        print(f"polar-breakout {VERSION}")
+        return
+    pixels = _size(size)
+    _check_writable(record, "--record")
+    _check_writable(screenshot, "--screenshot")
+    levels = chosen(level)
+    if headless and not autopilot:
+        raise BadInputError("--headless: nobody plays; add --autopilot")
+    if headless:
+        game = _play_headless(levels, 1 if seed is None else seed, ticks, record)
+        if screenshot is not None:
+            _save_screenshot(game, screenshot, pixels)
+        print(result_line(game))
+        return
+    if screenshot is not None:
+        raise BadInputError("--screenshot: draws a headless game; add --headless --autopilot")
+    _play_in_window(levels, secrets.randbits(32) if seed is None else seed, record, autopilot=autopilot)
+
+
+@app.command("levels")
+def list_levels() -> None:
+    """List the levels that come with the game."""
+    table = Table(box=None, pad_edge=False)
+    for heading, justify in (("#", "right"), ("name", "left"), ("bricks", "right"), ("description", "left")):
+        table.add_column(heading, justify="right" if justify == "right" else "left", no_wrap=heading == "name")
+    for number, level in enumerate(built_in(), 1):
+        bricks = sum([layers for ring in level.rings for layers in ring.slots() if layers > 0])
+        table.add_row(str(number), level.name, str(bricks), level.description)
+    Console().print(table)
+
+
+@app.command("replays")
+def list_replays() -> None:
+    """List the games kept from the window, newest first."""
+    for path in kept.kept():
+        print(path)
+
+
+@app.command("replay")
+def watch_replay(
+    file: Annotated[Path, typer.Argument(help="A replay file (.polar).")],
+    verify: Annotated[bool, typer.Option("--verify", help="Play it again without a window and check every hash.")] = False,
+) -> None:
+    """Watch a recorded game, or verify it."""
+    recording = replay.load(file)
+    if not verify:
+        from game.app import watch  # noqa: PLC0415  # pygame, only where it is needed
+
+        watch(recording)
+        return
+    verdict = verified(recording)
+    if verdict.divergence is not None:
+        raise CheckFailedError(f"{file}: {verdict.divergence}")
+    print(f"verified {result_line(verdict.game)}")
+
+
+def _play_headless(levels: tuple[Level, ...], seed: int, ticks: int, record: Path | None) -> Game:
+    """A game of the autopilot without a window, recorded if asked for."""
+    recorder = None if record is None else replay.Recorder(levels, seed)
+    game = autopilot_game(levels, seed, ticks, recorder)
+    if recorder is not None and record is not None:
+        replay.save(recorder.recording(), record)
+    return game
+
+
+def _play_in_window(levels: tuple[Level, ...], seed: int, record: Path | None, *, autopilot: bool) -> None:
+    """The game in its window; without a display, a short demonstration and a picture of it instead."""
+    from game.app import play as play_in_window  # noqa: PLC0415  # pygame, only where it is needed
+
+    keeper = kept.Keeper(record)
+    try:
+        play_in_window(levels, seed, keeper, autopilot=autopilot)
+    except EnvironmentMissingError as error:
+        say(f"polar-breakout: {error}; playing 20 s without a window instead")
+        _demonstrate(levels, seed, record)
+    finally:
+        keeper.close()
+        if keeper.problem is not None:
+            say(f"polar-breakout: game not kept: {keeper.problem}")
+
+
+def _demonstrate(levels: tuple[Level, ...], seed: int, record: Path | None) -> None:
+    """A short game of the autopilot and a picture of how it stands."""
+    game = _play_headless(levels, seed, _DEMO_TICKS, record)
+    print(result_line(game))
+    for folder in (Path.cwd(), Path(tempfile.gettempdir())):
+        path = free_path(folder, "polar-breakout.png")
+        try:
+            _save_screenshot(game, path, (1280, 800))
+        except BadInputError:
+            continue
+        print(f"picture: {path}")
+        return
+
+
+def _save_screenshot(game: Game, path: Path, size: tuple[int, int]) -> None:
+    """Draw a game into a PNG file; BadInputError where it cannot be written."""
+    from game.render import save_screenshot  # noqa: PLC0415  # pygame, only where it is needed
+
+    try:
+        save_screenshot(game, path, size)
+    except OSError as error:
+        raise BadInputError(f"--screenshot {path}: cannot write; {error.strerror or error}") from None
+
+
+def _size(text: str) -> tuple[int, int]:
+    """Width and height from "WxH"."""
+    width, cross, height = text.partition("x")
+    if not (cross and width.isdecimal() and height.isdecimal()):
+        raise BadInputError(f"--size {text}: expected WIDTHxHEIGHT in pixels, such as 1280x800")
+    pixels = int(width[:9]), int(height[:9])
+    if not all([16 <= length <= 16384 for length in pixels]):
+        raise BadInputError(f"--size {text}: expected 16 to 16384 pixels each way")
+    return pixels
+
+
+def _check_writable(path: Path | None, option: str) -> None:
+    """Raise BadInputError, before any work starts, for a file that cannot be written."""
+    if path is None:
+        return
+    if path.is_dir():
+        raise BadInputError(f"{option} {path}: a folder; expected a file")
+    if not path.parent.is_dir():
+        raise BadInputError(f"{option} {path}: there is no folder {path.parent}")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,53 @@
+"""A whole game without a window, as fast as it goes."""
+
+from collections.abc import Iterable
+from pathlib import Path
+
+from rich.console import Console
+from rich.progress import track
+
+from game.autopilot import Autopilot
+from game.fingerprint import state_hash
+from game.levels import Level
+from game.replay import Recorder
+from game.rules import Game, Phase, bricks_left, new_game, tick
+
+_PROGRESS_STEP = 1000
+
+
+def autopilot_game(levels: tuple[Level, ...], seed: int, ticks: int, recorder: Recorder | None = None) -> Game:
+    """The game after that many ticks of the autopilot, or when it is won or over."""
+    game, pilot = new_game(levels, seed), Autopilot()
+    for start in _with_progress(range(0, ticks, _PROGRESS_STEP)):
+        for _ in range(min(_PROGRESS_STEP, ticks - start)):
+            if game.phase in {Phase.WON, Phase.OVER}:
+                return game
+            controls = pilot.controls(game)
+            game = tick(game, controls).game
+            if recorder is not None:
+                recorder.add(controls, game)
+    return game
+
+
+def result_line(game: Game) -> str:
+    """The one line that says how a game stands."""
+    return (
+        f"ticks={game.tick} level={game.number + 1} phase={game.phase.name.lower()} score={game.score} "
+        f"lives={game.lives} bricks={bricks_left(game)} hash={state_hash(game)}"
+    )
+
+
+def free_path(folder: Path, name: str) -> Path:
+    """A path in the folder that does not exist yet: name.png, name-2.png, ..."""
+    stem, suffix = Path(name).stem, Path(name).suffix
+    path, number = folder / name, 1
+    while path.exists():
+        number += 1
+        path = folder / f"{stem}-{number}{suffix}"
+    return path
+
+
+def _with_progress(steps: range) -> Iterable[int]:
+    """The steps, with a progress bar on stderr if somebody can see it."""
+    console = Console(stderr=True)
+    return track(steps, "playing", console=console, transient=True, disable=not console.is_terminal)
