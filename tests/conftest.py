@@ -14,3 +14,8 @@ settings.register_profile("desk", deadline=None, max_examples=100)
 settings.register_profile("long", deadline=None, max_examples=20_000, suppress_health_check=[HealthCheck.too_slow])
 
 settings.load_profile("ci" if os.environ.get("CI") else "desk")
+
+
+def pytest_addoption(parser):
+    """`--regen` records the golden games anew."""
+    parser.addoption("--regen", action="store_true", help="record the golden games anew; the changelog must say why")
