@@ -94,20 +94,33 @@ def list_replays() -> None:
 
 @app.command("replay")
 def watch_replay(
-    file: Annotated[Path, typer.Argument(help="A replay file (.polar).")],
-    verify: Annotated[bool, typer.Option("--verify", help="Play it again without a window and check every hash.")] = False,
+    files: Annotated[list[Path], typer.Argument(help="Replay files (.polar); one to watch, any number to verify.")],
+    verify: Annotated[bool, typer.Option("--verify", help="Play them again without a window and check every hash.")] = False,
 ) -> None:
-    """Watch a recorded game, or verify it."""
-    recording = replay.load(file)
-    if not verify:
-        from game.app import watch  # noqa: PLC0415  # pygame, only where it is needed
-
-        watch(recording)
+    """Watch a recorded game, or verify recorded games."""
+    if verify:
+        _verify(files)
         return
-    verdict = verified(recording)
-    if verdict.divergence is not None:
-        raise CheckFailedError(f"{file}: {verdict.divergence}")
-    print(f"verified {result_line(verdict.game)}")
+    if len(files) > 1:
+        raise BadInputError(f"replay: {len(files)} files to watch; expected one")
+    recording = replay.load(files[0])
+    from game.app import watch  # noqa: PLC0415  # pygame, only where it is needed
+
+    watch(recording)
+
+
+def _verify(files: list[Path]) -> None:
+    """Verify every file; CheckFailedError with the first divergence, after all have been looked at."""
+    failed: list[str] = []
+    for file in files:
+        verdict = verified(replay.load(file))
+        if verdict.divergence is None:
+            print(f"verified {file}: {result_line(verdict.game)}")
+        else:
+            failed.append(f"{file}: {verdict.divergence}")
+            say(f"polar-breakout: {failed[-1]}")
+    if failed:
+        raise CheckFailedError(f"{len(failed)} of {len(files)} replays diverged")
 
 
 def _play_headless(levels: tuple[Level, ...], seed: int, ticks: int, record: Path | None) -> Game:

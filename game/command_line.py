@@ -27,11 +27,12 @@ def run(app: typer.Typer, program: str, arguments: list[str] | None = None) -> i
         say(f"{program}: {error}")
         return _EXIT_CODES[type(error)]
     except (KeyboardInterrupt, typer.Abort):
-        say(f"{program}: interrupted")
-        return _INTERRUPTED
+        code = _INTERRUPTED
     except BrokenPipeError:
         os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
         return 0
+    if code == _INTERRUPTED:  # typer, too, reports Ctrl-C so
+        say(f"{program}: interrupted")
     return code if isinstance(code, int) else 0
 
 

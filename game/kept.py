@@ -6,6 +6,7 @@ from pathlib import Path
 import platformdirs
 
 from game.errors import BadInputError
+from game.headless import free_path
 from game.replay import Recorder, save
 from game.rules import TICK, Controls, Game
 
@@ -21,7 +22,7 @@ def folder() -> Path:
 
 def kept() -> list[Path]:
     """The kept games, newest first."""
-    return sorted(folder().glob(f"*{_SUFFIX}"), reverse=True)
+    return sorted(folder().glob(f"*{_SUFFIX}"), key=lambda path: (path.stat().st_mtime_ns, path.name), reverse=True)
 
 
 class Keeper:
@@ -47,15 +48,16 @@ class Keeper:
     def close(self) -> None:
         """Write the game that has been recorded, if it is worth keeping, and forget the oldest beyond fifty."""
         recorder, self._recorder = self._recorder, None
-        if recorder is None or recorder.ticks * TICK < _SHORTEST:
+        if recorder is None:
             return
         recording = recorder.recording()
         try:
             if self._record is not None:
                 save(recording, self._record)
-            folder().mkdir(parents=True, exist_ok=True)
-            save(recording, folder() / f"{time.strftime('%Y-%m-%d %H-%M-%S')}{_SUFFIX}")
-            for old in kept()[MOST:]:
-                old.unlink()
+            if recorder.ticks * TICK >= _SHORTEST:
+                folder().mkdir(parents=True, exist_ok=True)
+                save(recording, free_path(folder(), f"{time.strftime('%Y-%m-%d %H-%M-%S')}{_SUFFIX}"))
+                for old in kept()[MOST:]:
+                    old.unlink()
         except (BadInputError, OSError) as error:
             self.problem = str(error)

@@ -1,5 +1,6 @@
 """Levels as data: TOML files, degrees for people, checked on load."""
 
+import difflib
 import hashlib
 import itertools
 import math
@@ -101,7 +102,7 @@ def built_in() -> tuple[Level, ...]:
 def chosen(wanted: str) -> tuple[Level, ...]:
     """The levels to play from a name, a number or a file on: the rest of the built-in ones, or the file's alone."""
     levels = built_in()
-    if wanted.endswith(".toml") or Path(wanted).is_file():
+    if wanted.endswith(".toml") or len(Path(wanted).parts) > 1:
         return (load_file(Path(wanted)),)
     names = [level.name.casefold() for level in levels]
     if wanted.isdecimal() and 1 <= int(wanted[:4]) <= len(levels):
@@ -124,7 +125,7 @@ def parse(data: bytes, source: str) -> Level:
     except msgspec.ValidationError as error:
         what, _, where = str(error).partition(" - at ")
         key = where.strip("`").removeprefix("$.")
-        raise BadInputError(f"{source}: {key + ': ' if key else ''}{what}") from None
+        raise BadInputError(f"{source}: {key + ': ' if key else ''}{what}{_suggestion(what)}") from None
     return checked(level, source)
 
 
@@ -133,6 +134,14 @@ def checked(level: Level, source: str) -> Level:
     for key, rule in _broken_rules(level):
         raise BadInputError(f"{source}: {key}: {rule}")
     return level
+
+
+def _suggestion(what: str) -> str:
+    """The known key most like the unknown one that an error names."""
+    unknown = what.partition("unknown field `")[2].rstrip("`")
+    known = [field for table in (Level, BallSpec, PaddleSpec, RingSpec) for field in table.__struct_fields__]
+    near = difflib.get_close_matches(unknown, known, 1) if unknown else []
+    return f"; did you mean `{near[0]}`?" if near else ""
 
 
 def _read(path: Path) -> bytes:
@@ -162,8 +171,10 @@ def _toml(data: bytes, source: str) -> dict[str, Any]:
             raise BadInputError(f"{source}: line {number}: key with more than {_MAX_KEY_DOTS} dots")
     try:
         return tomllib.loads(text)
-    except (ValueError, RecursionError) as error:
-        raise BadInputError(f"{source}: not valid TOML; {str(error) or 'nested too deeply'}") from None
+    except ValueError as error:
+        raise BadInputError(f"{source}: not valid TOML; {error}") from None
+    except RecursionError:
+        raise BadInputError(f"{source}: not valid TOML; nested too deeply") from None
 
 
 def _broken_rules(level: Level) -> Iterator[tuple[str, str]]:

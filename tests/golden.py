@@ -1,0 +1,53 @@
+"""The golden games: who plays what, and how they are recorded. `pytest --regen` writes them anew."""
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple, Protocol
+
+from players import KeyPlayer, MousePlayer
+
+from game.autopilot import Autopilot
+from game.levels import built_in
+from game.replay import Recorder, Recording
+from game.rules import Controls, Game, Phase, new_game, tick
+
+FOLDER = Path(__file__).parent / "golden"
+LEAST_TICKS = 60 * 240
+_FIRST_SEED = 100
+
+
+class Player(Protocol):
+    """Anything that answers a game with controls."""
+
+    def controls(self, game: Game) -> Controls: ...
+
+
+class Golden(NamedTuple):
+    """One golden game, before it is recorded."""
+
+    name: str
+    level: int  # from 1
+    player: str
+
+
+def golden_games() -> Iterator[Golden]:
+    """Every level, by every kind of player."""
+    for number in range(1, len(built_in()) + 1):
+        for player in ("autopilot", "mouse", "keys"):
+            yield Golden(f"{number}-{player}", number, player)
+
+
+def recorded(golden: Golden) -> Recording:
+    """The first game, counting the seed up, that is still going on after a minute."""
+    levels = built_in()[golden.level - 1 :]
+    seed = _FIRST_SEED * golden.level
+    while True:
+        seed += 1
+        player: Player = {"autopilot": Autopilot(), "mouse": MousePlayer(seed), "keys": KeyPlayer(seed)}[golden.player]
+        game, recorder = new_game(levels, seed), Recorder(levels, seed)
+        while game.tick < LEAST_TICKS and game.phase not in {Phase.OVER, Phase.WON}:
+            controls = player.controls(game)
+            game = tick(game, controls).game
+            recorder.add(controls, game)
+        if recorder.ticks >= LEAST_TICKS:
+            return recorder.recording()
