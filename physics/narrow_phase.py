@@ -100,11 +100,7 @@ def end_contact(p: complex, ball_radius: float, end: complex, sign: float, inner
     q = closest_point_on_line(a, b, p)
     distance = length(p - q)
     feature = Feature.CORNER if q in (a, b) else Feature.END
-    if feature == Feature.END or distance == 0.0:
-        own = quarter_turn(end) * sign
-        normal = own if dot(p - q, own) >= 0.0 else -own
-    else:
-        normal = unit(p - q)
+    normal = quarter_turn(end) * sign if feature == Feature.END or distance == 0.0 else unit(p - q)
     return Contact(normal, q, distance - ball_radius, feature)
 
 

@@ -4,9 +4,9 @@ import math
 
 import pytest
 import source_oracle
-from hypothesis import given
+from hypothesis import assume, given
 from hypothesis import strategies as st
-from strategies import angles, points, reals, rings
+from strategies import angles, balls_beside_an_end, points, reals, rings
 
 from physics import (
     Outcome,
@@ -18,6 +18,7 @@ from physics import (
     in_band,
     min_difference,
     nearest_slot,
+    normalize_angle,
     signed_difference,
     to_cartesian,
 )
@@ -124,28 +125,27 @@ def positions_of(ring):
     return [(ring.radius, ring.angle(slot)) for slot in range(ring.count)]
 
 
-def on_source_ground(p, ball_radius, ring):
-    """Whether the source is right here: outside of the material, beside the end and not around its corners, a narrow sector."""
-    theta = angle_of(p)
-    offset = signed_difference(theta, ring.angle(nearest_slot(ring, theta)))
-    if abs(abs(offset) - ring.half_angle) < 1e-9 or abs(abs(p) - ring.radius) < 1e-9:
-        return False  # on a border, where rounding decides
-    if abs(offset) <= ring.half_angle:
-        return not ring.inner_radius < abs(p) < ring.outer_radius
-    if abs(offset) + ring.half_angle > math.pi - 1e-9:
-        return False  # row 2
-    aside = abs(offset) - ring.half_angle
-    along, across = abs(p) * math.cos(aside), abs(p) * math.sin(aside)
-    return ring.inner_radius < along < ring.outer_radius and across > 1e-3 and abs(across - ball_radius) > 1e-9
-
-
 @given(rings(), reals(0.5, 15.0), angles(), reals(0.05, 1.0))
-def test_the_normal_is_the_sources_wherever_the_source_is_right(ring, distance, theta, ball_radius):
-    """The same search, the same case, the same normal or none."""
+def test_the_normal_of_a_face_is_the_sources(ring, distance, theta, ball_radius):
+    """For a ball within a sector's angle and outside of its material."""
+    middle = ring.angle(nearest_slot(ring, theta))
+    theta = normalize_angle(middle + signed_difference(theta, middle) * ring.count * ring.half_angle / math.pi * (1.0 - 1e-9))
+    assume(not ring.inner_radius <= distance <= ring.outer_radius)
     p = to_cartesian(distance, theta)
     arguments = p, ball_radius, theta, positions_of(ring), ring.half_width, ring.half_angle
-    if on_source_ground(p, ball_radius, ring):
-        assert_same_normal(broad_phase(*arguments), source_oracle.broad_phase(*arguments))
+    found = broad_phase(*arguments)
+    assert found is not None
+    assert_same_normal(found, source_oracle.broad_phase(*arguments))
+
+
+@given(balls_beside_an_end())
+def test_the_normal_of_an_end_is_the_sources(beside):
+    """For a ball beside a narrow sector's end, between its corners: the same normal, or none at the same distance."""
+    ball, ring = beside.ball, beside.ring
+    arguments = ball.position, ball.radius, angle_of(ball.position), positions_of(ring), ring.half_width, ring.half_angle
+    found = broad_phase(*arguments)
+    assert (found is not None) == (beside.across < ball.radius)
+    assert_same_normal(found, source_oracle.broad_phase(*arguments))
 
 
 def assert_same_normal(found, expected):
