@@ -1,0 +1,111 @@
+"""The only loop: events in, ticks due, one picture out."""
+
+import time
+
+import pygame
+
+from game import display
+from game.controls import Action, Pressed, Released, Signal, translated
+from game.levels import Level, built_in
+from game.screens.base import Recorder, Screen, Shared
+from game.screens.title import Title
+
+_TITLE = "Polar Breakout"
+_IDLE_RATE = 20
+"""Pictures per second while nobody looks."""
+
+
+def play(levels: tuple[Level, ...], seed: int, recorder: Recorder | None = None) -> int:
+    """Open a window with the title, the first of the levels chosen, and play until it is closed; the exit code.
+
+    recorder: told every tick of every game played. Raises EnvironmentMissingError without a display.
+    """
+    catalogue = built_in() if levels[0] in built_in() else levels
+    shared = Shared(catalogue, catalogue.index(levels[0]), seed, Title, recorder)
+    return _shown(shared, Title(shared))
+
+
+def _shown(shared: Shared, first: Screen) -> int:
+    """Show screens in a window until the last one is left; the exit code."""
+    window = display.open_window(_TITLE)
+    try:
+        shared.muted = not display.open_audio()
+        run(window, shared, first)
+    except KeyboardInterrupt:
+        pass
+    finally:
+        pygame.quit()
+    return 0
+
+
+def run(window: pygame.Window, shared: Shared, first: Screen) -> None:
+    """The loop."""
+    clock, rate = pygame.time.Clock(), display.refresh_rate()
+    screen: Screen | None = first
+    before = time.perf_counter()
+    while screen is not None:
+        now = time.perf_counter()
+        screen = frame(window, shared, screen, now - before)
+        before = now
+        clock.tick(rate if window.focused else _IDLE_RATE)
+
+
+def frame(window: pygame.Window, shared: Shared, screen: Screen, seconds: float) -> Screen | None:
+    """One turn of the loop: the screen to go on with, None once the window is closed or the last screen left."""
+    answered = _answered(window, shared, screen)
+    if answered is None:
+        return None
+    surface = window.get_surface()
+    following = answered.advance(seconds, surface.get_size())
+    if following is not None:
+        following.draw(surface)
+        window.flip()
+    return following
+
+
+def _answered(window: pygame.Window, shared: Shared, screen: Screen) -> Screen | None:
+    """The screen after all that the player did since the last frame; None once the window is closed or left."""
+    size = window.get_surface().get_size()
+    for event in pygame.event.get():
+        if event.type in (pygame.QUIT, pygame.WINDOWCLOSE):
+            return None
+        signal = translated(event, _pixels_per_point(window, size))
+        if signal is None or _answered_here(signal, window, shared):
+            continue
+        following = screen.answer(signal, size)
+        if following is None:
+            return None
+        screen = following
+    return screen
+
+
+def _answered_here(signal: Signal, window: pygame.Window, shared: Shared) -> bool:
+    """Whether the signal is one that means the same on every screen; if so it is obeyed."""
+    if isinstance(signal, Released):
+        return False
+    match signal:
+        case Pressed(Action.FULL_SCREEN):
+            _toggle_full_screen(window, shared)
+        case Pressed(Action.MUTE):
+            shared.muted = not shared.muted
+        case Pressed(Action.THEME):
+            shared.toggle_theme()
+        case Pressed(Action.EFFECTS):
+            shared.effects = not shared.effects
+        case _:
+            return False
+    return True
+
+
+def _toggle_full_screen(window: pygame.Window, shared: Shared) -> None:
+    """To the whole desktop and back."""
+    shared.full_screen = not shared.full_screen
+    if shared.full_screen:
+        window.set_fullscreen(desktop=True)
+    else:
+        window.set_windowed()
+
+
+def _pixels_per_point(window: pygame.Window, size: tuple[int, int]) -> complex:
+    """Pixels of the surface per unit of the mouse's coordinates: above 1 on a high-DPI screen."""
+    return complex(size[0] / max(window.size[0], 1), size[1] / max(window.size[1], 1))

@@ -1,0 +1,108 @@
+"""What there is to see at a moment between two ticks, in world units, whatever the view.
+
+A tick's moment is `alpha`, 0 just before it to 1 just after. Rings are turned to it; a ball is followed along its very
+path, around the bounces of the tick. Nothing here knows pixels: one camera or another draws the same scene.
+"""
+
+from typing import NamedTuple
+
+from game.effects import Effects, Flash, Pop
+from game.rules import PADDLES, TICK, EventKind, Game, Phase, Ticked
+from physics import Ball, Ring, Step, direction, signed_difference
+
+
+class Aim(NamedTuple):
+    """Where the ball to be served will go."""
+
+    origin: complex
+    direction: complex  # unit
+
+
+class Scene(NamedTuple):
+    """Everything in the arena."""
+
+    ground_radius: float
+    rings: tuple[Ring, ...]  # ring 0 is the paddles
+    layers: tuple[tuple[int, ...], ...]  # per ring and slot, as in `physics.Arena`
+    balls: tuple[Ball, ...]
+    trails: tuple[tuple[complex, ...], ...]  # from old to new; the ball itself is not part of it
+    aim: Aim | None
+    flashes: tuple[Flash, ...]
+    pops: tuple[Pop, ...]
+
+
+def still(game: Game) -> Ticked:
+    """A game as if a tick had just led to it: what is drawn before the first."""
+    return Ticked(game, (), Step(game.arena, (), 0, 0), game.arena)
+
+
+def scene_at(ticked: Ticked, alpha: float, effects: Effects) -> Scene:
+    """The scene at a moment of the last tick. alpha: 0 before the tick to 1 after it."""
+    game = ticked.game
+    if _starts_afresh(ticked):
+        rings, balls = game.arena.rings, game.arena.balls
+    else:
+        rings = _turned(ticked.moving.rings, game.arena.rings, alpha)
+        balls = _balls_at(ticked, rings[PADDLES], alpha)
+    return Scene(
+        game.level.ground_radius,
+        rings,
+        game.arena.layers,
+        balls,
+        effects.trails,
+        _aim(game, balls),
+        effects.flashes,
+        effects.pops,
+    )
+
+
+def _starts_afresh(ticked: Ticked) -> bool:
+    """Whether there is no tick to look into: the game's first moment, or another level's."""
+    if ticked.game.tick == 0:
+        return True
+    return any([event.kind == EventKind.LEVEL_STARTED for event in ticked.events])
+
+
+def _turned(before: tuple[Ring, ...], after: tuple[Ring, ...], alpha: float) -> tuple[Ring, ...]:
+    """The rings at a moment of the tick; those at rest stay the very same values."""
+    return tuple([old.turned(alpha * TICK) if old.spin else new for old, new in zip(before, after, strict=True)])
+
+
+def _balls_at(ticked: Ticked, paddles: Ring, alpha: float) -> tuple[Ball, ...]:
+    """The balls at a moment of the tick: on their paddle while they wait for the serve, else on their way."""
+    if _rests(ticked):
+        angle = signed_difference(paddles.phase, ticked.game.arena.rings[PADDLES].phase)
+        return tuple([_about_origin(ball, angle) for ball in ticked.game.arena.balls])
+    return tuple([_on_its_way(ball, index, ticked, alpha) for index, ball in enumerate(ticked.moving.balls)])
+
+
+def _rests(ticked: Ticked) -> bool:
+    """Whether the ball lay on its paddle at the end of the tick."""
+    if ticked.game.phase == Phase.SERVING:
+        return True
+    return any([event.kind == EventKind.SERVED for event in ticked.events])
+
+
+def _about_origin(ball: Ball, angle: float) -> Ball:
+    """The ball and its velocity turned about the arena's centre."""
+    turn = direction(angle)
+    return Ball(ball.position * turn, ball.velocity * turn, ball.radius)
+
+
+def _on_its_way(ball: Ball, index: int, ticked: Ticked, alpha: float) -> Ball:
+    """A ball at a moment of the tick, bounces included."""
+    moment, clock = alpha * TICK, 0.0
+    for hit in ticked.step.hits:
+        if hit.ball != index or hit.time > moment:
+            continue
+        ball = Ball(ball.moved(hit.time - clock).position, hit.after, ball.radius)
+        clock = hit.time
+    return ball.moved(moment - clock)
+
+
+def _aim(game: Game, balls: tuple[Ball, ...]) -> Aim | None:
+    """The serve's direction while the ball waits for it."""
+    if game.phase != Phase.SERVING or not balls:
+        return None
+    ball = balls[0]
+    return Aim(ball.position, ball.velocity / abs(ball.velocity))

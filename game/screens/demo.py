@@ -1,0 +1,40 @@
+"""A game that plays itself."""
+
+from game import effects
+from game.autopilot import Autopilot
+from game.effects import Effects
+from game.levels import Level
+from game.rules import Phase, new_game, tick
+from game.scene import Scene, scene_at, still
+from game.ticker import Due, due
+
+_END_TICKS = 240
+
+
+class Demo:
+    """The autopilot's game of one level."""
+
+    def __init__(self, level: Level, seed: int) -> None:
+        """Start before the first serve."""
+        self._ticked = still(new_game((level,), seed))
+        self._autopilot = Autopilot()
+        self._effects = Effects()
+        self._due = Due(0, 0.0)
+
+    @property
+    def ended(self) -> bool:
+        """Whether it has been won or lost, and that was to be seen for a moment."""
+        game = self._ticked.game
+        return game.phase in (Phase.OVER, Phase.WON) and game.phase_tick > _END_TICKS
+
+    def advance(self, seconds: float, *, full: bool) -> None:
+        """Let it play. full: with all effects."""
+        self._due = due(self._due.rest, seconds)
+        for _ in range(self._due.ticks):
+            game = self._ticked.game
+            self._ticked = tick(game, self._autopilot.controls(game))
+            self._effects = effects.after(self._effects, self._ticked, full=full)
+
+    def scene(self) -> Scene:
+        """What there is to see."""
+        return scene_at(self._ticked, self._due.alpha, self._effects)

@@ -1,0 +1,120 @@
+"""The game being played."""
+
+import pygame
+
+from game import effects, hud, notice
+from game.camera import Camera, Layout, layout
+from game.controls import Action, FocusLost, Hands, Pressed, Signal
+from game.effects import Effects
+from game.levels import Level
+from game.rules import Phase, new_game, tick
+from game.scene import scene_at, still
+from game.screens.base import Screen, Shared
+from game.screens.panels import Entry, Help, Menu
+from game.ticker import Due, due
+
+_READY_SECONDS = 0.6
+"""After a pause with a ball in play, before it flies on."""
+_END_TICKS = 200
+"""From the last ball's loss, or the last brick, to the panel that says so."""
+
+
+class Play:
+    """One game from its first serve on."""
+
+    def __init__(self, shared: Shared, levels: tuple[Level, ...]) -> None:
+        """Start a new game at the first of the levels."""
+        self._shared, self._levels = shared, levels
+        self._ticked = still(new_game(levels, shared.seed))
+        self._effects = Effects()
+        self._hands = Hands()
+        self._due = Due(0, 0.0)
+        self._ready = 0.0
+
+    def answer(self, signal: Signal, _size: tuple[int, int]) -> Screen | None:
+        """Take the player's hands into account, or open a panel."""
+        match signal:
+            case Pressed(Action.PAUSE | Action.BACK) | FocusLost():
+                return self._held(_pause_menu(self._shared, self))
+            case Pressed(Action.RESTART):
+                return self._held(_restart_menu(self._shared, self))
+            case Pressed(Action.HELP):
+                return self._held(Help(self._shared, self))
+        self._hands = self._hands.after(signal)
+        return self
+
+    def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
+        """Run the ticks that are due; a panel when the game has ended."""
+        if self._ready > 0.0:
+            self._ready -= seconds
+            return self
+        self._due = due(self._due.rest, seconds)
+        camera = self._layout(size).camera
+        for _ in range(self._due.ticks):
+            self._tick(camera)
+        game = self._ticked.game
+        if game.phase in (Phase.OVER, Phase.WON) and game.phase_tick >= _END_TICKS:
+            return _end_menu(self._shared, self, won=game.phase == Phase.WON, score=game.score)
+        return self
+
+    def draw(self, surface: pygame.Surface) -> None:
+        """The arena, the figures, and a line that says what to do."""
+        place, shared = self._layout(surface.get_size()), self._shared
+        scene = scene_at(self._ticked, self._due.alpha, self._effects)
+        shared.painter.paint(surface, scene, place.camera, shared.type, place.unit)
+        hud.draw(surface, place, hud.readings(self._ticked.game, muted=shared.muted), shared.theme, shared.type)
+        told = notice.READY if self._ready > 0.0 else notice.notice(self._ticked.game)
+        if told is not None:
+            notice.draw(surface, place, told, scene, shared.theme, shared.type)
+
+    def restarted(self) -> Screen:
+        """The same levels from their first serve."""
+        return Play(self._shared, self._levels)
+
+    def _tick(self, camera: Camera) -> None:
+        """Run one tick and tell the recorder."""
+        controls = self._hands.controls(camera)
+        self._hands = self._hands._replace(serve=False)
+        self._ticked = tick(self._ticked.game, controls)
+        self._effects = effects.after(self._effects, self._ticked, full=self._shared.effects)
+        if self._shared.recorder is not None:
+            self._shared.recorder(controls, self._ticked.game)
+
+    def _held(self, panel: Screen) -> Screen:
+        """A panel over the game; what was held when it opened is let go."""
+        self._hands = self._hands.after(FocusLost())
+        if self._ticked.game.phase == Phase.PLAYING:
+            self._ready = _READY_SECONDS
+        return panel
+
+    def _layout(self, size: tuple[int, int]) -> Layout:
+        """Where everything is on a surface of some size."""
+        return layout(size, self._ticked.game.level.ground_radius)
+
+
+def _pause_menu(shared: Shared, play: Play) -> Menu:
+    """What to do with a game that was interrupted."""
+    entries = (
+        Entry("Go on", lambda: play, Action.PAUSE),
+        Entry("Restart", play.restarted, Action.RESTART),
+        Entry("All levels", lambda: shared.home(shared)),
+        Entry("Quit", lambda: None),
+    )
+    return Menu(shared, play, "Paused", (), entries, back=lambda: play)
+
+
+def _restart_menu(shared: Shared, play: Play) -> Menu:
+    """The question before a game is thrown away."""
+    entries = (Entry("Restart", play.restarted, Action.RESTART), Entry("Go on", lambda: play, Action.PAUSE))
+    return Menu(shared, play, "Restart?", ("This game ends; the score is lost.",), entries, back=lambda: play)
+
+
+def _end_menu(shared: Shared, play: Play, *, won: bool, score: int) -> Menu:
+    """The end of a game."""
+    entries = (
+        Entry("Play again", play.restarted, Action.RESTART),
+        Entry("All levels", lambda: shared.home(shared)),
+        Entry("Quit", lambda: None),
+    )
+    title, line = ("You won", "Every level is cleared.") if won else ("Game over", "The last ball is gone.")
+    return Menu(shared, play, title, (line, f"Score {score:,}"), entries, back=lambda: shared.home(shared))
