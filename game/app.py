@@ -1,36 +1,52 @@
 """The only loop: events in, ticks due, one picture out."""
 
 import time
+from collections.abc import Callable
 
 import pygame
 
 from game import display
 from game.controls import Action, Pressed, Released, Signal, translated
 from game.levels import Level, built_in
+from game.playback import Playback
+from game.replay import Recording
 from game.screens.base import Recorder, Screen, Shared
+from game.screens.play import Play
 from game.screens.title import Title
+from game.screens.watch import Watch
 
 _TITLE = "Polar Breakout"
 _IDLE_RATE = 20
 """Pictures per second while nobody looks."""
 
 
-def play(levels: tuple[Level, ...], seed: int, recorder: Recorder | None = None) -> int:
+def play(levels: tuple[Level, ...], seed: int, recorder: Recorder | None = None, *, autopilot: bool = False) -> int:
     """Open a window with the title, the first of the levels chosen, and play until it is closed; the exit code.
 
-    recorder: told every tick of every game played. Raises EnvironmentMissingError without a display.
+    recorder: told every tick of every game played. autopilot: it plays, from the first serve on, without a title.
+    Raises EnvironmentMissingError without a display.
     """
     catalogue = built_in() if levels[0] in built_in() else levels
-    shared = Shared(catalogue, catalogue.index(levels[0]), seed, Title, recorder)
-    return _shown(shared, Title(shared))
+    shared = Shared(catalogue, catalogue.index(levels[0]), seed, Title, recorder, autopilot)
+    return _shown(shared, lambda: Play(shared, levels) if autopilot else Title(shared))
 
 
-def _shown(shared: Shared, first: Screen) -> int:
+def watch(recording: Recording) -> int:
+    """Open a window that shows a recorded game until it is closed; the exit code.
+
+    Raises EnvironmentMissingError without a display.
+    """
+    levels = tuple(recording.levels)
+    shared = Shared(levels, 0, recording.seed, Title)
+    return _shown(shared, lambda: Watch(shared, Playback(recording)))
+
+
+def _shown(shared: Shared, opened: Callable[[], Screen]) -> int:
     """Show screens in a window until the last one is left; the exit code."""
     window = display.open_window(_TITLE)
     try:
-        shared.muted = not display.open_audio()
-        run(window, shared, first)
+        display.open_audio()
+        run(window, shared, opened())
     except KeyboardInterrupt:
         pass
     finally:

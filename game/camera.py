@@ -46,14 +46,17 @@ class Layout(NamedTuple):
     beside: bool  # the head-up display stands beside the arena, else above and below
 
 
-def layout(size: tuple[int, int], ground_radius: float) -> Layout:
-    """The arena as large as the surface allows, with room for the head-up display."""
-    width, height = max(size[0], 1), max(size[1], 1)
+def layout(size: tuple[int, int], ground_radius: float, below: float = 0.0) -> Layout:
+    """The arena as large as the surface allows, with room for the head-up display.
+
+    below: pixels at the bottom to leave free for something else.
+    """
+    width, height = max(size[0], 1), max(round(size[1] - below), 1)
     beside = width / height > _SQUARE
     free = height if beside else height * (1.0 - 2.0 * _BAND)
     diameter = min(width, free) * (1.0 - 2.0 * _MARGIN)
     camera = Camera(complex(width, height) / 2.0, max(diameter / 2.0 / ground_radius, 1e-3))
-    return Layout(size, camera, unit_of(size), beside)
+    return Layout((width, height), camera, unit_of(size), beside)
 
 
 def unit_of(size: tuple[int, int]) -> float:

@@ -85,6 +85,19 @@ PLAY_HELP: tuple[tuple[str, str], ...] = (
     ("H   F1", "this help"),
 )
 
+WATCH_HELP: tuple[tuple[str, str], ...] = (
+    ("Space   P", "play / stop"),
+    (".   ,", "one tick forward / back"),
+    ("Left  Right", "5 seconds back / forward"),
+    ("+   -", "faster / slower, 1/8 to 8 times"),
+    ("Home  End", "to the beginning / the end"),
+    ("Mouse", "click or drag on the timeline"),
+    ("F11", "full screen"),
+    ("M   T   E", "sound, colours, effects"),
+    ("Esc", "leave"),
+    ("H   F1", "this help"),
+)
+
 
 class Pressed(NamedTuple):
     """A key went down."""

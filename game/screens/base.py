@@ -26,6 +26,7 @@ class Shared:
     seed: int
     home: "Callable[[Shared], Screen]"  # opens the title
     recorder: Recorder | None = None
+    autopilot: bool = False  # plays instead of the player
     muted: bool = False
     effects: bool = True
     full_screen: bool = False

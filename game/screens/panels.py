@@ -109,9 +109,12 @@ class Menu:
 class Help:
     """The keys, and what the things in the arena are."""
 
-    def __init__(self, shared: Shared, under: Screen) -> None:
-        """Open over a screen."""
+    def __init__(
+        self, shared: Shared, under: Screen, title: str = "How to play", keys: tuple[tuple[str, str], ...] = PLAY_HELP
+    ) -> None:
+        """Open over a screen. keys: pairs of keys and what they do."""
         self._shared, self._under = shared, under
+        self._title, self._keys = title, keys
 
     def answer(self, signal: Signal, _size: tuple[int, int]) -> Screen | None:
         """Any key or click closes it."""
@@ -131,10 +134,10 @@ class Help:
         panel = pygame.Rect(round((size[0] - width) / 2), round((size[1] - height) / 2), round(width), round(height))
         draw_panel(surface, panel, theme, unit)
         left, top = panel.left + unit * 2.0, panel.top + unit * 1.2
-        type_.write(surface, "How to play", unit * 2.2, theme.text, complex(left, top))
+        type_.write(surface, self._title, unit * 2.2, theme.text, complex(left, top))
         goal = "Keep the ball inside the circle; break every brick."
         type_.write(surface, goal, unit * 1.1, theme.faint, complex(left, top + unit * 2.6))
-        for index, (keys, meaning) in enumerate(PLAY_HELP):
+        for index, (keys, meaning) in enumerate(self._keys):
             y = top + unit * (4.8 + 1.55 * index)
             type_.write(surface, keys, unit * 1.15, theme.accent, complex(left, y))
             type_.write(surface, meaning, unit * 1.15, theme.text, complex(left + unit * 10.0, y))

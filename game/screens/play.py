@@ -3,6 +3,7 @@
 import pygame
 
 from game import effects, hud, notice
+from game.autopilot import Autopilot
 from game.camera import Camera, Layout, layout
 from game.controls import Action, FocusLost, Hands, Pressed, Signal
 from game.effects import Effects
@@ -30,6 +31,7 @@ class Play:
         self._hands = Hands()
         self._due = Due(0, 0.0)
         self._ready = 0.0
+        self._pilot = Autopilot() if shared.autopilot else None
 
     def answer(self, signal: Signal, _size: tuple[int, int]) -> Screen | None:
         """Take the player's hands into account, or open a panel."""
@@ -62,7 +64,9 @@ class Play:
         place, shared = self._layout(surface.get_size()), self._shared
         scene = scene_at(self._ticked, self._due.alpha, self._effects)
         shared.painter.paint(surface, scene, place.camera, shared.type, place.unit)
-        hud.draw(surface, place, hud.readings(self._ticked.game, muted=shared.muted), shared.theme, shared.type)
+        badge = "" if self._pilot is None else "autopilot"
+        shown = hud.readings(self._ticked.game, muted=shared.muted, badge=badge)
+        hud.draw(surface, place, shown, shared.theme, shared.type)
         told = notice.READY if self._ready > 0.0 else notice.notice(self._ticked.game)
         if told is not None:
             notice.draw(surface, place, told, scene, shared.theme, shared.type)
@@ -73,9 +77,10 @@ class Play:
 
     def _tick(self, camera: Camera) -> None:
         """Run one tick and tell the recorder."""
-        controls = self._hands.controls(camera)
+        game = self._ticked.game
+        controls = self._hands.controls(camera) if self._pilot is None else self._pilot.controls(game)
         self._hands = self._hands._replace(serve=False)
-        self._ticked = tick(self._ticked.game, controls)
+        self._ticked = tick(game, controls)
         self._effects = effects.after(self._effects, self._ticked, full=self._shared.effects)
         if self._shared.recorder is not None:
             self._shared.recorder(controls, self._ticked.game)

@@ -60,10 +60,10 @@ class Title:
         dim(surface, theme, 120)
         width, height = size
         middle = width / 2.0
-        type_.write(surface, NAME, min(unit * 5.0, width / 9.0), theme.text, complex(middle, height * 0.17), "center")
+        type_.write(surface, NAME, min(unit * 3.8, width / 11.0), theme.text, complex(middle, unit * 1.2), "midtop", 0.12)
         level = shared.catalogue[shared.chosen]
         self._draw_cards(surface)
-        below = self._cards(size)[0].bottom + unit * 0.6
+        below = self._cards(size)[0].bottom + unit * 0.5
         box = type_.write(surface, level.name, unit * 1.5, theme.accent, complex(middle, below), "midtop")
         for line in type_.wrapped(level.description, unit * 1.05, width * 0.9):
             box = type_.write(surface, line, unit * 1.05, theme.text, complex(middle, box.bottom + unit * 0.2), "midtop")
@@ -88,9 +88,9 @@ class Title:
         """Where the levels' cards are, pixels: a row in the lower half."""
         unit, count = unit_of(size), len(self._shared.catalogue)
         gap = unit * 0.7
-        side = min((size[0] - unit * 2.0 - gap * (count - 1)) / count, unit * 7.0)
+        side = min((size[0] - unit * 2.0 - gap * (count - 1)) / count, unit * 5.6)
         side = max(side, 1.0)
-        top = size[1] * 0.86 - unit * 4.2 - side
+        top = size[1] - unit * 7.8 - side
         left = (size[0] - side * count - gap * (count - 1)) / 2.0
         tall = round(side + unit * 1.1)
         return [pygame.Rect(round(left + index * (side + gap)), round(top), round(side), tall) for index in range(count)]

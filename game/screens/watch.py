@@ -1,0 +1,167 @@
+"""A recorded game: played, stopped, stepped and sought in. Only the ticks come from elsewhere; the drawing is the game's."""
+
+from typing import Protocol
+
+import pygame
+
+from game import effects, hud
+from game.camera import Layout, layout, unit_of
+from game.controls import WATCH_HELP, Action, Clicked, Moved, Pressed, Signal
+from game.effects import Effects
+from game.rules import TICK, Game, Ticked
+from game.scene import scene_at, still
+from game.screens.base import Screen, Shared
+from game.screens.panels import Help
+from game.ticker import LONGEST_FRAME
+
+SPEEDS = (0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0)
+_SKIP = 5 * 240
+"""Ticks that an arrow key skips."""
+_RUN_UP = 48
+"""Ticks before the one sought that are played for their trails and flashes."""
+
+
+class Frames(Protocol):
+    """A game that was played, tick by tick."""
+
+    @property
+    def ticks(self) -> int:
+        """How many there are."""
+
+    def game(self, number: int) -> Game:
+        """The game after `number` ticks, 0 to `ticks`."""
+
+    def ticked(self, number: int) -> Ticked:
+        """The tick that follows the first `number`, 0 to `ticks` - 1."""
+
+
+class Watch:
+    """Shows a recorded game; its clock is a number of ticks, with a fraction to draw between them."""
+
+    def __init__(self, shared: Shared, frames: Frames) -> None:
+        """Start at the beginning, playing."""
+        self._shared, self._frames = shared, frames
+        self._playing = True
+        self._speed = SPEEDS.index(1.0)
+        self._effects = Effects()
+        self._seek(0)
+
+    def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
+        """Play, stop, step, seek, or leave."""
+        match signal:
+            case Pressed(Action.BACK):
+                return None
+            case Pressed(Action.HELP):
+                return Help(self._shared, self, "Watching a game", WATCH_HELP)
+            case Pressed(Action.SERVE | Action.PAUSE | Action.CONFIRM):
+                self._toggle()
+            case Pressed(Action.SLOWER | Action.DOWN):
+                self._speed = max(self._speed - 1, 0)
+            case Pressed(Action.FASTER | Action.UP):
+                self._speed = min(self._speed + 1, len(SPEEDS) - 1)
+            case Pressed(action):
+                self._go(action)
+            case Clicked(place) | Moved(place, True) if self._on_timeline(place, size):
+                bar = self._timeline(size)
+                share = (place.real - bar.left) / max(bar.width, 1)
+                self._seek(round(min(max(share, 0.0), 1.0) * self._frames.ticks))
+        return self
+
+    def advance(self, seconds: float, _size: tuple[int, int]) -> Screen | None:
+        """Let the recording run at its speed."""
+        if self._playing:
+            self._run_to(self._at + min(max(seconds, 0.0), LONGEST_FRAME) / TICK * SPEEDS[self._speed])
+            self._playing = self._at < self._frames.ticks
+        return self
+
+    def draw(self, surface: pygame.Surface) -> None:
+        """The arena, the figures and the timeline."""
+        shared, place = self._shared, self._layout(surface.get_size())
+        scene = scene_at(self._shown, self._at - self._number, self._effects)
+        shared.painter.paint(surface, scene, place.camera, shared.type, place.unit)
+        shown = hud.readings(self._shown.game, muted=shared.muted, badge="replay")
+        hud.draw(surface, place, shown, shared.theme, shared.type)
+        self._draw_timeline(surface)
+
+    def _toggle(self) -> None:
+        """Play or stop; at the end, play from the beginning."""
+        if self._at >= self._frames.ticks:
+            self._seek(0)
+        self._playing = not self._playing
+
+    def _go(self, action: Action) -> None:
+        """Move to another tick."""
+        whole = int(self._at)
+        match action:
+            case Action.STEP | Action.STEP_BACK:
+                self._playing = False
+                self._seek(whole + (1 if action is Action.STEP else -1))
+            case Action.LEFT:
+                self._seek(whole - _SKIP)
+            case Action.RIGHT:
+                self._seek(whole + _SKIP)
+            case Action.START | Action.RESTART:
+                self._seek(0)
+            case Action.END:
+                self._seek(self._frames.ticks)
+
+    def _seek(self, tick: int) -> None:
+        """Show the moment after the given number of ticks, limited to those there are."""
+        tick = min(max(tick, 0), self._frames.ticks)
+        start = max(tick - _RUN_UP, 0)
+        self._effects = Effects()
+        self._at, self._number = float(start), start
+        self._shown = self._tick_from(start)
+        self._run_to(float(tick))
+
+    def _run_to(self, moment: float) -> None:
+        """Play forward to a moment, in ticks."""
+        moment = min(moment, float(self._frames.ticks))
+        while self._number < int(moment):
+            self._effects = effects.after(self._effects, self._shown, full=self._shared.effects)
+            self._number += 1
+            self._shown = self._tick_from(self._number)
+        self._at = moment
+
+    def _tick_from(self, number: int) -> Ticked:
+        """The tick to look into after the first `number`; behind the last there is none."""
+        return self._frames.ticked(number) if number < self._frames.ticks else still(self._frames.game(number))
+
+    def _layout(self, size: tuple[int, int]) -> Layout:
+        """Where everything is, the timeline left out."""
+        return layout(size, self._shown.game.level.ground_radius, below=unit_of(size) * 3.2)
+
+    def _timeline(self, size: tuple[int, int]) -> pygame.Rect:
+        """The timeline's bar, pixels."""
+        unit = unit_of(size)
+        return pygame.Rect(
+            round(unit * 7.0), round(size[1] - unit * 1.9), max(round(size[0] - unit * 20.0), 1), max(round(unit * 0.6), 1)
+        )
+
+    def _on_timeline(self, place: complex, size: tuple[int, int]) -> bool:
+        """Whether a pixel is on the bar, or near enough to mean it."""
+        unit = unit_of(size)
+        return bool(self._timeline(size).inflate(round(unit), round(unit * 1.6)).collidepoint(place.real, place.imag))
+
+    def _draw_timeline(self, surface: pygame.Surface) -> None:
+        """How far the recording is, how fast it runs, and the main keys."""
+        theme, type_, size = self._shared.theme, self._shared.type, surface.get_size()
+        unit, bar = unit_of(size), self._timeline(size)
+        share = self._at / max(self._frames.ticks, 1)
+        radius = bar.height // 2
+        pygame.draw.rect(surface, theme.panel_edge, bar, 0, radius)
+        done = bar.copy()
+        done.width = round(bar.width * share)
+        pygame.draw.rect(surface, theme.accent, done, 0, radius)
+        pygame.draw.circle(surface, theme.text, (done.right, bar.centery), bar.height)
+        state = "playing" if self._playing else "stopped"
+        type_.write(surface, state, unit, theme.text, complex(unit * 0.8, bar.centery), "midleft")
+        length = f"{self._at * TICK:.1f} / {self._frames.ticks * TICK:.1f} s    {_speed_text(SPEEDS[self._speed])}"
+        type_.write(surface, length, unit, theme.text, complex(size[0] - unit * 0.8, bar.centery), "midright")
+        keys = "Space: play / stop    , . : one tick    Left Right: 5 s    + -: speed    H: help"
+        type_.write(surface, keys, unit * 0.9, theme.faint, complex(bar.left, bar.bottom + unit * 0.25), "topleft")
+
+
+def _speed_text(speed: float) -> str:
+    """A speed as people write it."""
+    return f"{speed:g}x" if speed >= 1.0 else f"1/{1.0 / speed:g}x"
