@@ -13,7 +13,9 @@ from game.rules import Controls, Game, Phase, new_game, tick
 
 FOLDER = Path(__file__).parent / "golden"
 LEAST_TICKS = 60 * 240
+PLAYERS = ("autopilot", "mouse", "keys")
 _FIRST_SEED = 100
+_SEEDS_PER_PLAYER = 30
 
 
 class Player(Protocol):
@@ -33,14 +35,14 @@ class Golden(NamedTuple):
 def golden_games() -> Iterator[Golden]:
     """Every level, by every kind of player."""
     for number in range(1, len(built_in()) + 1):
-        for player in ("autopilot", "mouse", "keys"):
+        for player in PLAYERS:
             yield Golden(f"{number}-{player}", number, player)
 
 
 def recorded(golden: Golden) -> Recording:
     """The first game, counting the seed up, that is still going on after a minute."""
     levels = built_in()[golden.level - 1 :]
-    seed = _FIRST_SEED * golden.level
+    seed = _FIRST_SEED * golden.level + _SEEDS_PER_PLAYER * PLAYERS.index(golden.player)
     while True:
         seed += 1
         player: Player = {"autopilot": Autopilot(), "mouse": MousePlayer(seed), "keys": KeyPlayer(seed)}[golden.player]

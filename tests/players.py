@@ -3,9 +3,18 @@
 import random
 
 from game.rules import POINTER_STEPS, Controls, Game, Phase, paddle_ring
-from physics import angle_of, length, signed_difference
+from physics import angle_of, cross, dot, signed_difference
 
 TURN = 6.283185307179586
+
+
+def bearing_ahead(game: Game) -> float:
+    """Where the ball would come to the paddles' track, were there no bricks."""
+    ball, track = game.arena.balls[0], paddle_ring(game).inner_radius
+    p, v = ball.position, ball.velocity
+    root = dot(v, v) * track * track - cross(p, v) ** 2
+    time = (max(root, 0.0) ** 0.5 - dot(p, v)) / dot(v, v)
+    return angle_of(p + v * time)
 
 
 class MousePlayer:
@@ -18,10 +27,8 @@ class MousePlayer:
 
     def controls(self, game: Game) -> Controls:
         if game.tick % 12 == 0 and game.arena.balls:
-            ball = game.arena.balls[0]
-            ahead = ball.position + ball.velocity * (9.0 - length(ball.position)) / 9.0
             shake = (self._chance.random() - 0.5) * 0.25
-            self._pointer = int(((angle_of(ahead) + shake) / TURN % 1.0) * POINTER_STEPS) % POINTER_STEPS
+            self._pointer = int(((bearing_ahead(game) + shake) / TURN % 1.0) * POINTER_STEPS) % POINTER_STEPS
         if game.phase_tick == 0:
             self._serve_at = int(self._chance.random() * 600)
         return Controls(pointer=self._pointer, serve=game.phase_tick >= self._serve_at and game.phase != Phase.PLAYING)
@@ -37,13 +44,11 @@ class KeyPlayer:
 
     def controls(self, game: Game) -> Controls:
         if game.tick >= self._until and game.arena.balls:
-            ball = game.arena.balls[0]
-            ahead = angle_of(ball.position + ball.velocity * 0.5)
             paddles = paddle_ring(game)
-            ways = [signed_difference(ahead, paddles.angle(slot)) for slot in range(paddles.count)]
+            ways = [signed_difference(bearing_ahead(game), paddles.angle(slot)) for slot in range(paddles.count)]
             way = min(ways, key=abs)
             self._turn = 0 if abs(way) < 0.1 else (1 if way > 0 else -1)
-            if self._chance.random() < 0.08:
+            if self._chance.random() < 0.04:
                 self._turn = -self._turn
-            self._until = game.tick + 10 + int(self._chance.random() * 40)
+            self._until = game.tick + 10 + int(self._chance.random() * 20)
         return Controls(turn=self._turn, serve=game.tick % 170 == 0)
