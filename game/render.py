@@ -5,6 +5,7 @@ surroundings are drawn again. What moves is drawn afresh in every frame.
 """
 
 import math
+from collections import OrderedDict
 from pathlib import Path
 from typing import NamedTuple
 
@@ -13,12 +14,15 @@ import pygame
 
 from game import hud
 from game.camera import Camera, layout
-from game.effects import Effects
-from game.outlines import disc, sector
-from game.palette import DARK, Theme, mixed
+from game.effects import Effects, Flash
+from game.looks import paddle_looks, wall_looks
+from game.palette import DARK, Colour, Theme, mixed
+from game.polar_map import band
+from game.ring_picture import RingPicture, Shape, packed, pixels_of, shape_of
 from game.rules import PADDLES, Game
 from game.scene import Scene, scene_at, still
-from game.shapes2d import draw_arrow, draw_bricks, draw_dot, draw_flash, draw_paddles, fill_outline
+from game.shapes2d import draw_arrow, draw_dot
+from game.skins import Look, terrace
 from game.text import Type
 from physics import Ring
 
@@ -26,7 +30,10 @@ _AIM_REACH = 2.4
 _BALL_PHASES = 4
 """Places within a pixel, each way, that the ball is drawn for."""
 _POP_RISE = 0.9
-_ZERO = np.zeros(1)
+_COMMON_LAYERS = 3
+"""Stacks up to this height have terraces of the same width."""
+_PICTURES = 96
+"""Rings remembered; more than one arena may be on the screen."""
 
 
 class _Kept(NamedTuple):
@@ -36,10 +43,9 @@ class _Kept(NamedTuple):
     camera: Camera
     theme: Theme
     ground_radius: float
-    track: tuple[float, float]
+    track: float
     rings: tuple[tuple[int, Ring], ...]
-    layers: tuple[tuple[int, ...], ...]
-    ground: pygame.Surface
+    looks: tuple[tuple[Look, ...], ...]
     picture: pygame.Surface
 
 
@@ -50,22 +56,21 @@ class Painter:
         """Start with nothing remembered. theme may be changed at any time."""
         self.theme = theme
         self._kept: _Kept | None = None
-        self._balls: dict[tuple[Theme, int, int, int], pygame.Surface] = {}
+        self._rings: OrderedDict[Shape, RingPicture] = OrderedDict()
+        self._balls: dict[tuple[int, int, int, int], pygame.Surface] = {}
 
     def paint(self, surface: pygame.Surface, scene: Scene, camera: Camera, type_: Type, unit: float) -> None:
-        """Draw a whole scene. unit: pixels, size of body text."""
-        self._paint_resting(surface, scene, camera)
+        """Draw a whole scene on a 32-bit surface. unit: pixels, size of body text."""
+        flashes: dict[int, list[Flash]] = {}
+        for flash in scene.flashes:
+            flashes.setdefault(flash.ring, []).append(flash)
+        self._paint_resting(surface, scene, camera, flashes)
+        for k, ring in enumerate(scene.rings):
+            if k != PADDLES and ring.spin:
+                self.paint_ring(surface, camera, ring, wall_looks(scene.layers[k], flashes.get(k, [])), scene.tallest[k])
+        self.paint_ring(surface, camera, scene.rings[PADDLES], paddle_looks(scene, flashes.get(PADDLES, [])), 0)
         for trail in scene.trails:
             _paint_trail(surface, trail, scene, camera, self.theme)
-        for ring, layers in zip(scene.rings[PADDLES + 1 :], scene.layers[PADDLES + 1 :], strict=True):
-            if ring.spin:
-                draw_bricks(surface, camera, ring, layers, self.theme, range(ring.count))
-        for flash in scene.flashes:
-            if flash.ring != PADDLES:
-                ring = scene.rings[flash.ring]
-                draw_flash(surface, camera, ring, flash.slot, flash.layers, flash.age, self.theme)
-        glow = {flash.slot: 1.0 - flash.age for flash in scene.flashes if flash.ring == PADDLES}
-        draw_paddles(surface, camera, scene.rings[PADDLES], self.theme, glow)
         if scene.aim is not None:
             draw_arrow(surface, camera, scene.aim.origin, scene.aim.direction, self.theme, _AIM_REACH)
         for ball in scene.balls:
@@ -75,23 +80,31 @@ class Painter:
             colour = mixed(self.theme.text, self.theme.ground, max(0.0, 2.0 * pop.age - 1.0))
             type_.write(surface, pop.text, unit * 0.9, colour, place, "center")
 
-    def _paint_resting(self, surface: pygame.Surface, scene: Scene, camera: Camera) -> None:
+    def paint_ring(self, surface: pygame.Surface, camera: Camera, ring: Ring, looks: tuple[Look, ...], tallest: int) -> None:
+        """Draw one ring and the ground in its gaps. tallest: layers of the highest stack that may ever stand there."""
+        step = terrace(ring.half_width, ring.half_angle, ring.inner_radius, max(tallest, _COMMON_LAYERS))
+        shape = shape_of(surface, camera, ring, step, self.theme)
+        picture = self._rings.get(shape)
+        if picture is None:
+            picture = self._rings[shape] = RingPicture(shape)
+            if len(self._rings) > _PICTURES:
+                self._rings.popitem(last=False)
+        picture.draw(surface, ring.phase, looks)
+
+    def _paint_resting(self, surface: pygame.Surface, scene: Scene, camera: Camera, flashes: dict[int, list[Flash]]) -> None:
         """The ground and the rings at rest, from memory as far as they are the same."""
-        paddles = scene.rings[PADDLES]
-        resting = [(k, ring) for k, ring in enumerate(scene.rings) if k != PADDLES and not ring.spin]
-        layers = tuple([scene.layers[k] for k, _ in resting])
-        track = (paddles.inner_radius, paddles.outer_radius)
-        key = (surface.get_size(), camera, self.theme, scene.ground_radius, track, tuple(resting))
+        resting = tuple([(k, ring) for k, ring in enumerate(scene.rings) if k != PADDLES and not ring.spin])
+        looks = tuple([wall_looks(scene.layers[k], flashes.get(k, [])) for k, _ in resting])
+        key = (surface.get_size(), camera, self.theme, scene.ground_radius, scene.rings[PADDLES].radius, resting)
         kept = self._kept
         if kept is None or kept[:6] != key:
-            ground = _ground(surface, scene.ground_radius, track, camera, self.theme)
-            picture = ground.copy()
-            for (_, ring), stacks in zip(resting, layers, strict=True):
-                draw_bricks(picture, camera, ring, stacks, self.theme, range(ring.count))
-            kept = _Kept(*key, layers, ground, picture)
-        elif kept.layers != layers:
-            _repaint_changed(kept, layers, camera)
-            kept = kept._replace(layers=layers)
+            self._rings.clear()
+            ground = _ground(surface, scene.ground_radius, scene.rings[PADDLES].radius, camera, self.theme)
+            kept = _Kept(*key, ((),) * len(resting), ground)
+        for (k, ring), before, now in zip(resting, kept.looks, looks, strict=True):
+            if before != now:
+                self.paint_ring(kept.picture, camera, ring, now, scene.tallest[k])
+        kept = kept._replace(looks=looks)
         self._kept = kept
         surface.blit(kept.picture, (0, 0))
 
@@ -100,7 +113,7 @@ class Painter:
         left, top = math.floor(place.real), math.floor(place.imag)
         across, down = int((place.real - left) * _BALL_PHASES), int((place.imag - top) * _BALL_PHASES)
         size = round(radius * 8.0)
-        key = (self.theme, size, across, down)
+        key = (id(self.theme), size, across, down)
         if key not in self._balls:
             if len(self._balls) > 4 * _BALL_PHASES**2:
                 self._balls.clear()
@@ -112,7 +125,7 @@ class Painter:
 
 def save_screenshot(game: Game, path: Path, size: tuple[int, int], theme: Theme = DARK) -> None:
     """Draw a game as the window shows it, and save it as PNG. Needs no window and no display."""
-    surface = pygame.Surface(size)
+    surface = pygame.Surface(size, 0, 32)
     ticked = still(game)
     place = layout(size, game.level.ground_radius)
     type_ = Type()
@@ -121,46 +134,31 @@ def save_screenshot(game: Game, path: Path, size: tuple[int, int], theme: Theme 
     pygame.image.save(surface, path, "screenshot.png")
 
 
-def _ground(surface: pygame.Surface, radius: float, track: tuple[float, float], camera: Camera, theme: Theme) -> pygame.Surface:
-    """The ground with its rim and the paddles' track, on the background."""
+def _ground(surface: pygame.Surface, radius: float, track: float, camera: Camera, theme: Theme) -> pygame.Surface:
+    """The ground with its rim and the middle of the paddles' track, on the background."""
     picture = pygame.Surface(surface.get_size(), 0, surface)
     picture.fill(theme.background)
-    rim = max(2.0, 0.07 * camera.scale)
-    fill_outline(picture, camera, disc(radius * camera.scale + rim), _ZERO, theme.rim)
-    fill_outline(picture, camera, disc(radius * camera.scale), _ZERO, theme.ground)
-    middle = (track[0] + track[1]) / 2.0 * camera.scale
-    fill_outline(picture, camera, disc(middle + 0.75), _ZERO, theme.ground_line)
-    fill_outline(picture, camera, disc(middle - 0.75), _ZERO, theme.ground)
+    scale = camera.scale
+    pygame.draw.circle(picture, theme.ground, (camera.centre.real, camera.centre.imag), radius * scale)
+    rim = max(2.0, 0.07 * scale)
+    _draw_circle(picture, camera.centre, radius * scale, rim, (theme.ground, theme.rim, theme.background))
+    width = max(1.2, 0.03 * scale)
+    _draw_circle(picture, camera.centre, track * scale - width / 2.0, width, (theme.ground, theme.ground_line, theme.ground))
     return picture
 
 
-def _repaint_changed(kept: _Kept, layers: tuple[tuple[int, ...], ...], camera: Camera) -> None:
-    """Draw again what lies around the slots that changed."""
-    boxes = [_boxes(ring, camera) for _, ring in kept.rings]
-    for which, (before, after) in enumerate(zip(kept.layers, layers, strict=True)):
-        for slot in [slot for slot in range(len(after)) if before[slot] != after[slot]]:
-            dirty = boxes[which][slot]
-            kept.picture.set_clip(dirty)
-            kept.picture.blit(kept.ground, dirty, dirty)
-            for (_, ring), stacks, around in zip(kept.rings, layers, boxes, strict=True):
-                touched = [other for other in range(ring.count) if around[other].colliderect(dirty)]
-                if touched:
-                    draw_bricks(kept.picture, camera, ring, stacks, kept.theme, touched)
-    kept.picture.set_clip(None)
-
-
-def _boxes(ring: Ring, camera: Camera) -> list[pygame.Rect]:
-    """Per slot the rectangle of pixels it may touch."""
-    outline = sector(ring.inner_radius * camera.scale, ring.outer_radius * camera.scale, ring.half_angle, 0.0)
-    if outline is None:
-        return [pygame.Rect(0, 0, 0, 0)] * ring.count
-    angles = ring.phase + np.arange(ring.count, dtype=np.float64) * (math.tau / ring.count)
-    boxes = []
-    for points in camera.placed(outline.edge, angles):
-        xs, ys = [x for x, _ in points], [y for _, y in points]
-        left, top = math.floor(min(xs)) - 2, math.floor(min(ys)) - 2
-        boxes.append(pygame.Rect(left, top, math.ceil(max(xs)) + 3 - left, math.ceil(max(ys)) + 3 - top))
-    return boxes
+def _draw_circle(
+    picture: pygame.Surface, centre: complex, inner: float, width: float, colours: tuple[Colour, Colour, Colour]
+) -> None:
+    """A circular line, anti-aliased. inner, width: pixels; colours: within, of the line, outside."""
+    stride = picture.get_pitch() // 4
+    pixels = band(picture.get_size(), stride, centre, max(inner - 3.0, 0.0), inner + width + 3.0)
+    within, line, outside = (np.array(colour, dtype=np.float32) for colour in colours)
+    past_inner = np.clip(pixels.radius - inner + 0.5, 0.0, 1.0)[:, None]
+    past_outer = np.clip(pixels.radius - inner - width + 0.5, 0.0, 1.0)[:, None]
+    drawn = within + (line - within) * past_inner
+    drawn += (outside - drawn) * past_outer
+    pixels_of(picture)[pixels.place] = packed(picture, drawn)
 
 
 def _paint_trail(surface: pygame.Surface, trail: tuple[complex, ...], scene: Scene, camera: Camera, theme: Theme) -> None:

@@ -24,6 +24,7 @@ class Scene(NamedTuple):
     ground_radius: float
     rings: tuple[Ring, ...]  # ring 0 is the paddles
     layers: tuple[tuple[int, ...], ...]  # per ring and slot, as in `physics.Arena`
+    tallest: tuple[int, ...]  # per ring: layers of its highest stack when the level began
     balls: tuple[Ball, ...]
     trails: tuple[tuple[complex, ...], ...]  # from old to new; the ball itself is not part of it
     aim: Aim | None
@@ -48,6 +49,7 @@ def scene_at(ticked: Ticked, alpha: float, effects: Effects) -> Scene:
         game.level.ground_radius,
         rings,
         game.arena.layers,
+        (0, *[max(ring.slots()) for ring in game.level.rings]),
         balls,
         effects.trails,
         _aim(game, balls),

@@ -1,16 +1,17 @@
 """Panels over another screen: a menu with a title, and the help. What lies under them stands still."""
 
+import math
 from collections.abc import Callable
 from typing import NamedTuple
 
-import numpy as np
 import pygame
 
 from game.camera import Camera, unit_of
 from game.controls import PLAY_HELP, Action, Clicked, Moved, Pressed, Signal
+from game.looks import wall_looks
 from game.palette import Theme
+from game.render import Painter
 from game.screens.base import Screen, Shared
-from game.shapes2d import draw_bricks
 from physics import PERMANENT, Ring
 
 
@@ -152,18 +153,23 @@ class Help:
         pitch = unit * 4.3
         for index, (layers, words) in enumerate(samples):
             spot = place + complex(unit * 1.9 + index * pitch, unit * 1.8)
-            draw_sample(surface, spot, unit, layers, theme)
+            self._draw_sample(surface, spot, unit, layers)
             type_.write(surface, words, unit * 0.95, theme.text, spot + 1j * unit * 1.6, "midtop")
         note = "Each step of a brick is one layer. Bricks in a row without a paddle between them multiply the points."
         for index, line in enumerate(type_.wrapped(note, unit * 0.95, unit * 30.0)):
             type_.write(surface, line, unit * 0.95, theme.faint, place + 1j * unit * (5.2 + 1.2 * index))
 
-
-def draw_sample(surface: pygame.Surface, middle: complex, unit: float, layers: int, theme: Theme) -> None:
-    """One brick on its own, as in the arena."""
-    ring = Ring(4.0, 0.45, 0.2, 1, np.pi / 2.0)
-    camera = Camera(middle + 1j * 4.0 * unit * 2.0, unit * 2.0)
-    draw_bricks(surface, camera, ring, (layers,), theme, range(1))
+    def _draw_sample(self, surface: pygame.Surface, middle: complex, unit: float, layers: int) -> None:
+        """One brick on its own, as in the arena but on a panel."""
+        ring = Ring(4.0, 0.45, 0.2, 1, math.pi / 2.0)
+        size = round(unit * 4.0)
+        card = pygame.Surface((size, size), 0, 32)
+        theme = self._shared.theme
+        card.fill(theme.panel)
+        painter = Painter(theme._replace(ground=theme.panel))
+        painter.paint_ring(card, Camera(complex(size, size) / 2.0 + 8j * unit, unit * 2.0), ring, wall_looks((layers,), []), 6)
+        half = pygame.Rect(0, round(size * 0.25), size, round(size * 0.5))
+        surface.blit(card, (round(middle.real - size / 2.0), round(middle.imag - size * 0.25)), half)
 
 
 def draw_panel(surface: pygame.Surface, panel: pygame.Rect, theme: Theme, unit: float) -> None:

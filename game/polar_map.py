@@ -1,0 +1,58 @@
+"""The pixels of a ring's band, in polar coordinates about the arena's centre."""
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+Floats = NDArray[np.float32]
+
+
+class Band(NamedTuple):
+    """Every pixel between two circles that lies on the surface."""
+
+    place: NDArray[np.int64]  # into the surface's pixels, row after row
+    radius: Floats  # of the pixel's middle, pixels
+    angle: Floats  # counter-clockwise as in the world, in [0, 2 pi)
+
+
+def band(size: tuple[int, int], stride: int, centre: complex, inner: float, outer: float) -> Band:
+    """The pixels whose middles lie between two radii. size, centre, radii: pixels; stride: pixels from row to row in memory."""
+    width, height = size
+    first = max(int(np.floor(centre.imag - outer)), 0)
+    rows = np.arange(first, min(int(np.ceil(centre.imag + outer)) + 1, height), dtype=np.int64)
+    if not len(rows):
+        return Band(np.zeros(0, np.int64), np.zeros(0, np.float32), np.zeros(0, np.float32))
+    down = rows + 0.5 - centre.imag
+    reach = np.sqrt(np.maximum(outer * outer - down * down, 0.0))
+    hole = np.sqrt(np.maximum(inner * inner - down * down, 0.0))
+    left, right = _spans(centre.real - reach, centre.real - hole, width), _spans(centre.real + hole, centre.real + reach, width)
+    right = (np.maximum(right[0], left[1]), right[1])  # without a hole in the row the two would share a pixel
+    ys = np.concatenate([np.repeat(rows, _lengths(span)) for span in (left, right)])
+    xs = np.concatenate([_counted(span) for span in (left, right)])
+    across, up = xs + 0.5 - centre.real, centre.imag - ys - 0.5
+    angle = np.arctan2(up, across).astype(np.float32)
+    angle[angle < 0.0] += np.float32(2.0 * np.pi)
+    return Band(ys * stride + xs, np.hypot(across, up).astype(np.float32), angle)
+
+
+_Span = tuple[NDArray[np.int64], NDArray[np.int64]]
+
+
+def _spans(begin: NDArray[np.float64], end: NDArray[np.float64], width: int) -> _Span:
+    """Per row the first pixel and the one behind the last whose middles lie between two places."""
+    first = np.clip(np.ceil(begin - 0.5), 0, width).astype(np.int64)
+    behind = np.clip(np.floor(end - 0.5) + 1, 0, width).astype(np.int64)
+    return first, np.maximum(behind, first)
+
+
+def _lengths(span: _Span) -> NDArray[np.int64]:
+    """Pixels per row."""
+    return np.asarray(np.maximum(span[1] - span[0], 0), dtype=np.int64)
+
+
+def _counted(span: _Span) -> NDArray[np.int64]:
+    """The columns of all rows, one row after the other."""
+    lengths = _lengths(span)
+    offsets = np.repeat(np.cumsum(lengths) - lengths, lengths)
+    return np.arange(int(lengths.sum()), dtype=np.int64) - offsets + np.repeat(span[0], lengths)
