@@ -60,8 +60,8 @@ def layout(size: tuple[int, int], ground_radius: float, below: float = 0.0) -> L
 
 
 def unit_of(size: tuple[int, int]) -> float:
-    """Size of body text, pixels: a 40th of the height, less where the window is narrow."""
-    return max(min(size[1] / 36.0, size[0] / 44.0), 4.0)
+    """Size of body text, pixels: a 34th of the height, less where the window is narrow."""
+    return max(min(size[1] / 34.0, size[0] / 44.0), 4.0)
 
 
 def bearing(camera: Camera, pixel: complex) -> float | None:

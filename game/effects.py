@@ -13,6 +13,8 @@ _TRAIL_LENGTH = 16
 _TRAIL_EVERY = 3
 """Ticks from one point of a trail to the next."""
 
+_WORDS = {EventKind.NUDGED: "nudged", EventKind.BALL_LOST: "lost"}
+
 
 class Flash(NamedTuple):
     """A sector that was just hit."""
@@ -28,6 +30,7 @@ class Pop(NamedTuple):
 
     position: complex
     text: str
+    bad: bool  # news
     age: float  # 0 new to 1 gone
 
 
@@ -57,7 +60,7 @@ def after(effects: Effects, ticked: Ticked, *, full: bool = True) -> Effects:
         if event.hit is not None:
             flashes = (*flashes, Flash(event.hit.ring, event.hit.slot, event.hit.layers, 0.0))
         if text := _pop_text(event):
-            pops = (*pops, Pop(event.position, text, 0.0))
+            pops = (*pops, Pop(event.position, text, event.kind == EventKind.BALL_LOST, 0.0))
     return Effects(trails, flashes, pops)
 
 
@@ -65,7 +68,7 @@ def _pop_text(event: Event) -> str:
     """The words for an event; none for most."""
     if event.kind == EventKind.BRICK_HIT:
         return f"+{event.points}"
-    return "nudged" if event.kind == EventKind.NUDGED else ""
+    return _WORDS.get(event.kind, "")
 
 
 def _trails(trails: tuple[tuple[complex, ...], ...], ticked: Ticked) -> tuple[tuple[complex, ...], ...]:

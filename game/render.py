@@ -14,7 +14,7 @@ import pygame
 
 from game import hud
 from game.camera import Camera, layout
-from game.effects import Effects, Flash
+from game.effects import Effects, Flash, Pop
 from game.looks import paddle_looks, wall_looks
 from game.palette import DARK, Colour, Theme, mixed
 from game.polar_map import band
@@ -43,7 +43,6 @@ class _Kept(NamedTuple):
     camera: Camera
     theme: Theme
     ground_radius: float
-    track: float
     rings: tuple[tuple[int, Ring], ...]
     looks: tuple[tuple[Look, ...], ...]
     picture: pygame.Surface
@@ -76,9 +75,7 @@ class Painter:
         for ball in scene.balls:
             self._paint_ball(surface, camera.project(ball.position), ball.radius * camera.scale)
         for pop in scene.pops:
-            place = camera.project(pop.position) - 1j * _POP_RISE * pop.age * camera.scale
-            colour = mixed(self.theme.text, self.theme.ground, max(0.0, 2.0 * pop.age - 1.0))
-            type_.write(surface, pop.text, unit * 0.9, colour, place, "center")
+            _paint_pop(surface, pop, camera, self.theme, type_, unit)
 
     def paint_ring(self, surface: pygame.Surface, camera: Camera, ring: Ring, looks: tuple[Look, ...], tallest: int) -> None:
         """Draw one ring and the ground in its gaps. tallest: layers of the highest stack that may ever stand there."""
@@ -95,11 +92,11 @@ class Painter:
         """The ground and the rings at rest, from memory as far as they are the same."""
         resting = tuple([(k, ring) for k, ring in enumerate(scene.rings) if k != PADDLES and not ring.spin])
         looks = tuple([wall_looks(scene.layers[k], flashes.get(k, [])) for k, _ in resting])
-        key = (surface.get_size(), camera, self.theme, scene.ground_radius, scene.rings[PADDLES].radius, resting)
+        key = (surface.get_size(), camera, self.theme, scene.ground_radius, resting)
         kept = self._kept
-        if kept is None or kept[:6] != key:
+        if kept is None or kept[:5] != key:
             self._rings.clear()
-            ground = _ground(surface, scene.ground_radius, scene.rings[PADDLES].radius, camera, self.theme)
+            ground = _ground(surface, scene.ground_radius, camera, self.theme)
             kept = _Kept(*key, ((),) * len(resting), ground)
         for (k, ring), before, now in zip(resting, kept.looks, looks, strict=True):
             if before != now:
@@ -134,16 +131,14 @@ def save_screenshot(game: Game, path: Path, size: tuple[int, int], theme: Theme 
     pygame.image.save(surface, path, "screenshot.png")
 
 
-def _ground(surface: pygame.Surface, radius: float, track: float, camera: Camera, theme: Theme) -> pygame.Surface:
-    """The ground with its rim and the middle of the paddles' track, on the background."""
+def _ground(surface: pygame.Surface, radius: float, camera: Camera, theme: Theme) -> pygame.Surface:
+    """The ground with its rim, on the background."""
     picture = pygame.Surface(surface.get_size(), 0, surface)
     picture.fill(theme.background)
     scale = camera.scale
     pygame.draw.circle(picture, theme.ground, (camera.centre.real, camera.centre.imag), radius * scale)
     rim = max(2.0, 0.07 * scale)
     _draw_circle(picture, camera.centre, radius * scale, rim, (theme.ground, theme.rim, theme.background))
-    width = max(1.2, 0.03 * scale)
-    _draw_circle(picture, camera.centre, track * scale - width / 2.0, width, (theme.ground, theme.ground_line, theme.ground))
     return picture
 
 
@@ -169,6 +164,15 @@ def _paint_trail(surface: pygame.Surface, trail: tuple[complex, ...], scene: Sce
     for index, point in enumerate(trail, 1):
         share = index / (len(trail) + 1)
         draw_dot(surface, camera.project(point), max(1.0, radius * 0.85 * share), mixed(theme.ground, theme.ball, 0.28 * share))
+
+
+def _paint_pop(surface: pygame.Surface, pop: Pop, camera: Camera, theme: Theme, type_: Type, unit: float) -> None:
+    """Words that rise and fade, kept on the surface."""
+    place = camera.project(pop.position) - 1j * _POP_RISE * pop.age * camera.scale
+    width, height = surface.get_size()
+    place = complex(min(max(place.real, 2.0 * unit), width - 2.0 * unit), min(max(place.imag, unit), height - unit))
+    fading = mixed(theme.danger if pop.bad else theme.text, theme.ground, max(0.0, 2.0 * pop.age - 1.0))
+    type_.write(surface, pop.text, unit * (1.3 if pop.bad else 0.9), fading, place, "center")
 
 
 def _ball(radius: float, across: float, down: float, theme: Theme) -> pygame.Surface:

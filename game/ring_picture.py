@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from game.camera import Camera
 from game.palette import Theme
-from game.polar_map import band
-from game.skins import Look, Sector, colours
+from game.polar_map import Floats, band
+from game.skins import Kind, Look, Sector, colours
 from physics import Ring
 
 _FINE = 4
@@ -61,12 +61,13 @@ class RingPicture:
         rows = max(math.ceil((outer + _BORDER - low) * fine), 1)
         self._radii = (low + (np.arange(rows, dtype=np.float32) + 0.5) / fine).astype(np.float32)
         self._angles = (((np.arange(self._columns) + 0.5) / self._columns - 0.5) * pitch).astype(np.float32)
+        self._alike = _alike(self._angles, self._sector)
         self._half_pitch = pitch / 2.0
         pixels = band(shape.size, shape.stride, shape.camera.centre, low, outer + _BORDER)
         self._index = pixels.place
         self._row = np.minimum(((pixels.radius - low) * fine).astype(np.int32), rows - 1)
         self._turn = np.minimum((pixels.angle * (self._around / math.tau)).astype(np.int32), self._around - 1)
-        self._first: dict[Look, int] = {}
+        self._found: dict[Look, NDArray[np.int32]] = {}  # per look and column of a slot: where it is in the atlas
         self._atlas = np.zeros((0, rows), dtype=np.uint32)
         self._looks: tuple[Look, ...] = ()
         self._slots = np.zeros(0, dtype=np.int32)
@@ -85,15 +86,30 @@ class RingPicture:
     def _arrange(self, surface: pygame.Surface, looks: tuple[Look, ...]) -> None:
         """Note where in the atlas each angle from slot 0 finds its column, twice around to save a modulo."""
         for look in dict.fromkeys(looks):
-            if look not in self._first:
-                self._first[look] = len(self._atlas)
-                picture = colours(look, self._sector, self._radii, self._angles, self._theme)
-                self._atlas = np.concatenate([self._atlas, packed(surface, picture).T])
-        rows = len(self._radii)
-        first = np.array([self._first[look] for look in looks], dtype=np.int32)
-        columns = (first[:, None] + np.arange(self._columns, dtype=np.int32)[None, :]).ravel() * rows
-        self._slots = np.concatenate([columns, columns]).astype(np.int32)
+            if look not in self._found:
+                self._found[look] = self._added(surface, look)
+        around = [self._found[look] for look in looks]
+        self._slots = np.concatenate(around + around)
         self._looks = looks
+
+    def _added(self, surface: pygame.Surface, look: Look) -> NDArray[np.int32]:
+        """Paint one more look; per column of a slot, its place in the atlas."""
+        angles, column = np.unique(self._angles if look.kind is Kind.STEEL else self._alike, return_inverse=True)
+        picture = colours(look, self._sector, self._radii, angles, self._theme)
+        first = len(self._atlas)
+        self._atlas = np.concatenate([self._atlas, packed(surface, picture).T])
+        return ((first + column) * len(self._radii)).astype(np.int32)
+
+
+def _alike(angles: Floats, sector: Sector) -> Floats:
+    """The angles, those replaced by one that look alike: far from a sector's ends only the radius counts."""
+    middle = (sector.outer - sector.inner) / 2.0 + 1.0
+    flat = sector.half_angle - math.asin(min(middle / max(sector.inner, 1e-9), 1.0))
+    gap = sector.half_angle + 1.0 / max(sector.inner, 1.0)
+    far = np.abs(angles)
+    if flat > 0.0:
+        angles = np.where(far < flat, np.float32(0.0), angles)
+    return np.where(far > gap, np.float32(gap), angles).astype(np.float32)
 
 
 def pixels_of(surface: pygame.Surface) -> NDArray[np.uint32]:

@@ -54,6 +54,8 @@ def colours(look: Look, sector: Sector, radii: Floats, angles: Floats, theme: Th
     depth = _depth(sector, radii, angles)
     match look.kind:
         case Kind.PADDLE:
+            track = 0.5 - np.abs(radii - (sector.inner + sector.outer) / 2.0)[:, None] + 0.015 * sector.scale
+            _paint(picture, track.astype(np.float32), theme.ground_line)
             _paint(picture, depth, _glowing(theme.paddle, look, theme))
             rim = max(1.0, 0.2 * (sector.outer - sector.inner))
             _paint(picture, depth - np.float32(rim), _glowing(theme.paddle_top, look, theme))

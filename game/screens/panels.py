@@ -131,7 +131,7 @@ class Help:
         theme, type_, size = self._shared.theme, self._shared.type, surface.get_size()
         unit = unit_of(size)
         dim(surface, theme)
-        width, height = unit * 34.0, unit * 31.0
+        width, height = unit * 34.0, unit * 32.0
         panel = pygame.Rect(round((size[0] - width) / 2), round((size[1] - height) / 2), round(width), round(height))
         draw_panel(surface, panel, theme, unit)
         left, top = panel.left + unit * 2.0, panel.top + unit * 1.2
@@ -144,7 +144,7 @@ class Help:
             type_.write(surface, meaning, unit * 1.15, theme.text, complex(left + unit * 10.0, y))
         self._draw_legend(surface, complex(left, top + unit * 21.2), unit)
         close = "any key or click closes this panel"
-        type_.write(surface, close, unit * 0.95, theme.faint, complex(panel.centerx, panel.bottom - unit * 0.8), "midbottom")
+        type_.write(surface, close, unit * 0.95, theme.faint, complex(panel.centerx, panel.bottom - unit * 0.7), "midbottom")
 
     def _draw_legend(self, surface: pygame.Surface, place: complex, unit: float) -> None:
         """Samples of bricks and what they are."""

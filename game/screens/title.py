@@ -6,7 +6,7 @@ from game.camera import layout, unit_of
 from game.controls import Action, Clicked, Moved, Pressed, Signal
 from game.screens.base import Screen, Shared
 from game.screens.demo import Demo
-from game.screens.panels import Help, dim
+from game.screens.panels import Help
 from game.screens.play import Play
 from game.screens.thumbnail import thumbnail
 
@@ -55,16 +55,17 @@ class Title:
         shared, size = self._shared, surface.get_size()
         theme, type_, unit = shared.theme, shared.type, unit_of(size)
         scene = self._demo.scene()._replace(aim=None, pops=())
-        camera = layout(size, scene.ground_radius).camera
-        shared.painter.paint(surface, scene, camera, type_, unit)
-        dim(surface, theme, 120)
         width, height = size
         middle = width / 2.0
-        type_.write(surface, NAME, min(unit * 3.8, width / 11.0), theme.text, complex(middle, unit * 1.2), "midtop", 0.12)
+        above, below = unit * 5.0, height - self._cards(size)[0].top + unit * 0.8
+        small = layout((width, max(round(height - above), 1)), scene.ground_radius, below).camera
+        camera = small._replace(centre=complex(middle, above + (height - above - below) / 2.0))
+        shared.painter.paint(surface, scene, camera, type_, unit)
+        type_.write(surface, NAME, min(unit * 3.8, width / 11.0), theme.text, complex(middle, unit * 1.0), "midtop", 0.12)
         level = shared.catalogue[shared.chosen]
         self._draw_cards(surface)
-        below = self._cards(size)[0].bottom + unit * 0.5
-        box = type_.write(surface, level.name, unit * 1.5, theme.accent, complex(middle, below), "midtop")
+        under = self._cards(size)[0].bottom + unit * 0.5
+        box = type_.write(surface, level.name, unit * 1.5, theme.accent, complex(middle, under), "midtop")
         for line in type_.wrapped(level.description, unit * 1.05, width * 0.9):
             box = type_.write(surface, line, unit * 1.05, theme.text, complex(middle, box.bottom + unit * 0.2), "midtop")
         hint = "Enter or click: play     Arrows: choose     H: help     F11: full screen     Esc: quit"

@@ -129,13 +129,13 @@ class Watch:
 
     def _layout(self, size: tuple[int, int]) -> Layout:
         """Where everything is, the timeline left out."""
-        return layout(size, self._shown.game.level.ground_radius, below=unit_of(size) * 3.2)
+        return layout(size, self._shown.game.level.ground_radius, below=unit_of(size) * 3.6)
 
     def _timeline(self, size: tuple[int, int]) -> pygame.Rect:
         """The timeline's bar, pixels."""
         unit = unit_of(size)
         return pygame.Rect(
-            round(unit * 7.0), round(size[1] - unit * 1.9), max(round(size[0] - unit * 20.0), 1), max(round(unit * 0.6), 1)
+            round(unit * 7.0), round(size[1] - unit * 2.4), max(round(size[0] - unit * 20.0), 1), max(round(unit * 0.6), 1)
         )
 
     def _on_timeline(self, place: complex, size: tuple[int, int]) -> bool:
@@ -159,7 +159,7 @@ class Watch:
         length = f"{self._at * TICK:.1f} / {self._frames.ticks * TICK:.1f} s    {_speed_text(SPEEDS[self._speed])}"
         type_.write(surface, length, unit, theme.text, complex(size[0] - unit * 0.8, bar.centery), "midright")
         keys = "Space: play / stop    , . : one tick    Left Right: 5 s    + -: speed    H: help"
-        type_.write(surface, keys, unit * 0.9, theme.faint, complex(bar.left, bar.bottom + unit * 0.25), "topleft")
+        type_.write(surface, keys, unit * 0.9, theme.faint, complex(bar.left, bar.bottom + unit * 0.6), "topleft")
 
 
 def _speed_text(speed: float) -> str:
