@@ -4,12 +4,11 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from physics.broad_phase import nearest_slot
 from physics.narrow_phase import contact
 from physics.polar import signed_difference
 from physics.shapes import Ball, Contact, Ring
 from physics.tolerances import MAX_STEPS, OVERLAP
-from physics.trig import angle_of, direction
+from physics.trig import angle_of, bearing_of, direction
 from physics.vectors import length
 
 _PUSHES = 8
@@ -40,34 +39,31 @@ def freed(ball: Ball, rings: Sequence[Ring], layers: Sequence[Sequence[int]]) ->
 
 
 def _deepest_overlap(ball: Ball, rings: Sequence[Ring], layers: Sequence[Sequence[int]]) -> _Overlap | None:
-    """The sector that the ball overlaps most, if by more than what a bounce leaves."""
+    """The sector that the ball overlaps most, if by more than what a bounce leaves; of equals the first."""
     distance = length(ball.position)
+    limit = -OVERLAP * ball.radius
     deepest: _Overlap | None = None
     for ring, alive in zip(rings, layers, strict=True):
         if abs(distance - ring.radius) > ring.half_width + ball.radius:
             continue
-        for slot in _slots_near(ball, ring):
-            if alive[slot] == 0:
-                continue
-            found = contact(ball, ring, slot)
-            limit = -OVERLAP * ball.radius if deepest is None else deepest.contact.gap
-            if found.gap < limit:
-                deepest = _Overlap(ring, slot, found)
+        bearing = bearing_of(ball.position)
+        for slot in _slots_near(ball, distance, bearing, ring):
+            if alive[slot] != 0:
+                found = contact(ball, ring, slot)
+                if found.gap < limit:
+                    limit, deepest = found.gap, _Overlap(ring, slot, found)
     return deepest
 
 
-def _slots_near(ball: Ball, ring: Ring) -> list[int]:
-    """The slots whose sectors the ball can reach from where it is, in the order of their number."""
-    distance = length(ball.position)
+def _slots_near(ball: Ball, distance: float, bearing: float, ring: Ring) -> range | list[int]:
+    """The slots whose sectors a ball at a distance and a bearing can reach from where it is."""
     if distance <= ball.radius:
-        return list(range(ring.count))
+        return range(ring.count)
     pitch = math.tau / ring.count
     reach = ball.radius * math.pi / (2.0 * distance) + ring.half_angle
-    bearing = angle_of(ball.position)
-    nearest = nearest_slot(ring, bearing)
-    span = min(int(reach / pitch) + 1, ring.count // 2)
-    near = {(nearest + k) % ring.count for k in range(-span, span + 1)}
-    return sorted([slot for slot in near if abs(signed_difference(bearing, ring.angle(slot))) <= reach])
+    place = (bearing - ring.phase) / pitch
+    first, last = math.ceil(place - reach / pitch), math.floor(place + reach / pitch)
+    return [slot % ring.count for slot in range(first, min(last + 1, first + ring.count))]
 
 
 def _outward(ball: Ball, rings: Sequence[Ring], layers: Sequence[Sequence[int]]) -> Ball:
@@ -86,11 +82,14 @@ def _outward(ball: Ball, rings: Sequence[Ring], layers: Sequence[Sequence[int]])
 
 def _exit_radius(ball_radius: float, bearing: float, ring: Ring, slot: int) -> float:
     """Distance from the centre at which a ball that moves outward on a bearing leaves a sector behind."""
+    inner, outer = ring.inner_radius, ring.outer_radius
     outside = abs(signed_difference(bearing, ring.angle(slot))) - ring.half_angle
-    outer = ring.outer_radius
     if outside <= 0.0:
         return outer + ball_radius
     end = direction(outside)
-    if ball_radius >= outer * end.imag:  # past the outer corner: |d e^(i outside) - outer| = r
-        return outer * end.real + math.sqrt((ball_radius - outer * end.imag) * (ball_radius + outer * end.imag))
-    return ball_radius / end.imag  # between the corners: at distance r from the straight end
+    foot = ball_radius * end.real / end.imag if end.imag > 0.0 else math.inf
+    if end.real > 0.0 and inner <= foot <= outer:
+        return ball_radius / end.imag  # beside the straight end
+    corner = outer if end.real > 0.0 and foot > outer else inner
+    away = corner * end.imag
+    return corner * end.real + math.sqrt(max(ball_radius - away, 0.0) * (ball_radius + away))  # |d - corner e^(i outside)| = r

@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 from physics.escape import freed
 from physics.response import collision_response, leaving_at
-from physics.shapes import Ball, Contact, Ring
+from physics.shapes import Ball, Contact, Feature, Ring
 from physics.time_of_impact import Impact, time_of_impact
-from physics.tolerances import LEAST_SEPARATION, MAX_IMPACTS
+from physics.tolerances import LEAST_GRAZE, LEAST_SEPARATION, MAX_IMPACTS
 from physics.vectors import dot, length
 
 PERMANENT = -1
@@ -65,21 +65,26 @@ def advance(arena: Arena, dt: float, speed: float) -> Step:
         raise ValueError(f"dt must be finite and at least 0, not {dt}")
     if dt == 0.0:
         return Step(arena, (), 0, 0)
-    turned = tuple([ring.turned(dt) if ring[5] else ring for ring in arena.rings])
-    if not _any_near(arena, dt):
-        return Step(Arena(tuple([ball.moved(dt) for ball in arena.balls]), turned, arena.layers), (), 0, 0)
-    return _flown(_all_freed(arena), turned, dt, speed)
+    if _any_near(arena, dt):
+        return _flown(_all_freed(arena), dt, speed)
+    balls, rings, layers = arena
+    return Step(Arena(tuple([ball.moved(dt) for ball in balls]), _turned(rings, dt), layers), (), 0, 0)
 
 
 def _any_near(arena: Arena, dt: float) -> bool:
     """Whether any ball may reach into any ring's band within dt: the broad phase of the whole tick."""
-    for p, v, ball_radius in arena.balls:
+    for p, v, ball_radius in arena[0]:
         distance = length(p)
         reach = length(v) * dt + ball_radius
-        for ring in arena.rings:
+        for ring in arena[1]:
             if abs(distance - ring[0]) <= ring[1] + reach:
                 return True
     return False
+
+
+def _turned(rings: tuple[Ring, ...], time: float) -> tuple[Ring, ...]:
+    """The rings, those that turn turned."""
+    return tuple([ring.turned(time) if ring.spin else ring for ring in rings])
 
 
 def _all_freed(arena: Arena) -> Step:
@@ -109,7 +114,7 @@ def _next_impact(
     return first
 
 
-def _flown(start: Step, turned: tuple[Ring, ...], dt: float, speed: float) -> Step:
+def _flown(start: Step, dt: float, speed: float) -> Step:
     """The tick after `start`, whose balls overlap nothing: every impact answered in the order of time."""
     arena = start.arena
     balls, rings, layers = list(arena.balls), arena.rings, list(arena.layers)
@@ -120,20 +125,19 @@ def _flown(start: Step, turned: tuple[Ring, ...], dt: float, speed: float) -> St
         time, i, k, impact = min(pending, key=_time_and_ball)
         ball = balls[i].moved(time - clocks[i])
         hit = _hit(time, i, k, impact, ball, rings[k], layers[k], speed)
+        hits.append(hit)
         balls[i], clocks[i] = Ball(ball.position, hit.after, ball.radius), time
         impacts[i] += 1
         slot = hit.slot
-        if dot(hit.before - rings[k].surface_velocity(hit.contact.point), hit.contact.normal) < 0.0:
-            hits.append(hit)
-            layers[k] = (*layers[k][:slot], hit.layers, *layers[k][slot + 1 :])
+        layers[k] = (*layers[k][:slot], hit.layers, *layers[k][slot + 1 :])
         for j, found in enumerate(upcoming):
-            target_gone = found is not None and found.ring == k and found.impact.slot == slot and layers[k][slot] == 0
+            target_gone = found is not None and found.ring == k and found.impact.slot == slot and hit.layers == 0
             if j == i or target_gone:
                 free = impacts[j] < MAX_IMPACTS
                 upcoming[j] = _next_impact(j, balls[j], clocks[j], rings, layers, dt) if free else None
     dropped = [count >= MAX_IMPACTS for count in impacts]
     moved = [ball if out else ball.moved(dt - clock) for ball, clock, out in zip(balls, clocks, dropped, strict=True)]
-    end = Step(Arena(tuple(moved), turned, tuple(layers)), tuple(hits), sum(dropped), start.freed)
+    end = Step(Arena(tuple(moved), _turned(rings, dt), tuple(layers)), tuple(hits), sum(dropped), start.freed)
     if not any(dropped):
         return end
     after = _all_freed(end.arena)
@@ -143,8 +147,7 @@ def _flown(start: Step, turned: tuple[Ring, ...], dt: float, speed: float) -> St
 def _hit(time: float, index: int, k: int, impact: Impact, ball: Ball, ring: Ring, layers: tuple[int, ...], speed: float) -> Hit:
     """The bounce that an impact makes of the ball at the moment of touch."""
     contact, slot = impact.contact, impact.slot
-    surface_velocity = ring.surface_velocity(contact.point)
-    after = _bounce(ball.velocity, contact.normal, surface_velocity, ring.friction, speed)
+    after = _bounce(ball.velocity, contact, ring, speed)
     return Hit(time, index, k, slot, contact, ball.velocity, after, _one_less(layers[slot]))
 
 
@@ -158,8 +161,10 @@ def _one_less(layers: int) -> int:
     return layers - 1 if layers > 0 else layers
 
 
-def _bounce(v: complex, normal: complex, surface_velocity: complex, friction: float, speed: float) -> complex:
-    """Velocity after a contact: the response, and never slower off the surface than LEAST_SEPARATION."""
-    after = collision_response(v, normal, surface_velocity, friction, speed)
-    least = dot(surface_velocity, normal) + LEAST_SEPARATION * speed
+def _bounce(v: complex, contact: Contact, ring: Ring, speed: float) -> complex:
+    """Velocity after a contact: the response, and never so slowly off the surface that the two meet again at once."""
+    normal, surface_velocity = contact.normal, ring.surface_velocity(contact.point)
+    after = collision_response(v, normal, surface_velocity, ring.friction, speed)
+    follows = contact.feature == Feature.INNER_FACE or (ring.spin != 0.0 and contact.feature != Feature.OUTER_FACE)
+    least = dot(surface_velocity, normal) + (LEAST_SEPARATION if follows else LEAST_GRAZE) * speed
     return leaving_at(after, normal, least, speed) if dot(after, normal) < least else after

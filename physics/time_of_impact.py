@@ -1,34 +1,37 @@
 """First touch of a moving ball with a turning ring, exact in time.
 
 The ball flies straight, p + v t. It can touch a ring only while its distance from the centre lies between the inner
-radius less its own and the outer radius plus its own: the ring's band, crossed at roots of quadratics. Where it enters
-the band above a sector, that moment is the touch of a face. Where it enters over a gap, it stays in that gap until it
-touches one of the gap's two ends: every other sector is farther at every radius. So one search costs the same with any
-number of sectors: at most two windows of time, at most two ends each.
+radius less its own and the outer radius plus its own: the ring's band, entered and left at roots of quadratics. On one
+stretch it flies inward, on another outward. Where a stretch begins above a sector, that moment is the touch of a face:
+of an outer one flying inward, of an inner one flying outward. Where it begins over a gap, the ball stays in that gap
+until it touches one of the gap's two ends: every other sector is farther at every radius. So one search costs the same
+with any number of sectors: at most two stretches, at most two ends each.
 
-An end and its corners are one convex set, a segment. At rest, its touch has a closed form. Turning, it is found by
-steps that cannot overshoot: in the ring's frame the distance to a convex set obeys
+An end with its two corners is a segment. The ball touches it where its centre enters the rectangle of all points within
+its radius beside the segment, or the disc of that radius around a corner. At rest, each has a closed form. Turning, the
+touch is found by steps that cannot overshoot. With x along the end and y across it, in the end's own frame, each of
 
-    gap(t + s) >= gap + rate s + (K - J h / 3) s^2 / 2    for 0 <= s <= h,
+    the height y - r,   the run x - c beyond a corner,   the corner's (|q - c|^2 - r^2) / 2
 
-K being the present relative acceleration along the normal and J a bound on its rate of change, |w|^3 |p| + 3 w^2 |v|.
-The first root of the right side is a safe step; near a touch it is Newton's and converges cubically. h is at most a
-quarter of a radian of turning. A turn of three half circles brings every sector past every straight path,
-so about 38 such steps and a few to converge are the most one search can need: MAX_STEPS = 64.
+obeys f(s) >= f + f' s + f'' s^2 / 2 - J s^3 / 6, where J = |w|^3 |p| + 3 w^2 |v|, and c J for the corner's function.
+Beside the segment, nothing is touched while the height is above 0; beyond a corner, nothing while the height is, nor
+while both the run and the corner's function are. The first root of the right side is a safe step, and near a touch, also
+near a graze, such steps converge faster than Newton's. One step turns the ring by at most a radian, and three half turns
+bring an end past every straight path.
 """
 
 import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from physics.narrow_phase import end_contact, sector_contact
+from physics.narrow_phase import closest_point_on_line, end_contact, sector_contact
 from physics.polar import signed_difference
-from physics.shapes import Ball, Contact, Ring
+from physics.shapes import Ball, Contact, Feature, Ring
 from physics.tolerances import MAX_STEPS, TOUCH
 from physics.trig import bearing_of, direction
-from physics.vectors import cross, dot, length, quarter_turn
+from physics.vectors import cross, dot, length
 
-_RADIANS_PER_STEP = 0.25
+_RADIANS_PER_STEP = 1.0
 
 
 class Impact(NamedTuple):
@@ -37,6 +40,14 @@ class Impact(NamedTuple):
     time: float  # seconds from now
     slot: int
     contact: Contact
+
+
+class _Stretch(NamedTuple):
+    """A part of the flight, in seconds from now, on which the ball reaches into the band."""
+
+    start: float
+    stop: float
+    heading: int  # -1 inward, +1 outward, 0 at rest
 
 
 class _End(NamedTuple):
@@ -57,56 +68,57 @@ def time_of_impact(ball: Ball, ring: Ring, dt: float, alive: Sequence[int] | Non
     """
     if not 0.0 <= dt < math.inf:
         raise ValueError(f"dt must be finite and at least 0, not {dt}")
-    for start, stop in _band_windows(ball, ring, dt):
-        impact = _first_touch(ball, ring, start, stop, alive)
+    for stretch in _stretches(ball, ring, dt):
+        impact = _first_touch(ball, ring, stretch, alive)
         if impact is not None:
             return impact
     return None
 
 
-def _band_windows(ball: Ball, ring: Ring, dt: float) -> tuple[tuple[float, float], ...]:  # noqa: PLR0911  # one return a case
-    """The stretches of [0, dt] in which the ball reaches into the ring's band: none, one, or two around the hole."""
+def _stretches(ball: Ball, ring: Ring, dt: float) -> list[_Stretch]:
+    """The stretches of [0, dt] on which the ball reaches into the ring's band: at most one inward, then one outward."""
     p, v, ball_radius = ball
     outer = ring.radius + ring.half_width + ball_radius
     inner = ring.radius - ring.half_width - ball_radius
     distance = length(p)
     square = dot(v, v)
     if square == 0.0:
-        return ((0.0, dt),) if inner <= distance <= outer else ()
+        return [_Stretch(0.0, dt, 0)] if inner <= distance <= outer else []
     outward = dot(p, v)
-    beyond = (distance - outer) * (distance + outer)
-    root = outward * outward - square * beyond
-    if root < 0.0 or (beyond > 0.0 and outward >= 0.0):
-        return ()
-    start = beyond / (math.sqrt(root) - outward) if beyond > 0.0 else 0.0
-    if start > dt:
-        return ()
-    stop = min(_later_root(square, outward, beyond, root), dt)
-    if inner <= 0.0:
-        return ((start, stop),)
-    beyond = (distance - inner) * (distance + inner)
-    root = outward * outward - square * beyond
-    if beyond < 0.0:
-        start = _later_root(square, outward, beyond, root)
-        return ((start, stop),) if start <= dt else ()
-    if outward >= 0.0 or root <= 0.0:
-        return ((start, stop),)
-    hole = beyond / (math.sqrt(root) - outward)
-    if hole >= dt:
-        return ((start, stop),)
-    again = _later_root(square, outward, beyond, root)
-    return ((start, hole), (again, stop)) if again <= dt else ((start, hole),)
+    above = (distance - outer) * (distance + outer)
+    root = outward * outward - square * above
+    if root < 0.0 or (above > 0.0 and outward >= 0.0):
+        return []
+    begin = above / (math.sqrt(root) - outward) if above > 0.0 else 0.0
+    if begin > dt:
+        return []
+    end = min(_later_root(square, outward, above, root), dt)
+    turn_in = turn_out = -outward / square  # the ball is nearest to the centre; or it enters the hole and leaves it
+    if inner > 0.0:
+        above = (distance - inner) * (distance + inner)
+        root = outward * outward - square * above
+        if root > 0.0 and (above <= 0.0 or outward < 0.0):
+            turn_in = above / (math.sqrt(root) - outward) if above > 0.0 else 0.0
+            turn_out = _later_root(square, outward, above, root)
+    stretches = []
+    if begin < turn_in:
+        stretches.append(_Stretch(begin, min(turn_in, end), -1))
+    begin = max(begin, turn_out)
+    if begin <= dt:
+        stretches.append(_Stretch(begin, max(begin, end), 1))
+    return stretches
 
 
-def _later_root(square: float, outward: float, beyond: float, root: float) -> float:
-    """The later root of square t^2 + 2 outward t + beyond = 0, without cancellation; root: its quarter discriminant."""
+def _later_root(square: float, outward: float, above: float, root: float) -> float:
+    """The later root of square t^2 + 2 outward t + above = 0, without cancellation; root: its quarter discriminant."""
     if outward > 0.0:
-        return -beyond / (outward + math.sqrt(root))
+        return -above / (outward + math.sqrt(root))
     return (math.sqrt(root) - outward) / square
 
 
-def _first_touch(ball: Ball, ring: Ring, start: float, stop: float, alive: Sequence[int] | None) -> Impact | None:
-    """The first touch while the ball is in the band, from `start` to `stop`."""
+def _first_touch(ball: Ball, ring: Ring, stretch: _Stretch, alive: Sequence[int] | None) -> Impact | None:
+    """The first touch on one stretch of the flight."""
+    start, stop, heading = stretch
     ball = ball.moved(start)
     span = stop - start
     pitch = math.tau / ring.count
@@ -117,10 +129,10 @@ def _first_touch(ball: Ball, ring: Ring, start: float, stop: float, alive: Seque
     offset = bearing - middle
     slot = nearest % ring.count
     skipped: int | None = None
-    if abs(offset) <= ring.half_angle and (alive is None or alive[slot] != 0):
-        face = sector_contact(ball.position, ball.radius, ring, middle, offset)
-        if _approach(ball, ring, face) < 0.0:
-            return Impact(start, slot, face)
+    if (abs(offset) <= ring.half_angle or 2.0 * ring.half_angle >= pitch) and (alive is None or alive[slot] != 0):
+        over = sector_contact(ball.position, ball.radius, ring, middle, offset)
+        if _meets(ball, ring, over, heading):
+            return Impact(start, slot, over)
         skipped = slot  # the ball separates from it
     reach = _reach(ball, ring, span)
     first: Impact | None = None
@@ -135,9 +147,13 @@ def _first_touch(ball: Ball, ring: Ring, start: float, stop: float, alive: Seque
     return first
 
 
-def _approach(ball: Ball, ring: Ring, contact: Contact) -> float:
-    """Rate of the gap: < 0 while the ball approaches the turning surface."""
-    return dot(contact.normal, ball.velocity - ring.surface_velocity(contact.point))
+def _meets(ball: Ball, ring: Ring, contact: Contact, heading: int) -> bool:
+    """Whether a ball above a sector meets it: a face by its heading, an end, from inside, by the rate of the gap."""
+    if contact.feature == Feature.OUTER_FACE:
+        return heading < 0
+    if contact.feature == Feature.INNER_FACE:
+        return heading > 0
+    return dot(contact.normal, ball.velocity - ring.surface_velocity(contact.point)) < 0.0
 
 
 def _reach(ball: Ball, ring: Ring, span: float) -> float:
@@ -195,64 +211,120 @@ def _touch_of_resting_end(ball: Ball, ring: Ring, end: _End, span: float) -> flo
     p, v, ball_radius = ball
     inner, outer = ring.radius - ring.half_width, ring.radius + ring.half_width
     along = direction(end.angle)
-    height, climb = end.sign * cross(along, p), end.sign * cross(along, v)
+    height, climb = cross(along, p), cross(along, v)
+    if height < 0.0:
+        height, climb = -height, -climb
     first = math.inf
     if climb < 0.0 and height >= ball_radius:
         time = (height - ball_radius) / -climb
         if inner <= dot(along, p + v * time) <= outer:
             first = time
     for corner in (along * inner, along * outer):
-        time = _time_to_point(p - corner, v, ball_radius)
-        first = min(first, time)
+        first = min(first, _time_to_point(p - corner, v, ball_radius))
     return first if first <= span else None
 
 
 def _time_to_point(p: complex, v: complex, ball_radius: float) -> float:
     """When a ball, its centre at p from a point, first touches that point; infinite if it never does."""
     distance = length(p)
-    beyond = (distance - ball_radius) * (distance + ball_radius)
+    above = (distance - ball_radius) * (distance + ball_radius)
     outward = dot(p, v)
-    root = outward * outward - dot(v, v) * beyond
+    root = outward * outward - dot(v, v) * above
     if outward >= 0.0 or root <= 0.0:
         return math.inf
-    return max(beyond, 0.0) / (math.sqrt(root) - outward)
+    return max(above, 0.0) / (math.sqrt(root) - outward)
 
 
 def _touch_of_turning_end(ball: Ball, ring: Ring, end: _End, span: float) -> float | None:
-    """Time of the first touch with a turning end, by steps that cannot overshoot (the module's docstring)."""
-    v, spin = ball.velocity, ring.spin
-    turn_rate = abs(spin)
-    farthest = ring.radius + ring.half_width + ball.radius
-    jerk = turn_rate * turn_rate * (turn_rate * farthest + 3.0 * length(v))
+    """Time of the first touch with a turning end, by steps that cannot overshoot (the module's docstring).
+
+    A ball that overlaps the end at time 0 is searched with as much less of its radius. A search that used up MAX_STEPS
+    would end where it stands, which no touch precedes.
+    """
+    p, v, ball_radius = ball
+    spin = ring.spin
+    inner, outer = ring.radius - ring.half_width, ring.radius + ring.half_width
+    along = direction(end.angle)
+    nearest = closest_point_on_line(along * inner, along * outer, p)
+    gap = length(p - nearest) - ball_radius
+    turn_rate, speed, farthest = abs(spin), length(v), outer + ball_radius
+    if gap > (speed + turn_rate * farthest) * span:
+        return None
+    if gap <= TOUCH and dot(p - nearest, v - ring.surface_velocity(nearest)) < 0.0:
+        return 0.0
+    ball_radius += min(gap, 0.0)
+    jerk = turn_rate * turn_rate * (turn_rate * farthest + 3.0 * speed)
     longest = _RADIANS_PER_STEP / turn_rate
-    coriolis = quarter_turn(v) * (-2.0 * spin)
     time = 0.0
     for _ in range(MAX_STEPS):
-        contact = _contact_with_end(ball, ring, end, time)
-        rate = _approach(ball, ring, contact)
-        gap = max(contact.gap, 0.0)
-        if gap <= TOUCH and rate < 0.0:
-            return time
         horizon = min(span - time, longest)
-        centripetal = (ball.position + v * time) * (spin * spin)
-        bend = dot(contact.normal, coriolis - centripetal) - jerk * horizon / 3.0
-        step = _first_root(gap, rate, bend)
-        if step >= horizon:
-            time += horizon
-            if time >= span:
-                return None
-        elif time + step <= time:
-            return time  # touching, and about to be pressed
-        else:
-            time += step
+        step = _safe_step(p + v * time, v, ball_radius, spin, along, inner, outer, jerk, horizon)
+        if step < horizon and time + step <= time:
+            return time
+        time += step
+        if time >= span:
+            return None
+        along = direction(end.angle + spin * time)
     return time
 
 
-def _first_root(gap: float, rate: float, bend: float) -> float:
-    """The first s > 0 with gap + rate s + bend s^2 / 2 = 0 after which it is negative; infinite if there is none."""
-    square = rate * rate - 2.0 * bend * gap
+def _safe_step(
+    p: complex, v: complex, r: float, spin: float, along: complex, inner: float, outer: float, jerk: float, horizon: float
+) -> float:
+    """Seconds, at most `horizon`, for which a ball touches no point of an end that now points along `along`.
+
+    0 where it touches and approaches.
+    """
+    x, y, vx, vy = dot(along, p), cross(along, p), dot(along, v), cross(along, v)
+    if y < 0.0:
+        y, vy, spin = -y, -vy, -spin  # the same, seen in a mirror
+    height = y - r
+    dx, dy = vx + spin * y, vy - spin * x
+    ddx, ddy = spin * (2.0 * vy - spin * x), -spin * (2.0 * vx + spin * y)
+    if inner <= x <= outer:
+        return 0.0 if height <= TOUCH and dy < 0.0 else _time_above_zero(height, dy, ddy, jerk, horizon)
+    corner = inner if x < inner else outer
+    run = x - corner
+    gap = math.sqrt(run * run + y * y) - r
+    rate = run * dx + y * dy
+    if gap <= TOUCH and rate < 0.0:
+        return 0.0
+    bend = dx * dx + dy * dy + run * ddx + y * ddy
+    apart = _time_above_zero(gap * (0.5 * gap + r), rate, bend, corner * jerk, horizon)
+    if run < 0.0:
+        run, dx, ddx = -run, -dx, -ddx
+    beyond = min(apart, _time_above_zero(run, dx, ddx, jerk, horizon))
+    if height <= -TOUCH or beyond >= horizon:
+        return beyond
+    return max(beyond, _time_above_zero(height, dy, ddy, jerk, horizon))
+
+
+def _time_above_zero(value: float, rate: float, bend: float, jerk: float, horizon: float) -> float:
+    """Seconds, at most `horizon`, for which value + rate s + bend s^2 / 2 - jerk s^3 / 6 stays above 0.
+
+    For h seconds that cubic lies above the parabola with the bend less jerk h / 3. The parabola's root for the whole
+    horizon is a first answer; then shorter h, from twice that root up, say how much more is free.
+    """
+    value = max(value, 0.0)
+    free = _first_root(value, rate, bend - jerk * horizon / 3.0)
+    if free >= horizon:
+        return horizon
+    if rate >= 0.0 and bend > 0.0:
+        free = max(free, min(bend / jerk, horizon))
+    while 0.0 < free < horizon / 2.0:
+        trial = 2.0 * free
+        root = _first_root(value, rate, bend - jerk * trial / 3.0)
+        if root < trial:
+            return root
+        free = trial
+    return free
+
+
+def _first_root(value: float, rate: float, bend: float) -> float:
+    """The first s > 0 with value + rate s + bend s^2 / 2 = 0 after which it is negative; infinite if there is none."""
+    square = rate * rate - 2.0 * bend * value
     if square < 0.0:
         return math.inf
     if rate < 0.0:
-        return 2.0 * gap / (math.sqrt(square) - rate)
+        return 2.0 * value / (math.sqrt(square) - rate)
     return (rate + math.sqrt(square)) / -bend if bend < 0.0 else math.inf
