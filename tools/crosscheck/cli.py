@@ -1,0 +1,102 @@
+"""The command's work, once the options are read and the machine is known to have pymunk."""
+
+import signal
+from contextlib import nullcontext
+from pathlib import Path
+from typing import NamedTuple
+
+from rich.console import Console
+from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+
+from game.command_line import say
+from tools.crosscheck.convergence import converged
+from tools.crosscheck.files import check_writable, write_whole
+from tools.crosscheck.findings import Findings
+from tools.crosscheck.free_run import free_run
+from tools.crosscheck.json_report import json_text
+from tools.crosscheck.run import Job, Outcome, checked_games, chosen_sources
+from tools.crosscheck.samples import Class
+from tools.crosscheck.sources import RANDOM, Source
+from tools.crosscheck.table import print_findings
+
+_MORE_GAMES = 20
+_MORE_TICKS = 20_000
+"""Random arenas for the convergence, after the games of the run: enough contacts for every curve."""
+_FREE_RUNS = 4
+
+
+class Wishes(NamedTuple):
+    """What the command line asks for."""
+
+    replays: tuple[str, ...]
+    games: int | None
+    seed: int
+    level: str | None
+    ticks: int
+    facets: int
+    workers: int
+    only: int | None
+    listed: str | None
+    sabotage: str | None
+    report: Path | None
+    json: Path | None
+    convergence: bool
+    free_run: bool
+
+
+def crosscheck(wishes: Wishes) -> int:
+    """Run the harness; the exit code."""
+    check_writable(wishes.report, "--report")
+    check_writable(wishes.json, "--json")
+    sources = chosen_sources(wishes.replays, wishes.games, wishes.seed, wishes.level, wishes.ticks)
+    jobs = [Job(source, wishes.facets, wishes.only, wishes.sabotage) for source in sources]
+    console = Console()
+    outcome = _checked_with_progress(jobs, wishes.workers)
+    findings = Findings(outcome)
+    if not outcome.partial:
+        findings = _with_extras(findings, sources, wishes)
+    print_findings(console, findings, Class[wishes.listed.upper()] if wishes.listed else None)
+    if outcome.partial:
+        say("interrupted; no file was written")
+        return 128 + signal.SIGINT
+    if wishes.report is not None:
+        from tools.crosscheck.report import html_text  # noqa: PLC0415  # matplotlib takes a second to load
+
+        write_whole(wishes.report, html_text(findings))
+    if wishes.json is not None:
+        write_whole(wishes.json, json_text(findings))
+    return 0 if findings.agrees else 1
+
+
+def _with_extras(findings: Findings, sources: list[Source], wishes: Wishes) -> Findings:
+    """The convergence and the free run, where they are asked for."""
+    status = Console(stderr=True)
+    if wishes.convergence:
+        more = [Source(None, RANDOM, wishes.seed + number, _MORE_TICKS) for number in range(_MORE_GAMES)]
+        with status.status("more facets") if status.is_terminal else nullcontext():
+            findings = findings._replace(curves=converged([*sources, *more], wishes.sabotage))
+    if wishes.free_run:
+        with status.status("left alone") if status.is_terminal else nullcontext():
+            runs = [free_run(wishes.level, wishes.seed + number, wishes.facets) for number in range(_FREE_RUNS)]
+            findings = findings._replace(free_runs=runs)
+    return findings
+
+
+def _checked_with_progress(jobs: list[Job], workers: int) -> Outcome:
+    """Check all games; where somebody watches, a bar shows how many are done and how many contacts they had."""
+    console = Console(stderr=True)
+    columns = (
+        TextColumn("checking"),
+        BarColumn(),
+        MofNCompleteColumn(),
+        TextColumn("games, {task.fields[contacts]:,} contacts,"),
+        TimeRemainingColumn(),
+        TextColumn("left"),
+    )
+    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as progress:
+        task = progress.add_task("", total=len(jobs), contacts=0)
+
+        def tell(outcome: Outcome) -> None:
+            progress.update(task, completed=outcome.games + len(outcome.lost), contacts=outcome.rows.contacts)
+
+        return checked_games(jobs, workers, tell)
