@@ -21,6 +21,7 @@ def band(size: tuple[int, int], stride: int, centre: complex, inner: float, oute
     width, height = size
     first = max(int(np.floor(centre.imag - outer)), 0)
     rows = np.arange(first, min(int(np.ceil(centre.imag + outer)) + 1, height), dtype=np.int64)
+    rows = rows[np.abs(rows + 0.5 - centre.imag) <= outer]
     if not len(rows):
         return Band(np.zeros(0, np.int64), np.zeros(0, np.float32), np.zeros(0, np.float32))
     down = rows + 0.5 - centre.imag

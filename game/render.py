@@ -4,6 +4,7 @@ What rests is drawn once and kept: the ground with the rings that do not turn. W
 surroundings are drawn again. What moves is drawn afresh in every frame.
 """
 
+import io
 import math
 from collections import OrderedDict
 from pathlib import Path
@@ -98,8 +99,8 @@ class Painter:
             self._rings.clear()
             ground = _ground(surface, scene.ground_radius, camera, self.theme)
             kept = _Kept(*key, ((),) * len(resting), ground)
-        for (k, ring), before, now in zip(resting, kept.looks, looks, strict=True):
-            if before != now:
+        if kept.looks != looks:  # all of them, for the borders of close rings overlap and the last one drawn wins
+            for (k, ring), now in zip(resting, looks, strict=True):
                 self.paint_ring(kept.picture, camera, ring, now, scene.tallest[k])
         kept = kept._replace(looks=looks)
         self._kept = kept
@@ -121,14 +122,16 @@ class Painter:
 
 
 def save_screenshot(game: Game, path: Path, size: tuple[int, int], theme: Theme = DARK) -> None:
-    """Draw a game as the window shows it, and save it as PNG. Needs no window and no display."""
+    """Draw a game as the window shows it, and save it as PNG; OSError where it cannot be written. Needs no display."""
     surface = pygame.Surface(size, 0, 32)
     ticked = still(game)
     place = layout(size, game.level.ground_radius)
     type_ = Type()
     Painter(theme).paint(surface, scene_at(ticked, 1.0, Effects()), place.camera, type_, place.unit)
     hud.draw(surface, place, hud.readings(game), theme, type_)
-    pygame.image.save(surface, path, "screenshot.png")
+    picture = io.BytesIO()
+    pygame.image.save(surface, picture, "screenshot.png")
+    path.write_bytes(picture.getvalue())
 
 
 def _ground(surface: pygame.Surface, radius: float, camera: Camera, theme: Theme) -> pygame.Surface:

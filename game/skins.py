@@ -98,7 +98,7 @@ def _paint_stack(picture: Floats, depth: Floats, look: Look, sector: Sector, the
     for layer in range(1, look.layers + 1):
         above = depth - np.float32(sector.terrace * (layer - 1))
         if layer > 1:
-            reach = max(sector.terrace, 1.0)
+            reach = max(0.6 * sector.terrace, 1.0)
             shade = np.float32(_SHADE) * np.clip(1.0 + above / reach, 0.0, 1.0) * (depth > 0.0)
             picture *= (1.0 - shade)[:, :, None].astype(np.float32)
         colour = layer_colour(theme, layer)

@@ -7,6 +7,9 @@ from game.rules import TICK
 LONGEST_FRAME = 0.25
 """Seconds; what a stall takes beyond this is forgotten, so that no frame owes more than 60 ticks."""
 
+_MOST_TICKS = round(LONGEST_FRAME / TICK)
+"""Also where rounding makes it one more."""
+
 
 class Due(NamedTuple):
     """What the time that passed amounts to."""
@@ -23,5 +26,5 @@ class Due(NamedTuple):
 def due(rest: float, seconds: float) -> Due:
     """The ticks due after some more seconds. rest: seconds left over by the last call."""
     available = rest + min(max(seconds, 0.0), LONGEST_FRAME)
-    ticks = int(available / TICK)
+    ticks = min(int(available / TICK), _MOST_TICKS)
     return Due(ticks, max(available - ticks * TICK, 0.0))

@@ -118,7 +118,7 @@ class Help:
         self._title, self._keys = title, keys
 
     def answer(self, signal: Signal, _size: tuple[int, int]) -> Screen | None:
-        """Any key or click closes it."""
+        """Any key of the game or a click closes it."""
         return self._under if isinstance(signal, Pressed | Clicked) else self
 
     def advance(self, _seconds: float, _size: tuple[int, int]) -> Screen | None:
@@ -143,7 +143,7 @@ class Help:
             type_.write(surface, keys, unit * 1.15, theme.accent, complex(left, y))
             type_.write(surface, meaning, unit * 1.15, theme.text, complex(left + unit * 10.0, y))
         self._draw_legend(surface, complex(left, top + unit * 21.2), unit)
-        close = "any key or click closes this panel"
+        close = "Esc, Space or a click closes this panel"
         type_.write(surface, close, unit * 0.95, theme.faint, complex(panel.centerx, panel.bottom - unit * 0.7), "midbottom")
 
     def _draw_legend(self, surface: pygame.Surface, place: complex, unit: float) -> None:
