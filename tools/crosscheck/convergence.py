@@ -96,7 +96,12 @@ def _samples(sources: Iterable[Source], sabotage: str | None) -> dict[tuple[Feat
     faces = (Feature.OUTER_FACE, Feature.INNER_FACE)
     found: dict[tuple[Feature, bool], list[_Sample]] = {(face, timed): [] for face in faces for timed in (False, True)}
     for source in sources:
-        for sample in islice(_face_contacts(source, sabotage), 4 * _CONTACTS):
+        seen: set[tuple[Geometry, int]] = set()
+        for sample in islice(_face_contacts(source, sabotage), 2 * _CONTACTS):
+            spot = sample.geometry, round(cmath.phase(sample.place) / half_facet(sample.geometry.half_angle, FACETS[-1]))
+            if spot in seen:  # a ball in a loop comes back to the same place
+                continue
+            seen.add(spot)
             for timed in (False, True):
                 if len(found[sample.feature, timed]) < _CONTACTS and (sample.flight is not None or not timed):
                     found[sample.feature, timed].append(sample)

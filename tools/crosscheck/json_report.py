@@ -19,8 +19,8 @@ One object; a key may be added, none changes its meaning while `format` stays th
     free_run     null or list of {seed, together, seconds, growth, differences}
 
 A case is {kind, comparison, feature, what, tick, time, ball, ring, slot, error, bound, ours, pymunks, position, ball_radius,
-geometry, angle, command}; ours and pymunks are normals or velocities as [x, y], geometry is [radius, half width, half angle,
-count] of the ring, angle that of its slot 0, command shows the case again.
+geometry, angle, alive, command}; ours and pymunks are normals or velocities as [x, y], geometry is [radius, half width, half
+angle, count] of the ring, angle that of its slot 0, alive says which slots hold material, command shows the case again.
 """
 
 import json

@@ -49,6 +49,7 @@ class Scene(NamedTuple):
             ball_radius=self.tick.arena.balls[place[0]].radius,
             geometry=self.models[place[1]].geometry,
             angle=ring.phase + ring.spin * time,
+            alive=tuple(self.models[place[1]].alive),
         )
 
 
@@ -128,6 +129,7 @@ class Moment(NamedTuple):
             ball_radius=self.ball_radius,
             geometry=self.model.geometry,
             angle=self.angle,
+            alive=tuple(self.model.alive),
         )
 
 

@@ -34,14 +34,19 @@ dt { font-weight: 600; }
 dd { margin: 0; }
 .grid { display: grid; grid-template-columns: repeat(auto-fit, minmax(min(100%, 24rem), 1fr)); gap: 1rem; }
 figure { margin: 0; padding: .8rem; background: var(--soft); border-radius: .4rem; break-inside: avoid; min-width: 0; }
+.narrow { max-width: 36rem; }
+.ours { color: var(--ours); }
+.theirs { color: var(--theirs); }
 figcaption { font-size: .9rem; margin-bottom: .4rem; }
 figure svg { display: block; width: 100%; height: auto; }
 code { font: .78rem/1.4 ui-monospace, monospace; overflow-wrap: anywhere; }
 li { margin-bottom: .4rem; }
 @media (max-width: 40rem) {
   main { padding: .8rem; }
+  table { font-size: .8rem; }
   th, td { padding: .2rem .4rem; }
-  .numbers { font-size: .78rem; }
+  .numbers { font-size: .66rem; }
+  .numbers th, .numbers td { padding: .15rem .2rem; }
 }
 @media print {
   :root {

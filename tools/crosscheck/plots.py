@@ -15,7 +15,7 @@ from matplotlib.patches import Circle, Polygon
 
 from tools.crosscheck.convergence import Curve
 from tools.crosscheck.facets import arc_points
-from tools.crosscheck.samples import Case, Comparison, Samples
+from tools.crosscheck.samples import Case, Samples
 
 _COLOURS = {"ink": "#010101", "muted": "#020202", "ours": "#030303", "theirs": "#040404", "fill": "#050505", "paper": "#060606"}
 """Stand-ins that no picture uses otherwise; in the page each becomes a CSS variable of that name."""
@@ -36,38 +36,41 @@ _STYLE: dict[Any, Any] = {
     "legend.frameon": False,
 }
 _SMALLEST = -17
-_BINS = 80
+_BINS = 170
 
 
 def error_histogram(feature: str, exact: Samples | None, faceted: Samples | None) -> str:
     """The errors of one feature's normals, exact shapes and facets, each with its bounds."""
     with mpl.rc_context(_STYLE):
-        figure = Figure(figsize=(5.2, 2.9), layout="constrained")
+        figure = Figure(figsize=(4.4, 2.7), layout="constrained")
         axes = figure.add_subplot()
         for samples, colour, name in ((exact, "ours", "exact shape"), (faceted, "theirs", "facets")):
             if samples is None or not samples.errors:
                 continue
             logs = [max(math.log10(error), _SMALLEST) if error > 0.0 else _SMALLEST for error in samples.errors]
-            axes.hist(logs, bins=_BINS, range=(_SMALLEST, 0), color=_COLOURS[colour], alpha=0.75, label=name)
+            look: dict[str, Any] = {
+                "histtype": "stepfilled" if colour == "ours" else "step",
+                "color": _COLOURS[colour],
+                "linewidth": 1.3,
+            }
+            axes.hist(logs, bins=_BINS, range=(_SMALLEST, 0), label=name, **look)
             low, high = math.log10(min(samples.bounds)), math.log10(max(samples.bounds))
             axes.axvspan(low, high, color=_COLOURS[colour], alpha=0.25, linewidth=0)
-            axes.axvline(
-                high, color=_COLOURS[colour], linestyle="--", linewidth=1.5, label=f"its bound, at most {10**high:.1e}"
-            )
+            axes.axvline(high, color=_COLOURS[colour], linestyle="--", linewidth=1.5, label=f"bound, {10**high:.1e}")
         axes.set_xlim(_SMALLEST, 0)
-        axes.set_yscale("symlog", linthresh=10)
-        axes.set_ylim(bottom=0)
+        axes.set_yscale("log")
+        axes.set_ylim(bottom=0.7)
         axes.set_xticks(range(-16, 1, 4), [f"1e{power}" if power else "1" for power in range(-16, 1, 4)])
         axes.set_xlabel("angle between the two normals, rad")
         axes.set_ylabel("contacts")
-        axes.legend(loc="upper center", bbox_to_anchor=(0.5, 1.3), ncols=2, fontsize=9)
+        axes.legend(loc="center", bbox_to_anchor=(0.5, 0.6), fontsize=9)
         return _svg(figure, f"histogram of errors, {feature}")
 
 
 def convergence_plot(curves: Sequence[Curve]) -> str:
     """Error over facets, both logarithmic, with the slope that geometry asks for."""
     with mpl.rc_context(_STYLE):
-        figure = Figure(figsize=(6.4, 4.4), layout="constrained")
+        figure = Figure(figsize=(5.2, 3.9), layout="constrained")
         axes = figure.add_subplot()
         for curve, marker in zip(curves, "os^v", strict=False):
             colour = _COLOURS["ours" if curve.expected == -1.0 else "theirs"]
@@ -86,7 +89,7 @@ def convergence_plot(curves: Sequence[Curve]) -> str:
 def case_picture(case: Case, facets: int) -> str:
     """The ring with the ball, and the contact enlarged with both engines' normals (or velocities)."""
     with mpl.rc_context(_STYLE):
-        figure = Figure(figsize=(6.0, 3.0), layout="constrained")
+        figure = Figure(figsize=(4.6, 2.3), layout="constrained")
         whole, close = figure.subplots(1, 2)
         for axes in (whole, close):
             _draw_ring(axes, case, facets if axes is close else 64)
@@ -111,7 +114,7 @@ def _draw_arrows(axes: Axes, case: Case) -> None:
     if not longest:
         return
     scale = 1.9 * case.ball_radius / longest
-    for vector, colour, width, name in ((case.ours, "ours", 5.0, "ours"), (case.pymunks, "theirs", 1.8, "pymunk's")):
+    for vector, colour, width in ((case.ours, "ours", 5.0), (case.pymunks, "theirs", 1.8)):
         tip = case.position + vector * scale
         arrow = {
             "arrowstyle": "-|>",
@@ -123,25 +126,19 @@ def _draw_arrows(axes: Axes, case: Case) -> None:
         }
         start = (case.position.real, case.position.imag)
         axes.annotate("", xy=(tip.real, tip.imag), xytext=start, arrowprops=arrow)
-        axes.plot([], [], color=_COLOURS[colour], linewidth=width, label=name)
-    kind = "velocity after" if case.comparison in {Comparison.BOUNCE, Comparison.VELOCITY} else "normal"
-    axes.legend(title=kind, loc="upper left", fontsize=9, title_fontsize=9, handlelength=1.2)
 
 
 def _draw_ring(axes: Axes, case: Case, facets: int) -> None:
-    """Every sector of the ring, as the facets that pymunk has of it."""
+    """Every sector of the ring, as the facets that pymunk has of it; dotted, where the slot is empty."""
     geometry = case.geometry
     for slot in range(geometry.count):
         middle = case.angle + slot * math.tau / geometry.count
         inner = arc_points(geometry.radius - geometry.half_width, middle, geometry.half_angle, facets)
         outer = arc_points(geometry.radius + geometry.half_width, middle, geometry.half_angle, facets)
         hit = slot == case.slot
-        style = {
-            "facecolor": _COLOURS["fill"],
-            "edgecolor": _COLOURS["ink" if hit else "muted"],
-            "linewidth": 1.2 if hit else 0.6,
-        }
-        axes.add_patch(Polygon([*inner, *reversed(outer)], closed=True, **style))
+        look: dict[str, Any] = {"edgecolor": _COLOURS["ink" if hit else "muted"], "linewidth": 1.2 if hit else 0.6}
+        look |= {"facecolor": _COLOURS["fill"]} if case.alive[slot] else {"facecolor": "none", "linestyle": ":"}
+        axes.add_patch(Polygon([*inner, *reversed(outer)], closed=True, **look))
     axes.plot(0.0, 0.0, marker="+", color=_COLOURS["muted"])
 
 

@@ -79,6 +79,7 @@ class Case(NamedTuple):
     ball_radius: float
     geometry: Geometry
     angle: float  # of the ring's slot 0 at that time
+    alive: tuple[bool, ...]  # which of the ring's slots hold material
 
 
 class Samples:
