@@ -59,6 +59,7 @@ class _Checker:
         self._facets, self._options = facet_count, options
         self._models: list[RingModel] = []
         self._rings: tuple[Ring, ...] = ()
+        self._all_layers: tuple[tuple[int, ...], ...] = ()
         self._layers: list[object] = []
         self._poses: dict[tuple[int, int], Pose] = {}
 
@@ -92,11 +93,14 @@ class _Checker:
         before = time.perf_counter()
         self._models = [ring_model(geometry_of(ring), self._facets) for ring in rings]
         self.building += time.perf_counter() - before
-        self._layers = [None] * len(self._models)
+        self._all_layers, self._layers = (), [None] * len(self._models)
         self._poses.clear()
 
-    def _take_layers(self, layers: Iterable[tuple[int, ...]]) -> None:
+    def _take_layers(self, layers: tuple[tuple[int, ...], ...]) -> None:
         """Which sectors pymunk's rings hold."""
+        if layers is self._all_layers:
+            return
+        self._all_layers = layers
         for k, slots in enumerate(layers):
             if slots is not self._layers[k]:
                 self._layers[k] = slots
