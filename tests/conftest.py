@@ -6,7 +6,7 @@ from hypothesis import HealthCheck, settings
 
 # The same examples on every run of a build, and no deadline: a busy machine is not a wrong answer.
 settings.register_profile(
-    "ci", derandomize=True, deadline=None, max_examples=300, print_blob=True, suppress_health_check=[HealthCheck.too_slow]
+    "ci", derandomize=True, deadline=None, max_examples=200, print_blob=True, suppress_health_check=[HealthCheck.too_slow]
 )
 # At the desk: other examples every time.
 settings.register_profile("desk", deadline=None, max_examples=100)

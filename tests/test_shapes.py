@@ -169,6 +169,17 @@ def test_a_turned_ring_turned_by_spin_times_time(ring, time):
     assert type(turned) is Ring
 
 
+@given(rings(), st.lists(reals(0.0, 10.0), min_size=1, max_size=5))
+def test_a_mirrored_ring_turns_as_the_mirror_image_to_the_bit(ring, times):
+    """After any number of turns, however long: the phases still add up to 0 or to 2 pi exactly."""
+    mirrored = Ring(*ring[:4], -ring.phase, -ring.spin, ring.friction)
+    for time in times:
+        ring, mirrored = ring.turned(time), mirrored.turned(time)
+        assert 0.0 <= ring.phase < math.tau
+        assert (ring.phase * ANGLE_GRID).is_integer()
+        assert ring.phase + mirrored.phase in {0.0, math.tau}
+
+
 @pytest.mark.parametrize("spin", [1.7, -1.7, 1e-9])
 def test_a_hundred_thousand_ticks_turn_a_ring_by_their_sum(spin):
     """Each tick loses less than the grid's half line: what piles up is below a billionth of a radian."""
