@@ -39,7 +39,7 @@ The longest chain in a game's tick is 4; only a squeezed ball comes here.
 """
 
 MAX_STEPS = 64
-"""Steps of one search for the touch of a turning end. The most that any search was seen to take is 16."""
+"""Steps of one search for the touch of a turning end. Searches built to be slow were seen to take 36, those of a game 8."""
 
 ANGLE_GRID = 2.0**50
 """Grid lines per radian for a ring's stored phase.
