@@ -68,6 +68,8 @@ def _pop_text(event: Event) -> str:
     """The words for an event; none for most."""
     if event.kind == EventKind.BRICK_HIT:
         return f"+{event.points}"
+    if event.kind == EventKind.LEVEL_CLEARED:
+        return f"+{event.points} for the lives left"
     return _WORDS.get(event.kind, "")
 
 

@@ -160,13 +160,25 @@ def _draw_circle(
 
 
 def _paint_trail(surface: pygame.Surface, trail: tuple[complex, ...], scene: Scene, camera: Camera, theme: Theme) -> None:
-    """A tail of discs that grow and brighten towards the ball."""
+    """A tail that grows and brightens towards the ball."""
     if not scene.balls:
         return
-    radius = scene.balls[0].radius * camera.scale
-    for index, point in enumerate(trail, 1):
-        share = index / (len(trail) + 1)
-        draw_dot(surface, camera.project(point), max(1.0, radius * 0.85 * share), mixed(theme.ground, theme.ball, 0.28 * share))
+    widest = 0.85 * scene.balls[0].radius * camera.scale
+    places = [camera.project(point) for point in trail]
+    for index, place in enumerate(places, 1):
+        share = index / (len(places) + 1)
+        tint, radius = mixed(theme.ground, theme.ball, 0.28 * share), max(1.0, widest * share)
+        if index > 1 and place != places[index - 2]:
+            _paint_wedge(surface, places[index - 2], place, (max(1.0, radius - widest / (len(places) + 1)), radius), tint)
+        draw_dot(surface, place, radius, tint)
+
+
+def _paint_wedge(surface: pygame.Surface, start: complex, end: complex, radii: tuple[float, float], colour: Colour) -> None:
+    """The piece of a tail between two of its places. radii: half widths at start and end, pixels."""
+    way = end - start
+    side = way / abs(way) * 1j
+    corners = (start + side * radii[0], end + side * radii[1], end - side * radii[1], start - side * radii[0])
+    pygame.draw.polygon(surface, colour, [(corner.real, corner.imag) for corner in corners])
 
 
 def _paint_pop(surface: pygame.Surface, pop: Pop, camera: Camera, theme: Theme, type_: Type, unit: float) -> None:
