@@ -368,7 +368,8 @@ def test_two_searches_in_a_row_find_what_one_does(scene, dt, part):
     cut = dt * part
     first = time_of_impact(ball, ring, cut, alive)
     if first is not None:
-        assert whole == first
+        assert whole.slot == first.slot
+        assert whole.time == pytest.approx(first.time, abs=1e-12)
         return
     assume(whole is None or whole.time > cut + 1e-9)
     second = time_of_impact(ball.moved(cut), ring.turned(cut), dt - cut, alive)
