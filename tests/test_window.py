@@ -1,6 +1,5 @@
 """The window game, played by posted events on the dummy driver."""
 
-import dummy_window
 import pygame
 import pytest
 from dummy_window import FRAME, SIZE, Desk, shared
@@ -337,8 +336,3 @@ def test_a_level_of_ones_own_is_the_only_one_offered(monkeypatch):
     app.play(own, 1)
     app.play(built_in()[2:], 1)
     assert seen == [(own, Title), (built_in(), Title)]
-
-
-def test_the_driver_is_the_dummy():
-    """These tests open no window on anybody's desk."""
-    assert dummy_window.os.environ["SDL_VIDEODRIVER"] == "dummy"
