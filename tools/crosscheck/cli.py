@@ -8,7 +8,6 @@ from typing import NamedTuple
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-from game.command_line import say
 from tools.crosscheck.convergence import converged
 from tools.crosscheck.files import check_writable, write_whole
 from tools.crosscheck.findings import Findings
@@ -16,12 +15,13 @@ from tools.crosscheck.free_run import free_run
 from tools.crosscheck.json_report import json_text
 from tools.crosscheck.run import Job, Outcome, checked_games, chosen_sources
 from tools.crosscheck.samples import Class
-from tools.crosscheck.sources import RANDOM, Source
+from tools.crosscheck.sources import Source
 from tools.crosscheck.table import print_findings
 
-_MORE_GAMES = 20
-_MORE_TICKS = 20_000
-"""Random arenas for the convergence, after the games of the run: enough contacts for every curve."""
+_RESTING = ("1", "2", "3")
+_MORE_GAMES = 10
+_MORE_TICKS = 30_000
+"""Levels whose bricks rest, for the convergence, after the games of the run: enough contacts for every curve."""
 _FREE_RUNS = 4
 
 
@@ -57,7 +57,8 @@ def crosscheck(wishes: Wishes) -> int:
         findings = _with_extras(findings, sources, wishes)
     print_findings(console, findings, Class[wishes.listed.upper()] if wishes.listed else None)
     if outcome.partial:
-        say("interrupted; no file was written")
+        if wishes.report is not None or wishes.json is not None:
+            console.print("no file was written")
         return 128 + signal.SIGINT
     if wishes.report is not None:
         from tools.crosscheck.report import html_text  # noqa: PLC0415  # matplotlib takes a second to load
@@ -72,7 +73,7 @@ def _with_extras(findings: Findings, sources: list[Source], wishes: Wishes) -> F
     """The convergence and the free run, where they are asked for."""
     status = Console(stderr=True)
     if wishes.convergence:
-        more = [Source(None, RANDOM, wishes.seed + number, _MORE_TICKS) for number in range(_MORE_GAMES)]
+        more = [Source(None, level, wishes.seed + number, _MORE_TICKS) for number in range(_MORE_GAMES) for level in _RESTING]
         with status.status("more facets") if status.is_terminal else nullcontext():
             findings = findings._replace(curves=converged([*sources, *more], wishes.sabotage))
     if wishes.free_run:

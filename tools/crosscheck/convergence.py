@@ -7,13 +7,12 @@ that of times as 1/N^2. An error of our own would stay where it is and bend the 
 import cmath
 import math
 import statistics
-import sys
 from collections.abc import Iterable
 from itertools import islice
 from typing import NamedTuple
 
 from physics import Feature
-from tools.crosscheck.facets import half_facet
+from tools.crosscheck.facets import half_facet, sagitta
 from tools.crosscheck.model import Geometry, RingModel
 from tools.crosscheck.moment import angle_between, geometry_of
 from tools.crosscheck.sabotage import SABOTAGES
@@ -24,9 +23,9 @@ from tools.crosscheck.trajectory import paths
 FACETS = (8, 16, 32, 64, 128, 256, 512, 1024)
 SLACK = 0.1
 """Of a slope. A contact sits anywhere on its facet, x in [-1, 1] of half its length: normals err by |x| d/2, times by
-(1 - x^2) sagitta / approach. The root mean square of n such |x| scatters by 0.45 / sqrt(n), the geometric mean of n such
-1 - x^2 by 0.83 / sqrt(n). With the 40 contacts asked for at least that is 0.07 and 0.13 in the logarithm of each of eight
-points a doubling apart, and 0.016 and 0.03 in the slope: three times that is allowed. A wrong power is off by 1."""
+(1 - x^2) sagitta / approach. The root mean square of n such |x|, and the mean of n such 1 - x^2, scatter by 0.45 / sqrt(n). With
+the 40 contacts asked for at least that is 0.07 in the logarithm of each of eight points a doubling apart, and 0.016 in
+the slope; neighbouring points are not quite independent, so six times that is allowed. A wrong power is off by 1."""
 
 _COARSEST = 0.1
 """Radians: half a facet at the fewest facets. sin d and d then differ by 0.2 %, and a chord stays inside its sector: above it,
@@ -34,7 +33,7 @@ the error is no power of N yet."""
 _LEAST_APPROACH = 0.4
 """Least share of the speed that approaches the arc, for times: near a graze, time goes as the root of the gap."""
 
-_CONTACTS = 200
+_CONTACTS = 80
 _FEWEST = 40
 _ROUNDING = 1e-12
 """Errors below this are floating point's, and not part of a slope."""
@@ -47,7 +46,7 @@ class Curve(NamedTuple):
     unit: str
     expected: float  # slope in log-log
     facets: tuple[int, ...]
-    errors: tuple[float, ...]  # root mean square of normals, geometric mean of times
+    errors: tuple[float, ...]  # root mean square of normals, weighted mean of times
     contacts: int
 
     @property
@@ -86,7 +85,7 @@ def converged(sources: Iterable[Source], sabotage: str | None = None) -> list[Cu
             errors = tuple(_rms([_normal_error(sample, n) for sample in normals]) for n in FACETS)
             curves.append(Curve(f"normal, {name}", "rad", -1.0, FACETS, errors, len(normals)))
         if len(times) >= _FEWEST:
-            errors = tuple(statistics.geometric_mean([_time_error(sample, n) for sample in times]) for n in FACETS)
+            errors = tuple(_weighted_mean([_time_error(sample, n) for sample in times], times) for n in FACETS)
             curves.append(Curve(f"time, {name}", "s", -2.0, FACETS, errors, len(times)))
     return curves
 
@@ -152,7 +151,7 @@ def _time_error(sample: _Sample, facets: int) -> float:
     span = time + 4.0 * model.sagitta / abs(velocity)
     backed = 4.0 * model.sagitta / abs(velocity)  # facets of an inner face are touched earlier than the arc
     touch = facet_touch(model, start - velocity * backed, velocity, sample.ball_radius, span + backed)
-    return max(abs(touch - backed - time), sys.float_info.epsilon)
+    return abs(touch - backed - time)
 
 
 _models: dict[tuple[Geometry, int], RingModel] = {}
@@ -167,3 +166,13 @@ def _model(geometry: Geometry, facets: int) -> RingModel:
 
 def _rms(values: list[float]) -> float:
     return math.sqrt(math.fsum(value * value for value in values) / len(values))
+
+
+def _weighted_mean(errors: list[float], samples: list[_Sample]) -> float:
+    """The mean of times in which every contact counts alike: weighed by what makes it short, approach / sagitta."""
+    weights = []
+    for sample in samples:
+        assert sample.flight is not None
+        approach = -(sample.normal.conjugate() * sample.flight[1]).real
+        weights.append(approach / sagitta(sample.geometry.radius, sample.geometry.half_angle, FACETS[0]))
+    return math.fsum(error * weight for error, weight in zip(errors, weights, strict=True)) / math.fsum(weights)

@@ -35,16 +35,16 @@ _STYLE: dict[Any, Any] = {
     "axes.spines.right": False,
     "legend.frameon": False,
 }
-_SMALLEST = -17
-_BINS = 170
+_SMALLEST, _LARGEST = -17.0, 0.5
+_BINS = 175
 
 
-def error_histogram(feature: str, exact: Samples | None, faceted: Samples | None) -> str:
-    """The errors of one feature's normals, exact shapes and facets, each with its bounds."""
+def error_histogram(name: str, exact: Samples | None, faceted: Samples | None) -> str:
+    """The errors of one feature's normals, exact shapes and facets, each with its bounds. name: unique on the page."""
     with mpl.rc_context(_STYLE):
         figure = Figure(figsize=(4.4, 2.7), layout="constrained")
         axes = figure.add_subplot()
-        for samples, colour, name in ((exact, "ours", "exact shape"), (faceted, "theirs", "facets")):
+        for samples, colour, label in ((exact, "ours", "exact shape"), (faceted, "theirs", "facets")):
             if samples is None or not samples.errors:
                 continue
             logs = [max(math.log10(error), _SMALLEST) if error > 0.0 else _SMALLEST for error in samples.errors]
@@ -53,18 +53,18 @@ def error_histogram(feature: str, exact: Samples | None, faceted: Samples | None
                 "color": _COLOURS[colour],
                 "linewidth": 1.3,
             }
-            axes.hist(logs, bins=_BINS, range=(_SMALLEST, 0), label=name, **look)
+            axes.hist(logs, bins=_BINS, range=(_SMALLEST, _LARGEST), label=label, **look)
             low, high = math.log10(min(samples.bounds)), math.log10(max(samples.bounds))
             axes.axvspan(low, high, color=_COLOURS[colour], alpha=0.25, linewidth=0)
             axes.axvline(high, color=_COLOURS[colour], linestyle="--", linewidth=1.5, label=f"bound, {10**high:.1e}")
-        axes.set_xlim(_SMALLEST, 0)
+        axes.set_xlim(_SMALLEST, _LARGEST)
         axes.set_yscale("log")
         axes.set_ylim(bottom=0.7)
         axes.set_xticks(range(-16, 1, 4), [f"1e{power}" if power else "1" for power in range(-16, 1, 4)])
         axes.set_xlabel("angle between the two normals, rad")
         axes.set_ylabel("contacts")
         axes.legend(loc="center", bbox_to_anchor=(0.5, 0.6), fontsize=9)
-        return _svg(figure, f"histogram of errors, {feature}")
+        return _svg(figure, name)
 
 
 def convergence_plot(curves: Sequence[Curve]) -> str:
@@ -86,8 +86,8 @@ def convergence_plot(curves: Sequence[Curve]) -> str:
         return _svg(figure, "convergence")
 
 
-def case_picture(case: Case, facets: int) -> str:
-    """The ring with the ball, and the contact enlarged with both engines' normals (or velocities)."""
+def case_picture(name: str, case: Case, facets: int) -> str:
+    """The ring with the ball, and the contact enlarged with both engines' normals (or velocities). name: unique on the page."""
     with mpl.rc_context(_STYLE):
         figure = Figure(figsize=(4.6, 2.3), layout="constrained")
         whole, close = figure.subplots(1, 2)
@@ -105,7 +105,7 @@ def case_picture(case: Case, facets: int) -> str:
         close.add_patch(Circle((x, y), case.ball_radius, fill=False, edgecolor=_COLOURS["ink"], linewidth=1.2))
         whole.add_patch(Polygon(_box(x, y, view), closed=True, fill=False, edgecolor=_COLOURS["muted"], linewidth=0.8))
         _draw_arrows(close, case)
-        return _svg(figure, f"case tick {case.tick} {case.comparison} {case.feature} {case.ring} {case.slot} {case.options}")
+        return _svg(figure, name)
 
 
 def _draw_arrows(axes: Axes, case: Case) -> None:
@@ -156,20 +156,13 @@ def _svg(figure: Figure, name: str) -> str:
         )
     svg = text.getvalue()
     svg = svg[svg.index("<svg") :]
-    prefix = f"{hash_of(name)}-"
+    prefix = name.replace(" ", "-") + "-"
     svg = re.sub(r'\bid="', f'id="{prefix}', svg)
     svg = re.sub(r'(url\(#|href="#)', rf"\g<1>{prefix}", svg)
-    label = escape(name).replace("\\", "/")
-    svg = re.sub(r'<svg [^>]*viewBox="([^"]*)"[^>]*>', rf'<svg viewBox="\1" role="img" aria-label="{label}">', svg, count=1)
+    svg = re.sub(
+        r'<svg [^>]*viewBox="([^"]*)"[^>]*>', rf'<svg viewBox="\1" role="img" aria-label="{escape(name)}">', svg, count=1
+    )
     svg = svg.replace("xlink:href", "href")
     for variable, colour in _COLOURS.items():
         svg = svg.replace(colour, f"var(--{variable})")
     return svg
-
-
-def hash_of(name: str) -> str:
-    """A short name for use in ids, the same in every run."""
-    value = 0
-    for character in name:
-        value = (value * 131 + ord(character)) % 2**32
-    return f"p{value:08x}"

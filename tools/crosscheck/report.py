@@ -107,7 +107,7 @@ def _histograms(findings: Findings) -> Iterator[str]:
         if feature == "end":
             faceted = None  # one segment in either model
         if exact or faceted:
-            yield f"<figure><figcaption>{feature}</figcaption>{error_histogram(feature, exact, faceted)}</figure>"
+            yield f"<figure><figcaption>{feature}</figcaption>{error_histogram(f'errors {feature}', exact, faceted)}</figure>"
     yield '</div><p class="note">Errors of 0 are shown at 1e-17. Shaded: the range of the bounds; they depend on ring and ball.'
     yield "</p>"
 
@@ -151,7 +151,7 @@ def _worst(findings: Findings) -> Iterator[str]:
         case = rows.samples[key].worst
         arcs = key[0] == Comparison.NORMAL_FACETS and key[1] in FEATURES[:2]  # the rest is as in the exact model
         if (arcs or key[0] == Comparison.NORMAL_EXACT) and case is not None:
-            yield _drawn(case, findings.outcome)
+            yield _drawn(f"worst {COMPARISON_NAMES[key[0]]} {key[1]}", case, findings.outcome)
     yield "</div>"
 
 
@@ -162,8 +162,8 @@ def _disagreements(findings: Findings) -> Iterator[str]:
         if not cases:
             continue
         yield f'<h2>Cases: {CLASS_NAMES[kind]}</h2><p>{CLASS_MEANINGS[kind]}.</p>\n<div class="grid">'
-        for case in sorted(cases, key=lambda case: -case.error)[:_DRAWN]:
-            yield _drawn(case, findings.outcome)
+        for index, case in enumerate(sorted(cases, key=lambda case: -case.error)[:_DRAWN]):
+            yield _drawn(f"{CLASS_NAMES[kind]} {index}", case, findings.outcome)
         yield f"</div><details><summary>{min(len(cases), _LISTED):,} of {len(cases):,} listed</summary><ol>"
         for case in cases[:_LISTED]:
             line = f"{escape(case.feature)}: {escape(case.what)}; {number(case.error)}"
@@ -171,9 +171,9 @@ def _disagreements(findings: Findings) -> Iterator[str]:
         yield "</ol></details>"
 
 
-def _drawn(case: Case, outcome: Outcome) -> str:
-    """One case as a picture with its numbers and its command."""
-    picture = case_picture(case, outcome.jobs[0].facets)
+def _drawn(name: str, case: Case, outcome: Outcome) -> str:
+    """One case as a picture with its numbers and its command. name: unique on the page."""
+    picture = case_picture(name, case, outcome.jobs[0].facets)
     caption = f"{COMPARISON_NAMES[case.comparison]}, {case.feature}: {case.what}"
     numbers = f"{number(case.error)} {UNITS[case.comparison]}, bound {number(case.bound)}"
     return (

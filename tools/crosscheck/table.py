@@ -68,8 +68,8 @@ def print_findings(console: Console, findings: Findings, listed: Class | None) -
         console.print(f"not compared: {outcome.rows.set_free} hits of balls that the physics had put outside material")
     _print_cases(console, outcome, listed)
     _print_extras(console, findings)
-    console.print(_pace(outcome), style="dim")
-    console.print(Text(verdict(findings), style="bold green" if findings.agrees else "bold red"))
+    console.print(_pace(outcome), style="dim", highlight=False)
+    console.print(Text(verdict(findings), style="bold green" if findings.agrees else "bold red"), soft_wrap=True)
 
 
 def verdict(findings: Findings) -> str:
