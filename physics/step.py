@@ -8,11 +8,15 @@ from physics.escape import freed
 from physics.response import collision_response, leaving_at
 from physics.shapes import Ball, Contact, Feature, Ring
 from physics.time_of_impact import Impact, time_of_impact
-from physics.tolerances import LEAST_GRAZE, LEAST_SEPARATION, MAX_IMPACTS
+from physics.tolerances import ANGLE_SLACK, LEAST_GRAZE, LEAST_SEPARATION, MAX_IMPACTS
+from physics.trig import bearing_of
 from physics.vectors import dot, length
 
 PERMANENT = -1
 """Layers of a sector that no hit removes."""
+
+
+_new = tuple.__new__  # a NamedTuple without its Python constructor
 
 
 class Arena(NamedTuple):
@@ -65,26 +69,40 @@ def advance(arena: Arena, dt: float, speed: float) -> Step:
         raise ValueError(f"dt must be finite and at least 0, not {dt}")
     if dt == 0.0:
         return Step(arena, (), 0, 0)
-    if _any_near(arena, dt):
-        return _flown(_all_freed(arena), dt, speed)
     balls, rings, layers = arena
-    return Step(Arena(tuple([ball.moved(dt) for ball in balls]), _turned(rings, dt), layers), (), 0, 0)
+    moved = []
+    for ball in balls:
+        p, v, ball_radius = ball
+        distance = math.sqrt(p.real * p.real + p.imag * p.imag)
+        reach = math.sqrt(v.real * v.real + v.imag * v.imag) * dt + ball_radius
+        for k, ring in enumerate(rings):
+            if abs(distance - ring[0]) <= ring[1] + reach and _may_touch(ball, distance, reach, ring, layers[k], dt):
+                return _flown(_all_freed(arena), dt, speed)
+        moved.append(_new(Ball, (p + v * dt, v, ball_radius)))
+    return _new(Step, (_new(Arena, (tuple(moved), _turned(rings, dt), layers)), (), 0, 0))
 
 
-def _any_near(arena: Arena, dt: float) -> bool:
-    """Whether any ball may reach into any ring's band within dt: the broad phase of the whole tick."""
-    for p, v, ball_radius in arena[0]:
-        distance = length(p)
-        reach = length(v) * dt + ball_radius
-        for ring in arena[1]:
-            if abs(distance - ring[0]) <= ring[1] + reach:
-                return True
-    return False
+def _may_touch(ball: Ball, distance: float, reach: float, ring: Ring, alive: tuple[int, ...], dt: float) -> bool:
+    """Whether a ball that reaches into a ring's band within dt has a living sector within the angle it may cover.
+
+    distance: of the ball from the centre. reach: its radius and its travel; seen from the centre, they cover an angle of
+    asin(reach / distance) <= reach pi / (2 distance) to each side.
+    """
+    if distance <= reach:
+        return True
+    if distance > ring.radius + ring.half_width + ball.radius and dot(ball.position, ball.velocity) >= 0.0:
+        return False
+    pitch = math.tau / ring.count
+    place = (bearing_of(ball.position) - ring.phase) / pitch
+    span = (reach * math.pi / (2.0 * distance) + ring.half_angle + abs(ring.spin) * dt + ANGLE_SLACK) / pitch
+    first = math.ceil(place - span)
+    count = min(math.floor(place + span) - first + 1, ring.count)
+    return any([alive[slot % ring.count] for slot in range(first, first + count)])
 
 
 def _turned(rings: tuple[Ring, ...], time: float) -> tuple[Ring, ...]:
     """The rings, those that turn turned."""
-    return tuple([ring.turned(time) if ring.spin else ring for ring in rings])
+    return tuple([ring.turned(time) if ring[5] else ring for ring in rings])
 
 
 def _all_freed(arena: Arena) -> Step:

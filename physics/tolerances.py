@@ -48,5 +48,8 @@ ANGLE_GRID = 2.0**50
 mirrored to the bit.
 """
 
+ANGLE_SLACK = 1e-9
+"""Radians. What the broad phase adds to the angle in which it looks for sectors, far above rounding."""
+
 LARGEST = 1e100
 """World units, or units per second. Squares of larger numbers would overflow; no size, place or speed may exceed it."""
