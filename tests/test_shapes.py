@@ -169,6 +169,14 @@ def test_a_turned_ring_turned_by_spin_times_time(ring, time):
     assert type(turned) is Ring
 
 
+@pytest.mark.parametrize(
+    ("phase", "spin"), [(math.tau - 1.0, 1.0), (1.0, -1.0), (math.tau - 3.0, 3.0), (3.0, -3.0), (0.0, math.tau)]
+)
+def test_a_ring_that_turns_to_the_very_axis_has_phase_zero(phase, spin):
+    """Not 2 pi, whichever way it came."""
+    assert Ring(10.0, 0.5, 0.3, 3, phase, spin).turned(1.0).phase == 0.0
+
+
 @given(rings(), st.lists(reals(0.0, 10.0), min_size=1, max_size=5))
 def test_a_mirrored_ring_turns_as_the_mirror_image_to_the_bit(ring, times):
     """After any number of turns, however long: the phases still add up to 0 or to 2 pi exactly."""
