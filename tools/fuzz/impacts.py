@@ -58,8 +58,8 @@ def fault(case: ImpactCase, found: Impact | None, mpmath: Any) -> str | None:
     if found is not None:
         if not 0.0 <= found.time <= dt:
             return f"the time {found.time} is outside [0, {dt}]"
-        if not alive[found.slot]:
-            return f"slot {found.slot} is empty"
+        if not (0 <= found.slot < ring.count and alive[found.slot]):
+            return f"slot {found.slot} holds no sector"
         gap = exact_gap(case, found.time, found.slot, mpmath)
         if abs(gap) > TOLERANCE:
             return f"the gap at the reported time is {mpmath.nstr(gap, 5)}"
