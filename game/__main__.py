@@ -15,7 +15,8 @@ from game.command_line import run, say
 from game.errors import BadInputError, CheckFailedError, EnvironmentMissingError
 from game.headless import autopilot_game, free_path, result_line
 from game.levels import Level, built_in, chosen
-from game.rules import Game
+from game.opinions import Compare, Opinions
+from game.rules import Game, Ticked
 from game.verify import verified
 
 app = typer.Typer(
@@ -106,7 +107,7 @@ def watch_replay(
     recording = replay.load(files[0])
     from game.app import watch  # noqa: PLC0415  # pygame, only where it is needed
 
-    watch(recording)
+    watch(recording, compare=_second_opinion())
 
 
 def _verify(files: list[Path]) -> None:
@@ -138,7 +139,7 @@ def _play_in_window(levels: tuple[Level, ...], seed: int, record: Path | None, *
 
     keeper = kept.Keeper(record)
     try:
-        play_in_window(levels, seed, keeper, autopilot=autopilot)
+        play_in_window(levels, seed, keeper, autopilot=autopilot, compare=_second_opinion())
     except EnvironmentMissingError as error:
         say(f"polar-breakout: {error}; playing 20 s without a window instead")
         _demonstrate(levels, seed, record)
@@ -146,6 +147,17 @@ def _play_in_window(levels: tuple[Level, ...], seed: int, record: Path | None, *
         keeper.close()
         if keeper.problem is not None:
             say(f"polar-breakout: game not kept: {keeper.problem}")
+
+
+def _second_opinion() -> Compare:
+    """Asks pymunk about contacts; it is loaded with the first of them."""
+
+    def compare(ticked: Ticked) -> tuple[Opinions, ...]:
+        from tools.crosscheck.overlay import opinions  # noqa: PLC0415  # pymunk, only where it is needed
+
+        return opinions(ticked)
+
+    return compare
 
 
 def _demonstrate(levels: tuple[Level, ...], seed: int, record: Path | None) -> None:

@@ -6,8 +6,10 @@ from collections.abc import Callable
 import pygame
 
 from game import display
+from game.audio import Audio
 from game.controls import Action, Pressed, Released, Signal, translated
 from game.levels import Level, built_in
+from game.opinions import Compare
 from game.playback import Playback
 from game.replay import Recording
 from game.screens.base import Recorder, Screen, Shared
@@ -20,24 +22,32 @@ _IDLE_RATE = 20
 """Pictures per second while nobody looks."""
 
 
-def play(levels: tuple[Level, ...], seed: int, recorder: Recorder | None = None, *, autopilot: bool = False) -> int:
+def play(
+    levels: tuple[Level, ...],
+    seed: int,
+    recorder: Recorder | None = None,
+    *,
+    autopilot: bool = False,
+    compare: Compare | None = None,
+) -> int:
     """Open a window with the title, the first of the levels chosen, and play until it is closed; the exit code.
 
     recorder: told every tick of every game played. autopilot: it plays, from the first serve on, without a title.
+    compare: another engine to ask about contacts.
     Raises EnvironmentMissingError without a display.
     """
     catalogue = built_in() if levels[0] in built_in() else levels
-    shared = Shared(catalogue, catalogue.index(levels[0]), seed, Title, recorder, autopilot)
+    shared = Shared(catalogue, catalogue.index(levels[0]), seed, Title, recorder, autopilot, compare=compare)
     return _shown(shared, lambda: Play(shared, levels) if autopilot else Title(shared))
 
 
-def watch(recording: Recording) -> int:
+def watch(recording: Recording, *, compare: Compare | None = None) -> int:
     """Open a window that shows a recorded game until it is closed; the exit code.
 
     Raises EnvironmentMissingError without a display.
     """
     levels = tuple(recording.levels)
-    shared = Shared(levels, 0, recording.seed, Title)
+    shared = Shared(levels, 0, recording.seed, Title, compare=compare)
     return _shown(shared, lambda: Watch(shared, Playback(recording)))
 
 
@@ -45,11 +55,13 @@ def _shown(shared: Shared, opened: Callable[[], Screen]) -> int:
     """Show screens in a window until the last one is left; the exit code."""
     window = display.open_window(_TITLE)
     try:
-        display.open_audio()
+        shared.audio = Audio()
         run(window, shared, opened())
     except KeyboardInterrupt:
         pass
     finally:
+        if shared.audio is not None:
+            shared.audio.close()
         pygame.quit()
     return 0
 
@@ -103,11 +115,13 @@ def _answered_here(signal: Signal, window: pygame.Window, shared: Shared) -> boo
         case Pressed(Action.FULL_SCREEN):
             _toggle_full_screen(window, shared)
         case Pressed(Action.MUTE):
-            shared.muted = not shared.muted
+            shared.toggle_sound()
         case Pressed(Action.THEME):
             shared.toggle_theme()
         case Pressed(Action.EFFECTS):
             shared.effects = not shared.effects
+        case Pressed(Action.NORMALS):
+            shared.normals = not shared.normals and shared.compare is not None
         case _:
             return False
     return True

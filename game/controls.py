@@ -31,6 +31,7 @@ class Action(Enum):
     MUTE = auto()
     THEME = auto()
     EFFECTS = auto()
+    NORMALS = auto()
     STEP_BACK = auto()
     STEP = auto()
     SLOWER = auto()
@@ -61,6 +62,7 @@ KEYS: dict[int, Action] = {
     pygame.K_m: Action.MUTE,
     pygame.K_t: Action.THEME,
     pygame.K_e: Action.EFFECTS,
+    pygame.K_n: Action.NORMALS,
     pygame.K_COMMA: Action.STEP_BACK,
     pygame.K_PERIOD: Action.STEP,
     pygame.K_MINUS: Action.SLOWER,
@@ -82,6 +84,7 @@ PLAY_HELP: tuple[tuple[str, str], ...] = (
     ("M", "sound off / on"),
     ("T", "dark / light colours"),
     ("E", "effects off / on"),
+    ("N", "normals: ours thick, pymunk's thin"),
     ("H   F1", "this help"),
 )
 
@@ -94,6 +97,7 @@ WATCH_HELP: tuple[tuple[str, str], ...] = (
     ("Mouse", "click or drag on the timeline"),
     ("F11", "full screen"),
     ("M   T   E", "sound, colours, effects"),
+    ("N", "normals: ours thick, pymunk's thin"),
     ("Esc", "leave"),
     ("H   F1", "this help"),
 )

@@ -1,9 +1,6 @@
 """Opening a window, and saying so when there is nothing to open it on."""
 
-import contextlib
 import os
-import sys
-from collections.abc import Iterator
 
 import pygame
 
@@ -40,17 +37,6 @@ def open_window(title: str, size: tuple[int, int] = START_SIZE) -> pygame.Window
     return window
 
 
-def open_audio() -> bool:
-    """Whether there is a sound card; if not, one line on stderr says so and the game stays silent."""
-    try:
-        with _quiet_libraries():
-            pygame.mixer.init()
-    except pygame.error as error:
-        sys.stderr.write(f"no sound: {error}\n")
-        return False
-    return True
-
-
 def refresh_rate() -> int:
     """Pictures per second worth drawing."""
     rates = [rate for rate in pygame.display.get_desktop_refresh_rates() if rate > 0]
@@ -63,18 +49,3 @@ def _fitting(size: tuple[int, int]) -> tuple[int, int]:
     if not desktops:
         return size
     return min(size[0], desktops[0][0]), min(size[1], desktops[0][1])
-
-
-@contextlib.contextmanager
-def _quiet_libraries() -> Iterator[None]:
-    """Keep what C libraries write to stderr off it: ALSA says in fifteen lines what we say in one."""
-    sys.stderr.flush()
-    kept = os.dup(2)
-    nowhere = os.open(os.devnull, os.O_WRONLY)
-    try:
-        os.dup2(nowhere, 2)
-        yield
-    finally:
-        os.dup2(kept, 2)
-        os.close(nowhere)
-        os.close(kept)

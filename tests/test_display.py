@@ -51,20 +51,6 @@ def test_a_window_is_no_larger_than_the_desktop():
     window.destroy()
 
 
-def test_no_sound_card_is_one_line(monkeypatch, capfd):
-    """The game says so once and plays on."""
-    monkeypatch.setenv("SDL_AUDIODRIVER", "nonsense")
-    assert not display.open_audio()
-    assert capfd.readouterr().err.count("\n") == 1
-
-
-def test_a_sound_card_is_silent_on_stderr(monkeypatch, capfd):
-    """With sound there is nothing to say."""
-    monkeypatch.setenv("SDL_AUDIODRIVER", "dummy")
-    assert display.open_audio()
-    assert capfd.readouterr().err == ""
-
-
 def test_the_picture_rate_is_sane():
     """Whatever the display says."""
     pygame.display.init()

@@ -59,6 +59,7 @@ WRONG = {
     "by_name_unknown": ({"game/app.py": "import importlib\nimportlib.import_module(name)"}, "an import must be readable"),
     "game_tools": ({"game/app.py": "import tools.bench"}, "nothing imports tools but tests"),
     "game_tools_deferred": ({"game/app.py": "def f():\n    from tools import bench"}, "nothing imports tools but tests"),
+    "game_main_tools": ({"game/__main__.py": "def f():\n    import tools.bench"}, "nothing imports tools but tests"),
     "game_relative_tools": ({"game/app.py": "from ..tools import bench"}, "nothing imports tools but tests"),
     "game_numba": ({"game/app.py": "import numba"}, "the game does not need numba"),
     "game_batch": ({"game/app.py": "from physics import batch", "physics/batch.py": ""}, "the game does not need numba"),
@@ -93,6 +94,7 @@ RIGHT = {
     "screens": {"game/app.py": "import pygame\nimport numpy\nfrom game.rules import tick", "game/rules.py": "import random"},
     "main_deferred": {"game/__main__.py": "def f():\n    from game.app import play", "game/app.py": "import pygame"},
     "tools": {"tools/crosscheck/run.py": "import pymunk\nfrom tools import x\nfrom game.rules import y", "game/rules.py": ""},
+    "second_opinion": {"game/__main__.py": "def f():\n    from tools.crosscheck.overlay import opinions"},
     "tests": {"tests/test_a.py": "import pygame, tools.bench, numba\nfrom tests import b\n__import__(name)"},
 }
 

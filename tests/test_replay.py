@@ -3,6 +3,7 @@
 import hashlib
 import tracemalloc
 import zlib
+from itertools import product
 from pathlib import Path
 
 import msgspec
@@ -86,7 +87,7 @@ def test_runs_hold_any_controls():
     levels = built_in()
     game = new_game(levels, 0)
     plan = [
-        *[Controls(turn, pointer, serve) for turn in (-1, 0, 1) for pointer in (None, 0, POINTER_STEPS - 1) for serve in (False, True)],
+        *[Controls(*one) for one in product((-1, 0, 1), (None, 0, POINTER_STEPS - 1), (False, True))],
         *[Controls(1)] * 70_000,
         Controls(),
     ]

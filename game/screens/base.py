@@ -6,11 +6,14 @@ from typing import Protocol
 
 import pygame
 
+from game import opinions
+from game.audio import Audio
 from game.controls import Signal
 from game.levels import Level
+from game.opinions import Compare, Opinions
 from game.palette import DARK, LIGHT, Theme
 from game.render import Painter
-from game.rules import Controls, Game
+from game.rules import Controls, Game, Ticked
 from game.text import Type
 
 Recorder = Callable[[Controls, Game], None]
@@ -30,6 +33,9 @@ class Shared:
     muted: bool = False
     effects: bool = True
     full_screen: bool = False
+    compare: Compare | None = None  # another engine to ask about contacts
+    normals: bool = False  # show what it says
+    audio: Audio | None = None
     theme: Theme = DARK
     painter: Painter = field(default_factory=Painter)
     type: Type = field(default_factory=Type)
@@ -38,6 +44,21 @@ class Shared:
         """Dark to light and back."""
         self.theme = LIGHT if self.theme is DARK else DARK
         self.painter.theme = self.theme
+
+    def toggle_sound(self) -> None:
+        """Off and on."""
+        self.muted = not self.muted
+        if self.audio is not None:
+            self.audio.muted = self.muted
+
+    def heard(self, ticked: Ticked) -> None:
+        """Make the sounds of a tick."""
+        if self.audio is not None:
+            self.audio.play(ticked.events, ticked.game.level.ground_radius, ticked.game.combo)
+
+    def opinions(self, shown: tuple[Opinions, ...], ticked: Ticked) -> tuple[Opinions, ...]:
+        """The normals to show after a tick: none unless the player wants them."""
+        return opinions.after(shown, ticked, self.compare) if self.normals and self.compare is not None else ()
 
 
 class Screen(Protocol):

@@ -2,12 +2,13 @@
 
 import pygame
 
-from game import effects, hud, notice
+from game import effects, hud, normals, notice
 from game.autopilot import Autopilot
 from game.camera import Camera, Layout, layout
 from game.controls import Action, FocusLost, Hands, Pressed, Signal
 from game.effects import Effects
 from game.levels import Level
+from game.opinions import Opinions
 from game.rules import Phase, new_game, tick
 from game.scene import scene_at, still
 from game.screens.base import Screen, Shared
@@ -28,6 +29,7 @@ class Play:
         self._shared, self._levels = shared, levels
         self._ticked = still(new_game(levels, shared.seed))
         self._effects = Effects()
+        self._opinions: tuple[Opinions, ...] = ()
         self._hands = Hands()
         self._due = Due(0, 0.0)
         self._ready = 0.0
@@ -64,6 +66,7 @@ class Play:
         place, shared = self._layout(surface.get_size()), self._shared
         scene = scene_at(self._ticked, self._due.alpha, self._effects)
         shared.painter.paint(surface, scene, place.camera, shared.type, place.unit)
+        normals.draw(surface, self._opinions, place.camera, shared.theme, shared.type, place.unit)
         badge = "" if self._pilot is None else "autopilot"
         shown = hud.readings(self._ticked.game, muted=shared.muted, badge=badge)
         hud.draw(surface, place, shown, shared.theme, shared.type)
@@ -82,6 +85,8 @@ class Play:
         self._hands = self._hands._replace(serve=False)
         self._ticked = tick(game, controls)
         self._effects = effects.after(self._effects, self._ticked, full=self._shared.effects)
+        self._opinions = self._shared.opinions(self._opinions, self._ticked)
+        self._shared.heard(self._ticked)
         if self._shared.recorder is not None:
             self._shared.recorder(controls, self._ticked.game)
 

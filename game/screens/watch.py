@@ -4,10 +4,11 @@ from typing import Protocol
 
 import pygame
 
-from game import effects, hud
+from game import effects, hud, normals
 from game.camera import Layout, layout, unit_of
 from game.controls import WATCH_HELP, Action, Clicked, Moved, Pressed, Signal
 from game.effects import Effects
+from game.opinions import Opinions
 from game.rules import TICK, Game, Ticked
 from game.scene import scene_at, still
 from game.screens.base import Screen, Shared
@@ -44,6 +45,7 @@ class Watch:
         self._playing = True
         self._speed = SPEEDS.index(1.0)
         self._effects = Effects()
+        self._opinions: tuple[Opinions, ...] = ()
         self._seek(0)
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
@@ -70,7 +72,9 @@ class Watch:
     def advance(self, seconds: float, _size: tuple[int, int]) -> Screen | None:
         """Let the recording run at its speed."""
         if self._playing:
-            self._run_to(self._at + min(max(seconds, 0.0), LONGEST_FRAME) / TICK * SPEEDS[self._speed])
+            passed = self._run_to(self._at + min(max(seconds, 0.0), LONGEST_FRAME) / TICK * SPEEDS[self._speed])
+            for ticked in passed:
+                self._shared.heard(ticked)
             self._playing = self._at < self._frames.ticks
         return self
 
@@ -79,6 +83,7 @@ class Watch:
         shared, place = self._shared, self._layout(surface.get_size())
         scene = scene_at(self._shown, self._at - self._number, self._effects)
         shared.painter.paint(surface, scene, place.camera, shared.type, place.unit)
+        normals.draw(surface, self._opinions, place.camera, shared.theme, shared.type, place.unit)
         shown = hud.readings(self._shown.game, muted=shared.muted, badge="replay")
         hud.draw(surface, place, shown, shared.theme, shared.type)
         self._draw_timeline(surface)
@@ -109,19 +114,23 @@ class Watch:
         """Show the moment after the given number of ticks, limited to those there are."""
         tick = min(max(tick, 0), self._frames.ticks)
         start = max(tick - _RUN_UP, 0)
-        self._effects = Effects()
+        self._effects, self._opinions = Effects(), ()
         self._at, self._number = float(start), start
         self._shown = self._tick_from(start)
         self._run_to(float(tick))
 
-    def _run_to(self, moment: float) -> None:
-        """Play forward to a moment, in ticks."""
+    def _run_to(self, moment: float) -> list[Ticked]:
+        """Play forward to a moment, in ticks; the ticks that were completed on the way."""
         moment = min(moment, float(self._frames.ticks))
+        passed = []
         while self._number < int(moment):
             self._effects = effects.after(self._effects, self._shown, full=self._shared.effects)
+            self._opinions = self._shared.opinions(self._opinions, self._shown)
+            passed.append(self._shown)
             self._number += 1
             self._shown = self._tick_from(self._number)
         self._at = moment
+        return passed
 
     def _tick_from(self, number: int) -> Ticked:
         """The tick to look into after the first `number`; behind the last there is none."""
