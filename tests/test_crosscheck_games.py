@@ -1,11 +1,15 @@
 """Whole games, cross-checked: the two engines agree, and each of five deliberate mistakes is found and named."""
 
+import cmath
 import math
 
 import pytest
 
 from physics import Arena, Ball, Ring, advance
 from tools.crosscheck.compare import checked_ticks
+from tools.crosscheck.contact_check import checked_contact
+from tools.crosscheck.model import RingModel
+from tools.crosscheck.moment import Scene, geometry_of, moment_of
 from tools.crosscheck.rows import Rows
 from tools.crosscheck.run import Job, check_game
 from tools.crosscheck.samples import ANYWHERE, Class, Comparison
@@ -173,6 +177,36 @@ def test_a_ball_that_lost_speed_is_named():
 
     rows = checked_ticks([one_tick(slower)], FACETS, "").rows
     assert what(rows, comparison=Comparison.VELOCITY) == {"the game's velocity is of length 30, not 60"}
+
+
+def test_two_corners_at_once_are_a_tie():
+    """Straight into a gap too narrow for it, a ball meets two corners in one moment: each engine names one of them first."""
+    ring = Ring(5.0, 0.5, math.pi / 4.0 - 0.02, 4, phase=math.pi / 4.0)
+    arena = Arena((Ball(6.5 + 0j, -60.0 + 0j, 0.25),), (ring,), ((1, 1, 1, 1),))
+    step = advance(arena, 1.0 / 60.0, 60.0)
+    first = step.hits[0]
+    assert (first.slot, round(first.contact.normal.real, 2), first.contact.normal.imag > 0.0) == (0, 0.9, False)
+    other = first._replace(slot=3, contact=first.contact._replace(normal=first.contact.normal.conjugate()))
+    kinds = []
+    for hit in (first, other):
+        moment = moment_of(Scene(Tick(0, arena, 1.0 / 60.0, 60.0, step), [RingModel(geometry_of(ring), FACETS)], ""), hit, 0j)
+        place = arena.balls[0].position + arena.balls[0].velocity * hit.time
+        moment = moment._replace(position=place, local=place * cmath.rect(1.0, -moment.angle))
+        kinds.append(checked_contact(moment, Rows()).kind)
+    assert sorted(kinds) == [Class.EXACT, Class.TIE]
+
+
+def test_a_graze_is_called_a_graze():
+    """Past an outer face with 1e-13 to spare or to touch: the game's hit is right, and so would be none."""
+    ring = Ring(5.0, 0.5, 0.3, 4)
+    radius = 0.25
+    height = 5.5 + radius - 1e-13
+    arena = Arena((Ball(complex(height, -0.5), 60.0j, radius),), (ring,), ((1, 1, 1, 1),))
+    step = advance(arena, 1.0 / 60.0, 60.0)
+    assert len(step.hits) == 1
+    rows = checked_ticks([Tick(0, arena, 1.0 / 60.0, 60.0, step)], FACETS, "").rows
+    assert (rows.unexplained, rows.classes[Class.GRAZING]) == (0, 1)
+    assert [case.comparison for case in rows.cases if case.kind == Class.GRAZING] == [Comparison.TIME]
 
 
 def test_paths_are_rebuilt_without_normals_or_points():

@@ -2,7 +2,8 @@
 
 import math
 
-from physics.tolerances import LEAST_SEPARATION, STOPPED
+from physics import Feature
+from physics.tolerances import LEAST_GRAZE, LEAST_SEPARATION, STOPPED
 from tools.crosscheck.diagnosis import named_velocity
 from tools.crosscheck.model import Part, Touch
 from tools.crosscheck.moment import Moment
@@ -55,7 +56,7 @@ def _checked_velocity(
     result, normal, pushed = pymunks
     raw, normal_error, push_error = errors
     hit, speed = moment.hit, moment.tick.speed
-    least = _dot(pushed, normal) + LEAST_SEPARATION * speed
+    least = _dot(pushed, normal) + _least_departure(moment) * speed
     size = abs(result)
     stopped = size <= STOPPED * speed + raw
     expected = normal * speed if stopped else result * (speed / size)
@@ -77,6 +78,13 @@ def _checked_velocity(
     if kind == Class.RULE:
         rows.disagree(moment.case(kind, Comparison.VELOCITY, what, (error, bound), (hit.after, result)))
     return kind
+
+
+def _least_departure(moment: Moment) -> float:
+    """The game's rule: the fraction of its speed by which a ball leaves what could meet it again at once."""
+    feature = moment.hit.contact.feature
+    follows = feature == Feature.INNER_FACE or (moment.ring.spin != 0.0 and feature != Feature.OUTER_FACE)
+    return LEAST_SEPARATION if follows else LEAST_GRAZE
 
 
 def _errors(moment: Moment, touch: Touch) -> tuple[float, float]:

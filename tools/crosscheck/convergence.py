@@ -23,8 +23,8 @@ from tools.crosscheck.trajectory import paths
 FACETS = (8, 16, 32, 64, 128, 256, 512, 1024)
 SLACK = 0.1
 """Of a slope. A contact sits anywhere on its facet, x in [-1, 1] of half its length: normals err by |x| d/2, times by
-(1 - x^2) sagitta / approach. The root mean square of n such |x|, and the mean of n such 1 - x^2, scatter by 0.45 / sqrt(n). With
-the 40 contacts asked for at least that is 0.07 in the logarithm of each of eight points a doubling apart, and 0.016 in
+(1 - x^2) sagitta / approach. The root mean square of n such |x|, and the mean of n such 1 - x^2, scatter by 0.45 / sqrt(n).
+With the 40 contacts asked for at least that is 0.07 in the logarithm of each of eight points a doubling apart, and 0.016 in
 the slope; neighbouring points are not quite independent, so six times that is allowed. A wrong power is off by 1."""
 
 _COARSEST = 0.1
