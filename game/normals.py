@@ -14,6 +14,8 @@ _LONGER = 1.45
 
 def draw(surface: pygame.Surface, shown: tuple[Opinions, ...], camera: Camera, theme: Theme, type_: Type, unit: float) -> None:
     """Both normals of every contact, and the angle between them: ours thick, pymunk's thin and longer."""
+    caption = "normals: ours thick, pymunk's thin, and the angle between them"
+    type_.write(surface, caption, unit * 0.8, theme.faint, complex(surface.get_width() / 2.0, unit * 0.2), "midtop")
     for one in shown:
         start = camera.project(one.point)
         _line(surface, start, camera.project(one.point + one.ours * _LENGTH), theme.accent, max(2, round(unit * 0.22)))

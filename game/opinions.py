@@ -7,6 +7,8 @@ from typing import NamedTuple
 from game.rules import Ticked
 
 SHOWN_TICKS = 480
+_MOST = 4
+"""Shown at once: more cover each other."""
 
 
 class Opinions(NamedTuple):
@@ -41,4 +43,4 @@ Compare = Callable[[Ticked], tuple[Opinions, ...]]
 def after(shown: tuple[Opinions, ...], ticked: Ticked, compare: Compare) -> tuple[Opinions, ...]:
     """The opinions to show one tick later."""
     older = [one._replace(age=one.age + 1.0 / SHOWN_TICKS) for one in shown]
-    return (*[one for one in older if one.age < 1.0], *(compare(ticked) if ticked.step.hits else ()))
+    return (*[one for one in older if one.age < 1.0], *(compare(ticked) if ticked.step.hits else ()))[-_MOST:]

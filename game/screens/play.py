@@ -66,7 +66,8 @@ class Play:
         place, shared = self._layout(surface.get_size()), self._shared
         scene = scene_at(self._ticked, self._due.alpha, self._effects)
         shared.painter.paint(surface, scene, place.camera, shared.type, place.unit)
-        normals.draw(surface, self._opinions, place.camera, shared.theme, shared.type, place.unit)
+        if shared.normals:
+            normals.draw(surface, self._opinions, place.camera, shared.theme, shared.type, place.unit)
         badge = "" if self._pilot is None else "autopilot"
         shown = hud.readings(self._ticked.game, muted=shared.muted, badge=badge)
         hud.draw(surface, place, shown, shared.theme, shared.type)

@@ -83,7 +83,8 @@ class Watch:
         shared, place = self._shared, self._layout(surface.get_size())
         scene = scene_at(self._shown, self._at - self._number, self._effects)
         shared.painter.paint(surface, scene, place.camera, shared.type, place.unit)
-        normals.draw(surface, self._opinions, place.camera, shared.theme, shared.type, place.unit)
+        if shared.normals:
+            normals.draw(surface, self._opinions, place.camera, shared.theme, shared.type, place.unit)
         shown = hud.readings(self._shown.game, muted=shared.muted, badge="replay")
         hud.draw(surface, place, shown, shared.theme, shared.type)
         self._draw_timeline(surface)
