@@ -124,10 +124,8 @@ class Ring(_RingFields):
         # Between 4 and 8 floats are the grid itself. The turn is rounded, not the sum: then every sum is exact.
         turn = (turn + 6.0) - 6.0 if -2.0 < turn < 2.0 else round(math.fmod(turn, math.tau) * ANGLE_GRID) / ANGLE_GRID
         there = phase + turn
-        if there < 0.0:
-            there += math.tau
-        elif there >= math.tau:
-            there = (phase - math.tau) + turn
+        if not 0.0 <= there < math.tau:
+            there = there + math.tau if there < 0.0 else (phase - math.tau) + turn
         return tuple.__new__(type(self), (radius, half_width, half_angle, count, there, spin, friction))
 
     def surface_velocity(self, point: complex) -> complex:

@@ -26,7 +26,7 @@ GROUND = 12.0
 BRICK_ROWS = (2.6, 3.8, 5.0)
 FACETS = 16
 
-_PADDLES = Ring(10.0, 0.3, 0.35, 3, 0.0, 0.5)
+_PADDLES = Ring(10.0, 0.3, 0.35, 3, 0.0, 0.72)  # as fast as a level lets them turn: 0.93 of the ball at the rim
 _WARM_UP = 1000
 
 
