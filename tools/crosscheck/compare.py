@@ -1,11 +1,12 @@
 """Every comparison over one trajectory."""
 
 import cmath
+import math
 import time
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from physics import Ball, Hit, Ring
+from physics import Arena, Ball, Hit, Ring
 from tools.crosscheck import facets
 from tools.crosscheck.bounce_check import checked_bounce
 from tools.crosscheck.contact_check import checked_contact
@@ -17,6 +18,7 @@ from tools.crosscheck.samples import ANYWHERE, Class, Comparison
 from tools.crosscheck.time_check import checked_time
 from tools.crosscheck.trajectory import Leg, Tick, layers_before, paths
 
+_NOWHERE = (0j, 0.0)
 _STRAIGHT = 2.0**-50
 """Fraction of a coordinate: a few roundings."""
 
@@ -62,10 +64,17 @@ class _Checker:
         self._all_layers: tuple[tuple[int, ...], ...] = ()
         self._layers: list[object] = []
         self._poses: dict[tuple[int, int], Pose] = {}
+        self._free: dict[int, tuple[complex, float]] = {}  # per ball: no ring's band reaches into this circle
+        self._end: Arena | None = None
 
     def check(self, tick: Tick) -> None:
         """Compare one tick."""
+        unchanged = tick.arena is self._end  # nothing but the physics has acted since the last tick
+        self._end = tick.step.arena
         if not tick.arena.balls:
+            return
+        if unchanged and not tick.step.hits and self._far_from_all(tick):
+            self._poses_checked.zeros += len(tick.arena.balls)
             return
         self._take_rings(tick)
         self._take_layers(tick.step.arena.layers)
@@ -95,6 +104,7 @@ class _Checker:
         self.building += time.perf_counter() - before
         self._all_layers, self._layers = (), [None] * len(self._models)
         self._poses.clear()
+        self._free.clear()
 
     def _take_layers(self, layers: tuple[tuple[int, ...], ...]) -> None:
         """Which sectors pymunk's rings hold."""
@@ -106,6 +116,7 @@ class _Checker:
                 self._layers[k] = slots
                 if self._models[k].set_alive(slots):
                     self._poses.clear()
+        self._free.clear()
 
     def _near(self, tick: Tick, index: int, ball: Ball) -> list[int]:
         """The rings that the ball may have touched during this tick, by its room at the end."""
@@ -113,17 +124,29 @@ class _Checker:
         distance = abs(position)
         way = abs(velocity) * tick.dt
         near = []
+        free = math.inf
         for k, (ring, model) in enumerate(zip(tick.arena.rings, self._models, strict=True)):
             radius, half_width, _, _, phase, spin, _ = ring
             wanted = way + model.sagitta
-            if abs(distance - radius) - half_width - ball_radius > wanted:
+            above = abs(distance - radius) - half_width - ball_radius - wanted
+            free = min(free, above)
+            if above > 0.0:
                 continue
             place = position * cmath.rect(1.0, -(phase + spin * tick.dt))
             pose = room_around(model, place, ball_radius, self._poses.get((index, k), UNKNOWN), wanted)
             self._poses[index, k] = pose
             if pose.room - abs(place - pose.place) < wanted:
                 near.append(k)
+        self._free[index] = position, free
         return near
+
+    def _far_from_all(self, tick: Tick) -> bool:
+        """Whether every ball flies straight on in the free space between the rings' bands in which it was last seen."""
+        for i, (start, end) in enumerate(zip(tick.arena.balls, tick.step.arena.balls, strict=True)):
+            center, radius = self._free.get(i, _NOWHERE)
+            if abs(end.position - center) >= radius or not _flies_straight(start, end, tick.dt):
+                return False
+        return True
 
     def _check_paths(self, scene: Scene) -> None:
         """The hits of a tick, and the flights between them."""

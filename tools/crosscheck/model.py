@@ -34,6 +34,11 @@ class Part(IntFlag):
     POINTED = END | CORNER
 
 
+_FILTERS = {part: pymunk.ShapeFilter(categories=part) for part in Part}
+_UNSEEN = pymunk.ShapeFilter(categories=0)
+"""Of a slot that is empty: no query finds it."""
+
+
 class Geometry(NamedTuple):
     """The level's numbers for one ring, in the ring's own frame: slot 0 has its middle at angle 0."""
 
@@ -87,7 +92,7 @@ class RingModel:
             pieces = list(sector(self.space.static_body, geometry, slot, facets))
             self.slots.append(pieces)
             for piece in pieces:
-                piece.shape.filter = pymunk.ShapeFilter(categories=piece.part)
+                piece.shape.filter = _FILTERS[piece.part]
                 self.pieces[piece.shape] = piece
         self.space.add(*self.pieces)
         circle = pymunk.Circle(self.space.static_body, geometry.outer)
@@ -106,7 +111,7 @@ class RingModel:
             revived |= bool(now)
             self.alive[slot] = bool(now)
             for piece in self.slots[slot]:
-                piece.shape.filter = pymunk.ShapeFilter(categories=piece.part if now else 0)
+                piece.shape.filter = _FILTERS[piece.part] if now else _UNSEEN
         return revived
 
     def nearest(self, p: complex, reach: float, parts: Part = Part.FACETED) -> tuple[Piece, float] | None:
