@@ -415,7 +415,7 @@ def test_the_two_cases_of_the_source_are_the_contacts(case):
         assert abs(normal - found.normal) < 1e-9
 
 
-@given(reals(1.0, 10.0), reals(0.01, 0.9), st.integers(1, 12), angles(), angles(), reals(0.0, 15.0))
+@given(reals(1.0, 10.0), reals(0.01, 0.9), st.integers(1, 12), angles(), angles(), reals(1e-6, 15.0))
 def test_a_closed_ring_has_no_ends(radius, width, count, phase, theta, distance):
     """No ghost corner at a seam, nor at pi: the nearest sector always shows a face, alone as in company."""
     ring = Ring(radius, width * radius, math.pi / count, count, phase)
