@@ -1,14 +1,13 @@
 """The sound card: plays what `voices` has chosen and `synth` has drawn; silent where there is none."""
 
-import contextlib
-import os
 import sys
 import time
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Sequence
 
 import numpy as np
 import pygame
 
+from game.quiet import quiet_libraries
 from game.rules import Event
 from game.synth import Note, Patch, Wave, every_note, waveform
 from game.voices import SILENCE, VOICES, Tail, Voice, chorus, cues, tail
@@ -116,7 +115,7 @@ def _opened(sample_rate: int) -> str | None:
     """Open the mixer; one line that says why that is not possible, or None."""
     try:
         pygame.mixer.quit()
-        with _quiet_libraries():
+        with quiet_libraries():
             pygame.mixer.init(sample_rate, -16, 2, _BLOCK, allowedchanges=0)
         pygame.mixer.set_num_channels(VOICES)
     except (pygame.error, NotImplementedError) as error:
@@ -127,22 +126,3 @@ def _opened(sample_rate: int) -> str | None:
 def _stereo(wave: Wave) -> bytes:
     """16-bit samples, the same for both ears."""
     return np.repeat(np.rint(wave * _FULL_SCALE).astype(np.int16), 2).tobytes()
-
-
-@contextlib.contextmanager
-def _quiet_libraries() -> Iterator[None]:
-    """Keep what C libraries write to stderr off it: ALSA says in fifteen lines what we say in one."""
-    try:
-        kept = os.dup(2)
-    except OSError:  # a program without a console has no stderr
-        yield
-        return
-    nowhere = os.open(os.devnull, os.O_WRONLY)
-    try:
-        sys.stderr.flush()
-        os.dup2(nowhere, 2)
-        yield
-    finally:
-        os.dup2(kept, 2)
-        os.close(nowhere)
-        os.close(kept)

@@ -5,6 +5,7 @@ import os
 import pygame
 
 from game.errors import EnvironmentMissingError
+from game.quiet import quiet_libraries
 
 START_SIZE = (1280, 800)
 _INVISIBLE = ("offscreen", "dummy", "evdev")
@@ -19,7 +20,8 @@ def open_window(title: str, size: tuple[int, int] = START_SIZE) -> pygame.Window
     os.environ.setdefault("SDL_WINDOWS_DPI_AWARENESS", "permonitorv2")
     os.environ.setdefault("SDL_VIDEO_X11_NET_WM_BYPASS_COMPOSITOR", "0")
     try:
-        pygame.display.init()
+        with quiet_libraries():
+            pygame.display.init()
     except pygame.error as error:
         raise EnvironmentMissingError(f"no display: {error}; use --headless") from None
     driver = pygame.display.get_driver()

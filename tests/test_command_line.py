@@ -129,3 +129,19 @@ def test_odd_characters_in_a_path_can_be_named(capsys):
     code, _, err = polar(capsys, "replay", os.fsdecode(b"no\xffne.polar"))
     assert code == 2
     assert "no\\udcffne.polar" in err
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere there is always a display")
+def test_without_a_display_it_says_so_and_shows_what_it_can(tmp_path: Path):
+    """Without any display, the plain command says so in one line, plays by itself and leaves a picture; it exits with 0."""
+    hidden = {"DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER", "XDG_RUNTIME_DIR"}
+    environment = {name: value for name, value in os.environ.items() if name not in hidden}
+    root = Path(__file__).parent.parent
+    command = [sys.executable, "-m", "game", "--seed", "5"]
+    done = subprocess.run(
+        command, cwd=tmp_path, env=environment | {"PYTHONPATH": str(root)}, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    assert re.fullmatch(r"polar-breakout: no display[^\n]*; playing 20 s without a window instead\n", done.stderr)
+    assert re.fullmatch(r"ticks=4800 [^\n]*\npicture: [^\n]*polar-breakout\.png\n", done.stdout)
+    assert (tmp_path / "polar-breakout.png").read_bytes().startswith(b"\x89PNG")
