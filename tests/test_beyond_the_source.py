@@ -5,9 +5,13 @@
 
 import math
 
+import msgspec
 import pytest
 import source_oracle
 
+from game.levels import built_in
+from game.rules import TICK as GAME_TICK
+from game.rules import Controls, Phase, new_game, tick
 from physics import (
     PERMANENT,
     Arena,
@@ -299,8 +303,55 @@ class TestRow8:
         assert all(abs(length(hit.after) / speed - 1.0) < 1e-12 for hit in step.hits)
 
 
+class TestRow9:
+    """Game over when |p| - r > r_g: here the same rule costs a life, once for each ball; the game ends with the last."""
+
+    def test_the_source_is_over_where_a_life_is_lost(self):
+        """At the very tick at which the source's game is over, this one loses a life and serves again."""
+        game = new_game(built_in(), 1)
+        ball = Ball(9.9 + 0j, complex(game.level.ball.speed, 0.0), game.level.ball.radius)
+        game = game._replace(phase=Phase.PLAYING, arena=game.arena._replace(balls=(ball,)))
+        lives = [game.lives]
+        while game.phase == Phase.PLAYING:
+            ball = ball.moved(GAME_TICK)
+            game = tick(game, Controls()).game
+            lives.append(game.lives)
+        radius, ground = ball.radius, game.level.ground_radius
+        assert length(ball.position) - radius > ground >= length(ball.moved(-GAME_TICK).position) - radius
+        assert lives == [3] * (len(lives) - 1) + [2]
+        assert game.phase == Phase.SERVING
+
+    def test_of_two_balls_the_first_to_leave_costs_nothing(self):
+        """A life goes with the last ball, not with every one."""
+        game = new_game(built_in(), 1)
+        out = Ball(10.3 + 0j, complex(game.level.ball.speed, 0.0), game.level.ball.radius)
+        stays = Ball(7j, complex(game.level.ball.speed, 0.0), game.level.ball.radius)
+        game = game._replace(phase=Phase.PLAYING, arena=game.arena._replace(balls=(out, stays)))
+        game = tick(game, Controls()).game
+        assert (len(game.arena.balls), game.lives, game.phase) == (1, 3, Phase.PLAYING)
+
+
 class TestRow10:
-    """Friction mu_p with min(|dv_n|, |dv_t|): the same."""
+    """Friction mu_p with min(|dv_n|, |dv_t|): the same; and a ball in a loop that meets no brick is nudged by the seed."""
+
+    def test_the_sources_ball_stays_on_its_line_for_ever_and_ours_leaves_it(self):
+        """To and fro through the centre between two paddles: twelve contacts on one line, then another."""
+        level = built_in()[0]
+        paddles = msgspec.structs.replace(level.paddles, count=2, phase=90.0)
+        brick = msgspec.structs.replace(level.rings[0], layers=[1] + [0] * 11)
+        level = msgspec.structs.replace(level, paddles=paddles, rings=[brick])
+        game = new_game((level,), 1)
+        ball = Ball(0j, complex(0.0, level.ball.speed), level.ball.radius)
+        game = game._replace(phase=Phase.PLAYING, arena=game.arena._replace(balls=(ball,)))
+        contacts = 0
+        while game.draws == 0:
+            done = tick(game, Controls())
+            game = done.game
+            contacts += len(done.step.hits)
+            assert contacts <= 12
+            assert game.draws > 0 or abs(game.arena.balls[0].position.real) < 1e-9
+        assert contacts == 12
+        assert abs(game.arena.balls[0].velocity.real) > level.ball.speed * math.sin(math.radians(4.9))
 
     @pytest.mark.parametrize("friction", [0.0, 0.25, 0.5, 1.0])
     @pytest.mark.parametrize("v", [3 - 4j, -4 - 3j, -5j])
