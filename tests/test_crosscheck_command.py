@@ -11,6 +11,7 @@ import types
 from pathlib import Path
 
 import pytest
+from rich.console import Console
 
 from game.autopilot import Autopilot
 from game.command_line import run
@@ -20,10 +21,12 @@ from game.rules import new_game, tick
 from tools.crosscheck import cli
 from tools.crosscheck.__main__ import _CLASSES, _SABOTAGES, app
 from tools.crosscheck.convergence import FACETS, Curve
+from tools.crosscheck.findings import Findings
 from tools.crosscheck.run import Job, Outcome, check_game
 from tools.crosscheck.sabotage import SABOTAGES
 from tools.crosscheck.samples import Class
 from tools.crosscheck.sources import RANDOM, Source
+from tools.crosscheck.table import print_findings
 from tools.crosscheck.workers import Lost
 
 SHORT = ["--games", "1", "--level", "6", "--ticks", "1500"]
@@ -267,6 +270,18 @@ def test_a_lost_game_is_reported_and_no_agreement(capsys, monkeypatch):
     assert code == 1
     assert "lost: level 6, seed 1: its process was killed by SIGABRT" in out
     assert re.match(r"INCOMPLETE: 1 game lost; 0 unexplained in \d+ contacts, [\d,]+ poses in 1 game", out.splitlines()[-1])
+
+
+def test_the_table_fits_80_columns_with_the_counts_of_a_long_run(capsys):
+    """Twelve million poses and every row: no number is cut."""
+    outcome = Outcome([Job(Source(None, "6", 1, 1500), 64)])
+    outcome.take(outcome.jobs[0].source, check_game(outcome.jobs[0]))
+    for samples in outcome.rows.samples.values():
+        samples.zeros += 12_345_678
+    print_findings(Console(width=80), Findings(outcome), None)
+    out = capsys.readouterr().out
+    assert "12,34" in out
+    assert "…" not in out
 
 
 def test_nothing_compared_is_no_agreement():

@@ -4,6 +4,7 @@ import cmath
 import math
 import time
 from collections.abc import Iterable
+from itertools import islice
 from typing import NamedTuple
 
 from physics import Arena, Ball, Hit, Ring
@@ -18,6 +19,8 @@ from tools.crosscheck.samples import ANYWHERE, Class, Comparison
 from tools.crosscheck.time_check import checked_time
 from tools.crosscheck.trajectory import Leg, Tick, layers_before, paths
 
+_BLOCK = 240
+"""Ticks between two looks at the clock."""
 _NOWHERE = (0j, 0.0)
 _STRAIGHT = 2.0**-50
 """Fraction of a coordinate: a few roundings."""
@@ -28,9 +31,9 @@ class Checked(NamedTuple):
 
     rows: Rows
     ticks: int
-    playing: float  # seconds the game took
-    checking: float  # seconds the comparisons took
-    building: float  # seconds that pymunk's models took
+    playing: float  # seconds of the processor that the game took
+    checking: float  # those that the comparisons took
+    building: float  # those that pymunk's models took
 
 
 def checked_ticks(ticks: Iterable[Tick], facet_count: int, options: str, only: int | None = None) -> Checked:
@@ -38,17 +41,19 @@ def checked_ticks(ticks: Iterable[Tick], facet_count: int, options: str, only: i
     checker = _Checker(facet_count, options)
     playing = checking = 0.0
     count = 0
-    before = time.perf_counter()
-    for tick in ticks:
-        between = time.perf_counter()
-        if only is None or tick.number == only:
-            checker.check(tick)
-            count += 1
-        after = time.perf_counter()
+    source = iter(ticks)
+    while True:
+        before = time.process_time()
+        block = list(islice(source, _BLOCK))
+        between = time.process_time()
+        for tick in block:
+            if only is None or tick.number == only:
+                checker.check(tick)
+                count += 1
         playing += between - before
-        checking += after - between
-        before = after
-    return Checked(checker.rows, count, playing, checking - checker.building, checker.building)
+        checking += time.process_time() - between
+        if not block:
+            return Checked(checker.rows, count, playing, checking - checker.building, checker.building)
 
 
 class _Checker:
@@ -99,9 +104,9 @@ class _Checker:
         self._rings = rings
         if len(rings) == len(known) and all([new is old or new[:4] == old[:4] for new, old in zip(rings, known, strict=True)]):
             return
-        before = time.perf_counter()
+        before = time.process_time()
         self._models = [ring_model(geometry_of(ring), self._facets) for ring in rings]
-        self.building += time.perf_counter() - before
+        self.building += time.process_time() - before
         self._all_layers, self._layers = (), [None] * len(self._models)
         self._poses.clear()
         self._free.clear()

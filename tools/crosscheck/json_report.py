@@ -10,7 +10,7 @@ One object; a key may be added, none changes its meaning while `format` stays th
     options      facets, sabotage (null or its name), only (null or the one tick compared)
     games        list of {options, lost}: the options of the command that repeats each game; lost: null or why
     totals       contacts, ticks, poses, set_free (hits not compared), elsewhere (unexplained places that are no contacts)
-    seconds      playing, checking, building (pymunk's models)
+    seconds      of the processor: playing, checking, building (pymunk's models)
     classes      contacts by class: exact, facets, grazing, tie, rule, unexplained
     rows         list of {comparison, feature, unit, count, median, p99, maximum, bound, share, bound_source, worst}; bound:
                  the one the largest error is held to; share: the largest fraction any error is of its own; worst: a case

@@ -45,8 +45,8 @@ li { margin-bottom: .4rem; }
   main { padding: .8rem; }
   table { font-size: .8rem; }
   th, td { padding: .2rem .4rem; }
-  .numbers { font-size: .66rem; }
-  .numbers th, .numbers td { padding: .15rem .2rem; }
+  .numbers { font-size: .64rem; }
+  .numbers th, .numbers td { padding: .15rem .13rem; }
 }
 @media print {
   :root {

@@ -191,9 +191,7 @@ def _repeat(findings: Findings) -> Iterator[str]:
         yield f"<li><code>python -m tools.crosscheck {escape(job.source.options())} --facets {job.facets}</code></li>"
     yield "</ol></details>"
     seconds = (outcome.playing, outcome.checking, outcome.building)
-    yield "<p>Seconds, all processes together: {:.1f} playing, {:.1f} comparing, {:.1f} building pymunk's models.</p>".format(
-        *seconds
-    )
+    yield "<p>Seconds of the processor: {:.1f} playing, {:.1f} comparing, {:.1f} building pymunk's models.</p>".format(*seconds)
     yield "<p>" + ", ".join(f"{escape(name)} {escape(version)}" for name, version in versions().items()) + "</p>"
 
 

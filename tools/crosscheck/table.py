@@ -101,7 +101,7 @@ def repeat_command(case: Case) -> str:
 
 
 def _table(outcome: Outcome) -> Table:
-    table = Table(box=box.SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False)
+    table = Table(box=box.SIMPLE_HEAD, padding=0, pad_edge=False)
     table.add_column("ours and pymunk", no_wrap=True)
     for heading in ("count", "median", "p99", "maximum", "bound", "of it"):
         table.add_column(heading, justify="right", no_wrap=True)
@@ -205,7 +205,7 @@ def case_line(case: Case) -> str:
 def _pace(outcome: Outcome) -> str:
     rate = outcome.rows.contacts / outcome.checking if outcome.checking else 0.0
     return (
-        f"{outcome.ticks:,} ticks; {rate:,.0f} contacts compared per second and process, presence at every tick included; "
+        f"{outcome.ticks:,} ticks; {rate:,.0f} contacts compared per second of a core, presence at every tick included; "
         f"pymunk's models took {outcome.building:.1f} s, the games themselves {outcome.playing:.1f} s"
     )
 
