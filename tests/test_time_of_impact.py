@@ -197,11 +197,31 @@ def test_a_ball_inside_meets_the_sector_only_while_it_approaches(p, v, spin):
     assert (deeper or leaving).time == 0.0
 
 
+@pytest.mark.parametrize("spin", SPINS)
+def test_a_ball_that_covers_the_whole_hole_meets_what_it_overlaps(spin):
+    """Wherever it goes from the middle of a hole too small for it, it goes deeper into a sector."""
+    ring = Ring(1.0, 0.4, 0.7, 2, 0.0, spin)
+    for way in (0.0, 0.3, 2.9):
+        assert time_of_impact(Ball(at(0.05, way), at(3.0, way), 0.8), ring, TICK).time == 0.0
+
+
 def test_a_ball_inside_near_an_end_leaves_through_the_end():
     """The least depth decides, so flying along the band towards the end is leaving."""
     ball = Ball(at(10.0, 0.29), INTO_THE_GAP * 20, R)
     assert time_of_impact(ball, paddle(), TICK) is None
     assert time_of_impact(ball._replace(velocity=-ball.velocity), paddle(), TICK).contact.feature == Feature.END
+
+
+@pytest.mark.parametrize("spin", [1.3, -1.3])
+@pytest.mark.parametrize("run", [0.0, 1e-9, 1e-8, 1e-7])
+def test_a_ball_left_overlapping_an_end_by_rounding_is_let_go(spin, run):
+    """It leaves slowly, sliding from the corner over to the straight end: where the two meet it had been held."""
+    ring = paddle(spin)
+    for overlap in (0.0, 1e-14, 1e-12, 2.5e-11):
+        p = CORNER + (run + 1j * (R - overlap)) * ALONG
+        surface = 1j * spin * (p - 1j * ALONG * R)
+        ball = Ball(p, surface + (-1.0 + 1e-4j) * ALONG, R)
+        assert time_of_impact(ball, ring, 3e-7) is None
 
 
 @pytest.mark.parametrize("spin", SPINS)
