@@ -82,9 +82,8 @@ def test_a_moving_end_adds_twice_its_velocity(model):
     outward = cmath.rect(1.0, 0.3 + math.pi / 2.0)
     place = cmath.rect(5.0, 0.3) + RADIUS * outward
     after = bounced(place, 0j, RADIUS, Surface(end, GEOMETRY, 0.0, 2.0), 0.0)
-    assert (
-        abs(after - 2.0 * 2.0 * 5.0 * outward) < 1e-11
-    )  # 2 w times the place's noise at 5: 2e-13, and the skin's 1e-6 squared
+    # 20 turned by the normal's noise, 7e-15 (5.5 + 0.25) / 0.25 = 1.6e-13, and 2 w times the place's, 7e-15 5.5 = 4e-14
+    assert abs(after - 2.0 * 2.0 * 5.0 * outward) < 20.0 * 1.6e-13 + 4.0 * 4e-14
 
 
 def test_friction_slows_the_slide_by_coulombs_law(model):

@@ -29,8 +29,11 @@ def checked_time(scene: Scene, leg: Leg, rows: Rows, moment: Moment | None) -> C
     radius = tick.arena.balls[leg.ball].radius
     windows = {}
     for k, ring in enumerate(tick.arena.rings):
-        if ring.spin == 0.0:
-            windows[k] = _window(leg, radius, scene.models[k], ring.phase, flight)
+        model = scene.models[k]
+        reach = abs(leg.velocity) * flight + radius + model.sagitta
+        in_reach = abs(abs(leg.position) - ring.radius) - ring.half_width <= reach + facets.contact_noise(ring.outer_radius)
+        if ring.spin == 0.0 and (in_reach or (moment is not None and moment.hit.ring == k)):
+            windows[k] = _window(leg, radius, model, ring.phase, flight)
     late = min((window.late for window in windows.values()), default=math.inf)
     if late < flight:
         return _missed(scene, leg, rows, moment, (flight - late, min(windows, key=lambda k: windows[k].late)))
