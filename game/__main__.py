@@ -49,6 +49,7 @@ def play(
     record: Annotated[Path | None, typer.Option(help="Write a replay of the game to this file.")] = None,
     screenshot: Annotated[Path | None, typer.Option(help="Draw the last tick of a headless game into this PNG file.")] = None,
     size: Annotated[str, typer.Option(metavar="WxH", help="Size of the screenshot in pixels.")] = "1280x800",
+    view: Annotated[str, typer.Option(metavar="top|3d", help="Where the screenshot is seen from.")] = "top",
     version: Annotated[bool, typer.Option("--version", help="Print the version.")] = False,
 ) -> None:
     """Play the circular Breakout; without options, in a window."""
@@ -58,6 +59,8 @@ def play(
         print(f"polar-breakout {VERSION}")
         return
     pixels = _size(size)
+    if view not in {"top", "3d"}:
+        raise BadInputError(f"--view {view}: expected top or 3d")
     _check_writable(record, "--record")
     _check_writable(screenshot, "--screenshot")
     levels = chosen(level)
@@ -66,7 +69,7 @@ def play(
     if headless:
         game = _play_headless(levels, 1 if seed is None else seed, ticks, record)
         if screenshot is not None:
-            _save_screenshot(game, screenshot, pixels)
+            _save_screenshot(game, screenshot, pixels, tipped=view == "3d")
         print(result_line(game))
         return
     if screenshot is not None:
@@ -174,12 +177,13 @@ def _demonstrate(levels: tuple[Level, ...], seed: int, record: Path | None) -> N
         return
 
 
-def _save_screenshot(game: Game, path: Path, size: tuple[int, int]) -> None:
+def _save_screenshot(game: Game, path: Path, size: tuple[int, int], *, tipped: bool = False) -> None:
     """Draw a game into a PNG file; BadInputError where it cannot be written."""
     from game.render import save_screenshot  # noqa: PLC0415  # pygame, only where it is needed
+    from game.view import FROM_ABOVE, TIPPED  # noqa: PLC0415
 
     try:
-        save_screenshot(game, path, size)
+        save_screenshot(game, path, size, view=TIPPED if tipped else FROM_ABOVE)
     except OSError as error:
         raise BadInputError(f"--screenshot {path}: cannot write; {error.strerror or error}") from None
 

@@ -1,40 +1,91 @@
-"""Where a point of the world is on the screen, and back.
+"""Where a point of the world is on the screen, and back: the one projection, from straight above to a perspective.
 
-The one place that knows the screen's y grows downwards. Seen from straight above, a height changes nothing.
+The one place that knows the screen's y grows downwards. A point of the ground is turned by the azimuth, tipped about the
+screen's horizontal axis, and divided by its distance from the eye. With q the turned point, z its height, t the tilt and
+k the closeness:
+
+    w = 1 + k (q.imag sin t - z cos t)        1 in the plane of the world's origin, larger farther away
+    x = q.real / w,   y = (q.imag cos t + z sin t) / w
+
+Seen from straight above and from infinitely far (t = k = 0) a height changes nothing.
 """
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 Points = NDArray[np.complex128]
+Reals = NDArray[np.float64]
 
 _MARGIN = 0.035
 _SQUARE = 1.2
 """Aspect ratios up to this leave no room beside the arena: the head-up display gets bands above and below."""
 _BAND = 0.11
+_HORIZON = 1e-4
+"""A pixel nearer to the horizon than this share, or beyond it, means a place as far as this allows, in its direction."""
 
 
 class Camera(NamedTuple):
-    """Looks straight down. Pixels are continuous: the first pixel's centre is at (0.5, 0.5)."""
+    """Looks at the world's origin. Pixels are continuous: the first pixel's centre is at (0.5, 0.5)."""
 
     centre: complex  # pixels, of the world's origin; x to the right, y down
-    scale: float  # pixels per world unit
+    scale: float  # pixels per world unit, at the world's origin
+    azimuth: float = 0.0  # radians; this bearing of the world points right on the screen
+    tilt: float = 0.0  # radians from straight down, below pi/2
+    closeness: float = 0.0  # 1 / the eye's distance from the origin, in world units; 0 has parallel lines of sight
 
-    def project(self, point: complex) -> complex:
+    @property
+    def flat(self) -> bool:
+        """Whether it looks straight down along parallel lines, nothing turned."""
+        return self[2:] == (0.0, 0.0, 0.0)
+
+    def project(self, point: complex, height: float = 0.0) -> complex:
         """Pixel of a point of the world."""
-        return self.centre + point.conjugate() * self.scale
+        if self.flat:
+            return self.centre + point.conjugate() * self.scale
+        turned = point * complex(math.cos(self.azimuth), -math.sin(self.azimuth))
+        up = turned.imag * math.cos(self.tilt) + height * math.sin(self.tilt)
+        return self.centre + complex(turned.real, -up) * self.scale_at(point, height)
+
+    def scale_at(self, point: complex, height: float = 0.0) -> float:
+        """Pixels per world unit at a point, along the screen."""
+        away = point.imag * math.cos(self.azimuth) - point.real * math.sin(self.azimuth)
+        return self.scale / (1.0 + self.closeness * (away * math.sin(self.tilt) - height * math.cos(self.tilt)))
+
+    def projected(self, turned: Points, height: float | Reals) -> Points:
+        """Pixels of many points at once, already turned by `turning`. height: one, or one for each point."""
+        sine, cosine = math.sin(self.tilt), math.cos(self.tilt)
+        away = turned.imag
+        scale = self.scale / (1.0 + self.closeness * (away * sine - height * cosine))
+        pixels = np.empty(scale.shape, dtype=np.complex128)
+        pixels.real = turned.real * scale + self.centre.real
+        pixels.imag = (away * -cosine - height * sine) * scale + self.centre.imag
+        return pixels
+
+    @property
+    def turning(self) -> complex:
+        """What a point of the world is multiplied by, so that the screen's right is its real axis."""
+        return complex(math.cos(self.azimuth), -math.sin(self.azimuth))
 
     def unproject(self, pixel: complex) -> complex:
-        """Point of the world at a pixel."""
-        return ((pixel - self.centre) / self.scale).conjugate()
+        """Point of the ground at a pixel; beyond the horizon, a far one in the same direction."""
+        right, up = (pixel.real - self.centre.real) / self.scale, (self.centre.imag - pixel.imag) / self.scale
+        if self.flat:
+            return complex(right, up)
+        sine, cosine = math.sin(self.tilt), math.cos(self.tilt)
+        away = up / max(cosine - up * self.closeness * sine, _HORIZON * cosine)
+        turned = complex(right * (1.0 + self.closeness * away * sine), away)
+        return turned / self.turning
 
-    def placed(self, outline: Points, angles: NDArray[np.float64]) -> list[Any]:
-        """An outline in pixels about angle 0, turned to every angle: per angle a list of [x, y]."""
-        turned = outline.conjugate()[None, :] * np.exp(-1j * angles)[:, None] + self.centre
-        return turned.view(np.float64).reshape(len(angles), len(outline), 2).tolist()  # type: ignore[no-any-return]
+    def nearer(self, one: Points, normal: Points) -> Reals:
+        """Positive where the eye is on the side of a vertical plane that its normal points to.
+
+        one: a point of the plane's foot; normal: horizontal, of the foot; both turned by `turning`. The eye stands above
+        the ground's point -i sin(tilt) / closeness, which may be infinitely far.
+        """
+        return -math.sin(self.tilt) * normal.imag - self.closeness * (one.real * normal.real + one.imag * normal.imag)
 
 
 class Layout(NamedTuple):
@@ -43,6 +94,7 @@ class Layout(NamedTuple):
     size: tuple[int, int]
     camera: Camera
     unit: float  # pixels; text and spacing are multiples of it
+    ground_radius: float  # world units
     beside: bool  # the head-up display stands beside the arena, else above and below
 
 
@@ -56,7 +108,7 @@ def layout(size: tuple[int, int], ground_radius: float, below: float = 0.0) -> L
     free = height if beside else height * (1.0 - 2.0 * _BAND)
     diameter = min(width, free) * (1.0 - 2.0 * _MARGIN)
     camera = Camera(complex(width, height) / 2.0, max(diameter / 2.0 / ground_radius, 1e-3))
-    return Layout((width, height), camera, unit_of(size), beside)
+    return Layout((width, height), camera, unit_of(size), ground_radius, beside)
 
 
 def unit_of(size: tuple[int, int]) -> float:

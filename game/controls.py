@@ -38,6 +38,9 @@ class Action(Enum):
     FASTER = auto()
     START = auto()
     END = auto()
+    TIP = auto()
+    TOP = auto()
+    SOLID = auto()
 
 
 KEYS: dict[int, Action] = {
@@ -72,6 +75,11 @@ KEYS: dict[int, Action] = {
     pygame.K_KP_PLUS: Action.FASTER,
     pygame.K_HOME: Action.START,
     pygame.K_END: Action.END,
+    pygame.K_TAB: Action.TIP,
+    pygame.K_1: Action.TOP,
+    pygame.K_KP_1: Action.TOP,
+    pygame.K_2: Action.SOLID,
+    pygame.K_KP_2: Action.SOLID,
 }
 
 PLAY_HELP: tuple[tuple[str, str], ...] = (
@@ -80,6 +88,8 @@ PLAY_HELP: tuple[tuple[str, str], ...] = (
     ("Space   Click", "serve along the arrow; go on"),
     ("P   Esc", "pause; leave through the menu there"),
     ("R", "restart (asks first)"),
+    ("Tab   1   2", "tip the camera; from above; in 3D"),
+    ("Right drag   Wheel", "in 3D: orbit and tilt; zoom"),
     ("F11", "full screen"),
     ("M", "sound off / on"),
     ("T", "dark / light colours"),
@@ -95,8 +105,8 @@ WATCH_HELP: tuple[tuple[str, str], ...] = (
     ("+   -", "faster / slower, 1/8 to 8 times"),
     ("Home  End", "to the beginning / the end"),
     ("Mouse", "click or drag on the timeline"),
-    ("F11", "full screen"),
-    ("M   T   E", "sound, colours, effects"),
+    ("Tab   1   2", "tip the camera; from above; in 3D"),
+    ("F11   M   T   E", "full screen, sound, colours, effects"),
     ("N", "normals: ours thick, pymunk's thin"),
     ("Esc", "leave"),
     ("H   F1", "this help"),
@@ -128,11 +138,23 @@ class Clicked(NamedTuple):
     place: complex
 
 
+class Dragged(NamedTuple):
+    """The mouse moved with its right button held."""
+
+    way: complex  # pixels, right and down
+
+
+class Zoomed(NamedTuple):
+    """The wheel turned."""
+
+    steps: float  # above 0 away from the player
+
+
 class FocusLost(NamedTuple):
     """The player went to another window; keys that were held will not be heard coming up."""
 
 
-Signal = Pressed | Released | Moved | Clicked | FocusLost
+Signal = Pressed | Released | Moved | Clicked | Dragged | Zoomed | FocusLost
 
 
 def translated(event: pygame.Event, pixels_per_point: complex) -> Signal | None:
@@ -141,17 +163,31 @@ def translated(event: pygame.Event, pixels_per_point: complex) -> Signal | None:
     pixels_per_point: how many pixels of the surface a unit of the mouse's coordinates spans, across and down.
     """
     if event.type in (pygame.KEYDOWN, pygame.KEYUP):
-        action = KEYS.get(event.key)
-        if action is Action.CONFIRM and event.mod & pygame.KMOD_ALT:
-            action = Action.FULL_SCREEN
-        if action is None:
-            return None
-        return Pressed(action) if event.type == pygame.KEYDOWN else Released(action)
+        return _key(event)
     if event.type == pygame.MOUSEMOTION:
-        return Moved(_pixel(event.pos, pixels_per_point), bool(event.buttons[0]))
+        return _moved(event, pixels_per_point)
     if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
         return Clicked(_pixel(event.pos, pixels_per_point))
+    if event.type == pygame.MOUSEWHEEL:
+        return Zoomed(float(event.precise_y))
     return FocusLost() if event.type in (pygame.WINDOWFOCUSLOST, pygame.WINDOWMINIMIZED) else None
+
+
+def _key(event: pygame.Event) -> Signal | None:
+    """A key that went down or up. Alt with Enter is the full screen; Alt with Tab is the desktop's."""
+    action, alt = KEYS.get(event.key), event.mod & pygame.KMOD_ALT
+    if action is Action.CONFIRM and alt:
+        action = Action.FULL_SCREEN
+    if action is None or (action is Action.TIP and alt):
+        return None
+    return Pressed(action) if event.type == pygame.KEYDOWN else Released(action)
+
+
+def _moved(event: pygame.Event, pixels_per_point: complex) -> Signal:
+    """The mouse's motion: with the right button held it is the camera's."""
+    if event.buttons[2]:
+        return Dragged(_pixel(event.rel, pixels_per_point))
+    return Moved(_pixel(event.pos, pixels_per_point), bool(event.buttons[0]))
 
 
 class Hands(NamedTuple):

@@ -5,6 +5,7 @@ A value that follows the game tick by tick, so that it stands still in a pause a
 
 from typing import NamedTuple
 
+from game.falling import Drop, after_hit, after_tick
 from game.rules import Event, EventKind, Phase, Ticked
 
 FLASH_TICKS = 40
@@ -40,6 +41,7 @@ class Effects(NamedTuple):
     trails: tuple[tuple[complex, ...], ...] = ()
     flashes: tuple[Flash, ...] = ()
     pops: tuple[Pop, ...] = ()
+    drops: tuple[Drop, ...] = ()
 
 
 def after(effects: Effects, ticked: Ticked, *, full: bool = True) -> Effects:
@@ -47,7 +49,7 @@ def after(effects: Effects, ticked: Ticked, *, full: bool = True) -> Effects:
     trails = _trails(effects.trails, ticked)
     if not full:
         return Effects(trails)
-    flashes, pops = effects.flashes, effects.pops
+    flashes, pops, drops = effects.flashes, effects.pops, after_tick(effects.drops)
     if flashes:
         older = [flash._replace(age=flash.age + 1.0 / FLASH_TICKS) for flash in flashes]
         flashes = tuple([flash for flash in older if flash.age < 1.0])
@@ -59,9 +61,11 @@ def after(effects: Effects, ticked: Ticked, *, full: bool = True) -> Effects:
             return Effects()
         if event.hit is not None:
             flashes = (*flashes, Flash(event.hit.ring, event.hit.slot, event.hit.layers, 0.0))
+            if event.kind == EventKind.BRICK_HIT:
+                drops = after_hit(drops, event.hit.ring, event.hit.slot, event.hit.layers)
         if text := _pop_text(event):
             pops = (*pops, Pop(event.position, text, event.kind == EventKind.BALL_LOST, 0.0))
-    return Effects(trails, flashes, pops)
+    return Effects(trails, flashes, pops, drops)
 
 
 def _pop_text(event: Event) -> str:

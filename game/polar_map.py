@@ -27,14 +27,21 @@ def band(size: tuple[int, int], stride: int, centre: complex, inner: float, oute
     down = rows + 0.5 - centre.imag
     reach = np.sqrt(np.maximum(outer * outer - down * down, 0.0))
     hole = np.sqrt(np.maximum(inner * inner - down * down, 0.0))
-    left, right = _spans(centre.real - reach, centre.real - hole, width), _spans(centre.real + hole, centre.real + reach, width)
-    right = (np.maximum(right[0], left[1]), right[1])  # without a hole in the row the two would share a pixel
-    ys = np.concatenate([np.repeat(rows, _lengths(span)) for span in (left, right)])
-    xs = np.concatenate([_counted(span) for span in (left, right)])
+    xs, ys = between(rows, centre.real, hole, reach, width)
     across, up = xs + 0.5 - centre.real, centre.imag - ys - 0.5
     angle = np.arctan2(up, across).astype(np.float32)
     angle[angle < 0.0] += np.float32(2.0 * np.pi)
     return Band(ys * stride + xs, np.hypot(across, up).astype(np.float32), angle)
+
+
+def between(
+    rows: NDArray[np.int64], middle: float, hole: NDArray[np.float64], reach: NDArray[np.float64], width: int
+) -> tuple[NDArray[np.int64], NDArray[np.int64]]:
+    """Columns and rows of the pixels that are, in each row, at least `hole` and at most `reach` from a column, once each."""
+    left, right = _spans(middle - reach, middle - hole, width), _spans(middle + hole, middle + reach, width)
+    right = (np.maximum(right[0], left[1]), right[1])  # without a hole in the row the two would share a pixel
+    ys = np.concatenate([np.repeat(rows, _lengths(span)) for span in (left, right)])
+    return np.concatenate([_counted(span) for span in (left, right)]), ys
 
 
 _Span = tuple[NDArray[np.int64], NDArray[np.int64]]

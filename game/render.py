@@ -10,21 +10,24 @@ from collections import OrderedDict
 from pathlib import Path
 from typing import NamedTuple
 
-import numpy as np
 import pygame
 
 from game import hud
-from game.camera import Camera, layout
+from game.ball_picture import ball_picture, draw_shadow, without
+from game.camera import Camera, Points, layout
 from game.effects import Effects, Flash, Pop
+from game.ground import ground_picture
+from game.hiding import hiding
 from game.looks import paddle_looks, wall_looks
 from game.palette import DARK, Colour, Theme, mixed
-from game.polar_map import band
-from game.ring_picture import RingPicture, Shape, packed, pixels_of, shape_of
+from game.ring_picture import RingPicture, Shape, shape_of
 from game.rules import PADDLES, Game
 from game.scene import Scene, scene_at, still
 from game.shapes2d import draw_arrow, draw_dot
 from game.skins import Look, terrace
+from game.solid_picture import SolidPicture
 from game.text import Type
+from game.view import FROM_ABOVE, View
 from physics import Ring
 
 _AIM_REACH = 2.4
@@ -58,12 +61,22 @@ class Painter:
         self._kept: _Kept | None = None
         self._rings: OrderedDict[Shape, RingPicture] = OrderedDict()
         self._balls: dict[tuple[int, int, int, int], pygame.Surface] = {}
+        self._solid = SolidPicture()
 
     def paint(self, surface: pygame.Surface, scene: Scene, camera: Camera, type_: Type, unit: float) -> None:
         """Draw a whole scene on a 32-bit surface. unit: pixels, size of body text."""
         flashes: dict[int, list[Flash]] = {}
         for flash in scene.flashes:
             flashes.setdefault(flash.ring, []).append(flash)
+        if not camera.flat:
+            self._paint_solid(surface, scene, camera, flashes)
+        else:
+            self._paint_flat(surface, scene, camera, flashes)
+        for pop in scene.pops:
+            _paint_pop(surface, pop, camera, self.theme, type_, unit)
+
+    def _paint_flat(self, surface: pygame.Surface, scene: Scene, camera: Camera, flashes: dict[int, list[Flash]]) -> None:
+        """All but the words, from straight above."""
         self._paint_resting(surface, scene, camera, flashes)
         for k, ring in enumerate(scene.rings):
             if k != PADDLES and ring.spin:
@@ -75,8 +88,28 @@ class Painter:
             draw_arrow(surface, camera, scene.aim.origin, scene.aim.direction, self.theme, _AIM_REACH)
         for ball in scene.balls:
             self._paint_ball(surface, camera.project(ball.position), ball.radius * camera.scale)
-        for pop in scene.pops:
-            _paint_pop(surface, pop, camera, self.theme, type_, unit)
+
+    def _paint_solid(self, surface: pygame.Surface, scene: Scene, camera: Camera, flashes: dict[int, list[Flash]]) -> None:
+        """All but the words, tipped: first what lies on the ground, for nothing that stands there can be behind it."""
+        self._solid.draw_ground(surface, scene, camera, self.theme)
+        for trail in scene.trails:
+            _paint_trail(surface, trail, scene, camera, self.theme)
+        if scene.aim is not None:
+            draw_arrow(surface, camera, scene.aim.origin, scene.aim.direction, self.theme, _AIM_REACH)
+        looks = tuple(
+            [
+                paddle_looks(scene, flashes.get(k, [])) if k == PADDLES else wall_looks(layers, flashes.get(k, []))
+                for k, layers in enumerate(scene.layers)
+            ]
+        )
+        for ball in scene.balls:
+            draw_shadow(surface, ball, camera, self.theme)
+        things = self._solid.draw_blocks(surface, scene, looks, camera, self.theme)
+        for ball in sorted(scene.balls, key=lambda ball: -(ball.position * camera.turning).imag):
+            place = camera.project(ball.position, ball.radius)
+            radius = ball.radius * camera.scale_at(ball.position, ball.radius)
+            hidden = hiding(things, camera, ball.position, place, radius + 2.0)
+            self._paint_ball(surface, place, radius, hidden)
 
     def paint_ring(self, surface: pygame.Surface, camera: Camera, ring: Ring, looks: tuple[Look, ...], tallest: int) -> None:
         """Draw one ring and the ground in its gaps. tallest: layers of the highest stack that may ever stand there."""
@@ -97,7 +130,7 @@ class Painter:
         kept = self._kept
         if kept is None or kept[:5] != key:
             self._rings.clear()
-            ground = _ground(surface, scene.ground_radius, camera, self.theme)
+            ground = ground_picture(surface, scene.ground_radius, camera, self.theme)
             kept = _Kept(*key, ((),) * len(resting), ground)
         if kept.looks != looks:  # all of them, for the borders of close rings overlap and the last one drawn wins
             for (k, ring), now in zip(resting, looks, strict=True):
@@ -106,8 +139,8 @@ class Painter:
         self._kept = kept
         surface.blit(kept.picture, (0, 0))
 
-    def _paint_ball(self, surface: pygame.Surface, place: complex, radius: float) -> None:
-        """A ball, placed to a fraction of a pixel."""
+    def _paint_ball(self, surface: pygame.Surface, place: complex, radius: float, hidden: Points | None = None) -> None:
+        """A ball, placed to a fraction of a pixel. hidden: quadrilaterals on the screen that cover it."""
         left, top = math.floor(place.real), math.floor(place.imag)
         across, down = int((place.real - left) * _BALL_PHASES), int((place.imag - top) * _BALL_PHASES)
         size = round(radius * 8.0)
@@ -115,48 +148,25 @@ class Painter:
         if key not in self._balls:
             if len(self._balls) > 4 * _BALL_PHASES**2:
                 self._balls.clear()
-            self._balls[key] = _ball(size / 8.0, (across + 0.5) / _BALL_PHASES, (down + 0.5) / _BALL_PHASES, self.theme)
+            self._balls[key] = ball_picture(size / 8.0, (across + 0.5) / _BALL_PHASES, (down + 0.5) / _BALL_PHASES, self.theme)
         picture = self._balls[key]
         reach = picture.get_width() // 2
+        if hidden is not None and len(hidden):
+            picture = without(picture, hidden - complex(left - reach, top - reach))
         surface.blit(picture, (left - reach, top - reach))
 
 
-def save_screenshot(game: Game, path: Path, size: tuple[int, int], theme: Theme = DARK) -> None:
+def save_screenshot(game: Game, path: Path, size: tuple[int, int], theme: Theme = DARK, view: View = FROM_ABOVE) -> None:
     """Draw a game as the window shows it, and save it as PNG; OSError where it cannot be written. Needs no display."""
     surface = pygame.Surface(size, 0, 32)
     ticked = still(game)
-    place = layout(size, game.level.ground_radius)
+    place = view.seen(layout(size, game.level.ground_radius))
     type_ = Type()
     Painter(theme).paint(surface, scene_at(ticked, 1.0, Effects()), place.camera, type_, place.unit)
     hud.draw(surface, place, hud.readings(game), theme, type_)
     picture = io.BytesIO()
     pygame.image.save(surface, picture, "screenshot.png")
     path.write_bytes(picture.getvalue())
-
-
-def _ground(surface: pygame.Surface, radius: float, camera: Camera, theme: Theme) -> pygame.Surface:
-    """The ground with its rim, on the background."""
-    picture = pygame.Surface(surface.get_size(), 0, surface)
-    picture.fill(theme.background)
-    scale = camera.scale
-    pygame.draw.circle(picture, theme.ground, (camera.centre.real, camera.centre.imag), radius * scale)
-    rim = max(2.0, 0.07 * scale)
-    _draw_circle(picture, camera.centre, radius * scale, rim, (theme.ground, theme.rim, theme.background))
-    return picture
-
-
-def _draw_circle(
-    picture: pygame.Surface, centre: complex, inner: float, width: float, colours: tuple[Colour, Colour, Colour]
-) -> None:
-    """A circular line, anti-aliased. inner, width: pixels; colours: within, of the line, outside."""
-    stride = picture.get_pitch() // 4
-    pixels = band(picture.get_size(), stride, centre, max(inner - 3.0, 0.0), inner + width + 3.0)
-    within, line, outside = (np.array(colour, dtype=np.float32) for colour in colours)
-    past_inner = np.clip(pixels.radius - inner + 0.5, 0.0, 1.0)[:, None]
-    past_outer = np.clip(pixels.radius - inner - width + 0.5, 0.0, 1.0)[:, None]
-    drawn = within + (line - within) * past_inner
-    drawn += (outside - drawn) * past_outer
-    pixels_of(picture)[pixels.place] = packed(picture, drawn)
 
 
 def _paint_trail(surface: pygame.Surface, trail: tuple[complex, ...], scene: Scene, camera: Camera, theme: Theme) -> None:
@@ -188,21 +198,3 @@ def _paint_pop(surface: pygame.Surface, pop: Pop, camera: Camera, theme: Theme, 
     place = complex(min(max(place.real, 2.0 * unit), width - 2.0 * unit), min(max(place.imag, unit), height - unit))
     fading = mixed(theme.danger if pop.bad else theme.text, theme.ground, max(0.0, 2.0 * pop.age - 1.0))
     type_.write(surface, pop.text, unit * (1.3 if pop.bad else 0.9), fading, place, "center")
-
-
-def _ball(radius: float, across: float, down: float, theme: Theme) -> pygame.Surface:
-    """A shaded ball on a transparent square with an odd side, its centre (across, down) into the middle pixel."""
-    reach = math.ceil(radius) + 2
-    side = 2 * reach + 1
-    pixels = np.arange(side) + 0.5 - reach
-    away = np.hypot(pixels[:, None] - across, pixels[None, :] - down)
-    lit = np.hypot(pixels[:, None] - across + 0.3 * radius, pixels[None, :] - down + 0.35 * radius)
-    cover = np.clip(radius + 0.5 - away, 0.0, 1.0)
-    shade = np.clip(lit / (1.6 * max(radius, 0.5)), 0.0, 1.0)[:, :, None] ** 1.5
-    dark = np.array(mixed(theme.ball, theme.rim, 0.75), dtype=np.float64)
-    light = np.array(theme.ball, dtype=np.float64)
-    picture = pygame.Surface((side, side), pygame.SRCALPHA)
-    rgb = (light * (1.0 - shade) + dark * shade).astype(np.uint8)
-    pygame.surfarray.pixels3d(picture)[:] = rgb
-    pygame.surfarray.pixels_alpha(picture)[:] = (cover * 255.0).astype(np.uint8)
-    return picture

@@ -7,6 +7,7 @@ path, around the bounces of the tick. Nothing here knows pixels: one camera or a
 from typing import NamedTuple
 
 from game.effects import Effects, Flash, Pop
+from game.falling import Drop
 from game.rules import PADDLES, TICK, EventKind, Game, Phase, Ticked
 from physics import Ball, Ring, Step, direction, signed_difference
 
@@ -30,6 +31,7 @@ class Scene(NamedTuple):
     aim: Aim | None
     flashes: tuple[Flash, ...]
     pops: tuple[Pop, ...]
+    drops: tuple[Drop, ...]  # stacks that are still falling
 
 
 def still(game: Game) -> Ticked:
@@ -55,6 +57,7 @@ def scene_at(ticked: Ticked, alpha: float, effects: Effects) -> Scene:
         _aim(game, balls),
         effects.flashes,
         effects.pops,
+        effects.drops,
     )
 
 

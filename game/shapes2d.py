@@ -1,7 +1,5 @@
 """Small anti-aliased shapes on a surface."""
 
-import math
-
 import numpy as np
 import pygame
 
@@ -14,17 +12,12 @@ _HALF_PIXEL = 0.5 + 0.5j
 
 def draw_arrow(surface: pygame.Surface, camera: Camera, origin: complex, way: complex, theme: Theme, reach: float) -> None:
     """Where the serve will go: a line of dots that ends in an arrow's head. origin, reach: world units; way: unit."""
-    turn = np.array([math.atan2(way.imag, way.real)])
-    start = camera._replace(centre=camera.project(origin))
-    size = 0.2 * camera.scale
-    head = _arrow(reach * camera.scale, size)
     for dot in np.linspace(0.5, reach - 0.55, 6):
-        place = start.centre + complex(way.real, -way.imag) * float(dot) * camera.scale
-        draw_dot(surface, place, max(1.5, 0.055 * camera.scale), theme.accent)
-    points = start.placed(head, turn)[0]
-    pygame.draw.polygon(surface, theme.accent, points)
-    edge = start._replace(centre=start.centre - _HALF_PIXEL).placed(head, turn)[0]
-    pygame.draw.aalines(surface, theme.accent, True, edge)
+        point = origin + way * float(dot)
+        draw_dot(surface, camera.project(point), max(1.5, 0.055 * camera.scale_at(point)), theme.accent)
+    head = camera.projected((origin + _arrow(reach, 0.2) * way) * camera.turning, 0.0)
+    pygame.draw.polygon(surface, theme.accent, _pairs(head))
+    pygame.draw.aalines(surface, theme.accent, True, _pairs(head - _HALF_PIXEL))
 
 
 def draw_dot(surface: pygame.Surface, place: complex, radius: float, colour: Colour) -> None:
@@ -35,3 +28,8 @@ def draw_dot(surface: pygame.Surface, place: complex, radius: float, colour: Col
 def _arrow(length: float, width: float) -> Points:
     """An arrow's head along angle 0, its tip at `length`."""
     return np.array([length, length - 1.7 * width + 1j * width, length - 1.25 * width, length - 1.7 * width - 1j * width])
+
+
+def _pairs(points: Points) -> list[list[float]]:
+    """Points as pygame takes them."""
+    return points.view(np.float64).reshape(-1, 2).tolist()

@@ -2,12 +2,11 @@
 
 import math
 
-import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from game.camera import Camera, bearing, layout, unit_of
+from game.camera import bearing, layout, unit_of
 
 SIZES = st.tuples(st.integers(1, 8000), st.integers(1, 8000))
 POINTS = st.complex_numbers(max_magnitude=20.0, allow_nan=False, allow_infinity=False)
@@ -33,16 +32,6 @@ def test_up_in_the_world_is_up_on_the_screen():
     camera = layout((800, 600), 10.0).camera
     assert camera.project(5j).imag < camera.project(0j).imag
     assert camera.project(5 + 0j).real > camera.project(0j).real
-
-
-def test_placed_outlines_are_projected_points():
-    """Turning an outline and placing it is projecting its turned points."""
-    camera = Camera(100 + 50j, 2.0)
-    outline = np.array([1.0 + 0j, 2.0 + 1j])
-    points = camera.placed(outline, np.array([0.0, math.pi / 2.0]))
-    for turned, turn in zip(points, (1.0, 1j), strict=True):
-        for (x, y), point in zip(turned, outline * turn, strict=True):
-            assert complex(x, y) == pytest.approx(camera.centre + point.conjugate())
 
 
 def test_room_below_is_left_free():

@@ -15,6 +15,7 @@ from game.palette import DARK, LIGHT, Theme
 from game.render import Painter
 from game.rules import Controls, Game, Ticked
 from game.text import Type
+from game.view import FROM_ABOVE, View
 
 Recorder = Callable[[Controls, Game], None]
 """Told every tick of a played game: its controls, and the game after it. `tick` is 1 after the first tick of a new game."""
@@ -33,6 +34,7 @@ class Shared:
     muted: bool = False
     effects: bool = True
     full_screen: bool = False
+    view: View = FROM_ABOVE
     compare: Compare | None = None  # another engine to ask about contacts
     normals: bool = False  # show what it says
     audio: Audio | None = None

@@ -131,7 +131,7 @@ class Help:
         theme, type_, size = self._shared.theme, self._shared.type, surface.get_size()
         unit = unit_of(size)
         dim(surface, theme)
-        width, height = unit * 34.0, unit * 32.0
+        width, height = unit * 34.0, unit * 33.0
         panel = pygame.Rect(round((size[0] - width) / 2), round((size[1] - height) / 2), round(width), round(height))
         draw_panel(surface, panel, theme, unit)
         left, top = panel.left + unit * 2.0, panel.top + unit * 1.2
@@ -139,10 +139,10 @@ class Help:
         goal = "Keep the ball inside the circle; break every brick."
         type_.write(surface, goal, unit * 1.1, theme.faint, complex(left, top + unit * 2.6))
         for index, (keys, meaning) in enumerate(self._keys):
-            y = top + unit * (4.8 + 1.55 * index)
+            y = top + unit * (4.7 + min(1.55, 17.2 / len(self._keys)) * index)
             type_.write(surface, keys, unit * 1.15, theme.accent, complex(left, y))
-            type_.write(surface, meaning, unit * 1.15, theme.text, complex(left + unit * 10.0, y))
-        self._draw_legend(surface, complex(left, top + unit * 21.2), unit)
+            type_.write(surface, meaning, unit * 1.15, theme.text, complex(left + unit * 11.0, y))
+        self._draw_legend(surface, complex(left, top + unit * 22.1), unit)
         close = "Esc, Space or a click closes this panel"
         type_.write(surface, close, unit * 0.95, theme.faint, complex(panel.centerx, panel.bottom - unit * 0.7), "midbottom")
 

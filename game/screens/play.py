@@ -4,7 +4,7 @@ import pygame
 
 from game import effects, hud, normals, notice
 from game.autopilot import Autopilot
-from game.camera import Camera, Layout, layout
+from game.camera import Camera, Layout, layout, unit_of
 from game.controls import Action, FocusLost, Hands, Pressed, Signal
 from game.effects import Effects
 from game.levels import Level
@@ -35,7 +35,7 @@ class Play:
         self._ready = 0.0
         self._pilot = Autopilot() if shared.autopilot else None
 
-    def answer(self, signal: Signal, _size: tuple[int, int]) -> Screen | None:
+    def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
         """Take the player's hands into account, or open a panel."""
         match signal:
             case Pressed(Action.PAUSE | Action.BACK) | FocusLost():
@@ -45,10 +45,12 @@ class Play:
             case Pressed(Action.HELP):
                 return self._held(Help(self._shared, self))
         self._hands = self._hands.after(signal)
+        self._shared.view = self._shared.view.after(signal, unit_of(size))
         return self
 
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
         """Run the ticks that are due; a panel when the game has ended."""
+        self._shared.view = self._shared.view.later(seconds, smooth=self._shared.effects)
         if self._ready > 0.0:
             self._ready -= seconds
             return self
@@ -100,7 +102,7 @@ class Play:
 
     def _layout(self, size: tuple[int, int]) -> Layout:
         """Where everything is on a surface of some size."""
-        return layout(size, self._ticked.game.level.ground_radius)
+        return self._shared.view.seen(layout(size, self._ticked.game.level.ground_radius))
 
 
 def _pause_menu(shared: Shared, play: Play) -> Menu:

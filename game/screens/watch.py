@@ -6,7 +6,7 @@ import pygame
 
 from game import effects, hud, normals
 from game.camera import Layout, layout, unit_of
-from game.controls import WATCH_HELP, Action, Clicked, Moved, Pressed, Signal
+from game.controls import WATCH_HELP, Action, Clicked, Dragged, Moved, Pressed, Signal, Zoomed
 from game.effects import Effects
 from game.opinions import Opinions
 from game.rules import TICK, Game, Ticked
@@ -50,11 +50,12 @@ class Watch:
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
         """Play, stop, step, seek, or leave."""
+        shared = self._shared
         match signal:
             case Pressed(Action.BACK):
                 return None
             case Pressed(Action.HELP):
-                return Help(self._shared, self, "Watching a game", WATCH_HELP)
+                return Help(shared, self, "Watching a game", WATCH_HELP)
             case Pressed(Action.SERVE | Action.PAUSE | Action.CONFIRM):
                 self._toggle()
             case Pressed(Action.SLOWER | Action.DOWN):
@@ -63,6 +64,9 @@ class Watch:
                 self._speed = min(self._speed + 1, len(SPEEDS) - 1)
             case Pressed(action):
                 self._go(action)
+                shared.view = shared.view.after(signal, unit_of(size))
+            case Dragged() | Zoomed():
+                shared.view = shared.view.after(signal, unit_of(size))
             case Clicked(place) | Moved(place, True) if self._on_timeline(place, size):
                 bar = self._timeline(size)
                 share = (place.real - bar.left) / max(bar.width, 1)
@@ -71,6 +75,7 @@ class Watch:
 
     def advance(self, seconds: float, _size: tuple[int, int]) -> Screen | None:
         """Let the recording run at its speed."""
+        self._shared.view = self._shared.view.later(seconds, smooth=self._shared.effects)
         if self._playing:
             passed = self._run_to(self._at + min(max(seconds, 0.0), LONGEST_FRAME) / TICK * SPEEDS[self._speed])
             for ticked in passed:
@@ -139,7 +144,8 @@ class Watch:
 
     def _layout(self, size: tuple[int, int]) -> Layout:
         """Where everything is, the timeline left out."""
-        return layout(size, self._shown.game.level.ground_radius, below=unit_of(size) * 3.6)
+        flat = layout(size, self._shown.game.level.ground_radius, below=unit_of(size) * 3.6)
+        return self._shared.view.seen(flat)
 
     def _timeline(self, size: tuple[int, int]) -> pygame.Rect:
         """The timeline's bar, pixels."""
