@@ -1,5 +1,6 @@
 """The only loop: events in, ticks due, one picture out."""
 
+import gc
 import time
 from collections.abc import Callable
 
@@ -68,6 +69,7 @@ def _shown(shared: Shared, opened: Callable[[], Screen]) -> int:
 
 def run(window: pygame.Window, shared: Shared, first: Screen) -> None:
     """The loop."""
+    gc.freeze()  # what was made until now stays: looking through it again and again would cost whole frames
     clock, rate = pygame.time.Clock(), display.refresh_rate()
     screen: Screen | None = first
     before = time.perf_counter()

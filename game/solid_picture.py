@@ -136,25 +136,17 @@ class SolidPicture:
 
 
 def areas_of(things: Seen, screen: pygame.Rect) -> tuple[list[pygame.Rect], Integers]:
-    """Boxes around what is close together on the screen, none overlapping another, and the box of each block."""
+    """Boxes to draw in one after the other, and the box of each block: one for every run of blocks of a group.
+
+    The blocks' order is kept: boxes may overlap, the later one is drawn on what the earlier ones left.
+    """
+    starts = np.flatnonzero(np.diff(things.group, prepend=-1))
     points = np.concatenate([things.outer_top, things.inner_top, things.outer_bottom, things.inner_bottom], axis=1)
-    left, right = points.real.min(axis=1), points.real.max(axis=1)
-    top, bottom = points.imag.min(axis=1), points.imag.max(axis=1)
-    found: list[tuple[pygame.Rect, set[int]]] = []
-    for group in np.unique(things.group).tolist():
-        rows = things.group == group
-        low = np.floor([left[rows].min(), top[rows].min()]).astype(int) - 2
-        size = np.ceil([right[rows].max(), bottom[rows].max()]).astype(int) + 2 - low
-        box, together = pygame.Rect(*low.tolist(), *size.tolist()).clip(screen), {group}
-        while touched := [pair for pair in found if pair[0].colliderect(box)]:
-            found = [pair for pair in found if pair not in touched]
-            box = box.unionall([other for other, _ in touched])
-            together.update(*[others for _, others in touched])
-        found.append((box, together))
-    number = np.zeros(int(things.group.max()) + 1, dtype=np.int64)
-    for index, (_, together) in enumerate(found):
-        number[list(together)] = index
-    return [box for box, _ in found], number[things.group]
+    left, top = (np.floor(np.minimum.reduceat(part.min(axis=1), starts)) - 1 for part in (points.real, points.imag))
+    right, bottom = (np.ceil(np.maximum.reduceat(part.max(axis=1), starts)) + 1 for part in (points.real, points.imag))
+    corners = np.stack([left, top, right - left, bottom - top], axis=1).astype(np.int64).tolist()
+    area = np.cumsum(np.diff(things.group, prepend=things.group[0]) != 0)
+    return [pygame.Rect(*box).clip(screen) for box in corners], area
 
 
 def _finer(pixels: int) -> int:

@@ -24,6 +24,7 @@ _WIDEST = 0.94
 _ORBIT = math.radians(9.0)
 """Turned by a drag of one unit of text."""
 _ZOOM_STEP = 1.12
+_MOST_STEPS = 50.0
 
 
 class View(NamedTuple):
@@ -49,7 +50,9 @@ class View(NamedTuple):
                 tilt = min(max(self.tilt - way.imag / unit * _ORBIT, LEAST_TILT), MOST_TILT)
                 return self._replace(azimuth=azimuth, tilt=tilt)
             case Zoomed(steps) if self.goal:
-                return self._replace(zoom=min(max(self.zoom * _ZOOM_STEP**steps, LEAST_ZOOM), MOST_ZOOM))
+                return self._replace(
+                    zoom=min(max(self.zoom * _ZOOM_STEP ** min(max(steps, -_MOST_STEPS), _MOST_STEPS), LEAST_ZOOM), MOST_ZOOM)
+                )
             case _:
                 return self
 

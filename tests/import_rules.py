@@ -5,7 +5,7 @@ physics imports batch
 game      physics, but not its batch; never tools, tests, numba, pymunk
 game's rules, levels, replays, autopilot and what plays without a window: pygame neither directly nor through others;
 game/__main__.py not before it knows that a window is wanted
-tools     physics, game's part without pygame
+tools     physics, game's part without pygame; what draws or times pictures: all of the game
 tools is imported by nothing but itself and tests, but for game/__main__.py, which hands the game a second opinion on
 contacts; tests by nothing
 """
@@ -16,6 +16,7 @@ from typing import NamedTuple
 PACKAGES = ("game", "physics", "tools", "tests")
 PURE_STDLIB = {"__future__", "collections", "dataclasses", "enum", "functools", "itertools", "math", "typing"}
 WITHOUT_WINDOW = {"rules", "levels", "replay", "autopilot", "headless", "fingerprint", "verify", "errors"}
+DRAWING_TOOLS = {"tools.frames", "tools.tipping"}
 UNKNOWN = "a name made at run time"
 
 
@@ -167,6 +168,8 @@ RULES = [
 def _without_pygame(module):
     """Whether a module must do without pygame: "ever", "on import", or None."""
     parts = module.split(".")
+    if module in DRAWING_TOOLS:
+        return None
     if parts[0] == "tools" or (parts[0] == "game" and len(parts) > 1 and parts[1] in WITHOUT_WINDOW):
         return "ever"
     return "on import" if module in {"game", "game.__main__"} else None

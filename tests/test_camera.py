@@ -1,12 +1,16 @@
 """World to screen and back."""
 
 import math
+from itertools import pairwise
 
+import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from game.camera import bearing, layout, unit_of
+from game.camera import Camera, bearing, layout, unit_of
+from game.controls import Action, Dragged, Pressed, Zoomed
+from game.view import FROM_ABOVE, TIPPED
 
 SIZES = st.tuples(st.integers(1, 8000), st.integers(1, 8000))
 POINTS = st.complex_numbers(max_magnitude=20.0, allow_nan=False, allow_infinity=False)
@@ -55,3 +59,77 @@ def test_bearing_of_the_pointer():
     assert bearing(camera, camera.project(0.0 + 3j)) == pytest.approx(math.pi / 2.0)
     assert bearing(camera, camera.project(-2.0 + 2j)) == pytest.approx(0.75 * math.pi)
     assert bearing(camera, camera.centre + 1.0) is None
+
+
+@given(
+    st.tuples(st.floats(-math.pi, math.pi), st.floats(0.0, 1.3), st.floats(0.0, 0.034)),
+    st.complex_numbers(max_magnitude=12.0, allow_nan=False, allow_infinity=False),
+)
+def test_unproject_undoes_project_on_the_ground_of_a_tipped_camera(pose, point):
+    """Every point of the ground comes back from its pixel, however the camera is turned, tipped and near."""
+    camera = Camera(400 + 300j, 30.0, *pose)
+    assert camera.unproject(camera.project(point)) == pytest.approx(point, abs=1e-6)
+
+
+@given(SIZES, POINTS, st.floats(0.0, 3.0))
+def test_upright_the_tipped_camera_is_the_flat_one(size, point, height):
+    """With no tilt, azimuth and perspective a point's pixel is the top-down camera's, whatever its height."""
+    camera = layout(size, 10.0).camera
+    turned = np.array([point * camera.turning])
+    assert camera.project(point, height) == camera.project(point)
+    assert complex(camera.projected(turned, height)[0]) == pytest.approx(camera.project(point), abs=1e-6)
+
+
+@given(st.tuples(st.floats(-3.0, 3.0), st.floats(0.0, 1.3), st.floats(0.0, 0.034)), POINTS, st.floats(0.0, 3.0))
+def test_one_point_and_many_are_projected_alike(pose, point, height):
+    """`projected` and `project` are the same projection."""
+    camera = Camera(400 + 300j, 30.0, *pose)
+    many = camera.projected(np.array([point * camera.turning]), height)
+    assert complex(many[0]) == pytest.approx(camera.project(point, height), abs=1e-6)
+
+
+@pytest.mark.parametrize("tilt", [0.3, 0.9, 1.3])
+def test_a_pixel_beyond_the_horizon_still_has_a_bearing(tilt):
+    """Above the horizon straight up on the screen is straight away from the eye."""
+    camera = Camera(400 + 300j, 30.0, 0.5, tilt, 0.034)
+    assert bearing(camera, 400 - 1e6j) == pytest.approx(0.5 + math.pi / 2.0)
+
+
+def test_the_way_from_one_view_to_the_other_has_no_jumps():
+    """From straight above the camera moves a little a frame until it is tipped, and ends where it began on the way back."""
+    place, view = layout((1280, 800), 10.0), FROM_ABOVE.after(Pressed(Action.TIP), 20.0)
+    pixels = [place.camera.project(6 + 5j)]
+    while view.tipped < 1.0:
+        view = view.later(1.0 / 60.0)
+        pixels.append(view.seen(place).camera.project(6 + 5j, 0.5))
+    assert len(pixels) > 30
+    assert max(abs(after - before) for before, after in pairwise(pixels)) < 12.0
+    view = view.after(Pressed(Action.TOP), 20.0).later(10.0)
+    assert view.seen(place).camera == place.camera
+
+
+def test_players_who_want_no_motion_get_a_cut():
+    """Without smooth motion the camera is there at once."""
+    assert FROM_ABOVE.after(Pressed(Action.SOLID), 20.0).later(0.0, smooth=False).tipped == 1.0
+
+
+def test_dragging_and_zooming_stay_within_bounds():
+    """However far the mouse goes the eye stays above the ground, and from above nothing turns."""
+    view = TIPPED
+    for way in (1e5 + 1e5j, -3e5 - 2e5j):
+        view = view.after(Dragged(way), 20.0).after(Zoomed(way.real), 20.0)
+        assert math.radians(10.0) < view.tilt < math.radians(80.0)
+        assert 0.5 < view.zoom < 4.0
+        assert abs(view.azimuth) <= math.pi
+    assert FROM_ABOVE.after(Dragged(50 + 0j), 20.0).after(Zoomed(2.0), 20.0) == FROM_ABOVE
+
+
+@pytest.mark.parametrize("tilt", [0.2, 0.9, 1.3])
+@pytest.mark.parametrize("size", [(800, 600), (1280, 800), (600, 900), (3840, 2160)])
+def test_the_tipped_arena_lies_on_the_surface(size, tilt):
+    """Every point of the rim is on the surface, from every side."""
+    camera = TIPPED._replace(tilt=tilt, azimuth=0.7).seen(layout(size, 10.0)).camera
+    for angle in np.linspace(0.0, math.tau, 90):
+        pixel = camera.project(10.0 * complex(math.cos(angle), math.sin(angle)))
+        assert 0.0 <= pixel.real <= size[0]
+        assert 0.0 <= pixel.imag <= size[1]

@@ -1,0 +1,243 @@
+"""The tipped camera: what stands in front hides what is behind, from every angle, and tipping changes nothing else."""
+
+import itertools
+import math
+import os
+from collections import Counter
+from pathlib import Path
+
+os.environ["SDL_VIDEODRIVER"] = "dummy"
+
+import numpy as np
+import pygame
+import pytest
+
+from game import slabs, solids
+from game.autopilot import Autopilot
+from game.camera import layout
+from game.effects import Effects, after
+from game.fingerprint import state_hash
+from game.levels import built_in
+from game.palette import DARK
+from game.render import Painter, save_screenshot
+from game.rules import new_game, tick
+from game.scene import scene_at, still
+from game.skins import Kind
+from game.slabs import Slab
+from game.text import Type
+from game.view import FROM_ABOVE, TIPPED, View
+from physics import Ball, contact
+
+SIZE = (480, 360)
+REFERENCE = Path(__file__).parent / "reference"
+
+
+def game_after(level, ticks, seed=3):
+    """The last tick of an autopilot's game, and its effects."""
+    game, pilot, effects = new_game(built_in()[level:], seed), Autopilot(), Effects()
+    done = still(game)
+    for _ in range(ticks):
+        done = tick(done.game, pilot.controls(done.game))
+        effects = after(effects, done)
+    return done, effects
+
+
+def seen_from(view, scene, size=SIZE):
+    """The camera of a view."""
+    return view.seen(layout(size, scene.ground_radius)).camera
+
+
+def painted(scene, camera, size=SIZE):
+    """A scene on a new surface."""
+    surface = pygame.Surface(size, 0, 32)
+    Painter(DARK).paint(surface, scene, camera, Type(), 10.0)
+    return surface
+
+
+def first_met(scene, eye, way, reach):
+    """What a line of sight meets first: a ring's number, "ball", or None for the ground.
+
+    Found by marching along the line: no order, no projection, no polygons.
+    """
+    steps = np.linspace(reach[0], reach[1], 8000)
+    x, y, z = (eye[k] + way[k] * steps for k in range(3))
+    radius, angle = np.hypot(x, y), np.arctan2(y, x)
+    best, found = math.inf, None
+    for k, ring in enumerate(scene.rings):
+        pitch = math.tau / ring.count
+        slot = np.rint((angle - ring.phase) / pitch).astype(int) % ring.count
+        off = (angle - ring.phase - slot * pitch + math.pi) % math.tau - math.pi
+        top = np.array([heights(k, layers) for layers in scene.layers[k]])[slot]
+        inside = (np.abs(radius - ring.radius) < ring.half_width) & (np.abs(off) < ring.half_angle) & (z < top) & (top > 0.0)
+        if inside.any() and steps[inside.argmax()] < best:
+            best, found = steps[inside.argmax()], k
+    for ball in scene.balls:
+        inside = np.sqrt((x - ball.position.real) ** 2 + (y - ball.position.imag) ** 2 + (z - ball.radius) ** 2) < ball.radius
+        if inside.any() and steps[inside.argmax()] < best:
+            best, found = steps[inside.argmax()], "ball"
+    return found
+
+
+def heights(k, layers):
+    """Height of what stands in a slot: a paddle, steel, or a stack."""
+    return 0.45 * (0.7 if k == 0 else 1.0 if layers < 0 else layers)
+
+
+def sight(camera, pixel):
+    """The line of sight through a pixel: the eye, a unit way, and the part of it where things may be."""
+    ground = camera.unproject(pixel)
+    bearing = camera.azimuth - math.pi / 2.0
+    towards = np.array(
+        [math.cos(bearing) * math.sin(camera.tilt), math.sin(bearing) * math.sin(camera.tilt), math.cos(camera.tilt)]
+    )
+    eye = towards / camera.closeness
+    way = np.array([ground.real, ground.imag, 0.0]) - eye
+    length = float(np.linalg.norm(way))
+    return eye, way / length, (0.4 * length, length)
+
+
+VIEWS = [
+    View(1.0, 1.0, azimuth, math.radians(tilt))
+    for azimuth, tilt in itertools.product((0.0, 0.9, 2.2, -2.7, -1.1), (15.0, 45.0, 62.0, 76.0))
+]
+
+
+@pytest.fixture
+def plain(monkeypatch):
+    """Every ring in a colour of its own, without terraces, marks or light."""
+
+    def slabs_of(look, slot, _drop, _theme):
+        layers = {Kind.PADDLE: 0.7, Kind.STEEL: 1.0, Kind.BRICKS: look.layers}.get(look.kind, 0)
+        colour = (round(slot.radius * 25.0), 0, 200)
+        return (Slab(0.0, layers * slot.layer, 0.0, colour, colour),) if layers else ()
+
+    monkeypatch.setattr(slabs, "slabs", slabs_of)
+    monkeypatch.setattr(solids, "_light", lambda facing: np.ones((len(facing), 1)))
+
+
+def free_place(scene, chance):
+    """Where a ball has room between what stands in the arena."""
+    while True:
+        place = (0.3 + 8.2 * chance.random()) * complex(np.exp(1j * chance.random() * math.tau))
+        ball = Ball(place, 1 + 0j, 0.25)
+        near = [
+            contact(ball, ring, slot).gap
+            for ring, layers in zip(scene.rings, scene.layers, strict=True)
+            for slot, count in enumerate(layers)
+            if count
+        ]
+        if min(near) > 0.0:
+            return ball
+
+
+def drawn_at(surface, scene, x, y):
+    """What a pixel shows, as `first_met` names it; "edge" where its neighbours are of another colour."""
+    around = [tuple(surface.get_at((x + i, y + j)))[:3] for i in (-1, 0, 1) for j in (-1, 0, 1)]
+    if min(min(colour) for colour in around) > 90:
+        return "ball"
+    if any(colour != around[0] for colour in around):
+        return "edge"
+    red, green, blue = around[0]
+    if (green, blue) != (0, 200):
+        return None
+    return next(k for k, ring in enumerate(scene.rings) if red == round(ring.radius * 25.0))
+
+
+@pytest.mark.usefixtures("plain")
+@pytest.mark.parametrize("level", [0, 3, 4, 5, 6])
+def test_what_is_in_front_is_drawn_in_front(level):
+    """At thousands of pixels from twenty angles, what is drawn is what a line of sight meets first, the ball included."""
+    base = scene_at(game_after(level, 1800)[0], 0.4, Effects())._replace(aim=None, trails=(), flashes=(), pops=())
+    chance = np.random.default_rng(level)
+    wrong, checked = [], Counter()
+    for view in VIEWS:
+        scene = base._replace(balls=(free_place(base, chance),))
+        camera = seen_from(view, scene)
+        surface = painted(scene, camera)
+        spots = [scene.balls[0].position + 0.2 * complex(*chance.normal(size=2)) for _ in range(12)]
+        rings = [scene.rings[int(chance.integers(0, len(scene.rings)))].radius for _ in range(50)]
+        spots += [radius * complex(np.exp(1j * chance.random() * math.tau)) for radius in rings]
+        for spot in spots:
+            pixel = camera.project(spot, float(chance.random()) * 1.2)
+            x, y = math.floor(pixel.real), math.floor(pixel.imag)
+            if not (2 <= x < SIZE[0] - 2 and 2 <= y < SIZE[1] - 2):
+                continue
+            drawn = drawn_at(surface, scene, x, y)
+            met = first_met(scene, *sight(camera, complex(x + 0.5, y + 0.5)))
+            checked[drawn if isinstance(drawn, str) else "ground" if drawn is None else "block"] += 1
+            if drawn not in {"edge", met}:
+                wrong.append((view, (x, y), drawn, met))
+    assert min(checked["block"], checked["ground"]) > 150
+    assert checked["ball"] > 20
+    assert not wrong
+
+
+@pytest.mark.parametrize("level", range(7))
+@pytest.mark.parametrize("size", [(800, 600), (1280, 800)])
+def test_all_but_upright_the_blocks_look_as_from_above(level, size):
+    """Just before the camera is upright the silhouettes and the tops' colours are those of the top-down picture."""
+    done, _ = game_after(level, 900)
+    scene = scene_at(done, 0.4, Effects())._replace(aim=None, trails=())
+    flat = seen_from(FROM_ABOVE, scene, size)
+    pictures = [
+        pygame.surfarray.array3d(painted(scene, camera, size)).astype(int) for camera in (flat, flat._replace(tilt=1e-7))
+    ]
+    off = np.abs(pictures[0] - pictures[1]).max(axis=2)
+    assert (off > 110).mean() < 0.001
+    assert off.mean() < 1.0
+
+
+@pytest.mark.parametrize("size", [(1, 1), (2, 300), (300, 2), (17, 17), (7680, 40), (40, 4320), (800, 600)])
+def test_any_size_can_be_drawn(size, tmp_path):
+    """From one pixel to very wide: a picture of that size, tipped."""
+    path = tmp_path / "picture.png"
+    save_screenshot(game_after(5, 300)[0].game, path, size, view=TIPPED)
+    assert pygame.image.load(path).get_size() == size
+
+
+def test_eight_thousand_pixels_can_be_drawn():
+    """A surface of 7680 by 4320, and after it a small one with the same painter."""
+    scene = scene_at(game_after(4, 300)[0], 0.5, Effects())
+    painter = Painter(DARK)
+    for size in ((7680, 4320), (320, 200)):
+        surface = pygame.Surface(size, 0, 32)
+        painter.paint(surface, scene, seen_from(TIPPED, scene, size), Type(), 20.0)
+        middle = pygame.surfarray.array3d(surface)[size[0] // 3 : size[0] * 2 // 3, size[1] // 4 : size[1] * 2 // 3]
+        assert len(np.unique(middle[::8, ::8].reshape(-1, 3), axis=0)) > 20
+
+
+def test_tipping_leaves_the_game_alone():
+    """A game that is drawn tipped at every tick, its stacks falling, ends in the same state as one that is not."""
+    game, pilot, effects, painter = new_game(built_in()[4:], 3), Autopilot(), Effects(), Painter()
+    fell = 0
+    for number in range(900):
+        done = tick(game, pilot.controls(game))
+        game, effects = done.game, after(effects, done)
+        scene = scene_at(done, 0.3, effects)
+        fell += bool(scene.drops)
+        painter.paint(pygame.Surface((80, 60), 0, 32), scene, seen_from(VIEWS[number % 20], scene, (80, 60)), Type(), 4.0)
+    assert state_hash(game) == state_hash(game_after(4, 900)[0].game)
+
+
+def test_an_orbit_is_smooth():
+    """A hundredth of a turn's hundredth more changes few pixels: nothing pops in or out."""
+    done, effects = game_after(6, 1200)
+    scene = scene_at(done, 0.4, effects)
+    before = None
+    for step in range(40):
+        camera = seen_from(View(1.0, 1.0, 0.3 + step * 0.0008, math.radians(55.0)), scene)
+        picture = pygame.surfarray.array3d(painted(scene, camera)).astype(int)
+        if before is not None:
+            assert (np.abs(picture - before).max(axis=2) > 90).mean() < 0.002
+        before = picture
+
+
+@pytest.mark.parametrize(("level", "view"), [(4, TIPPED), (6, View(1.0, 1.0, 2.2, 1.2)), (5, View(1.0, 0.4))])
+def test_reference_pictures(level, view):
+    """A few frames look as they did when somebody looked at them: fewer than 0.1 % of their pixels differ."""
+    done, _ = game_after(level, 1500)
+    scene = scene_at(done, 0.5, Effects())
+    surface = painted(scene, seen_from(view, scene))
+    path = REFERENCE / f"3d-level-{level + 1}.png"
+    off = np.abs(pygame.surfarray.array3d(surface).astype(int) - pygame.surfarray.array3d(pygame.image.load(path)))
+    assert (off.max(axis=2) > 16).mean() < 0.001
