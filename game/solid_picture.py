@@ -3,6 +3,7 @@
 Blocks are drawn several times finer and scaled down, only where there are any: around the wall and around each paddle.
 """
 
+import itertools
 import math
 from collections import OrderedDict
 from typing import NamedTuple
@@ -115,12 +116,12 @@ class SolidPicture:
         areas, area = areas_of(things, surface.get_rect())
         finer = _finer(sum([box.width * box.height for box in areas]))
         every = faces(things, camera, finer, [complex(*box.topleft) for box in areas], area)
-        for number, box in enumerate(areas):
+        for number, group in itertools.groupby(every, key=lambda face: face.area):
+            box = areas[number]
             if box.width and box.height:
                 fine = self._fine_canvas(surface, box, finer)
-                for face in every:
-                    if face.area == number:
-                        pygame.draw.polygon(fine, face.colour, face.corners)
+                for face in group:
+                    pygame.draw.polygon(fine, face.colour, face.corners)
                 pygame.transform.smoothscale(fine, box.size, surface.subsurface(box))
 
     def _fine_canvas(self, surface: pygame.Surface, box: pygame.Rect, finer: int) -> pygame.Surface:
