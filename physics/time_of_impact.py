@@ -129,7 +129,9 @@ def _first_touch(ball: Ball, ring: Ring, stretch: _Stretch, alive: Sequence[int]
     offset = bearing - middle
     slot = nearest % ring.count
     skipped: int | None = None
-    if (abs(offset) <= ring.half_angle or 2.0 * ring.half_angle >= pitch) and (alive is None or alive[slot] != 0):
+    if 2.0 * ring.half_angle >= pitch:  # closed: no gap opens where rounding puts the joint of two sectors
+        offset = min(max(offset, -ring.half_angle), ring.half_angle)
+    if abs(offset) <= ring.half_angle and (alive is None or alive[slot] != 0):
         over = sector_contact(ball.position, ball.radius, ring, middle, offset)
         if _meets(ball, ring, over, heading):
             return Impact(start, slot, over)
@@ -238,8 +240,7 @@ def _time_to_point(p: complex, v: complex, ball_radius: float) -> float:
 def _touch_of_turning_end(ball: Ball, ring: Ring, end: _End, span: float) -> float | None:
     """Time of the first touch with a turning end, by steps that cannot overshoot (the module's docstring).
 
-    A ball that overlaps the end at time 0 is searched with as much less of its radius. A search that used up MAX_STEPS
-    would end where it stands, which no touch precedes.
+    A search that used up MAX_STEPS would end where it stands, which no touch precedes.
     """
     p, v, ball_radius = ball
     spin = ring.spin
@@ -252,7 +253,6 @@ def _touch_of_turning_end(ball: Ball, ring: Ring, end: _End, span: float) -> flo
         return None
     if gap <= TOUCH and dot(p - nearest, v - ring.surface_velocity(nearest)) < 0.0:
         return 0.0
-    ball_radius += min(gap, 0.0)
     jerk = turn_rate * turn_rate * (turn_rate * farthest + 3.0 * speed)
     longest = _RADIANS_PER_STEP / turn_rate
     time = 0.0
