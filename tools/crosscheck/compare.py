@@ -69,7 +69,7 @@ class _Checker:
         self._all_layers: tuple[tuple[int, ...], ...] = ()
         self._layers: list[object] = []
         self._poses: dict[tuple[int, int], Pose] = {}
-        self._free: dict[int, tuple[complex, float]] = {}  # per ball: no ring's band reaches into this circle
+        self._free: dict[int, tuple[complex, float]] = {}  # per ball: nothing reaches into this circle
         self._end: Arena | None = None
 
     def check(self, tick: Tick) -> None:
@@ -131,16 +131,20 @@ class _Checker:
         near = []
         free = math.inf
         for k, (ring, model) in enumerate(zip(tick.arena.rings, self._models, strict=True)):
+            if not model.living:
+                continue
             radius, half_width, _, _, phase, spin, _ = ring
             wanted = way + model.sagitta
             above = abs(distance - radius) - half_width - ball_radius - wanted
-            free = min(free, above)
             if above > 0.0:
+                free = min(free, above)
                 continue
             place = position * cmath.rect(1.0, -(phase + spin * tick.dt))
             pose = room_around(model, place, ball_radius, self._poses.get((index, k), UNKNOWN), wanted)
             self._poses[index, k] = pose
-            if pose.room - abs(place - pose.place) < wanted:
+            spare = pose.room - abs(place - pose.place) - wanted
+            free = min(free, spare if spin == 0.0 else 0.0)  # a ring that turns comes nearer by itself
+            if spare < 0.0:
                 near.append(k)
         self._free[index] = position, free
         return near

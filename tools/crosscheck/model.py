@@ -99,6 +99,7 @@ class RingModel:
         circle.cache_bb()
         self.outer_circle = Piece(circle, Part.OUTER_CIRCLE, -1)
         self.alive = [True] * geometry.count
+        self.living = True  # any of them
         self._probe_body = pymunk.Body(1.0, math.inf)
         self._probe = pymunk.Circle(self._probe_body, 1.0)
 
@@ -112,6 +113,7 @@ class RingModel:
             self.alive[slot] = bool(now)
             for piece in self.slots[slot]:
                 piece.shape.filter = _FILTERS[piece.part] if now else _UNSEEN
+        self.living = any(self.alive)
         return revived
 
     def nearest(self, p: complex, reach: float, parts: Part = Part.FACETED) -> tuple[Piece, float] | None:
