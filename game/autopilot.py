@@ -7,6 +7,7 @@ from game.rules import PADDLES, POINTER_STEPS, TICK, Controls, Game, Phase, padd
 from physics import (
     Arena,
     Ball,
+    Step,
     advance,
     angle_of,
     collision_response,
@@ -111,14 +112,15 @@ def _without_paddles(arena: Arena, ball: Ball) -> Arena:
 def _crossing(arena: Arena, track: float, speed: float) -> tuple[float, Arena, int] | None:
     """Time, arena and bricks hit when the ball's centre comes to the track from inside; None beyond the horizon."""
     hits = 0
+    done: Step | None = None
     for step in range(_HORIZON):
         ball = arena.balls[0]
         left = _time_to_radius(ball, track)
         if left <= _LOOK:
-            reached = advance(arena, max(left, 0.0), speed)
+            reached = advance(arena, max(left, 0.0), speed, done)
             if not reached.hits:
                 return step * _LOOK + left, reached.arena, hits
-        done = advance(arena, _LOOK, speed)
+        done = advance(arena, _LOOK, speed, done)
         hits += len(done.hits)
         arena = done.arena
     return None

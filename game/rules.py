@@ -66,6 +66,7 @@ class Game(NamedTuple):
     lives: int
     combo: int  # bricks hit since a paddle was
     idle: int  # contacts since a brick was hit
+    step: Step | None = None  # of the physics, the last with balls in play; it spares the next one work and decides nothing
 
     @property
     def level(self) -> Level:
@@ -194,8 +195,8 @@ def _next_level(game: Game, step: Step, moving: Arena) -> Ticked:
 
 def _played(game: Game, moving: Arena) -> Ticked:
     """A tick with balls in play: the physics, then what its hits mean, then who has left."""
-    step = advance(moving, TICK, game.level.ball.speed)
-    game = game._replace(tick=game.tick + 1, phase_tick=game.phase_tick + 1, arena=step.arena)
+    step = advance(moving, TICK, game.level.ball.speed, game.step)
+    game = game._replace(tick=game.tick + 1, phase_tick=game.phase_tick + 1, arena=step.arena, step=step)
     events: list[Event] = []
     for hit in step.hits:
         game = _credited(game, hit, events)

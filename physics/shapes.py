@@ -8,6 +8,9 @@ from physics.polar import add_angles, normalize_angle, signed_difference
 from physics.tolerances import ANGLE_GRID, LARGEST
 from physics.vectors import length, quarter_turn
 
+_TURN = math.tau
+_new = tuple.__new__  # a NamedTuple without its Python constructor
+
 
 class _BallFields(NamedTuple):
     position: complex
@@ -117,16 +120,16 @@ class Ring(_RingFields):
         turns = round((phase + slot * pitch - bearing) / math.tau)
         return phase + (slot - turns * self.count) * pitch
 
-    def turned(self, time: float) -> Self:
+    def turned(self, time: float) -> "Ring":
         """The ring after turning for some seconds. Not checked: valid stays valid."""
         radius, half_width, half_angle, count, phase, spin, friction = self
         turn = spin * time
         # Between 4 and 8 floats are the grid itself. The turn is rounded, not the sum: then every sum is exact.
         turn = (turn + 6.0) - 6.0 if -2.0 < turn < 2.0 else round(math.fmod(turn, math.tau) * ANGLE_GRID) / ANGLE_GRID
         there = phase + turn
-        if not 0.0 <= there < math.tau:
-            there = there + math.tau if there < 0.0 else (phase - math.tau) + turn
-        return tuple.__new__(type(self), (radius, half_width, half_angle, count, there, spin, friction))
+        if not 0.0 <= there < _TURN:
+            there = there + _TURN if there < 0.0 else (phase - _TURN) + turn
+        return _new(Ring, (radius, half_width, half_angle, count, there, spin, friction))
 
     def surface_velocity(self, point: complex) -> complex:
         """Velocity of the ring's material at a point: spin x point."""

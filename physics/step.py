@@ -4,18 +4,19 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from physics.clearance import clear_time, may_be_steered
 from physics.escape import freed
 from physics.response import collision_response, leaving_at
 from physics.shapes import Ball, Contact, Feature, Ring
 from physics.time_of_impact import Impact, time_of_impact
-from physics.tolerances import ANGLE_SLACK, LEAST_GRAZE, LEAST_SEPARATION, MAX_IMPACTS
-from physics.trig import bearing_of
+from physics.tolerances import LEAST_GRAZE, LEAST_SEPARATION, MAX_IMPACTS
 from physics.vectors import dot, length
 
 PERMANENT = -1
 """Layers of a sector that no hit removes."""
 
-
+_LOOK_AHEAD = 128
+"""Ticks for which it is asked how long nothing is touched."""
 _new = tuple.__new__  # a NamedTuple without its Python constructor
 
 
@@ -47,6 +48,8 @@ class Step(NamedTuple):
     hits: tuple[Hit, ...]  # in the order of time, ball, ring, slot
     dropped: int  # balls that used up MAX_IMPACTS and rested for what was left of the tick
     freed: int  # balls that overlapped material and were put outside it
+    clear: float = 0.0  # seconds after it for which no ball touches anything, however a turning ring is steered; 0: unknown
+    turning: tuple[int, ...] = ()  # rings that turn, where clear is known
 
 
 class _Next(NamedTuple):
@@ -58,49 +61,49 @@ class _Next(NamedTuple):
     impact: Impact
 
 
-def advance(arena: Arena, dt: float, speed: float) -> Step:
+def advance(arena: Arena, dt: float, speed: float, last: Step | None = None) -> Step:
     """The arena dt seconds later, and the hits on the way, in the order of time.
 
     dt: seconds, finite and >= 0, else ValueError; 0 changes nothing. speed: every ball's fixed speed after a bounce.
     Each ball flies from impact to impact. A hit takes one layer from its slot at once, so that a ball that comes
     later in the same tick meets what is left. Equal times are answered in the order of ball, ring, slot.
+    last: what this function said of the tick before. Where the arena is still that tick's, but for the spin of a turning
+    ring, a ball in free flight is not looked after anew; it changes no bit of the result.
     """
-    if not 0.0 <= dt < math.inf:
-        raise ValueError(f"dt must be finite and at least 0, not {dt}")
-    if dt == 0.0:
-        return Step(arena, (), 0, 0)
+    known = last if last is not None and (arena is last[0] or _goes_on(last[0], arena)) else None
+    if known is not None and 0.0 < dt <= known[4]:
+        clear, turning = known[4], known[5]
+    else:
+        if not 0.0 <= dt < math.inf:
+            raise ValueError(f"dt must be finite and at least 0, not {dt}")
+        if dt == 0.0:
+            return Step(arena, (), 0, 0)
+        clear = _clear(arena, dt if last is None else _LOOK_AHEAD * dt)
+        if clear < dt:
+            return _flown(_all_freed(arena) if known is None else Step(arena, (), 0, 0), dt, speed)
+        turning = tuple([k for k, ring in enumerate(arena.rings) if ring.spin])
     balls, rings, layers = arena
-    moved = []
-    for ball in balls:
-        p, v, ball_radius = ball
-        distance = math.sqrt(p.real * p.real + p.imag * p.imag)
-        reach = math.sqrt(v.real * v.real + v.imag * v.imag) * dt + ball_radius
-        for k, ring in enumerate(rings):
-            if abs(distance - ring[0]) <= ring[1] + reach and _may_touch(ball, distance, reach, ring, layers[k], dt):
-                return _flown(_all_freed(arena), dt, speed)
+    moved, turned = [], [*rings]
+    for p, v, ball_radius in balls:
         moved.append(_new(Ball, (p + v * dt, v, ball_radius)))
-    turned = []
-    for ring in rings:
-        turned.append(ring.turned(dt) if ring[5] else ring)  # noqa: PERF401  # here a loop is the faster of the two
-    return _new(Step, (_new(Arena, (tuple(moved), tuple(turned), layers)), (), 0, 0))
+    for k in turning:
+        turned[k] = rings[k].turned(dt)
+    return _new(Step, (_new(Arena, (tuple(moved), tuple(turned), layers)), (), 0, 0, clear - dt, turning))
 
 
-def _may_touch(ball: Ball, distance: float, reach: float, ring: Ring, alive: tuple[int, ...], dt: float) -> bool:
-    """Whether a ball that reaches into a ring's band within dt has a living sector within the angle it may cover.
-
-    distance: of the ball from the centre. reach: its radius and its travel; seen from the centre, they cover an angle of
-    asin(reach / distance) <= reach pi / (2 distance) to each side.
-    """
-    if distance <= reach:
-        return True
-    if distance > ring.radius + ring.half_width + ball.radius and dot(ball.position, ball.velocity) >= 0.0:
+def _goes_on(before: Arena, now: Arena) -> bool:
+    """Whether an arena is the very one before, but for what a player steers."""
+    balls, rings, layers = now
+    if balls is not before.balls or layers is not before.layers or len(rings) != len(before.rings):
         return False
-    pitch = math.tau / ring.count
-    place = (bearing_of(ball.position) - ring.phase) / pitch
-    span = (reach * math.pi / (2.0 * distance) + ring.half_angle + abs(ring.spin) * dt + ANGLE_SLACK) / pitch
-    first = math.ceil(place - span)
-    count = min(math.floor(place + span) - first + 1, ring.count)
-    return any([alive[slot % ring.count] for slot in range(first, first + count)])
+    return all([new is old or may_be_steered(old, new, balls) for old, new in zip(before.rings, rings, strict=True)])
+
+
+def _clear(arena: Arena, horizon: float) -> float:
+    """Seconds, at most `horizon`, for which no ball touches anything."""
+    for ball in arena.balls:
+        horizon = clear_time(ball, arena.rings, arena.layers, horizon)
+    return horizon
 
 
 def _all_freed(arena: Arena) -> Step:
@@ -142,7 +145,7 @@ def _flown(start: Step, dt: float, speed: float) -> Step:
         ball = balls[i].moved(time - clocks[i])
         hit = _hit(time, i, k, impact, ball, rings[k], layers[k], speed)
         hits.append(hit)
-        balls[i], clocks[i] = Ball(ball.position, hit.after, ball.radius), time
+        balls[i], clocks[i] = _new(Ball, (ball.position, hit.after, ball.radius)), time
         impacts[i] += 1
         slot = hit.slot
         layers[k] = (*layers[k][:slot], hit.layers, *layers[k][slot + 1 :])

@@ -42,7 +42,7 @@ class Impact(NamedTuple):
     contact: Contact
 
 
-class _Stretch(NamedTuple):
+class Stretch(NamedTuple):
     """A part of the flight, in seconds from now, on which the ball reaches into the band."""
 
     start: float
@@ -50,7 +50,7 @@ class _Stretch(NamedTuple):
     heading: int  # -1 inward, +1 outward, 0 at rest
 
 
-class _End(NamedTuple):
+class End(NamedTuple):
     """One straight end of a sector, facing the gap the ball is in."""
 
     slot: int
@@ -68,14 +68,14 @@ def time_of_impact(ball: Ball, ring: Ring, dt: float, alive: Sequence[int] | Non
     """
     if not 0.0 <= dt < math.inf:
         raise ValueError(f"dt must be finite and at least 0, not {dt}")
-    for stretch in _stretches(ball, ring, dt):
+    for stretch in stretches(ball, ring, dt):
         impact = _first_touch(ball, ring, stretch, alive)
         if impact is not None:
             return impact
     return None
 
 
-def _stretches(ball: Ball, ring: Ring, dt: float) -> list[_Stretch]:
+def stretches(ball: Ball, ring: Ring, dt: float) -> list[Stretch]:
     """The stretches of [0, dt] on which the ball reaches into the ring's band: at most one inward, then one outward."""
     p, v, ball_radius = ball
     outer = ring.radius + ring.half_width + ball_radius
@@ -83,7 +83,7 @@ def _stretches(ball: Ball, ring: Ring, dt: float) -> list[_Stretch]:
     distance = length(p)
     square = dot(v, v)
     if square == 0.0:
-        return [_Stretch(0.0, dt, 0)] if inner <= distance <= outer else []
+        return [Stretch(0.0, dt, 0)] if inner <= distance <= outer else []
     outward = dot(p, v)
     above = (distance - outer) * (distance + outer)
     root = outward * outward - square * above
@@ -102,10 +102,10 @@ def _stretches(ball: Ball, ring: Ring, dt: float) -> list[_Stretch]:
             turn_out = _later_root(square, outward, above, root)
     stretches = []
     if begin < turn_in:
-        stretches.append(_Stretch(begin, min(turn_in, end), -1))
+        stretches.append(Stretch(begin, min(turn_in, end), -1))
     begin = max(begin, turn_out)
     if begin <= dt:
-        stretches.append(_Stretch(begin, max(begin, end), 1))
+        stretches.append(Stretch(begin, max(begin, end), 1))
     return stretches
 
 
@@ -116,7 +116,7 @@ def _later_root(square: float, outward: float, above: float, root: float) -> flo
     return (math.sqrt(root) - outward) / square
 
 
-def _first_touch(ball: Ball, ring: Ring, stretch: _Stretch, alive: Sequence[int] | None) -> Impact | None:
+def _first_touch(ball: Ball, ring: Ring, stretch: Stretch, alive: Sequence[int] | None) -> Impact | None:
     """The first touch on one stretch of the flight."""
     start, stop, heading = stretch
     ball = ball.moved(start)
@@ -139,7 +139,7 @@ def _first_touch(ball: Ball, ring: Ring, stretch: _Stretch, alive: Sequence[int]
     reach = _reach(ball, ring, span)
     first: Impact | None = None
     for sign in (-1, 1):
-        end = _next_end(ring, alive, middle, offset, nearest, sign, skipped, reach)
+        end = next_end(ring, alive, middle, offset, nearest, sign, skipped, reach)
         if end is None:
             continue
         touch = _touch_of_resting_end if ring.spin == 0.0 else _touch_of_turning_end
@@ -170,7 +170,7 @@ def _reach(ball: Ball, ring: Ring, span: float) -> float:
     return travel * math.pi / (2.0 * distance) + abs(ring.spin) * span
 
 
-def _next_end(
+def next_end(
     ring: Ring,
     alive: Sequence[int] | None,
     middle: float,
@@ -179,7 +179,7 @@ def _next_end(
     sign: int,
     skipped: int | None,
     reach: float,
-) -> _End | None:
+) -> End | None:
     """The end that bounds the ball's gap on one side, -1 clockwise or +1 counter-clockwise, if within reach.
 
     middle, offset: of slot `nearest`, and the ball's from it. skipped: a slot whose sector is left out.
@@ -192,18 +192,18 @@ def _next_end(
             return None
         slot = (nearest + sign * step) % ring.count
         if slot != skipped and (alive is None or alive[slot] != 0):
-            return _End(slot, middle + turn, -1.0 if sign > 0 else 1.0)
+            return End(slot, middle + turn, -1.0 if sign > 0 else 1.0)
     return None
 
 
-def _contact_with_end(ball: Ball, ring: Ring, end: _End, time: float) -> Contact:
+def _contact_with_end(ball: Ball, ring: Ring, end: End, time: float) -> Contact:
     """Contact of the ball with one end, `time` seconds from now."""
     p = ball.position + ball.velocity * time
     along = direction(end.angle + ring.spin * time)
     return end_contact(p, ball.radius, along, end.sign, ring.radius - ring.half_width, ring.radius + ring.half_width)
 
 
-def _touch_of_resting_end(ball: Ball, ring: Ring, end: _End, span: float) -> float | None:
+def _touch_of_resting_end(ball: Ball, ring: Ring, end: End, span: float) -> float | None:
     """Time of the first touch with an end at rest: of its line, a linear equation; of its corners, a quadratic each."""
     contact = _contact_with_end(ball, ring, end, 0.0)
     if dot(contact.normal, ball.velocity) >= 0.0:
@@ -237,7 +237,7 @@ def _time_to_point(p: complex, v: complex, ball_radius: float) -> float:
     return max(above, 0.0) / (math.sqrt(root) - outward)
 
 
-def _touch_of_turning_end(ball: Ball, ring: Ring, end: _End, span: float) -> float | None:
+def _touch_of_turning_end(ball: Ball, ring: Ring, end: End, span: float) -> float | None:
     """Time of the first touch with a turning end, by steps that cannot overshoot (the module's docstring).
 
     A search that used up MAX_STEPS would end where it stands, which no touch precedes.

@@ -49,7 +49,14 @@ mirrored to the bit.
 """
 
 ANGLE_SLACK = 1e-9
-"""Radians. What the broad phase adds to the angle in which it looks for sectors, far above rounding."""
+"""Radians. What is added to the angle that a ball may cover, to say how long it touches nothing: far above rounding."""
+
+CLEARANCE = 1e-9
+"""Fraction of the distances on a flight. How much larger a ball is taken to be, to say how long it touches nothing.
+
+Far above the rounding of many ticks: a tick that is spared the search would have found nothing. Smaller than 1e-13,
+it might have.
+"""
 
 LARGEST = 1e100
 """World units, or units per second. Squares of larger numbers would overflow; no size, place or speed may exceed it."""

@@ -29,7 +29,7 @@ def fuzz(*arguments):
 
 def sabotaged(monkeypatch, change):
     """The campaign plays an `advance` whose result goes through `change`."""
-    monkeypatch.setattr(campaign, "advance", lambda arena, dt, speed: change(arena, advance(arena, dt, speed)))
+    monkeypatch.setattr(campaign, "advance", lambda arena, dt, speed, *last: change(arena, advance(arena, dt, speed, *last)))
 
 
 def test_a_campaign_finds_nothing(capsys):
@@ -221,6 +221,17 @@ def test_a_broken_advance_is_caught(change, monkeypatch, capsys):
     names = {"Arena": Arena, "Ball": Ball, "Ring": Ring, "nan": math.nan}
     speed = float(re.search(r"advance\(arena, \S+, (\S+)\)", out)[1])
     assert campaign.checked_tick(eval(arena, names), speed)[0] is not None  # noqa: S307  # our own output
+
+
+def test_a_flight_that_is_looked_after_too_rarely_is_caught(monkeypatch, capsys):
+    """Where a step says that its balls touch nothing for longer than is so; the tick alone would not show it."""
+    sabotaged(monkeypatch, lambda _before, step: step._replace(clear=step.clear + 2.0 * TICK))
+    assert fuzz("--steps", 30_000, "--seed", 2) == 1
+    out = capsys.readouterr().out
+    case = re.search(r"^case 2:(\d+) fails at tick \d+: (.*)$", out, re.MULTILINE)
+    assert case[2] == campaign.SPARED
+    assert out.endswith(f"again: python -m tools.fuzz --case 2:{case[1]}\n")
+    assert fuzz("--case", f"2:{case[1]}") == 1
 
 
 def test_the_smallest_arena_keeps_only_what_fails(monkeypatch):

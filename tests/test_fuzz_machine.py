@@ -9,7 +9,7 @@ from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, pr
 from impact_oracle import gap
 from strategies import angles, reals
 
-from physics import PERMANENT, Arena, Ball, Ring, advance
+from physics import PERMANENT, Arena, Ball, Ring, Step, advance
 from tools.fuzz.checks import first_fault
 
 SPEED = 8.0
@@ -87,7 +87,7 @@ class Play(RuleBasedStateMachine):
     @rule()
     def pause(self):
         """No time passes, nothing happens."""
-        assert advance(self.arena, 0.0, SPEED) == (self.arena, (), 0, 0)
+        assert advance(self.arena, 0.0, SPEED) == Step(self.arena, (), 0, 0)
 
     @invariant()
     def everything_is_finite(self):

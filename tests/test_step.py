@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 from impact_oracle import SPINS, gap
 from strategies import angles, reals
 
-from physics import PERMANENT, Arena, Ball, Feature, Ring, advance
+from physics import PERMANENT, Arena, Ball, Feature, Ring, Step, advance
 from physics.tolerances import LEAST_SEPARATION, MAX_IMPACTS
 from tools.fuzz.checks import first_fault
 
@@ -71,7 +71,7 @@ def test_a_time_that_is_none_is_refused(dt):
 def test_no_time_changes_nothing(p):
     """dt = 0 gives the very same arena, whatever touches or overlaps."""
     before = arena([Ball(p, -8 + 0j, R)], PADDLE)
-    assert advance(before, 0.0, SPEED) == (before, (), 0, 0)
+    assert advance(before, 0.0, SPEED) == Step(before, (), 0, 0)
     assert advance(before, 0.0, SPEED).arena is before
 
 
@@ -95,7 +95,7 @@ def test_a_ball_far_from_everything_flies_straight():
 
 def test_an_arena_without_balls_or_rings_is_no_trouble():
     """Ticks of nothing."""
-    assert advance(Arena((), (), ()), TICK, SPEED) == (Arena((), (), ()), (), 0, 0)
+    assert advance(Arena((), (), ()), TICK, SPEED) == Step(Arena((), (), ()), (), 0, 0)
     assert advance(arena([], PADDLE._replace(spin=1.0)), TICK, SPEED).arena.rings[0].phase == pytest.approx(TICK)
     assert advance(arena([Ball(0j, 1 + 0j, R)]), TICK, SPEED).arena.balls[0].position == TICK
 

@@ -15,7 +15,7 @@ from rich.table import Table
 
 from game.command_line import run
 from game.errors import EnvironmentMissingError
-from physics import PERMANENT, Arena, Ball, Ring, advance
+from physics import PERMANENT, Arena, Ball, Ring, Step, advance
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
@@ -100,15 +100,19 @@ def arena(per_row: int) -> Arena:
 def ours(per_row: int) -> Callable[[int], None]:
     """Ticks of `physics.advance`."""
     state, full, chance = arena(per_row), arena(per_row).layers, Random(1)
+    last: Step | None = None
 
     def play(ticks: int) -> None:
-        nonlocal state
+        nonlocal state, last
+        now, step = state, last
         for first in range(0, ticks, _CHECK_EVERY):
             for _ in range(min(_CHECK_EVERY, ticks - first)):
-                state = advance(state, TICK, SPEED).arena
-            p = state.balls[0].position
+                step = advance(now, TICK, SPEED, step)
+                now = step.arena
+            p = now.balls[0].position
             if p.real * p.real + p.imag * p.imag > GROUND * GROUND:
-                state = Arena((_served(chance),), state.rings, full)
+                now = Arena((_served(chance),), now.rings, full)
+        state, last = now, step
 
     return play
 
@@ -193,9 +197,10 @@ def _drift(bounces: int) -> int:
     speed = 50.0 * BALL_RADIUS / TICK
     wall, pillars = Ring(13.0, 0.5, math.pi, 1), Ring(3.0, 0.5, 0.2, 7, 0.1)
     state = Arena((Ball(0.3j, complex(speed, 0.0), BALL_RADIUS),), (wall, pillars), ((PERMANENT,), (PERMANENT,) * 7))
+    step: Step | None = None
     done, worst = 0, 0.0
     while done < bounces:
-        step = advance(state, TICK * 10.0, speed)
+        step = advance(state, TICK * 10.0, speed, step)
         state, done = step.arena, done + len(step.hits)
         v = state.balls[0].velocity
         worst = max(worst, abs(math.hypot(v.real, v.imag) / speed - 1.0))

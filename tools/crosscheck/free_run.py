@@ -13,7 +13,7 @@ from typing import NamedTuple
 import pymunk
 
 from game.levels import chosen
-from physics import Arena, Ball, Ring, advance, to_cartesian
+from physics import Arena, Ball, Ring, Step, advance, to_cartesian
 from tools.crosscheck.model import Geometry, Part, sector
 from tools.crosscheck.moment import geometry_of
 from tools.crosscheck.solver import ITERATIONS
@@ -80,8 +80,9 @@ def _still_arena(level: str | None, seed: int) -> tuple[Arena, float]:
 def _ours(arena: Arena, speed: float) -> tuple[list[tuple[int, Bounce]], list[complex]]:
     """Bounces with their ticks, and the ball's place at the end of every tick."""
     bounces, places = [], []
+    step: Step | None = None
     for tick in range(_LONGEST):
-        step = advance(arena, _TICK, speed)
+        step = advance(arena, _TICK, speed, step)
         bounces += [(tick, (hit.ring, hit.slot)) for hit in step.hits]
         arena = step.arena
         places.append(arena.balls[0].position)

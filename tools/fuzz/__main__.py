@@ -10,7 +10,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 from game.command_line import run
 from game.errors import BadInputError, EnvironmentMissingError
 from tools.fuzz.arenas import TICK
-from tools.fuzz.campaign import Failure, Tally, play, smallest, tallies
+from tools.fuzz.campaign import SPARED, Failure, Tally, play, smallest, tallies
 from tools.fuzz.impacts import check_impacts, multiprecision
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
@@ -109,9 +109,11 @@ def _verdict(tally: Tally) -> int:
 
 def _show(failure: Failure) -> None:
     """The smallest arena that fails, and the commands that show it."""
-    least = smallest(failure)
     print(f"case {failure.seed}:{failure.number} fails at tick {failure.tick}: {failure.what}")
     print(f"again: python -m tools.fuzz --case {failure.seed}:{failure.number}")
+    if failure.what == SPARED:
+        return
+    least = smallest(failure)
     print(f"its smallest form fails in one tick, advance(arena, {TICK!r}, {least.speed!r}): {least.what}")
     print(f"arena = {least.arena!r}")
 

@@ -59,6 +59,16 @@ def with_lost_balls_back(arena: Arena, speed: float, chance: Random) -> Arena:
     return arena
 
 
+def steered(arena: Arena, speed: float, chance: Random) -> Arena:
+    """The arena, once in a while with another spin for a ring that turns, as a player would give it."""
+    k = chance.randrange(8 * len(arena.rings))
+    if k >= len(arena.rings) or arena.rings[k].spin == 0.0:
+        return arena
+    ring = arena.rings[k]
+    turned = ring._replace(spin=chance.uniform(-0.99, 0.99) * speed / (ring.radius + ring.half_width))
+    return arena._replace(rings=(*arena.rings[:k], turned, *arena.rings[k + 1 :]))
+
+
 def _random_rings(chance: Random, speed: float, ball_radius: float) -> tuple[Ring, ...]:
     """Rings from the inside out, some flush with the one before, some closed, half of the arenas walled in."""
     rings: list[Ring] = []
