@@ -15,7 +15,7 @@ from physics.vectors import dot, length
 PERMANENT = -1
 """Layers of a sector that no hit removes."""
 
-_LOOK_AHEAD = 128
+_LOOK_AHEAD = 256
 """Ticks for which it is asked how long nothing is touched."""
 _new = tuple.__new__  # a NamedTuple without its Python constructor
 
@@ -70,31 +70,33 @@ def advance(arena: Arena, dt: float, speed: float, last: Step | None = None) -> 
     last: what this function said of the tick before. Where the arena is still that tick's, but for the spin of a turning
     ring, a ball in free flight is not looked after anew; it changes no bit of the result.
     """
-    known = last if last is not None and (arena is last[0] or _goes_on(last[0], arena)) else None
-    if known is not None and 0.0 < dt <= known[4]:
-        clear, turning = known[4], known[5]
-    else:
-        if not 0.0 <= dt < math.inf:
-            raise ValueError(f"dt must be finite and at least 0, not {dt}")
-        if dt == 0.0:
-            return Step(arena, (), 0, 0)
-        clear = _clear(arena, dt if last is None else _LOOK_AHEAD * dt)
-        if clear < dt:
-            return _flown(_all_freed(arena) if known is None else Step(arena, (), 0, 0), dt, speed)
-        turning = tuple([k for k, ring in enumerate(arena.rings) if ring.spin])
-    balls, rings, layers = arena
-    moved, turned = [], [*rings]
-    for p, v, ball_radius in balls:
-        moved.append(_new(Ball, (p + v * dt, v, ball_radius)))
-    for k in turning:
-        turned[k] = rings[k].turned(dt)
-    return _new(Step, (_new(Arena, (tuple(moved), tuple(turned), layers)), (), 0, 0, clear - dt, turning))
+    if last is not None and arena is not last[0] and not _goes_on(last[0], arena):
+        last = None
+    if last is not None and 0.0 < dt <= last[4]:
+        balls, rings, layers = arena
+        moved: tuple[Ball, ...] = ()
+        for p, v, ball_radius in balls:
+            moved += (_new(Ball, (p + v * dt, v, ball_radius)),)
+        turned = [*rings]
+        for k in last[5]:
+            turned[k] = rings[k].turned(dt)
+        return _new(Step, (_new(Arena, (moved, tuple(turned), layers)), (), 0, 0, last[4] - dt, last[5]))
+    if not 0.0 <= dt < math.inf:
+        raise ValueError(f"dt must be finite and at least 0, not {dt}")
+    if dt == 0.0:
+        return Step(arena, (), 0, 0)
+    running_out = last is not None and last.clear > 0.0
+    clear = 0.0 if running_out else _clear(arena, dt if last is None else _LOOK_AHEAD * dt)
+    if clear < dt:
+        return _flown(_all_freed(arena) if last is None else Step(arena, (), 0, 0), dt, speed)
+    turning = tuple([k for k, ring in enumerate(arena.rings) if ring.spin])
+    return advance(arena, dt, speed, Step(arena, (), 0, 0, clear, turning))
 
 
 def _goes_on(before: Arena, now: Arena) -> bool:
     """Whether an arena is the very one before, but for what a player steers."""
     balls, rings, layers = now
-    if balls is not before.balls or layers is not before.layers or len(rings) != len(before.rings):
+    if balls is not before.balls or layers is not before.layers:
         return False
     return all([new is old or may_be_steered(old, new, balls) for old, new in zip(before.rings, rings, strict=True)])
 

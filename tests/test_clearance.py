@@ -87,15 +87,16 @@ def test_what_is_not_there_is_not_in_the_way():
     assert clear_time(Ball(100j, SPEED * 1j, 0.25), [PADDLES, BRICKS], [(1,) * 3, (1,) * 8], 1.0) == 1.0
 
 
-def test_a_ball_over_the_centre_of_its_ring_is_not_clear():
+@pytest.mark.parametrize("position", [0.1 + 0j, 0j, 5e-324 + 0j])
+def test_a_ball_over_the_centre_of_its_ring_is_not_clear(position):
     """It may cover every angle."""
     ring = Ring(1.0, 0.9, 0.1, 2)
-    assert clear_time(Ball(0.1 + 0j, 1j, 0.5), [ring], [(1, 1)], 1.0) == 0.0
+    assert clear_time(Ball(position, 1j, 0.5), [ring], [(1, 1)], 1.0) == 0.0
 
 
 def test_a_flight_too_far_to_reckon_is_not_known():
     """Squares of its way would overflow."""
-    assert clear_time(Ball(0j, 1e90 + 0j, 0.25), [PADDLES], [(1, 1, 1)], 1e20) == 0.0
+    assert clear_time(Ball(9 + 0j, 1e90 + 0j, 0.25), [PADDLES], [(1, 1, 1)], 1e100) == 0.0
     assert advance(arena(6 + 0j), 1e300, SPEED).arena.rings[1] is BRICKS
 
 
@@ -151,25 +152,47 @@ def test_most_ticks_of_a_game_are_spared():
     assert looked_after < 40
 
 
+def seen_ahead(before):
+    """The second of two steps: the first was told of no step before it, and looked no farther than its own end."""
+    first = advance(before, TICK, SPEED)
+    return advance(first.arena, TICK, SPEED, first)
+
+
+HERE = Ball(cmath.rect(8.0, 1.0), cmath.rect(SPEED, 2.5), 0.25)
 ELSEWHERE = {
-    "another ball": lambda state: state._replace(balls=(Ball(9.2 + 0j, SPEED + 0j, 0.25),)),
-    "another velocity": lambda state: state._replace(balls=(Ball(state.balls[0].position, 900 + 0j, 0.25),)),
-    "a ring more": lambda state: Arena(state.balls, (*state.rings, Ring(6.5, 0.1, math.pi, 1)), (*state.layers, (1,))),
-    "a ring in its way": lambda state: state._replace(rings=(state.rings[0], Ring(6.5, 0.2, 0.2, 8))),
-    "a brick in its way": lambda state: state._replace(layers=(state.layers[0], (1,) * 8)),
-    "a spin beyond all measure": lambda state: state._replace(rings=(state.rings[0]._replace(spin=400.0), state.rings[1])),
+    "another ball": lambda state: state._replace(balls=(Ball(9.23 + 0j, SPEED + 0j, 0.25),)),
+    "another velocity": lambda state: state._replace(balls=(Ball(HERE.position, 900j * HERE.position, 0.25),)),
+    "a ring more": lambda state: Arena(state.balls, (*state.rings, Ring(8.0, 0.1, math.pi, 1)), (*state.layers, (1,))),
+    "a ring at another place": lambda state: state._replace(rings=(state.rings[0]._replace(radius=8.2), state.rings[1])),
+    "a brick in its way": lambda state: state._replace(layers=(state.layers[0], (1,))),
 }
 
 
 @pytest.mark.parametrize("change", ELSEWHERE.values(), ids=ELSEWHERE)
 def test_what_was_said_of_another_arena_does_not_count(change):
     """Whatever was changed since the last step but the spin of a turning ring is looked at anew."""
-    here = Ball(cmath.rect(9.2, 1.0), cmath.rect(-0.01, 2.5), 0.25)
-    before = Arena((here,), (PADDLES, Ring(8.0, 0.9, math.pi, 1)), ((1, 1, 1), (0,)))
-    last = advance(before, TICK, 0.01, advance(before, TICK, 0.01))
+    before = Arena((HERE,), (PADDLES._replace(half_angle=1.0), Ring(8.0, 0.9, math.pi, 1)), ((1, 1, 1), (0,)))
+    last = seen_ahead(before)
+    assert last.clear > TICK
     changed = change(last.arena)
     step = advance(changed, TICK, SPEED, last)
+    assert step.hits or step.freed
     assert same(step, advance(changed, TICK, SPEED))
+
+
+def test_a_spin_beyond_all_measure_is_looked_at_anew():
+    """The ball between two paddles is caught by an end that comes from afar."""
+    before = arena(cmath.rect(10.0, 1.0), cmath.rect(SPEED, 1.0))
+    last = seen_ahead(before)
+    assert last.clear > 10.0 * TICK
+    changed = last.arena._replace(rings=(last.arena.rings[0]._replace(spin=240.0), BRICKS))
+    assert advance(changed, TICK, SPEED, last).hits
+
+
+def test_no_time_changes_nothing_however_clear_it_is():
+    """The very same arena."""
+    last = seen_ahead(arena(6 + 0j))
+    assert advance(last.arena, 0.0, SPEED, last).arena is last.arena
 
 
 def test_a_step_that_claims_too_much_would_be_seen():

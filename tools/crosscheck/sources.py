@@ -51,7 +51,9 @@ def ticks_of(source: Source, physics: Advance = advance) -> Iterator[Tick]:
     if source.replay is None and source.level == RANDOM:
         yield from random_ticks(source.seed, source.ticks, physics)
         return
-    vars(game.rules)["advance"] = physics
+    vars(game.rules)["advance"] = (
+        advance if physics is advance else lambda arena, dt, speed, _last=None: physics(arena, dt, speed)
+    )
     try:
         done = _replayed(source.replay) if source.replay is not None else _autopiloted(source)
         for number, ticked in enumerate(done):
