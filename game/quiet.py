@@ -9,9 +9,12 @@ from collections.abc import Iterator
 @contextlib.contextmanager
 def quiet_libraries() -> Iterator[None]:
     """Keep what C libraries write to stderr off it: SDL and ALSA say in fifteen lines what we say in one."""
+    if sys.stderr is None:  # a program without a console; what has the number 2 may be anything
+        yield
+        return
     try:
         kept = os.dup(2)
-    except OSError:  # a program without a console has no stderr
+    except OSError:
         yield
         return
     nowhere = os.open(os.devnull, os.O_WRONLY)
