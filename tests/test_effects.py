@@ -2,17 +2,17 @@
 
 from game import effects
 from game.autopilot import Autopilot
-from game.effects import FLASH_TICKS, POP_TICKS, Effects
+from game.effects import ALL, FLASH_TICKS, PLAIN, POP_TICKS, Effects
 from game.levels import built_in
 from game.rules import Controls, Phase, new_game, tick
 
 
-def played(count, *, full=True):
+def played(count, shown=ALL):
     """Pairs of a tick and the effects after it."""
     game, pilot, fading = new_game(built_in(), 5), Autopilot(), Effects()
     for _ in range(count):
         done = tick(game, pilot.controls(game))
-        fading = effects.after(fading, done, full=full)
+        fading = effects.after(fading, done, shown)
         yield done, fading
         game = done.game
 
@@ -46,7 +46,7 @@ def test_points_pop_where_the_brick_was_hit():
 def test_without_effects_only_the_trail_is_left():
     """Players who want nothing to flash get nothing but the trail."""
     trails = 0
-    for _, fading in played(1500, full=False):
+    for _, fading in played(1500, shown=PLAIN):
         assert fading.flashes == fading.pops == ()
         trails += bool(fading.trails)
     assert trails
@@ -58,9 +58,9 @@ def test_a_trail_follows_its_ball_and_ends_with_it():
         if done.game.phase != Phase.PLAYING:
             assert fading.trails == ()
         else:
-            reach = done.game.level.ball.speed / 240.0 * 4
+            reach = done.game.level.ball.speed / 240.0 * 5
             for trail, ball in zip(fading.trails, done.game.arena.balls, strict=True):
-                assert len(trail) <= 16
+                assert len(trail) <= 17
                 assert abs(trail[-1] - ball.position) <= reach
 
 

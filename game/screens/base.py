@@ -9,6 +9,7 @@ import pygame
 from game import opinions
 from game.audio import Audio
 from game.controls import Signal
+from game.effects import ALL, PLAIN, Shown
 from game.levels import Level
 from game.opinions import Compare, Opinions
 from game.palette import DARK, LIGHT, Theme
@@ -41,6 +42,11 @@ class Shared:
     theme: Theme = DARK
     painter: Painter = field(default_factory=Painter)
     type: Type = field(default_factory=Type)
+
+    @property
+    def shown(self) -> Shown:
+        """The effects that the player wants to see."""
+        return ALL if self.effects else PLAIN
 
     def toggle_theme(self) -> None:
         """Dark to light and back."""

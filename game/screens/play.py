@@ -87,7 +87,7 @@ class Play:
         controls = self._hands.controls(camera) if self._pilot is None else self._pilot.controls(game)
         self._hands = self._hands._replace(serve=False)
         self._ticked = tick(game, controls)
-        self._effects = effects.after(self._effects, self._ticked, full=self._shared.effects)
+        self._effects = effects.after(self._effects, self._ticked, self._shared.shown)
         self._opinions = self._shared.opinions(self._opinions, self._ticked)
         self._shared.heard(self._ticked)
         if self._shared.recorder is not None:

@@ -45,7 +45,7 @@ class Title:
 
     def advance(self, seconds: float, _size: tuple[int, int]) -> Screen | None:
         """Let the demonstration play."""
-        self._demo.advance(seconds, full=self._shared.effects)
+        self._demo.advance(seconds, self._shared.shown)
         if self._demo.ended:
             self._demo = self._new_demo()
         return self

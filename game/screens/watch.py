@@ -130,7 +130,7 @@ class Watch:
         moment = min(moment, float(self._frames.ticks))
         passed = []
         while self._number < int(moment):
-            self._effects = effects.after(self._effects, self._shown, full=self._shared.effects)
+            self._effects = effects.after(self._effects, self._shown, self._shared.shown)
             self._opinions = self._shared.opinions(self._opinions, self._shown)
             passed.append(self._shown)
             self._number += 1
