@@ -6,8 +6,9 @@ from collections.abc import Callable
 
 import pygame
 
-from game import display
+from game import display, toast
 from game.audio import Audio
+from game.changes import changed
 from game.controls import Action, Pressed, Released, Signal, translated
 from game.levels import Level, built_in
 from game.opinions import Compare
@@ -17,6 +18,7 @@ from game.screens.base import Recorder, Screen, Shared
 from game.screens.play import Play
 from game.screens.title import Title
 from game.screens.watch import Watch
+from game.settings_file import SettingsFile
 
 _TITLE = "Polar Breakout"
 _IDLE_RATE = 20
@@ -30,25 +32,26 @@ def play(
     *,
     autopilot: bool = False,
     compare: Compare | None = None,
+    kept: SettingsFile | None = None,
 ) -> int:
     """Open a window with the title, the first of the levels chosen, and play until it is closed; the exit code.
 
     recorder: told every tick of every game played. autopilot: it plays, from the first serve on, without a title.
-    compare: another engine to ask about contacts.
+    compare: another engine to ask about contacts. kept: the player's settings.
     Raises EnvironmentMissingError without a display.
     """
     catalogue = built_in() if levels[0] in built_in() else levels
-    shared = Shared(catalogue, catalogue.index(levels[0]), seed, Title, recorder, autopilot, compare=compare)
+    shared = Shared(catalogue, catalogue.index(levels[0]), seed, Title, recorder, autopilot, compare=compare, kept=kept)
     return _shown(shared, lambda: Play(shared, levels) if autopilot else Title(shared))
 
 
-def watch(recording: Recording, *, compare: Compare | None = None) -> int:
+def watch(recording: Recording, *, compare: Compare | None = None, kept: SettingsFile | None = None) -> int:
     """Open a window that shows a recorded game until it is closed; the exit code.
 
     Raises EnvironmentMissingError without a display.
     """
     levels = tuple(recording.levels)
-    shared = Shared(levels, 0, recording.seed, Title, compare=compare)
+    shared = Shared(levels, 0, recording.seed, Title, compare=compare, kept=kept)
     return _shown(shared, lambda: Watch(shared, Playback(recording)))
 
 
@@ -57,10 +60,12 @@ def _shown(shared: Shared, opened: Callable[[], Screen]) -> int:
     window = display.open_window(_TITLE)
     try:
         shared.audio = Audio()
+        shared.change(shared.settings if shared.kept is None else shared.kept.load())
         run(window, shared, opened())
     except KeyboardInterrupt:
         pass
     finally:
+        shared.keep()
         if shared.audio is not None:
             shared.audio.close()
         pygame.quit()
@@ -89,6 +94,9 @@ def frame(window: pygame.Window, shared: Shared, screen: Screen, seconds: float)
     following = answered.advance(seconds, surface.get_size())
     if following is not None:
         following.draw(surface)
+        shared.toast = toast.later(shared.toast, seconds)
+        if shared.toast is not None:
+            toast.draw(surface, shared.toast, shared.theme, shared.type)
         window.flip()
     return following
 
@@ -100,7 +108,7 @@ def _answered(window: pygame.Window, shared: Shared, screen: Screen) -> Screen |
         if event.type in (pygame.QUIT, pygame.WINDOWCLOSE):
             return None
         signal = translated(event, _pixels_per_point(window, size))
-        if signal is None or _answered_here(signal, window, shared):
+        if signal is None or (not _means_speed(signal, screen) and _answered_here(signal, window, shared)):
             continue
         following = screen.answer(signal, size)
         if following is None:
@@ -116,17 +124,18 @@ def _answered_here(signal: Signal, window: pygame.Window, shared: Shared) -> boo
     match signal:
         case Pressed(Action.FULL_SCREEN):
             _toggle_full_screen(window, shared)
-        case Pressed(Action.MUTE):
-            shared.toggle_sound()
-        case Pressed(Action.THEME):
-            shared.toggle_theme()
-        case Pressed(Action.EFFECTS):
-            shared.effects = not shared.effects
         case Pressed(Action.NORMALS):
             shared.normals = not shared.normals and shared.compare is not None
+        case Pressed(action) if (now := changed(shared.settings, action)) is not None:
+            shared.change(*now)
         case _:
             return False
     return True
+
+
+def _means_speed(signal: Signal, screen: Screen) -> bool:
+    """Whether the volume's keys change how fast a recording runs."""
+    return isinstance(screen, Watch) and signal in (Pressed(Action.LESS), Pressed(Action.MORE))
 
 
 def _toggle_full_screen(window: pygame.Window, shared: Shared) -> None:

@@ -10,7 +10,7 @@ import pygame
 from game.quiet import quiet_libraries
 from game.rules import Event
 from game.synth import Note, Patch, Wave, every_note, waveform
-from game.voices import SILENCE, VOICES, Tail, Voice, chorus, cues, tail
+from game.voices import SILENCE, VOICES, Side, Tail, Voice, chorus, cues, tail
 
 _BLOCK = 512
 """Samples the mixer makes at once: 12 ms, soon enough to be heard with the hit."""
@@ -71,11 +71,11 @@ class Audio:
                 pygame.mixer.fadeout(_HUSH)
         self._muted = muted
 
-    def play(self, events: Sequence[Event], ground_radius: float, combo: int) -> None:
-        """Make the sounds of some events. combo: the game's, after the last of them."""
+    def play(self, events: Sequence[Event], side: Side, combo: int) -> None:
+        """Make the sounds of some events. side: where they are on the screen. combo: the game's, after the last of them."""
         if self._muted or not events or not self._is_open():
             return
-        wanted = cues(events, ground_radius, combo)
+        wanted = cues(events, side, combo)
         self._draw([cue.note for cue in wanted])
         self._voices, new = chorus(self._voices, wanted, self._tails, self._clock())
         for place in new:

@@ -15,7 +15,7 @@ import pygame
 from game import debris_picture, hud, recoil_picture, wave_picture
 from game.ball_picture import ball_picture, draw_shadow, without
 from game.camera import Camera, Points, layout
-from game.effects import Effects, Flash, Pop, Trail
+from game.effects import NOTHING, Effects, Flash, Pop, Trail
 from game.ground import ground_picture
 from game.hiding import hiding
 from game.looks import paddle_looks, wall_looks
@@ -171,14 +171,20 @@ class Painter:
         surface.blit(picture, (left - reach, top - reach))
 
 
-def save_screenshot(game: Game, path: Path, size: tuple[int, int], theme: Theme = DARK, view: View = FROM_ABOVE) -> None:
+def save_screenshot(
+    game: Game,
+    path: Path,
+    size: tuple[int, int],
+    theme: Theme = DARK,
+    view: View = FROM_ABOVE,
+    effects: Effects = NOTHING,
+) -> None:
     """Draw a game as the window shows it, and save it as PNG; OSError where it cannot be written. Needs no display."""
     surface = pygame.Surface(size, 0, 32)
-    ticked = still(game)
     place = view.seen(layout(size, game.level.ground_radius))
     type_ = Type()
-    Painter(theme).paint(surface, scene_at(ticked, 1.0, Effects()), place.camera, type_, place.unit)
-    hud.draw(surface, place, hud.readings(game), theme, type_)
+    Painter(theme).paint(surface, scene_at(still(game), 1.0, effects), place.camera, type_, place.unit)
+    hud.draw(surface, place, hud.readings(game, effects.streak), theme, type_)
     picture = io.BytesIO()
     pygame.image.save(surface, picture, "screenshot.png")
     path.write_bytes(picture.getvalue())

@@ -7,11 +7,8 @@ path, around the bounces of the tick. Nothing here knows pixels: one camera or a
 from typing import NamedTuple
 
 from game.effects import Burst, Drop, Effects, Flash, Pop, Recoil, Trail, Wave
-from game.rules import PADDLES, TICK, EventKind, Game, Phase, Ticked
+from game.rules import BEST_COMBO, PADDLES, TICK, EventKind, Game, Phase, Ticked
 from physics import Ball, Ring, Step, direction, signed_difference
-
-_HOTTEST = 8.0
-"""Bricks in a row that make a trail as bright as it gets."""
 
 
 class Aim(NamedTuple):
@@ -69,7 +66,7 @@ def scene_at(ticked: Ticked, alpha: float, effects: Effects) -> Scene:
         effects.recoils,
         effects.waves,
         0j if effects.shake is None else effects.shake.offset,
-        min(game.combo / _HOTTEST, 1.0),
+        min(game.combo / BEST_COMBO, 1.0),
     )
 
 

@@ -61,7 +61,7 @@ def test_a_whole_evening(desk, ticks):
     assert isinstance(desk.screen, Play)
     desk.wait(0.1)
     assert ticks[-1][1].tick < 30
-    desk.press(pygame.K_ESCAPE, pygame.K_DOWN, pygame.K_DOWN, pygame.K_RETURN)
+    desk.press(pygame.K_ESCAPE, pygame.K_DOWN, pygame.K_DOWN, pygame.K_DOWN, pygame.K_RETURN)
     assert isinstance(desk.screen, Title)
     desk.press(pygame.K_ESCAPE)
     assert desk.screen is None
@@ -181,7 +181,7 @@ def test_menus_answer_to_the_mouse(playing):
     playing.move(boxes[1].center)
     playing.wait(FRAME)
     assert playing.screen._selected == 1
-    playing.click(boxes[2].center)
+    playing.click(boxes[3].center)
     assert isinstance(playing.screen, Title)
 
 
@@ -228,10 +228,12 @@ def test_switches_work_on_every_screen(desk):
         if opens is not None:
             desk.press(opens)
         desk.press(pygame.K_m, pygame.K_t, pygame.K_e)
-        assert (desk.shared.muted, desk.shared.theme, desk.shared.effects) == (True, LIGHT, False)
+        chosen = desk.shared.settings
+        assert (chosen.sound, chosen.theme, chosen.effects) == (False, LIGHT, False)
         assert desk.shared.painter.theme is LIGHT
         desk.press(pygame.K_m, pygame.K_t, pygame.K_e)
-        assert (desk.shared.muted, desk.shared.theme, desk.shared.effects) == (False, DARK, True)
+        chosen = desk.shared.settings
+        assert (chosen.sound, chosen.theme, chosen.effects) == (True, DARK, True)
 
 
 def test_full_screen_and_back(playing):

@@ -15,7 +15,7 @@ from game.effects.kinds import ALL, MOVING, PLAIN, Kind, Shown
 from game.effects.pops import POP_TICKS, Pop
 from game.effects.recoils import Recoil
 from game.effects.shakes import Shake
-from game.effects.streaks import Streak
+from game.effects.streaks import NO_ROW, Streak
 from game.effects.trails import Trail
 from game.effects.waves import Wave
 from game.falling import Drop
@@ -26,6 +26,7 @@ __all__ = [
     "FLASH_TICKS",
     "LONGEST",
     "MOVING",
+    "NOTHING",
     "PLAIN",
     "POP_TICKS",
     "Burst",
@@ -59,7 +60,10 @@ class Effects(NamedTuple):
     recoils: tuple[Recoil, ...] = ()
     waves: tuple[Wave, ...] = ()
     shake: Shake | None = None
-    streak: Streak = Streak()
+    streak: Streak = NO_ROW
+
+
+NOTHING = Effects()
 
 
 def after(effects: Effects, ticked: Ticked, shown: Shown = ALL) -> Effects:
@@ -75,7 +79,7 @@ def after(effects: Effects, ticked: Ticked, shown: Shown = ALL) -> Effects:
         recoils.after_tick(effects.recoils, ticked) if Kind.RECOIL in shown else (),
         waves.after_tick(effects.waves, ticked) if Kind.WAVES in shown else (),
         shakes.after_tick(effects.shake, ticked) if Kind.SHAKE in shown else None,
-        streaks.after_tick(effects.streak, ticked) if Kind.COMBO in shown else Streak(),
+        streaks.after_tick(effects.streak, ticked) if Kind.COMBO in shown else NO_ROW,
     )
 
 

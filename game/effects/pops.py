@@ -2,12 +2,10 @@
 
 from typing import NamedTuple
 
-from game.rules import Event, EventKind, Ticked
+from game.rules import BEST_COMBO, POINTS_PER_BRICK, Event, EventKind, Ticked
 
 POP_TICKS = 190
 _WORDS = {EventKind.NUDGED: "nudged", EventKind.BALL_LOST: "lost"}
-_MOST_POINTS = 80.0
-"""For one brick: the best combo's."""
 _ROOM = 1.8
 """World units between two points that can be read together."""
 
@@ -51,4 +49,4 @@ def _text(event: Event) -> str:
 
 def _weight(event: Event) -> float:
     """How much there is to be glad about."""
-    return min(event.points / _MOST_POINTS, 1.0)
+    return min(event.points / (POINTS_PER_BRICK * BEST_COMBO), 1.0)

@@ -4,11 +4,10 @@ import cmath
 import math
 from typing import NamedTuple
 
-from game.rules import TICK, EventKind, Ticked
+from game.rules import BEST_COMBO, TICK, EventKind, Ticked
 
 SHAKE_TICKS = 110
 _STRENGTHS = {EventKind.BALL_LOST: 0.03, EventKind.LEVEL_CLEARED: 0.014, EventKind.GAME_OVER: 0.02}
-_TOP_COMBO = 8
 _TOP_COMBO_STRENGTH = 0.007
 _DAMPING = 0.12
 """Seconds."""
@@ -36,7 +35,7 @@ def after_tick(shake: Shake | None, ticked: Ticked) -> Shake | None:
         shake = shake._replace(age=shake.age + 1) if shake.age < SHAKE_TICKS else None
     for event in ticked.events:
         strength = _STRENGTHS.get(event.kind, 0.0)
-        if event.kind == EventKind.BRICK_HIT and ticked.game.combo == _TOP_COMBO:
+        if event.kind == EventKind.BRICK_HIT and ticked.game.combo == BEST_COMBO:
             strength = _TOP_COMBO_STRENGTH
         if strength:
             shake = Shake(_way(event.position, ticked.game.tick), strength)

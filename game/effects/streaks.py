@@ -15,6 +15,9 @@ class Streak(NamedTuple):
     ended: bool = False
 
 
+NO_ROW = Streak()
+
+
 def after_tick(streak: Streak, ticked: Ticked) -> Streak:
     """The row a tick later."""
     combo = ticked.game.combo

@@ -8,6 +8,7 @@ from game.screens.base import Screen, Shared
 from game.screens.demo import Demo
 from game.screens.panels import Help
 from game.screens.play import Play
+from game.screens.settings_panel import SettingsPanel
 from game.screens.thumbnail import thumbnail
 
 NAME = "POLAR BREAKOUT"
@@ -34,6 +35,8 @@ class Title:
                 return self._started()
             case Pressed(Action.HELP):
                 return Help(self._shared, self)
+            case Pressed(Action.SETTINGS):
+                return SettingsPanel(self._shared, self)
             case Pressed(Action.BACK):
                 return None
             case Moved(place) if (index := self._card_at(place, size)) is not None:
@@ -45,7 +48,7 @@ class Title:
 
     def advance(self, seconds: float, _size: tuple[int, int]) -> Screen | None:
         """Let the demonstration play."""
-        self._demo.advance(seconds, self._shared.shown)
+        self._demo.advance(seconds, self._shared.settings.shown)
         if self._demo.ended:
             self._demo = self._new_demo()
         return self
@@ -68,7 +71,7 @@ class Title:
         box = type_.write(surface, level.name, unit * 1.5, theme.accent, complex(middle, under), "midtop")
         for line in type_.wrapped(level.description, unit * 1.05, width * 0.9):
             box = type_.write(surface, line, unit * 1.05, theme.text, complex(middle, box.bottom + unit * 0.2), "midtop")
-        hint = "Enter or click: play     Arrows: choose     H: help     F11: full screen     Esc: quit"
+        hint = "Enter or click: play     Arrows: choose     H: help     O: settings     F11: full screen     Esc: quit"
         type_.write(surface, hint, unit * 0.95, theme.faint, complex(middle, height - unit * 0.8), "midbottom")
 
     def _draw_cards(self, surface: pygame.Surface) -> None:
