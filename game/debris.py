@@ -61,7 +61,8 @@ def pieces(bursts: Sequence[Burst], ground_radius: float) -> Pieces:
     throws = [THROWS[burst.matter] for burst in bursts]
     counts = [throw.number for throw in throws]
     whose = np.repeat(np.arange(len(bursts)), counts)
-    chance = _chances(np.repeat(np.array([burst.seed for burst in bursts], dtype=np.uint64), counts))
+    number = np.concatenate([np.arange(count, dtype=np.uint64) for count in counts])  # of a piece in its burst
+    chance = _chances(np.array([burst.seed for burst in bursts], dtype=np.uint64)[whose], number)
     radius, half_width, angle, half_angle = np.array([burst.place for burst in bursts])[whose].T
     unit = 0.01 * ground_radius
     along, apart, up, drag, size = np.array([throw[1:] for throw in throws])[whose].T
@@ -98,14 +99,10 @@ def _height(start: Reals, up: Reals, time: Reals) -> Reals:
     return np.asarray(np.where(later < 0.0, np.maximum(flying, 0.0), bounced))
 
 
-def _chances(seeds: NDArray[np.uint64]) -> Reals:
-    """Eight rows of numbers from -1 to 1, the same for the same seeds: the mixing steps of SplitMix64."""
-    place = np.arange(len(seeds), dtype=np.uint64)
-    mixed = (
-        seeds[None, :] * np.uint64(0xD1342543DE82EF95)
-        + place
-        + np.arange(1, 9, dtype=np.uint64)[:, None] * np.uint64(0x9E3779B97F4A7C15)
-    )
+def _chances(seeds: NDArray[np.uint64], numbers: NDArray[np.uint64]) -> Reals:
+    """Eight rows of numbers from -1 to 1, the same for the same seeds and numbers: the mixing steps of SplitMix64."""
+    row = np.arange(1, 9, dtype=np.uint64)[:, None] * np.uint64(0x9E3779B97F4A7C15)
+    mixed = seeds * np.uint64(0xD1342543DE82EF95) + numbers * np.uint64(0x2545F4914F6CDD1D) + row
     mixed = (mixed ^ (mixed >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
     mixed = (mixed ^ (mixed >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
     return np.asarray((mixed >> np.uint64(11)).astype(np.float64) * 2.0**-52 - 1.0)

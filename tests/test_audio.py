@@ -208,7 +208,7 @@ def recorded(folder, x, volume=1.0, *, muted=False):
         from game.rules import Event, EventKind
         audio = Audio()
         audio.volume, audio.muted = {volume}, {muted}
-        audio.play([Event(EventKind.BALL_LOST, position=complex({x}))], {side}, 0)
+        audio.play([Event(EventKind.BALL_LOST, position=complex({x}))], lambda position: position.real / 10.0, 0)
         time.sleep(0.5)
         audio.close()
         print(audio.problem)
@@ -225,7 +225,7 @@ def recorded(folder, x, volume=1.0, *, muted=False):
 
 def test_the_card_hears_left_right_volume_and_mute(tmp_path):
     """Played to a file instead of a card: panned with constant power, half the volume a quarter of the amplitude, mute 0."""
-    left, middle, right = [recorded(tmp_path, x) for x in (-side, 0.0, side)]
+    left, middle, right = [recorded(tmp_path, x) for x in (-10.0, 0.0, 10.0)]
     assert left[0] > 3.0 * left[1] > 0.0
     assert left == pytest.approx(right[::-1], rel=0.02)
     assert middle[0] == pytest.approx(middle[1], rel=0.02)

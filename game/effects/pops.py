@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from game.rules import BEST_COMBO, POINTS_PER_BRICK, Event, EventKind, Ticked
+from game.rules import BEST_COMBO, Event, EventKind, Ticked
 
 POP_TICKS = 190
 _WORDS = {EventKind.NUDGED: "nudged", EventKind.BALL_LOST: "lost"}
@@ -26,7 +26,7 @@ def after_tick(pops: tuple[Pop, ...], ticked: Ticked) -> tuple[Pop, ...]:
         risen = [pop._replace(age=pop.age + 1.0 / POP_TICKS) for pop in pops]
         pops = tuple([pop for pop in risen if pop.age < 1.0])
     new = [
-        Pop(event.position, text, event.kind == EventKind.BALL_LOST, 0.0, _weight(event))
+        Pop(event.position, text, event.kind == EventKind.BALL_LOST, 0.0, _weight(event, ticked.game.combo))
         for event in ticked.events
         if (text := _text(event))
     ]
@@ -47,6 +47,6 @@ def _text(event: Event) -> str:
     return _WORDS.get(event.kind, "")
 
 
-def _weight(event: Event) -> float:
+def _weight(event: Event, combo: int) -> float:
     """How much there is to be glad about."""
-    return min(event.points / (POINTS_PER_BRICK * BEST_COMBO), 1.0)
+    return min(combo / BEST_COMBO, 1.0) if event.kind == EventKind.BRICK_HIT else float(event.points > 0)
