@@ -1,7 +1,7 @@
 """The command line of the game: `polar-breakout`, `python -m game`."""
 
 import contextlib
-import secrets
+import random
 import sys
 import tempfile
 from collections import deque
@@ -10,8 +10,6 @@ from pathlib import Path
 from typing import Annotated, NamedTuple
 
 import typer
-from rich.console import Console
-from rich.table import Table
 
 from game import VERSION, kept, replay
 from game.command_line import run, say
@@ -79,12 +77,15 @@ def play(
         return
     if screenshot is not None:
         raise BadInputError("--screenshot: draws a headless game; add --headless --autopilot")
-    _play_in_window(levels, secrets.randbits(32) if seed is None else seed, record, autopilot=autopilot)
+    _play_in_window(levels, random.SystemRandom().getrandbits(32) if seed is None else seed, record, autopilot=autopilot)
 
 
 @app.command("levels")
 def list_levels() -> None:
     """List the levels that come with the game."""
+    from rich.console import Console  # noqa: PLC0415  # not for a game, which starts the sooner
+    from rich.table import Table  # noqa: PLC0415
+
     table = Table(box=None, pad_edge=False)
     for heading, justify in (("#", "right"), ("name", "left"), ("bricks", "right"), ("description", "left")):
         table.add_column(heading, justify="right" if justify == "right" else "left", no_wrap=heading == "name")
@@ -116,7 +117,7 @@ def watch_replay(
     from game.app import watch  # noqa: PLC0415  # pygame, only where it is needed
 
     with _settings() as settings:
-        watch(recording, compare=_second_opinion(), kept=settings)
+        watch(recording, compare=_second_opinion(), kept=settings, lost=lambda: say("polar-breakout: the display is gone"))
 
 
 def _verify(files: list[Path]) -> None:
@@ -155,16 +156,27 @@ def _play_in_window(levels: tuple[Level, ...], seed: int, record: Path | None, *
     from game.app import play as play_in_window  # noqa: PLC0415  # pygame, only where it is needed
 
     keeper = kept.Keeper(record)
+
+    def lost() -> None:
+        """Xlib ends the program: what there is of the game is written at once."""
+        _close(keeper)
+        say("polar-breakout: the display is gone; games of five seconds and more are kept (polar-breakout replays)")
+
     try:
         with _settings() as settings:
-            play_in_window(levels, seed, keeper, autopilot=autopilot, compare=_second_opinion(), kept=settings)
+            play_in_window(levels, seed, keeper, autopilot=autopilot, compare=_second_opinion(), kept=settings, lost=lost)
     except EnvironmentMissingError as error:
         say(f"polar-breakout: {error}; playing 20 s without a window instead")
         _demonstrate(levels, seed, record)
     finally:
-        keeper.close()
-        if keeper.problem is not None:
-            say(f"polar-breakout: game not kept: {keeper.problem}")
+        _close(keeper)
+
+
+def _close(keeper: kept.Keeper) -> None:
+    """Write the game that is being played, and say if that was not possible."""
+    keeper.close()
+    if keeper.problem is not None:
+        say(f"polar-breakout: game not kept: {keeper.problem}")
 
 
 @contextlib.contextmanager

@@ -1,10 +1,8 @@
 """A whole game without a window, as fast as it goes."""
 
+import sys
 from collections.abc import Callable, Iterable
 from pathlib import Path
-
-from rich.console import Console
-from rich.progress import track
 
 from game.autopilot import Autopilot
 from game.fingerprint import state_hash
@@ -58,5 +56,10 @@ def free_path(folder: Path, name: str) -> Path:
 
 def _with_progress(steps: range) -> Iterable[int]:
     """The steps, with a progress bar on stderr if somebody can see it."""
+    if not sys.stderr.isatty():
+        return steps
+    from rich.console import Console  # noqa: PLC0415  # only where somebody waits: the game starts the sooner
+    from rich.progress import track  # noqa: PLC0415
+
     console = Console(stderr=True)
     return track(steps, "playing", console=console, transient=True, disable=not console.is_terminal)

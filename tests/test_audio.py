@@ -16,7 +16,7 @@ from game.autopilot import Autopilot
 from game.fingerprint import state_hash
 from game.levels import built_in
 from game.rules import Event, EventKind, new_game, tick
-from game.synth import Patch, every_note
+from game.synth import every_note
 from game.voices import SILENT, VOICES
 
 ROOT = Path(__file__).parent.parent
@@ -77,12 +77,20 @@ def test_no_more_voices_than_there_are(audio):
     assert pygame.mixer.get_num_channels() == VOICES
 
 
-def test_bricks_are_drawn_when_they_are_first_heard(audio):
-    """And once: the start draws what there is one of."""
-    assert len(audio._sounds) == len(Patch) - 1
+def test_sounds_are_drawn_when_they_are_first_heard_or_one_a_frame(audio):
+    """The start draws none; what is heard is drawn at once and once; after a second of frames there are all."""
+    assert len(audio._sounds) == 0
     for combo in (3, 3, 4):
         audio.play([Event(EventKind.BRICK_HIT)], side, combo)
-    assert len(audio._sounds) == len(Patch) + 1
+    assert len(audio._sounds) == 2
+    drawn = dict(audio._sounds)
+    for count in range(len(every_note())):
+        before = len(audio._sounds)
+        audio.prepare()
+        assert len(audio._sounds) <= before + 1, count
+    assert set(audio._sounds) == set(every_note())
+    assert all(audio._sounds[note] is sound for note, sound in drawn.items())
+    audio.prepare()
 
 
 def test_mute_ends_what_sounds_and_starts_nothing(audio):
