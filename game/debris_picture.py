@@ -20,7 +20,7 @@ _CORNERS = np.exp(0.5j * np.pi * np.arange(4))
 _LIGHT_ABOVE = 0.6
 _DIMMEST = 0.72
 _GLITTER = 6.0
-_STREAK_TICKS = 6
+_STREAK_TICKS = 9
 """A streak reaches back to where its spark was then."""
 _LEAST = 0.35
 """Pixels; what is smaller is not drawn."""

@@ -6,6 +6,7 @@ import pygame
 
 from game.camera import unit_of
 from game.palette import Theme
+from game.shapes2d import draw_box
 from game.text import Type
 
 _SECONDS = 1.4
@@ -36,8 +37,7 @@ def draw(surface: pygame.Surface, toast: Toast, theme: Theme, type_: Type) -> No
     bar = 0.0 if toast.level is None else _BAR * unit
     plate = pygame.Rect(0, 0, round(words.get_width() + unit * 2.0 + (bar + unit if bar else 0.0)), round(unit * 2.2))
     plate.midtop = (size[0] // 2, round(unit * 0.8))
-    pygame.draw.rect(surface, theme.panel, plate, 0, round(unit * 0.6))
-    pygame.draw.rect(surface, theme.panel_edge, plate, max(1, round(unit * 0.06)), round(unit * 0.6))
+    draw_box(surface, plate, unit * 0.6, theme.panel, theme.panel_edge, unit * 0.06)
     surface.blit(words, words.get_rect(midleft=(plate.left + round(unit), plate.centery)))
     if toast.level is not None:
         track = pygame.Rect(0, 0, round(bar), round(unit * 0.5))
@@ -47,8 +47,7 @@ def draw(surface: pygame.Surface, toast: Toast, theme: Theme, type_: Type) -> No
 
 def draw_bar(surface: pygame.Surface, track: pygame.Rect, level: float, theme: Theme) -> None:
     """How full something is. level: 0 to 1."""
-    radius = track.height // 2
-    pygame.draw.rect(surface, theme.panel_edge, track, 0, radius)
+    draw_box(surface, track, track.height / 2.0, theme.panel_edge)
     done = track.copy()
     done.width = round(track.width * level)
-    pygame.draw.rect(surface, theme.accent, done, 0, radius)
+    draw_box(surface, done, track.height / 2.0, theme.accent)

@@ -11,7 +11,7 @@ from game.effects.waves import Tone
 from game.palette import Theme, mixed
 
 _POINTS = 96
-_WIDTH = 0.006
+_WIDTH = 0.014
 """Of the ground's radius."""
 _FAINTEST = 0.06
 _AROUND = np.exp(1j * np.linspace(0.0, math.tau, _POINTS, endpoint=False))
@@ -24,9 +24,10 @@ def draw(surface: pygame.Surface, waves: tuple[Wave, ...], ground_radius: float,
         strength = 1.0 - wave.share
         if wave.age < 0 or strength < _FAINTEST:
             continue
-        colour = mixed(theme.ground, colours[wave.tone], strength)
-        lines = max(1, round(_WIDTH * ground_radius * camera.scale))
+        lines = max(2, round(_WIDTH * ground_radius * camera.scale))
         for line in range(lines):
-            radius = wave.radius + (line - (lines - 1) / 2.0) * 0.7 / camera.scale
+            edge = abs(2.0 * line / (lines - 1) - 1.0)  # 0 in the middle of the circle's line, 1 at its edges
+            colour = mixed(theme.ground, colours[wave.tone], strength * (1.0 - 0.7 * edge))
+            radius = wave.radius + (line - (lines - 1) / 2.0) / camera.scale
             circle = camera.projected(_AROUND * max(radius, 0.0), 0.0) - (0.5 + 0.5j)
             pygame.draw.aalines(surface, colour, True, circle.view(np.float64).reshape(-1, 2).tolist())

@@ -89,6 +89,9 @@ def test_what_is_changed_reaches_what_sounds_now(desk):
     class Card:
         volume, muted = 1.0, False
 
+        def prepare(self):
+            """Nothing to draw."""
+
     desk.shared.audio = card = Card()
     desk.press(pygame.K_MINUS)
     assert card.volume == pytest.approx(0.7)

@@ -30,10 +30,12 @@ from game.view import View
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
 _RATE = 60
-_TURN = 10
+_TURN = 4
 """Seconds from one view to the other."""
+_TOUR = 8
+"""Seconds of each level at first: after a minute all have been seen in both views, and what grows then is no first look."""
 _STAY = 90
-"""Seconds that a level is played before the next one: all of them come several times, and some are cleared."""
+"""Seconds of each level from then on: all of them come several times, and some are cleared."""
 _MOST_GROWTH = 0.05
 
 
@@ -90,8 +92,9 @@ def _later(window: pygame.Window, shared: Shared, screen: Screen, number: int) -
     seconds = number // _RATE
     shared.view = View(goal=float(seconds // _TURN % 2), tipped=shared.view.tipped)
     following = frame(window, shared, screen, 1.0 / _RATE)
-    if number % (_STAY * _RATE) == 0 or not isinstance(following, Play):
-        return _level(shared, seconds // _STAY)
+    stay = _TOUR if seconds < _TOUR * len(shared.catalogue) else _STAY
+    if number % (stay * _RATE) == 0 or not isinstance(following, Play):
+        return _level(shared, seconds // stay)
     return following
 
 

@@ -10,6 +10,7 @@ from game.screens.base import Screen, Shared
 from game.screens.panels import dim, draw_panel
 from game.screens.settings_rows import EFFECTS, GENERAL, ROWS, Row
 from game.settings import LOUDEST
+from game.shapes2d import draw_box, draw_dot
 from game.toast import draw_bar
 
 _VOLUME = 0
@@ -75,7 +76,7 @@ class SettingsPanel:
         """A name, and a bar or a switch that says on or off."""
         theme, type_, settings = self._shared.theme, self._shared.type, self._shared.settings
         if chosen:
-            pygame.draw.rect(surface, theme.accent, box, max(1, round(unit * 0.1)), round(unit * 0.5))
+            draw_box(surface, box, unit * 0.5, theme.panel, theme.accent, unit * 0.1)
         colour = theme.accent if chosen else theme.text
         type_.write(surface, row.label, unit * 1.15, colour, complex(box.left + unit * 0.6, box.centery), "midleft")
         if row is ROWS[_VOLUME]:
@@ -88,12 +89,11 @@ class SettingsPanel:
         track.midright = (round(box.right - unit * 0.6), box.centery)
         surface.blit(words, words.get_rect(midright=(track.left - round(unit * 0.5), box.centery)))
         filled = mixed(theme.panel, theme.accent, 0.45 if weak else 1.0)
-        radius = track.height // 2
-        if on:
-            pygame.draw.rect(surface, filled, track, 0, radius)
-        pygame.draw.rect(surface, filled if on else theme.panel_edge, track, max(1, round(unit * 0.1)), radius)
-        knob = (track.right - radius if on else track.left + radius, track.centery)
-        pygame.draw.aacircle(surface, theme.panel if on else theme.panel_edge, knob, max(radius - unit * 0.2, 1.0))
+        radius = track.height / 2.0
+        edge = filled if on else theme.panel_edge
+        draw_box(surface, track, radius, filled if on else theme.panel, edge, unit * 0.1)
+        knob = complex(track.right - radius if on else track.left + radius, track.centery)
+        draw_dot(surface, knob, max(radius - unit * 0.2, 1.0), theme.panel if on else theme.panel_edge)
 
     def _overruled(self, row: Row) -> str:
         """Why an effect that is wanted is not seen all the same; empty if it is."""

@@ -10,6 +10,7 @@ from game.screens.panels import Help
 from game.screens.play import Play
 from game.screens.settings_panel import SettingsPanel
 from game.screens.thumbnail import thumbnail
+from game.shapes2d import draw_box
 
 NAME = "POLAR BREAKOUT"
 
@@ -79,11 +80,10 @@ class Title:
         theme, type_, unit = self._shared.theme, self._shared.type, unit_of(surface.get_size())
         for index, card in enumerate(self._cards(surface.get_size())):
             chosen = index == self._shared.chosen
-            pygame.draw.rect(surface, theme.panel, card, 0, round(unit * 0.6))
+            edge = theme.accent if chosen else theme.panel_edge
+            draw_box(surface, card, unit * 0.6, theme.panel, edge, unit * (0.16 if chosen else 0.06))
             picture = self._picture(index, card.width - round(unit * 0.8))
             surface.blit(picture, picture.get_rect(midtop=(card.centerx, card.top + round(unit * 0.4))))
-            edge = theme.accent if chosen else theme.panel_edge
-            pygame.draw.rect(surface, edge, card, max(1, round(unit * (0.16 if chosen else 0.06))), round(unit * 0.6))
             colour = theme.accent if chosen else theme.faint
             place = complex(card.centerx, card.bottom - unit * 0.3)
             type_.write(surface, str(index + 1), unit * 1.1, colour, place, "midbottom")

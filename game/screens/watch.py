@@ -13,7 +13,9 @@ from game.rules import TICK, Game, Ticked
 from game.scene import scene_at, still
 from game.screens.base import Screen, Shared
 from game.screens.panels import Help
+from game.shapes2d import draw_dot
 from game.ticker import LONGEST_FRAME
+from game.toast import draw_bar
 
 SPEEDS = (0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0)
 _SKIP = 5 * 240
@@ -163,12 +165,8 @@ class Watch:
         theme, type_, size = self._shared.theme, self._shared.type, surface.get_size()
         unit, bar = unit_of(size), self._timeline(size)
         share = self._at / max(self._frames.ticks, 1)
-        radius = bar.height // 2
-        pygame.draw.rect(surface, theme.panel_edge, bar, 0, radius)
-        done = bar.copy()
-        done.width = round(bar.width * share)
-        pygame.draw.rect(surface, theme.accent, done, 0, radius)
-        pygame.draw.circle(surface, theme.text, (done.right, bar.centery), bar.height)
+        draw_bar(surface, bar, share, theme)
+        draw_dot(surface, complex(bar.left + bar.width * share, bar.centery), bar.height, theme.text)
         state = "playing" if self._playing else "stopped"
         type_.write(surface, state, unit, theme.text, complex(unit * 0.8, bar.centery), "midleft")
         length = f"{self._at * TICK:.1f} / {self._frames.ticks * TICK:.1f} s    {_speed_text(SPEEDS[self._speed])}"
