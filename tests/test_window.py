@@ -274,6 +274,16 @@ def test_a_stall_runs_at_most_60_ticks(playing, ticks):
     assert len(ticks) - before <= 60
 
 
+def test_a_clock_that_jumps_back_runs_nothing_and_breaks_nothing(playing, ticks):
+    """Time that has not passed is no time; afterwards the game goes on as if nothing had been."""
+    playing.press(pygame.K_SPACE, pygame.K_MINUS)
+    before = len(ticks)
+    playing.screen = app.frame(playing.window, playing.shared, playing.screen, -7200.0)
+    assert len(ticks) == before
+    playing.wait(0.5)
+    assert len(ticks) >= before + 110
+
+
 def test_a_key_shows_in_the_next_frame(playing):
     """The picture after a key press differs from the one without it."""
     playing.wait(0.2)
