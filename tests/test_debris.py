@@ -75,6 +75,17 @@ def test_pieces_go_up_come_down_and_bounce(matter):
     assert heights[-1].max() < 1e-9
 
 
+@MATTERS
+def test_pieces_fall_as_stones_do(matter):
+    """In the air every height is a parabola, bent downwards by the same gravity for all."""
+    heights = np.array([pieces([burst(matter, age)], RADIUS).height for age in range(30)])
+    bend = np.diff(heights, 2, axis=0)[np.all([heights[k : 28 + k] > 0.0 for k in range(3)], axis=0)]
+    falling = bend[bend < 0.0]
+    assert len(falling) > 100
+    assert np.allclose(np.median(falling), -1.5 * RADIUS / 240.0**2)
+    assert np.isclose(falling, np.median(falling)).mean() > 0.95
+
+
 def test_the_way_leads():
     """Pieces go along their burst's way on the average."""
     for way in (1.0, 1j, -1.0, (1.0 + 1j) / math.sqrt(2.0)):
