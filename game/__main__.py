@@ -1,22 +1,25 @@
 """The command line of the game: `polar-breakout`, `python -m game`."""
 
-import secrets
+import contextlib
+import random
 import sys
 import tempfile
+from collections import deque
+from collections.abc import Iterator
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, NamedTuple
 
 import typer
-from rich.console import Console
-from rich.table import Table
 
 from game import VERSION, kept, replay
 from game.command_line import run, say
+from game.effects import LONGEST, after_all
 from game.errors import BadInputError, CheckFailedError, EnvironmentMissingError
 from game.headless import autopilot_game, free_path, result_line
 from game.levels import Level, built_in, chosen
 from game.opinions import Compare, Opinions
 from game.rules import Game, Ticked
+from game.settings_file import SettingsFile, place
 from game.verify import verified
 
 app = typer.Typer(
@@ -67,19 +70,22 @@ def play(
     if headless and not autopilot:
         raise BadInputError("--headless: nobody plays; add --autopilot")
     if headless:
-        game = _play_headless(levels, 1 if seed is None else seed, ticks, record)
+        last = _play_headless(levels, 1 if seed is None else seed, ticks, record)
         if screenshot is not None:
-            _save_screenshot(game, screenshot, pixels, tipped=view == "3d")
-        print(result_line(game))
+            _save_screenshot(last, screenshot, pixels, tipped=view == "3d")
+        print(result_line(last.game))
         return
     if screenshot is not None:
         raise BadInputError("--screenshot: draws a headless game; add --headless --autopilot")
-    _play_in_window(levels, secrets.randbits(32) if seed is None else seed, record, autopilot=autopilot)
+    _play_in_window(levels, random.SystemRandom().getrandbits(32) if seed is None else seed, record, autopilot=autopilot)
 
 
 @app.command("levels")
 def list_levels() -> None:
     """List the levels that come with the game."""
+    from rich.console import Console  # noqa: PLC0415  # not for a game, which starts the sooner
+    from rich.table import Table  # noqa: PLC0415
+
     table = Table(box=None, pad_edge=False)
     for heading, justify in (("#", "right"), ("name", "left"), ("bricks", "right"), ("description", "left")):
         table.add_column(heading, justify="right" if justify == "right" else "left", no_wrap=heading == "name")
@@ -110,7 +116,8 @@ def watch_replay(
     recording = replay.load(files[0])
     from game.app import watch  # noqa: PLC0415  # pygame, only where it is needed
 
-    watch(recording, compare=_second_opinion())
+    with _settings() as settings:
+        watch(recording, compare=_second_opinion(), kept=settings, lost=lambda: say("polar-breakout: the display is gone"))
 
 
 def _verify(files: list[Path]) -> None:
@@ -127,13 +134,21 @@ def _verify(files: list[Path]) -> None:
         raise CheckFailedError(f"{len(failed)} of {len(files)} replays diverged")
 
 
-def _play_headless(levels: tuple[Level, ...], seed: int, ticks: int, record: Path | None) -> Game:
+class _Last(NamedTuple):
+    """How a game ended, and the ticks before whose effects are still to be seen."""
+
+    game: Game
+    passed: deque[Ticked]
+
+
+def _play_headless(levels: tuple[Level, ...], seed: int, ticks: int, record: Path | None) -> _Last:
     """A game of the autopilot without a window, recorded if asked for."""
     recorder = None if record is None else replay.Recorder(levels, seed)
-    game = autopilot_game(levels, seed, ticks, recorder)
+    passed = deque[Ticked](maxlen=LONGEST)
+    game = autopilot_game(levels, seed, ticks, recorder, passed.append)
     if recorder is not None and record is not None:
         replay.save(recorder.recording(), record)
-    return game
+    return _Last(game, passed)
 
 
 def _play_in_window(levels: tuple[Level, ...], seed: int, record: Path | None, *, autopilot: bool) -> None:
@@ -141,15 +156,38 @@ def _play_in_window(levels: tuple[Level, ...], seed: int, record: Path | None, *
     from game.app import play as play_in_window  # noqa: PLC0415  # pygame, only where it is needed
 
     keeper = kept.Keeper(record)
+
+    def lost() -> None:
+        """Xlib ends the program: what there is of the game is written at once."""
+        _close(keeper)
+        say("polar-breakout: the display is gone; games of five seconds and more are kept (polar-breakout replays)")
+
     try:
-        play_in_window(levels, seed, keeper, autopilot=autopilot, compare=_second_opinion())
+        with _settings() as settings:
+            play_in_window(levels, seed, keeper, autopilot=autopilot, compare=_second_opinion(), kept=settings, lost=lost)
     except EnvironmentMissingError as error:
         say(f"polar-breakout: {error}; playing 20 s without a window instead")
         _demonstrate(levels, seed, record)
     finally:
-        keeper.close()
-        if keeper.problem is not None:
-            say(f"polar-breakout: game not kept: {keeper.problem}")
+        _close(keeper)
+
+
+def _close(keeper: kept.Keeper) -> None:
+    """Write the game that is being played, and say if that was not possible."""
+    keeper.close()
+    if keeper.problem is not None:
+        say(f"polar-breakout: game not kept: {keeper.problem}")
+
+
+@contextlib.contextmanager
+def _settings() -> Iterator[SettingsFile]:
+    """The player's settings; what went wrong with them is said at the end."""
+    settings = SettingsFile(place())
+    try:
+        yield settings
+    finally:
+        if settings.problem is not None:
+            say(f"polar-breakout: {settings.problem}")
 
 
 def _second_opinion() -> Compare:
@@ -165,25 +203,25 @@ def _second_opinion() -> Compare:
 
 def _demonstrate(levels: tuple[Level, ...], seed: int, record: Path | None) -> None:
     """A short game of the autopilot and a picture of how it stands."""
-    game = _play_headless(levels, seed, _DEMO_TICKS, record)
-    print(result_line(game))
+    last = _play_headless(levels, seed, _DEMO_TICKS, record)
+    print(result_line(last.game))
     for folder in (Path.cwd(), Path(tempfile.gettempdir())):
         path = free_path(folder, "polar-breakout.png")
         try:
-            _save_screenshot(game, path, (1280, 800))
+            _save_screenshot(last, path, (1280, 800))
         except BadInputError:
             continue
         print(f"picture: {path}")
         return
 
 
-def _save_screenshot(game: Game, path: Path, size: tuple[int, int], *, tipped: bool = False) -> None:
+def _save_screenshot(last: _Last, path: Path, size: tuple[int, int], *, tipped: bool = False) -> None:
     """Draw a game into a PNG file; BadInputError where it cannot be written."""
     from game.render import save_screenshot  # noqa: PLC0415  # pygame, only where it is needed
     from game.view import FROM_ABOVE, TIPPED  # noqa: PLC0415
 
     try:
-        save_screenshot(game, path, size, view=TIPPED if tipped else FROM_ABOVE)
+        save_screenshot(last.game, path, size, view=TIPPED if tipped else FROM_ABOVE, effects=after_all(last.passed))
     except OSError as error:
         raise BadInputError(f"--screenshot {path}: cannot write; {error.strerror or error}") from None
 

@@ -3,12 +3,17 @@
 import gc
 import time
 from collections.abc import Callable
+from signal import SIGTERM, default_int_handler
+from signal import signal as on_signal
 
 import pygame
 
-from game import display
+from game import display, toast
 from game.audio import Audio
+from game.changes import changed
 from game.controls import Action, Pressed, Released, Signal, translated
+from game.display_lost import on_display_lost
+from game.errors import DisplayLostError
 from game.levels import Level, built_in
 from game.opinions import Compare
 from game.playback import Playback
@@ -17,8 +22,10 @@ from game.screens.base import Recorder, Screen, Shared
 from game.screens.play import Play
 from game.screens.title import Title
 from game.screens.watch import Watch
+from game.settings_file import SettingsFile
 
 _TITLE = "Polar Breakout"
+LOST = "the display is gone"
 _IDLE_RATE = 20
 """Pictures per second while nobody looks."""
 
@@ -30,41 +37,59 @@ def play(
     *,
     autopilot: bool = False,
     compare: Compare | None = None,
+    kept: SettingsFile | None = None,
+    lost: Callable[[], None] | None = None,
 ) -> int:
     """Open a window with the title, the first of the levels chosen, and play until it is closed; the exit code.
 
     recorder: told every tick of every game played. autopilot: it plays, from the first serve on, without a title.
-    compare: another engine to ask about contacts.
-    Raises EnvironmentMissingError without a display.
+    compare: another engine to ask about contacts. kept: the player's settings.
+    lost: told when the display is gone and the program is about to end, with no way back to here.
+    Raises EnvironmentMissingError without a display, DisplayLostError when it goes away.
     """
     catalogue = built_in() if levels[0] in built_in() else levels
-    shared = Shared(catalogue, catalogue.index(levels[0]), seed, Title, recorder, autopilot, compare=compare)
-    return _shown(shared, lambda: Play(shared, levels) if autopilot else Title(shared))
+    shared = Shared(catalogue, catalogue.index(levels[0]), seed, Title, recorder, autopilot, compare=compare, kept=kept)
+    return _shown(shared, lambda: Play(shared, levels) if autopilot else Title(shared), lost)
 
 
-def watch(recording: Recording, *, compare: Compare | None = None) -> int:
-    """Open a window that shows a recorded game until it is closed; the exit code.
-
-    Raises EnvironmentMissingError without a display.
-    """
+def watch(
+    recording: Recording,
+    *,
+    compare: Compare | None = None,
+    kept: SettingsFile | None = None,
+    lost: Callable[[], None] | None = None,
+) -> int:
+    """Open a window that shows a recorded game until it is closed; the exit code. Options and errors are those of `play`."""
     levels = tuple(recording.levels)
-    shared = Shared(levels, 0, recording.seed, Title, compare=compare)
-    return _shown(shared, lambda: Watch(shared, Playback(recording)))
+    shared = Shared(levels, 0, recording.seed, Title, compare=compare, kept=kept)
+    return _shown(shared, lambda: Watch(shared, Playback(recording)), lost)
 
 
-def _shown(shared: Shared, opened: Callable[[], Screen]) -> int:
+def _shown(shared: Shared, opened: Callable[[], Screen], lost: Callable[[], None] | None) -> int:
     """Show screens in a window until the last one is left; the exit code."""
     window = display.open_window(_TITLE)
+    handler = on_display_lost(lambda: _last_words(shared, lost))  # noqa: F841  # must live as long as the window
+    before = on_signal(SIGTERM, default_int_handler)  # to be ended is to be closed: nothing is lost
     try:
         shared.audio = Audio()
+        shared.change(shared.settings if shared.kept is None else shared.kept.load())
         run(window, shared, opened())
     except KeyboardInterrupt:
         pass
     finally:
+        on_signal(SIGTERM, before)
+        shared.keep()
         if shared.audio is not None:
             shared.audio.close()
         pygame.quit()
     return 0
+
+
+def _last_words(shared: Shared, lost: Callable[[], None] | None) -> None:
+    """Save what can be saved before the program ends."""
+    shared.keep()
+    if lost is not None:
+        lost()
 
 
 def run(window: pygame.Window, shared: Shared, first: Screen) -> None:
@@ -85,22 +110,43 @@ def frame(window: pygame.Window, shared: Shared, screen: Screen, seconds: float)
     answered = _answered(window, shared, screen)
     if answered is None:
         return None
-    surface = window.get_surface()
+    surface = _surface(window)
     following = answered.advance(seconds, surface.get_size())
     if following is not None:
         following.draw(surface)
-        window.flip()
+        shared.toast = toast.later(shared.toast, seconds)
+        if shared.toast is not None:
+            toast.draw(surface, shared.toast, shared.theme, shared.type)
+        _flip(window)
+    if shared.audio is not None:
+        shared.audio.prepare()
     return following
+
+
+def _surface(window: pygame.Window) -> pygame.Surface:
+    """What to draw on; DisplayLostError where there is nothing any more."""
+    try:
+        return window.get_surface()
+    except pygame.error as error:
+        raise DisplayLostError(f"{LOST}: {error}") from None
+
+
+def _flip(window: pygame.Window) -> None:
+    """Show what was drawn; DisplayLostError where that is not possible any more."""
+    try:
+        window.flip()
+    except pygame.error as error:
+        raise DisplayLostError(f"{LOST}: {error}") from None
 
 
 def _answered(window: pygame.Window, shared: Shared, screen: Screen) -> Screen | None:
     """The screen after all that the player did since the last frame; None once the window is closed or left."""
-    size = window.get_surface().get_size()
+    size = _surface(window).get_size()
     for event in pygame.event.get():
         if event.type in (pygame.QUIT, pygame.WINDOWCLOSE):
             return None
         signal = translated(event, _pixels_per_point(window, size))
-        if signal is None or _answered_here(signal, window, shared):
+        if signal is None or (not _means_speed(signal, screen) and _answered_here(signal, window, shared)):
             continue
         following = screen.answer(signal, size)
         if following is None:
@@ -116,17 +162,18 @@ def _answered_here(signal: Signal, window: pygame.Window, shared: Shared) -> boo
     match signal:
         case Pressed(Action.FULL_SCREEN):
             _toggle_full_screen(window, shared)
-        case Pressed(Action.MUTE):
-            shared.toggle_sound()
-        case Pressed(Action.THEME):
-            shared.toggle_theme()
-        case Pressed(Action.EFFECTS):
-            shared.effects = not shared.effects
         case Pressed(Action.NORMALS):
             shared.normals = not shared.normals and shared.compare is not None
+        case Pressed(action) if (now := changed(shared.settings, action)) is not None:
+            shared.change(*now)
         case _:
             return False
     return True
+
+
+def _means_speed(signal: Signal, screen: Screen) -> bool:
+    """Whether the volume's keys change how fast a recording runs."""
+    return isinstance(screen, Watch) and signal in (Pressed(Action.LESS), Pressed(Action.MORE))
 
 
 def _toggle_full_screen(window: pygame.Window, shared: Shared) -> None:

@@ -9,8 +9,8 @@ import pygame
 
 from game.quiet import quiet_libraries
 from game.rules import Event
-from game.synth import Note, Patch, Wave, every_note, waveform
-from game.voices import SILENCE, VOICES, Tail, Voice, chorus, cues, tail
+from game.synth import Note, Wave, every_note, waveform
+from game.voices import SILENCE, VOICES, Side, Tail, Voice, chorus, cues, tail
 
 _BLOCK = 512
 """Samples the mixer makes at once: 12 ms, soon enough to be heard with the hit."""
@@ -29,19 +29,18 @@ class Audio:
     problem: str | None  # why there is no sound
 
     def __init__(self, sample_rate: int = 44100, clock: Callable[[], float] = time.perf_counter) -> None:
-        """Open the mixer and draw the sounds; the bricks' many are drawn when they are first heard.
+        """Open the mixer. Sounds are drawn one by one by `prepare`, or when they are first heard.
 
         sample_rate: per second; the mixer converts if the card wants another. clock: seconds.
         """
         self._rate, self._clock = sample_rate, clock
-        self._volume, self._muted = 1.0, False
+        self._volume, self._muted, self._closed = 1.0, False, False
         self._voices = SILENCE
         self._sounds: dict[Note, pygame.mixer.Sound] = {}
         self._tails: dict[Note, Tail] = {}
+        self._waiting = list(every_note()[::-1])
         self.problem = _opened(sample_rate)
-        if self.problem is None:
-            self._draw([note for note in every_note() if note.patch is not Patch.BRICK])
-        elif sys.stderr is not None:
+        if self.problem is not None and sys.stderr is not None:
             sys.stderr.write(f"{self.problem}\n")
 
     @property
@@ -71,11 +70,16 @@ class Audio:
                 pygame.mixer.fadeout(_HUSH)
         self._muted = muted
 
-    def play(self, events: Sequence[Event], ground_radius: float, combo: int) -> None:
-        """Make the sounds of some events. combo: the game's, after the last of them."""
+    def prepare(self) -> None:
+        """Draw one more sound ahead of its use, until there are all: a frame has time for one."""
+        if self._waiting and self._is_open():
+            self._draw([self._waiting.pop()])
+
+    def play(self, events: Sequence[Event], side: Side, combo: int) -> None:
+        """Make the sounds of some events. side: where they are on the screen. combo: the game's, after the last of them."""
         if self._muted or not events or not self._is_open():
             return
-        wanted = cues(events, ground_radius, combo)
+        wanted = cues(events, side, combo)
         self._draw([cue.note for cue in wanted])
         self._voices, new = chorus(self._voices, wanted, self._tails, self._clock())
         for place in new:
@@ -90,10 +94,11 @@ class Audio:
             pygame.mixer.quit()
         self._voices = SILENCE
         self._sounds.clear()
+        self._closed = True
 
     def _is_open(self) -> bool:
         """Whether there is a mixer: pygame.quit() takes it away too."""
-        return bool(self._sounds) and pygame.mixer.get_init() is not None
+        return self.problem is None and not self._closed and pygame.mixer.get_init() is not None
 
     def _draw(self, notes: Sequence[Note]) -> None:
         """Draw the sounds that are not there yet."""

@@ -49,6 +49,10 @@ class Camera(NamedTuple):
         up = turned.imag * math.cos(self.tilt) + height * math.sin(self.tilt)
         return self.centre + complex(turned.real, -up) * self.scale_at(point, height)
 
+    def side(self, point: complex, reach: float) -> float:
+        """How far a point of the ground is to the right on the screen. reach: world units that count as 1."""
+        return (self.project(point) - self.centre).real / (self.scale * reach)
+
     def scale_at(self, point: complex, height: float = 0.0) -> float:
         """Pixels per world unit at a point, along the screen."""
         away = point.imag * math.cos(self.azimuth) - point.real * math.sin(self.azimuth)

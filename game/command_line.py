@@ -6,10 +6,10 @@ import sys
 import typer
 from typer.exceptions import TyperException
 
-from game.errors import BadInputError, CheckFailedError, EnvironmentMissingError
+from game.errors import BadInputError, CheckFailedError, DisplayLostError, EnvironmentMissingError
 
 _INTERRUPTED = 130
-_EXIT_CODES = {BadInputError: 2, CheckFailedError: 1, EnvironmentMissingError: 3}
+_EXIT_CODES = {BadInputError: 2, CheckFailedError: 1, EnvironmentMissingError: 3, DisplayLostError: 3}
 
 
 def run(app: typer.Typer, program: str, arguments: list[str] | None = None) -> int:

@@ -31,11 +31,12 @@ class Action(Enum):
     MUTE = auto()
     THEME = auto()
     EFFECTS = auto()
+    SETTINGS = auto()
     NORMALS = auto()
     STEP_BACK = auto()
     STEP = auto()
-    SLOWER = auto()
-    FASTER = auto()
+    LESS = auto()
+    MORE = auto()
     START = auto()
     END = auto()
     TIP = auto()
@@ -65,14 +66,15 @@ KEYS: dict[int, Action] = {
     pygame.K_m: Action.MUTE,
     pygame.K_t: Action.THEME,
     pygame.K_e: Action.EFFECTS,
+    pygame.K_o: Action.SETTINGS,
     pygame.K_n: Action.NORMALS,
     pygame.K_COMMA: Action.STEP_BACK,
     pygame.K_PERIOD: Action.STEP,
-    pygame.K_MINUS: Action.SLOWER,
-    pygame.K_KP_MINUS: Action.SLOWER,
-    pygame.K_PLUS: Action.FASTER,
-    pygame.K_EQUALS: Action.FASTER,
-    pygame.K_KP_PLUS: Action.FASTER,
+    pygame.K_MINUS: Action.LESS,
+    pygame.K_KP_MINUS: Action.LESS,
+    pygame.K_PLUS: Action.MORE,
+    pygame.K_EQUALS: Action.MORE,
+    pygame.K_KP_PLUS: Action.MORE,
     pygame.K_HOME: Action.START,
     pygame.K_END: Action.END,
     pygame.K_TAB: Action.TIP,
@@ -91,9 +93,9 @@ PLAY_HELP: tuple[tuple[str, str], ...] = (
     ("Tab   1   2", "tip the camera; from above; in 3D"),
     ("Right drag   Wheel", "in 3D: orbit and tilt; zoom"),
     ("F11", "full screen"),
-    ("M", "sound off / on"),
-    ("T", "dark / light colours"),
-    ("E", "effects off / on"),
+    ("M   -   =", "sound off / on; softer; louder"),
+    ("T   E", "dark / light colours; effects off / on"),
+    ("O", "settings: every effect, reduced motion"),
     ("N", "normals: ours thick, pymunk's thin"),
     ("H   F1", "this help"),
 )

@@ -1,29 +1,36 @@
 """A whole game without a window, as fast as it goes."""
 
-from collections.abc import Iterable
+import sys
+from collections.abc import Callable, Iterable
 from pathlib import Path
-
-from rich.console import Console
-from rich.progress import track
 
 from game.autopilot import Autopilot
 from game.fingerprint import state_hash
 from game.levels import Level
 from game.replay import Recorder
-from game.rules import Game, Phase, bricks_left, new_game, tick
+from game.rules import Game, Phase, Ticked, bricks_left, new_game, tick
 
 _PROGRESS_STEP = 1000
 
 
-def autopilot_game(levels: tuple[Level, ...], seed: int, ticks: int, recorder: Recorder | None = None) -> Game:
-    """The game after that many ticks of the autopilot, or when it is won or over."""
+def autopilot_game(
+    levels: tuple[Level, ...],
+    seed: int,
+    ticks: int,
+    recorder: Recorder | None = None,
+    told: Callable[[Ticked], None] | None = None,
+) -> Game:
+    """The game after that many ticks of the autopilot, or when it is won or over. told: of every tick."""
     game, pilot = new_game(levels, seed), Autopilot()
     for start in _with_progress(range(0, ticks, _PROGRESS_STEP)):
         for _ in range(min(_PROGRESS_STEP, ticks - start)):
             if game.phase in {Phase.WON, Phase.OVER}:
                 return game
             controls = pilot.controls(game)
-            game = tick(game, controls).game
+            done = tick(game, controls)
+            game = done.game
+            if told is not None:
+                told(done)
             if recorder is not None:
                 recorder.add(controls, game)
     return game
@@ -49,5 +56,10 @@ def free_path(folder: Path, name: str) -> Path:
 
 def _with_progress(steps: range) -> Iterable[int]:
     """The steps, with a progress bar on stderr if somebody can see it."""
+    if not sys.stderr.isatty():
+        return steps
+    from rich.console import Console  # noqa: PLC0415  # only where somebody waits: the game starts the sooner
+    from rich.progress import track  # noqa: PLC0415
+
     console = Console(stderr=True)
     return track(steps, "playing", console=console, transient=True, disable=not console.is_terminal)

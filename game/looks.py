@@ -1,4 +1,4 @@
-"""How every slot of a ring looks: what stands in it, and whether it was just hit."""
+"""How every slot of a ring looks: what stands in it, and how brightly it glows after a hit."""
 
 import math
 
@@ -10,6 +10,8 @@ from physics import PERMANENT
 
 _EMPTY = Look(Kind.EMPTY)
 _STEEL = Look(Kind.STEEL)
+_ECHO = 2
+"""How much a ring glows where the light of a hit just runs by."""
 
 
 def paddle_looks(scene: Scene, flashes: list[Flash]) -> tuple[Look, ...]:
@@ -24,8 +26,12 @@ def wall_looks(layers: tuple[int, ...], flashes: list[Flash]) -> tuple[Look, ...
     """Looks of a ring of bricks. layers: per slot; flashes: of this ring."""
     looks = [_look(count) for count in layers]
     for flash in flashes:
-        kind, count, _ = looks[flash.slot]
-        looks[flash.slot] = Look(Kind.GHOST if kind is Kind.EMPTY else kind, count, _glow(flash))
+        if flash.echoed:
+            _echo(looks, flash)
+    for flash in flashes:
+        if flash.lit:
+            kind, count, _ = looks[flash.slot]
+            looks[flash.slot] = Look(Kind.GHOST if kind is Kind.EMPTY else kind, count, _glow(flash))
     return tuple(looks)
 
 
@@ -39,3 +45,13 @@ def _look(layers: int) -> Look:
 def _glow(flash: Flash) -> int:
     """How strongly a slot glows."""
     return math.ceil((1.0 - flash.age) * GLOW)
+
+
+def _echo(looks: list[Look], flash: Flash) -> None:
+    """Light that runs both ways around the ring and meets at the other side; it moves when the flash's own glow changes."""
+    front = (GLOW - _glow(flash) + 1) / GLOW * (len(looks) / 2.0)
+    width = len(looks) / (2.0 * GLOW)
+    for slot, (kind, count, glow) in enumerate(looks):
+        away = abs((slot - flash.slot + len(looks) // 2) % len(looks) - len(looks) // 2)
+        if kind is not Kind.EMPTY and front - 2.0 * width < away <= front:
+            looks[slot] = Look(kind, count, max(glow, _ECHO if away > front - width else 1))

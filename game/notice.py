@@ -8,6 +8,7 @@ from game.camera import Layout
 from game.palette import Theme
 from game.rules import LIVES, PADDLES, Game, Phase
 from game.scene import Scene
+from game.shapes2d import draw_box
 from game.text import Type
 
 
@@ -43,8 +44,7 @@ def draw(surface: pygame.Surface, place: Layout, shown: Notice, scene: Scene, th
     plate = pygame.Rect(0, 0, round(max(title.get_width(), hint.get_width()) + unit * 1.6), round(height + unit * 1.0))
     middle = place.camera.project(_free_spot(scene))
     plate.center = (round(middle.real), round(middle.imag))
-    pygame.draw.rect(surface, theme.panel, plate, 0, round(unit * 0.6))
-    pygame.draw.rect(surface, theme.panel_edge, plate, max(1, round(unit * 0.06)), round(unit * 0.6))
+    draw_box(surface, plate, unit * 0.6, theme.panel, theme.panel_edge, unit * 0.06)
     top = plate.top + unit * 0.5
     surface.blit(title, title.get_rect(midtop=(plate.centerx, round(top))))
     if shown.hint:

@@ -25,6 +25,7 @@ class Theme(NamedTuple):
     paddle: Colour
     paddle_top: Colour
     ball: Colour
+    trail: Colour
     steel: Colour
     steel_line: Colour
     flash: Colour
@@ -45,6 +46,7 @@ DARK = Theme(
     paddle=(22, 148, 146),
     paddle_top=(74, 226, 208),
     ball=(255, 255, 255),
+    trail=(120, 160, 255),
     steel=(118, 126, 146),
     steel_line=(38, 43, 58),
     flash=(255, 255, 255),
@@ -75,6 +77,7 @@ LIGHT = Theme(
     paddle=(0, 116, 118),
     paddle_top=(0, 156, 150),
     ball=(24, 28, 48),
+    trail=(70, 96, 170),
     steel=(132, 138, 154),
     steel_line=(58, 62, 76),
     flash=(255, 176, 0),

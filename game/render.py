@@ -12,10 +12,10 @@ from typing import NamedTuple
 
 import pygame
 
-from game import hud
+from game import debris_picture, hud, recoil_picture, wave_picture
 from game.ball_picture import ball_picture, draw_shadow, without
 from game.camera import Camera, Points, layout
-from game.effects import Effects, Flash, Pop
+from game.effects import NOTHING, Effects, Flash, Pop, Trail
 from game.ground import ground_picture
 from game.hiding import hiding
 from game.looks import paddle_looks, wall_looks
@@ -33,7 +33,10 @@ from physics import Ring
 _AIM_REACH = 2.4
 _BALL_PHASES = 4
 """Places within a pixel, each way, that the ball is drawn for."""
+_TRAIL_WIDTH, _TRAIL_STRENGTH = 0.85, 0.5
 _POP_RISE = 0.9
+_POP_SPRING, _POP_CALM = 0.9, 24.0
+"""How much larger words are at first, and how soon they calm down, per age."""
 _COMMON_LAYERS = 3
 """Stacks up to this height have terraces of the same width."""
 _PICTURES = 96
@@ -72,6 +75,7 @@ class Painter:
             self._paint_solid(surface, scene, camera, flashes)
         else:
             self._paint_flat(surface, scene, camera, flashes)
+        _shake(surface, scene, camera)
         for pop in scene.pops:
             _paint_pop(surface, pop, camera, self.theme, type_, unit)
 
@@ -81,17 +85,20 @@ class Painter:
         for k, ring in enumerate(scene.rings):
             if k != PADDLES and ring.spin:
                 self.paint_ring(surface, camera, ring, wall_looks(scene.layers[k], flashes.get(k, [])), scene.tallest[k])
-        self.paint_ring(surface, camera, scene.rings[PADDLES], paddle_looks(scene, flashes.get(PADDLES, [])), 0)
+        self._paint_paddles(surface, scene, camera, paddle_looks(scene, flashes.get(PADDLES, [])))
+        wave_picture.draw(surface, scene.waves, scene.ground_radius, camera, self.theme)
         for trail in scene.trails:
             _paint_trail(surface, trail, scene, camera, self.theme)
         if scene.aim is not None:
             draw_arrow(surface, camera, scene.aim.origin, scene.aim.direction, self.theme, _AIM_REACH)
+        debris_picture.draw(surface, scene.bursts, scene, camera, self.theme)
         for ball in scene.balls:
             self._paint_ball(surface, camera.project(ball.position), ball.radius * camera.scale)
 
     def _paint_solid(self, surface: pygame.Surface, scene: Scene, camera: Camera, flashes: dict[int, list[Flash]]) -> None:
         """All but the words, tipped: first what lies on the ground, for nothing that stands there can be behind it."""
         self._solid.draw_ground(surface, scene, camera, self.theme)
+        wave_picture.draw(surface, scene.waves, scene.ground_radius, camera, self.theme)
         for trail in scene.trails:
             _paint_trail(surface, trail, scene, camera, self.theme)
         if scene.aim is not None:
@@ -105,11 +112,19 @@ class Painter:
         for ball in scene.balls:
             draw_shadow(surface, ball, camera, self.theme)
         things = self._solid.draw_blocks(surface, scene, looks, camera, self.theme)
+        debris_picture.draw(surface, scene.bursts, scene, camera, self.theme)
         for ball in sorted(scene.balls, key=lambda ball: -(ball.position * camera.turning).imag):
             place = camera.project(ball.position, ball.radius)
             radius = ball.radius * camera.scale_at(ball.position, ball.radius)
             hidden = hiding(things, camera, ball.position, place, radius + 2.0)
             self._paint_ball(surface, place, radius, hidden)
+
+    def _paint_paddles(self, surface: pygame.Surface, scene: Scene, camera: Camera, looks: tuple[Look, ...]) -> None:
+        """The paddles from straight above, those that were struck out of their place."""
+        paddles = scene.rings[PADDLES]
+        self.paint_ring(surface, camera, paddles, recoil_picture.without(looks, scene.recoils), 0)
+        for recoil in scene.recoils:
+            recoil_picture.draw(surface, paddles, recoil, looks[recoil.slot], camera, self.theme)
 
     def paint_ring(self, surface: pygame.Surface, camera: Camera, ring: Ring, looks: tuple[Look, ...], tallest: int) -> None:
         """Draw one ring and the ground in its gaps. tallest: layers of the highest stack that may ever stand there."""
@@ -156,30 +171,46 @@ class Painter:
         surface.blit(picture, (left - reach, top - reach))
 
 
-def save_screenshot(game: Game, path: Path, size: tuple[int, int], theme: Theme = DARK, view: View = FROM_ABOVE) -> None:
+def save_screenshot(
+    game: Game,
+    path: Path,
+    size: tuple[int, int],
+    theme: Theme = DARK,
+    view: View = FROM_ABOVE,
+    effects: Effects = NOTHING,
+) -> None:
     """Draw a game as the window shows it, and save it as PNG; OSError where it cannot be written. Needs no display."""
     surface = pygame.Surface(size, 0, 32)
-    ticked = still(game)
     place = view.seen(layout(size, game.level.ground_radius))
     type_ = Type()
-    Painter(theme).paint(surface, scene_at(ticked, 1.0, Effects()), place.camera, type_, place.unit)
-    hud.draw(surface, place, hud.readings(game), theme, type_)
+    Painter(theme).paint(surface, scene_at(still(game), 1.0, effects), place.camera, type_, place.unit)
+    hud.draw(surface, place, hud.readings(game, effects.streak), theme, type_)
     picture = io.BytesIO()
     pygame.image.save(surface, picture, "screenshot.png")
     path.write_bytes(picture.getvalue())
 
 
-def _paint_trail(surface: pygame.Surface, trail: tuple[complex, ...], scene: Scene, camera: Camera, theme: Theme) -> None:
-    """A tail that grows and brightens towards the ball."""
+def _shake(surface: pygame.Surface, scene: Scene, camera: Camera) -> None:
+    """Move the whole picture by whole pixels: nothing is drawn anew, and the mouse means the same places as before."""
+    off = scene.shaken.conjugate() * scene.ground_radius * camera.scale
+    across, down = round(off.real), round(off.imag)
+    if across or down:
+        surface.scroll(across, down)
+
+
+def _paint_trail(surface: pygame.Surface, trail: Trail, scene: Scene, camera: Camera, theme: Theme) -> None:
+    """A tail that grows and brightens towards the ball, warmer with every brick in a row."""
     if not scene.balls:
         return
-    widest = 0.85 * scene.balls[0].radius * camera.scale
+    hottest = mixed(theme.trail, theme.accent, scene.heat)
+    widest = _TRAIL_WIDTH * scene.balls[0].radius * camera.scale
     places = [camera.project(point) for point in trail]
+    step = widest / (len(places) + 1)
     for index, place in enumerate(places, 1):
-        share = index / (len(places) + 1)
-        tint, radius = mixed(theme.ground, theme.ball, 0.28 * share), max(1.0, widest * share)
+        tint = mixed(theme.ground, hottest, _TRAIL_STRENGTH * index / (len(places) + 1))
+        radius = max(0.5, step * index)
         if index > 1 and place != places[index - 2]:
-            _paint_wedge(surface, places[index - 2], place, (max(1.0, radius - widest / (len(places) + 1)), radius), tint)
+            _paint_wedge(surface, places[index - 2], place, (max(0.5, radius - step), radius), tint)
         draw_dot(surface, place, radius, tint)
 
 
@@ -187,8 +218,16 @@ def _paint_wedge(surface: pygame.Surface, start: complex, end: complex, radii: t
     """The piece of a tail between two of its places. radii: half widths at start and end, pixels."""
     way = end - start
     side = way / abs(way) * 1j
-    corners = (start + side * radii[0], end + side * radii[1], end - side * radii[1], start - side * radii[0])
-    pygame.draw.polygon(surface, colour, [(corner.real, corner.imag) for corner in corners])
+    left, right = (start + side * radii[0], end + side * radii[1]), (end - side * radii[1], start - side * radii[0])
+    pygame.draw.polygon(surface, colour, [(corner.real, corner.imag) for corner in (*left, *right)])
+    for one, other in (left, right):
+        pygame.draw.aaline(surface, colour, (one.real - 0.5, one.imag - 0.5), (other.real - 0.5, other.imag - 0.5))
+
+
+def _pop_size(pop: Pop) -> float:
+    """Size of the words in units of text: they spring up, larger the more they mean, and settle."""
+    spring = 1.0 + _POP_SPRING * math.exp(-pop.age * _POP_CALM) * math.sin(min(pop.age * _POP_CALM, math.pi))
+    return (1.3 if pop.bad else 0.9 + 0.8 * pop.weight) * spring
 
 
 def _paint_pop(surface: pygame.Surface, pop: Pop, camera: Camera, theme: Theme, type_: Type, unit: float) -> None:
@@ -196,5 +235,9 @@ def _paint_pop(surface: pygame.Surface, pop: Pop, camera: Camera, theme: Theme, 
     place = camera.project(pop.position) - 1j * _POP_RISE * pop.age * camera.scale
     width, height = surface.get_size()
     place = complex(min(max(place.real, 2.0 * unit), width - 2.0 * unit), min(max(place.imag, unit), height - unit))
-    fading = mixed(theme.danger if pop.bad else theme.text, theme.ground, max(0.0, 2.0 * pop.age - 1.0))
-    type_.write(surface, pop.text, unit * (1.3 if pop.bad else 0.9), fading, place, "center")
+    own = theme.danger if pop.bad else mixed(theme.text, theme.accent, pop.weight)
+    fading = mixed(own, theme.ground, max(0.0, 2.0 * pop.age - 1.0))
+    size = unit * _pop_size(pop)
+    for beside in (-1.0, 1.0, -1j, 1j):
+        type_.write(surface, pop.text, size, theme.ground, place + beside * max(1.0, 0.07 * unit), "center")
+    type_.write(surface, pop.text, size, fading, place, "center")

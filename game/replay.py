@@ -13,9 +13,7 @@ field by field: too weak to prove anything, strong enough to say at which tick a
 """
 
 import hashlib
-import os
 import struct
-import tempfile
 import zlib
 from collections.abc import Iterator
 from pathlib import Path
@@ -29,6 +27,7 @@ from game.errors import BadInputError
 from game.fingerprint import FIELDS, field_checks, state_hash
 from game.levels import Level, checked
 from game.rules import Controls, Game, Ticked, new_game, tick
+from game.whole_file import write_whole
 from physics import PHYSICS_VERSION
 
 BLOCK = 60
@@ -140,17 +139,7 @@ def save(recording: Recording, path: Path) -> None:
     body = zlib.compress(msgspec.msgpack.encode(recording), 9)
     data = _MAGIC + b"%d\n" % _FORMAT + hashlib.sha256(body).digest() + body
     try:
-        with tempfile.NamedTemporaryFile(dir=path.parent, prefix=".", suffix=".tmp", delete=False) as file:
-            try:
-                file.write(data)
-                file.flush()
-                os.fsync(file.fileno())
-                file.close()
-                Path(file.name).chmod(0o644)
-                Path(file.name).replace(path)
-            except BaseException:
-                Path(file.name).unlink(missing_ok=True)
-                raise
+        write_whole(path, data)
     except OSError as error:
         raise BadInputError(f"{path}: cannot write replay; {error.strerror}") from None
 

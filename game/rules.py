@@ -18,9 +18,10 @@ POINTER_STEPS = 65536
 """Steps of a full turn in `Controls.pointer`."""
 PADDLES = 0
 """The paddles' place in `Arena.rings`."""
+BEST_COMBO = 8
+"""Bricks in a row that multiply the points the most."""
 
 _POINTS_PER_BRICK = 10
-_BEST_COMBO = 8
 _POINTS_PER_LIFE = 100
 _AIM_RANGE = math.radians(55.0)
 _AIM_PERIOD = 480
@@ -219,7 +220,7 @@ def _credited(game: Game, hit: Hit, events: list[Event]) -> Game:
         events.append(Event(EventKind.WALL_HIT, hit, position=where))
         return game._replace(idle=game.idle + 1)
     combo = game.combo + 1
-    points = _POINTS_PER_BRICK * min(combo, _BEST_COMBO)
+    points = _POINTS_PER_BRICK * min(combo, BEST_COMBO)
     events.append(Event(EventKind.BRICK_HIT, hit, points, where))
     return game._replace(score=game.score + points, combo=combo, idle=0)
 

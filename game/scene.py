@@ -6,9 +6,8 @@ path, around the bounces of the tick. Nothing here knows pixels: one camera or a
 
 from typing import NamedTuple
 
-from game.effects import Effects, Flash, Pop
-from game.falling import Drop
-from game.rules import PADDLES, TICK, EventKind, Game, Phase, Ticked
+from game.effects import Burst, Drop, Effects, Flash, Pop, Recoil, Trail, Wave
+from game.rules import BEST_COMBO, PADDLES, TICK, EventKind, Game, Phase, Ticked
 from physics import Ball, Ring, Step, direction, signed_difference
 
 
@@ -27,11 +26,16 @@ class Scene(NamedTuple):
     layers: tuple[tuple[int, ...], ...]  # per ring and slot, as in `physics.Arena`
     tallest: tuple[int, ...]  # per ring: layers of its highest stack when the level began
     balls: tuple[Ball, ...]
-    trails: tuple[tuple[complex, ...], ...]  # from old to new; the ball itself is not part of it
+    trails: tuple[Trail, ...]  # from old to new; the ball itself is not part of it
     aim: Aim | None
     flashes: tuple[Flash, ...]
     pops: tuple[Pop, ...]
     drops: tuple[Drop, ...]  # stacks that are still falling
+    bursts: tuple[Burst, ...]
+    recoils: tuple[Recoil, ...]
+    waves: tuple[Wave, ...]
+    shaken: complex  # how far the picture is off, in ground radii, y upwards
+    heat: float  # of the ball's trail: 0 to 1, by the bricks in a row
 
 
 def still(game: Game) -> Ticked:
@@ -58,6 +62,11 @@ def scene_at(ticked: Ticked, alpha: float, effects: Effects) -> Scene:
         effects.flashes,
         effects.pops,
         effects.drops,
+        effects.bursts,
+        effects.recoils,
+        effects.waves,
+        0j if effects.shake is None else effects.shake.offset,
+        min(game.combo / BEST_COMBO, 1.0),
     )
 
 

@@ -25,6 +25,29 @@ def draw_dot(surface: pygame.Surface, place: complex, radius: float, colour: Col
     pygame.draw.aacircle(surface, colour, (place.real - 0.5, place.imag - 0.5), radius)
 
 
+def draw_box(
+    surface: pygame.Surface, box: pygame.Rect, radius: float, fill: Colour, edge: Colour | None = None, width: float = 0.0
+) -> None:
+    """A filled rectangle with round, anti-aliased corners. width: pixels, of its edge, at least one."""
+    if edge is None:
+        _fill_box(surface, box, radius, fill)
+        return
+    line = max(1, round(width))
+    _fill_box(surface, box, radius, edge)
+    _fill_box(surface, box.inflate(-2 * line, -2 * line), radius - line, fill)
+
+
+def _fill_box(surface: pygame.Surface, box: pygame.Rect, radius: float, colour: Colour) -> None:
+    """Two crossed rectangles and a disc in every corner."""
+    corner = max(min(round(radius), box.width // 2, box.height // 2), 0)
+    pygame.draw.rect(surface, colour, box.inflate(-2 * corner, 0))
+    pygame.draw.rect(surface, colour, box.inflate(0, -2 * corner))
+    if corner:
+        for x in (box.left + corner, box.right - corner):
+            for y in (box.top + corner, box.bottom - corner):
+                draw_dot(surface, complex(x, y), corner, colour)
+
+
 def _arrow(length: float, width: float) -> Points:
     """An arrow's head along angle 0, its tip at `length`."""
     return np.array([length, length - 1.7 * width + 1j * width, length - 1.25 * width, length - 1.7 * width - 1j * width])

@@ -17,6 +17,7 @@ from game.blocks import Blocks, Cut, Integers
 from game.camera import Camera
 from game.ground import ground_picture
 from game.palette import Theme
+from game.recoil_picture import pushed
 from game.rules import PADDLES
 from game.scene import Scene
 from game.skins import Look
@@ -71,6 +72,7 @@ class SolidPicture:
         for rank, k in enumerate(order, 1):
             ring = scene.rings[k]
             part = self._ring_blocks(scene, k, below, looks[k], scale, theme)
+            part = pushed(part, scene.recoils) if k == PADDLES else part
             size = len(part.slot)
             parts.append(part)
             phases.append(np.full(size, ring.phase))

@@ -4,7 +4,7 @@ Values in, fresh values out: the mixer is told what was decided here. Nothing of
 """
 
 import math
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -73,20 +73,26 @@ class Chorus(NamedTuple):
     new: tuple[int, ...]  # places in `voices`
 
 
+Side = Callable[[complex], float]
+"""Where on the screen a place of the world is heard: -1 at the rim's left to 1 at its right."""
+
 Tail = NDArray[np.float64]
 """The loudest that is still to come of a sound, every TAIL_STEP seconds."""
 
 SILENCE: tuple[Voice | None, ...] = (None,) * VOICES
 
 
-def cues(events: Sequence[Event], ground_radius: float, combo: int) -> list[Cue]:
-    """The sounds of some events, in their order. combo: the game's, after the last of the events."""
+def cues(events: Sequence[Event], side: Side, combo: int) -> list[Cue]:
+    """The sounds of some events, in their order.
+
+    side: where on the screen a place of the world is. combo: the game's, after the last of the events.
+    """
     told = {_SPOKEN_FOR.get(event.kind) for event in events}
     found: list[Cue] = []
     for event in reversed(events):
         note = _note(event, combo)
         if note is not None and event.kind not in told:
-            found.append(Cue(note, _strength(event.hit), _side(event.position, ground_radius)))
+            found.append(Cue(note, _strength(event.hit), _limited(side(event.position))))
         combo = _combo_before(event, combo)
     return found[::-1]
 
@@ -142,9 +148,9 @@ def _strength(hit: Hit | None) -> float:
     return _SOFTEST + (1.0 - _SOFTEST) * min(squarely, 1.0)
 
 
-def _side(position: complex, ground_radius: float) -> float:
-    """-1 at the rim's left to 1 at its right."""
-    return min(max(position.real / ground_radius, -1.0), 1.0)
+def _limited(side: float) -> float:
+    """From -1 to 1."""
+    return min(max(side, -1.0), 1.0)
 
 
 def _is_hit(cue: Cue) -> bool:

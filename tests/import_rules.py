@@ -16,7 +16,7 @@ from typing import NamedTuple
 PACKAGES = ("game", "physics", "tools", "tests")
 PURE_STDLIB = {"__future__", "collections", "dataclasses", "enum", "functools", "itertools", "math", "typing"}
 WITHOUT_WINDOW = {"rules", "levels", "replay", "autopilot", "headless", "fingerprint", "verify", "errors"}
-DRAWING_TOOLS = {"tools.frames", "tools.tipping"}
+DRAWING_TOOLS = {"tools.frames", "tools.soak", "tools.tipping"}
 UNKNOWN = "a name made at run time"
 
 

@@ -16,12 +16,16 @@ from game.autopilot import Autopilot
 from game.fingerprint import state_hash
 from game.levels import built_in
 from game.rules import Event, EventKind, new_game, tick
-from game.synth import Patch, every_note
+from game.synth import every_note
 from game.voices import SILENT, VOICES
 
 ROOT = Path(__file__).parent.parent
-RADIUS = 10.0
 SERVED = [Event(EventKind.SERVED)]
+
+
+def side(position):
+    """Where a place is on the screen, in an arena of ten units."""
+    return position.real / 10.0
 
 
 class Clock:
@@ -62,36 +66,44 @@ def test_every_event_is_played_or_silent(audio):
     for count, kind in enumerate(EventKind):
         audio._clock.now = 3.0 * count
         pygame.mixer.stop()
-        audio.play([Event(kind)], RADIUS, 1)
+        audio.play([Event(kind)], side, 1)
         assert sounding() == (kind not in SILENT)
 
 
 def test_no_more_voices_than_there_are(audio):
     """A hundred events in one frame."""
-    audio.play([Event(kind) for kind in EventKind] + [Event(EventKind.BRICK_HIT)] * 90, RADIUS, 95)
+    audio.play([Event(kind) for kind in EventKind] + [Event(EventKind.BRICK_HIT)] * 90, side, 95)
     assert 3 <= sounding() <= VOICES
     assert pygame.mixer.get_num_channels() == VOICES
 
 
-def test_bricks_are_drawn_when_they_are_first_heard(audio):
-    """And once: the start draws what there is one of."""
-    assert len(audio._sounds) == len(Patch) - 1
+def test_sounds_are_drawn_when_they_are_first_heard_or_one_a_frame(audio):
+    """The start draws none; what is heard is drawn at once and once; after a second of frames there are all."""
+    assert len(audio._sounds) == 0
     for combo in (3, 3, 4):
-        audio.play([Event(EventKind.BRICK_HIT)], RADIUS, combo)
-    assert len(audio._sounds) == len(Patch) + 1
+        audio.play([Event(EventKind.BRICK_HIT)], side, combo)
+    assert len(audio._sounds) == 2
+    drawn = dict(audio._sounds)
+    for count in range(len(every_note())):
+        before = len(audio._sounds)
+        audio.prepare()
+        assert len(audio._sounds) <= before + 1, count
+    assert set(audio._sounds) == set(every_note())
+    assert all(audio._sounds[note] is sound for note, sound in drawn.items())
+    audio.prepare()
 
 
 def test_mute_ends_what_sounds_and_starts_nothing(audio):
     """Until it is taken back."""
-    audio.play(SERVED, RADIUS, 0)
+    audio.play(SERVED, side, 0)
     assert sounding() == 1
     audio.muted = True
     pygame.time.wait(150)
     assert sounding() == 0
-    audio.play(SERVED, RADIUS, 0)
+    audio.play(SERVED, side, 0)
     assert sounding() == 0
     audio.muted = False
-    audio.play(SERVED, RADIUS, 0)
+    audio.play(SERVED, side, 0)
     assert (sounding(), audio.muted) == (1, False)
 
 
@@ -106,7 +118,7 @@ def test_an_odd_rate_is_played_too(monkeypatch):
     """The mixer converts."""
     monkeypatch.setenv("SDL_AUDIODRIVER", "dummy")
     audio = Audio(sample_rate=22050)
-    audio.play(SERVED, RADIUS, 0)
+    audio.play(SERVED, side, 0)
     assert pygame.mixer.get_init() == (22050, -16, 2)
     assert sounding() == 1
     audio.close()
@@ -117,9 +129,9 @@ def test_without_a_card_there_is_one_line_and_silence(monkeypatch, capfd):
     monkeypatch.setenv("SDL_AUDIODRIVER", "nonexistent")
     audio = Audio()
     said = capfd.readouterr().err
-    audio.play(SERVED, RADIUS, 0)
+    audio.play(SERVED, side, 0)
     audio.volume, audio.muted = 0.5, True
-    audio.play(SERVED, RADIUS, 0)
+    audio.play(SERVED, side, 0)
     audio.close()
     assert said == f"{audio.problem}\n"
     assert said.startswith("no sound: ")
@@ -138,7 +150,7 @@ def test_no_card_is_no_error(console):
             os.close(2)
         from game.audio import Audio
         audio = Audio()
-        audio.play([], 1.0, 0)
+        audio.play([], None, 0)
         audio.close()
         print(audio.problem)
         """,
@@ -153,9 +165,9 @@ def test_no_card_is_no_error(console):
 @pytest.mark.parametrize("ending", [pygame.quit, pygame.mixer.quit])
 def test_a_mixer_taken_away_is_silence(audio, ending):
     """The window is closed before the sound is."""
-    audio.play(SERVED, RADIUS, 0)
+    audio.play(SERVED, side, 0)
     ending()
-    audio.play(SERVED, RADIUS, 0)
+    audio.play(SERVED, side, 0)
     audio.volume, audio.muted = 0.5, True
     audio.close()
     assert pygame.mixer.get_init() is None
@@ -165,10 +177,10 @@ def test_closed_twice_and_played_after(audio):
     """Nothing happens, and another one may be opened."""
     audio.close()
     audio.close()
-    audio.play(SERVED, RADIUS, 0)
+    audio.play(SERVED, side, 0)
     assert pygame.mixer.get_init() is None
     again = Audio(clock=Clock())
-    again.play(SERVED, RADIUS, 0)
+    again.play(SERVED, side, 0)
     assert sounding() == 1
     again.close()
 
@@ -183,7 +195,7 @@ def test_a_game_with_sound_is_the_game_without(audio):
             ticked = tick(game, pilot.controls(game))
             game = ticked.game
             heard += len(ticked.events)
-            listener(ticked.events, game.level.ground_radius, game.combo)
+            listener(ticked.events, side, game.combo)
         return state_hash(game), heard
 
     chance = random.getstate()
@@ -204,7 +216,7 @@ def recorded(folder, x, volume=1.0, *, muted=False):
         from game.rules import Event, EventKind
         audio = Audio()
         audio.volume, audio.muted = {volume}, {muted}
-        audio.play([Event(EventKind.BALL_LOST, position=complex({x}))], {RADIUS}, 0)
+        audio.play([Event(EventKind.BALL_LOST, position=complex({x}))], lambda position: position.real / 10.0, 0)
         time.sleep(0.5)
         audio.close()
         print(audio.problem)
@@ -221,7 +233,7 @@ def recorded(folder, x, volume=1.0, *, muted=False):
 
 def test_the_card_hears_left_right_volume_and_mute(tmp_path):
     """Played to a file instead of a card: panned with constant power, half the volume a quarter of the amplitude, mute 0."""
-    left, middle, right = [recorded(tmp_path, x) for x in (-RADIUS, 0.0, RADIUS)]
+    left, middle, right = [recorded(tmp_path, x) for x in (-10.0, 0.0, 10.0)]
     assert left[0] > 3.0 * left[1] > 0.0
     assert left == pytest.approx(right[::-1], rel=0.02)
     assert middle[0] == pytest.approx(middle[1], rel=0.02)

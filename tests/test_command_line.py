@@ -9,7 +9,12 @@ from pathlib import Path
 import pytest
 
 from game.__main__ import app
+from game.autopilot import Autopilot
 from game.command_line import run
+from game.levels import built_in
+from game.render import save_screenshot
+from game.rules import EventKind, new_game, tick
+from game.view import FROM_ABOVE, TIPPED
 
 HEADLESS = ["--headless", "--autopilot", "--seed", "7", "--ticks", "500"]
 
@@ -145,3 +150,22 @@ def test_without_a_display_it_says_so_and_shows_what_it_can(tmp_path: Path):
     assert re.fullmatch(r"polar-breakout: no display[^\n]*; playing 20 s without a window instead\n", done.stderr)
     assert re.fullmatch(r"ticks=4800 [^\n]*\npicture: [^\n]*polar-breakout\.png\n", done.stdout)
     assert (tmp_path / "polar-breakout.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_screenshot_shows_the_effects_of_the_last_ticks(capsys, tmp_path: Path):
+    """Just after a brick was hit there are shards in the air; a picture of the bare game has none."""
+    game, pilot, hit = new_game(built_in(), 7), Autopilot(), 0
+    while not hit or game.tick < hit + 24:
+        done = tick(game, pilot.controls(game))
+        game = done.game
+        if not hit and any(event.kind == EventKind.BRICK_HIT for event in done.events):
+            hit = game.tick
+    for view, seen in (("top", FROM_ABOVE), ("3d", TIPPED)):
+        path, bare = tmp_path / "shown.png", tmp_path / "bare.png"
+        shot = ("--screenshot", path, "--view", view, "--size", "640x400")
+        assert polar(capsys, *HEADLESS[:-1], game.tick, *shot)[0] == 0
+        save_screenshot(game, bare, (640, 400), view=seen)
+        assert path.read_bytes() != bare.read_bytes()
+        again = tmp_path / "again.png"
+        polar(capsys, *HEADLESS[:-1], game.tick, "--screenshot", again, "--view", view, "--size", "640x400")
+        assert path.read_bytes() == again.read_bytes()

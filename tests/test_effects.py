@@ -1,20 +1,46 @@
-"""What fades."""
+"""What is to be seen for a moment, and that none of it reaches the rules."""
+
+import itertools
+import math
+
+import pytest
 
 from game import effects
 from game.autopilot import Autopilot
-from game.effects import FLASH_TICKS, POP_TICKS, Effects
+from game.effects import ALL, FLASH_TICKS, LONGEST, NOTHING, PLAIN, POP_TICKS, Effects, Kind, bursts, hit_stop
+from game.effects.bursts import Matter
+from game.effects.recoils import RECOIL_TICKS, Recoil
+from game.effects.shakes import SHAKE_TICKS, Shake
+from game.effects.streaks import BUMP_TICKS, ENDED_TICKS, NO_ROW
+from game.effects.waves import Tone
 from game.levels import built_in
-from game.rules import Controls, Phase, new_game, tick
+from game.rules import BEST_COMBO, Controls, EventKind, Phase, new_game, tick
+from physics import PERMANENT
 
 
-def played(count, *, full=True):
+def played(count, shown=ALL, level=0, seed=5):
     """Pairs of a tick and the effects after it."""
-    game, pilot, fading = new_game(built_in(), 5), Autopilot(), Effects()
+    game, pilot, fading = new_game(built_in()[level:], seed), Autopilot(), Effects()
     for _ in range(count):
         done = tick(game, pilot.controls(game))
-        fading = effects.after(fading, done, full=full)
+        fading = effects.after(fading, done, shown)
         yield done, fading
         game = done.game
+
+
+def lost(count=2400):
+    """The same for a game whose player does nothing but serve and hold a key."""
+    game, fading = new_game(built_in(), 1), Effects()
+    for number in range(count):
+        done = tick(game, Controls(turn=1, serve=number > 200))
+        fading = effects.after(fading, done)
+        yield done, fading
+        game = done.game
+
+
+def happened(done, kind):
+    """Whether something of a kind happened in a tick."""
+    return any(event.kind == kind for event in done.events)
 
 
 def test_a_hit_flashes_and_fades():
@@ -31,6 +57,19 @@ def test_a_hit_flashes_and_fades():
     assert hits > 5
 
 
+def test_a_ring_answers_only_when_a_brick_goes():
+    """Paddles and steel flash alone; and who wants no flash may still want the ring's light."""
+    answered = {True: 0, False: 0}
+    for done, fading in played(4000, level=5):
+        for hit in done.step.hits:
+            answers = [flash.echoed for flash in fading.flashes if flash.age == 0.0 and flash.slot == hit.slot]
+            assert answers == [hit.ring > 0 and hit.layers != PERMANENT] * len(answers)
+            answered[answers[0]] += 1
+    assert min(answered.values()) > 3
+    assert any(fading.flashes for _, fading in played(1500, frozenset({Kind.RING})))
+    assert all(not flash.lit for _, fading in played(1500, frozenset({Kind.RING})) for flash in fading.flashes)
+
+
 def test_points_pop_where_the_brick_was_hit():
     """The words are the points of the event, at its place, for their time."""
     for done, fading in played(3000):
@@ -43,13 +82,37 @@ def test_points_pop_where_the_brick_was_hit():
     assert max(ages) > 1.0 - 2.0 / POP_TICKS
 
 
+def test_points_weigh_more_the_longer_the_row():
+    """From the first brick to the best combo, and never stand on one another."""
+    weights = {}
+    for done, fading in played(6000, level=4):
+        if happened(done, EventKind.BRICK_HIT):
+            weights[min(done.game.combo, BEST_COMBO)] = fading.pops[-1].weight
+        good = [pop.position for pop in fading.pops if not pop.bad]
+        assert all(abs(one - other) > 1.0 for one, other in itertools.combinations(good, 2))
+    assert weights == {combo: combo / BEST_COMBO for combo in weights}
+    assert len(weights) > 4
+
+
 def test_without_effects_only_the_trail_is_left():
     """Players who want nothing to flash get nothing but the trail."""
     trails = 0
-    for _, fading in played(1500, full=False):
-        assert fading.flashes == fading.pops == ()
+    for _, fading in played(1500, PLAIN):
+        assert fading == NOTHING._replace(trails=fading.trails)
         trails += bool(fading.trails)
     assert trails
+
+
+@pytest.mark.parametrize("kind", sorted(ALL - {Kind.HIT_STOP, Kind.SHAKE}))
+def test_each_effect_is_seen_only_when_it_is_wanted(kind):
+    """Alone it changes something; all the others together leave its part as it is without any."""
+    alone = [fading for _, fading in played(1500, frozenset({kind}), level=3)]
+    assert any(fading != NOTHING for fading in alone)
+    seen = {name for fading in alone for name, part in fading._asdict().items() if part != getattr(NOTHING, name)}
+    assert len(seen) == 1
+    without = [fading for _, fading in played(1500, ALL - {kind}, level=3)]
+    if kind not in {Kind.FLASH, Kind.RING, Kind.SHARDS, Kind.SPARKS}:  # these pairs share a part
+        assert all(getattr(fading, name) == getattr(NOTHING, name) for fading in without for name in seen)
 
 
 def test_a_trail_follows_its_ball_and_ends_with_it():
@@ -58,21 +121,137 @@ def test_a_trail_follows_its_ball_and_ends_with_it():
         if done.game.phase != Phase.PLAYING:
             assert fading.trails == ()
         else:
-            reach = done.game.level.ball.speed / 240.0 * 4
+            reach = done.game.level.ball.speed / 240.0 * 5
             for trail, ball in zip(fading.trails, done.game.arena.balls, strict=True):
-                assert len(trail) <= 16
+                assert len(trail) <= 17
                 assert abs(trail[-1] - ball.position) <= reach
 
 
-def test_a_lost_ball_is_named():
-    """A ball that leaves without a paddle in its way leaves a word of bad news."""
-    game, fading = new_game(built_in(), 1), Effects()
-    for number in range(2000):
-        done = tick(game, Controls(turn=1, serve=number > 200))
-        fading = effects.after(fading, done)
-        game = done.game
-        if game.lives < 3:
-            assert fading.pops[-1].text == "lost"
-            assert fading.pops[-1].bad
-            return
-    raise AssertionError("no ball was lost")
+def test_a_lost_ball_is_named_bursts_and_shakes():
+    """A ball that leaves without a paddle in its way: bad news, pieces at its place, a blow away from the centre, red waves."""
+    done, fading = next(pair for pair in lost() if pair[0].game.lives < 3)
+    (event,) = [event for event in done.events if event.kind == EventKind.BALL_LOST]
+    assert (fading.pops[-1].text, fading.pops[-1].bad) == ("lost", True)
+    assert fading.bursts[-1].matter is Matter.BALL
+    assert fading.shake.way == pytest.approx(event.position / abs(event.position))
+    assert {wave.tone for wave in fading.waves} == {Tone.BAD}
+    assert hit_stop.breath(done) > 0.0
+
+
+def test_everything_fades():
+    """LONGEST ticks after the last event nothing is left but a row that goes on; it is how far a replay is run up."""
+    since = 0
+    for done, fading in lost(6000):
+        since = 0 if done.events else since + 1
+        if since > LONGEST and done.game.phase != Phase.PLAYING:
+            assert fading == NOTHING
+    assert since > LONGEST
+
+
+def test_what_is_seen_does_not_depend_on_how_long_ago_one_began_to_look():
+    """After LONGEST ticks the effects are those of somebody who has watched all along: a replay looks as the game did."""
+    pairs = list(played(2600, level=4))
+    for end in range(700, 2600, 380):
+        late = effects.after_all([done for done, _ in pairs[end - LONGEST : end]])
+        assert late._replace(streak=NO_ROW, trails=()) == pairs[end - 1][1]._replace(streak=NO_ROW, trails=())
+
+
+def test_bursts_are_bounded_and_told_apart():
+    """Never more than MOST, each with a seed of its own; bricks shatter in their layer's colour, steel and paddles spark."""
+    seeds, matters = {}, set()
+    for done, fading in played(6000, level=5):
+        assert len(fading.bursts) <= bursts.MOST
+        for burst in fading.bursts:
+            assert 0 <= burst.age < bursts.lasting(burst.matter)
+            seeds.setdefault((burst.seed, burst.matter), done.game.tick - burst.age)
+            assert seeds[(burst.seed, burst.matter)] == done.game.tick - burst.age
+            matters.add(burst.matter)
+            assert (burst.layer > 0) == (burst.matter is Matter.BRICK)
+    assert matters == {Matter.BRICK, Matter.PADDLE, Matter.STEEL}
+
+
+def test_a_struck_paddle_gives_way_outwards_and_comes_back():
+    """Out first, never far in, at rest at the end; and the paddle of the rules stays where it is."""
+    recoil = Recoil(0, 0.5)
+    way = [recoil._replace(age=age).out for age in range(RECOIL_TICKS + 1)]
+    assert way[0] == 0.0
+    assert all(out > 0.0 for out in way[1:30])
+    assert 0.15 < max(way) < 0.5
+    assert min(way) > -0.2 * max(way)
+    assert abs(way[-1]) < 0.02 * max(way)
+    reaches = [recoil.reach for _, fading in played(2400) for recoil in fading.recoils]
+    assert reaches
+    assert all(0.0 <= reach <= 0.6 for reach in reaches)
+
+
+def test_a_shake_dies_down():
+    """Its swings grow smaller, and at the end they are no more to be seen."""
+    shake = Shake(1j, 0.03)
+    sizes = [abs(shake._replace(age=age).offset) for age in range(SHAKE_TICKS + 1)]
+    assert sizes[0] == 0.03
+    peaks = [max(sizes[start : start + 20]) for start in range(0, SHAKE_TICKS, 20)]
+    assert peaks == sorted(peaks, reverse=True)
+    assert peaks[-1] < 0.002
+
+
+def test_a_row_is_counted_and_remembered_for_a_moment_after_its_end():
+    """Its bricks as the rules count them, fresh with each; after the paddle it fades, then it is gone."""
+    fresh = ended = 0
+    for done, fading in played(6000, level=4):
+        streak = fading.streak
+        if happened(done, EventKind.BRICK_HIT) and done.game.combo:
+            assert (streak.bricks, streak.age, streak.ended) == (done.game.combo, 0, False)
+            fresh += 1
+        elif streak.ended:
+            assert streak.age <= ENDED_TICKS
+            ended += 1
+        else:
+            assert streak.bricks == done.game.combo
+    assert fresh > 10
+    assert ended > 100
+    assert BUMP_TICKS < ENDED_TICKS < LONGEST
+
+
+def test_waves_stay_on_the_ground():
+    """From the first tick on a level greets; every circle's radius lies within the ground's."""
+    tones = set()
+    for done, fading in itertools.chain(played(400), lost(3000), played(60_000)):
+        for wave in fading.waves:
+            assert 0.0 <= wave.radius <= done.game.level.ground_radius
+            tones.add(wave.tone)
+        if tones == set(Tone):
+            break
+    assert tones == set(Tone)
+
+
+def test_the_breath_is_held_on_great_moments_alone():
+    """A lost ball, a cleared level, the best combo reached; at most a sixth of a second."""
+    kinds = set()
+    for done, _ in itertools.chain(lost(3000), played(40_000)):
+        breath = hit_stop.breath(done)
+        assert 0.0 <= breath <= 1.0 / 6.0
+        if breath:
+            assert done.game.combo == BEST_COMBO or {event.kind for event in done.events} & {
+                EventKind.BALL_LOST,
+                EventKind.LEVEL_CLEARED,
+                EventKind.GAME_OVER,
+            }
+            kinds.update(event.kind for event in done.events)
+        else:
+            assert not happened(done, EventKind.BALL_LOST)
+            assert not happened(done, EventKind.LEVEL_CLEARED)
+    assert {EventKind.BALL_LOST, EventKind.LEVEL_CLEARED} <= kinds
+
+
+def test_a_recoil_is_as_strong_as_the_hit_is_square():
+    """A ball straight out of the centre strikes hardest; a graze along the face hardly."""
+    seen = {}
+    for done, fading in played(4000):
+        for event in done.events:
+            if event.kind == EventKind.PADDLE_HIT:
+                outwards = (event.hit.before * event.position.conjugate()).real / abs(event.position) / abs(event.hit.before)
+                seen[outwards] = fading.recoils[-1].reach
+    ways = sorted(seen)
+    assert len(ways) > 3
+    assert [seen[way] for way in ways] == sorted(seen.values())
+    assert math.isclose(seen[ways[-1]], ways[-1] * 0.055 * 10.0, rel_tol=1e-9)

@@ -14,7 +14,6 @@ from game.voices import SILENCE, SILENT, TAIL_STEP, VOICES, Cue, chorus, cues, p
 from physics import Contact, Feature, Hit
 
 RATE = 8000
-RADIUS = 10.0
 WAVES = {note: waveform(note, RATE) for note in every_note()}
 TAILS = {note: tail(wave, RATE) for note, wave in WAVES.items()}
 HITS = {EventKind.PADDLE_HIT, EventKind.BRICK_HIT, EventKind.WALL_HIT}
@@ -22,6 +21,11 @@ HITS = {EventKind.PADDLE_HIT, EventKind.BRICK_HIT, EventKind.WALL_HIT}
 sides = st.floats(-1.0, 1.0)
 some_cues = st.builds(Cue, st.sampled_from(every_note()), st.floats(0.5, 1.0), sides)
 storms = st.lists(st.tuples(st.floats(0.0, 0.2), st.lists(some_cues, max_size=12)), max_size=12)
+
+
+def side(position):
+    """Where a place is on the screen, in an arena of ten units."""
+    return position.real / 10.0
 
 
 def hit(before=-5j, layers=0):
@@ -48,25 +52,25 @@ def played(storm):
 @pytest.mark.parametrize("kind", EventKind)
 def test_every_event_has_a_sound_or_is_silent_on_purpose(kind):
     """A new kind of event must be given one or the other."""
-    assert len(cues([event(kind)], RADIUS, 1)) == (kind not in SILENT)
+    assert len(cues([event(kind)], side, 1)) == (kind not in SILENT)
 
 
 def test_different_events_sound_different():
     """No two kinds share a sound."""
-    notes = [cue.note for kind in EventKind for cue in cues([event(kind)], RADIUS, 1)]
+    notes = [cue.note for kind in EventKind for cue in cues([event(kind)], side, 1)]
     assert len(set(notes)) == len(notes) == len(EventKind) - len(SILENT)
 
 
 def test_a_brick_sounds_of_its_place_in_the_row_and_of_what_is_left():
     """Two bricks in one frame are two steps of the scale, the later one as high as the combo says."""
     events = [event(EventKind.BRICK_HIT, layers=2), event(EventKind.BRICK_HIT, layers=0)]
-    assert [cue.note for cue in cues(events, RADIUS, 5)] == [brick(4, 2), brick(5, 0)]
+    assert [cue.note for cue in cues(events, side, 5)] == [brick(4, 2), brick(5, 0)]
 
 
 def test_a_row_ends_at_the_paddle():
     """A brick after it is the first of a new row, and one before it cannot be told any more: it is a first one, too."""
     events = [event(EventKind.BRICK_HIT), event(EventKind.PADDLE_HIT), event(EventKind.BRICK_HIT)]
-    assert [cue.note for cue in cues(events, RADIUS, 1)] == [brick(1, 0), Note(Patch.PADDLE), brick(1, 0)]
+    assert [cue.note for cue in cues(events, side, 1)] == [brick(1, 0), Note(Patch.PADDLE), brick(1, 0)]
 
 
 @pytest.mark.parametrize(
@@ -79,12 +83,12 @@ def test_a_row_ends_at_the_paddle():
 def test_the_greater_news_is_told_alone(small, great, patch):
     """The last level's end is not announced twice."""
     events = [event(EventKind.BRICK_HIT), event(small), event(great)]
-    assert [cue.note.patch for cue in cues(events, RADIUS, 1)] == [Patch.BRICK, patch]
+    assert [cue.note.patch for cue in cues(events, side, 1)] == [Patch.BRICK, patch]
 
 
 def test_a_graze_is_softer_than_a_hit_straight_on():
     """From half as loud to full."""
-    gains = [cues([event(EventKind.WALL_HIT, before=v)], RADIUS, 0)[0].gain for v in (5.0, 5.0 - 5.0j, -5j)]
+    gains = [cues([event(EventKind.WALL_HIT, before=v)], side, 0)[0].gain for v in (5.0, 5.0 - 5.0j, -5j)]
     assert gains == pytest.approx([0.5, 0.5 + 0.5 * math.sqrt(0.5), 1.0])
 
 
@@ -100,7 +104,7 @@ def test_panning_keeps_the_power_and_mirrors(side):
 def test_panning_follows_the_place():
     """The further right, the more in the right ear; the rim is heard in both, and beyond it is like the rim."""
     places = [-1000.0, -10.0, -5.0, 0.0, 5.0, 10.0, 1000.0]
-    rights = [panned(cues([event(EventKind.BALL_LOST, x + 3j)], RADIUS, 0)[0].side)[1] for x in places]
+    rights = [panned(cues([event(EventKind.BALL_LOST, x + 3j)], side, 0)[0].side)[1] for x in places]
     assert all(less < more for less, more in itertools.pairwise(rights[1:-1]))
     assert rights[0] == rights[1] > 0.1
     assert rights[-1] == rights[-2] < 0.99

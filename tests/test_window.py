@@ -61,7 +61,7 @@ def test_a_whole_evening(desk, ticks):
     assert isinstance(desk.screen, Play)
     desk.wait(0.1)
     assert ticks[-1][1].tick < 30
-    desk.press(pygame.K_ESCAPE, pygame.K_DOWN, pygame.K_DOWN, pygame.K_RETURN)
+    desk.press(pygame.K_ESCAPE, pygame.K_DOWN, pygame.K_DOWN, pygame.K_DOWN, pygame.K_RETURN)
     assert isinstance(desk.screen, Title)
     desk.press(pygame.K_ESCAPE)
     assert desk.screen is None
@@ -181,7 +181,7 @@ def test_menus_answer_to_the_mouse(playing):
     playing.move(boxes[1].center)
     playing.wait(FRAME)
     assert playing.screen._selected == 1
-    playing.click(boxes[2].center)
+    playing.click(boxes[3].center)
     assert isinstance(playing.screen, Title)
 
 
@@ -228,10 +228,12 @@ def test_switches_work_on_every_screen(desk):
         if opens is not None:
             desk.press(opens)
         desk.press(pygame.K_m, pygame.K_t, pygame.K_e)
-        assert (desk.shared.muted, desk.shared.theme, desk.shared.effects) == (True, LIGHT, False)
+        chosen = desk.shared.settings
+        assert (chosen.sound, chosen.theme, chosen.effects) == (False, LIGHT, False)
         assert desk.shared.painter.theme is LIGHT
         desk.press(pygame.K_m, pygame.K_t, pygame.K_e)
-        assert (desk.shared.muted, desk.shared.theme, desk.shared.effects) == (False, DARK, True)
+        chosen = desk.shared.settings
+        assert (chosen.sound, chosen.theme, chosen.effects) == (True, DARK, True)
 
 
 def test_full_screen_and_back(playing):
@@ -270,6 +272,16 @@ def test_a_stall_runs_at_most_60_ticks(playing, ticks):
     before = len(ticks)
     playing.screen = app.frame(playing.window, playing.shared, playing.screen, 3600.0)
     assert len(ticks) - before <= 60
+
+
+def test_a_clock_that_jumps_back_runs_nothing_and_breaks_nothing(playing, ticks):
+    """Time that has not passed is no time; afterwards the game goes on as if nothing had been."""
+    playing.press(pygame.K_SPACE, pygame.K_MINUS)
+    before = len(ticks)
+    playing.screen = app.frame(playing.window, playing.shared, playing.screen, -7200.0)
+    assert len(ticks) == before
+    playing.wait(0.5)
+    assert len(ticks) >= before + 110
 
 
 def test_a_key_shows_in_the_next_frame(playing):

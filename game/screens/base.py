@@ -8,13 +8,17 @@ import pygame
 
 from game import opinions
 from game.audio import Audio
+from game.camera import Camera
 from game.controls import Signal
 from game.levels import Level
 from game.opinions import Compare, Opinions
-from game.palette import DARK, LIGHT, Theme
+from game.palette import Theme
 from game.render import Painter
 from game.rules import Controls, Game, Ticked
+from game.settings import LOUDEST, Settings
+from game.settings_file import SettingsFile
 from game.text import Type
+from game.toast import Toast
 from game.view import FROM_ABOVE, View
 
 Recorder = Callable[[Controls, Game], None]
@@ -31,32 +35,42 @@ class Shared:
     home: "Callable[[Shared], Screen]"  # opens the title
     recorder: Recorder | None = None
     autopilot: bool = False  # plays instead of the player
-    muted: bool = False
-    effects: bool = True
+    settings: Settings = field(default_factory=Settings)
     full_screen: bool = False
     view: View = FROM_ABOVE
     compare: Compare | None = None  # another engine to ask about contacts
     normals: bool = False  # show what it says
     audio: Audio | None = None
-    theme: Theme = DARK
+    kept: SettingsFile | None = None  # where settings outlive the session
+    toast: Toast | None = None
     painter: Painter = field(default_factory=Painter)
     type: Type = field(default_factory=Type)
 
-    def toggle_theme(self) -> None:
-        """Dark to light and back."""
-        self.theme = LIGHT if self.theme is DARK else DARK
-        self.painter.theme = self.theme
+    @property
+    def theme(self) -> Theme:
+        """The colours."""
+        return self.settings.theme
 
-    def toggle_sound(self) -> None:
-        """Off and on."""
-        self.muted = not self.muted
+    def change(self, settings: Settings, told: Toast | None = None) -> None:
+        """Let other settings hold, on the screen and in what sounds now. told: what to say about it."""
+        self.settings = settings
+        self.painter.theme = settings.theme
+        if told is not None:
+            self.toast = told
         if self.audio is not None:
-            self.audio.muted = self.muted
+            self.audio.muted = not settings.sound
+            self.audio.volume = settings.volume / LOUDEST
 
-    def heard(self, ticked: Ticked) -> None:
-        """Make the sounds of a tick."""
-        if self.audio is not None:
-            self.audio.play(ticked.events, ticked.game.level.ground_radius, ticked.game.combo)
+    def keep(self) -> None:
+        """Write the settings down for the next session."""
+        if self.kept is not None:
+            self.kept.keep(self.settings)
+
+    def heard(self, ticked: Ticked, camera: Camera) -> None:
+        """Make the sounds of a tick, each where it is on the screen."""
+        if self.audio is not None and ticked.events:
+            reach = ticked.game.level.ground_radius
+            self.audio.play(ticked.events, lambda position: camera.side(position, reach), ticked.game.combo)
 
     def opinions(self, shown: tuple[Opinions, ...], ticked: Ticked) -> tuple[Opinions, ...]:
         """The normals to show after a tick: none unless the player wants them."""

@@ -2,13 +2,15 @@
 
 from game import effects
 from game.autopilot import Autopilot
-from game.effects import Effects
+from game.effects import Effects, Kind, Shown
 from game.levels import Level
 from game.rules import Phase, new_game, tick
 from game.scene import Scene, scene_at, still
 from game.ticker import Due, due
 
 _END_TICKS = 240
+_LOUD = frozenset({Kind.SHAKE, Kind.POINTS})
+"""Effects that would disturb who reads what is written over it."""
 
 
 class Demo:
@@ -27,13 +29,13 @@ class Demo:
         game = self._ticked.game
         return game.phase in (Phase.OVER, Phase.WON) and game.phase_tick > _END_TICKS
 
-    def advance(self, seconds: float, *, full: bool) -> None:
-        """Let it play. full: with all effects."""
+    def advance(self, seconds: float, shown: Shown) -> None:
+        """Let it play. shown: the effects."""
         self._due = due(self._due.rest, seconds)
         for _ in range(self._due.ticks):
             game = self._ticked.game
             self._ticked = tick(game, self._autopilot.controls(game))
-            self._effects = effects.after(self._effects, self._ticked, full=full)
+            self._effects = effects.after(self._effects, self._ticked, shown - _LOUD)
 
     def scene(self) -> Scene:
         """What there is to see."""

@@ -12,6 +12,7 @@ from game.looks import wall_looks
 from game.palette import Theme
 from game.render import Painter
 from game.screens.base import Screen, Shared
+from game.shapes2d import draw_box
 from physics import PERMANENT, Ring
 
 
@@ -83,7 +84,7 @@ class Menu:
         for index, (entry, box) in enumerate(zip(self._entries, boxes, strict=True)):
             chosen = index == self._selected
             if chosen:
-                pygame.draw.rect(surface, theme.accent, box, max(1, round(unit * 0.1)), round(unit * 0.5))
+                draw_box(surface, box, unit * 0.5, theme.panel, theme.accent, unit * 0.1)
             colour = theme.accent if chosen else theme.text
             type_.write(surface, entry.label, unit * 1.3, colour, complex(box.centerx, box.centery), "center")
 
@@ -174,9 +175,7 @@ class Help:
 
 def draw_panel(surface: pygame.Surface, panel: pygame.Rect, theme: Theme, unit: float) -> None:
     """A plain rectangle with round corners and an edge."""
-    radius = round(unit * 0.8)
-    pygame.draw.rect(surface, theme.panel, panel, 0, radius)
-    pygame.draw.rect(surface, theme.panel_edge, panel, max(1, round(unit * 0.08)), radius)
+    draw_box(surface, panel, unit * 0.8, theme.panel, theme.panel_edge, unit * 0.08)
 
 
 def dim(surface: pygame.Surface, theme: Theme, strength: int = 150) -> None:

@@ -6,13 +6,14 @@ from game import effects, hud, normals, notice
 from game.autopilot import Autopilot
 from game.camera import Camera, Layout, layout, unit_of
 from game.controls import Action, FocusLost, Hands, Pressed, Signal
-from game.effects import Effects
+from game.effects import Effects, Kind, hit_stop
 from game.levels import Level
 from game.opinions import Opinions
 from game.rules import Phase, new_game, tick
 from game.scene import scene_at, still
 from game.screens.base import Screen, Shared
 from game.screens.panels import Entry, Help, Menu
+from game.screens.settings_panel import SettingsPanel
 from game.ticker import Due, due
 
 _READY_SECONDS = 0.6
@@ -33,6 +34,7 @@ class Play:
         self._hands = Hands()
         self._due = Due(0, 0.0)
         self._ready = 0.0
+        self._breath = 0.0  # seconds to hold it
         self._pilot = Autopilot() if shared.autopilot else None
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
@@ -44,20 +46,27 @@ class Play:
                 return self._held(_restart_menu(self._shared, self))
             case Pressed(Action.HELP):
                 return self._held(Help(self._shared, self))
+            case Pressed(Action.SETTINGS):
+                return self._held(SettingsPanel(self._shared, self))
         self._hands = self._hands.after(signal)
         self._shared.view = self._shared.view.after(signal, unit_of(size))
         return self
 
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
         """Run the ticks that are due; a panel when the game has ended."""
-        self._shared.view = self._shared.view.later(seconds, smooth=self._shared.effects)
+        self._shared.view = self._shared.view.later(seconds, smooth=not self._shared.settings.reduced_motion)
         if self._ready > 0.0:
             self._ready -= seconds
             return self
-        self._due = due(self._due.rest, seconds)
+        held = min(self._breath, max(seconds, 0.0))
+        self._breath -= held
+        self._due = due(self._due.rest, seconds - held)
         camera = self._layout(size).camera
         for _ in range(self._due.ticks):
             self._tick(camera)
+            if Kind.HIT_STOP in self._shared.settings.shown and (breath := hit_stop.breath(self._ticked)):
+                self._breath, self._due = breath, Due(0, 0.0)
+                break
         game = self._ticked.game
         if game.phase in (Phase.OVER, Phase.WON) and game.phase_tick >= _END_TICKS:
             return _end_menu(self._shared, self, won=game.phase == Phase.WON, score=game.score)
@@ -71,7 +80,7 @@ class Play:
         if shared.normals:
             normals.draw(surface, self._opinions, place.camera, shared.theme, shared.type, place.unit)
         badge = "" if self._pilot is None else "autopilot"
-        shown = hud.readings(self._ticked.game, muted=shared.muted, badge=badge)
+        shown = hud.readings(self._ticked.game, self._effects.streak, muted=not shared.settings.sound, badge=badge)
         hud.draw(surface, place, shown, shared.theme, shared.type)
         told = notice.READY if self._ready > 0.0 else notice.notice(self._ticked.game)
         if told is not None:
@@ -87,9 +96,9 @@ class Play:
         controls = self._hands.controls(camera) if self._pilot is None else self._pilot.controls(game)
         self._hands = self._hands._replace(serve=False)
         self._ticked = tick(game, controls)
-        self._effects = effects.after(self._effects, self._ticked, full=self._shared.effects)
+        self._effects = effects.after(self._effects, self._ticked, self._shared.settings.shown)
         self._opinions = self._shared.opinions(self._opinions, self._ticked)
-        self._shared.heard(self._ticked)
+        self._shared.heard(self._ticked, camera)
         if self._shared.recorder is not None:
             self._shared.recorder(controls, self._ticked.game)
 
@@ -110,10 +119,12 @@ def _pause_menu(shared: Shared, play: Play) -> Menu:
     entries = (
         Entry("Go on", lambda: play, Action.PAUSE),
         Entry("Restart", play.restarted, Action.RESTART),
+        Entry("Settings", lambda: SettingsPanel(shared, menu), Action.SETTINGS),
         Entry("All levels", lambda: shared.home(shared)),
         Entry("Quit", lambda: None),
     )
-    return Menu(shared, play, "Paused", (), entries, back=lambda: play)
+    menu = Menu(shared, play, "Paused", (), entries, back=lambda: play)
+    return menu
 
 
 def _restart_menu(shared: Shared, play: Play) -> Menu:

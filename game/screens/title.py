@@ -8,7 +8,9 @@ from game.screens.base import Screen, Shared
 from game.screens.demo import Demo
 from game.screens.panels import Help
 from game.screens.play import Play
+from game.screens.settings_panel import SettingsPanel
 from game.screens.thumbnail import thumbnail
+from game.shapes2d import draw_box
 
 NAME = "POLAR BREAKOUT"
 
@@ -34,6 +36,8 @@ class Title:
                 return self._started()
             case Pressed(Action.HELP):
                 return Help(self._shared, self)
+            case Pressed(Action.SETTINGS):
+                return SettingsPanel(self._shared, self)
             case Pressed(Action.BACK):
                 return None
             case Moved(place) if (index := self._card_at(place, size)) is not None:
@@ -45,7 +49,7 @@ class Title:
 
     def advance(self, seconds: float, _size: tuple[int, int]) -> Screen | None:
         """Let the demonstration play."""
-        self._demo.advance(seconds, full=self._shared.effects)
+        self._demo.advance(seconds, self._shared.settings.shown)
         if self._demo.ended:
             self._demo = self._new_demo()
         return self
@@ -68,7 +72,7 @@ class Title:
         box = type_.write(surface, level.name, unit * 1.5, theme.accent, complex(middle, under), "midtop")
         for line in type_.wrapped(level.description, unit * 1.05, width * 0.9):
             box = type_.write(surface, line, unit * 1.05, theme.text, complex(middle, box.bottom + unit * 0.2), "midtop")
-        hint = "Enter or click: play     Arrows: choose     H: help     F11: full screen     Esc: quit"
+        hint = "Enter or click: play     Arrows: choose     H: help     O: settings     F11: full screen     Esc: quit"
         type_.write(surface, hint, unit * 0.95, theme.faint, complex(middle, height - unit * 0.8), "midbottom")
 
     def _draw_cards(self, surface: pygame.Surface) -> None:
@@ -76,11 +80,10 @@ class Title:
         theme, type_, unit = self._shared.theme, self._shared.type, unit_of(surface.get_size())
         for index, card in enumerate(self._cards(surface.get_size())):
             chosen = index == self._shared.chosen
-            pygame.draw.rect(surface, theme.panel, card, 0, round(unit * 0.6))
+            edge = theme.accent if chosen else theme.panel_edge
+            draw_box(surface, card, unit * 0.6, theme.panel, edge, unit * (0.16 if chosen else 0.06))
             picture = self._picture(index, card.width - round(unit * 0.8))
             surface.blit(picture, picture.get_rect(midtop=(card.centerx, card.top + round(unit * 0.4))))
-            edge = theme.accent if chosen else theme.panel_edge
-            pygame.draw.rect(surface, edge, card, max(1, round(unit * (0.16 if chosen else 0.06))), round(unit * 0.6))
             colour = theme.accent if chosen else theme.faint
             place = complex(card.centerx, card.bottom - unit * 0.3)
             type_.write(surface, str(index + 1), unit * 1.1, colour, place, "midbottom")

@@ -7,19 +7,19 @@ import pygame
 from game import effects, hud, normals
 from game.camera import Layout, layout, unit_of
 from game.controls import WATCH_HELP, Action, Clicked, Dragged, Moved, Pressed, Signal, Zoomed
-from game.effects import Effects
+from game.effects import LONGEST, Effects
 from game.opinions import Opinions
 from game.rules import TICK, Game, Ticked
 from game.scene import scene_at, still
 from game.screens.base import Screen, Shared
 from game.screens.panels import Help
+from game.shapes2d import draw_dot
 from game.ticker import LONGEST_FRAME
+from game.toast import draw_bar
 
 SPEEDS = (0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0)
 _SKIP = 5 * 240
 """Ticks that an arrow key skips."""
-_RUN_UP = 48
-"""Ticks before the one sought that are played for their trails and flashes."""
 
 
 class Frames(Protocol):
@@ -58,9 +58,9 @@ class Watch:
                 return Help(shared, self, "Watching a game", WATCH_HELP)
             case Pressed(Action.SERVE | Action.PAUSE | Action.CONFIRM):
                 self._toggle()
-            case Pressed(Action.SLOWER | Action.DOWN):
+            case Pressed(Action.LESS | Action.DOWN):
                 self._speed = max(self._speed - 1, 0)
-            case Pressed(Action.FASTER | Action.UP):
+            case Pressed(Action.MORE | Action.UP):
                 self._speed = min(self._speed + 1, len(SPEEDS) - 1)
             case Pressed(action):
                 self._go(action)
@@ -73,13 +73,14 @@ class Watch:
                 self._seek(round(min(max(share, 0.0), 1.0) * self._frames.ticks))
         return self
 
-    def advance(self, seconds: float, _size: tuple[int, int]) -> Screen | None:
+    def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
         """Let the recording run at its speed."""
-        self._shared.view = self._shared.view.later(seconds, smooth=self._shared.effects)
+        self._shared.view = self._shared.view.later(seconds, smooth=not self._shared.settings.reduced_motion)
         if self._playing:
             passed = self._run_to(self._at + min(max(seconds, 0.0), LONGEST_FRAME) / TICK * SPEEDS[self._speed])
+            camera = self._layout(size).camera
             for ticked in passed:
-                self._shared.heard(ticked)
+                self._shared.heard(ticked, camera)
             self._playing = self._at < self._frames.ticks
         return self
 
@@ -90,7 +91,7 @@ class Watch:
         shared.painter.paint(surface, scene, place.camera, shared.type, place.unit)
         if shared.normals:
             normals.draw(surface, self._opinions, place.camera, shared.theme, shared.type, place.unit)
-        shown = hud.readings(self._shown.game, muted=shared.muted, badge="replay")
+        shown = hud.readings(self._shown.game, self._effects.streak, muted=not shared.settings.sound, badge="replay")
         hud.draw(surface, place, shown, shared.theme, shared.type)
         self._draw_timeline(surface)
 
@@ -119,7 +120,7 @@ class Watch:
     def _seek(self, tick: int) -> None:
         """Show the moment after the given number of ticks, limited to those there are."""
         tick = min(max(tick, 0), self._frames.ticks)
-        start = max(tick - _RUN_UP, 0)
+        start = max(tick - LONGEST, 0)
         self._effects, self._opinions = Effects(), ()
         self._at, self._number = float(start), start
         self._shown = self._tick_from(start)
@@ -130,7 +131,7 @@ class Watch:
         moment = min(moment, float(self._frames.ticks))
         passed = []
         while self._number < int(moment):
-            self._effects = effects.after(self._effects, self._shown, full=self._shared.effects)
+            self._effects = effects.after(self._effects, self._shown, self._shared.settings.shown)
             self._opinions = self._shared.opinions(self._opinions, self._shown)
             passed.append(self._shown)
             self._number += 1
@@ -164,12 +165,8 @@ class Watch:
         theme, type_, size = self._shared.theme, self._shared.type, surface.get_size()
         unit, bar = unit_of(size), self._timeline(size)
         share = self._at / max(self._frames.ticks, 1)
-        radius = bar.height // 2
-        pygame.draw.rect(surface, theme.panel_edge, bar, 0, radius)
-        done = bar.copy()
-        done.width = round(bar.width * share)
-        pygame.draw.rect(surface, theme.accent, done, 0, radius)
-        pygame.draw.circle(surface, theme.text, (done.right, bar.centery), bar.height)
+        draw_bar(surface, bar, share, theme)
+        draw_dot(surface, complex(bar.left + bar.width * share, bar.centery), bar.height, theme.text)
         state = "playing" if self._playing else "stopped"
         type_.write(surface, state, unit, theme.text, complex(unit * 0.8, bar.centery), "midleft")
         length = f"{self._at * TICK:.1f} / {self._frames.ticks * TICK:.1f} s    {_speed_text(SPEEDS[self._speed])}"

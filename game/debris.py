@@ -1,0 +1,108 @@
+"""Where the pieces of a burst are: thrown, slowed by the air, pulled down, bounced once, and at last too small to see.
+
+With k the air's drag and g the gravity, a piece thrown from p with velocity v is, after t seconds, over
+
+    p + v (1 - e^(-k t)) / k        at the height    z + u t - g t^2 / 2,    mirrored and damped below the ground.
+"""
+
+from collections.abc import Sequence
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from game.effects.bursts import Burst, Matter, lasting
+from game.rules import TICK
+
+Reals = NDArray[np.float64]
+Points = NDArray[np.complex128]
+
+
+class Throw(NamedTuple):
+    """How pieces of one matter fly; lengths in hundredths of the ground's radius."""
+
+    number: int
+    along: float  # speed along the burst's way
+    apart: float  # and in any direction, at most
+    up: float
+    drag: float  # per second
+    size: float
+
+
+THROWS = {
+    Matter.BRICK: Throw(12, 15.0, 40.0, 58.0, 2.2, 2.3),
+    Matter.BALL: Throw(18, 14.0, 44.0, 50.0, 2.0, 1.6),
+    Matter.STEEL: Throw(14, 26.0, 105.0, 55.0, 4.0, 1.6),
+    Matter.PADDLE: Throw(9, 22.0, 80.0, 30.0, 4.5, 1.4),
+}
+_GRAVITY = 150.0
+_BOUNCE = 0.35
+_HEIGHT = 4.5
+"""Of what bursts: about a layer's."""
+_SHRINKING = 0.55
+"""From this share of its life on a piece grows smaller."""
+
+
+class Pieces(NamedTuple):
+    """Every piece of some bursts, one a row; lengths in world units."""
+
+    place: Points
+    height: Reals
+    size: Reals  # 0 once gone
+    turn: Reals  # angle about the vertical, radians
+    tumble: Reals  # angle about a horizontal axis, radians
+    shape: Reals  # 0 to 1, any
+    share: Reals  # of its life that is over
+    burst: NDArray[np.int64]  # which it is of
+
+
+def pieces(bursts: Sequence[Burst], ground_radius: float) -> Pieces:
+    """All pieces of some bursts."""
+    throws = [THROWS[burst.matter] for burst in bursts]
+    counts = [throw.number for throw in throws]
+    whose = np.repeat(np.arange(len(bursts)), counts)
+    number = np.concatenate([np.arange(count, dtype=np.uint64) for count in counts])  # of a piece in its burst
+    chance = _chances(np.array([burst.seed for burst in bursts], dtype=np.uint64)[whose], number)
+    radius, half_width, angle, half_angle = np.array([burst.place for burst in bursts])[whose].T
+    unit = 0.01 * ground_radius
+    along, apart, up, drag, size = np.array([throw[1:] for throw in throws])[whose].T
+    way = np.array([burst.way for burst in bursts])[whose]
+    life = np.array([lasting(burst.matter) * TICK for burst in bursts])[whose]
+    time = np.array([burst.age * TICK for burst in bursts])[whose]
+
+    start = (radius + half_width * chance[0]) * np.exp(1j * (angle + half_angle * chance[1]))
+    thrown = way * along * (0.6 + 0.4 * chance[2]) + np.exp(1j * np.pi * chance[3]) * apart * np.abs(chance[4])
+    place = start + thrown * unit * (-np.expm1(-drag * time) / drag)
+    height = _height(0.5 * _HEIGHT * (1.0 + chance[5]), up * (0.65 + 0.35 * chance[6]), time)
+    share = time / (life * (0.8 + 0.2 * chance[7]))
+    shrunk = np.clip((1.0 - share) / (1.0 - _SHRINKING), 0.0, 1.0)
+    spin = 14.0 * chance[1]
+    return Pieces(
+        place,
+        height * unit,
+        size * unit * (0.75 + 0.25 * chance[4]) * shrunk,
+        np.pi * chance[2] + spin * time,
+        np.pi * chance[3] + 1.6 * spin * time,
+        0.5 + 0.5 * chance[5],
+        share,
+        whose,
+    )
+
+
+def _height(start: Reals, up: Reals, time: Reals) -> Reals:
+    """Height above the ground; a piece that comes down bounces once and then lies."""
+    landing = (up + np.sqrt(up * up + 2.0 * _GRAVITY * start)) / _GRAVITY
+    again = _BOUNCE * (_GRAVITY * landing - up)
+    later = time - landing
+    flying = start + (up - 0.5 * _GRAVITY * time) * time
+    bounced = np.maximum((again - 0.5 * _GRAVITY * later) * later, 0.0)
+    return np.asarray(np.where(later < 0.0, np.maximum(flying, 0.0), bounced))
+
+
+def _chances(seeds: NDArray[np.uint64], numbers: NDArray[np.uint64]) -> Reals:
+    """Eight rows of numbers from -1 to 1, the same for the same seeds and numbers: the mixing steps of SplitMix64."""
+    row = np.arange(1, 9, dtype=np.uint64)[:, None] * np.uint64(0x9E3779B97F4A7C15)
+    mixed = seeds * np.uint64(0xD1342543DE82EF95) + numbers * np.uint64(0x2545F4914F6CDD1D) + row
+    mixed = (mixed ^ (mixed >> np.uint64(30))) * np.uint64(0xBF58476D1CE4E5B9)
+    mixed = (mixed ^ (mixed >> np.uint64(27))) * np.uint64(0x94D049BB133111EB)
+    return np.asarray((mixed >> np.uint64(11)).astype(np.float64) * 2.0**-52 - 1.0)

@@ -1,0 +1,35 @@
+"""Sectors that light up for a moment after a hit."""
+
+from typing import NamedTuple
+
+from game.effects.kinds import Kind, Shown
+from game.rules import Event, EventKind, Ticked
+from physics import Hit
+
+FLASH_TICKS = 40
+
+
+class Flash(NamedTuple):
+    """A sector that was just hit."""
+
+    ring: int
+    slot: int
+    layers: int  # left after the hit
+    age: float  # 0 new to 1 gone
+    lit: bool = True  # it lights up itself
+    echoed: bool = False  # the rest of its ring answers
+
+
+def after_tick(flashes: tuple[Flash, ...], ticked: Ticked, shown: Shown) -> tuple[Flash, ...]:
+    """The flashes a tick later. shown: of flashes and answers of a ring whose brick goes, those the player wants."""
+    if flashes:
+        older = [flash._replace(age=flash.age + 1.0 / FLASH_TICKS) for flash in flashes]
+        flashes = tuple([flash for flash in older if flash.age < 1.0])
+    new = [_flash(event, event.hit, shown) for event in ticked.events if event.hit is not None]
+    return (*flashes, *[flash for flash in new if flash.lit or flash.echoed]) if new else flashes
+
+
+def _flash(event: Event, hit: Hit, shown: Shown) -> Flash:
+    """The light of a hit."""
+    echoed = Kind.RING in shown and event.kind == EventKind.BRICK_HIT
+    return Flash(hit.ring, hit.slot, hit.layers, 0.0, Kind.FLASH in shown, echoed)
