@@ -1,4 +1,4 @@
-"""A ring's slabs as arrays: every one cut into narrow blocks, each an extruded annular sector with two arcs of points.
+"""A ring's slabs as arrays: every one cut into narrow blocks, prisms on a foot with four corners.
 
 Everything here is relative to the ring's phase: a turning ring has the same blocks at every moment.
 """
@@ -14,31 +14,31 @@ from game.slabs import Slab
 Reals = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 Integers = NDArray[np.int64]
+Points = NDArray[np.complex128]
 
-SEGMENTS = 3
-"""Chords of an arc of one block."""
-_SAG = 0.2
-"""Pixels that a chord may run inside its arc."""
+_AWAY, _AWAY_ALONE = 0.25, 0.8
+"""Pixels that a straight side may be away from the arc it stands for, its corners outside, its middle within; and those of a
+block that is all of its sector: there are no bends for the eye to find."""
 _WIDE = math.radians(35.0)
 """Half angle from which a sector's faces are shaded block by block."""
 _LINE = 0.06
 """World units, width of a bar."""
+_FULL = math.pi * 0.999
+"""Half angle from which a sector is a whole ring."""
 
 
 class Blocks(NamedTuple):
-    """Many blocks, one a row."""
+    """Many blocks, one a row. Their sides are numbered: outer, left (at the largest angle), inner, right."""
 
-    outer: Reals  # angles of the points of the outer arc, rising, SEGMENTS + 1 a row
-    inner: Reals
-    outer_radius: Reals
-    inner_radius: Reals
+    foot: Points  # four corners, world units: side k from corner k to the next, seen from above counter-clockwise
     bottom: Reals  # heights
     top: Reals
+    reach: Reals  # height of the pile that the block is the lowest of, 0 of all others
     middle: Reals  # angle of the block's middle, the same for all blocks on top of each other
     slot_middle: Reals  # of its slot's
-    facing: Reals  # angle of its arcs' shading
-    right: Flags  # whether the block has an end face at its smallest angle
-    left: Flags  # and at its largest
+    normals: Points  # of the four sides, unit
+    facing: Points  # where they are turned to as far as the light goes, unit
+    sides: Flags  # which of the four there are
     side_colour: Reals  # three a row
     top_colour: Reals
     slot: Integers
@@ -61,51 +61,70 @@ def blocks(cut: Cut, piles: list[tuple[int, tuple[Slab, ...]]]) -> Blocks:
     """The blocks of a ring. piles: slots and what stands in them."""
     slot = np.array([number for number, pile in piles for _ in pile], dtype=np.int64)
     every = [slab for _, pile in piles for slab in pile]
-    wedges = wedges_of(cut)
-    shares = np.linspace(-1.0, 1.0, wedges * SEGMENTS + 1)
-    inset = np.array([slab.inset for slab in every]) + cut.fringe
-    room = cut.half_width * 0.999
-    outer_radius = cut.radius + cut.half_width - np.minimum(inset, room)
-    inner_radius = cut.radius - cut.half_width + np.minimum(inset, room)
+    rows, wedges = len(every), wedges_of(cut)
     middle = slot * (math.tau / cut.slots)
-    outer = _arcs(cut, shares, inset, outer_radius) + middle[:, None]
-    inner = _arcs(cut, shares, inset, inner_radius) + middle[:, None]
-    bars = [(row, slab.strut) for row, slab in enumerate(every) if slab.strut is not None]
-    for row, (low, high) in bars:
-        outer[row] = middle[row] + high + shares * (_LINE / 2.0 / outer_radius[row])
-        inner[row] = middle[row] + low + shares * (_LINE / 2.0 / inner_radius[row])
-    columns = np.arange(wedges)[:, None] * SEGMENTS + np.arange(SEGMENTS + 1)[None, :]
-    middles = (middle[:, None] + cut.half_angle * (shares[columns[:, 0]] + shares[columns[:, -1]])[None, :] / 2.0).ravel()
-    rows, open_ends = len(every), cut.half_angle < math.pi * 0.999
-    first, last = np.arange(wedges) == 0, np.arange(wedges) == wedges - 1
+    shares = np.linspace(-1.0, 1.0, wedges + 1)
+    middles = (middle[:, None] + cut.half_angle * (shares[:-1] + shares[1:]) / 2.0).ravel()
+    foot = _feet(cut, every, middle, shares)
+    normals = -1j * (np.roll(foot, -1, axis=1) - foot)
+    normals /= np.maximum(np.abs(normals), 1e-12)
+    shaded = np.exp(1j * (np.repeat(middle, wedges) if cut.half_angle < _WIDE else middles))
+    bottom, top = np.array([slab.bottom for slab in every]), np.array([slab.top for slab in every])
+    level = np.array([level for _, pile in piles for level in range(len(pile))], dtype=np.int64)
+    reach = np.array([pile[-1].top for _, pile in piles for _ in pile]) * (level == 0)
+    high, open_ends = np.repeat(top > bottom, wedges), cut.half_angle < _FULL
+    first, last = (np.tile(np.arange(wedges) == number, rows) & open_ends for number in (0, wedges - 1))
     return Blocks(
-        outer[:, columns].reshape(rows * wedges, SEGMENTS + 1),
-        inner[:, columns].reshape(rows * wedges, SEGMENTS + 1),
-        np.repeat(outer_radius, wedges),
-        np.repeat(inner_radius, wedges),
-        np.repeat(np.array([slab.bottom for slab in every]), wedges),
-        np.repeat(np.array([slab.top for slab in every]), wedges),
+        foot,
+        np.repeat(bottom, wedges),
+        np.repeat(top, wedges),
+        np.repeat(reach, wedges),
         middles,
         np.repeat(middle, wedges),
-        np.repeat(middle, wedges) if cut.half_angle < _WIDE else middles,
-        np.tile(first & open_ends, rows),
-        np.tile(last & open_ends, rows),
+        normals,
+        np.stack([shaded, normals[:, 1], -shaded, normals[:, 3]], axis=1),
+        np.stack([high, high & last, high, high & first], axis=1),
         np.repeat(np.array([slab.side_colour for slab in every], dtype=np.float64).reshape(-1, 3), wedges, axis=0),
         np.repeat(np.array([slab.top_colour for slab in every], dtype=np.float64).reshape(-1, 3), wedges, axis=0),
         np.repeat(slot, wedges),
-        np.repeat(np.array([level for _, pile in piles for level in range(len(pile))], dtype=np.int64), wedges),
+        np.repeat(level, wedges),
     )
 
 
 def wedges_of(cut: Cut) -> int:
-    """Into how many blocks a slab is cut, side by side: few enough chords that arcs stay round, narrow enough to be sorted."""
-    chord = math.sqrt(8.0 * _SAG / max((cut.radius + cut.half_width) * cut.scale, 8.0 * _SAG))
-    return max(math.ceil(cut.half_angle / min(cut.widest, SEGMENTS * chord / 2.0) - 1e-9), 1)
+    """Into how many blocks a slab is cut, side by side: so narrow that arcs stay round and that blocks can be sorted."""
+    if cut.half_angle <= min(cut.widest, _half_angle(cut, _AWAY_ALONE)):
+        return 1
+    return math.ceil(cut.half_angle / min(cut.widest, _half_angle(cut, _AWAY)))
+
+
+def _half_angle(cut: Cut, away: float) -> float:
+    """Half the angle that a straight side may span, so many pixels away from its arc."""
+    return math.acos(max(1.0 - 2.0 * away / ((cut.radius + cut.half_width) * cut.scale), 0.0))
+
+
+def _feet(cut: Cut, every: list[Slab], middle: Reals, shares: Reals) -> Points:
+    """The feet, as in `Blocks`. middle: angle of each slab's slot; shares: of the half angle, where slabs are cut."""
+    inset = np.array([slab.inset for slab in every]) + cut.fringe
+    room = np.minimum(inset, cut.half_width * 0.999)
+    outer_radius, inner_radius = cut.radius + cut.half_width - room, cut.radius - cut.half_width + room
+    outer, inner = _arcs(cut, shares, inset, outer_radius), _arcs(cut, shares, inset, inner_radius)
+    for row, slab in enumerate(every):
+        if slab.strut is not None:
+            low, high = slab.strut
+            outer[row] = high + shares * (_LINE / 2.0 / outer_radius[row])
+            inner[row] = low + shares * (_LINE / 2.0 / inner_radius[row])
+    beyond = (3.0 - math.cos(cut.half_angle / (len(shares) - 1))) / 2.0
+    outer_arc, inner_arc = (
+        np.exp(1j * (angles + middle[:, None])) * radius[:, None] * beyond
+        for angles, radius in ((outer, outer_radius), (inner, inner_radius))
+    )
+    return np.stack([outer_arc[:, :-1], outer_arc[:, 1:], inner_arc[:, 1:], inner_arc[:, :-1]], axis=2).reshape(-1, 4)
 
 
 def _arcs(cut: Cut, shares: Reals, inset: Reals, radius: Reals) -> Reals:
     """Angles from the slot's middle: cuts stay where they are, but within the ends, which an inset moves sideways."""
-    if cut.half_angle >= math.pi * 0.999:
+    if cut.half_angle >= _FULL:
         return np.repeat((shares * cut.half_angle)[None, :], len(radius), axis=0)
     end = np.maximum(cut.half_angle - np.arcsin(np.minimum(inset / radius, 1.0)), 0.0)[:, None]
     return np.asarray(np.clip(shares[None, :] * cut.half_angle, -end, end))
@@ -114,10 +133,4 @@ def _arcs(cut: Cut, shares: Reals, inset: Reals, radius: Reals) -> Reals:
 def joined(parts: list[Blocks]) -> Blocks:
     """Blocks of several rings."""
     columns: list[Any] = [np.concatenate(column) for column in zip(*parts, strict=True)]
-    return Blocks(*columns)
-
-
-def ordered(every: Blocks, order: Integers) -> Blocks:
-    """The same blocks in another order."""
-    columns: list[Any] = [column[order] for column in every]
     return Blocks(*columns)
