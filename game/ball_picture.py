@@ -5,16 +5,10 @@ import math
 import numpy as np
 import pygame
 
-from game.camera import Camera, Points
+from game.camera import Points
 from game.palette import Theme, mixed
-from game.solids import LIGHT
-from physics import Ball
 
 _FINER = 4
-_SHADOW = ((1.0, 0.3), (0.8, 0.35))
-"""Discs that make a shadow: radius, in balls', and strength."""
-_SLANT = 0.7
-"""Length of a shadow over what casts it, once the camera is tipped enough to show it."""
 
 
 def ball_picture(radius: float, across: float, down: float, theme: Theme) -> pygame.Surface:
@@ -47,20 +41,3 @@ def without(picture: pygame.Surface, hidden: Points) -> pygame.Surface:
     alpha = pygame.surfarray.pixels_alpha(left)
     alpha[:] = alpha * (share / 255.0)
     return left
-
-
-def draw_shadow(surface: pygame.Surface, ball: Ball, camera: Camera, theme: Theme) -> None:
-    """A ball's shadow on the ground: right below it from straight above, beside it where that can be seen."""
-    middle = ball.position - LIGHT * _SLANT * ball.radius * math.sin(camera.tilt)
-    around = np.exp(1j * np.linspace(0.0, math.tau, 24, endpoint=False)) * ball.radius
-    for size, strength in _SHADOW:
-        outline = camera.projected((middle + around * size) * camera.turning, 0.0)
-        low = complex(math.floor(outline.real.min()) - 1, math.floor(outline.imag.min()) - 1)
-        width = math.ceil(outline.real.max() - low.real) + 2
-        height = math.ceil(outline.imag.max() - low.imag) + 2
-        disc = pygame.Surface((width * _FINER, height * _FINER), pygame.SRCALPHA)
-        shade = mixed(theme.ground, (0, 0, 0), 0.9)
-        disc.fill((*shade, 0))
-        corners = ((outline - low) * _FINER).view(np.float64).reshape(-1, 2).tolist()
-        pygame.draw.polygon(disc, (*shade, round(255 * strength)), corners)
-        surface.blit(pygame.transform.smoothscale(disc, (width, height)), (int(low.real), int(low.imag)))

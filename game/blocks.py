@@ -23,6 +23,8 @@ _WIDE = math.radians(35.0)
 """Half angle from which a sector's faces are shaded block by block."""
 _LINE = 0.06
 """World units, width of a bar."""
+_CLOSE = 0.15
+"""World units between two slots that a shadow does not show in."""
 _FULL = math.pi * 0.999
 """Half angle from which a sector is a whole ring."""
 
@@ -33,12 +35,13 @@ class Blocks(NamedTuple):
     foot: Points  # four corners, world units: side k from corner k to the next, seen from above counter-clockwise
     bottom: Reals  # heights
     top: Reals
-    reach: Reals  # height of the pile that the block is the lowest of, 0 of all others
+    reach: Reals  # height of its pile
     middle: Reals  # angle of the block's middle, the same for all blocks on top of each other
     slot_middle: Reals  # of its slot's
     normals: Points  # of the four sides, unit
     facing: Points  # where they are turned to as far as the light goes, unit
     sides: Flags  # which of the four there are
+    casting: Flags  # which throw a shadow for the whole pile
     side_colour: Reals  # three a row
     top_colour: Reals
     slot: Integers
@@ -71,9 +74,10 @@ def blocks(cut: Cut, piles: list[tuple[int, tuple[Slab, ...]]]) -> Blocks:
     shaded = np.exp(1j * (np.repeat(middle, wedges) if cut.half_angle < _WIDE else middles))
     bottom, top = np.array([slab.bottom for slab in every]), np.array([slab.top for slab in every])
     level = np.array([level for _, pile in piles for level in range(len(pile))], dtype=np.int64)
-    reach = np.array([pile[-1].top for _, pile in piles for _ in pile]) * (level == 0)
+    reach = np.array([pile[-1].top for _, pile in piles for _ in pile])
     high, open_ends = np.repeat(top > bottom, wedges), cut.half_angle < _FULL
     first, last = (np.tile(np.arange(wedges) == number, rows) & open_ends for number in (0, wedges - 1))
+    sides = np.stack([high, high & last, high, high & first], axis=1)
     return Blocks(
         foot,
         np.repeat(bottom, wedges),
@@ -83,12 +87,23 @@ def blocks(cut: Cut, piles: list[tuple[int, tuple[Slab, ...]]]) -> Blocks:
         np.repeat(middle, wedges),
         normals,
         np.stack([shaded, normals[:, 1], -shaded, normals[:, 3]], axis=1),
-        np.stack([high, high & last, high, high & first], axis=1),
+        sides,
+        sides & np.repeat(_seen_by_the_light(cut, slot, level, reach), wedges, axis=0),
         np.repeat(np.array([slab.side_colour for slab in every], dtype=np.float64).reshape(-1, 3), wedges, axis=0),
         np.repeat(np.array([slab.top_colour for slab in every], dtype=np.float64).reshape(-1, 3), wedges, axis=0),
         np.repeat(slot, wedges),
         np.repeat(level, wedges),
     )
+
+
+def _seen_by_the_light(cut: Cut, slot: Integers, level: Integers, reach: Reals) -> Flags:
+    """Which sides of each slab may throw its pile's shadow: the lowest slab's, but not where a close neighbour takes it."""
+    heights = np.zeros(cut.slots)
+    heights[slot] = reach
+    alone = cut.radius * (math.tau / cut.slots - 2.0 * cut.half_angle) > _CLOSE
+    left, right = (alone | (reach > heights[(slot + step) % cut.slots]) for step in (1, -1))
+    arcs = np.ones(len(slot), dtype=np.bool_)
+    return np.asarray(np.stack([arcs, left, arcs, right], axis=1) & (level == 0)[:, None])
 
 
 def wedges_of(cut: Cut) -> int:

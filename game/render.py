@@ -13,7 +13,7 @@ from typing import NamedTuple
 import pygame
 
 from game import hud
-from game.ball_picture import ball_picture, draw_shadow, without
+from game.ball_picture import ball_picture, without
 from game.camera import Camera, Points, layout
 from game.effects import Effects, Flash, Pop
 from game.ground import ground_picture
@@ -102,8 +102,6 @@ class Painter:
                 for k, layers in enumerate(scene.layers)
             ]
         )
-        for ball in scene.balls:
-            draw_shadow(surface, ball, camera, self.theme)
         things = self._solid.draw_blocks(surface, scene, looks, camera, self.theme)
         for ball in sorted(scene.balls, key=lambda ball: -(ball.position * camera.turning).imag):
             place = camera.project(ball.position, ball.radius)

@@ -17,8 +17,8 @@ COMMON_LAYERS = 3
 _PADDLE = 0.7
 """Heights of a paddle and of what never breaks, in layers."""
 _STEEL = 1.0
-_FOOT = ((0.55, 0.94), (0.3, 0.84), (0.1, 0.72))
-"""Shade at the foot of the next terrace: its reach, in terraces, and what it leaves of the colour."""
+_FOOT, _SHADE = 0.35, 0.8
+"""The shade at the foot of the next terrace: its reach, in terraces, and what it leaves of the colour."""
 
 
 class Slab(NamedTuple):
@@ -78,9 +78,8 @@ def _stack(look: Look, slot: Slot, drop: float, theme: Theme) -> tuple[Slab, ...
         top = (place + 1.0) * slot.layer
         pile.append(Slab(place * slot.layer, top, place * step, colour, colour))
         if index < look.layers - 1:
-            for reach, left in _FOOT:
-                shade = mixed((0, 0, 0), colour, left)
-                pile.append(Slab(top, top, (place + 1.0 - reach) * step, shade, shade))
+            shade = mixed((0, 0, 0), colour, _SHADE)
+            pile.append(Slab(top, top, (place + 1.0 - _FOOT) * step, shade, shade))
     return tuple(pile)
 
 

@@ -22,7 +22,8 @@ from game.rules import PADDLES
 from game.scene import Scene
 from game.skins import Look
 from game.slabs import Slot
-from game.solids import Seen, faces, seen
+from game.solids import Seen, faces, seen, shadows
+from physics import Ball
 
 _FINENESS = ((9_000_000, 2),)
 """Up to how many pixels blocks are drawn how many times finer. Scaling down by a power of two leaves the ground alone."""
@@ -75,7 +76,7 @@ class SolidPicture:
         every = pieces.joined(parts)
         phase = np.array([scene.rings[k].phase for k in order])[place]
         things = seen(every, phase, np.array(partings)[place], place + 1, camera)
-        self._draw(surface, things, camera)
+        self._draw(surface, things, scene.balls, camera, theme)
         return things
 
     def _ring_blocks(self, scene: Scene, k: int, below: float, looks: tuple[Look, ...], scale: float, theme: Theme) -> Blocks:
@@ -104,11 +105,13 @@ class SolidPicture:
             self._blocks.move_to_end(key)
         return found
 
-    def _draw(self, surface: pygame.Surface, things: Seen, camera: Camera) -> None:
-        """Fill the faces."""
+    def _draw(self, surface: pygame.Surface, things: Seen, balls: tuple[Ball, ...], camera: Camera, theme: Theme) -> None:
+        """Fill the shadows, then the faces."""
         finer = _finer(surface.get_width() * surface.get_height())
-        drawn = faces(things, camera, finer)
-        self._mosaic.draw(surface, drawn.corners, packed(self._mosaic.canvas, drawn.colours), finer)
+        dark, drawn = shadows(things, balls, camera, finer), faces(things, camera, finer)
+        shade = np.full(len(dark), round(theme.shadow * 255.0) << self._mosaic.canvas.get_shifts()[3], dtype=np.uint32)
+        colours = np.concatenate([shade, packed(self._mosaic.canvas, drawn.colours)])
+        self._mosaic.draw(surface, np.concatenate([dark, drawn.corners]), colours, finer)
 
 
 def _finer(pixels: int) -> int:

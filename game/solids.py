@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from game.blocks import Blocks, Flags, Integers, Points, Reals
 from game.camera import Camera
 from game.depth_order import back_to_front
+from physics import Ball
 
 LIGHT = complex(math.cos(math.radians(125.0)), math.sin(math.radians(125.0)))
 """Where the light comes from, as a bearing of the world; it also falls from above, full on every top."""
@@ -20,6 +21,9 @@ _DIMMEST, _BRIGHTEST = 0.42, 0.78
 _TOP = 4
 _FACES = np.array([[k, (k + 1) % 4, 4 + (k + 1) % 4, 4 + k] for k in range(4)] + [[0, 1, 2, 3]])
 """Corners of the four sides and of the top, among the top's four followed by the bottom's four."""
+_AROUND = np.exp(1j * np.linspace(0.0, math.tau, 25))
+_DISC = np.stack([_AROUND[:12], _AROUND[1:13], _AROUND[-2:-14:-1], _AROUND[-1:-13:-1]], axis=1)
+"""A disc of radius 1, cut into strips."""
 
 
 class Seen(NamedTuple):
@@ -30,8 +34,6 @@ class Seen(NamedTuple):
     foot: Points  # on the ground, turned to the screen, as in `Blocks`
     top: Points  # pixels
     bottom: Points
-    shadow: Points  # of the piles on the ground, pixels; eight corners a row, one row for each of `casting`
-    casting: Integers  # the numbers of the blocks that cast them
     turn: Points  # of each one's ring on the screen, a factor
 
 
@@ -50,29 +52,14 @@ def seen(blocks: Blocks, phase: Reals, parting: Reals, rank: Integers, camera: C
     angle = phase - camera.azimuth
     turn = np.exp(1j * angle)
     foot = blocks.foot * turn[:, None]
-    casting = np.flatnonzero(blocks.reach)
     return Seen(
         blocks,
         back_to_front(blocks, angle, parting, rank, camera),
         foot,
         camera.projected(foot, blocks.top[:, None]),
         camera.projected(foot, blocks.bottom[:, None]),
-        camera.projected(_shadows(blocks, foot, turn, casting, camera), 0.0),
-        casting,
         turn,
     )
-
-
-def _shadows(blocks: Blocks, foot: Points, turn: Points, casting: Integers, camera: Camera) -> Points:
-    """Outlines of what the piles' shadows cover of the ground: all that the feet pass over when moved along the shadow.
-
-    A corner between two sides of which one is in front, as the shadow goes, is there twice: where it was and where it comes.
-    """
-    way = -LIGHT * camera.turning * SLANT * math.sin(camera.tilt)
-    ahead = (blocks.normals[casting] * turn[casting, None] * way.conjugate()).real > 0.0
-    around = np.repeat(foot[casting], 2, axis=1)
-    leading = np.stack([np.roll(ahead, 1, axis=1), ahead], axis=2).reshape(-1, 8)
-    return around + way * np.where(leading, blocks.reach[casting, None], blocks.bottom[casting, None])
 
 
 def faces(things: Seen, camera: Camera, finer: int) -> Drawn:
@@ -85,11 +72,31 @@ def faces(things: Seen, camera: Camera, finer: int) -> Drawn:
     shown = np.concatenate([blocks.sides & towards_the_eye, np.ones((len(order), 1), np.bool_)], axis=1)
     place, face = np.nonzero(shown[order])
     row = order[place]
-    points = np.concatenate([things.top, things.bottom], axis=1)
-    pixels = np.floor(points.view(np.float64) * finer).astype(np.int32).reshape(-1, 8, 2)
+    points = _in_pixels(np.concatenate([things.top, things.bottom], axis=1), finer)
     light = _light(blocks.facing[row, np.minimum(face, _TOP - 1)] * (things.turn[row] / camera.turning))
     colours = np.where((face == _TOP)[:, None], blocks.top_colour[row], blocks.side_colour[row] * light)
-    return Drawn(pixels[row[:, None], _FACES[face]], colours.astype(np.float32))
+    return Drawn(points[row[:, None], _FACES[face]], colours.astype(np.float32))
+
+
+def shadows(things: Seen, balls: tuple[Ball, ...], camera: Camera, finer: int) -> NDArray[np.int32]:
+    """The ground in the shadow of blocks and balls, as quadrilaterals.
+
+    In a block's lies what its sides that are turned from the light pass over on their way down the light. A ball's shadow
+    is a disc below its middle.
+    """
+    blocks, way = things.blocks, -LIGHT * camera.turning * SLANT * math.sin(camera.tilt)
+    ahead = (blocks.normals * (things.turn * way.conjugate())[:, None]).real > 0.0
+    row, side = np.nonzero(blocks.casting & ahead)
+    ends = things.foot[row, side], things.foot[row, (side + 1) % 4]
+    low, high = way * blocks.bottom[row], way * blocks.reach[row]
+    corners = [np.stack([ends[0] + low, ends[1] + low, ends[1] + high, ends[0] + high], axis=1)]
+    corners += [ball.position * camera.turning + ball.radius * (way + _DISC) for ball in balls]
+    return _in_pixels(camera.projected(np.concatenate(corners), 0.0), finer)
+
+
+def _in_pixels(points: Points, finer: int) -> NDArray[np.int32]:
+    """Columns and rows of a drawing, along one more axis."""
+    return np.floor(points.view(np.float64) * finer).astype(np.int32).reshape(*points.shape, 2)
 
 
 def _light(facing: Points) -> Reals:
