@@ -34,6 +34,7 @@ class Seen(NamedTuple):
     foot: Points  # on the ground, turned to the screen, as in `Blocks`
     top: Points  # pixels
     bottom: Points
+    facing: Flags  # which of its sides are turned to the eye
     turn: Points  # of each one's ring on the screen, a factor
 
 
@@ -58,6 +59,7 @@ def seen(blocks: Blocks, phase: Reals, parting: Reals, rank: Integers, camera: C
         foot,
         camera.projected(foot, blocks.top[:, None]),
         camera.projected(foot, blocks.bottom[:, None]),
+        camera.nearer(foot, blocks.normals * turn[:, None]) > 0.0,
         turn,
     )
 
@@ -68,8 +70,7 @@ def faces(things: Seen, camera: Camera, finer: int) -> Drawn:
     Of a convex block the sides that face the eye never hide one another.
     """
     blocks, order = things.blocks, things.order
-    towards_the_eye = camera.nearer(things.foot, blocks.normals * things.turn[:, None]) > 0.0
-    shown = np.concatenate([blocks.sides & towards_the_eye, np.ones((len(order), 1), np.bool_)], axis=1)
+    shown = np.concatenate([blocks.sides & things.facing, np.ones((len(order), 1), np.bool_)], axis=1)
     place, face = np.nonzero(shown[order])
     row = order[place]
     points = _in_pixels(np.concatenate([things.top, things.bottom], axis=1), finer)
@@ -81,12 +82,13 @@ def faces(things: Seen, camera: Camera, finer: int) -> Drawn:
 def shadows(things: Seen, balls: tuple[Ball, ...], camera: Camera, finer: int) -> NDArray[np.int32]:
     """The ground in the shadow of blocks and balls, as quadrilaterals.
 
-    In a block's lies what its sides that are turned from the light pass over on their way down the light. A ball's shadow
-    is a disc below its middle.
+    In a block's lies what its sides that are turned from the light pass over on their way down the light. What a side turned
+    from the eye throws is hidden behind the block, except beside one at the end of a row. A ball's shadow is a disc.
     """
     blocks, way = things.blocks, -LIGHT * camera.turning * SLANT * math.sin(camera.tilt)
     ahead = (blocks.normals * (things.turn * way.conjugate())[:, None]).real > 0.0
-    row, side = np.nonzero(blocks.casting & ahead)
+    at_the_end = (blocks.casting[:, 1] | blocks.casting[:, 3])[:, None]
+    row, side = np.nonzero(blocks.casting & ahead & (things.facing | at_the_end))
     ends = things.foot[row, side], things.foot[row, (side + 1) % 4]
     low, high = way * blocks.bottom[row], way * blocks.reach[row]
     corners = [np.stack([ends[0] + low, ends[1] + low, ends[1] + high, ends[0] + high], axis=1)]
