@@ -3,13 +3,14 @@
 Everything here is relative to the ring's phase: a turning ring has the same blocks at every moment.
 """
 
+import cmath
 import math
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from game.slabs import Slab
+from game.slabs import Mark, Slab
 
 Reals = NDArray[np.float64]
 Flags = NDArray[np.bool_]
@@ -21,8 +22,6 @@ _AWAY, _AWAY_ALONE = 0.4, 0.8
 block that is all of its sector: there are no bends for the eye to find."""
 _WIDE = math.radians(35.0)
 """Half angle from which a sector's faces are shaded block by block."""
-_LINE = 0.06
-"""World units, width of a bar."""
 _CLOSE = 0.15
 """World units between two slots that a shadow does not show in."""
 _FULL = math.pi * 0.999
@@ -36,7 +35,7 @@ class Blocks(NamedTuple):
     bottom: Reals  # heights
     top: Reals
     reach: Reals  # height of its pile
-    middle: Reals  # angle of the block's middle, the same for all blocks on top of each other
+    middles: Reals  # two a row: angles of the first and the last of the narrow pieces of its slot that it stands on
     slot_middle: Reals  # of its slot's
     normals: Points  # of the four sides, unit
     facing: Points  # where they are turned to as far as the light goes, unit
@@ -62,37 +61,39 @@ class Cut(NamedTuple):
 
 def blocks(cut: Cut, piles: list[tuple[int, tuple[Slab, ...]]]) -> Blocks:
     """The blocks of a ring. piles: slots and what stands in them."""
-    slot = np.array([number for number, pile in piles for _ in pile], dtype=np.int64)
     every = [slab for _, pile in piles for slab in pile]
-    rows, wedges = len(every), wedges_of(cut)
+    wedges = wedges_of(cut)
+    number = np.array([k for k, slab in enumerate(every) for _ in range(1 if slab.mark else wedges)], dtype=np.int64)
+    wedge = np.array([k for slab in every for k in range(1 if slab.mark else wedges)], dtype=np.int64)
+    slot = np.array([slot for slot, pile in piles for _ in pile], dtype=np.int64)
+    level = np.array([level for _, pile in piles for level in range(len(pile))], dtype=np.int64)
     middle = slot * (math.tau / cut.slots)
-    shares = np.linspace(-1.0, 1.0, wedges + 1)
-    middles = (middle[:, None] + cut.half_angle * (shares[:-1] + shares[1:]) / 2.0).ravel()
-    foot = _feet(cut, every, middle, shares)
+    foot, pieces = _feet(cut, every, wedges, number, wedge)
+    foot *= np.exp(1j * middle[number])[:, None]
     normals = -1j * (np.roll(foot, -1, axis=1) - foot)
     normals /= np.maximum(np.abs(normals), 1e-12)
-    shaded = np.exp(1j * (np.repeat(middle, wedges) if cut.half_angle < _WIDE else middles))
+    middles = middle[number, None] + pieces
+    shaded = np.exp(1j * (middle[number] if cut.half_angle < _WIDE else middles[:, 0]))
     bottom, top = np.array([slab.bottom for slab in every]), np.array([slab.top for slab in every])
-    level = np.array([level for _, pile in piles for level in range(len(pile))], dtype=np.int64)
     reach = np.array([pile[-1].top for _, pile in piles for _ in pile])
-    high, open_ends = np.repeat(top > bottom, wedges), cut.half_angle < _FULL
-    first, last = (np.tile(np.arange(wedges) == number, rows) & open_ends for number in (0, wedges - 1))
+    high, open_ends = (top > bottom)[number], cut.half_angle < _FULL
+    first, last = (open_ends & (wedge == k) for k in (0, wedges - 1))
     sides = np.stack([high, high & last, high, high & first], axis=1)
     return Blocks(
         foot,
-        np.repeat(bottom, wedges),
-        np.repeat(top, wedges),
-        np.repeat(reach, wedges),
+        bottom[number],
+        top[number],
+        reach[number],
         middles,
-        np.repeat(middle, wedges),
+        middle[number],
         normals,
         np.stack([shaded, normals[:, 1], -shaded, normals[:, 3]], axis=1),
         sides,
-        sides & np.repeat(_seen_by_the_light(cut, slot, level, reach), wedges, axis=0),
-        np.repeat(np.array([slab.side_colour for slab in every], dtype=np.float64).reshape(-1, 3), wedges, axis=0),
-        np.repeat(np.array([slab.top_colour for slab in every], dtype=np.float64).reshape(-1, 3), wedges, axis=0),
-        np.repeat(slot, wedges),
-        np.repeat(level, wedges),
+        sides & _seen_by_the_light(cut, slot, level, reach)[number],
+        np.array([slab.side_colour for slab in every], dtype=np.float64).reshape(-1, 3)[number],
+        np.array([slab.top_colour for slab in every], dtype=np.float64).reshape(-1, 3)[number],
+        slot[number],
+        level[number],
     )
 
 
@@ -118,23 +119,34 @@ def _half_angle(cut: Cut, away: float) -> float:
     return math.acos(max(1.0 - 2.0 * away / ((cut.radius + cut.half_width) * cut.scale), 0.0))
 
 
-def _feet(cut: Cut, every: list[Slab], middle: Reals, shares: Reals) -> Points:
-    """The feet, as in `Blocks`. middle: angle of each slab's slot; shares: of the half angle, where slabs are cut."""
+def _feet(cut: Cut, every: list[Slab], wedges: int, number: Integers, wedge: Integers) -> tuple[Points, Reals]:
+    """The feet and the middles of the pieces that they stand on, as in `Blocks`, about the slot's middle.
+
+    wedges: pieces that a sector is cut into; number, wedge: of each block's slab, and of its piece.
+    """
+    shares = np.linspace(-1.0, 1.0, wedges + 1)
     inset = np.array([slab.inset for slab in every]) + cut.fringe
     room = np.minimum(inset, cut.half_width * 0.999)
-    outer_radius, inner_radius = cut.radius + cut.half_width - room, cut.radius - cut.half_width + room
-    outer, inner = _arcs(cut, shares, inset, outer_radius), _arcs(cut, shares, inset, inner_radius)
-    for row, slab in enumerate(every):
-        if slab.strut is not None:
-            low, high = slab.strut
-            outer[row] = high + shares * (_LINE / 2.0 / outer_radius[row])
-            inner[row] = low + shares * (_LINE / 2.0 / inner_radius[row])
-    beyond = (3.0 - math.cos(cut.half_angle / (len(shares) - 1))) / 2.0
-    outer_arc, inner_arc = (
-        np.exp(1j * (angles + middle[:, None])) * radius[:, None] * beyond
-        for angles, radius in ((outer, outer_radius), (inner, inner_radius))
-    )
-    return np.stack([outer_arc[:, :-1], outer_arc[:, 1:], inner_arc[:, 1:], inner_arc[:, :-1]], axis=2).reshape(-1, 4)
+    beyond = (3.0 - math.cos(cut.half_angle / wedges)) / 2.0
+    arcs = []
+    for radius in (cut.radius + cut.half_width - room, cut.radius - cut.half_width + room):
+        points = np.exp(1j * _arcs(cut, shares, inset, radius)) * (radius * beyond)[:, None]
+        arcs += [points[number, wedge], points[number, wedge + 1]]
+    foot = np.stack([arcs[0], arcs[1], arcs[3], arcs[2]], axis=1)
+    middles = (shares[:-1] + shares[1:])[wedge] / 2.0 * cut.half_angle
+    pieces = np.stack([middles, middles], axis=1)
+    for row in np.flatnonzero([every[k].mark is not None for k in number]).tolist():
+        foot[row], pieces[row] = _marked(cut, every[number[row]].mark, wedges)
+    return foot, pieces
+
+
+def _marked(cut: Cut, mark: Mark, wedges: int) -> tuple[list[complex], list[float]]:
+    """The four corners of a mark, and the middles of the first and the last piece of the slot that it touches."""
+    corners = [(radius, angle + way * mark.half_width / radius) for (radius, angle), way in (
+        (mark.outer, -1.0), (mark.outer, 1.0), (mark.inner, 1.0), (mark.inner, -1.0))]
+    width = 2.0 * cut.half_angle / wedges
+    ends = [min(max(math.floor(angle / width + wedges / 2.0), 0), wedges - 1) for _, angle in corners]
+    return [cmath.rect(*corner) for corner in corners], [(k + 0.5) * width - cut.half_angle for k in (min(ends), max(ends))]
 
 
 def _arcs(cut: Cut, shares: Reals, inset: Reals, radius: Reals) -> Reals:
