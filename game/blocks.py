@@ -142,8 +142,10 @@ def _feet(cut: Cut, every: list[Slab], wedges: int, number: Integers, wedge: Int
 
 def _marked(cut: Cut, mark: Mark, wedges: int) -> tuple[list[complex], list[float]]:
     """The four corners of a mark, and the middles of the first and the last piece of the slot that it touches."""
-    corners = [(radius, angle + way * mark.half_width / radius) for (radius, angle), way in (
-        (mark.outer, -1.0), (mark.outer, 1.0), (mark.inner, 1.0), (mark.inner, -1.0))]
+    corners = [
+        (radius, angle + way * mark.half_width / radius)
+        for (radius, angle), way in ((mark.outer, -1.0), (mark.outer, 1.0), (mark.inner, 1.0), (mark.inner, -1.0))
+    ]
     width = 2.0 * cut.half_angle / wedges
     ends = [min(max(math.floor(angle / width + wedges / 2.0), 0), wedges - 1) for _, angle in corners]
     return [cmath.rect(*corner) for corner in corners], [(k + 0.5) * width - cut.half_angle for k in (min(ends), max(ends))]

@@ -74,9 +74,7 @@ class Mosaic:
         pygame.transform.smoothscale(canvas.subsurface((0, 0, width, height)), part.box[2:], picture.subsurface(box))
 
 
-def _parts(
-    corners: Pixels, colours: NDArray[np.uint32], finer: int, size: tuple[int, int]
-) -> list[tuple[int, _Part]]:
+def _parts(corners: Pixels, colours: NDArray[np.uint32], finer: int, size: tuple[int, int]) -> list[tuple[int, _Part]]:
     """Every tile in which there is something, with its number."""
     corners = _cut_the_short_way(corners)
     a, b, c, d = (corners[:, k] for k in range(4))

@@ -3,7 +3,6 @@
 Edges are anti-aliased exactly: how deep a place lies inside a sector, in pixels, says how much of its pixel is covered.
 """
 
-import math
 from enum import IntEnum, auto
 from typing import NamedTuple
 

@@ -23,14 +23,13 @@ from game.scene import Scene
 from game.skins import Look
 from game.slabs import Slot
 from game.solids import Seen, faces, seen, shadows
-from physics import Ball
 
 _FINENESS = ((9_000_000, 2),)
 """Up to how many pixels blocks are drawn how many times finer. Scaling down by a power of two leaves the ground alone."""
 _STEPS = 8
 """Sizes of blocks between one and twice as large: where they are cut and how thin they are drawn changes but there."""
-_FRINGE = 0.25
-"""Pixels by which whole pixels of a drawing make a polygon larger on every side."""
+_FRINGE = 0.32
+"""Pixels of a drawing by which whole pixels make a polygon larger on every side, as measured."""
 _REMEMBERED = 64
 
 
@@ -65,22 +64,28 @@ class SolidPicture:
 
     def draw_blocks(self, surface: pygame.Surface, scene: Scene, looks: Looks, camera: Camera, theme: Theme) -> Seen:
         """Draw everything that stands on the ground but the balls, and return it as it is seen."""
+        finer = _finer(surface.get_width() * surface.get_height())
         scale = 2.0 ** (round(math.log2(camera.scale) * _STEPS) / _STEPS)
         order = sorted(range(len(scene.rings)), key=lambda k: scene.rings[k].radius)
         parts, partings, below = [], [], 0.0
         for k in order:
-            parts.append(self._ring_blocks(scene, k, below, looks[k], scale, theme))
+            parts.append(self._ring_blocks(scene, k, below, looks[k], (scale, _FRINGE / finer / scale), theme))
             partings.append((below + scene.rings[k].inner_radius) / 2.0)
             below = scene.rings[k].outer_radius
         place = np.repeat(np.arange(len(order)), [len(part.slot) for part in parts])
         every = pieces.joined(parts)
         phase = np.array([scene.rings[k].phase for k in order])[place]
         things = seen(every, phase, np.array(partings)[place], place + 1, camera)
-        self._draw(surface, things, scene.balls, camera, theme)
+        dark, drawn = shadows(things, scene.balls, camera, finer), faces(things, camera, finer)
+        shade = np.full(len(dark), round(theme.shadow * 255.0) << self._mosaic.canvas.get_shifts()[3], dtype=np.uint32)
+        colours = np.concatenate([shade, packed(self._mosaic.canvas, drawn.colours)])
+        self._mosaic.draw(surface, np.concatenate([dark, drawn.corners]), colours, finer)
         return things
 
-    def _ring_blocks(self, scene: Scene, k: int, below: float, looks: tuple[Look, ...], scale: float, theme: Theme) -> Blocks:
-        """The blocks of one ring, from memory if it looked the same before."""
+    def _ring_blocks(
+        self, scene: Scene, k: int, below: float, looks: tuple[Look, ...], drawn: tuple[float, float], theme: Theme
+    ) -> Blocks:
+        """The blocks of one ring, from memory if it looked the same before. drawn: scale and fringe, as in `Cut`."""
         ring = scene.rings[k]
         drops = tuple([drop for drop in scene.drops if drop.ring == k])
         cut = Cut(
@@ -89,8 +94,7 @@ class SolidPicture:
             ring.half_angle,
             ring.count,
             depth_order.widest(ring.inner_radius, below),
-            scale,
-            _FRINGE / scale,
+            *drawn,
         )
         key = (cut, looks, drops, theme, scene.ground_radius, scene.tallest[k])
         found = self._blocks.get(key)
@@ -104,14 +108,6 @@ class SolidPicture:
         else:
             self._blocks.move_to_end(key)
         return found
-
-    def _draw(self, surface: pygame.Surface, things: Seen, balls: tuple[Ball, ...], camera: Camera, theme: Theme) -> None:
-        """Fill the shadows, then the faces."""
-        finer = _finer(surface.get_width() * surface.get_height())
-        dark, drawn = shadows(things, balls, camera, finer), faces(things, camera, finer)
-        shade = np.full(len(dark), round(theme.shadow * 255.0) << self._mosaic.canvas.get_shifts()[3], dtype=np.uint32)
-        colours = np.concatenate([shade, packed(self._mosaic.canvas, drawn.colours)])
-        self._mosaic.draw(surface, np.concatenate([dark, drawn.corners]), colours, finer)
 
 
 def _finer(pixels: int) -> int:
