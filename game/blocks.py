@@ -67,7 +67,7 @@ def blocks(cut: Cut, piles: list[tuple[int, tuple[Slab, ...]]]) -> Blocks:
     wedge = np.array([k for slab in every for k in range(1 if slab.mark else wedges)], dtype=np.int64)
     slot = np.array([slot for slot, pile in piles for _ in pile], dtype=np.int64)
     level = np.array([level for _, pile in piles for level in range(len(pile))], dtype=np.int64)
-    middle = slot * (math.tau / cut.slots)
+    middle = np.asarray(slot * (math.tau / cut.slots), dtype=np.float64)
     foot, pieces = _feet(cut, every, wedges, number, wedge)
     foot *= np.exp(1j * middle[number])[:, None]
     normals = -1j * (np.roll(foot, -1, axis=1) - foot)

@@ -80,9 +80,10 @@ def _parts(corners: Pixels, colours: NDArray[np.uint32], finer: int, size: tuple
     a, b, c, d = (corners[:, k] for k in range(4))
     low, high = (better(better(a, b), better(c, d)) for better in (np.minimum, np.maximum))
     tile, end = _TILE * finer, np.array(size, dtype=np.int32) * finer
-    across, down = (-(-end // tile)).tolist()
-    first = np.maximum(low // tile, 0)
-    count = np.maximum(np.minimum(high // tile, (across - 1, down - 1)) - first + 1, 0)
+    across = int(-(-end[0] // tile[0]))
+    first = np.maximum(low, 0) // tile
+    count = np.minimum(high, end - 1) // tile - first + 1
+    count[((low >= end) | (high < 0)).any(axis=1)] = 0
     each = count[:, 0] * count[:, 1]
     row = np.repeat(np.arange(len(each)), each)
     step = np.arange(len(row)) - np.repeat(np.cumsum(each) - each, each)

@@ -1,6 +1,7 @@
 """The scene seen aslant: the ground, what lies on it, blocks from back to front, the balls among them.
 
-Blocks are drawn several times finer and scaled down, only where there are any: around the wall and around each paddle.
+All that stands on the ground is turned into quadrilaterals anew for every frame; what makes that quick is that a ring's blocks
+are remembered, relative to its phase, and that a mosaic fills them.
 """
 
 import math
@@ -25,7 +26,7 @@ from game.slabs import Slot
 from game.solids import Seen, faces, seen, shadows
 
 _FINENESS = ((9_000_000, 2),)
-"""Up to how many pixels blocks are drawn how many times finer. Scaling down by a power of two leaves the ground alone."""
+"""Up to how many pixels of the surface blocks are drawn how many times finer."""
 _STEPS = 8
 """Sizes of blocks between one and twice as large: where they are cut and how thin they are drawn changes but there."""
 _FRINGE = 0.32
