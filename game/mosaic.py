@@ -111,3 +111,8 @@ def _cut_the_short_way(corners: Pixels) -> Pixels:
     """
     height = np.abs(corners[:, :2, 1] - corners[:, 2:, 1])
     return np.where((height[:, 1] < height[:, 0])[:, None, None], np.roll(corners, -1, axis=1), corners)
+
+
+def in_pixels(points: NDArray[np.complex128], finer: int) -> Pixels:
+    """Columns and rows of a drawing, along one more axis. points: pixels, x to the right and y down."""
+    return np.floor(points.view(np.float64) * finer).astype(np.int32).reshape(*points.shape, 2)

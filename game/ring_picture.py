@@ -130,3 +130,8 @@ def packed(surface: pygame.Surface, picture: NDArray[np.float32]) -> NDArray[np.
     opaque = np.uint32(surface.get_masks()[3] & 0xFFFFFFFF)
     stored = channels[..., 0] << red | channels[..., 1] << green | channels[..., 2] << blue | opaque
     return np.asarray(stored, dtype=np.uint32)
+
+
+def unpacked(surface: pygame.Surface, pixels: NDArray[np.uint32]) -> NDArray[np.float32]:
+    """Red, green and blue, along one more axis, of pixels as a 32-bit surface stores them."""
+    return np.stack([pixels >> np.uint32(shift) & np.uint32(255) for shift in surface.get_shifts()[:3]], axis=-1).astype(np.float32)

@@ -9,6 +9,7 @@ from numpy.typing import NDArray
 from game.blocks import Blocks, Flags, Integers, Points, Reals
 from game.camera import Camera
 from game.depth_order import back_to_front
+from game.mosaic import in_pixels
 from physics import Ball
 
 LIGHT = complex(math.cos(math.radians(125.0)), math.sin(math.radians(125.0)))
@@ -73,7 +74,7 @@ def faces(things: Seen, camera: Camera, finer: int) -> Drawn:
     shown = np.concatenate([blocks.sides & things.facing, np.ones((len(order), 1), np.bool_)], axis=1)
     place, face = np.nonzero(shown[order])
     row = order[place]
-    points = _in_pixels(np.concatenate([things.top, things.bottom], axis=1), finer)
+    points = in_pixels(np.concatenate([things.top, things.bottom], axis=1), finer)
     light = _light(blocks.facing[row, np.minimum(face, _TOP - 1)] * (things.turn[row] / camera.turning))
     colours = np.where((face == _TOP)[:, None], blocks.top_colour[row], blocks.side_colour[row] * light)
     return Drawn(points[row[:, None], _FACES[face]], colours.astype(np.float32))
@@ -93,12 +94,7 @@ def shadows(things: Seen, balls: tuple[Ball, ...], camera: Camera, finer: int) -
     low, high = way * blocks.bottom[row], way * blocks.reach[row]
     corners = [np.stack([ends[0] + low, ends[1] + low, ends[1] + high, ends[0] + high], axis=1)]
     corners += [ball.position * camera.turning + ball.radius * (way + _DISC) for ball in balls]
-    return _in_pixels(camera.projected(np.concatenate(corners), 0.0), finer)
-
-
-def _in_pixels(points: Points, finer: int) -> NDArray[np.int32]:
-    """Columns and rows of a drawing, along one more axis."""
-    return np.floor(points.view(np.float64) * finer).astype(np.int32).reshape(*points.shape, 2)
+    return in_pixels(camera.projected(np.concatenate(corners), 0.0), finer)
 
 
 def _light(facing: Points) -> Reals:
