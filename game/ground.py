@@ -70,7 +70,9 @@ def _fringe(camera: Camera, radius: float) -> float:
     return min(_FRINGE / camera.scale * (1.0 + camera.closeness * radius * sine) ** 2 / cosine, radius / 2.0)
 
 
-def _draw(picture: pygame.Surface, camera: Camera, line: tuple[float, float, float], colours: tuple[Colour, Colour, Colour | None]) -> None:
+def _draw(
+    picture: pygame.Surface, camera: Camera, line: tuple[float, float, float], colours: tuple[Colour, Colour, Colour | None]
+) -> None:
     """A circular line. line: its inner radius, width, fringe, world units; colours: within, of the line, outside.
 
     Outside it may also leave what is there.

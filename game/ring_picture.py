@@ -134,4 +134,6 @@ def packed(surface: pygame.Surface, picture: NDArray[np.float32]) -> NDArray[np.
 
 def unpacked(surface: pygame.Surface, pixels: NDArray[np.uint32]) -> NDArray[np.float32]:
     """Red, green and blue, along one more axis, of pixels as a 32-bit surface stores them."""
-    return np.stack([pixels >> np.uint32(shift) & np.uint32(255) for shift in surface.get_shifts()[:3]], axis=-1).astype(np.float32)
+    return np.stack([pixels >> np.uint32(shift) & np.uint32(255) for shift in surface.get_shifts()[:3]], axis=-1).astype(
+        np.float32
+    )
