@@ -17,7 +17,7 @@ Flags = NDArray[np.bool_]
 Integers = NDArray[np.int64]
 Points = NDArray[np.complex128]
 
-_AWAY, _AWAY_ALONE = 0.4, 0.8
+_AWAY, _AWAY_ALONE = 0.2, 0.8
 """Pixels that a straight side may be away from the arc it stands for, its corners outside, its middle within; and those of a
 block that is all of its sector: there are no bends for the eye to find."""
 _WIDE = math.radians(35.0)

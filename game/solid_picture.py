@@ -25,7 +25,7 @@ from game.skins import Look
 from game.slabs import Slot
 from game.solids import Seen, faces, seen, shadows
 
-_FINENESS = ((9_000_000, 2),)
+_FINENESS = ((500_000, 3), (9_000_000, 2))
 """Up to how many pixels of the surface blocks are drawn how many times finer."""
 _STEPS = 8
 """Sizes of blocks between one and twice as large: where they are cut and how thin they are drawn changes but there."""
