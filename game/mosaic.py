@@ -76,41 +76,40 @@ class Mosaic:
 
 def _parts(corners: Pixels, colours: NDArray[np.uint32], finer: int, size: tuple[int, int]) -> list[tuple[int, _Part]]:
     """Every tile in which there is something, with its number."""
-    corners = _cut_the_short_way(corners)
-    a, b, c, d = (corners[:, k] for k in range(4))
-    low, high = (better(better(a, b), better(c, d)) for better in (np.minimum, np.maximum))
-    tile, end = _TILE * finer, np.array(size, dtype=np.int32) * finer
-    across = int(-(-end[0] // tile[0]))
+    points = _cut_the_short_way(np.ascontiguousarray(corners.transpose(2, 1, 0)))  # columns and rows; corners; quadrilaterals
+    low, high = points.min(axis=1), points.max(axis=1)
+    tile, end = _TILE[:, None] * finer, np.array(size, dtype=np.int32)[:, None] * finer
+    across = int(-(-end[0, 0] // tile[0, 0]))
     first = np.maximum(low, 0) // tile
     count = np.minimum(high, end - 1) // tile - first + 1
-    count[((low >= end) | (high < 0)).any(axis=1)] = 0
-    each = count[:, 0] * count[:, 1]
+    each = np.where(((low < end) & (high >= 0)).all(axis=0), count[0] * count[1], 0)
     row = np.repeat(np.arange(len(each)), each)
     step = np.arange(len(row)) - np.repeat(np.cumsum(each) - each, each)
-    number = (first[row, 1] + step // count[row, 0]) * across + first[row, 0] + step % count[row, 0]
+    down, aside = np.divmod(step, count[0, row])
+    number = (first[1, row] + down) * across + first[0, row] + aside
     order = np.argsort(number, kind="stable")
     row, number = row[order], number[order]
     starts = np.flatnonzero(np.diff(number, prepend=-1))
     numbers = number[starts]
-    origin = (np.stack([numbers % across, numbers // across], axis=1) * tile).astype(np.int32)
-    begin = np.maximum(np.minimum.reduceat(low[row], starts), origin) // finer
-    behind = np.minimum(np.maximum.reduceat(high[row], starts) + finer, np.minimum(origin + tile, end)) // finer
-    ends = np.append(starts, len(row))
-    shifted = corners[row] - np.repeat(begin * finer, np.diff(ends), axis=0)[:, None]
-    boxes, cuts, coloured = np.concatenate([begin, behind - begin], axis=1).tolist(), ends.tolist(), colours[row]
+    origin = (np.stack([numbers % across, numbers // across]) * tile).astype(np.int32)
+    begin = np.maximum(np.minimum.reduceat(low[:, row], starts, axis=1), origin) // finer
+    behind = np.minimum(np.maximum.reduceat(high[:, row], starts, axis=1) + finer, np.minimum(origin + tile, end)) // finer
+    cuts = [*starts.tolist(), len(row)]
+    shifted = points[:, :, row] - np.repeat(begin * finer, np.diff(cuts), axis=1)[:, None]
+    boxes, shades, places = np.concatenate([begin, behind - begin]).T.tolist(), colours[row], shifted.transpose(2, 1, 0)
     return [
-        (number, _Part(box, coloured[a:b], shifted[a:b]))
+        (number, _Part(box, shades[a:b], places[a:b]))
         for number, box, a, b in zip(numbers.tolist(), boxes, cuts, cuts[1:], strict=False)
     ]
 
 
-def _cut_the_short_way(corners: Pixels) -> Pixels:
+def _cut_the_short_way(points: Pixels) -> Pixels:
     """The same quadrilaterals, begun so that a cut from the first corner to the third crosses fewer rows than the other one.
 
     The two triangles have fewer rows together, and rows are what filling them costs.
     """
-    height = np.abs(corners[:, :2, 1] - corners[:, 2:, 1])
-    return np.where((height[:, 1] < height[:, 0])[:, None, None], np.roll(corners, -1, axis=1), corners)
+    height = np.abs(points[1, :2] - points[1, 2:])
+    return np.where(height[1] < height[0], points[:, [1, 2, 3, 0]], points)
 
 
 def in_pixels(points: NDArray[np.complex128], finer: int) -> Pixels:
