@@ -25,8 +25,8 @@ from game.skins import Look
 from game.slabs import Slot
 from game.solids import Seen, faces, seen, shadows
 
-_FINENESS = ((500_000, 3), (9_000_000, 2))
-"""Up to how many pixels of the surface blocks are drawn how many times finer."""
+_FINENESS = ((9_000_000, 2),)
+"""Up to how many pixels of the surface blocks are drawn how many times finer; a power of two, for others change colours."""
 _STEPS = 8
 """Sizes of blocks between one and twice as large: where they are cut and how thin they are drawn changes but there."""
 _FRINGE = 0.32
