@@ -5,6 +5,7 @@ drop that is left, and inset and colour follow the height, so that a slab that h
 """
 
 import math
+from functools import lru_cache
 from typing import NamedTuple
 
 from game.palette import Colour, Theme, layer_colour, mixed
@@ -50,6 +51,7 @@ class Slot(NamedTuple):
     layer: float  # height of one, world units
 
 
+@lru_cache(maxsize=512)
 def slabs(look: Look, slot: Slot, drop: float, theme: Theme) -> tuple[Slab, ...]:
     """The slabs of a slot, from the lowest to the highest. drop: layers that its stack has still to fall."""
     match look.kind:
