@@ -89,7 +89,7 @@ def blocks(cut: Cut, piles: list[tuple[int, tuple[Slab, ...]]]) -> Blocks:
         normals,
         np.stack([shaded, normals[:, 1], -shaded, normals[:, 3]], axis=1),
         sides,
-        sides & _seen_by_the_light(cut, slot, level, reach)[number],
+        sides & _seen_by_the_light(cut, piles, slot, level, reach)[number],
         np.array([slab.side_colour for slab in every], dtype=np.float64).reshape(-1, 3)[number],
         np.array([slab.top_colour for slab in every], dtype=np.float64).reshape(-1, 3)[number],
         slot[number],
@@ -97,10 +97,13 @@ def blocks(cut: Cut, piles: list[tuple[int, tuple[Slab, ...]]]) -> Blocks:
     )
 
 
-def _seen_by_the_light(cut: Cut, slot: Integers, level: Integers, reach: Reals) -> Flags:
+def _seen_by_the_light(
+    cut: Cut, piles: list[tuple[int, tuple[Slab, ...]]], slot: Integers, level: Integers, reach: Reals
+) -> Flags:
     """Which sides of each slab may throw its pile's shadow: the lowest slab's, but not where a close neighbour takes it."""
     heights = np.zeros(cut.slots)
-    heights[slot] = reach
+    for number, pile in piles:
+        heights[number] = pile[-1].top if pile and pile[0].bottom == 0.0 else 0.0
     alone = cut.radius * (math.tau / cut.slots - 2.0 * cut.half_angle) > _CLOSE
     left, right = (alone | (reach > heights[(slot + step) % cut.slots]) for step in (1, -1))
     arcs = np.ones(len(slot), dtype=np.bool_)

@@ -83,16 +83,19 @@ def faces(things: Seen, camera: Camera, finer: int) -> Drawn:
 def shadows(things: Seen, balls: tuple[Ball, ...], camera: Camera, finer: int) -> NDArray[np.int32]:
     """The ground in the shadow of blocks and balls, as quadrilaterals.
 
-    In a block's lies what its sides that are turned from the light pass over on their way down the light. What a side turned
-    from the eye throws is hidden behind the block, except beside one at the end of a row. A ball's shadow is a disc.
+    In a block's lies what its sides that are turned from the light pass over on their way down the light, and its foot does
+    while it falls. What a side turned from the eye throws is hidden by a block that stands, if it does not end a row. A
+    ball's shadow is a disc.
     """
     blocks, way = things.blocks, -LIGHT * camera.turning * SLANT * math.sin(camera.tilt)
     ahead = (blocks.normals * (things.turn * way.conjugate())[:, None]).real > 0.0
-    at_the_end = (blocks.casting[:, 1] | blocks.casting[:, 3])[:, None]
-    row, side = np.nonzero(blocks.casting & ahead & (things.facing | at_the_end))
+    falling = blocks.casting[:, 0] & (blocks.bottom > 0.0)
+    seen_around = (blocks.casting[:, 1] | blocks.casting[:, 3] | falling)[:, None]
+    row, side = np.nonzero(blocks.casting & ahead & (things.facing | seen_around))
     ends = things.foot[row, side], things.foot[row, (side + 1) % 4]
     low, high = way * blocks.bottom[row], way * blocks.reach[row]
     corners = [np.stack([ends[0] + low, ends[1] + low, ends[1] + high, ends[0] + high], axis=1)]
+    corners.append(things.foot[falling] + way * blocks.bottom[falling, None])
     corners += [ball.position * camera.turning + ball.radius * (way + _DISC) for ball in balls]
     return in_pixels(camera.projected(np.concatenate(corners), 0.0), finer)
 

@@ -18,6 +18,7 @@ from game.blocks import Cut, blocks, wedges_of
 from game.camera import layout
 from game.depth_order import back_to_front
 from game.effects import Effects, after
+from game.falling import Drop
 from game.fingerprint import state_hash
 from game.levels import built_in
 from game.palette import DARK, layer_colour
@@ -176,7 +177,7 @@ def test_what_is_in_front_is_drawn_in_front(level):
 
 def in_shadow(scene, spot, tilt):
     """Whether a place of the ground sees something between it and the light. Found by marching up the light."""
-    z = np.linspace(0.0, 3.0, 3000)
+    z, lifted = np.linspace(0.0, 3.0, 3000), {(drop.ring, drop.slot): 0.45 * drop.height for drop in scene.drops}
     way = spot + solids.LIGHT * solids.SLANT * math.sin(tilt) * z
     radius, angle = np.abs(way), np.angle(way)
     for k, ring in enumerate(scene.rings):
@@ -184,16 +185,19 @@ def in_shadow(scene, spot, tilt):
         slot = np.rint((angle - ring.phase) / pitch).astype(int) % ring.count
         off = (angle - ring.phase - slot * pitch + math.pi) % math.tau - math.pi
         top = np.array([heights(k, layers) for layers in scene.layers[k]])[slot]
-        if ((np.abs(radius - ring.radius) < ring.half_width) & (np.abs(off) < ring.half_angle) & (z < top)).any():
+        foot = np.array([lifted.get((k, number), 0.0) for number in range(ring.count)])[slot]
+        within = (np.abs(radius - ring.radius) < ring.half_width) & (np.abs(off) < ring.half_angle)
+        if (within & (z > foot) & (z < foot + top)).any():
             return True
     return False
 
 
 @pytest.mark.parametrize("level", [0, 3, 4, 5, 6])
 def test_shadows_lie_where_the_light_is_kept_out(level):
-    """At hundreds of places of the ground it is dark where the way to the light is barred, and bright where it is not."""
+    """At hundreds of places of the ground it is dark where the way to the light is barred, by stacks that fall, too."""
     base = scene_at(game_after(level, 1800)[0], 0.4, Effects())
-    scene = base._replace(aim=None, trails=(), flashes=(), pops=(), balls=())
+    drops = tuple([Drop(1, slot, 1.2, 0.0) for slot in range(0, base.rings[1].count, 2) if base.layers[1][slot] > 0])
+    scene = base._replace(aim=None, trails=(), flashes=(), pops=(), balls=(), drops=drops)
     bright, chance = DARK.ground, np.random.default_rng(level)
     dark = tuple(int(channel * (1.0 - DARK.shadow)) for channel in bright)
     wrong, checked = 0, Counter()
