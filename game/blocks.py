@@ -1,44 +1,46 @@
-"""A ring's slabs as arrays: every one cut into narrow blocks, each an extruded annular sector with two arcs of points.
+"""A ring's slabs as arrays: every one cut into narrow blocks, prisms on a foot with four corners.
 
 Everything here is relative to the ring's phase: a turning ring has the same blocks at every moment.
 """
 
+import cmath
 import math
 from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from game.slabs import Slab
+from game.slabs import Mark, Slab
 
 Reals = NDArray[np.float64]
 Flags = NDArray[np.bool_]
 Integers = NDArray[np.int64]
+Points = NDArray[np.complex128]
 
-SEGMENTS = 3
-"""Chords of an arc of one block."""
-_SAG = 0.2
-"""Pixels that a chord may run inside its arc."""
+_AWAY, _AWAY_ALONE = 0.2, 0.8
+"""Pixels that a straight side may be away from the arc it stands for, its corners outside, its middle within; and those of a
+block that is all of its sector: there are no bends for the eye to find."""
 _WIDE = math.radians(35.0)
 """Half angle from which a sector's faces are shaded block by block."""
-_LINE = 0.06
-"""World units, width of a bar."""
+_CLOSE = 0.15
+"""World units between two slots that a shadow does not show in."""
+_FULL = math.pi * 0.999
+"""Half angle from which a sector is a whole ring."""
 
 
 class Blocks(NamedTuple):
-    """Many blocks, one a row."""
+    """Many blocks, one a row. Their sides are numbered: outer, left (at the largest angle), inner, right."""
 
-    outer: Reals  # angles of the points of the outer arc, rising, SEGMENTS + 1 a row
-    inner: Reals
-    outer_radius: Reals
-    inner_radius: Reals
+    foot: Points  # four corners, world units: side k from corner k to the next, seen from above counter-clockwise
     bottom: Reals  # heights
     top: Reals
-    middle: Reals  # angle of the block's middle, the same for all blocks on top of each other
+    reach: Reals  # height of its pile
+    middles: Reals  # two a row: angles of the first and the last of the narrow pieces of its slot that it stands on
     slot_middle: Reals  # of its slot's
-    facing: Reals  # angle of its arcs' shading
-    right: Flags  # whether the block has an end face at its smallest angle
-    left: Flags  # and at its largest
+    normals: Points  # of the four sides, unit
+    facing: Points  # where they are turned to as far as the light goes, unit
+    sides: Flags  # which of the four there are
+    casting: Flags  # which throw a shadow for the whole pile
     side_colour: Reals  # three a row
     top_colour: Reals
     slot: Integers
@@ -59,53 +61,102 @@ class Cut(NamedTuple):
 
 def blocks(cut: Cut, piles: list[tuple[int, tuple[Slab, ...]]]) -> Blocks:
     """The blocks of a ring. piles: slots and what stands in them."""
-    slot = np.array([number for number, pile in piles for _ in pile], dtype=np.int64)
     every = [slab for _, pile in piles for slab in pile]
     wedges = wedges_of(cut)
-    shares = np.linspace(-1.0, 1.0, wedges * SEGMENTS + 1)
-    inset = np.array([slab.inset for slab in every]) + cut.fringe
-    room = cut.half_width * 0.999
-    outer_radius = cut.radius + cut.half_width - np.minimum(inset, room)
-    inner_radius = cut.radius - cut.half_width + np.minimum(inset, room)
-    middle = slot * (math.tau / cut.slots)
-    outer = _arcs(cut, shares, inset, outer_radius) + middle[:, None]
-    inner = _arcs(cut, shares, inset, inner_radius) + middle[:, None]
-    bars = [(row, slab.strut) for row, slab in enumerate(every) if slab.strut is not None]
-    for row, (low, high) in bars:
-        outer[row] = middle[row] + high + shares * (_LINE / 2.0 / outer_radius[row])
-        inner[row] = middle[row] + low + shares * (_LINE / 2.0 / inner_radius[row])
-    columns = np.arange(wedges)[:, None] * SEGMENTS + np.arange(SEGMENTS + 1)[None, :]
-    middles = (middle[:, None] + cut.half_angle * (shares[columns[:, 0]] + shares[columns[:, -1]])[None, :] / 2.0).ravel()
-    rows, open_ends = len(every), cut.half_angle < math.pi * 0.999
-    first, last = np.arange(wedges) == 0, np.arange(wedges) == wedges - 1
+    number = np.array([k for k, slab in enumerate(every) for _ in range(1 if slab.mark else wedges)], dtype=np.int64)
+    wedge = np.array([k for slab in every for k in range(1 if slab.mark else wedges)], dtype=np.int64)
+    slot = np.array([slot for slot, pile in piles for _ in pile], dtype=np.int64)
+    level = np.array([level for _, pile in piles for level in range(len(pile))], dtype=np.int64)
+    middle = np.asarray(slot * (math.tau / cut.slots), dtype=np.float64)
+    foot, pieces = _feet(cut, every, wedges, number, wedge)
+    foot *= np.exp(1j * middle[number])[:, None]
+    normals = -1j * (np.roll(foot, -1, axis=1) - foot)
+    normals /= np.maximum(np.abs(normals), 1e-12)
+    middles = middle[number, None] + pieces
+    shaded = np.exp(1j * (middle[number] if cut.half_angle < _WIDE else middles[:, 0]))
+    bottom, top = np.array([slab.bottom for slab in every]), np.array([slab.top for slab in every])
+    reach = np.array([pile[-1].top for _, pile in piles for _ in pile])
+    high, open_ends = (top > bottom)[number], cut.half_angle < _FULL
+    first, last = (open_ends & (wedge == k) for k in (0, wedges - 1))
+    sides = np.stack([high, high & last, high, high & first], axis=1)
     return Blocks(
-        outer[:, columns].reshape(rows * wedges, SEGMENTS + 1),
-        inner[:, columns].reshape(rows * wedges, SEGMENTS + 1),
-        np.repeat(outer_radius, wedges),
-        np.repeat(inner_radius, wedges),
-        np.repeat(np.array([slab.bottom for slab in every]), wedges),
-        np.repeat(np.array([slab.top for slab in every]), wedges),
+        foot,
+        bottom[number],
+        top[number],
+        reach[number],
         middles,
-        np.repeat(middle, wedges),
-        np.repeat(middle, wedges) if cut.half_angle < _WIDE else middles,
-        np.tile(first & open_ends, rows),
-        np.tile(last & open_ends, rows),
-        np.repeat(np.array([slab.side_colour for slab in every], dtype=np.float64).reshape(-1, 3), wedges, axis=0),
-        np.repeat(np.array([slab.top_colour for slab in every], dtype=np.float64).reshape(-1, 3), wedges, axis=0),
-        np.repeat(slot, wedges),
-        np.repeat(np.array([level for _, pile in piles for level in range(len(pile))], dtype=np.int64), wedges),
+        middle[number],
+        normals,
+        np.stack([shaded, normals[:, 1], -shaded, normals[:, 3]], axis=1),
+        sides,
+        sides & _seen_by_the_light(cut, piles, slot, level, reach)[number],
+        np.array([slab.side_colour for slab in every], dtype=np.float64).reshape(-1, 3)[number],
+        np.array([slab.top_colour for slab in every], dtype=np.float64).reshape(-1, 3)[number],
+        slot[number],
+        level[number],
     )
 
 
+def _seen_by_the_light(
+    cut: Cut, piles: list[tuple[int, tuple[Slab, ...]]], slot: Integers, level: Integers, reach: Reals
+) -> Flags:
+    """Which sides of each slab may throw its pile's shadow: the lowest slab's, but not where a close neighbour takes it."""
+    heights = np.zeros(cut.slots)
+    for number, pile in piles:
+        heights[number] = pile[-1].top if pile and pile[0].bottom == 0.0 else 0.0
+    alone = cut.radius * (math.tau / cut.slots - 2.0 * cut.half_angle) > _CLOSE
+    left, right = (alone | (reach > heights[(slot + step) % cut.slots]) for step in (1, -1))
+    arcs = np.ones(len(slot), dtype=np.bool_)
+    return np.asarray(np.stack([arcs, left, arcs, right], axis=1) & (level == 0)[:, None])
+
+
 def wedges_of(cut: Cut) -> int:
-    """Into how many blocks a slab is cut, side by side: few enough chords that arcs stay round, narrow enough to be sorted."""
-    chord = math.sqrt(8.0 * _SAG / max((cut.radius + cut.half_width) * cut.scale, 8.0 * _SAG))
-    return max(math.ceil(cut.half_angle / min(cut.widest, SEGMENTS * chord / 2.0) - 1e-9), 1)
+    """Into how many blocks a slab is cut, side by side: so narrow that arcs stay round and that blocks can be sorted."""
+    if cut.half_angle <= min(cut.widest, _half_angle(cut, _AWAY_ALONE)):
+        return 1
+    return math.ceil(cut.half_angle / min(cut.widest, _half_angle(cut, _AWAY)))
+
+
+def _half_angle(cut: Cut, away: float) -> float:
+    """Half the angle that a straight side may span, so many pixels away from its arc."""
+    return math.acos(max(1.0 - 2.0 * away / ((cut.radius + cut.half_width) * cut.scale), 0.0))
+
+
+def _feet(cut: Cut, every: list[Slab], wedges: int, number: Integers, wedge: Integers) -> tuple[Points, Reals]:
+    """The feet and the middles of the pieces that they stand on, as in `Blocks`, about the slot's middle.
+
+    wedges: pieces that a sector is cut into; number, wedge: of each block's slab, and of its piece.
+    """
+    shares = np.linspace(-1.0, 1.0, wedges + 1)
+    inset = np.array([slab.inset for slab in every]) + cut.fringe
+    room = np.minimum(inset, cut.half_width * 0.999)
+    beyond = (3.0 - math.cos(cut.half_angle / wedges)) / 2.0
+    arcs = []
+    for radius in (cut.radius + cut.half_width - room, cut.radius - cut.half_width + room):
+        points = np.exp(1j * _arcs(cut, shares, inset, radius)) * (radius * beyond)[:, None]
+        arcs += [points[number, wedge], points[number, wedge + 1]]
+    foot = np.stack([arcs[0], arcs[1], arcs[3], arcs[2]], axis=1)
+    middles = (shares[:-1] + shares[1:])[wedge] / 2.0 * cut.half_angle
+    pieces = np.stack([middles, middles], axis=1)
+    for row in np.flatnonzero([every[k].mark is not None for k in number]).tolist():
+        foot[row], pieces[row] = _marked(cut, every[number[row]].mark, wedges)
+    return foot, pieces
+
+
+def _marked(cut: Cut, mark: Mark, wedges: int) -> tuple[list[complex], list[float]]:
+    """The four corners of a mark, and the middles of the first and the last piece of the slot that it touches."""
+    corners = [
+        (radius, angle + way * mark.half_width / radius)
+        for (radius, angle), way in ((mark.outer, -1.0), (mark.outer, 1.0), (mark.inner, 1.0), (mark.inner, -1.0))
+    ]
+    width = 2.0 * cut.half_angle / wedges
+    ends = [min(max(math.floor(angle / width + wedges / 2.0), 0), wedges - 1) for _, angle in corners]
+    return [cmath.rect(*corner) for corner in corners], [(k + 0.5) * width - cut.half_angle for k in (min(ends), max(ends))]
 
 
 def _arcs(cut: Cut, shares: Reals, inset: Reals, radius: Reals) -> Reals:
     """Angles from the slot's middle: cuts stay where they are, but within the ends, which an inset moves sideways."""
-    if cut.half_angle >= math.pi * 0.999:
+    if cut.half_angle >= _FULL:
         return np.repeat((shares * cut.half_angle)[None, :], len(radius), axis=0)
     end = np.maximum(cut.half_angle - np.arcsin(np.minimum(inset / radius, 1.0)), 0.0)[:, None]
     return np.asarray(np.clip(shares[None, :] * cut.half_angle, -end, end))
@@ -114,10 +165,4 @@ def _arcs(cut: Cut, shares: Reals, inset: Reals, radius: Reals) -> Reals:
 def joined(parts: list[Blocks]) -> Blocks:
     """Blocks of several rings."""
     columns: list[Any] = [np.concatenate(column) for column in zip(*parts, strict=True)]
-    return Blocks(*columns)
-
-
-def ordered(every: Blocks, order: Integers) -> Blocks:
-    """The same blocks in another order."""
-    columns: list[Any] = [column[order] for column in every]
     return Blocks(*columns)

@@ -6,8 +6,8 @@ piece's nearest point to the ball: the piece hides the ball only if the eye is o
 
 import numpy as np
 
-from game.blocks import SEGMENTS, Flags, Reals
-from game.camera import Camera, Points
+from game.blocks import Flags, Points, Reals
+from game.camera import Camera
 from game.solids import Seen
 
 
@@ -19,28 +19,21 @@ def hiding(things: Seen, camera: Camera, place: complex, pixel: complex, reach: 
     rows = np.flatnonzero(_near(things, pixel, reach))
     if not len(rows):
         return np.zeros((0, 4), dtype=np.complex128)
-    feet = _pieces(things.outer_foot[rows], things.inner_foot[rows])
+    feet = things.foot[rows]
     point = place * camera.turning
     nearest = _nearest(feet, point)
     ahead = camera.nearer(nearest, point - nearest) <= 0.0
-    tops = _pieces(things.outer_top[rows], things.inner_top[rows])[ahead]
-    bottoms = _pieces(things.outer_bottom[rows], things.inner_bottom[rows])[ahead]
+    tops, bottoms = things.top[rows[ahead]], things.bottom[rows[ahead]]
     sides = [np.stack([tops[:, k], tops[:, k - 1], bottoms[:, k - 1], bottoms[:, k]], axis=1) for k in range(4)]
     return np.concatenate([tops, *sides])
 
 
 def _near(things: Seen, pixel: complex, reach: float) -> Flags:
     """Which blocks have a box on the screen that meets the circle's."""
-    points = np.concatenate([things.outer_top, things.inner_top, things.outer_bottom, things.inner_bottom], axis=1) - pixel
+    points = np.concatenate([things.top, things.bottom], axis=1) - pixel
     across = (points.real.min(axis=1) < reach) & (points.real.max(axis=1) > -reach)
     down = (points.imag.min(axis=1) < reach) & (points.imag.max(axis=1) > -reach)
     return np.asarray(across & down & (things.blocks.top > things.blocks.bottom))
-
-
-def _pieces(outer: Points, inner: Points) -> Points:
-    """Per chord of each block its four corners, in order around it."""
-    corners = np.stack([outer[:, :-1], outer[:, 1:], inner[:, 1:], inner[:, :-1]], axis=2)
-    return corners.reshape(len(outer) * SEGMENTS, 4)
 
 
 def _nearest(pieces: Points, point: complex) -> Points:

@@ -30,6 +30,7 @@ class Theme(NamedTuple):
     steel_line: Colour
     flash: Colour
     danger: Colour
+    shadow: float  # share of the ground's light that it takes
     layers: tuple[Colour, ...]  # of terrace 1 (lowest) to 9
 
 
@@ -51,6 +52,7 @@ DARK = Theme(
     steel_line=(38, 43, 58),
     flash=(255, 255, 255),
     danger=(255, 138, 128),
+    shadow=0.42,
     layers=(
         (58, 92, 214),
         (136, 92, 236),
@@ -82,6 +84,7 @@ LIGHT = Theme(
     steel_line=(58, 62, 76),
     flash=(255, 176, 0),
     danger=(176, 24, 36),
+    shadow=0.22,
     layers=(
         (84, 136, 240),
         (126, 104, 240),

@@ -41,8 +41,8 @@ def without(looks: tuple[Look, ...], recoils: tuple[Recoil, ...]) -> tuple[Look,
 def pushed(blocks: Blocks, recoils: tuple[Recoil, ...]) -> Blocks:
     """The paddles' blocks, those of a struck one out of their place."""
     for recoil in recoils:
-        out = np.where(blocks.slot == recoil.slot, recoil.out, 0.0)
-        blocks = blocks._replace(outer_radius=blocks.outer_radius + out, inner_radius=blocks.inner_radius + out)
+        out = np.where(blocks.slot == recoil.slot, recoil.out, 0.0)[:, None]
+        blocks = blocks._replace(foot=blocks.foot * (1.0 + out / np.abs(blocks.foot)))
     return blocks
 
 

@@ -13,7 +13,7 @@ from typing import NamedTuple
 import pygame
 
 from game import debris_picture, hud, recoil_picture, wave_picture
-from game.ball_picture import ball_picture, draw_shadow, without
+from game.ball_picture import Light, ball_picture, light_on, without
 from game.camera import Camera, Points, layout
 from game.effects import NOTHING, Effects, Flash, Pop, Trail
 from game.ground import ground_picture
@@ -63,7 +63,7 @@ class Painter:
         self.theme = theme
         self._kept: _Kept | None = None
         self._rings: OrderedDict[Shape, RingPicture] = OrderedDict()
-        self._balls: dict[tuple[int, int, int, int], pygame.Surface] = {}
+        self._balls: dict[tuple[object, ...], pygame.Surface] = {}
         self._solid = SolidPicture()
 
     def paint(self, surface: pygame.Surface, scene: Scene, camera: Camera, type_: Type, unit: float) -> None:
@@ -93,7 +93,7 @@ class Painter:
             draw_arrow(surface, camera, scene.aim.origin, scene.aim.direction, self.theme, _AIM_REACH)
         debris_picture.draw(surface, scene.bursts, scene, camera, self.theme)
         for ball in scene.balls:
-            self._paint_ball(surface, camera.project(ball.position), ball.radius * camera.scale)
+            self._paint_ball(surface, camera.project(ball.position), ball.radius * camera.scale, light_on(camera))
 
     def _paint_solid(self, surface: pygame.Surface, scene: Scene, camera: Camera, flashes: dict[int, list[Flash]]) -> None:
         """All but the words, tipped: first what lies on the ground, for nothing that stands there can be behind it."""
@@ -109,15 +109,13 @@ class Painter:
                 for k, layers in enumerate(scene.layers)
             ]
         )
-        for ball in scene.balls:
-            draw_shadow(surface, ball, camera, self.theme)
         things = self._solid.draw_blocks(surface, scene, looks, camera, self.theme)
         debris_picture.draw(surface, scene.bursts, scene, camera, self.theme)
         for ball in sorted(scene.balls, key=lambda ball: -(ball.position * camera.turning).imag):
             place = camera.project(ball.position, ball.radius)
             radius = ball.radius * camera.scale_at(ball.position, ball.radius)
             hidden = hiding(things, camera, ball.position, place, radius + 2.0)
-            self._paint_ball(surface, place, radius, hidden)
+            self._paint_ball(surface, place, radius, light_on(camera), hidden)
 
     def _paint_paddles(self, surface: pygame.Surface, scene: Scene, camera: Camera, looks: tuple[Look, ...]) -> None:
         """The paddles from straight above, those that were struck out of their place."""
@@ -154,16 +152,19 @@ class Painter:
         self._kept = kept
         surface.blit(kept.picture, (0, 0))
 
-    def _paint_ball(self, surface: pygame.Surface, place: complex, radius: float, hidden: Points | None = None) -> None:
+    def _paint_ball(
+        self, surface: pygame.Surface, place: complex, radius: float, light: Light, hidden: Points | None = None
+    ) -> None:
         """A ball, placed to a fraction of a pixel. hidden: quadrilaterals on the screen that cover it."""
         left, top = math.floor(place.real), math.floor(place.imag)
         across, down = int((place.real - left) * _BALL_PHASES), int((place.imag - top) * _BALL_PHASES)
         size = round(radius * 8.0)
-        key = (id(self.theme), size, across, down)
+        key = (self.theme, light, size, across, down)
         if key not in self._balls:
             if len(self._balls) > 4 * _BALL_PHASES**2:
                 self._balls.clear()
-            self._balls[key] = ball_picture(size / 8.0, (across + 0.5) / _BALL_PHASES, (down + 0.5) / _BALL_PHASES, self.theme)
+            middle = (across + 0.5) / _BALL_PHASES, (down + 0.5) / _BALL_PHASES
+            self._balls[key] = ball_picture(size / 8.0, *middle, light, self.theme)
         picture = self._balls[key]
         reach = picture.get_width() // 2
         if hidden is not None and len(hidden):

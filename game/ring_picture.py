@@ -94,11 +94,16 @@ class RingPicture:
 
     def _added(self, surface: pygame.Surface, look: Look) -> NDArray[np.int32]:
         """Paint one more look; per column of a slot, its place in the atlas."""
-        angles, column = np.unique(self._angles if look.kind is Kind.STEEL else self._alike, return_inverse=True)
+        angles, column = np.unique(self._angles if _marked(look) else self._alike, return_inverse=True)
         picture = colours(look, self._sector, self._radii, angles, self._theme)
         first = len(self._atlas)
         self._atlas = np.concatenate([self._atlas, packed(surface, picture).T])
         return ((first + column) * len(self._radii)).astype(np.int32)
+
+
+def _marked(look: Look) -> bool:
+    """Whether there is something on its top that not only the radius tells."""
+    return look.kind is Kind.STEEL or (look.kind is Kind.BRICKS and look.layers > 1)
 
 
 def _alike(angles: Floats, sector: Sector) -> Floats:
@@ -125,3 +130,10 @@ def packed(surface: pygame.Surface, picture: NDArray[np.float32]) -> NDArray[np.
     opaque = np.uint32(surface.get_masks()[3] & 0xFFFFFFFF)
     stored = channels[..., 0] << red | channels[..., 1] << green | channels[..., 2] << blue | opaque
     return np.asarray(stored, dtype=np.uint32)
+
+
+def unpacked(surface: pygame.Surface, pixels: NDArray[np.uint32]) -> NDArray[np.float32]:
+    """Red, green and blue, along one more axis, of pixels as a 32-bit surface stores them."""
+    return np.stack([pixels >> np.uint32(shift) & np.uint32(255) for shift in surface.get_shifts()[:3]], axis=-1).astype(
+        np.float32
+    )

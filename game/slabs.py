@@ -5,10 +5,11 @@ drop that is left, and inset and colour follow the height, so that a slab that h
 """
 
 import math
+from functools import lru_cache
 from typing import NamedTuple
 
 from game.palette import Colour, Theme, layer_colour, mixed
-from game.skins import GLOW, Kind, Look, terrace
+from game.skins import DOT_SHADE, GLOW, MOST_DOT, Kind, Look, dots, terrace
 
 LAYER = 0.045
 """Height of one layer, in shares of the ground's radius: about a ball's."""
@@ -17,19 +18,27 @@ COMMON_LAYERS = 3
 _PADDLE = 0.7
 """Heights of a paddle and of what never breaks, in layers."""
 _STEEL = 1.0
-_FOOT = ((0.55, 0.94), (0.3, 0.84), (0.1, 0.72))
-"""Shade at the foot of the next terrace: its reach, in terraces, and what it leaves of the colour."""
+_FOOT, _SHADE = 0.35, 0.8
+"""The shade at the foot of the next terrace: its reach, in terraces, and what it leaves of the colour."""
+
+
+class Mark(NamedTuple):
+    """A bar or a dot painted on a top: from one place to another, both a radius and an angle from the slot's middle."""
+
+    inner: tuple[float, float]
+    outer: tuple[float, float]
+    half_width: float  # world units, along the arc
 
 
 class Slab(NamedTuple):
-    """One extruded annular sector, or with bottom = top a mark painted on one."""
+    """One extruded annular sector, or with bottom = top something painted on one."""
 
     bottom: float  # world units
     top: float
     inset: float  # world units, from the slot's sector on all sides
     side_colour: Colour
     top_colour: Colour
-    strut: tuple[float, float] | None = None  # a bar instead: its middle angles at the inner and the outer end, radians
+    mark: Mark | None = None  # instead of the sector
 
 
 class Slot(NamedTuple):
@@ -42,6 +51,7 @@ class Slot(NamedTuple):
     layer: float  # height of one, world units
 
 
+@lru_cache(maxsize=512)
 def slabs(look: Look, slot: Slot, drop: float, theme: Theme) -> tuple[Slab, ...]:
     """The slabs of a slot, from the lowest to the highest. drop: layers that its stack has still to fall."""
     match look.kind:
@@ -78,9 +88,14 @@ def _stack(look: Look, slot: Slot, drop: float, theme: Theme) -> tuple[Slab, ...
         top = (place + 1.0) * slot.layer
         pile.append(Slab(place * slot.layer, top, place * step, colour, colour))
         if index < look.layers - 1:
-            for reach, left in _FOOT:
-                shade = mixed((0, 0, 0), colour, left)
-                pile.append(Slab(top, top, (place + 1.0 - reach) * step, shade, shade))
+            shade = mixed((0, 0, 0), colour, _SHADE)
+            pile.append(Slab(top, top, (place + 1.0 - _FOOT) * step, shade, shade))
+    top, place = (look.layers + drop) * slot.layer, look.layers - 1.0 + drop
+    dotted = _glowing(mixed(_colour_at(theme, place), theme.ground, DOT_SHADE), look, theme)
+    inset = place * step
+    for dot in dots(look.layers, slot.radius, slot.half_width - inset, slot.half_angle - inset / slot.radius, MOST_DOT):
+        low, high = (dot.radius - dot.half, dot.angle), (dot.radius + dot.half, dot.angle)
+        pile.append(Slab(top, top, 0.0, dotted, dotted, Mark(low, high, dot.half)))
     return tuple(pile)
 
 
@@ -104,9 +119,10 @@ def _steel(look: Look, slot: Slot, theme: Theme) -> tuple[Slab, ...]:
     if inside > line and along > line:
         count = max(2, round(along / inside))
         ends = [(2.0 * k / count - 1.0) * (slot.half_angle - margin / slot.radius) for k in range(count + 1)]
+        low, high = slot.radius - slot.half_width + margin, slot.radius + slot.half_width - margin
         for k in range(count):
             bar = (ends[k], ends[k + 1]) if k % 2 == 0 else (ends[k + 1], ends[k])
-            pile.append(Slab(top, top, margin, line_colour, line_colour, bar))
+            pile.append(Slab(top, top, 0.0, line_colour, line_colour, Mark((low, bar[0]), (high, bar[1]), line / 2.0)))
     return tuple(pile)
 
 

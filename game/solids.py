@@ -4,143 +4,103 @@ import math
 from typing import NamedTuple
 
 import numpy as np
+from numpy.typing import NDArray
 
-from game.blocks import SEGMENTS, Blocks, Flags, Integers, Reals, ordered
-from game.camera import Camera, Points
+from game.blocks import Blocks, Flags, Integers, Points, Reals
+from game.camera import Camera
 from game.depth_order import back_to_front
+from game.mosaic import in_pixels
+from physics import Ball
 
 LIGHT = complex(math.cos(math.radians(125.0)), math.sin(math.radians(125.0)))
 """Where the light comes from, as a bearing of the world; it also falls from above, full on every top."""
+SLANT = 0.7
+"""Length of a shadow over the height of what casts it, once the camera is tipped enough to show it."""
 _DIMMEST, _BRIGHTEST = 0.42, 0.78
 """What of its colour a side shows that is turned from the light, and one turned to it."""
 
+_TOP = 4
+_FACES = np.array([[k, (k + 1) % 4, 4 + (k + 1) % 4, 4 + k] for k in range(4)] + [[0, 1, 2, 3]])
+"""Corners of the four sides and of the top, among the top's four followed by the bottom's four."""
+_AROUND = np.exp(1j * np.linspace(0.0, math.tau, 25))
+_DISC = np.stack([_AROUND[:12], _AROUND[1:13], _AROUND[-2:-14:-1], _AROUND[-1:-13:-1]], axis=1)
+"""A disc of radius 1, cut into strips."""
+
 
 class Seen(NamedTuple):
-    """Blocks on the screen, one a row, from back to front; their arcs have SEGMENTS + 1 points."""
+    """Blocks on the screen, one a row; `order` has their numbers from back to front."""
 
-    outer_foot: Points  # on the ground, turned to the screen
-    inner_foot: Points
-    outer_top: Points  # pixels
-    inner_top: Points
-    outer_bottom: Points
-    inner_bottom: Points
     blocks: Blocks
-    group: Integers  # which are close together on the screen
-    turned: Reals  # angle of each one's ring on the screen
-    turn: complex  # of the screen, back to the world
+    order: Integers
+    foot: Points  # on the ground, turned to the screen, as in `Blocks`
+    top: Points  # pixels
+    bottom: Points
+    facing: Flags  # which of its sides are turned to the eye
+    turn: Points  # of each one's ring on the screen, a factor
 
 
-class Face(NamedTuple):
-    """What to fill: the colour, corners in whole pixels of a drawing, and the number of the drawing."""
+class Drawn(NamedTuple):
+    """What to fill, one quadrilateral a row."""
 
-    colour: list[int]
-    corners: list[list[int]]
-    area: int
+    corners: NDArray[np.int32]  # columns and rows of a drawing
+    colours: NDArray[np.float32]  # red, green and blue
 
 
-def seen(blocks: Blocks, phase: Reals, parting: Reals, rank: Integers, group: Integers, camera: Camera) -> Seen:
+def seen(blocks: Blocks, phase: Reals, parting: Reals, rank: Integers, camera: Camera) -> Seen:
     """The blocks on the screen.
 
-    phase: angle of each one's ring; parting, rank: as `back_to_front` wants them; group: as in `Seen`.
+    phase: angle of each one's ring; parting, rank: as `back_to_front` wants them.
     """
-    turn = phase - camera.azimuth
-    order = back_to_front(blocks, turn, parting, rank, camera)
-    sorted_blocks = ordered(blocks, order)
-    shift = turn[order][:, None]
-    outer = np.exp(1j * (sorted_blocks.outer + shift)) * sorted_blocks.outer_radius[:, None]
-    inner = np.exp(1j * (sorted_blocks.inner + shift)) * sorted_blocks.inner_radius[:, None]
-    top, bottom = sorted_blocks.top[:, None], sorted_blocks.bottom[:, None]
+    angle = phase - camera.azimuth
+    turn = np.exp(1j * angle)
+    foot = blocks.foot * turn[:, None]
     return Seen(
-        outer,
-        inner,
-        camera.projected(outer, top),
-        camera.projected(inner, top),
-        camera.projected(outer, bottom),
-        camera.projected(inner, bottom),
-        sorted_blocks,
-        group[order],
-        turn[order],
-        1.0 / camera.turning,
+        blocks,
+        back_to_front(blocks, angle, parting, rank, camera),
+        foot,
+        camera.projected(foot, blocks.top[:, None]),
+        camera.projected(foot, blocks.bottom[:, None]),
+        camera.nearer(foot, blocks.normals * turn[:, None]) > 0.0,
+        turn,
     )
 
 
-class _Side(NamedTuple):
-    """One side of every block: a strip between two lines of points, and where it faces."""
+def faces(things: Seen, camera: Camera, finer: int) -> Drawn:
+    """All visible faces, from back to front. finer: rows and columns of a drawing per pixel.
 
-    shown: Flags
-    top: Points
-    bottom: Points
-    facing: Points  # unit, turned to the screen
-
-
-def faces(things: Seen, camera: Camera, finer: int, areas: list[complex], area: Integers) -> list[Face]:
-    """All visible faces, from back to front.
-
-    finer: rows and columns of a drawing per pixel; areas: the pixel drawn at each drawing's corner; area: which drawing each
-    block belongs to.
+    Of a convex block the sides that face the eye never hide one another.
     """
-    blocks, corner = things.blocks, np.array(areas)[area]
-    every: list[Face] = []
-    places: list[Integers] = []
-    for number, side in enumerate(_sides(things, camera)):
-        rows = np.flatnonzero(side.shown)
-        outline = np.concatenate([side.top[rows], side.bottom[rows, ::-1]], axis=1) - corner[rows, None]
-        every += _filled(outline, blocks.side_colour[rows] * _light(side.facing[rows] * things.turn), finer, area[rows])
-        places.append(rows * 4 + min(number, 2))
-    tops = np.concatenate([things.outer_top, things.inner_top[:, ::-1]], axis=1) - corner[:, None]
-    every += _filled(tops, blocks.top_colour, finer, area)
-    places.append(np.arange(len(tops)) * 4 + 3)
-    return [every[place] for place in np.argsort(np.concatenate(places), kind="stable").tolist()]
+    blocks, order = things.blocks, things.order
+    shown = np.concatenate([blocks.sides & things.facing, np.ones((len(order), 1), np.bool_)], axis=1)
+    place, face = np.nonzero(shown[order])
+    row = order[place]
+    points = in_pixels(np.concatenate([things.top, things.bottom], axis=1), finer)
+    light = _light(blocks.facing[row, np.minimum(face, _TOP - 1)] * (things.turn[row] / camera.turning))
+    colours = np.where((face == _TOP)[:, None], blocks.top_colour[row], blocks.side_colour[row] * light)
+    return Drawn(points[row[:, None], _FACES[face]], colours.astype(np.float32))
 
 
-def _sides(things: Seen, camera: Camera) -> tuple[_Side, ...]:
-    """Inner faces, outer faces, and the two ends. Of a convex block those that face the eye never hide one another."""
-    blocks = things.blocks
-    high = blocks.top > blocks.bottom
-    ends = [0, SEGMENTS]
-    outward = _unit(things.outer_foot[:, ends])
-    middle = np.exp(1j * (blocks.facing + things.turned))
-    right = -1j * _unit(things.outer_foot[:, 0] - things.inner_foot[:, 0])
-    left = 1j * _unit(things.outer_foot[:, -1] - things.inner_foot[:, -1])
-    return (
-        _Side(
-            high & (camera.nearer(things.inner_foot[:, ends], -outward).max(axis=1) > 0.0),
-            things.inner_top,
-            things.inner_bottom,
-            -middle,
-        ),
-        _Side(
-            high & (camera.nearer(things.outer_foot[:, ends], outward).max(axis=1) > 0.0),
-            things.outer_top,
-            things.outer_bottom,
-            middle,
-        ),
-        _end(high & blocks.right & (camera.nearer(things.outer_foot[:, 0], right) > 0.0), things, 0, right),
-        _end(high & blocks.left & (camera.nearer(things.outer_foot[:, -1], left) > 0.0), things, -1, left),
-    )
+def shadows(things: Seen, balls: tuple[Ball, ...], camera: Camera, finer: int) -> NDArray[np.int32]:
+    """The ground in the shadow of blocks and balls, as quadrilaterals.
 
-
-def _end(shown: Flags, things: Seen, column: int, facing: Points) -> _Side:
-    """The end at the first or the last point of the arcs."""
-    top = np.stack([things.outer_top[:, column], things.inner_top[:, column]], axis=1)
-    bottom = np.stack([things.outer_bottom[:, column], things.inner_bottom[:, column]], axis=1)
-    return _Side(shown, top, bottom, facing)
-
-
-def _unit(ways: Points) -> Points:
-    """The same directions, of length 1."""
-    return np.asarray(ways / np.maximum(np.abs(ways), 1e-12))
+    In a block's lies what its sides that are turned from the light pass over on their way down the light, and its foot does
+    while it falls. What a side turned from the eye throws is hidden by a block that stands, if it does not end a row. A
+    ball's shadow is a disc.
+    """
+    blocks, way = things.blocks, -LIGHT * camera.turning * SLANT * math.sin(camera.tilt)
+    ahead = (blocks.normals * (things.turn * way.conjugate())[:, None]).real > 0.0
+    falling = blocks.casting[:, 0] & (blocks.bottom > 0.0)
+    seen_around = (blocks.casting[:, 1] | blocks.casting[:, 3] | falling)[:, None]
+    row, side = np.nonzero(blocks.casting & ahead & (things.facing | seen_around))
+    ends = things.foot[row, side], things.foot[row, (side + 1) % 4]
+    low, high = way * blocks.bottom[row], way * blocks.reach[row]
+    corners = [np.stack([ends[0] + low, ends[1] + low, ends[1] + high, ends[0] + high], axis=1)]
+    corners.append(things.foot[falling] + way * blocks.bottom[falling, None])
+    corners += [ball.position * camera.turning + ball.radius * (way + _DISC) for ball in balls]
+    return in_pixels(camera.projected(np.concatenate(corners), 0.0), finer)
 
 
 def _light(facing: Points) -> Reals:
     """What of its colour each side shows, a column. facing: in the world."""
     towards = (facing * LIGHT.conjugate()).real
     return np.asarray(_DIMMEST + (_BRIGHTEST - _DIMMEST) * (0.5 + 0.5 * towards))[:, None]
-
-
-def _filled(outlines: Points, colours: Reals, finer: int, area: Integers) -> list[Face]:
-    """Polygons in the pixels of drawings."""
-    pixels = np.floor(outlines.view(np.float64) * finer).astype(np.int64)
-    corners = pixels.reshape(*outlines.shape, 2).tolist()
-    shades = np.rint(colours).astype(np.int64).tolist()
-    return [Face(*parts) for parts in zip(shades, corners, area.tolist(), strict=True)]

@@ -71,10 +71,10 @@ class View(NamedTuple):
         share = self.tipped * self.tipped * (3.0 - 2.0 * self.tipped)
         flat, tilt = place.camera, share * self.tilt
         closeness = share * _CLOSENESS / place.ground_radius
-        scale, low = _fitted(place, tilt, closeness)
-        scale = (flat.scale + (scale - flat.scale) * share) * self.zoom**share
-        centre = flat.centre + 1j * low * scale * share
-        return Camera(centre, scale, share * self.azimuth, tilt, closeness)
+        fitting, low = _fitted(place, tilt, closeness)
+        scale, zoom = flat.scale + (fitting - flat.scale) * share, self.zoom**share
+        centre = flat.centre + 1j * low * scale * share * min(zoom, 1.0 / zoom)  # the nearer, the more it is the wall's middle
+        return Camera(centre, scale * zoom, share * self.azimuth, tilt, closeness)
 
 
 def _fitted(place: Layout, tilt: float, closeness: float) -> tuple[float, float]:

@@ -9,8 +9,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from game.camera import Camera, bearing, layout, unit_of
-from game.controls import Action, Dragged, Pressed, Zoomed
-from game.view import FROM_ABOVE, TIPPED
+from game.controls import Action, Dragged, Hands, Pressed, Zoomed
+from game.rules import POINTER_STEPS
+from game.view import FROM_ABOVE, LEAST_TILT, LEAST_ZOOM, MOST_TILT, MOST_ZOOM, TIPPED, View
 
 SIZES = st.tuples(st.integers(1, 8000), st.integers(1, 8000))
 POINTS = st.complex_numbers(max_magnitude=20.0, allow_nan=False, allow_infinity=False)
@@ -133,3 +134,24 @@ def test_the_tipped_arena_lies_on_the_surface(size, tilt):
         pixel = camera.project(10.0 * complex(math.cos(angle), math.sin(angle)))
         assert 0.0 <= pixel.real <= size[0]
         assert 0.0 <= pixel.imag <= size[1]
+
+
+@pytest.mark.parametrize("zoom", [LEAST_ZOOM, 1.0, MOST_ZOOM])
+@pytest.mark.parametrize("tilt", [LEAST_TILT, 0.9, MOST_TILT])
+def test_the_wall_stays_in_sight(tilt, zoom):
+    """However near the camera is, the arena's centre is in the middle of the surface, a seventh of its height up or down."""
+    for azimuth in (0.0, 2.0, -2.0):
+        camera = View(1.0, 1.0, azimuth, tilt, zoom).seen(layout((1280, 800), 10.0)).camera
+        assert abs(camera.project(0j) - (640 + 400j)) < 800.0 / 7.0
+
+
+@pytest.mark.parametrize("azimuth", np.linspace(-math.pi, math.pi, 9))
+@pytest.mark.parametrize("tilt", [LEAST_TILT, 0.9, MOST_TILT])
+def test_the_mouse_aims_at_paddles_from_every_side(azimuth, tilt):
+    """A pointer on the track means that place of the world, and one on the top of a paddle nearly the same."""
+    camera = View(1.0, 1.0, azimuth, tilt, 1.2).seen(layout((1280, 800), 10.0)).camera
+    for angle in np.linspace(0.0, math.tau, 24, endpoint=False):
+        point = 9.2 * complex(math.cos(angle), math.sin(angle))
+        for height, most in ((0.0, 0.001), (0.3, 0.15)):
+            steps = Hands(pointer=camera.project(point, height)).controls(camera).pointer
+            assert abs(math.remainder(steps / POINTER_STEPS * math.tau - angle, math.tau)) < most

@@ -1,6 +1,7 @@
 """The top-down picture shows what the geometry says, and drawing changes nothing."""
 
 import cmath
+import itertools
 import math
 import os
 
@@ -15,11 +16,12 @@ from game.camera import layout
 from game.effects import Effects
 from game.fingerprint import state_hash
 from game.levels import built_in
-from game.palette import DARK, LIGHT, layer_colour
+from game.palette import DARK, LIGHT, contrast, layer_colour, mixed
 from game.polar_map import band
 from game.render import Painter, save_screenshot
 from game.rules import PADDLES, new_game, tick
 from game.scene import scene_at, still
+from game.skins import DOT_SHADE, MOST_DOT, Kind, Look, Sector, colours, dots
 from game.text import Type
 from physics import PERMANENT
 
@@ -55,10 +57,16 @@ def bare(done, alpha=1.0):
     return scene_at(done, alpha, Effects())._replace(balls=(), aim=None)
 
 
+def top_colour(theme, layers):
+    """What is in the very middle of a stack's top: three layers have a dot there."""
+    colour = layer_colour(theme, layers)
+    return mixed(colour, theme.ground, DOT_SHADE) if layers == 3 else colour
+
+
 @pytest.mark.parametrize("theme", [DARK, LIGHT], ids=["dark", "light"])
 @pytest.mark.parametrize("level", range(7))
 def test_sectors_are_where_the_geometry_says(level, theme):
-    """In the middle of every slot is its stack's colour, steel or ground; half way to the next slot is ground."""
+    """In the middle of every slot is its stack's colour or a dot, steel or ground; half way to the next slot is ground."""
     scene = bare(game_after(level, 1500))
     surface, camera = painted(scene, theme=theme)
     checked = 0
@@ -70,7 +78,7 @@ def test_sectors_are_where_the_geometry_says(level, theme):
             elif count == PERMANENT:
                 assert got != theme.ground
             else:
-                assert got == (layer_colour(theme, count) if count else theme.ground)
+                assert got == (top_colour(theme, count) if count else theme.ground)
             checked += 1
             gap = (math.pi / ring.count - ring.half_angle) * ring.radius * camera.scale
             if k != PADDLES and gap > 2.0:
@@ -110,6 +118,28 @@ def test_every_layer_of_a_stack_can_be_seen():
         if min(away) < 40.0 and away.index(min(away)) + 1 not in seen:
             seen.append(away.index(min(away)) + 1)
     assert seen == [1, 2, 3, 4, 5, 6]
+
+
+@pytest.mark.parametrize("theme", [DARK, LIGHT], ids=["dark", "light"])
+@pytest.mark.parametrize("layers", range(1, 10))
+def test_as_many_dots_as_layers(layers, theme):
+    """A stack of two or more shows a dot for every layer, apart from each other; one layer is plain. Grey is enough to see."""
+    found = dots(layers, 100.0, 12.0, 0.3, 4.0)
+    assert len(found) == (0 if layers == 1 else layers)
+    for one, other in itertools.combinations(found, 2):
+        assert max(abs(one.radius - other.radius), 100.0 * abs(one.angle - other.angle)) > 2.9 * one.half
+    top = layer_colour(theme, layers)
+    assert contrast(top, mixed(top, theme.ground, DOT_SHADE)) > 1.8
+
+
+def test_a_dot_is_where_it_is_said_to_be():
+    """In the picture of a stack a dot's middle is dark, and beside it is the top."""
+    sector = Sector(80.0, 120.0, 0.3, 2.0, 20.0)
+    for dot in dots(4, 100.0, 20.0 - 6.0, 0.3 - 0.06, MOST_DOT * 20.0):
+        radii, angles = np.float32([dot.radius, dot.radius + 2.0 * dot.half]), np.float32([dot.angle])
+        picture = colours(Look(Kind.BRICKS, 4), sector, radii, angles, DARK)[:, 0]
+        assert np.abs(picture[0] - mixed(layer_colour(DARK, 4), DARK.ground, DOT_SHADE)).max() < 1.0
+        assert np.abs(picture[1] - layer_colour(DARK, 4)).max() < 1.0
 
 
 def test_what_cannot_break_differs_in_shape_too():

@@ -1,0 +1,117 @@
+"""Quadrilaterals filled one over the other, their edges anti-aliased, on whatever a surface shows.
+
+They are drawn several times finer than the screen and scaled down, tile by tile: a tile fits into the processor's cache, and
+one that shows the same as the last time is not drawn again.
+"""
+
+from typing import NamedTuple
+
+import numpy as np
+import pygame
+from numpy.typing import NDArray
+
+Pixels = NDArray[np.int32]
+
+_TILE = np.array([256, 96], dtype=np.int32)
+"""Columns and rows of a tile, pixels."""
+
+
+class _Part(NamedTuple):
+    """What a tile shows."""
+
+    box: list[int]  # left, top, width and height on the surface: as much of the tile as there is something
+    colours: NDArray[np.uint32]
+    corners: Pixels  # in the pixels of the finer drawing, from the box's corner
+
+
+class _Held(NamedTuple):
+    """A tile's picture, in the upper left corner of a surface, and what it depends on."""
+
+    key: tuple[object, ...]
+    picture: pygame.Surface
+
+
+class Mosaic:
+    """Remembers every tile's last picture."""
+
+    def __init__(self) -> None:
+        """Start with nothing remembered."""
+        self.canvas = pygame.Surface((1, 1), pygame.SRCALPHA, 32)
+        self._held: dict[int, _Held] = {}
+        self._size = (0, 0)
+
+    def draw(self, surface: pygame.Surface, corners: Pixels, colours: NDArray[np.uint32], finer: int) -> None:
+        """Fill convex quadrilaterals in their order.
+
+        corners: columns and rows of four a row, in a drawing that has `finer` of them per pixel of the surface; colours: as
+        32-bit surfaces with alpha store them, multiplied by their alpha.
+        """
+        if self._size != surface.get_size():
+            self._held.clear()
+            self._size = surface.get_size()
+        for number, part in _parts(corners, colours, finer, self._size):
+            key = (finer, *part.box, part.colours.tobytes(), part.corners.tobytes())
+            held = self._held.get(number)
+            if held is None or held.key != key:
+                picture = pygame.Surface(_TILE.tolist(), pygame.SRCALPHA, 32) if held is None else held.picture
+                held = self._held[number] = _Held(key, picture)
+                self._fill(part, finer, picture)
+            left, top, width, height = part.box
+            surface.blit(held.picture, (left, top), (0, 0, width, height), special_flags=pygame.BLEND_PREMULTIPLIED)
+
+    def _fill(self, part: _Part, finer: int, picture: pygame.Surface) -> None:
+        """Draw a tile. Three corners are filled faster than four; what is covered of a pixel becomes its alpha."""
+        width, height = part.box[2] * finer, part.box[3] * finer
+        canvas, fill = self.canvas, pygame.draw.polygon
+        if canvas.get_width() < width or canvas.get_height() < height:
+            canvas = self.canvas = pygame.Surface((_TILE * finer).tolist(), pygame.SRCALPHA, 32)
+        fill(canvas, 0, ((0, 0), (width, 0), (width, height)))
+        fill(canvas, 0, ((0, 0), (width, height), (0, height)))
+        for colour, (a, b, c, d) in zip(part.colours.tolist(), part.corners.tolist(), strict=True):
+            fill(canvas, colour, (a, b, c))
+            fill(canvas, colour, (a, c, d))
+        box = (0, 0, *part.box[2:])
+        pygame.transform.smoothscale(canvas.subsurface((0, 0, width, height)), part.box[2:], picture.subsurface(box))
+
+
+def _parts(corners: Pixels, colours: NDArray[np.uint32], finer: int, size: tuple[int, int]) -> list[tuple[int, _Part]]:
+    """Every tile in which there is something, with its number."""
+    points = _cut_the_short_way(np.ascontiguousarray(corners.transpose(2, 1, 0)))  # columns and rows; corners; quadrilaterals
+    low, high = points.min(axis=1), points.max(axis=1)
+    tile, end = _TILE[:, None] * finer, np.array(size, dtype=np.int32)[:, None] * finer
+    across = int(-(-end[0, 0] // tile[0, 0]))
+    first = np.maximum(low, 0) // tile
+    count = np.minimum(high, end - 1) // tile - first + 1
+    each = np.where(((low < end) & (high >= 0)).all(axis=0), count[0] * count[1], 0)
+    row = np.repeat(np.arange(len(each)), each)
+    step = np.arange(len(row)) - np.repeat(np.cumsum(each) - each, each)
+    down, aside = np.divmod(step, count[0, row])
+    number = (first[1, row] + down) * across + first[0, row] + aside
+    order = np.argsort(number, kind="stable")
+    row, number = row[order], number[order]
+    starts = np.flatnonzero(np.diff(number, prepend=-1))
+    numbers = number[starts]
+    origin = (np.stack([numbers % across, numbers // across]) * tile).astype(np.int32)
+    begin = np.maximum(np.minimum.reduceat(low[:, row], starts, axis=1), origin) // finer
+    behind = np.minimum(np.maximum.reduceat(high[:, row], starts, axis=1) + finer, np.minimum(origin + tile, end)) // finer
+    cuts = [*starts.tolist(), len(row)]
+    shifted = points[:, :, row] - np.repeat(begin * finer, np.diff(cuts), axis=1)[:, None]
+    boxes, shades, places = np.concatenate([begin, behind - begin]).T.tolist(), colours[row], shifted.transpose(2, 1, 0)
+    return [
+        (number, _Part(box, shades[a:b], places[a:b]))
+        for number, box, a, b in zip(numbers.tolist(), boxes, cuts, cuts[1:], strict=False)
+    ]
+
+
+def _cut_the_short_way(points: Pixels) -> Pixels:
+    """The same quadrilaterals, begun so that a cut from the first corner to the third crosses fewer rows than the other one.
+
+    The two triangles have fewer rows together, and rows are what filling them costs.
+    """
+    height = np.abs(points[1, :2] - points[1, 2:])
+    return np.where(height[1] < height[0], points[:, [1, 2, 3, 0]], points)
+
+
+def in_pixels(points: NDArray[np.complex128], finer: int) -> Pixels:
+    """Columns and rows of a drawing, along one more axis. points: pixels, x to the right and y down."""
+    return np.floor(points.view(np.float64) * finer).astype(np.int32).reshape(*points.shape, 2)
