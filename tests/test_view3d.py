@@ -319,3 +319,15 @@ def test_what_is_painted_on_a_top_comes_after_it(look, tilt):
             under &= (piece + half > angles.min()) & (piece - half < angles.max())
             assert under.any()
             assert place[mark] > place[under].max()
+
+
+@pytest.mark.parametrize(("half_angle", "slots"), [(math.pi, 1), (1.2, 2), (0.1, 20)])
+def test_feet_cover_the_sectors_and_only_their_ends_are_ends(half_angle, slots):
+    """The feet of a ring's blocks have its sectors' area together; a whole ring has no ends, a sector has two."""
+    cut = Cut(3.0, 0.4, half_angle, slots, 0.2, 40.0, 0.0)
+    every = blocks(cut, [(number, (Slab(0.0, 0.5, 0.0, (9, 9, 9), (9, 9, 9)),)) for number in range(slots)])
+    following = np.roll(every.foot, -1, axis=1)
+    area = 0.5 * (every.foot.conjugate() * following).imag.sum()
+    assert area == pytest.approx(slots * 2.0 * half_angle * 3.0 * 0.8, rel=0.003)
+    assert every.sides[:, 1].sum() == every.sides[:, 3].sum() == (0 if half_angle == math.pi else slots)
+    assert every.sides[:, [0, 2]].all()
