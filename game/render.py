@@ -7,6 +7,7 @@ surroundings are drawn again. What moves is drawn afresh in every frame.
 import io
 import math
 from collections import OrderedDict
+from itertools import pairwise
 from pathlib import Path
 from typing import NamedTuple
 
@@ -33,7 +34,13 @@ from physics import Ring
 _AIM_REACH = 2.4
 _BALL_PHASES = 4
 """Places within a pixel, each way, that the ball is drawn for."""
+_BALL_SIZES = 4
+"""Radii per pixel that it is drawn for."""
+_BALL_PICTURES = 512
+"""Pictures of it remembered: as it grows from the arena's far side to the near one, at all its places in a pixel."""
 _TRAIL_WIDTH, _TRAIL_STRENGTH = 0.85, 0.5
+_TRAIL_BEND = 0.02
+"""Sine of the angle from which a bend of the tail is round."""
 _POP_RISE = 0.9
 _POP_SPRING, _POP_CALM = 0.9, 24.0
 """How much larger words are at first, and how soon they calm down, per age."""
@@ -158,13 +165,13 @@ class Painter:
         """A ball, placed to a fraction of a pixel. hidden: quadrilaterals on the screen that cover it."""
         left, top = math.floor(place.real), math.floor(place.imag)
         across, down = int((place.real - left) * _BALL_PHASES), int((place.imag - top) * _BALL_PHASES)
-        size = round(radius * 8.0)
+        size = round(radius * _BALL_SIZES)
         key = (self.theme, light, size, across, down)
         if key not in self._balls:
-            if len(self._balls) > 4 * _BALL_PHASES**2:
+            if len(self._balls) >= _BALL_PICTURES:
                 self._balls.clear()
             middle = (across + 0.5) / _BALL_PHASES, (down + 0.5) / _BALL_PHASES
-            self._balls[key] = ball_picture(size / 8.0, *middle, light, self.theme)
+            self._balls[key] = ball_picture(size / _BALL_SIZES, *middle, light, self.theme)
         picture = self._balls[key]
         reach = picture.get_width() // 2
         if hidden is not None and len(hidden):
@@ -207,12 +214,17 @@ def _paint_trail(surface: pygame.Surface, trail: Trail, scene: Scene, camera: Ca
     widest = _TRAIL_WIDTH * scene.balls[0].radius * camera.scale
     places = [camera.project(point) for point in trail]
     step = widest / (len(places) + 1)
-    for index, place in enumerate(places, 1):
+    before = 0j
+    for index, (place, following) in enumerate(pairwise(places), 2):
+        way = following - place
+        if not way:
+            continue
         tint = mixed(theme.ground, hottest, _TRAIL_STRENGTH * index / (len(places) + 1))
-        radius = max(0.5, step * index)
-        if index > 1 and place != places[index - 2]:
-            _paint_wedge(surface, places[index - 2], place, (max(0.5, radius - step), radius), tint)
-        draw_dot(surface, place, radius, tint)
+        radius = max(0.5, step * (index - 1))
+        if abs((way * before.conjugate()).imag) >= _TRAIL_BEND * abs(way) * abs(before):
+            draw_dot(surface, place, radius, tint)
+        _paint_wedge(surface, place, following, (radius, max(0.5, step * index)), tint)
+        before = way
 
 
 def _paint_wedge(surface: pygame.Surface, start: complex, end: complex, radii: tuple[float, float], colour: Colour) -> None:
