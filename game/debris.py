@@ -31,7 +31,7 @@ class Throw(NamedTuple):
 
 THROWS = {
     Matter.BRICK: Throw(12, 15.0, 40.0, 58.0, 2.2, 2.3),
-    Matter.BALL: Throw(18, 14.0, 44.0, 50.0, 2.0, 1.6),
+    Matter.BALL: Throw(20, 34.0, 95.0, 60.0, 2.6, 2.0),
     Matter.STEEL: Throw(14, 26.0, 105.0, 55.0, 4.0, 1.6),
     Matter.PADDLE: Throw(9, 22.0, 80.0, 30.0, 4.5, 1.4),
 }

@@ -20,6 +20,7 @@ from game.ground import ground_picture
 from game.hiding import hiding
 from game.looks import paddle_looks, wall_looks
 from game.palette import DARK, Colour, Theme, mixed
+from game.recoil_picture import RecoilPicture
 from game.ring_picture import RingPicture, Shape, shape_of
 from game.rules import PADDLES, Game
 from game.scene import Scene, scene_at, still
@@ -65,6 +66,7 @@ class Painter:
         self._rings: OrderedDict[Shape, RingPicture] = OrderedDict()
         self._balls: dict[tuple[int, int, int, int], pygame.Surface] = {}
         self._solid = SolidPicture()
+        self._recoil = RecoilPicture()
 
     def paint(self, surface: pygame.Surface, scene: Scene, camera: Camera, type_: Type, unit: float) -> None:
         """Draw a whole scene on a 32-bit surface. unit: pixels, size of body text."""
@@ -124,7 +126,7 @@ class Painter:
         paddles = scene.rings[PADDLES]
         self.paint_ring(surface, camera, paddles, recoil_picture.without(looks, scene.recoils), 0)
         for recoil in scene.recoils:
-            recoil_picture.draw(surface, paddles, recoil, looks[recoil.slot], camera, self.theme)
+            self._recoil.draw(surface, paddles, recoil, looks[recoil.slot], camera, self.theme)
 
     def paint_ring(self, surface: pygame.Surface, camera: Camera, ring: Ring, looks: tuple[Look, ...], tallest: int) -> None:
         """Draw one ring and the ground in its gaps. tallest: layers of the highest stack that may ever stand there."""
