@@ -27,7 +27,7 @@ from game.scene import Scene, scene_at, still
 from game.shapes2d import draw_arrow, draw_dot
 from game.skins import Look, terrace
 from game.solid_picture import SolidPicture
-from game.text import Type
+from game.text import Type, stepped
 from game.view import FROM_ABOVE, View
 from physics import Ring
 
@@ -229,7 +229,7 @@ def _paint_wedge(surface: pygame.Surface, start: complex, end: complex, radii: t
 def _pop_size(pop: Pop) -> float:
     """Size of the words in units of text: they spring up, larger the more they mean, and settle."""
     spring = 1.0 + _POP_SPRING * math.exp(-pop.age * _POP_CALM) * math.sin(min(pop.age * _POP_CALM, math.pi))
-    return (1.3 if pop.bad else 0.9 + 0.8 * pop.weight) * spring
+    return stepped((1.3 if pop.bad else 0.9 + 0.8 * pop.weight) * spring)
 
 
 def _paint_pop(surface: pygame.Surface, pop: Pop, camera: Camera, theme: Theme, type_: Type, unit: float) -> None:
