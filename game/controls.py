@@ -108,7 +108,7 @@ WATCH_HELP: tuple[tuple[str, str], ...] = (
     ("Home  End", "to the beginning / the end"),
     ("Mouse", "click or drag on the timeline"),
     ("Tab   1   2", "tip the camera; from above; in 3D"),
-    ("F11   M   T   E", "full screen, sound, colours, effects"),
+    ("F11   M   T   E   O", "full screen, sound, colours, effects, settings"),
     ("N", "normals: ours thick, pymunk's thin"),
     ("Esc", "leave"),
     ("H   F1", "this help"),

@@ -6,6 +6,7 @@ With k the air's drag and g the gravity, a piece thrown from p with velocity v i
 """
 
 from collections.abc import Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -30,8 +31,8 @@ class Throw(NamedTuple):
 
 
 THROWS = {
-    Matter.BRICK: Throw(12, 15.0, 40.0, 58.0, 2.2, 2.3),
-    Matter.BALL: Throw(18, 14.0, 44.0, 50.0, 2.0, 1.6),
+    Matter.BRICK: Throw(10, 16.0, 44.0, 58.0, 2.2, 2.4),
+    Matter.BALL: Throw(20, 34.0, 95.0, 60.0, 2.6, 2.0),
     Matter.STEEL: Throw(14, 26.0, 105.0, 55.0, 4.0, 1.6),
     Matter.PADDLE: Throw(9, 22.0, 80.0, 30.0, 4.5, 1.4),
 }
@@ -58,33 +59,63 @@ class Pieces(NamedTuple):
 
 def pieces(bursts: Sequence[Burst], ground_radius: float) -> Pieces:
     """All pieces of some bursts."""
+    start = _thrown(tuple([burst._replace(age=0) for burst in bursts]))
+    time = np.array([burst.age * TICK for burst in bursts])[start.burst]
+    unit = 0.01 * ground_radius
+    share = time / start.life
+    shrunk = np.clip((1.0 - share) / (1.0 - _SHRINKING), 0.0, 1.0)
+    return Pieces(
+        start.place + start.velocity * unit * (-np.expm1(-start.drag * time) / start.drag),
+        _height(start.height, start.up, time) * unit,
+        start.size * unit * shrunk,
+        start.turn + start.spin * time,
+        start.tumble + 1.6 * start.spin * time,
+        start.shape,
+        share,
+        start.burst,
+    )
+
+
+class _Thrown(NamedTuple):
+    """Every piece of some bursts as it begins, one a row; lengths but the place in hundredths of the ground's radius."""
+
+    place: Points
+    velocity: Points
+    drag: Reals
+    height: Reals
+    up: Reals
+    size: Reals
+    turn: Reals
+    tumble: Reals
+    spin: Reals  # radians per second
+    shape: Reals
+    life: Reals  # seconds
+    burst: NDArray[np.int64]
+
+
+@lru_cache(maxsize=8)
+def _thrown(bursts: tuple[Burst, ...]) -> _Thrown:
+    """The pieces of some bursts at their beginning: the same from frame to frame until another burst comes."""
     throws = [THROWS[burst.matter] for burst in bursts]
     counts = [throw.number for throw in throws]
     whose = np.repeat(np.arange(len(bursts)), counts)
     number = np.concatenate([np.arange(count, dtype=np.uint64) for count in counts])  # of a piece in its burst
     chance = _chances(np.array([burst.seed for burst in bursts], dtype=np.uint64)[whose], number)
     radius, half_width, angle, half_angle = np.array([burst.place for burst in bursts])[whose].T
-    unit = 0.01 * ground_radius
     along, apart, up, drag, size = np.array([throw[1:] for throw in throws])[whose].T
-    way = np.array([burst.way for burst in bursts])[whose]
-    life = np.array([lasting(burst.matter) * TICK for burst in bursts])[whose]
-    time = np.array([burst.age * TICK for burst in bursts])[whose]
-
-    start = (radius + half_width * chance[0]) * np.exp(1j * (angle + half_angle * chance[1]))
-    thrown = way * along * (0.6 + 0.4 * chance[2]) + np.exp(1j * np.pi * chance[3]) * apart * np.abs(chance[4])
-    place = start + thrown * unit * (-np.expm1(-drag * time) / drag)
-    height = _height(0.5 * _HEIGHT * (1.0 + chance[5]), up * (0.65 + 0.35 * chance[6]), time)
-    share = time / (life * (0.8 + 0.2 * chance[7]))
-    shrunk = np.clip((1.0 - share) / (1.0 - _SHRINKING), 0.0, 1.0)
-    spin = 14.0 * chance[1]
-    return Pieces(
-        place,
-        height * unit,
-        size * unit * (0.75 + 0.25 * chance[4]) * shrunk,
-        np.pi * chance[2] + spin * time,
-        np.pi * chance[3] + 1.6 * spin * time,
+    way = np.array([burst.way for burst in bursts], dtype=np.complex128)[whose]
+    return _Thrown(
+        (radius + half_width * chance[0]) * np.exp(1j * (angle + half_angle * chance[1])),
+        way * along * (0.6 + 0.4 * chance[2]) + np.exp(1j * np.pi * chance[3]) * apart * np.abs(chance[4]),
+        drag,
+        0.5 * _HEIGHT * (1.0 + chance[5]),
+        up * (0.65 + 0.35 * chance[6]),
+        size * (0.75 + 0.25 * chance[4]),
+        np.pi * chance[2],
+        np.pi * chance[3],
+        14.0 * chance[1],
         0.5 + 0.5 * chance[5],
-        share,
+        np.array([lasting(burst.matter) * TICK for burst in bursts])[whose] * (0.8 + 0.2 * chance[7]),
         whose,
     )
 

@@ -112,9 +112,18 @@ def _colour(burst: Burst, theme: Theme) -> Colour:
 
 
 def _fill(surface: pygame.Surface, outlines: Points, colours: Reals) -> None:
-    """Polygons with anti-aliased edges."""
-    corners = np.ascontiguousarray(outlines).view(np.float64).reshape(*outlines.shape, 2).tolist()
-    edges = (outlines - (0.5 + 0.5j)).view(np.float64).reshape(*outlines.shape, 2).tolist()
+    """Polygons: their edges drawn as lines half a pixel within, and what is left inside filled."""
+    middle = outlines.mean(axis=1, keepdims=True)
+    out = outlines - middle
+    size = np.maximum(np.abs(out), 1e-9)
+    corners = _pairs(middle + out * np.maximum(1.0 - 1.0 / size, 0.0))
+    edges = _pairs(middle + out * np.maximum(1.0 - 0.5 / size, 0.0) - (0.5 + 0.5j))
     for corner, edge, colour in zip(corners, edges, np.rint(colours).astype(np.int64).tolist(), strict=True):
         pygame.draw.polygon(surface, colour, corner)
         pygame.draw.aalines(surface, colour, True, edge)
+
+
+def _pairs(outlines: Points) -> list[list[list[float]]]:
+    """Rows of points as pygame takes them."""
+    points: list[list[list[float]]] = np.ascontiguousarray(outlines).view(np.float64).reshape(*outlines.shape, 2).tolist()
+    return points

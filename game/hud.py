@@ -11,7 +11,7 @@ from game.levels import built_in
 from game.palette import Theme, mixed
 from game.rules import BEST_COMBO, LIVES, Game, bricks_left
 from game.shapes2d import draw_dot
-from game.text import Type
+from game.text import Type, stepped
 
 _BUMP = 0.45
 """How much larger the combo is when it has just risen."""
@@ -71,7 +71,8 @@ def _draw_combo(surface: pygame.Surface, place: Layout, streak: Streak, theme: T
     fade = streak.age / ENDED_TICKS if streak.ended else 0.0
     colour = mixed(theme.faint if streak.ended else theme.accent, theme.background, fade)
     middle = corner + 1j * unit * 1.1
-    size = unit * (1.2 + 0.12 * best) * (1.0 + _BUMP * max(1.0 - streak.age / BUMP_TICKS, 0.0) ** 2 * (not streak.ended))
+    bump = 0.0 if streak.ended else _BUMP * max(1.0 - streak.age / BUMP_TICKS, 0.0) ** 2
+    size = unit * stepped((1.2 + 0.12 * best) * (1.0 + bump))
     type_.write(surface, f"combo x{streak.bricks}", size, colour, middle, "midleft")
     radius = unit * 0.24
     for index in range(BEST_COMBO):

@@ -1,35 +1,71 @@
-"""A struck paddle out of its place: from above as a picture of its own, aslant as the same blocks a little farther out."""
+"""A struck paddle out of its place: from above painted pixel by pixel, aslant as the same blocks a little farther out.
+
+The pixels of the paddles' band are sorted by angle: a paddle's are one or two runs of them, wherever it is.
+"""
 
 import math
+from typing import NamedTuple
 
 import numpy as np
 import pygame
+from numpy.typing import NDArray
 
 from game.blocks import Blocks
-from game.camera import Camera, Points
+from game.camera import Camera
 from game.effects import Recoil
-from game.palette import Colour, Theme, mixed
+from game.palette import Theme, mixed
+from game.polar_map import Floats, band
+from game.ring_picture import packed, pixels_of
 from game.skins import GLOW, Kind, Look
 from physics import Ring
 
+_FARTHEST = 0.05
+"""Of the paddles' radius: beyond this a recoil is cut off."""
 _RIM, _LEAST_RIM = 0.4, 1.0
 """Width of a paddle's darker edge: of its half width, and pixels."""
-_CHORD = 0.06
-"""Radians, at most."""
 _AWAY = Look(Kind.EMPTY)
 
 
-def draw(surface: pygame.Surface, ring: Ring, recoil: Recoil, look: Look, camera: Camera, theme: Theme) -> None:
-    """The paddle from straight above. ring: the paddles in their place."""
-    light = 0.8 * look.glow / GLOW
-    out = ring.radius + recoil.out
-    rim = max(_RIM * ring.half_width, _LEAST_RIM / camera.scale)
-    for inset, colour in ((0.0, theme.paddle), (rim, theme.paddle_top)):
-        half_width = ring.half_width - inset
-        half_angle = ring.half_angle - inset / ring.radius
-        _fill(
-            surface, _outline(out, half_width, ring.angle(recoil.slot), half_angle, camera), mixed(colour, theme.flash, light)
-        )
+class _Band(NamedTuple):
+    """The pixels that a paddle may cover, sorted by angle."""
+
+    key: tuple[object, ...]
+    place: NDArray[np.int64]
+    radius: Floats  # pixels
+    angle: Floats  # in [0, 2 pi)
+
+
+class RecoilPicture:
+    """Draws paddles out of their place from straight above; remembers where their pixels are."""
+
+    def __init__(self) -> None:
+        """Start with nothing remembered."""
+        self._band: _Band | None = None
+
+    def draw(self, surface: pygame.Surface, ring: Ring, recoil: Recoil, look: Look, camera: Camera, theme: Theme) -> None:
+        """One paddle on a 32-bit surface. ring: the paddles in their place; look: of this one."""
+        pixels = self._pixels(surface, ring, camera)
+        middle, margin = ring.angle(recoil.slot), 2.0 / max(camera.scale * ring.radius, 1.0)
+        rows = _between(pixels.angle, middle - ring.half_angle - margin, middle + ring.half_angle + margin)
+        off = np.abs((pixels.angle[rows] - middle + math.pi) % math.tau - math.pi)
+        radius = pixels.radius[rows] - min(recoil.out, _FARTHEST * ring.radius) * camera.scale
+        sides = ring.half_width * camera.scale - np.abs(radius - ring.radius * camera.scale)
+        ends = radius * np.sin(np.clip(ring.half_angle - off, -1.0, math.pi / 2.0))
+        depth = np.minimum(sides, ends).astype(np.float32)
+        covered = depth > -0.5
+        rim = max(_RIM * ring.half_width * camera.scale, _LEAST_RIM)
+        pixels_of(surface)[pixels.place[rows[covered]]] = packed(surface, _painted(depth[covered], rim, look, theme))
+
+    def _pixels(self, surface: pygame.Surface, ring: Ring, camera: Camera) -> _Band:
+        """The pixels around the paddles' track."""
+        key = (surface.get_size(), surface.get_pitch(), camera, ring.radius, ring.half_width)
+        if self._band is None or self._band.key != key:
+            reach = (ring.outer_radius + _FARTHEST * ring.radius) * camera.scale + 1.0
+            low = max((ring.inner_radius - _FARTHEST * ring.radius) * camera.scale - 1.0, 0.0)
+            found = band(surface.get_size(), surface.get_pitch() // 4, camera.centre, low, reach)
+            order = np.argsort(found.angle)
+            self._band = _Band(key, found.place[order], found.radius[order], found.angle[order])
+        return self._band
 
 
 def without(looks: tuple[Look, ...], recoils: tuple[Recoil, ...]) -> tuple[Look, ...]:
@@ -46,16 +82,18 @@ def pushed(blocks: Blocks, recoils: tuple[Recoil, ...]) -> Blocks:
     return blocks
 
 
-def _outline(radius: float, half_width: float, angle: float, half_angle: float, camera: Camera) -> Points:
-    """Around a sector, pixels."""
-    count = max(math.ceil(2.0 * half_angle / _CHORD), 2)
-    arc = np.exp(1j * (angle + half_angle * np.linspace(-1.0, 1.0, count + 1)))
-    return camera.projected(
-        np.concatenate([arc * (radius + half_width), arc[::-1] * (radius - half_width)]) * camera.turning, 0.0
+def _between(angles: Floats, low: float, high: float) -> NDArray[np.int64]:
+    """Which of the rising angles lie between two, also across 0."""
+    runs = [np.searchsorted(angles, (low + turn, high + turn)) for turn in (-math.tau, 0.0, math.tau)]
+    return np.concatenate([np.arange(first, last) for first, last in runs])
+
+
+def _painted(depth: Floats, rim: float, look: Look, theme: Theme) -> Floats:
+    """The paddle's colours at depths inside it, pixels: ground outside, its edge, its top; as the ring's picture has them."""
+    light = 0.8 * look.glow / GLOW
+    ground, edge, top = (
+        np.array(colour, dtype=np.float32)
+        for colour in (theme.ground, mixed(theme.paddle, theme.flash, light), mixed(theme.paddle_top, theme.flash, light))
     )
-
-
-def _fill(surface: pygame.Surface, outline: Points, colour: Colour) -> None:
-    """A polygon with an anti-aliased edge."""
-    pygame.draw.polygon(surface, colour, outline.view(np.float64).reshape(-1, 2).tolist())
-    pygame.draw.aalines(surface, colour, True, (outline - (0.5 + 0.5j)).view(np.float64).reshape(-1, 2).tolist())
+    colours = ground + (edge - ground) * np.clip(depth + 0.5, 0.0, 1.0)[:, None]
+    return np.asarray(colours + (top - colours) * np.clip(depth - rim + 0.5, 0.0, 1.0)[:, None], dtype=np.float32)

@@ -21,13 +21,14 @@ from game.ground import ground_picture
 from game.hiding import hiding
 from game.looks import paddle_looks, wall_looks
 from game.palette import DARK, Colour, Theme, mixed
+from game.recoil_picture import RecoilPicture
 from game.ring_picture import RingPicture, Shape, shape_of
 from game.rules import PADDLES, Game
 from game.scene import Scene, scene_at, still
 from game.shapes2d import draw_arrow, draw_dot
 from game.skins import Look, terrace
 from game.solid_picture import SolidPicture
-from game.text import Type
+from game.text import Type, stepped
 from game.view import FROM_ABOVE, View
 from physics import Ring
 
@@ -72,6 +73,7 @@ class Painter:
         self._rings: OrderedDict[Shape, RingPicture] = OrderedDict()
         self._balls: dict[tuple[object, ...], pygame.Surface] = {}
         self._solid = SolidPicture()
+        self._recoil = RecoilPicture()
 
     def paint(self, surface: pygame.Surface, scene: Scene, camera: Camera, type_: Type, unit: float) -> None:
         """Draw a whole scene on a 32-bit surface. unit: pixels, size of body text."""
@@ -129,7 +131,7 @@ class Painter:
         paddles = scene.rings[PADDLES]
         self.paint_ring(surface, camera, paddles, recoil_picture.without(looks, scene.recoils), 0)
         for recoil in scene.recoils:
-            recoil_picture.draw(surface, paddles, recoil, looks[recoil.slot], camera, self.theme)
+            self._recoil.draw(surface, paddles, recoil, looks[recoil.slot], camera, self.theme)
 
     def paint_ring(self, surface: pygame.Surface, camera: Camera, ring: Ring, looks: tuple[Look, ...], tallest: int) -> None:
         """Draw one ring and the ground in its gaps. tallest: layers of the highest stack that may ever stand there."""
@@ -240,7 +242,7 @@ def _paint_wedge(surface: pygame.Surface, start: complex, end: complex, radii: t
 def _pop_size(pop: Pop) -> float:
     """Size of the words in units of text: they spring up, larger the more they mean, and settle."""
     spring = 1.0 + _POP_SPRING * math.exp(-pop.age * _POP_CALM) * math.sin(min(pop.age * _POP_CALM, math.pi))
-    return (1.3 if pop.bad else 0.9 + 0.8 * pop.weight) * spring
+    return stepped((1.3 if pop.bad else 0.9 + 0.8 * pop.weight) * spring)
 
 
 def _paint_pop(surface: pygame.Surface, pop: Pop, camera: Camera, theme: Theme, type_: Type, unit: float) -> None:

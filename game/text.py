@@ -88,6 +88,11 @@ class Type:
         return line
 
 
+def stepped(size: float) -> float:
+    """A size that changes from frame to frame, in quarters: every size has a font and every line its picture, in memory."""
+    return round(4.0 * size) / 4.0
+
+
 def _ink(letter: pygame.Surface) -> pygame.Rect:
     """The columns a letter covers, at full height; of a space a part, for it covers none."""
     ink = letter.get_bounding_rect()

@@ -30,13 +30,13 @@ def later(toast: Toast | None, seconds: float) -> Toast | None:
 
 
 def draw(surface: pygame.Surface, toast: Toast, theme: Theme, type_: Type) -> None:
-    """The words on a plate at the top, in the middle."""
+    """The words on a plate in the lower left corner, above the level's name: no ball and no paddle ever comes there."""
     size = surface.get_size()
     unit = unit_of(size)
     words = type_.rendered(toast.text, unit * 1.1, theme.text)
     bar = 0.0 if toast.level is None else _BAR * unit
     plate = pygame.Rect(0, 0, round(words.get_width() + unit * 2.0 + (bar + unit if bar else 0.0)), round(unit * 2.2))
-    plate.midtop = (size[0] // 2, round(unit * 0.8))
+    plate.bottomleft = (round(unit * 0.8), round(size[1] - unit * 4.4))
     draw_box(surface, plate, unit * 0.6, theme.panel, theme.panel_edge, unit * 0.06)
     surface.blit(words, words.get_rect(midleft=(plate.left + round(unit), plate.centery)))
     if toast.level is not None:

@@ -24,6 +24,7 @@ from game.render import Painter
 from game.rules import PADDLES, EventKind, new_game, tick
 from game.scene import scene_at, still
 from game.skins import Kind
+from game.slabs import Slab
 from game.text import Type
 from game.view import FROM_ABOVE, TIPPED, View
 
@@ -106,8 +107,19 @@ def test_a_struck_paddle_is_farther_out_in_3d():
     place = cmath.exp(1j * ring.angle(0)) * (ring.radius + out)
     assert at(picture, camera, place, height) == DARK.paddle_top
     assert at(rest, camera, place, height) != DARK.paddle_top
-    part = blocks.blocks(blocks.Cut(9.0, 0.2, 0.3, 3, 0.2, 40.0, 0.0), [(k, ()) for k in range(3)])
+
+
+def test_only_the_struck_paddles_blocks_are_pushed():
+    """Both faces by the same way, so that it keeps its width; the others and every angle stay."""
+    slab = Slab(0.0, 0.3, 0.0, DARK.paddle, DARK.paddle)
+    part = blocks.blocks(blocks.Cut(9.0, 0.2, 0.3, 3, 0.2, 40.0, 0.0), [(k, (slab,)) for k in range(3)])
     assert recoil_picture.pushed(part, ()) is part
+    recoil = Recoil(1, 1.0, 16)
+    pushed = recoil_picture.pushed(part, (recoil,))
+    by = np.where(part.slot == 1, recoil.out, 0.0)
+    assert np.allclose(pushed.outer_radius - part.outer_radius, by)
+    assert np.allclose(pushed.inner_radius - part.inner_radius, by)
+    assert pushed._replace(outer_radius=part.outer_radius, inner_radius=part.inner_radius) == part
 
 
 def test_light_runs_around_a_ring_both_ways():

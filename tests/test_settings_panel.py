@@ -1,5 +1,6 @@
 """The settings on the screen, by keys and by mouse."""
 
+import numpy as np
 import pygame
 import pytest
 from dummy_window import FRAME, SIZE, Desk, shared
@@ -14,6 +15,7 @@ from game.screens.settings_rows import EFFECTS, ROWS
 from game.screens.title import Title
 from game.settings import Settings
 from game.settings_file import SettingsFile
+from game.shapes2d import draw_box
 
 
 @pytest.fixture
@@ -101,23 +103,23 @@ def test_what_is_changed_reaches_what_sounds_now(desk):
     assert not card.muted
 
 
-def top(surface):
-    """The middle of the picture's upper edge."""
+def corner(surface):
+    """The lower left of the picture."""
     width, height = surface.get_size()
-    return surface.subsurface((width // 3, 0, width // 3, height // 10))
+    return surface.subsurface((0, height * 2 // 3, width // 3, height // 3))
 
 
 def test_a_change_by_key_is_told_for_a_moment(desk):
     """The volume shows its figure, then it is gone; the picture with it differs from the one without."""
     desk.press(pygame.K_o)
     surface = desk.window.get_surface()
-    before = pygame.image.tobytes(top(surface), "RGB")
+    before = pygame.image.tobytes(corner(surface), "RGB")
     desk.press(pygame.K_m)
     assert desk.shared.toast.text == "Sound off"
-    assert pygame.image.tobytes(top(surface), "RGB") != before
+    assert pygame.image.tobytes(corner(surface), "RGB") != before
     desk.wait(2.0)
     assert desk.shared.toast is None
-    assert pygame.image.tobytes(top(surface), "RGB") == before
+    assert pygame.image.tobytes(corner(surface), "RGB") == before
 
 
 def test_closing_the_panel_writes_the_settings(desk, tmp_path):
@@ -154,3 +156,21 @@ def test_reduced_motion_lets_the_camera_cut(desk):
     desk.shared.change(Settings(reduced_motion=True))
     desk.press(pygame.K_TAB)
     assert desk.shared.view.tipped == 0.0
+
+
+@pytest.mark.parametrize("size", [(1, 1), (2, 9), (9, 2), (30, 30), (31, 12), (200, 40)])
+def test_a_box_covers_its_rectangle_but_for_its_corners(size):
+    """Not a pixel outside; full rows and columns between the corners; the corners left free, alike on all sides."""
+    surface = pygame.Surface((260, 90), 0, 32)
+    box = pygame.Rect((20, 20), size)
+    draw_box(surface, box, 8.0, (255, 255, 255))
+    inside = pygame.surfarray.array3d(surface)[:, :, 0].astype(int)
+    covered = inside[box.left : box.right, box.top : box.bottom].copy()
+    inside[box.left : box.right, box.top : box.bottom] = 0
+    assert not inside.any()
+    assert np.array_equal(covered, covered[::-1])
+    assert np.array_equal(covered, covered[:, ::-1])
+    assert (covered[size[0] // 2] == 255).all()
+    assert (covered[:, size[1] // 2] == 255).all()
+    if min(size) > 20:
+        assert covered[0, 0] == 0

@@ -5,11 +5,14 @@ import pytest
 from dummy_window import FRAME, SIZE, Desk, shared
 
 from game import app
+from game.effects import NOTHING
 from game.headless import autopilot_game
 from game.levels import built_in
 from game.playback import Playback
 from game.replay import Recorder
+from game.screens.settings_panel import SettingsPanel
 from game.screens.watch import SPEEDS, Watch
+from game.settings import Settings
 
 TICKS = 2400
 
@@ -146,3 +149,26 @@ def test_watch_opens_and_closes(monkeypatch, recording):
 
     monkeypatch.setattr(app, "frame", closing)
     assert app.watch(recording) == 0
+
+
+def test_settings_open_over_a_recording_and_stop_it(desk):
+    """O leads there and Esc back; + and - still change the speed, not the volume."""
+    desk.wait(0.5)
+    volume = desk.shared.settings.volume
+    desk.press(pygame.K_EQUALS)
+    assert desk.shared.settings.volume == volume
+    desk.press(pygame.K_o)
+    assert isinstance(desk.screen, SettingsPanel)
+    desk.press(pygame.K_EQUALS)
+    assert desk.shared.settings.volume == volume + 10
+    desk.press(pygame.K_ESCAPE)
+    assert isinstance(desk.screen, Watch)
+    assert not desk.screen._playing
+
+
+def test_a_recording_is_shown_without_what_is_not_wanted(desk):
+    """The same settings as in a game: with effects off there is the trail alone."""
+    desk.shared.change(Settings(effects=False))
+    for _ in range(20):
+        desk.wait(0.3)
+        assert desk.screen._effects._replace(trails=()) == NOTHING

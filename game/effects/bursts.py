@@ -12,7 +12,7 @@ from game.effects.kinds import Kind, Shown
 from game.rules import PADDLES, Event, EventKind, Ticked
 from physics import PERMANENT, Hit, Ring, direction, to_polar
 
-SHARD_TICKS, SPARK_TICKS = 200, 84
+SHARD_TICKS, SPARK_TICKS = 170, 84
 MOST = 10
 """Bursts at once; the oldest make room."""
 

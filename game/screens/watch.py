@@ -13,6 +13,7 @@ from game.rules import TICK, Game, Ticked
 from game.scene import scene_at, still
 from game.screens.base import Screen, Shared
 from game.screens.panels import Help
+from game.screens.settings_panel import SettingsPanel
 from game.shapes2d import draw_dot
 from game.ticker import LONGEST_FRAME
 from game.toast import draw_bar
@@ -56,6 +57,9 @@ class Watch:
                 return None
             case Pressed(Action.HELP):
                 return Help(shared, self, "Watching a game", WATCH_HELP)
+            case Pressed(Action.SETTINGS):
+                self._playing = False
+                return SettingsPanel(shared, self)
             case Pressed(Action.SERVE | Action.PAUSE | Action.CONFIRM):
                 self._toggle()
             case Pressed(Action.LESS | Action.DOWN):
