@@ -14,6 +14,7 @@ from game import VERSION, kept, replay
 from game.command_line import run, say
 from game.errors import BadInputError, CheckFailedError, EnvironmentMissingError
 from game.headless import autopilot_game, free_path, result_line
+from game.lab.engine import Engine
 from game.levels import Level, built_in, chosen
 from game.opinions import Compare, Opinions
 from game.rules import Game, Ticked
@@ -113,6 +114,33 @@ def watch_replay(
     watch(recording, compare=_second_opinion())
 
 
+@app.command("lab")
+def open_lab(
+    scene: Annotated[
+        str | None,
+        typer.Argument(help='A scene, or one as it stands: "case-2?ball=9.9,0.3&r=1".', show_default=False),
+    ] = None,
+    list_: Annotated[bool, typer.Option("--list", help="List the scenes.")] = False,
+    headless: Annotated[bool, typer.Option("--headless", help="Check every scene's claims without a window.")] = False,
+    screenshot: Annotated[Path | None, typer.Option(help="Draw the scene into this PNG file.")] = None,
+    size: Annotated[str, typer.Option(metavar="WxH", help="Size of the screenshot in pixels.")] = "1280x800",
+    theme: Annotated[str, typer.Option(metavar="dark|light", help="Colours of the screenshot.")] = "dark",
+) -> None:
+    """Open the lab: scenes of the collision detection one can touch."""
+    from game.lab import command  # noqa: PLC0415  # its scenes, only where they are needed
+
+    pixels = _size(size)
+    if theme not in {"dark", "light"}:
+        raise BadInputError(f"--theme {theme}: expected dark or light")
+    _check_writable(screenshot, "--screenshot")
+    if list_:
+        command.list_scenes()
+    elif headless:
+        command.check_scenes(scene, _second_engine())
+    elif screenshot is not None:
+        command.save_picture(scene, screenshot, pixels, theme, _second_engine())
+
+
 def _verify(files: list[Path]) -> None:
     """Verify every file; CheckFailedError with the first divergence, after all have been looked at."""
     failed: list[str] = []
@@ -161,6 +189,13 @@ def _second_opinion() -> Compare:
         return opinions(ticked)
 
     return compare
+
+
+def _second_engine() -> Engine:
+    """Pymunk, for the lab's scenes to ask."""
+    from tools.crosscheck.second_engine import Pymunk  # noqa: PLC0415  # pymunk, only where it is needed
+
+    return Pymunk()
 
 
 def _demonstrate(levels: tuple[Level, ...], seed: int, record: Path | None) -> None:

@@ -1,0 +1,109 @@
+"""How the window is divided, and the words around the picture: title above, formula and deciding line below."""
+
+from typing import NamedTuple
+
+import pygame
+
+from game.camera import Camera, unit_of
+from game.lab.picture import Picture, Toggle
+from game.lab.scene import Scene
+from game.lab.window.canvas import Canvas, draw_marks
+from game.palette import Theme
+from game.text import Type
+
+_BODY = 0.72
+"""Size of the lab's text in the game's."""
+_LEAST = 12.5
+"""Pixels: nobody reads smaller letters from a chair."""
+_FORMULA_LINES, _WORD_LINES = 5, 4
+
+
+class Page(NamedTuple):
+    """Where everything is, pixels."""
+
+    size: tuple[int, int]
+    unit: float  # size of body text
+    head: pygame.Rect
+    world: pygame.Rect
+    words: pygame.Rect
+    side: pygame.Rect  # sliders and buttons
+
+
+def page(size: tuple[int, int]) -> Page:
+    """The division of a surface."""
+    width, height = size
+    unit = max(unit_of(size) * _BODY, _LEAST)
+    side = min(max(round(unit * 21.0), round(width * 0.24)), round(width * 0.4))
+    left = width - side
+    head = round(unit * 4.3)
+    words = round(unit * (1.32 * (_FORMULA_LINES + _WORD_LINES) + 1.0))
+    return Page(
+        size,
+        unit,
+        pygame.Rect(0, 0, left, head),
+        pygame.Rect(0, head, left, max(height - head - words, 1)),
+        pygame.Rect(0, height - words, left, words),
+        pygame.Rect(left, 0, side, height),
+    )
+
+
+def panes(place: Page, count: int) -> list[pygame.Rect]:
+    """The world's area in equal parts, side by side."""
+    width = place.world.width / count
+    return [
+        pygame.Rect(round(k * width), place.world.top, round((k + 1) * width) - round(k * width), place.world.height)
+        for k in range(count)
+    ]
+
+
+def draw_picture(
+    surface: pygame.Surface,
+    place: Page,
+    picture: Picture,
+    cameras: list[Camera],
+    theme: Theme,
+    type_: Type,
+    shown: frozenset[Toggle],
+) -> None:
+    """The worlds, side by side, each with its title."""
+    for pane, area, camera in zip(picture.panes, panes(place, len(picture.panes)), cameras, strict=True):
+        pygame.draw.rect(surface, theme.ground, area)
+        draw_marks(Canvas(surface, area, camera, theme, type_, place.unit, shown), pane.marks)
+        if pane.title:
+            spot = complex(area.centerx, area.top + place.unit * 0.4)
+            type_.write(surface, pane.title, place.unit * 1.1, theme.text, spot, "midtop")
+        pygame.draw.line(surface, theme.panel_edge, area.topleft, area.bottomleft)
+
+
+def draw_words(surface: pygame.Surface, place: Page, scene: Scene, picture: Picture, theme: Theme, type_: Type) -> None:
+    """The title and the idea; the formula, what decided, and what is special."""
+    unit = place.unit
+    for area in (place.head, place.words):
+        pygame.draw.rect(surface, theme.background, area)
+    edge, width = unit * 0.9, place.head.width - 1.8 * unit
+    box = type_.write(surface, scene.title, unit * 1.35, theme.text, complex(edge, unit * 0.45))
+    top = box.bottom + unit * 0.25
+    for line in type_.wrapped(scene.idea, unit, width)[:2]:
+        box = type_.write(surface, line, unit, theme.faint, complex(edge, top))
+        top = box.bottom + unit * 0.1
+    top = place.words.top + unit * 0.5
+    for line in picture.formula:
+        top = _lines(surface, type_, line, theme.text, complex(edge, top), (unit, width))
+    top += unit * 0.25
+    top = _lines(
+        surface, type_, f"{picture.deciding.where}:  {picture.deciding.text}", theme.faint, complex(edge, top), (unit, width)
+    )
+    if picture.note:
+        _lines(surface, type_, picture.note, theme.accent, complex(edge, top), (unit, width))
+
+
+def _lines(
+    surface: pygame.Surface, type_: Type, text: str, colour: tuple[int, int, int], spot: complex, measure: tuple[float, float]
+) -> float:
+    """A text in lines; where the next one begins. measure: size of the letters and width of a line, pixels."""
+    unit, width = measure
+    top = spot.imag
+    for line in type_.wrapped(text, unit, width):
+        type_.write(surface, line, unit, colour, complex(spot.real, top))
+        top += unit * 1.25
+    return top
