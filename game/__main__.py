@@ -139,6 +139,10 @@ def open_lab(
         command.check_scenes(scene, _second_engine())
     elif screenshot is not None:
         command.save_picture(scene, screenshot, pixels, theme, _second_engine())
+    else:
+        from game.app import lab  # noqa: PLC0415  # pygame, only where it is needed
+
+        lab(scene, _second_engine)
 
 
 def _verify(files: list[Path]) -> None:
@@ -170,7 +174,7 @@ def _play_in_window(levels: tuple[Level, ...], seed: int, record: Path | None, *
 
     keeper = kept.Keeper(record)
     try:
-        play_in_window(levels, seed, keeper, autopilot=autopilot, compare=_second_opinion())
+        play_in_window(levels, seed, keeper, autopilot=autopilot, compare=_second_opinion(), engine=_second_engine)
     except EnvironmentMissingError as error:
         say(f"polar-breakout: {error}; playing 20 s without a window instead")
         _demonstrate(levels, seed, record)

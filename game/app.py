@@ -8,12 +8,16 @@ import pygame
 
 from game import display
 from game.audio import Audio
-from game.controls import Action, Pressed, Released, Signal, translated
+from game.controls import Action, FocusLost, Pressed, Released, Signal, translated
+from game.lab import session
+from game.lab.engine import Engine
+from game.lab.registry import scenes
+from game.lab.share import parsed
 from game.levels import Level, built_in
 from game.opinions import Compare
 from game.playback import Playback
 from game.replay import Recording
-from game.screens.base import Recorder, Screen, Shared
+from game.screens.base import Listener, Recorder, Screen, Shared
 from game.screens.play import Play
 from game.screens.title import Title
 from game.screens.watch import Watch
@@ -30,16 +34,18 @@ def play(
     *,
     autopilot: bool = False,
     compare: Compare | None = None,
+    engine: Callable[[], Engine] | None = None,
 ) -> int:
     """Open a window with the title, the first of the levels chosen, and play until it is closed; the exit code.
 
     recorder: told every tick of every game played. autopilot: it plays, from the first serve on, without a title.
-    compare: another engine to ask about contacts.
+    compare: another engine to ask about contacts; engine: the lab's.
     Raises EnvironmentMissingError without a display.
     """
     catalogue = built_in() if levels[0] in built_in() else levels
-    shared = Shared(catalogue, catalogue.index(levels[0]), seed, Title, recorder, autopilot, compare=compare)
-    return _shown(shared, lambda: Play(shared, levels) if autopilot else Title(shared))
+    lab = _lab_opener(engine)
+    shared = Shared(catalogue, catalogue.index(levels[0]), seed, Title, recorder, autopilot, compare=compare, lab=lab)
+    return _shown(shared, lambda: Play(_heard(shared), levels) if autopilot else Title(_heard(shared)))
 
 
 def watch(recording: Recording, *, compare: Compare | None = None) -> int:
@@ -49,14 +55,41 @@ def watch(recording: Recording, *, compare: Compare | None = None) -> int:
     """
     levels = tuple(recording.levels)
     shared = Shared(levels, 0, recording.seed, Title, compare=compare)
-    return _shown(shared, lambda: Watch(shared, Playback(recording)))
+    return _shown(shared, lambda: Watch(_heard(shared), Playback(recording)))
+
+
+def lab(line: str | None, engine: Callable[[], Engine] | None = None) -> int:
+    """Open a window with the lab until it is closed; the exit code. line: a share line, None for the first scene.
+
+    Raises BadInputError for a line that names no scene as it may stand, EnvironmentMissingError without a display.
+    """
+    opened = parsed(scenes()[0].name if line is None else line, None if engine is None else engine())
+    shared = Shared(built_in(), 0, 0, Title)
+
+    def first() -> Screen:
+        from game.lab.window.screen import Lab  # noqa: PLC0415  # its widgets, only where they are needed
+
+        return Lab(shared, session.opened(opened))
+
+    return _shown(shared, first)
+
+
+def _lab_opener(engine: Callable[[], Engine] | None) -> Callable[[Shared, Screen], Screen]:
+    """What opens the lab over a screen of the game."""
+
+    def opened(shared: Shared, under: Screen) -> Screen:
+        from game.lab.window.screen import Lab  # noqa: PLC0415  # its widgets, only where they are needed
+
+        other = None if engine is None else engine()
+        return Lab(shared, session.fresh(scenes()[0], other), under)
+
+    return opened
 
 
 def _shown(shared: Shared, opened: Callable[[], Screen]) -> int:
     """Show screens in a window until the last one is left; the exit code."""
     window = display.open_window(_TITLE)
     try:
-        shared.audio = Audio()
         run(window, shared, opened())
     except KeyboardInterrupt:
         pass
@@ -65,6 +98,12 @@ def _shown(shared: Shared, opened: Callable[[], Screen]) -> int:
             shared.audio.close()
         pygame.quit()
     return 0
+
+
+def _heard(shared: Shared) -> Shared:
+    """The same with sound; the lab has none."""
+    shared.audio = Audio()
+    return shared
 
 
 def run(window: pygame.Window, shared: Shared, first: Screen) -> None:
@@ -95,18 +134,32 @@ def frame(window: pygame.Window, shared: Shared, screen: Screen, seconds: float)
 
 def _answered(window: pygame.Window, shared: Shared, screen: Screen) -> Screen | None:
     """The screen after all that the player did since the last frame; None once the window is closed or left."""
-    size = window.get_surface().get_size()
     for event in pygame.event.get():
         if event.type in (pygame.QUIT, pygame.WINDOWCLOSE):
             return None
-        signal = translated(event, _pixels_per_point(window, size))
-        if signal is None or _answered_here(signal, window, shared):
-            continue
-        following = screen.answer(signal, size)
+        following = _following(event, window, shared, screen)
         if following is None:
             return None
         screen = following
     return screen
+
+
+def _following(event: pygame.Event, window: pygame.Window, shared: Shared, screen: Screen) -> Screen | None:
+    """The screen after one event."""
+    size = window.get_surface().get_size()
+    pixels_per_point = _pixels_per_point(window, size)
+    signal = translated(event, pixels_per_point)
+    if isinstance(screen, Listener):
+        if signal == Pressed(Action.FULL_SCREEN):
+            _toggle_full_screen(window, shared)
+            return screen
+        return screen.hear(event, size, pixels_per_point)
+    if signal is None or _answered_here(signal, window, shared):
+        return screen
+    if signal == Pressed(Action.LAB) and shared.lab is not None:
+        left = screen.answer(FocusLost(), size)  # a game in play pauses
+        return None if left is None else shared.lab(shared, left)
+    return screen.answer(signal, size)
 
 
 def _answered_here(signal: Signal, window: pygame.Window, shared: Shared) -> bool:

@@ -41,6 +41,7 @@ class Action(Enum):
     TIP = auto()
     TOP = auto()
     SOLID = auto()
+    LAB = auto()
 
 
 KEYS: dict[int, Action] = {
@@ -66,6 +67,7 @@ KEYS: dict[int, Action] = {
     pygame.K_t: Action.THEME,
     pygame.K_e: Action.EFFECTS,
     pygame.K_n: Action.NORMALS,
+    pygame.K_l: Action.LAB,
     pygame.K_COMMA: Action.STEP_BACK,
     pygame.K_PERIOD: Action.STEP,
     pygame.K_MINUS: Action.SLOWER,
@@ -95,6 +97,7 @@ PLAY_HELP: tuple[tuple[str, str], ...] = (
     ("T", "dark / light colours"),
     ("E", "effects off / on"),
     ("N", "normals: ours thick, pymunk's thin"),
+    ("L", "the lab: the collision detection to touch"),
     ("H   F1", "this help"),
 )
 

@@ -16,6 +16,7 @@ class Handle(NamedTuple):
     label: str
     place: Callable[[Given], complex]  # world
     wishes: Callable[[Given, complex], Mapping[str, complex]]  # the values asked for by a drag to a place of the world
+    reach: Callable[[Given], float] | None = None  # world units around its place that it can be taken hold of, too
 
 
 def dragged(parameters: Sequence[Parameter], given: Given, handle: Handle, place: complex) -> Settled:
@@ -23,9 +24,10 @@ def dragged(parameters: Sequence[Parameter], given: Given, handle: Handle, place
     return settled(parameters, given, snapped(parameters, handle.wishes(given, place)))
 
 
-def point(name: str, label: str) -> Handle:
-    """A point parameter itself."""
-    return Handle(label, lambda given: given.point(name), lambda _given, place: {name: place})
+def point(name: str, label: str, radius: str | None = None) -> Handle:
+    """A point parameter itself. radius: the number that is the radius of the ball there, all of which can be taken hold of."""
+    reach = None if radius is None else lambda given: given.number(radius)
+    return Handle(label, lambda given: given.point(name), lambda _given, place: {name: place}, reach)
 
 
 def vector(name: str, start: Callable[[Given], complex], scale: float, label: str) -> Handle:
@@ -73,8 +75,8 @@ def sector_handles(radius: str, half_width: str, angle: str, half_angle: str) ->
             lambda given: at(given, 0.0, 0.0),
             lambda given, place: {radius: abs(place), angle: _degrees(place, given.number(angle))},
         ),
-        Handle("end: half angle", lambda given: at(given, 0.0, 1.0), lambda given, place: moved_end(given, place, 1.0)),
-        Handle("end: half angle", lambda given: at(given, 0.0, -1.0), lambda given, place: moved_end(given, place, -1.0)),
+        Handle("end: half angle", lambda given: at(given, 0.6, 1.0), lambda given, place: moved_end(given, place, 1.0)),
+        Handle("end: half angle", lambda given: at(given, 0.6, -1.0), lambda given, place: moved_end(given, place, -1.0)),
         Handle(
             "outer face: half width",
             lambda given: at(given, 1.0, 0.0),

@@ -73,6 +73,11 @@ def restarted(session: Session) -> Session:
     return session._replace(tick=0, rest=0.0, playing=session.runs, notes=())
 
 
+def reset(session: Session) -> Session:
+    """At the scene's defaults."""
+    return changed(session, Settled(defaults(session.scene.parameters, session.given.engine), ()))
+
+
 def toggled(session: Session) -> Session:
     """Paused, or going on; from its end it begins anew."""
     if session.runs and session.tick == session.last:

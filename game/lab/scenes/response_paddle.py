@@ -179,7 +179,7 @@ SCENE = Scene(
     ),
     handles=(
         handles.polar_vector("speed", "heading", _start, VELOCITY_SCALE, "velocity"),
-        handles.Handle("ball", _start, lambda _given, place: {"ball": place}),
+        handles.Handle("ball", _start, lambda _given, place: {"ball": place}, lambda _given: _BALL_RADIUS),
     ),
     view=View(0.0 + 7.6j, 5.2 + 3.6j),
     shows=_picture,

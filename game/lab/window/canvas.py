@@ -132,20 +132,39 @@ def _label(canvas: Canvas, mark: Mark) -> None:
             _write(canvas, canvas.camera.project(place), text, mark.tone)
 
 
-def _write(canvas: Canvas, place: complex, text: str, tone: Tone) -> None:
-    """Words with a seam in the ground's colour, kept inside the area."""
-    size, colour = canvas.unit * 0.95, tone_colour(canvas.theme, tone)
-    if tone is Tone.FAINT:
-        colour = canvas.theme.faint
+def write_beside(canvas: Canvas, place: complex, text: str, colour: Colour) -> None:
+    """Words around a pixel with a seam in the ground's colour, kept inside the area; none far outside of it."""
+    size = canvas.unit * 0.95
     if not canvas.area.inflate(4 * canvas.unit, 4 * canvas.unit).collidepoint(place.real, place.imag):
         return
     line = canvas.type.rendered(text, size, colour)
-    box = line.get_rect(center=(round(place.real), round(place.imag))).clamp(canvas.area.inflate(-4, -4))
+    box = line.get_rect(center=_ints(place)).clamp(canvas.area.inflate(-4, -4))
     seam = canvas.type.rendered(text, size, canvas.theme.ground)
     width = max(1, round(canvas.unit * 0.09))
     for dx, dy in ((-1, 0), (1, 0), (0, -1), (0, 1), (-1, -1), (1, 1), (-1, 1), (1, -1)):
         canvas.surface.blit(seam, box.move(dx * width, dy * width))
     canvas.surface.blit(line, box)
+
+
+def draw_note(
+    surface: pygame.Surface, area: pygame.Rect, text: str, theme: Theme, type_: Type, unit: float, number: int
+) -> None:
+    """A line on a plate at the bottom of an area. number: plates below it."""
+    lines = type_.wrapped(text, unit, area.width - 4.0 * unit)
+    height = round(unit * (1.3 * len(lines) + 0.6))
+    wide = max([type_.rendered(line, unit, theme.accent).get_width() for line in lines]) + round(1.6 * unit)
+    plate = pygame.Rect(0, 0, wide, height)
+    plate.midbottom = (area.centerx, area.bottom - round(unit * (0.6 + 2.3 * number)))
+    pygame.draw.rect(surface, theme.panel, plate, 0, round(unit * 0.5))
+    pygame.draw.rect(surface, theme.accent, plate, max(1, round(unit * 0.08)), round(unit * 0.5))
+    for k, line in enumerate(lines):
+        spot = complex(plate.centerx, plate.top + unit * (0.45 + 1.3 * k))
+        type_.write(surface, line, unit, theme.text, spot, "midtop")
+
+
+def _write(canvas: Canvas, place: complex, text: str, tone: Tone) -> None:
+    """Words in the colour of a role; faint ones must still be read."""
+    write_beside(canvas, place, text, canvas.theme.faint if tone is Tone.FAINT else tone_colour(canvas.theme, tone))
 
 
 def _ball(canvas: Canvas, mark: Disc, colour: Colour) -> None:

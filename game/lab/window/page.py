@@ -11,11 +11,13 @@ from game.lab.window.canvas import Canvas, draw_marks
 from game.palette import Theme
 from game.text import Type
 
-_BODY = 0.72
+_BODY = 0.8
 """Size of the lab's text in the game's."""
-_LEAST = 12.5
+_LEAST = 14.5
 """Pixels: nobody reads smaller letters from a chair."""
-_FORMULA_LINES, _WORD_LINES = 5, 4
+_SMALLEST = (640, 480)
+"""Of a smaller window, the rest is cut off."""
+_FORMULA_LINES, _WORD_LINES = 5, 3.2
 
 
 class Page(NamedTuple):
@@ -31,14 +33,14 @@ class Page(NamedTuple):
 
 def page(size: tuple[int, int]) -> Page:
     """The division of a surface."""
-    width, height = size
-    unit = max(unit_of(size) * _BODY, _LEAST)
-    side = min(max(round(unit * 21.0), round(width * 0.24)), round(width * 0.4))
+    width, height = max(size[0], _SMALLEST[0]), max(size[1], _SMALLEST[1])
+    unit = max(unit_of((width, height)) * _BODY, _LEAST)
+    side = min(max(round(unit * 20.0), round(width * 0.24)), round(width * 0.4))
     left = width - side
-    head = round(unit * 4.3)
-    words = round(unit * (1.32 * (_FORMULA_LINES + _WORD_LINES) + 1.0))
+    head = round(unit * 4.1)
+    words = round(unit * (1.25 * (_FORMULA_LINES + _WORD_LINES) + 1.0))
     return Page(
-        size,
+        (width, height),
         unit,
         pygame.Rect(0, 0, left, head),
         pygame.Rect(0, head, left, max(height - head - words, 1)),
@@ -72,7 +74,18 @@ def draw_picture(
         if pane.title:
             spot = complex(area.centerx, area.top + place.unit * 0.4)
             type_.write(surface, pane.title, place.unit * 1.1, theme.text, spot, "midtop")
-        pygame.draw.line(surface, theme.panel_edge, area.topleft, area.bottomleft)
+        if area.left > place.world.left:
+            pygame.draw.line(surface, theme.panel_edge, area.topleft, area.bottomleft)
+
+
+def draw_side(surface: pygame.Surface, place: Page, top: float, lines: tuple[str, ...], theme: Theme, type_: Type) -> None:
+    """Small lines below the widgets: tick, hash, share line. They lie lower where there is room."""
+    unit = place.unit * 0.85
+    edge, width = place.side.left + place.unit * 0.8, place.side.width - place.unit * 1.6
+    broken = [piece for line in lines for piece in _broken(type_, line, unit, width)]
+    start = max(top + place.unit * 0.3, place.size[1] - place.unit * 0.6 - 1.25 * unit * len(broken))
+    for number, piece in enumerate(broken):
+        type_.write(surface, piece, unit, theme.faint, complex(edge, start + 1.25 * unit * number))
 
 
 def draw_words(surface: pygame.Surface, place: Page, scene: Scene, picture: Picture, theme: Theme, type_: Type) -> None:
@@ -107,3 +120,8 @@ def _lines(
         type_.write(surface, line, unit, colour, complex(spot.real, top))
         top += unit * 1.25
     return top
+
+
+def _broken(type_: Type, text: str, unit: float, width: float) -> list[str]:
+    """A text without spaces in lines no wider than `width` pixels, broken after "&" where that will do."""
+    return type_.wrapped(text.replace("&", "& "), unit, width) if " " not in text else type_.wrapped(text, unit, width)
