@@ -11,6 +11,7 @@ import pytest
 
 import physics
 from game.lab import scenes as folder
+from game.lab.beyond import BEYOND
 from game.lab.checks import after_drags, failures, lines, report, run_to
 from game.lab.command import DRAGS
 from game.lab.deciding import code
@@ -68,13 +69,27 @@ def test_a_scene_says_what_it_is(scene):
     """A sentence, functions that exist, rows that exist, presets that differ, defaults in range."""
     assert re.fullmatch(r"[A-Z].*\.", scene.idea)
     assert all([callable(getattr(physics, name)) for name in scene.functions])
-    assert set(scene.rows) <= set(range(1, 11))
+    assert set(scene.rows) <= set(BEYOND)
     assert len({preset.label for preset in scene.presets}) == len(scene.presets)
     names = [parameter.name for parameter in scene.parameters]
     assert len(set(names)) == len(names)
     for parameter in scene.parameters:
         parts = (parameter.default.real, parameter.default.imag if isinstance(parameter, Point) else parameter.low)
         assert all([parameter.low <= part <= parameter.high for part in parts])
+
+
+def test_every_function_of_the_source_has_a_scene():
+    """By its name."""
+    words = "normalize_angle min_difference on_left to_polar to_cartesian closest_point_on_line broad_phase narrow_phase_case_1"
+    shown = {name for scene in scenes() for name in scene.functions}
+    assert {*words.split(), "narrow_phase_case_2", "collision_response"} <= shown
+
+
+def test_the_rows_are_those_of_the_readme():
+    """As many as its table has, under the same numbers."""
+    readme = (Path(physics.__file__).parent.parent / "README.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (\d+) \|", readme.partition("### Beyond the source")[2], re.MULTILINE)
+    assert [int(row) for row in rows] == list(BEYOND)
 
 
 @SCENES

@@ -8,17 +8,17 @@ from test_lab_session import run  # noqa: F401  # a fixture
 
 from game.app import _lab_opener
 from game.lab import session
-from game.lab.checks import run_to
+from game.lab.checks import lines, run_to
 from game.lab.parameters import defaults
 from game.lab.picture import Toggle
 from game.lab.registry import scenes
-from game.lab.scene import Motion
+from game.lab.scene import Motion, picture_of
 from game.lab.share import Shared as SharedLine
 from game.lab.share import parsed
 from game.lab.window import screen
 from game.lab.window.commands import KEYS, Command, command_of
 from game.lab.window.lens import Lens
-from game.lab.window.page import page, panes
+from game.lab.window.page import draw_head, draw_words, page, panes
 from game.lab.window.screen import Lab
 from game.lab.window.screenshot import save_screenshot
 from game.lab.window.widgets import Side
@@ -286,6 +286,19 @@ def test_every_command_has_a_key_and_no_key_two():
     bound = [code for key in KEYS for code in key.keys]
     assert len(bound) == len(set(bound))
     assert command_of(pygame.K_F12) is None
+
+
+@pytest.mark.parametrize("scene", scenes(), ids=lambda scene: scene.name)
+@pytest.mark.parametrize("size", [(800, 600), (1280, 800), (3840, 2160), (900, 1600)])
+def test_the_words_fit_their_places(scene, size):
+    """The head above the world, formula and notes below it, at every preset: nothing is cut off."""
+    kept, place = shared(), page(size)
+    surface = pygame.Surface(size)
+    assert draw_head(surface, place, scene, DARK, kept.type) <= place.head.bottom
+    for given in lines(scene, Pymunk()):
+        ends = [run_to(scene, given, tick) for tick in ((0, scene.shows.ticks) if isinstance(scene.shows, Motion) else (0,))]
+        for state in ends:
+            assert draw_words(surface, place, picture_of(scene, given, state), DARK, kept.type) <= place.words.bottom
 
 
 @pytest.mark.parametrize("scene", scenes(), ids=lambda scene: scene.name)

@@ -7,6 +7,7 @@ from rich.table import Table
 
 from game.command_line import say
 from game.errors import BadInputError, CheckFailedError
+from game.lab.beyond import BEYOND
 from game.lab.checks import Report, report
 from game.lab.engine import Engine
 from game.lab.registry import scenes
@@ -23,8 +24,7 @@ def list_scenes() -> None:
     for heading in ("scene", "chapter", "title", "beyond the source"):
         table.add_column(heading, no_wrap=heading == "scene")
     for scene in scenes():
-        rows = ", ".join([str(row) for row in scene.rows])
-        table.add_row(scene.name, scene.chapter.value, scene.title, f"row {rows}" if rows else "")
+        table.add_row(scene.name, scene.chapter.value, scene.title, "; ".join([f"{row} {BEYOND[row]}" for row in scene.rows]))
     Console().print(table)
 
 

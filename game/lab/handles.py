@@ -57,29 +57,38 @@ def on_circle(angle: str, radius: Callable[[Given], float], label: str) -> Handl
     )
 
 
-def sector_handles(radius: str, half_width: str, angle: str, half_angle: str) -> tuple[Handle, ...]:
+def half_angle(name: str, angle: str, radius: Callable[[Given], float], side: float) -> Handle:
+    """A sector's half angle, taken hold of at an end. side: 1 the counter-clockwise one, -1 the other."""
+
+    def wishes(given: Given, place: complex) -> dict[str, complex]:
+        away = math.degrees(cmath.phase(place * cmath.rect(1.0, -given.angle(angle)))) * side if place else 0.0
+        wide = given.number(name) > _HALF_TURN / 2.0
+        return {name: away + 2.0 * _HALF_TURN if wide and away < -_HALF_TURN / 2.0 else away}
+
+    return Handle(
+        "end: half angle",
+        lambda given: cmath.rect(radius(given), given.angle(angle) + side * given.angle(name)),
+        wishes,
+    )
+
+
+def sector_handles(radius: str, half_width: str, angle: str, half: str) -> tuple[Handle, ...]:
     """A sector's middle (its radius and angle), its two ends (its half angle) and its outer face (its half width)."""
 
-    def at(given: Given, out: float, aside: float) -> complex:
-        distance = given.number(radius) + out * given.number(half_width)
-        return cmath.rect(distance, given.angle(angle) + aside * given.angle(half_angle))
-
-    def moved_end(given: Given, place: complex, side: float) -> dict[str, complex]:
-        away = math.degrees(cmath.phase(place * cmath.rect(1.0, -given.angle(angle)))) * side if place else 0.0
-        wide = given.number(half_angle) > _HALF_TURN / 2.0
-        return {half_angle: away + 2.0 * _HALF_TURN if wide and away < -_HALF_TURN / 2.0 else away}
+    def at(given: Given, out: float) -> float:
+        return given.number(radius) + out * given.number(half_width)
 
     return (
         Handle(
             "sector: radius and angle",
-            lambda given: at(given, 0.0, 0.0),
+            lambda given: cmath.rect(at(given, 0.0), given.angle(angle)),
             lambda given, place: {radius: abs(place), angle: _degrees(place, given.number(angle))},
         ),
-        Handle("end: half angle", lambda given: at(given, 0.6, 1.0), lambda given, place: moved_end(given, place, 1.0)),
-        Handle("end: half angle", lambda given: at(given, 0.6, -1.0), lambda given, place: moved_end(given, place, -1.0)),
+        half_angle(half, angle, lambda given: at(given, 0.6), 1.0),
+        half_angle(half, angle, lambda given: at(given, 0.6), -1.0),
         Handle(
             "outer face: half width",
-            lambda given: at(given, 1.0, 0.0),
+            lambda given: cmath.rect(at(given, 1.0), given.angle(angle)),
             lambda given, place: {half_width: abs(place) - given.number(radius)},
         ),
     )

@@ -9,6 +9,8 @@ from physics import Ball, Contact, Ring, dot, to_cartesian
 
 VELOCITY_SCALE = 0.2
 """World units drawn per unit of speed."""
+_TOUCH = 1e-9
+"""World units. Balls this near to a surface are said to touch it."""
 
 
 def ball_marks(position: complex, radius: float, tone: Tone = Tone.BALL) -> tuple[Mark, ...]:
@@ -44,7 +46,7 @@ def contact_marks(ball: Ball, found: Contact, length: float = 1.0) -> tuple[Mark
     surface = ball.position - found.normal * ball.radius
     marks.append(Line((found.point, surface), Tone.OURS, Toggle.GAP, Stroke.THICK))
     marks.append(Arrow(found.point, found.normal * length, Tone.OURS, Toggle.NORMALS, label="n"))
-    if found.gap <= 0.0:
+    if found.gap <= _TOUCH:
         marks.append(Circle(found.point, 0.12 * length, Tone.OURS, Toggle.CONTACTS, Stroke.THICK))
     return tuple(marks)
 

@@ -8,6 +8,7 @@ from typing import NamedTuple
 
 import numpy as np
 import pygame
+from numpy.typing import NDArray
 
 from game.camera import Camera
 from game.lab.picture import (
@@ -32,6 +33,8 @@ from game.text import Type
 
 _PIXELS_PER_CHORD = 3.0
 _MOST_CHORDS = 720
+_ROUND = 9
+"""A line through so many points is a curve."""
 _VEIL = 60
 """How opaque a ball is, of 255."""
 _FAR = 1e6
@@ -197,8 +200,30 @@ def _path(canvas: Canvas, places: Sequence[complex], colour: Colour, stroke: Str
         for start, end in _dashes(places, canvas.unit * 0.5, canvas.area):
             _stroke(canvas.surface, start, end, colour, width)
         return
+    if len(places) >= _ROUND:
+        _ribbon(canvas.surface, places, colour, width)
+        return
     for start, end in pairwise(places):
         _stroke(canvas.surface, start, end, colour, width)
+
+
+def _ribbon(surface: pygame.Surface, places: Sequence[complex], colour: Colour, width: float) -> None:
+    """A smooth line of many short pieces, its two sides drawn as one."""
+    points = np.array(places, dtype=np.complex128) - (0.5 + 0.5j)
+    if not (np.abs(points.real).max() < _FAR and np.abs(points.imag).max() < _FAR):
+        return
+    way = np.gradient(points)
+    side = 1j * way / np.maximum(np.abs(way), 1e-9) * max(width - 1.0, 0.0) / 2.0
+    left, right = (_pairs(line) for line in (points + side, points - side))
+    if width > 1.5:
+        pygame.draw.polygon(surface, colour, left + right[::-1])
+        pygame.draw.aalines(surface, colour, False, right)
+    pygame.draw.aalines(surface, colour, False, left)
+
+
+def _pairs(points: NDArray[np.complex128]) -> list[list[float]]:
+    """Points as pygame takes them."""
+    return np.ascontiguousarray(points).view(np.float64).reshape(-1, 2).tolist()
 
 
 def _dashes(places: Sequence[complex], length: float, area: pygame.Rect) -> list[tuple[complex, complex]]:
@@ -264,8 +289,10 @@ def _sector(canvas: Canvas, mark: Sector, colour: Colour) -> None:
     pygame.draw.polygon(canvas.surface, fill, [(place.real, place.imag) for place in outline])
     width = max(canvas.unit * 0.08, 1.0)
     closed = mark.half_angle >= math.pi
-    for path in (there, back) if closed else ([*there, *back, there[0]],):
-        for start, end in pairwise(path):
+    for path in (there, back):
+        _ribbon(canvas.surface, path, edge, width)
+    if not closed:
+        for start, end in ((there[-1], back[0]), (back[-1], there[0])):
             _stroke(canvas.surface, start, end, edge, width)
 
 

@@ -5,6 +5,7 @@ from typing import NamedTuple
 import pygame
 
 from game.camera import Camera, unit_of
+from game.lab.beyond import rows_line
 from game.lab.picture import Picture, Toggle
 from game.lab.scene import Scene
 from game.lab.window.canvas import Canvas, draw_marks
@@ -17,6 +18,8 @@ _LEAST = 14.5
 """Pixels: nobody reads smaller letters from a chair."""
 _SMALLEST = (640, 480)
 """Of a smaller window, the rest is cut off."""
+_HEAD, _TALL_HEAD, _NARROW = 5.8, 6.6, 40.0
+"""Height of the title and the idea, and that where they have little width, in sizes of text."""
 _FORMULA_LINES, _WORD_LINES = 5, 3.2
 
 
@@ -37,7 +40,7 @@ def page(size: tuple[int, int]) -> Page:
     unit = max(unit_of((width, height)) * _BODY, _LEAST)
     side = min(max(round(unit * 20.0), round(width * 0.24)), round(width * 0.4))
     left = width - side
-    head = round(unit * 4.1)
+    head = round(unit * (_HEAD if left > _NARROW * unit else _TALL_HEAD))
     words = round(unit * (1.25 * (_FORMULA_LINES + _WORD_LINES) + 1.0))
     return Page(
         (width, height),
@@ -88,26 +91,29 @@ def draw_side(surface: pygame.Surface, place: Page, top: float, lines: tuple[str
         type_.write(surface, piece, unit, theme.faint, complex(edge, start + 1.25 * unit * number))
 
 
-def draw_words(surface: pygame.Surface, place: Page, scene: Scene, picture: Picture, theme: Theme, type_: Type) -> None:
-    """The title and the idea; the formula, what decided, and what is special."""
+def draw_head(surface: pygame.Surface, place: Page, scene: Scene, theme: Theme, type_: Type) -> float:
+    """The title, the idea, and what of it goes beyond the source; where they end, pixels."""
     unit = place.unit
-    for area in (place.head, place.words):
-        pygame.draw.rect(surface, theme.background, area)
+    pygame.draw.rect(surface, theme.background, place.head)
     edge, width = unit * 0.9, place.head.width - 1.8 * unit
-    box = type_.write(surface, scene.title, unit * 1.35, theme.text, complex(edge, unit * 0.45))
-    top = box.bottom + unit * 0.25
-    for line in type_.wrapped(scene.idea, unit, width)[:2]:
-        box = type_.write(surface, line, unit, theme.faint, complex(edge, top))
-        top = box.bottom + unit * 0.1
+    top = type_.write(surface, scene.title, unit * 1.35, theme.text, complex(edge, unit * 0.45)).bottom + unit * 0.25
+    for text, colour in ((scene.idea, theme.text), (rows_line(scene.rows), theme.faint)):
+        top = _lines(surface, type_, text, colour, complex(edge, top), (unit * 0.95, width))
+    return top
+
+
+def draw_words(surface: pygame.Surface, place: Page, picture: Picture, theme: Theme, type_: Type) -> float:
+    """The formula, what decided, and what is special; where they end, pixels."""
+    unit = place.unit
+    pygame.draw.rect(surface, theme.background, place.words)
+    edge, width = unit * 0.9, place.words.width - 1.8 * unit
     top = place.words.top + unit * 0.5
     for line in picture.formula:
         top = _lines(surface, type_, line, theme.text, complex(edge, top), (unit, width))
     top += unit * 0.25
-    top = _lines(
-        surface, type_, f"{picture.deciding.where}:  {picture.deciding.text}", theme.faint, complex(edge, top), (unit, width)
-    )
-    if picture.note:
-        _lines(surface, type_, picture.note, theme.accent, complex(edge, top), (unit, width))
+    decided = f"{picture.deciding.where}:  {picture.deciding.text}"
+    top = _lines(surface, type_, decided, theme.faint, complex(edge, top), (unit, width))
+    return _lines(surface, type_, picture.note, theme.accent, complex(edge, top), (unit, width))
 
 
 def _lines(

@@ -20,7 +20,7 @@ from game.lab.window.commands import TOGGLE_KEYS, Command, command_of
 from game.lab.window.grips import Grip, draw_grips, grip_at
 from game.lab.window.help import draw_help
 from game.lab.window.lens import Lens
-from game.lab.window.page import Page, draw_picture, draw_side, draw_words, page, panes
+from game.lab.window.page import Page, draw_head, draw_picture, draw_side, draw_words, page, panes
 from game.lab.window.widgets import Asked, Chosen, Preset, Refused, Side, Wished
 from game.palette import Theme
 from game.screens.base import Screen, Shared
@@ -104,7 +104,8 @@ class Lab:
             draw_grips(canvas, session.given, session.scene.handles, self._hot(place, picture, cameras))
         for number, note in enumerate(reversed(self._notes())):
             draw_note(surface, place.world, note, theme, type_, place.unit, number)
-        draw_words(surface, place, session.scene, picture, theme, type_)
+        draw_head(surface, place, session.scene, theme, type_)
+        draw_words(surface, place, picture, theme, type_)
         side.show(session, self._shown, picture.toggles)
         draw_side(surface, place, side.bottom, _standing(session), theme, type_)
         side.draw(surface, session, self._seconds, self._pixels_per_point)

@@ -17,7 +17,13 @@ def skin(theme: Theme, pixels: int) -> dict[str, Any]:
     colours = _colours(theme)
     font = str(Path(pygame.__file__).parent / pygame.font.get_default_font())
     letters = {"name": _FONT, "size": str(round(pixels * _LETTER)), "regular_path": font, "bold_path": font, "antialiased": "1"}
-    flat = {"shape": "rounded_rectangle", "shape_corner_radius": "4", "border_width": "1", "shadow_width": "0"}
+    border = str(max(round(pixels / 16), 1))
+    flat = {
+        "shape": "rounded_rectangle",
+        "shape_corner_radius": "4",
+        "border_width": str(max(round(pixels / 16), 1)),
+        "shadow_width": "0",
+    }
     symbols = {"name": "fira_code_symbols", "size": str(round(pixels * _SYMBOL))}
     ground = {"dark_bg": _hex(theme.background), "normal_border": _hex(theme.panel_edge)}
     knob = {"normal_bg": _hex(theme.rim), "hovered_bg": _hex(theme.accent), "active_bg": _hex(theme.accent)}

@@ -19,6 +19,12 @@ from game.text import Type
 _PRESETS = "presets"
 _HEIGHT, _GAP = 1.75, 0.3
 """Of a row, and between rows, in sizes of text."""
+_NAME, _NUMBER, _BOX = 1.25, 1.5, 1.25
+"""Heights of a parameter's name, of a slider, of a check box."""
+_PRINT = 5.0
+"""Room for the small print below."""
+_TIGHTEST = 0.7
+"""The least share of these heights."""
 
 
 class Wished(NamedTuple):
@@ -71,6 +77,7 @@ class Side:
         self._boxes: dict[UICheckBox, Toggle] = {}
         self._shown: frozenset[Toggle] = frozenset()
         self._presets = {preset.label: preset.line for preset in session.scene.presets}
+        self._squeeze = _squeeze(session, area.height / unit)
         self._names: list[tuple[Parameter, pygame.Rect]] = []
         self._list, self._preset_list = self._lists(session)
         self._rows = [row for parameter in session.scene.parameters for row in self._parameter(parameter)]
@@ -155,13 +162,13 @@ class Side:
 
     def _parameter(self, parameter: Parameter) -> list[_Row]:
         """A parameter's name and meaning, and a slider with a field for each of its numbers."""
-        self._names.append((parameter, self._line(1.25, 0.0)))
+        self._names.append((parameter, self._line(_NAME, 0.0)))
         return [self._number(parameter, part) for part in range(2 if isinstance(parameter, Point) else 1)]
 
     def _number(self, parameter: Parameter, part: int) -> _Row:
         """One slider and its field."""
         default = parameter.default.imag if part else parameter.default.real
-        left, right = self._split(self._line(1.5), (0.0, 6.0))
+        left, right = self._split(self._line(_NUMBER), (0.0, 6.0))
         span = (float(parameter.low), float(parameter.high))
         slider = UIHorizontalSlider(left, default, span, self._manager)
         field = UITextEntryLine(right, self._manager, initial_text=plain(default))
@@ -186,7 +193,7 @@ class Side:
         toggles = list(Toggle)
         self._top += self._unit * _GAP
         for first in range(0, len(toggles), 2):
-            for toggle, area in zip(toggles[first : first + 2], self._split(self._line(1.25, 0.2), (0.0, 0.0)), strict=False):
+            for toggle, area in zip(toggles[first : first + 2], self._split(self._line(_BOX, 0.2), (0.0, 0.0)), strict=False):
                 box = pygame.Rect(area.left, area.top, area.height, area.height)
                 key = next(pygame.key.name(key) for key, found in TOGGLE_KEYS.items() if found is toggle)
                 self._boxes[UICheckBox(box, f"{key}  {toggle.value}", self._manager)] = toggle  # empty, as _shown is
@@ -251,11 +258,11 @@ class Side:
 
     def _line(self, height: float = _HEIGHT, gap: float = _GAP) -> pygame.Rect:
         """The next row, across the whole side."""
-        edge = self._unit * 0.8
+        edge, size = self._unit * 0.8, self._unit * self._squeeze
         box = pygame.Rect(
-            round(self._area.left + edge), round(self._top), round(self._area.width - 2 * edge), round(self._unit * height)
+            round(self._area.left + edge), round(self._top), round(self._area.width - 2 * edge), round(size * height)
         )
-        self._top += self._unit * (height + gap)
+        self._top += size * (height + gap)
         return box
 
     def _split(self, box: pygame.Rect, widths: tuple[float, ...]) -> list[pygame.Rect]:
@@ -269,6 +276,16 @@ class Side:
             boxes.append(pygame.Rect(round(left), box.top, round(pixels), box.height))
             left += pixels + gap
         return boxes
+
+
+def _squeeze(session: Session, room: float) -> float:
+    """The share of their heights that makes all rows fit. room: in sizes of text."""
+    row = _HEIGHT + _GAP
+    numbers = [2 if isinstance(parameter, Point) else 1 for parameter in session.scene.parameters]
+    rows = row * (4 + (1 if session.scene.presets else 0) + (2 if session.runs else 0))
+    parameters = _NAME * len(numbers) + (_NUMBER + _GAP) * sum(numbers)
+    toggles = (_BOX + 0.2) * (len(Toggle) + 1) // 2
+    return min(max((room - _PRINT) / (rows + parameters + toggles + 2 * _GAP), _TIGHTEST), 1.0)
 
 
 def _set_box(box: UICheckBox, *, on: bool, enabled: bool) -> None:
