@@ -20,7 +20,8 @@ _SMALLEST = (640, 480)
 """Of a smaller window, the rest is cut off."""
 _HEAD, _TALL_HEAD, _NARROW = 5.8, 6.6, 40.0
 """Height of the title and the idea, and that where they have little width, in sizes of text."""
-_FORMULA_LINES, _WORD_LINES = 5, 3.2
+_LINES, _MORE_LINES = 8.2, 9.3
+"""Lines of formula and notes, and those where they have little width."""
 
 
 class Page(NamedTuple):
@@ -40,8 +41,9 @@ def page(size: tuple[int, int]) -> Page:
     unit = max(unit_of((width, height)) * _BODY, _LEAST)
     side = min(max(round(unit * 20.0), round(width * 0.24)), round(width * 0.4))
     left = width - side
-    head = round(unit * (_HEAD if left > _NARROW * unit else _TALL_HEAD))
-    words = round(unit * (1.25 * (_FORMULA_LINES + _WORD_LINES) + 1.0))
+    tall, lines = (_HEAD, _LINES) if left > _NARROW * unit else (_TALL_HEAD, _MORE_LINES)
+    head = round(unit * tall)
+    words = round(unit * (1.25 * lines + 1.0))
     return Page(
         (width, height),
         unit,

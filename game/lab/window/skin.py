@@ -16,35 +16,40 @@ def skin(theme: Theme, pixels: int) -> dict[str, Any]:
     """A theme for pygame_gui. pixels: size of the letters."""
     colours = _colours(theme)
     font = str(Path(pygame.__file__).parent / pygame.font.get_default_font())
-    letters = {"name": _FONT, "size": str(round(pixels * _LETTER)), "regular_path": font, "bold_path": font, "antialiased": "1"}
-    border = str(max(round(pixels / 16), 1))
+
+    def share(of: float) -> str:
+        return str(max(round(pixels * of), 1))
+
     flat = {
         "shape": "rounded_rectangle",
-        "shape_corner_radius": "4",
-        "border_width": str(max(round(pixels / 16), 1)),
+        "shape_corner_radius": share(0.25),
+        "border_width": share(0.06),
         "shadow_width": "0",
+        "text_horiz_alignment_padding": share(0.35),
     }
-    symbols = {"name": "fira_code_symbols", "size": str(round(pixels * _SYMBOL))}
+    letters = {"name": _FONT, "size": share(_LETTER), "regular_path": font, "bold_path": font, "antialiased": "1"}
+    symbols = {"name": "fira_code_symbols", "size": share(_SYMBOL)}
     ground = {"dark_bg": _hex(theme.background), "normal_border": _hex(theme.panel_edge)}
     knob = {"normal_bg": _hex(theme.rim), "hovered_bg": _hex(theme.accent), "active_bg": _hex(theme.accent)}
-    left = {"text_horiz_alignment": "left", "text_horiz_alignment_padding": "6"}
-    slider = {**flat, "sliding_button_width": str(round(pixels * 0.9)), "enable_arrow_buttons": "0"}
+    left = {"text_horiz_alignment": "left", "text_horiz_alignment_padding": share(0.35)}
+    slider = {**flat, "sliding_button_width": share(0.9), "enable_arrow_buttons": "0"}
+    listed = {**flat, "expand_direction": "down", "open_button_width": share(1.5)}
     return {
         "defaults": {"colours": colours, "font": letters},
         "button": {"misc": flat, "font": letters},
         "label": {"font": letters},
-        "drop_down_menu": {"misc": {**flat, "expand_direction": "down"}, "colours": ground},
+        "drop_down_menu": {"misc": listed, "colours": ground},
         "drop_down_menu.button": {"font": letters},
         "drop_down_menu.#expand_button": {"font": symbols},
         "drop_down_menu.#selected_option": {"misc": left},
-        "selection_list": {"misc": {"list_item_height": str(round(pixels * 1.7))}},
+        "selection_list": {"misc": {"list_item_height": share(1.7)}},
         "selection_list.button": {"misc": left, "font": letters},
         "horizontal_slider": {"misc": slider},
         "horizontal_slider.#sliding_button": {"misc": flat, "colours": knob},
-        "text_entry_line": {"misc": {**flat, "padding": "3,2"}, "colours": ground, "font": letters},
-        "check_box": {"font": symbols, "colours": {"normal_bg": _hex(theme.background)}},
+        "text_entry_line": {"misc": {**flat, "padding": f"{share(0.3)},{share(0.1)}"}, "colours": ground, "font": letters},
+        "check_box": {"font": symbols, "misc": {"text_offset": share(0.4)}, "colours": {"normal_bg": _hex(theme.background)}},
         "check_box.label": {"font": letters},
-        "tool_tip": {"misc": {"rect_width": str(pixels * 16)}},
+        "tool_tip": {"misc": {"rect_width": share(16.0)}},
         "tool_tip.text_box": {"misc": flat, "colours": {"dark_bg": _hex(theme.panel)}, "font": letters},
     }
 
