@@ -93,7 +93,7 @@ def ray(angle: float, reach: float, tone: Tone = Tone.FAINT, label: str = "") ->
 
 def two_decimals(vector: complex) -> str:
     """A point or a vector in two numbers."""
-    return f"({vector.real + 0.0:.2f}, {vector.imag + 0.0:.2f})"
+    return f"({round(vector.real, 2) + 0.0:.2f}, {round(vector.imag, 2) + 0.0:.2f})"
 
 
 def degrees(angle: float) -> str:

@@ -59,9 +59,7 @@ def _note(bounce: Answered) -> str:
     if bounce.pace >= bounce.speed:
         return "u ≥ v_0: no velocity of length v_0 keeps up with this end. The levels must keep ω (r_p + w_p) < v_0."
     if bounce.overtaken and length(bounce.result) < bounce.speed:
-        return (
-            "The reset makes a slow v_res faster: the source's ball flies after the retreating end, into it. Ours is carried."
-        )
+        return "The reset makes a slow v_res faster: the source's ball flies into the retreating end. Ours is carried."
     if bounce.overtaken:
         return "The bounce made the ball faster than v_0; the reset takes so much that the end overtakes it. Ours is carried."
     return "The ball gets away: both answers are the same." if bounce.theirs is not None else ""
