@@ -16,9 +16,9 @@ from physics import Ball, Contact, Feature, Ring, contact, length, to_cartesian
 from physics.narrow_phase import end_contact, face_contact
 
 _VIEW = View(1.5 + 1.6j, 10.2 + 6.2j)
-_HALF = 13 + 8j
+_HALF = 15 + 8j
 """Half of what the field covers, around the view's centre."""
-_CELLS = (143, 88)
+_CELLS = (150, 80)
 _BAND, _SPAN = 1.0, 7.0
 _SPACING, _ARROW = 1.7, 0.65
 _SAMPLES = 32
