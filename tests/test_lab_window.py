@@ -211,9 +211,11 @@ def test_toggles_by_key_and_by_box(desk):
         desk.wait(5 * FRAME)
         assert (Toggle.PYMUNK in desk.screen._shown) is on
         assert box.get_state() is on
-    pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=box.rect.center, button=1))
-    desk.wait(5 * FRAME)
-    assert Toggle.PYMUNK not in desk.screen._shown
+    for shown in (False, True):
+        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=box.rect.center, button=1))
+        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONUP, pos=box.rect.center, button=1))
+        desk.wait(5 * FRAME)
+        assert (Toggle.PYMUNK in desk.screen._shown) is shown
 
 
 def test_defaults_and_restart(desk):

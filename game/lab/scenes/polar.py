@@ -111,7 +111,7 @@ SCENE = Scene(
             lambda given, place: {"turn": _nearest_turn(given.number("turn"), place)},
         ),
     ),
-    view=View(0.5 + 0.6j, 7.5 + 5.6j),
+    view=View(0.5 + 0.3j, 7.5 + 6.0j),
     shows=_picture,
     check=_check,
     rows=(1,),

@@ -246,8 +246,11 @@ class Side:
 
     def _ticked(self) -> Asked | None:
         """The toggle whose box a hand has changed. pygame_gui's events tell of changes that `show` makes, too."""
-        changed = [toggle for box, toggle in self._boxes.items() if box.get_state() is not (toggle in self._shown)]
-        return changed[0] if changed else None
+        for box, toggle in self._boxes.items():
+            if box.get_state() is not (toggle in self._shown):
+                self._shown = self._shown ^ {toggle}  # told once, however many events come before the next picture
+                return toggle
+        return None
 
     def _picked(self, event: pygame.Event) -> Asked | None:
         """A scene or a preset from its list."""
