@@ -118,7 +118,7 @@ def test_the_angle_between_two_opinions_is_written_beside_them():
     ball, ring = Ball(9.5 + 0j, 0j, 0.6), Ring(8.0, 1.0, 0.5, 1)
     found = contact(ball, ring, 0)._replace(normal=1 + 0j)
     marks = second_opinion(Given({}, Crooked()), ball, ring, (0,), found)
-    assert [mark.text for mark in marks if isinstance(mark, Words)] == ["crooked: 90.00° from ours"]
+    assert [mark.label for mark in marks] == ["crooked: 90.00° from ours"]
     assert {mark.toggle for mark in marks} == {Toggle.PYMUNK}
     assert second_opinion(Given({}), ball, ring, (0,), found) == ()
 

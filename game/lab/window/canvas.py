@@ -122,26 +122,28 @@ def _label(canvas: Canvas, mark: Mark) -> None:
         case Dot(place, label=text) if text:
             _write(canvas, canvas.camera.project(place) + complex(0.8, -0.8) * unit, text, mark.tone)
         case Arrow(start, way, label=text) if text and way:
-            tip = canvas.camera.project(start + way)
             on_screen = way.conjugate() / abs(way)
-            _write(canvas, tip + on_screen * aside, text, mark.tone)
+            _write(canvas, canvas.camera.project(start + way) + on_screen * unit * 0.4, text, mark.tone, _anchor(on_screen))
         case Line(points, label=text) if text:
             middle = (canvas.camera.project(points[0]) + canvas.camera.project(points[-1])) / 2.0
             _write(canvas, middle - 1j * aside, text, mark.tone)
-        case Arc(centre, radius, start, sweep, label=text) if text:
+        case Arc(centre, radius, start, sweep, label=text) if text and abs(sweep) * radius * canvas.camera.scale > unit:
             middle = canvas.camera.project(centre + cmath.rect(radius, start + sweep / 2.0))
             _write(canvas, middle + cmath.rect(1.4 * aside, -(start + sweep / 2.0)), text, mark.tone)
         case Words(place, text):
             _write(canvas, canvas.camera.project(place), text, mark.tone)
 
 
-def write_beside(canvas: Canvas, place: complex, text: str, colour: Colour) -> None:
-    """Words around a pixel with a seam in the ground's colour, kept inside the area; none far outside of it."""
+def write_beside(canvas: Canvas, place: complex, text: str, colour: Colour, anchor: str = "center") -> None:
+    """Words at a pixel with a seam in the ground's colour, kept inside the area; none far outside of it.
+
+    anchor: the point of the words that is at the pixel, as in pygame.Rect.
+    """
     size = canvas.unit * 0.95
     if not canvas.area.inflate(4 * canvas.unit, 4 * canvas.unit).collidepoint(place.real, place.imag):
         return
     line = canvas.type.rendered(text, size, colour)
-    box = line.get_rect(center=_ints(place)).clamp(canvas.area.inflate(-4, -4))
+    box = line.get_rect(**{anchor: _ints(place)}).clamp(canvas.area.inflate(-4, -4))
     seam = canvas.type.rendered(text, size, canvas.theme.ground)
     width = max(1, round(canvas.unit * 0.09))
     for dx, dy in ((-1, 0), (1, 0), (0, -1), (0, 1), (-1, -1), (1, 1), (-1, 1), (1, -1)):
@@ -165,9 +167,17 @@ def draw_note(
         type_.write(surface, line, unit, theme.text, spot, "midtop")
 
 
-def _write(canvas: Canvas, place: complex, text: str, tone: Tone) -> None:
+def _anchor(way: complex) -> str:
+    """The point of words that are written at the tip of an arrow. way: of the arrow, on the screen."""
+    if abs(way.real) > abs(way.imag):
+        return "midleft" if way.real > 0.0 else "midright"
+    return "midtop" if way.imag > 0.0 else "midbottom"
+
+
+def _write(canvas: Canvas, place: complex, text: str, tone: Tone, anchor: str = "center") -> None:
     """Words in the colour of a role; faint ones must still be read."""
-    write_beside(canvas, place, text, canvas.theme.faint if tone is Tone.FAINT else tone_colour(canvas.theme, tone))
+    colour = canvas.theme.faint if tone is Tone.FAINT else tone_colour(canvas.theme, tone)
+    write_beside(canvas, place, text, colour, anchor)
 
 
 def _ball(canvas: Canvas, mark: Disc, colour: Colour) -> None:

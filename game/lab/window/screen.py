@@ -51,7 +51,7 @@ class Lab:
         """Open with a session. under: the screen to go back to; None leaves the program."""
         self._shared, self._session, self._under = shared, session, under
         self._shown = SHOWN
-        self._lens = Lens()
+        self._lens = _lens_for(session)
         self._side: tuple[tuple[tuple[int, int], Theme, str], Side] | None = None
         self._grip: Grip | None = None
         self._pointer = -1 - 1j  # pixels
@@ -179,6 +179,7 @@ class Lab:
                 self._open(name)
             case Preset(line):
                 self._session = sessions.changed(self._session, Settled(preset(scene, line, given.engine), ()))
+                self._lens = _lens_for(self._session)
         return self
 
     def _obey(self, command: Command) -> None:
@@ -192,7 +193,7 @@ class Lab:
                 step = 1 if command is Command.NEXT else -1
                 self._open(names[(names.index(session.scene.name) + step) % len(names)])
             case Command.VIEW:
-                self._lens = Lens()
+                self._lens = _lens_for(self._session)
             case Command.COPY:
                 self._tell(_copied(session.line))
             case Command.SAVE:
@@ -205,7 +206,7 @@ class Lab:
     def _open(self, name: str) -> None:
         """Another scene, at its defaults, seen whole."""
         self._session = sessions.fresh(scene_named(name), self._session.given.engine)
-        self._lens, self._grip = Lens(), None
+        self._lens, self._grip = _lens_for(self._session), None
 
     def _tell(self, notice: str) -> None:
         """Say something for a while."""
@@ -238,6 +239,11 @@ class Lab:
     def _pixel(self, place: tuple[int, int]) -> complex:
         """The pixel at a place given in the mouse's coordinates."""
         return complex(place[0] * self._pixels_per_point.real, place[1] * self._pixels_per_point.imag)
+
+
+def _lens_for(session: Session) -> Lens:
+    """The view that shows the scene and all that can be taken hold of."""
+    return Lens.showing(session.scene.view, [handle.place(session.given) for handle in session.scene.handles])
 
 
 def _standing(session: Session) -> tuple[str, ...]:
