@@ -7,9 +7,10 @@ from dummy_window import FRAME, Desk, shared
 from test_lab_session import run  # noqa: F401  # a fixture
 
 from game.app import _lab_opener
+from game.controls import PLAY_HELP
 from game.lab import session
 from game.lab.checks import lines, run_to
-from game.lab.parameters import defaults
+from game.lab.parameters import defaults, written
 from game.lab.picture import Toggle
 from game.lab.registry import scenes
 from game.lab.scene import Motion, picture_of
@@ -324,6 +325,10 @@ def test_the_widgets_fit_their_side(scene, size):
     place = page(size)
     side = Side(place, DARK, kept.type, session.fresh(scene, None))
     assert side.bottom + place.unit * 4.0 < max(size[1], 480) or size == (640, 480)
+    for parameter, box in side._names if size != (640, 480) else ():
+        value = f"{parameter.label} = {written(parameter, parameter.default)}"
+        letters = [kept.type.rendered(text, place.unit * 0.95, (0, 0, 0)).get_width() for text in (value, parameter.meaning)]
+        assert sum(letters) + place.unit * 0.7 <= box.width, parameter.meaning
     found.close()
 
 
@@ -345,6 +350,7 @@ def test_l_opens_the_lab_over_the_game_and_esc_comes_back():
     """A game in play pauses."""
     kept = shared()
     kept.lab = _lab_opener(Pymunk)
+    assert "L" in [keys for keys, _ in PLAY_HELP]
     desk = Desk(kept, Title(kept))
     desk.press(pygame.K_RETURN)
     assert isinstance(desk.screen, Play)

@@ -52,6 +52,7 @@ class Lab:
         self._shared, self._session, self._under = shared, session, under
         self._shown = SHOWN
         self._lens = _lens_for(session)
+        self._drawn: tuple[Session, Picture] | None = None
         self._side: tuple[tuple[tuple[int, int], Theme, str], Side] | None = None
         self._grip: Grip | None = None
         self._pointer = -1 - 1j  # pixels
@@ -95,7 +96,7 @@ class Lab:
     def draw(self, surface: pygame.Surface) -> None:
         """The world, the words, the widgets."""
         theme, type_, size = self._shared.theme, self._shared.type, surface.get_size()
-        place, side, session, picture = page(size), self._widgets(size), self._session, self._session.picture
+        place, side, session, picture = page(size), self._widgets(size), self._session, self._picture()
         surface.fill(theme.background)
         cameras = self._cameras(place, picture)
         draw_picture(surface, place, picture, cameras, theme, type_, self._shown)
@@ -129,7 +130,7 @@ class Lab:
 
     def _mouse(self, event: pygame.Event, size: tuple[int, int]) -> None:
         """The mouse over the world."""
-        place, picture = page(size), self._session.picture
+        place, picture = page(size), self._picture()
         cameras = self._cameras(place, picture)
         match event.type:
             case pygame.MOUSEMOTION:
@@ -215,6 +216,16 @@ class Lab:
     def _notes(self) -> tuple[str, ...]:
         """What is to be said now: of the last change, and of what was asked for."""
         return (*self._session.notes, *((self._notice,) if self._notice_left > 0.0 else ()))
+
+    def _picture(self) -> Picture:
+        """What the scene looks like, worked out once for each state: a field of numbers takes its time."""
+        session = self._session
+        if self._drawn is not None:
+            drawn, picture = self._drawn
+            if drawn.given is session.given and drawn.tick == session.tick and drawn.scene is session.scene:
+                return picture
+        self._drawn = session, session.picture
+        return self._drawn[1]
 
     def _widgets(self, size: tuple[int, int]) -> Side:
         """The widgets for a size, built anew when the size, the theme or the scene is another."""
