@@ -123,7 +123,7 @@ def _label(canvas: Canvas, mark: Mark) -> None:
             _write(canvas, canvas.camera.project(place) + complex(0.8, -0.8) * unit, text, mark.tone)
         case Arrow(start, way, label=text) if text and way:
             on_screen = way.conjugate() / abs(way)
-            _write(canvas, canvas.camera.project(start + way) + on_screen * unit * 0.4, text, mark.tone, _anchor(on_screen))
+            _write(canvas, canvas.camera.project(start + way) + on_screen * unit * 0.8, text, mark.tone, _anchor(on_screen))
         case Line(points, label=text) if text:
             middle = (canvas.camera.project(points[0]) + canvas.camera.project(points[-1])) / 2.0
             _write(canvas, middle - 1j * aside, text, mark.tone)
@@ -152,19 +152,20 @@ def write_beside(canvas: Canvas, place: complex, text: str, colour: Colour, anch
 
 
 def draw_note(
-    surface: pygame.Surface, area: pygame.Rect, text: str, theme: Theme, type_: Type, unit: float, number: int
-) -> None:
-    """A line on a plate at the bottom of an area. number: plates below it."""
+    surface: pygame.Surface, area: pygame.Rect, text: str, theme: Theme, type_: Type, unit: float, bottom: float
+) -> float:
+    """Words on a plate in an area; where the plate begins, pixels. bottom: where it ends."""
     lines = type_.wrapped(text, unit, area.width - 4.0 * unit)
     height = round(unit * (1.3 * len(lines) + 0.6))
     wide = max([type_.rendered(line, unit, theme.accent).get_width() for line in lines]) + round(1.6 * unit)
     plate = pygame.Rect(0, 0, wide, height)
-    plate.midbottom = (area.centerx, area.bottom - round(unit * (0.6 + 2.3 * number)))
+    plate.midbottom = (area.centerx, round(bottom))
     pygame.draw.rect(surface, theme.panel, plate, 0, round(unit * 0.5))
     pygame.draw.rect(surface, theme.accent, plate, max(1, round(unit * 0.08)), round(unit * 0.5))
     for k, line in enumerate(lines):
         spot = complex(plate.centerx, plate.top + unit * (0.45 + 1.3 * k))
         type_.write(surface, line, unit, theme.text, spot, "midtop")
+    return float(plate.top)
 
 
 def _anchor(way: complex) -> str:

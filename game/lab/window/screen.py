@@ -103,8 +103,9 @@ class Lab:
         for area, camera in zip(panes(place, len(picture.panes)), cameras, strict=True):
             canvas = Canvas(surface, area, camera, theme, type_, place.unit, self._shown)
             draw_grips(canvas, session.given, session.scene.handles, self._hot(place, picture, cameras))
-        for number, note in enumerate(reversed(self._notes())):
-            draw_note(surface, place.world, note, theme, type_, place.unit, number)
+        bottom = float(place.world.bottom)
+        for note in reversed(self._notes()):
+            bottom = draw_note(surface, place.world, note, theme, type_, place.unit, bottom - place.unit * 0.5)
         draw_head(surface, place, session.scene, theme, type_)
         draw_words(surface, place, picture, theme, type_)
         side.show(session, self._shown, picture.toggles)
@@ -259,8 +260,7 @@ def _lens_for(session: Session) -> Lens:
 
 def _standing(session: Session) -> tuple[str, ...]:
     """How the scene stands, in small print."""
-    tick = f"tick {session.tick} of {session.last}   " if session.runs else ""
-    return (f"{tick}state {sessions.state_hash(session)}", session.line)
+    return (f"state {sessions.state_hash(session)}", session.line)
 
 
 def _copied(line: str) -> str:
