@@ -29,8 +29,8 @@ from game.lab.picture import (
 )
 from game.lab.pieces import angle_between, contact_marks, ring_marks, second_opinion
 from game.lab.scene import View
-from game.lab.window.canvas import Canvas, camera_for, draw_marks, tone_colour
-from game.palette import DARK, LIGHT
+from game.lab.window.canvas import Canvas, camera_for, draw_marks, ink, tone_colour
+from game.palette import DARK, LIGHT, contrast
 from game.text import Type
 from physics import Ball, Ring, contact
 from tools.crosscheck.second_engine import Pymunk
@@ -152,6 +152,14 @@ def test_the_view_is_in_the_middle_of_its_area_and_fits():
     assert CAMERA.project(1 + 1j) == complex(*AREA.center)
     corners = [CAMERA.project(1 + 1j + corner) for corner in (3 + 2j, -3 - 2j)]
     assert all([AREA.left <= corner.real <= AREA.right and AREA.top <= corner.imag <= AREA.bottom for corner in corners])
+
+
+@pytest.mark.parametrize("theme", [DARK, LIGHT], ids=["dark", "light"])
+def test_words_of_every_role_can_be_read(theme):
+    """On the ground, by the rule of the palette; marks themselves stand out, too."""
+    for tone in Tone:
+        assert contrast(ink(theme, tone), theme.ground) >= 4.5
+        assert contrast(tone_colour(theme, tone), theme.ground) >= (1.5 if tone in {Tone.OTHER, Tone.FAINT} else 2.5), tone
 
 
 MARKS = [

@@ -3,6 +3,7 @@
 import cmath
 import math
 from collections.abc import Sequence
+from functools import cache
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -28,13 +29,15 @@ from game.lab.picture import (
     Words,
 )
 from game.lab.scene import View
-from game.palette import Colour, Theme, mixed
+from game.palette import Colour, Theme, contrast, mixed
 from game.text import Type
 
 _PIXELS_PER_CHORD = 3.0
 _MOST_CHORDS = 720
 _ROUND = 9
 """A line through so many points is a curve."""
+_READABLE = 4.5
+"""Contrast ratio of text, by WCAG 2."""
 _VEIL = 60
 """How opaque a ball is, of 255."""
 _FAR = 1e6
@@ -89,6 +92,14 @@ def tone_colour(theme: Theme, tone: Tone) -> Colour:
         Tone.THREE: theme.layers[1],
         Tone.FOUR: theme.layers[5],
     }[tone]
+
+
+@cache
+def ink(theme: Theme, tone: Tone) -> Colour:
+    """The colour of words of a role: the role's own, as far towards that of text as it takes to read them on the ground."""
+    own = tone_colour(theme, tone)
+    shades = [mixed(own, theme.text, share / 8.0) for share in range(9)]
+    return next(shade for shade in shades if contrast(shade, theme.ground) >= _READABLE)
 
 
 def _draw(canvas: Canvas, mark: Mark) -> None:
@@ -176,9 +187,8 @@ def _anchor(way: complex) -> str:
 
 
 def _write(canvas: Canvas, place: complex, text: str, tone: Tone, anchor: str = "center") -> None:
-    """Words in the colour of a role; faint ones must still be read."""
-    colour = canvas.theme.faint if tone is Tone.FAINT else tone_colour(canvas.theme, tone)
-    write_beside(canvas, place, text, colour, anchor)
+    """Words in the colour of a role."""
+    write_beside(canvas, place, text, ink(canvas.theme, tone), anchor)
 
 
 def _ball(canvas: Canvas, mark: Disc, colour: Colour) -> None:
