@@ -199,6 +199,18 @@ def test_a_band_is_coloured_between_its_radii_only(canvas):
     assert at(0.5 + 0j) == at(2.5 + 0j) == canvas.theme.ground
 
 
+def test_a_sector_is_coloured_between_its_ends_and_faces_only(canvas):
+    """From the clockwise end to the other, from the inner face to the outer one."""
+    draw_marks(canvas, [Sector(2.0, 0.5, 0.5, 0.4, Tone.SECTOR)])
+    colour = tone_colour(canvas.theme, Tone.SECTOR)
+    inside = [(2.0, 0.14), (2.0, 0.86), (1.6, 0.5), (2.4, 0.5)]
+    outside = [(2.0, 0.04), (2.0, 0.96), (1.4, 0.5), (2.6, 0.5)]
+    for radius, angle in [*inside, *outside]:
+        spot = canvas.camera.project(cmath.rect(radius, angle))
+        pixel = canvas.surface.get_at((round(spot.real), round(spot.imag)))[:3]
+        assert pixel == (colour if (radius, angle) in inside else canvas.theme.ground)
+
+
 def test_a_field_is_coloured_by_its_sign(canvas):
     """Positive, negative, and the ground's colour where there is no number; the right way up."""
     values = np.kron([[1.0, -1.0], [np.nan, 1.0]], np.ones((9, 9)))  # left column from below, then right column
