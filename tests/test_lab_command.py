@@ -12,6 +12,7 @@ from test_command_line import polar
 from game.lab import command
 from game.lab.registry import scenes
 from game.lab.scene import Claim
+from game.lab.share import parsed
 
 
 def test_the_list_names_every_scene(capsys):
@@ -55,6 +56,29 @@ def test_a_picture_is_drawn_without_a_display(tmp_path):
         pictures.append(pygame.image.load(file))
     assert [picture.get_size() for picture in pictures] == [(640, 480)] * 2
     assert pictures[0].get_at((300, 200)) != pictures[1].get_at((300, 200))
+
+
+def test_headless_checks_one_scene_at_the_values_of_a_share_line(capsys, monkeypatch):
+    """Those values, too: a claim that fails only there is found."""
+    named = parsed("case-2?r=1.25")
+    touchy = named.scene._replace(check=lambda given: (Claim("r is not 1.25", given.number("r") != 1.25),))
+    monkeypatch.setattr(command, "parsed", lambda *_: named._replace(scene=touchy))
+    monkeypatch.setattr(command, "DRAGS", 5)
+    code, out, err = polar(capsys, "lab", "case-2?r=1.25", "--headless")
+    assert code == 1
+    assert len(out.splitlines()) == 2
+    assert "r=1.25&" in err
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere there is always a display")
+def test_without_a_display_it_is_one_line_and_exit_3():
+    """The lab has nothing to show then."""
+    hidden = {"DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER", "XDG_RUNTIME_DIR"}
+    environment = {name: value for name, value in os.environ.items() if name not in hidden}
+    command = [sys.executable, "-m", "game", "lab", "polar"]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout) == (3, "")
+    assert re.fullmatch(r"polar-breakout: no display[^\n]*\n", done.stderr)
 
 
 @pytest.mark.parametrize(

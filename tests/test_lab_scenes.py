@@ -103,6 +103,18 @@ def test_every_handle_can_be_taken_hold_of_and_does_something(scene):
 
 
 @SCENES
+def test_a_handle_follows_the_hand(scene):
+    """Dragged a little way, it comes nearer to where it is wanted, or its value is at a border or a step short."""
+    chance = random.Random(3)
+    for given in after_drags(scene, 300, 4):
+        for handle in scene.handles:
+            here = handle.place(given)
+            wanted = here + complex(chance.random() - 0.5, chance.random() - 0.5)
+            after, notes = dragged(scene.parameters, given, handle, wanted)
+            assert notes or abs(handle.place(after) - wanted) <= abs(here - wanted) + 0.2, handle.label
+
+
+@SCENES
 def test_words_and_formula_fit_the_font(scene):
     """Every letter has a glyph, on the screen's font: none is drawn as an empty box."""
     pygame.font.init()

@@ -7,9 +7,10 @@ from dummy_window import FRAME, Desk, shared
 from test_lab_session import run  # noqa: F401  # a fixture
 
 from game.app import _lab_opener
+from game.controls import PLAY_HELP
 from game.lab import session
 from game.lab.checks import lines, run_to
-from game.lab.parameters import defaults
+from game.lab.parameters import defaults, written
 from game.lab.picture import Toggle
 from game.lab.registry import scenes
 from game.lab.scene import Motion, picture_of
@@ -138,6 +139,17 @@ def test_the_wheel_zooms_about_the_pointer(desk):
     assert desk.pixel(11 + 4j)[0] - place[0] > 1.3 * scale
 
 
+def test_the_view_shows_the_ball_wherever_it_is():
+    """A share line may put the ball far away: the view is wider then, and Home comes back to it."""
+    desk = LabDesk("case-2?ball=-12,-9")
+    area = page(desk.size).world
+    for _ in range(2):
+        assert area.collidepoint(desk.pixel(-12 - 9j))
+        desk.wheel(area.center, 5)
+        desk.press(pygame.K_HOME)
+    desk.close()
+
+
 def test_a_drag_beyond_the_range_stops_at_its_border_and_says_so(desk):
     """Visibly."""
     desk.screen._lens = Lens(zoom=0.3)
@@ -211,9 +223,11 @@ def test_toggles_by_key_and_by_box(desk):
         desk.wait(5 * FRAME)
         assert (Toggle.PYMUNK in desk.screen._shown) is on
         assert box.get_state() is on
-    pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=box.rect.center, button=1))
-    desk.wait(5 * FRAME)
-    assert Toggle.PYMUNK not in desk.screen._shown
+    for shown in (False, True):
+        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=box.rect.center, button=1))
+        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONUP, pos=box.rect.center, button=1))
+        desk.wait(5 * FRAME)
+        assert (Toggle.PYMUNK in desk.screen._shown) is shown
 
 
 def test_defaults_and_restart(desk):
@@ -310,6 +324,10 @@ def test_the_widgets_fit_their_side(scene, size):
     place = page(size)
     side = Side(place, DARK, kept.type, session.fresh(scene, None))
     assert side.bottom + place.unit * 4.0 < max(size[1], 480) or size == (640, 480)
+    for parameter, box in side._names if size != (640, 480) else ():
+        value = f"{parameter.label} = {written(parameter, parameter.default)}"
+        letters = [kept.type.rendered(text, place.unit * 0.95, (0, 0, 0)).get_width() for text in (value, parameter.meaning)]
+        assert sum(letters) + place.unit * 0.7 <= box.width, parameter.meaning
     found.close()
 
 
@@ -331,6 +349,7 @@ def test_l_opens_the_lab_over_the_game_and_esc_comes_back():
     """A game in play pauses."""
     kept = shared()
     kept.lab = _lab_opener(Pymunk)
+    assert "L" in [keys for keys, _ in PLAY_HELP]
     desk = Desk(kept, Title(kept))
     desk.press(pygame.K_RETURN)
     assert isinstance(desk.screen, Play)

@@ -36,9 +36,9 @@ class Report(NamedTuple):
     failures: tuple[Failure, ...]
 
 
-def report(scene: Scene, drags: int, seed: int, engine: Engine | None = None) -> Report:
-    """A scene's claims at its defaults, its presets and after random drags."""
-    looked_at = [*lines(scene, engine), *after_drags(scene, drags, seed, engine)]
+def report(scene: Scene, drags: int, seed: int, engine: Engine | None = None, more: tuple[Given, ...] = ()) -> Report:
+    """A scene's claims at its defaults, its presets, after random drags, and at more settings."""
+    looked_at = [*lines(scene, engine), *more, *after_drags(scene, drags, seed, engine)]
     found = [failure for given in looked_at for failure in failures(scene, given)]
     claims = len(scene.check(looked_at[0])) + 1
     return Report(scene, len(looked_at), claims * len(looked_at), tuple(found))

@@ -11,7 +11,6 @@ from game.lab.beyond import BEYOND
 from game.lab.checks import Report, report
 from game.lab.engine import Engine
 from game.lab.registry import scenes
-from game.lab.scene import Scene
 from game.lab.share import parsed
 
 DRAGS = 1000
@@ -29,15 +28,18 @@ def list_scenes() -> None:
 
 
 def check_scenes(line: str | None, engine: Engine | None) -> None:
-    """Check every scene, or the one named, at its defaults, its presets and after random drags, and print how each did.
+    """Check every scene at its defaults, its presets and after random drags, and print how each did.
+
+    line: a share line, to check that scene alone, and at those values, too.
 
     CheckFailedError when a claim fails, after all have been looked at.
     """
-    chosen: tuple[Scene, ...] = scenes() if line is None else (parsed(line).scene,)
+    named = None if line is None else parsed(line, engine)
+    chosen = [(scene, ()) for scene in scenes()] if named is None else [(named.scene, (named.given,))]
     table = Table(box=None, pad_edge=False)
     for heading in ("scene", "settings", "claims", "failed"):
         table.add_column(heading, justify="left" if heading == "scene" else "right")
-    reports = [report(scene, DRAGS, _SEED, engine) for scene in chosen]
+    reports = [report(scene, DRAGS, _SEED, engine, more) for scene, more in chosen]
     for one in reports:
         table.add_row(one.scene.name, f"{one.settings:,}", f"{one.claims:,}", f"{len(one.failures):,}")
     Console().print(table)

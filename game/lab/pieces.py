@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 
 from game.lab.parameters import Given
-from game.lab.picture import Arc, Arrow, Circle, Disc, Dot, Line, Mark, Sector, Stroke, Toggle, Tone, Words
+from game.lab.picture import Arc, Arrow, Circle, Disc, Dot, Line, Mark, Sector, Stroke, Toggle, Tone
 from physics import Ball, Contact, Ring, dot, to_cartesian
 
 VELOCITY_SCALE = 0.2
@@ -67,10 +67,8 @@ def second_opinion(given: Given, ball: Ball, ring: Ring, slots: Sequence[int], o
     touch = engine.touch(ball, ring, slots)
     if touch is not None:
         start = ball.position - touch.normal * touch.distance
-        marks.append(Arrow(start, touch.normal * 1.5, Tone.PYMUNK, Toggle.PYMUNK, Stroke.SOLID))
-        if ours is not None:
-            text = f"{engine.name}: {angle_between(touch.normal, ours.normal)} from ours"
-            marks.append(Words(start + touch.normal * 1.7, text, Tone.PYMUNK, Toggle.PYMUNK))
+        text = f"{engine.name}: {angle_between(touch.normal, ours.normal)} from ours" if ours is not None else engine.name
+        marks.append(Arrow(start, touch.normal * 1.6, Tone.PYMUNK, Toggle.PYMUNK, Stroke.SOLID, text))
     return tuple(marks)
 
 

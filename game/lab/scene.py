@@ -8,7 +8,8 @@
    marks of a ball, a sector, a contact, a second opinion. Two worlds side by side are two `Pane`s.
 4. Write `_check(given) -> tuple[Claim, ...]`: facts that must hold for every setting in range, each with whether it does.
    They are asserted by pytest for the defaults, the presets, saved cases, and after a thousand random drags.
-5. Say what can be dragged: `handles.point`, `vector`, `polar_vector`, `sector_handles`, or a `Handle` of your own.
+5. Say what can be dragged, what matters most first: `handles.point`, `vector`, `polar_vector`, `sector_handles`, or a
+   `Handle` of your own.
 6. `SCENE = Scene(...)` with title, idea, and the rows of the README's table "Beyond the source" that it explains.
 
 A scene that runs gives `Motion(start, step, picture)` instead of `_picture`: `start(given)` is the state at tick 0,

@@ -189,7 +189,6 @@ SCENE = Scene(
         Preset("the clockwise end", "ball=9.4,-3.9"),
         Preset("case 1 instead", "ball=8.4,1"),
         Preset("no width", "half_angle=0&ball=9.6,0.6"),
-        Preset("p = q", "angle=0&half_angle=0&ball=9.5,0"),
         Preset("the ball on the centre", "ball=0,0"),
     ),
 )

@@ -62,7 +62,7 @@ def _picture(given: Given) -> Picture:
 def _borders(ring: Ring) -> list[Mark]:
     """Where one sector's neighbourhood ends and the next one's begins."""
     angles = [ring.angle(k) + math.pi / ring.count for k in range(ring.count)] if ring.count > 1 else []
-    return [Line((0j, to_cartesian(14.0, angle)), Tone.FAINT, None, Stroke.DASHED) for angle in angles]
+    return [Line((to_cartesian(5.0, angle), to_cartesian(14.0, angle)), Tone.FAINT, None, Stroke.DASHED) for angle in angles]
 
 
 def _turned(theta: float, ring: Ring) -> float:

@@ -167,6 +167,6 @@ SCENE = Scene(
         Preset("the same, mirrored: both are right", "theta=160&half_angle=150"),
         Preset("a narrow sector: both are right", "theta=330&half_angle=20"),
         Preset("the ball reaches both ends", "theta=190&half_angle=160&r=2.4"),
-        Preset("opposite", "theta=180&half_angle=100&r=4"),
+        Preset("opposite", "theta=180&half_angle=150&r=2"),
     ),
 )

@@ -33,7 +33,7 @@ def _picture(given: Given) -> Picture:
         ray(folded, 5.0, Tone.OURS),
         angle_arc(2.4, 0.0, folded, Tone.OURS, "a, normalised"),
         Line(_spiral(turn), Tone.TWO),
-        Words(_spiral(turn)[-1] * 1.08 + 0.3j, "a", Tone.TWO),
+        Words(_spiral(turn)[-1] * 1.08 + 0.3j, "a" if abs(turn) > 0.1 else "", Tone.TWO),
         Dot(to_cartesian(5.0, folded), Tone.OURS),
     ]
     formula = (
@@ -111,7 +111,7 @@ SCENE = Scene(
             lambda given, place: {"turn": _nearest_turn(given.number("turn"), place)},
         ),
     ),
-    view=View(0.5 + 0.6j, 7.5 + 5.6j),
+    view=View(0.5 + 0.3j, 7.5 + 6.0j),
     shows=_picture,
     check=_check,
     rows=(1,),

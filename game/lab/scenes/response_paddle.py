@@ -189,7 +189,7 @@ SCENE = Scene(
         Preset("rough and moving", "mu=1&spin=1"),
         Preset("smooth: the paddle's motion along itself is not felt", "mu=0&spin=1"),
         Preset("off the end", "ball=-4.5,8&heading=10&spin=0.5"),
-        Preset("stopped dead", "ball=-6,9&heading=0&speed=10&mu=0&spin=-0.55"),
+        Preset("stopped dead", "ball=-3.5557666235227523,8.282905511898685&heading=20.053522829578824&speed=9&mu=0&spin=-0.5"),
         Preset("carried", "ball=-6,8.6&heading=80&speed=4&mu=0&spin=0.4"),
         Preset("separating", "heading=270"),
     ),

@@ -3,6 +3,7 @@
 import cmath
 import math
 from collections.abc import Sequence
+from functools import cache
 from itertools import pairwise
 from typing import NamedTuple
 
@@ -28,13 +29,15 @@ from game.lab.picture import (
     Words,
 )
 from game.lab.scene import View
-from game.palette import Colour, Theme, mixed
+from game.palette import Colour, Theme, contrast, mixed
 from game.text import Type
 
 _PIXELS_PER_CHORD = 3.0
 _MOST_CHORDS = 720
 _ROUND = 9
 """A line through so many points is a curve."""
+_READABLE = 4.5
+"""Contrast ratio of text, by WCAG 2."""
 _VEIL = 60
 """How opaque a ball is, of 255."""
 _FAR = 1e6
@@ -91,6 +94,14 @@ def tone_colour(theme: Theme, tone: Tone) -> Colour:
     }[tone]
 
 
+@cache
+def ink(theme: Theme, tone: Tone) -> Colour:
+    """The colour of words of a role: the role's own, as far towards that of text as it takes to read them on the ground."""
+    own = tone_colour(theme, tone)
+    shades = [mixed(own, theme.text, share / 8.0) for share in range(9)]
+    return next(shade for shade in shades if contrast(shade, theme.ground) >= _READABLE)
+
+
 def _draw(canvas: Canvas, mark: Mark) -> None:
     """One mark without its label."""
     colour = canvas.theme.text if isinstance(mark, Field) else tone_colour(canvas.theme, mark.tone)
@@ -122,26 +133,28 @@ def _label(canvas: Canvas, mark: Mark) -> None:
         case Dot(place, label=text) if text:
             _write(canvas, canvas.camera.project(place) + complex(0.8, -0.8) * unit, text, mark.tone)
         case Arrow(start, way, label=text) if text and way:
-            tip = canvas.camera.project(start + way)
             on_screen = way.conjugate() / abs(way)
-            _write(canvas, tip + on_screen * aside, text, mark.tone)
+            _write(canvas, canvas.camera.project(start + way) + on_screen * unit * 0.8, text, mark.tone, _anchor(on_screen))
         case Line(points, label=text) if text:
             middle = (canvas.camera.project(points[0]) + canvas.camera.project(points[-1])) / 2.0
             _write(canvas, middle - 1j * aside, text, mark.tone)
-        case Arc(centre, radius, start, sweep, label=text) if text:
+        case Arc(centre, radius, start, sweep, label=text) if text and abs(sweep) * radius * canvas.camera.scale > unit:
             middle = canvas.camera.project(centre + cmath.rect(radius, start + sweep / 2.0))
             _write(canvas, middle + cmath.rect(1.4 * aside, -(start + sweep / 2.0)), text, mark.tone)
         case Words(place, text):
             _write(canvas, canvas.camera.project(place), text, mark.tone)
 
 
-def write_beside(canvas: Canvas, place: complex, text: str, colour: Colour) -> None:
-    """Words around a pixel with a seam in the ground's colour, kept inside the area; none far outside of it."""
+def write_beside(canvas: Canvas, place: complex, text: str, colour: Colour, anchor: str = "center") -> None:
+    """Words at a pixel with a seam in the ground's colour, kept inside the area; none far outside of it.
+
+    anchor: the point of the words that is at the pixel, as in pygame.Rect.
+    """
     size = canvas.unit * 0.95
     if not canvas.area.inflate(4 * canvas.unit, 4 * canvas.unit).collidepoint(place.real, place.imag):
         return
     line = canvas.type.rendered(text, size, colour)
-    box = line.get_rect(center=_ints(place)).clamp(canvas.area.inflate(-4, -4))
+    box = line.get_rect(**{anchor: _ints(place)}).clamp(canvas.area.inflate(-4, -4))
     seam = canvas.type.rendered(text, size, canvas.theme.ground)
     width = max(1, round(canvas.unit * 0.09))
     for dx, dy in ((-1, 0), (1, 0), (0, -1), (0, 1), (-1, -1), (1, 1), (-1, 1), (1, -1)):
@@ -150,24 +163,32 @@ def write_beside(canvas: Canvas, place: complex, text: str, colour: Colour) -> N
 
 
 def draw_note(
-    surface: pygame.Surface, area: pygame.Rect, text: str, theme: Theme, type_: Type, unit: float, number: int
-) -> None:
-    """A line on a plate at the bottom of an area. number: plates below it."""
+    surface: pygame.Surface, area: pygame.Rect, text: str, theme: Theme, type_: Type, unit: float, bottom: float
+) -> float:
+    """Words on a plate in an area; where the plate begins, pixels. bottom: where it ends."""
     lines = type_.wrapped(text, unit, area.width - 4.0 * unit)
     height = round(unit * (1.3 * len(lines) + 0.6))
     wide = max([type_.rendered(line, unit, theme.accent).get_width() for line in lines]) + round(1.6 * unit)
     plate = pygame.Rect(0, 0, wide, height)
-    plate.midbottom = (area.centerx, area.bottom - round(unit * (0.6 + 2.3 * number)))
+    plate.midbottom = (area.centerx, round(bottom))
     pygame.draw.rect(surface, theme.panel, plate, 0, round(unit * 0.5))
     pygame.draw.rect(surface, theme.accent, plate, max(1, round(unit * 0.08)), round(unit * 0.5))
     for k, line in enumerate(lines):
         spot = complex(plate.centerx, plate.top + unit * (0.45 + 1.3 * k))
         type_.write(surface, line, unit, theme.text, spot, "midtop")
+    return float(plate.top)
 
 
-def _write(canvas: Canvas, place: complex, text: str, tone: Tone) -> None:
-    """Words in the colour of a role; faint ones must still be read."""
-    write_beside(canvas, place, text, canvas.theme.faint if tone is Tone.FAINT else tone_colour(canvas.theme, tone))
+def _anchor(way: complex) -> str:
+    """The point of words that are written at the tip of an arrow. way: of the arrow, on the screen."""
+    if abs(way.real) > abs(way.imag):
+        return "midleft" if way.real > 0.0 else "midright"
+    return "midtop" if way.imag > 0.0 else "midbottom"
+
+
+def _write(canvas: Canvas, place: complex, text: str, tone: Tone, anchor: str = "center") -> None:
+    """Words in the colour of a role."""
+    write_beside(canvas, place, text, ink(canvas.theme, tone), anchor)
 
 
 def _ball(canvas: Canvas, mark: Disc, colour: Colour) -> None:

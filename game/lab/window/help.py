@@ -14,7 +14,7 @@ def draw_help(surface: pygame.Surface, theme: Theme, type_: Type) -> None:
     size = surface.get_size()
     unit = unit_of(size)
     lines = [*MOUSE_HELP, *[(key.written, key.meaning) for key in KEYS]]
-    width, height = unit * 34.0, unit * (5.6 + 1.3 * len(lines))
+    width, height = unit * 30.0, unit * (5.6 + 1.3 * len(lines))
     panel = pygame.Rect(round((size[0] - width) / 2), round((size[1] - height) / 2), round(width), round(height))
     dim(surface, theme)
     draw_panel(surface, panel, theme, unit)

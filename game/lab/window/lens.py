@@ -1,5 +1,6 @@
 """The view of the world: moved by dragging, zoomed about the pointer, and back to the whole."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import pygame
@@ -11,6 +12,8 @@ from game.lab.window.canvas import camera_for
 _STEP = 1.15
 """Zoomed by one step of the wheel."""
 _LEAST, _MOST = 0.05, 200.0
+_MARGIN = 1.15
+"""How much wider than what is to be shown."""
 _FARTHEST = 50.0
 """World units that the view's middle may be away from the whole view's."""
 
@@ -25,6 +28,19 @@ class Lens(NamedTuple):
         """The camera for an area."""
         half = view.half / self.zoom
         return camera_for(View(view.centre + self.aside, half), area)
+
+    @classmethod
+    def showing(cls, view: View, places: Sequence[complex]) -> "Lens":
+        """The whole view, made wider if need be to show these places."""
+        half = view.half
+        low, high = view.centre - half, view.centre + half
+        xs = [low.real, high.real, *[place.real for place in places]]
+        ys = [low.imag, high.imag, *[place.imag for place in places]]
+        if max(xs) <= high.real and min(xs) >= low.real and max(ys) <= high.imag and min(ys) >= low.imag:
+            return cls()
+        middle = complex(max(xs) + min(xs), max(ys) + min(ys)) / 2.0
+        zoom = min(half.real / (max(xs) - min(xs)), half.imag / (max(ys) - min(ys))) * 2.0 / _MARGIN
+        return cls(middle - view.centre, zoom)
 
     def dragged(self, camera: Camera, pixels: complex) -> "Lens":
         """Moved by so many pixels."""

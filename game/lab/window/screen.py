@@ -51,7 +51,8 @@ class Lab:
         """Open with a session. under: the screen to go back to; None leaves the program."""
         self._shared, self._session, self._under = shared, session, under
         self._shown = SHOWN
-        self._lens = Lens()
+        self._lens = _lens_for(session)
+        self._drawn: tuple[Session, Picture] | None = None
         self._side: tuple[tuple[tuple[int, int], Theme, str], Side] | None = None
         self._grip: Grip | None = None
         self._pointer = -1 - 1j  # pixels
@@ -95,15 +96,16 @@ class Lab:
     def draw(self, surface: pygame.Surface) -> None:
         """The world, the words, the widgets."""
         theme, type_, size = self._shared.theme, self._shared.type, surface.get_size()
-        place, side, session, picture = page(size), self._widgets(size), self._session, self._session.picture
+        place, side, session, picture = page(size), self._widgets(size), self._session, self._picture()
         surface.fill(theme.background)
         cameras = self._cameras(place, picture)
         draw_picture(surface, place, picture, cameras, theme, type_, self._shown)
         for area, camera in zip(panes(place, len(picture.panes)), cameras, strict=True):
             canvas = Canvas(surface, area, camera, theme, type_, place.unit, self._shown)
             draw_grips(canvas, session.given, session.scene.handles, self._hot(place, picture, cameras))
-        for number, note in enumerate(reversed(self._notes())):
-            draw_note(surface, place.world, note, theme, type_, place.unit, number)
+        bottom = float(place.world.bottom)
+        for note in reversed(self._notes()):
+            bottom = draw_note(surface, place.world, note, theme, type_, place.unit, bottom - place.unit * 0.5)
         draw_head(surface, place, session.scene, theme, type_)
         draw_words(surface, place, picture, theme, type_)
         side.show(session, self._shown, picture.toggles)
@@ -129,7 +131,7 @@ class Lab:
 
     def _mouse(self, event: pygame.Event, size: tuple[int, int]) -> None:
         """The mouse over the world."""
-        place, picture = page(size), self._session.picture
+        place, picture = page(size), self._picture()
         cameras = self._cameras(place, picture)
         match event.type:
             case pygame.MOUSEMOTION:
@@ -179,6 +181,7 @@ class Lab:
                 self._open(name)
             case Preset(line):
                 self._session = sessions.changed(self._session, Settled(preset(scene, line, given.engine), ()))
+                self._lens = _lens_for(self._session)
         return self
 
     def _obey(self, command: Command) -> None:
@@ -192,7 +195,7 @@ class Lab:
                 step = 1 if command is Command.NEXT else -1
                 self._open(names[(names.index(session.scene.name) + step) % len(names)])
             case Command.VIEW:
-                self._lens = Lens()
+                self._lens = _lens_for(self._session)
             case Command.COPY:
                 self._tell(_copied(session.line))
             case Command.SAVE:
@@ -205,7 +208,7 @@ class Lab:
     def _open(self, name: str) -> None:
         """Another scene, at its defaults, seen whole."""
         self._session = sessions.fresh(scene_named(name), self._session.given.engine)
-        self._lens, self._grip = Lens(), None
+        self._lens, self._grip = _lens_for(self._session), None
 
     def _tell(self, notice: str) -> None:
         """Say something for a while."""
@@ -214,6 +217,16 @@ class Lab:
     def _notes(self) -> tuple[str, ...]:
         """What is to be said now: of the last change, and of what was asked for."""
         return (*self._session.notes, *((self._notice,) if self._notice_left > 0.0 else ()))
+
+    def _picture(self) -> Picture:
+        """What the scene looks like, worked out once for each state: a field of numbers takes its time."""
+        session = self._session
+        if self._drawn is not None:
+            drawn, picture = self._drawn
+            if drawn.given is session.given and drawn.tick == session.tick and drawn.scene is session.scene:
+                return picture
+        self._drawn = session, session.picture
+        return self._drawn[1]
 
     def _widgets(self, size: tuple[int, int]) -> Side:
         """The widgets for a size, built anew when the size, the theme or the scene is another."""
@@ -240,10 +253,14 @@ class Lab:
         return complex(place[0] * self._pixels_per_point.real, place[1] * self._pixels_per_point.imag)
 
 
+def _lens_for(session: Session) -> Lens:
+    """The view that shows the scene, and what its first handle is on, wherever that is."""
+    return Lens.showing(session.scene.view, [handle.place(session.given) for handle in session.scene.handles[:1]])
+
+
 def _standing(session: Session) -> tuple[str, ...]:
     """How the scene stands, in small print."""
-    tick = f"tick {session.tick} of {session.last}   " if session.runs else ""
-    return (f"{tick}state {sessions.state_hash(session)}", session.line)
+    return (f"state {sessions.state_hash(session)}", session.line)
 
 
 def _copied(line: str) -> str:

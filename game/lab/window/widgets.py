@@ -4,7 +4,7 @@ from typing import NamedTuple
 
 import pygame
 import pygame_gui
-from pygame_gui.elements import UIButton, UICheckBox, UIDropDownMenu, UIHorizontalSlider, UILabel, UITextEntryLine
+from pygame_gui.elements import UIButton, UICheckBox, UIDropDownMenu, UIHorizontalSlider, UITextEntryLine
 
 from game.lab.parameters import Count, Parameter, Point, plain, snapped, written
 from game.lab.picture import Toggle
@@ -81,7 +81,7 @@ class Side:
         self._names: list[tuple[Parameter, pygame.Rect]] = []
         self._list, self._preset_list = self._lists(session)
         self._rows = [row for parameter in session.scene.parameters for row in self._parameter(parameter)]
-        self._pace: UILabel | None = None
+        self._clock: pygame.Rect | None = None
         self._play: UIButton | None = None
         if session.runs:
             self._time()
@@ -130,10 +130,8 @@ class Side:
                 row.slider.set_current_value(number, warn=False)
         for box, toggle in self._boxes.items():
             _set_box(box, on=toggle in shown, enabled=toggle in available)
-        if self._play is not None and self._pace is not None:
+        if self._play is not None:
             self._play.set_text("Pause" if session.playing else "Play")
-            pace = PACES[session.pace]
-            self._pace.set_text("real time" if pace == 1.0 else f"1/{round(1 / pace)} time")
 
     def draw(self, surface: pygame.Surface, session: Session, seconds: float, pixels_per_point: complex) -> None:
         """Let the widgets live for a while, and draw them, each parameter's value and meaning above its sliders."""
@@ -144,6 +142,9 @@ class Side:
             meaning, end = complex(after.right + self._unit * 0.7, box.centery), float(box.right)
             words = self._type.wrapped(parameter.meaning, self._unit * 0.95, end - meaning.real)[:1]
             self._type.write(surface, "".join(words), self._unit * 0.95, self._theme.faint, meaning, "midleft")
+        if self._clock is not None:
+            place = complex(*self._clock.center)
+            self._type.write(surface, _clock(session), self._unit * 0.95, self._theme.text, place, "center")
         self._manager.mouse_pos_scale_factor = [pixels_per_point.real, pixels_per_point.imag]
         self._manager.update(seconds)
         self._manager.draw_ui(surface)
@@ -183,9 +184,8 @@ class Side:
             button = self._button(box, command)
             if command is Command.PLAY:
                 self._play = button
-        slower, pace, faster = self._split(self._line(), (6.0, 0.0, 6.0))
+        slower, self._clock, faster = self._split(self._line(), (2.0, 0.0, 2.0))
         self._button(slower, Command.SLOWER)
-        self._pace = UILabel(pace, "", self._manager, object_id="#pace")
         self._button(faster, Command.FASTER)
 
     def _toggles(self) -> None:
@@ -246,8 +246,11 @@ class Side:
 
     def _ticked(self) -> Asked | None:
         """The toggle whose box a hand has changed. pygame_gui's events tell of changes that `show` makes, too."""
-        changed = [toggle for box, toggle in self._boxes.items() if box.get_state() is not (toggle in self._shown)]
-        return changed[0] if changed else None
+        for box, toggle in self._boxes.items():
+            if box.get_state() is not (toggle in self._shown):
+                self._shown = self._shown ^ {toggle}  # told once, however many events come before the next picture
+                return toggle
+        return None
 
     def _picked(self, event: pygame.Event) -> Asked | None:
         """A scene or a preset from its list."""
@@ -276,6 +279,12 @@ class Side:
             boxes.append(pygame.Rect(round(left), box.top, round(pixels), box.height))
             left += pixels + gap
         return boxes
+
+
+def _clock(session: Session) -> str:
+    """Where in its run a scene is, and how fast it goes."""
+    pace = PACES[session.pace]
+    return f"tick {session.tick} of {session.last}, {'real' if pace == 1.0 else f'1/{round(1 / pace)}'} time"
 
 
 def _squeeze(session: Session, room: float) -> float:
