@@ -42,7 +42,7 @@ class Pymunk:
         space = pymunk.Space()
         space.iterations = ITERATIONS
         for ring in rings:
-            body = pymunk.Body(body_type=pymunk.Body.KINEMATIC)
+            body = pymunk.Body(body_type=pymunk.Body.KINEMATIC if ring.spin else pymunk.Body.STATIC)
             body.angle, body.angular_velocity = ring.phase, ring.spin
             geometry = Geometry(ring.radius, ring.half_width, ring.half_angle, ring.count)
             shapes = [piece.shape for slot in range(ring.count) for piece in sector(body, geometry, slot, facets)]
