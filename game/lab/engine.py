@@ -32,5 +32,8 @@ class Engine(Protocol):
     def pieces(self, ring: Ring, slots: Sequence[int]) -> tuple[Piece, ...]:
         """The shapes that it makes of the sectors in these slots."""
 
-    def flight(self, ball: Ball, rings: Sequence[Ring], dt: float, ticks: int) -> tuple[complex, ...]:
-        """The ball's place before the first tick and after each, by the engine's own stepping and its own bounces."""
+    def flight(self, ball: Ball, rings: Sequence[Ring], dt: float, ticks: int, facets: int = 24) -> tuple[complex, ...]:
+        """The ball's place before the first tick and after each, by the engine's own stepping and its own bounces.
+
+        facets: chords that stand for an arc, where the engine has no arcs.
+        """

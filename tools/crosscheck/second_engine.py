@@ -38,15 +38,15 @@ class Pymunk:
         shapes = [piece.shape for piece in _sector_model(ring).slots[0]]
         return tuple([_piece(shape, turn) for turn in _turns(ring, slots) for shape in shapes])
 
-    def flight(self, ball: Ball, rings: Sequence[Ring], dt: float, ticks: int) -> tuple[complex, ...]:
+    def flight(self, ball: Ball, rings: Sequence[Ring], dt: float, ticks: int, facets: int = FACETS) -> tuple[complex, ...]:
         """The ball's places by pymunk's stepping: elastic, without a fixed speed, and without our friction."""
         space = pymunk.Space()
         space.iterations = ITERATIONS
         for ring in rings:
-            body = pymunk.Body(body_type=pymunk.Body.KINEMATIC)
+            body = pymunk.Body(body_type=pymunk.Body.KINEMATIC if ring.spin else pymunk.Body.STATIC)
             body.angle, body.angular_velocity = ring.phase, ring.spin
             geometry = Geometry(ring.radius, ring.half_width, ring.half_angle, ring.count)
-            shapes = [piece.shape for slot in range(ring.count) for piece in sector(body, geometry, slot, FACETS)]
+            shapes = [piece.shape for slot in range(ring.count) for piece in sector(body, geometry, slot, facets)]
             for shape in shapes:
                 shape.elasticity = 1.0
             space.add(body, *shapes)
