@@ -122,6 +122,7 @@ def open_lab(
     ] = None,
     list_: Annotated[bool, typer.Option("--list", help="List the scenes.")] = False,
     headless: Annotated[bool, typer.Option("--headless", help="Check every scene's claims without a window.")] = False,
+    drags: Annotated[int, typer.Option(min=0, max=10**6, help="Random drags of each scene to check after.")] = 1000,
     screenshot: Annotated[Path | None, typer.Option(help="Draw the scene into this PNG file.")] = None,
     size: Annotated[str, typer.Option(metavar="WxH", help="Size of the screenshot in pixels.")] = "1280x800",
     theme: Annotated[str, typer.Option(metavar="dark|light", help="Colours of the screenshot.")] = "dark",
@@ -136,7 +137,7 @@ def open_lab(
     if list_:
         command.list_scenes()
     elif headless:
-        command.check_scenes(scene, _second_engine())
+        command.check_scenes(scene, drags, _second_engine())
     elif screenshot is not None:
         command.save_picture(scene, screenshot, pixels, theme, _second_engine())
     else:

@@ -24,8 +24,8 @@ def test_the_list_names_every_scene(capsys):
 
 
 def test_headless_checks_every_scene(capsys):
-    """One line for each, and exit code 0."""
-    code, out, err = polar(capsys, "lab", "--headless")
+    """One line for each, and exit code 0; a thousand drags are `test_lab_scenes`'s."""
+    code, out, err = polar(capsys, "lab", "--headless", "--drags", "100")
     assert (code, err) == (0, "")
     for scene in scenes():
         assert re.search(rf"^{scene.name} +[\d,]+ +[\d,]+ +0$", out, re.MULTILINE)
@@ -35,7 +35,7 @@ def test_headless_exits_1_when_a_claim_fails(capsys, monkeypatch):
     """And names the claim with a line that opens it."""
     broken = scenes()[0]._replace(check=lambda _: (Claim("black is white", holds=False),))
     monkeypatch.setattr(command, "scenes", lambda: (broken, *scenes()[1:2]))
-    code, _, err = polar(capsys, "lab", "--headless")
+    code, _, err = polar(capsys, "lab", "--headless", "--drags", "3")
     assert code == 1
     assert f'"black is white" does not hold: python -m game lab "{broken.name}?' in err
     assert err.endswith("polar-breakout: lab: 1 of 2 scenes failed\n")
@@ -63,8 +63,7 @@ def test_headless_checks_one_scene_at_the_values_of_a_share_line(capsys, monkeyp
     named = parsed("case-2?r=1.25")
     touchy = named.scene._replace(check=lambda given: (Claim("r is not 1.25", given.number("r") != 1.25),))
     monkeypatch.setattr(command, "parsed", lambda *_: named._replace(scene=touchy))
-    monkeypatch.setattr(command, "DRAGS", 5)
-    code, out, err = polar(capsys, "lab", "case-2?r=1.25", "--headless")
+    code, out, err = polar(capsys, "lab", "case-2?r=1.25", "--headless", "--drags", "5")
     assert code == 1
     assert len(out.splitlines()) == 2
     assert "r=1.25&" in err
@@ -89,6 +88,7 @@ def test_without_a_display_it_is_one_line_and_exit_3():
         (["lab", "--screenshot", "none/a.png"], "there is no folder none"),
         (["lab", "--screenshot", "a.png", "--size", "1"], "expected WIDTHxHEIGHT"),
         (["lab", "--screenshot", "a.png", "--theme", "blue"], "--theme blue: expected dark or light"),
+        (["lab", "--headless", "--drags", "-1"], "--drags"),
         (["lab", "a", "b"], "unexpected extra argument"),
     ],
 )
@@ -106,8 +106,7 @@ def test_list_and_check_need_no_window():
     """Neither imports pygame."""
     program = (
         "import sys; from game.__main__ import app; from game.command_line import run\n"
-        "from game.lab import command; command.DRAGS = 3\n"
-        "for arguments in (['lab', '--list'], ['lab', '--headless']):\n"
+        "for arguments in (['lab', '--list'], ['lab', '--headless', '--drags', '3']):\n"
         "    assert run(app, 'x', arguments) == 0\n"
         "assert 'pygame' not in sys.modules and 'pygame_gui' not in sys.modules\n"
     )

@@ -6,7 +6,7 @@ import math
 import numpy as np
 import pygame
 import pytest
-from hypothesis import given
+from hypothesis import assume, given
 from strategies import balls, balls_beside_an_end, reals, rings
 
 from game.camera import Camera
@@ -63,6 +63,7 @@ def test_a_rings_marks_are_its_living_sectors(ring):
 def test_pymunk_sees_the_same_end(beside):
     """Its normal and its distance, where it looks that far: within two radii."""
     touch = Pymunk().touch(beside.ball, beside.ring, (beside.slot,))
+    assume(abs(beside.across - 2.0 * beside.ball.radius) > 1e-9)
     assert (touch is None) == (beside.across >= 2.0 * beside.ball.radius)
     if touch is not None:
         found = contact(beside.ball, beside.ring, beside.slot)

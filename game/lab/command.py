@@ -13,7 +13,6 @@ from game.lab.engine import Engine
 from game.lab.registry import scenes
 from game.lab.share import parsed
 
-DRAGS = 1000
 _SEED = 1
 
 
@@ -27,10 +26,10 @@ def list_scenes() -> None:
     Console().print(table)
 
 
-def check_scenes(line: str | None, engine: Engine | None) -> None:
+def check_scenes(line: str | None, drags: int, engine: Engine | None) -> None:
     """Check every scene at its defaults, its presets and after random drags, and print how each did.
 
-    line: a share line, to check that scene alone, and at those values, too.
+    line: a share line, to check that scene alone, and at those values, too. drags: random ones, of each scene.
 
     CheckFailedError when a claim fails, after all have been looked at.
     """
@@ -39,7 +38,7 @@ def check_scenes(line: str | None, engine: Engine | None) -> None:
     table = Table(box=None, pad_edge=False)
     for heading in ("scene", "settings", "claims", "failed"):
         table.add_column(heading, justify="left" if heading == "scene" else "right")
-    reports = [report(scene, DRAGS, _SEED, engine, more) for scene, more in chosen]
+    reports = [report(scene, drags, _SEED, engine, more) for scene, more in chosen]
     for one in reports:
         table.add_row(one.scene.name, f"{one.settings:,}", f"{one.claims:,}", f"{len(one.failures):,}")
     Console().print(table)

@@ -24,18 +24,19 @@ class Pymunk:
 
     def touch(self, ball: Ball, ring: Ring, slots: Sequence[int]) -> Touch | None:
         """The shape nearest to the ball: an exact one where there is one, else a facet."""
-        turn = cmath.rect(1.0, ring.phase)
-        model = self._model(ring, slots)
-        place, reach = ball.position * turn.conjugate(), _REACH * ball.radius
-        found = model.exact(place, reach) or model.faceted(place, reach)
-        return None if found is None else Touch(found.normal * turn, found.distance)
+        model, reach = _sector_model(ring), _REACH * ball.radius
+        nearest: Touch | None = None
+        for turn in _turns(ring, slots):
+            place = ball.position * turn.conjugate()
+            found = model.exact(place, reach) or model.faceted(place, reach)
+            if found is not None and (nearest is None or found.distance < nearest.distance):
+                nearest = Touch(found.normal * turn, found.distance)
+        return nearest
 
     def pieces(self, ring: Ring, slots: Sequence[int]) -> tuple[Piece, ...]:
         """Chords, ends and corners."""
-        turn = cmath.rect(1.0, ring.phase)
-        model = self._model(ring, slots)
-        shapes = [piece.shape for slot in slots for piece in model.slots[slot]]
-        return tuple([_piece(shape, turn) for shape in shapes])
+        shapes = [piece.shape for piece in _sector_model(ring).slots[0]]
+        return tuple([_piece(shape, turn) for turn in _turns(ring, slots) for shape in shapes])
 
     def flight(self, ball: Ball, rings: Sequence[Ring], dt: float, ticks: int, facets: int = FACETS) -> tuple[complex, ...]:
         """The ball's places by pymunk's stepping: elastic, without a fixed speed, and without our friction."""
@@ -61,12 +62,15 @@ class Pymunk:
             places.append(complex(flying.position.x, flying.position.y))
         return tuple(places)
 
-    @staticmethod
-    def _model(ring: Ring, slots: Sequence[int]) -> RingModel:
-        """The ring in its own frame, alive in some slots."""
-        model = ring_model(Geometry(ring.radius, ring.half_width, ring.half_angle, ring.count), FACETS)
-        model.set_alive([int(slot in slots) for slot in range(ring.count)])
-        return model
+
+def _sector_model(ring: Ring) -> RingModel:
+    """One sector of a ring in its own frame: all of them are alike."""
+    return ring_model(Geometry(ring.radius, ring.half_width, ring.half_angle, 1), FACETS)
+
+
+def _turns(ring: Ring, slots: Sequence[int]) -> list[complex]:
+    """What turns the frame of one sector to that of each slot's."""
+    return [cmath.rect(1.0, ring.phase + slot * math.tau / ring.count) for slot in slots]
 
 
 def _piece(shape: pymunk.Shape, turn: complex) -> Piece:

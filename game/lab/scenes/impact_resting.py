@@ -226,8 +226,8 @@ SCENE = Scene(
     presets=(
         Preset("the inner face", "v=9,6.5"),
         Preset("the outer face", "ball=11,5&v=-8,-3"),
-        Preset("an end", "ball=9,-5&v=-8,4"),
-        Preset("a corner", "ball=-3,7.7&v=8,-0.8"),
+        Preset("an end", "ball=-2,6&v=6,0"),
+        Preset("a corner", "ball=-3,7.4&v=8,-0.8"),
         Preset("through the gap of a wide sector", "half_angle=150&angle=0&ball=-10,0&v=9,0"),
         Preset("past it", "ball=-2,-4&v=9,-1"),
         Preset("at rest", "v=0,0"),

@@ -217,9 +217,9 @@ SCENE = Scene(
     presets=(
         Preset("across the end's way", "spin=2"),
         Preset("the end comes to meet the ball", "ball=2,9&v=2.4,-4&spin=1.2"),
-        Preset("a corner", "ball=9.5,9&v=-1,-5&spin=1.2"),
-        Preset("a fast ball, a slow end", "ball=2,9&v=2,-9&spin=0.2"),
-        Preset("a fast end", "ball=2,9&v=0.5,-2&spin=12&dt=1"),
+        Preset("a corner", "ball=2,9&v=3,-9&spin=0.2"),
+        Preset("a fast ball, a slow end", "ball=2,9&v=4,-9&spin=0.2"),
+        Preset("a fast end", "ball=2,9&v=0.5,-5&spin=12&dt=1"),
         Preset("past it", "v=12,2&dt=1"),
         Preset("the end at rest", "spin=0&ball=4,7&v=1,-5"),
         Preset("touching at t = 0", "ball=6,0.5&v=0,3&spin=1.2"),

@@ -47,7 +47,8 @@ def _picture(given: Given) -> Picture:
     if ring.count <= _NUMBERED:
         marks += [Words(to_cartesian(_RADIUS, ring.angle(k)), str(k), Tone.PLAIN) for k in range(ring.count)]
     marks += [ray(theta, 11.0), *ball_marks(ball.position, ball.radius), *contact_marks(ball, found, 2.0)]
-    marks += second_opinion(given, ball, ring, tuple(range(ring.count)), found)
+    neighbours = tuple({(slot + step) % ring.count: None for step in (-1, 0, 1)})
+    marks += second_opinion(given, ball, ring, neighbours, found)
     difference = min_difference(theta, ring.angle(slot))
     pitch, face = math.tau / ring.count, difference <= ring.half_angle
     formula = (

@@ -12,8 +12,8 @@ from game.lab.window.canvas import camera_for
 _STEP = 1.15
 """Zoomed by one step of the wheel."""
 _LEAST, _MOST = 0.05, 200.0
-_MARGIN = 1.15
-"""How much wider than what is to be shown."""
+_ROOM = 0.12
+"""Around a place that is to be shown, in halves of the view."""
 _FARTHEST = 50.0
 """World units that the view's middle may be away from the whole view's."""
 
@@ -31,16 +31,14 @@ class Lens(NamedTuple):
 
     @classmethod
     def showing(cls, view: View, places: Sequence[complex]) -> "Lens":
-        """The whole view, made wider if need be to show these places."""
+        """The whole view, made wider if need be to show these places with some room around them."""
         half = view.half
         low, high = view.centre - half, view.centre + half
-        xs = [low.real, high.real, *[place.real for place in places]]
-        ys = [low.imag, high.imag, *[place.imag for place in places]]
-        if max(xs) <= high.real and min(xs) >= low.real and max(ys) <= high.imag and min(ys) >= low.imag:
-            return cls()
+        xs = [low.real, high.real, *[place.real + side * half.real for place in places for side in (-_ROOM, _ROOM)]]
+        ys = [low.imag, high.imag, *[place.imag + side * half.imag for place in places for side in (-_ROOM, _ROOM)]]
         middle = complex(max(xs) + min(xs), max(ys) + min(ys)) / 2.0
-        zoom = min(half.real / (max(xs) - min(xs)), half.imag / (max(ys) - min(ys))) * 2.0 / _MARGIN
-        return cls(middle - view.centre, zoom)
+        zoom = 2.0 * min(half.real / (max(xs) - min(xs)), half.imag / (max(ys) - min(ys)))
+        return cls(middle - view.centre, zoom) if zoom < 1.0 else cls()
 
     def dragged(self, camera: Camera, pixels: complex) -> "Lens":
         """Moved by so many pixels."""

@@ -8,7 +8,7 @@ from game.camera import Camera, unit_of
 from game.lab.beyond import rows_line
 from game.lab.picture import Picture, Toggle
 from game.lab.scene import Scene
-from game.lab.window.canvas import Canvas, draw_marks
+from game.lab.window.canvas import Canvas, draw_marks, write_beside
 from game.palette import Theme
 from game.text import Type
 
@@ -75,10 +75,11 @@ def draw_picture(
     """The worlds, side by side, each with its title."""
     for pane, area, camera in zip(picture.panes, panes(place, len(picture.panes)), cameras, strict=True):
         pygame.draw.rect(surface, theme.ground, area)
-        draw_marks(Canvas(surface, area, camera, theme, type_, place.unit, shown), pane.marks)
+        canvas = Canvas(surface, area, camera, theme, type_, place.unit, shown)
+        draw_marks(canvas, pane.marks)
         if pane.title:
             spot = complex(area.centerx, area.top + place.unit * 0.4)
-            type_.write(surface, pane.title, place.unit * 1.1, theme.text, spot, "midtop")
+            write_beside(canvas, spot, pane.title, theme.text, "midtop")
         if area.left > place.world.left:
             pygame.draw.line(surface, theme.panel_edge, area.topleft, area.bottomleft)
 

@@ -254,8 +254,8 @@ class Lab:
 
 
 def _lens_for(session: Session) -> Lens:
-    """The view that shows the scene, and what its first handle is on, wherever that is."""
-    return Lens.showing(session.scene.view, [handle.place(session.given) for handle in session.scene.handles[:1]])
+    """The view that shows the scene, and what its first two handles are on, wherever that is."""
+    return Lens.showing(session.scene.view, [handle.place(session.given) for handle in session.scene.handles[:2]])
 
 
 def _standing(session: Session) -> tuple[str, ...]:
