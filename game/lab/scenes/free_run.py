@@ -1,6 +1,7 @@
 """Ours and another engine's ball from the same start: where do they part, and why?"""
 
 import math
+from itertools import pairwise
 from typing import NamedTuple
 
 from game.lab import handles
@@ -133,7 +134,10 @@ def _check(given: Given) -> tuple[Claim, ...]:
         elif state.bounces == 0:
             first = apart
         state = after
+    way = sum([abs(there - here) for here, there in pairwise(state.trail)])
+    whole = clear and len(state.trail) < _TRAIL
     return (
+        Claim("ours flies v_0 dt in every tick, round its bounces, too", not whole or abs(way - speed * _RUN * _TICK) < 1e-9),
         Claim("ours overlaps nothing at the end of any tick", least > -1e-9),
         Claim("at the speed v_0", abs(length(state.arena.balls[0].velocity) - speed) < 1e-9),
         Claim("until the first bounce both fly alike", not clear or before < 1e-9),

@@ -94,7 +94,7 @@ def _way(ball: Ball, way: Contact, tone: Tone, words: str) -> list[Mark]:
     return [
         Circle(there, ball.radius, tone, Toggle.SWEPT, Stroke.THICK),
         Arrow(ball.position, there - ball.position, tone, Toggle.NORMALS),
-        Words(there + way.normal * (ball.radius + 0.35), words, tone, Toggle.NORMALS),
+        Words(there + way.normal * (ball.radius + 0.7), words, tone, Toggle.NORMALS),
     ]
 
 
@@ -184,7 +184,7 @@ SCENE = Scene(
         Number("half_angle", "φ_p", "°", 0.5, 180.0, 32.0, 0.5, "its half angle"),
     ),
     handles=(handles.point("ball", "ball", "r"), *handles.sector_handles("radius", "half_width", "angle", "half_angle")),
-    view=View(5.6 + 3.6j, 6.6 + 5.0j),
+    view=View(6.0 + 3.2j, 6.6 + 5.5j),
     shows=_picture,
     check=_check,
     rows=(7,),

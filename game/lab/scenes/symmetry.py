@@ -5,7 +5,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from game.lab import handles
-from game.lab.deciding import Deciding, code
+from game.lab.deciding import code
 from game.lab.parameters import Given, Number, Point
 from game.lab.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, Stroke, Toggle, Tone
 from game.lab.pieces import VELOCITY_SCALE, degrees, ray, ring_marks
@@ -77,7 +77,7 @@ def _picture(given: Given, state: _State) -> Picture:
         for title, axis, arena, trail in zip(titles, axes, state[:3], state.trails, strict=True)
     ]
     panes[0] = panes[0]._replace(marks=(*panes[0].marks, *_first(given)))
-    return Picture(tuple(panes), _formula(given, state), _deciding(state), _note(given, state))
+    return Picture(tuple(panes), _formula(given, state), code(Ring.angle_near, "return phase + (slot"), _note(given, state))
 
 
 def _first(given: Given) -> tuple[Mark, ...]:
@@ -114,11 +114,6 @@ def _formula(given: Given, state: _State) -> tuple[str, ...]:
         "|p_mirrored mirrored back - p| = " + (f"{mirrored:.1e}" if mirrored else "0:   not a bit differs"),
         f"bounces: {state.hits};   the same bricks hit: {'yes' if all(same) else 'no'}",
     )
-
-
-def _deciding(state: _State) -> Deciding:
-    """What makes the mirror exact."""
-    return code(Ring.angle_near if state.hits else Ring.__new__, "turns = round" if state.hits else "_on_grid(phase)")
 
 
 def _note(given: Given, state: _State) -> str:
