@@ -253,7 +253,7 @@ def test_copy_and_save_say_what_became_of_it(desk, tmp_path, monkeypatch):
     monkeypatch.setattr(screen, "case_file", lambda: tmp_path)
     desk.press(pygame.K_s)
     assert "case not saved" in desk.screen._notes()[-1]
-    desk.wait(6.0)
+    desk.screen.advance(6.0, SIZE)
     assert desk.screen._notes() == ()
 
 
