@@ -323,12 +323,14 @@ def _sector(canvas: Canvas, mark: Sector, colour: Colour) -> None:
         return
     pygame.draw.polygon(canvas.surface, fill, [(place.real, place.imag) for place in outline])
     width = max(canvas.unit * 0.12, 2.0)
-    closed = mark.half_angle >= math.pi
+    if mark.half_angle >= math.pi:
+        for radius in (inner, outer):
+            _circle(canvas, 0j, radius, edge, Stroke.SOLID)
+        return
     for path in (there, back):
         _ribbon(canvas.surface, path, edge, width)
-    if not closed:
-        for start, end in ((there[-1], back[0]), (back[-1], there[0])):
-            _stroke(canvas.surface, start, end, edge, width)
+    for start, end in ((there[-1], back[0]), (back[-1], there[0])):
+        _stroke(canvas.surface, start, end, edge, width)
 
 
 def _band(canvas: Canvas, mark: Band, colour: Colour) -> None:
