@@ -151,13 +151,15 @@ def _check(given: Given) -> tuple[Claim, ...]:
     end = notch.step.arena.balls[0]
     quarter = Ball(notch.ball.position * 1j, notch.ball.velocity * 1j, notch.ball.radius)
     turned = advance(Arena((quarter,), (notch.ring,), ((PERMANENT,) * _COUNT,)), notch.dt, speed).hits
-    sharp = notch.apart and all([dot(hit.before, hit.contact.normal) < -0.05 * speed for hit in hits[:1]])
-    grazed = not hits and min([abs(gap) for gap in _gaps(notch.ring, end)]) < 1e-6
+    alone = _alone(notch)
+    tie = len(alone) > 1 and alone[1][0] - alone[0][0] < _SAME
+    firsts = (*hits[:1], *turned[:1])
+    sharp = all([dot(hit.before, hit.contact.normal) < -0.05 * speed and hit.time < notch.dt - _SAME for hit in firsts])
     return (
         Claim("the bounces are in the order of time", times == sorted(times)),
         Claim(
-            "of two at the same time, the lower slot comes first",
-            not (notch.apart and notch.tie) or times[0] < times[1] or _ordered(hits),
+            "the brick that alone would be touched first comes first, of equals the lower slot",
+            not notch.apart or [(hit.time, hit.slot) for hit in hits[:1]] == alone[:1],
         ),
         Claim("each was flown into", all([dot(hit.before, hit.contact.normal) < 1e-9 for hit in hits])),
         Claim("and is left at v_0", all([_leaves(hit, speed) for hit in hits])),
@@ -166,7 +168,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
         Claim("there are no more than 32", len(hits) <= 32),
         Claim(
             "turned by a quarter, the first bounce is one slot on",
-            not sharp or notch.tie or grazed or _first_is_one_on(hits, turned),
+            not (notch.apart and sharp) or tie or _first_is_one_on(hits, turned),
         ),
     )
 
@@ -176,9 +178,14 @@ def _gaps(ring: Ring, ball: Ball) -> list[float]:
     return [contact(ball, ring, slot).gap for slot in range(ring.count)]
 
 
-def _ordered(hits: tuple[Hit, ...]) -> bool:
-    """Whether the first bounce is with the lower slot."""
-    return hits[0].slot < hits[1].slot
+def _alone(notch: _Notch) -> list[tuple[float, int]]:
+    """When the ball would touch each brick, if no other were there; the first one first."""
+    found = []
+    for slot in range(_COUNT):
+        impact = time_of_impact(notch.ball, notch.ring, notch.dt, [int(slot == other) for other in range(_COUNT)])
+        if impact is not None:
+            found.append((impact.time, slot))
+    return sorted(found)
 
 
 def _leaves(hit: Hit, speed: float) -> bool:
