@@ -1,5 +1,7 @@
 """The lab's window, worked by posted events on the dummy driver."""
 
+import random
+
 import pygame
 import pygame_gui
 import pytest
@@ -251,7 +253,7 @@ def test_copy_and_save_say_what_became_of_it(desk, tmp_path, monkeypatch):
     monkeypatch.setattr(screen, "case_file", lambda: tmp_path)
     desk.press(pygame.K_s)
     assert "case not saved" in desk.screen._notes()[-1]
-    desk.wait(6.0)
+    desk.screen.advance(6.0, SIZE)
     assert desk.screen._notes() == ()
 
 
@@ -343,6 +345,40 @@ def test_every_scene_is_drawn_in_both_themes(scene, tmp_path):
         save_screenshot(SharedLine(scene, given, tick), file, (800, 600), theme)
         pictures.append(pygame.image.load(file))
     assert pygame.transform.average_color(pictures[0])[0] + 100 < pygame.transform.average_color(pictures[1])[0]
+
+
+def random_event(chance, size):
+    """Something that hands may do."""
+    place = (int(chance.random() * size[0]), int(chance.random() * size[1]))
+    kind = int(chance.random() * 6)
+    if kind == 0:
+        codes = [code for key in KEYS for code in key.keys if key.command is not Command.LEAVE]
+        code = chance.choice([*codes, pygame.K_1, pygame.K_7, pygame.K_RETURN, pygame.K_BACKSPACE, pygame.K_TAB, pygame.K_F5])
+        return pygame.Event(pygame.KEYDOWN, key=code, mod=0, unicode=chance.choice("a9.-"))
+    if kind == 1:
+        return pygame.Event(pygame.TEXTINPUT, text=chance.choice(["1", "-", "e", "nan", "°", "\u4e2d"]))
+    if kind == 2:
+        return pygame.Event(pygame.MOUSEWHEEL, x=0, y=1, precise_x=0.0, precise_y=chance.choice([-30.0, -1.0, 0.5, 30.0]))
+    if kind == 3:
+        return pygame.Event(pygame.MOUSEBUTTONDOWN, pos=place, button=chance.choice([1, 1, 1, 2, 3, 8]))
+    if kind == 4:
+        return pygame.Event(pygame.MOUSEBUTTONUP, pos=place, button=1)
+    return pygame.Event(pygame.MOUSEMOTION, pos=place, rel=(0, 0), buttons=(1, 0, 0))
+
+
+@pytest.mark.parametrize("scene", scenes(), ids=lambda scene: scene.name)
+def test_no_hands_break_it(scene, tmp_path, monkeypatch):
+    """Keys, clicks, drags and letters at random: the window goes on, and every value stays in its range."""
+    monkeypatch.setattr(screen, "case_file", lambda: tmp_path / "cases.txt")
+    chance = random.Random(scene.name)
+    desk = LabDesk(scene.name, (800, 600))
+    for _ in range(20):
+        for _ in range(10):
+            pygame.event.post(random_event(chance, desk.size))
+        desk.wait(FRAME)
+        shown = parsed(desk.session.line)
+        assert shown.given.values == desk.session.given.values
+    desk.close()
 
 
 def test_l_opens_the_lab_over_the_game_and_esc_comes_back():

@@ -7,7 +7,6 @@ from rich.table import Table
 
 from game.command_line import say
 from game.errors import BadInputError, CheckFailedError
-from game.lab.beyond import BEYOND
 from game.lab.checks import Report, report
 from game.lab.engine import Engine
 from game.lab.registry import scenes
@@ -17,12 +16,12 @@ _SEED = 1
 
 
 def list_scenes() -> None:
-    """Print every scene's name, title, and the rows of "Beyond the source" that it explains."""
+    """Print every scene's name, title, and the rows of the README's table "Beyond the source" that it explains."""
     table = Table(box=None, pad_edge=False)
-    for heading in ("scene", "chapter", "title", "beyond the source"):
+    for heading in ("scene", "title", "beyond"):
         table.add_column(heading, no_wrap=heading == "scene")
     for scene in scenes():
-        table.add_row(scene.name, scene.chapter.value, scene.title, "; ".join([f"{row} {BEYOND[row]}" for row in scene.rows]))
+        table.add_row(scene.name, scene.title, ", ".join([str(row) for row in scene.rows]))
     Console().print(table)
 
 

@@ -40,6 +40,10 @@ _READABLE = 4.5
 """Contrast ratio of text, by WCAG 2."""
 _VEIL = 60
 """How opaque a ball is, of 255."""
+_WIDTHS = {Stroke.SOLID: 0.1, Stroke.THICK: 0.2, Stroke.DASHED: 0.1}
+"""Of lines, in sizes of text."""
+_LARGE = 8e3
+"""Pixels: circles with a larger radius are drawn as far as they are seen."""
 _FAR = 1e6
 """Pixels: nothing is drawn farther out."""
 
@@ -109,7 +113,7 @@ def _draw(canvas: Canvas, mark: Mark) -> None:
         case Disc():
             _ball(canvas, mark, colour)
         case Circle(centre, radius):
-            _path(canvas, _arc_points(canvas, centre, radius, 0.0, math.tau), colour, mark.stroke)
+            _circle(canvas, centre, radius, colour, mark.stroke)
         case Sector():
             _sector(canvas, mark, colour)
         case Band():
@@ -204,7 +208,17 @@ def _ball(canvas: Canvas, mark: Disc, colour: Colour) -> None:
         spot = place - complex(*seen.topleft)
         pygame.draw.circle(veil, (*colour, _VEIL), (spot.real, spot.imag), radius)
         canvas.surface.blit(veil, seen)
-    _path(canvas, _arc_points(canvas, mark.centre, mark.radius, 0.0, math.tau), colour, Stroke.SOLID)
+    _circle(canvas, mark.centre, mark.radius, colour, Stroke.SOLID)
+
+
+def _circle(canvas: Canvas, centre: complex, radius: float, colour: Colour, stroke: Stroke) -> None:
+    """The line of a circle."""
+    pixels, place = radius * canvas.camera.scale, canvas.camera.project(centre)
+    if stroke is Stroke.DASHED or not (_near(place) and pixels < _LARGE):
+        _path(canvas, _arc_points(canvas, centre, radius, 0.0, math.tau), colour, stroke)
+        return
+    width = max(round(canvas.unit * _WIDTHS[stroke]), 1)
+    pygame.draw.aacircle(canvas.surface, colour, (place.real - 0.5, place.imag - 0.5), pixels + width / 2.0, width)
 
 
 def _disc(canvas: Canvas, centre: complex, radius: float, colour: Colour) -> None:
@@ -216,7 +230,7 @@ def _disc(canvas: Canvas, centre: complex, radius: float, colour: Colour) -> Non
 
 def _path(canvas: Canvas, places: Sequence[complex], colour: Colour, stroke: Stroke) -> None:
     """A line through pixels."""
-    width = canvas.unit * (0.2 if stroke is Stroke.THICK else 0.1)
+    width = canvas.unit * _WIDTHS[stroke]
     if stroke is Stroke.DASHED:
         for start, end in _dashes(places, canvas.unit * 0.5, canvas.area):
             _stroke(canvas.surface, start, end, colour, width)
@@ -308,13 +322,15 @@ def _sector(canvas: Canvas, mark: Sector, colour: Colour) -> None:
     if len(outline) < 3:
         return
     pygame.draw.polygon(canvas.surface, fill, [(place.real, place.imag) for place in outline])
-    width = max(canvas.unit * 0.08, 1.0)
-    closed = mark.half_angle >= math.pi
+    width = max(canvas.unit * 0.12, 2.0)
+    if mark.half_angle >= math.pi:
+        for radius in (inner, outer):
+            _circle(canvas, 0j, radius, edge, Stroke.SOLID)
+        return
     for path in (there, back):
         _ribbon(canvas.surface, path, edge, width)
-    if not closed:
-        for start, end in ((there[-1], back[0]), (back[-1], there[0])):
-            _stroke(canvas.surface, start, end, edge, width)
+    for start, end in ((there[-1], back[0]), (back[-1], there[0])):
+        _stroke(canvas.surface, start, end, edge, width)
 
 
 def _band(canvas: Canvas, mark: Band, colour: Colour) -> None:
@@ -332,8 +348,7 @@ def _band(canvas: Canvas, mark: Band, colour: Colour) -> None:
         )
     for radius in (mark.inner, mark.outer):
         if radius > 0.0:
-            points = _arc_points(canvas, 0j, radius, 0.0, math.tau)
-            _path(canvas, points, mixed(canvas.theme.ground, colour, min(2.2 * mark.strength, 1.0)), Stroke.SOLID)
+            _circle(canvas, 0j, radius, mixed(canvas.theme.ground, colour, min(2.2 * mark.strength, 1.0)), Stroke.SOLID)
 
 
 def _arrow(canvas: Canvas, mark: Arrow, colour: Colour) -> None:
