@@ -26,7 +26,7 @@ def oracle_normal(p, ball_radius, ring):
 
 
 def is_clear(p, ball_radius, ring):
-    """Whether no rounding decides: not the band, nor which sector is nearest, nor which case, which end, or if it is touched."""
+    """Whether no rounding decides: not the band, nor which sector is nearest, nor which case, which end, or a touch."""
     theta = source_oracle.to_polar(p)[1]
     offsets = sorted([min_difference(theta, ring.angle(slot)) for slot in range(ring.count)])
     tied = len(offsets) > 1 and offsets[1] - offsets[0] < 1e-6
