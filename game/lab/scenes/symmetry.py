@@ -173,7 +173,6 @@ SCENE = Scene(
     view=View(0j, 11.2 + 11.2j),
     shows=Motion(_start, _step, _picture, ticks=960),
     check=_check,
-    rows=(1,),
     presets=(
         Preset("turned by the golden angle", "alpha=137.5"),
         Preset("a quarter", "alpha=90"),

@@ -225,9 +225,9 @@ SCENE = Scene(
     rows=(8,),
     presets=(
         Preset("both at the same time", "ball=12.8,0"),
-        Preset("one after the other", "ball=12.8,0.35"),
+        Preset("one after the other", "ball=12.8,0.1"),
         Preset("down into the wedge", "r=0.5&half_width=4&v=-24,5&dt=0.6&notch=7"),
-        Preset("a large ball", "r=2.5&ball=14,0.4"),
+        Preset("a large ball", "r=2.5&ball=14,0.1"),
         Preset("one brick only", "ball=12.8,3"),
     ),
 )
