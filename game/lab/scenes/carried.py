@@ -111,7 +111,7 @@ SCENE = Scene(
     rows=(5,),
     presets=(
         Preset("carried", "u=4.5&heading=10"),
-        Preset("hit from behind: away it goes", "u=2&heading=80"),
+        Preset("hit from behind: away it goes", "u=2&heading=15"),
         Preset("met head-on: away it goes", "u=2&heading=290"),
         Preset("the other way along the end", "u=4.5&heading=170"),
         Preset("a retreating end carries, too", "u=-3&heading=280"),

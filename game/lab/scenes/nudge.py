@@ -176,6 +176,6 @@ SCENE = Scene(
         Preset("on one line for ever", "x=0"),
         Preset("another seed", "seed=2"),
         Preset("slanting, rough paddles", "heading=80&mu=1"),
-        Preset("slower", "speed=15"),
+        Preset("slower", "speed=30"),
     ),
 )

@@ -167,7 +167,7 @@ SCENE = Scene(
     presets=(
         Preset("closing slowly", "spin=0.2"),
         Preset("closing fast", "spin=2"),
-        Preset("it gets out in time", "heading=70&spin=0.2"),
+        Preset("it gets out in time", "heading=50&spin=0.2"),
         Preset("put between them, too wide from the start", "gap=1&spin=0.2"),
         Preset("nothing closes", "spin=0"),
     ),

@@ -114,7 +114,7 @@ SCENE = Scene(
         Preset("a little less", "u=-1.9"),
         Preset("a little more", "u=-2.1"),
         Preset("at rest", "u=0"),
-        Preset("rough and slanting: stopped, too", "heading=315&mu=1&u=-1.4142135623730951"),
+        Preset("rough and slanting: stopped, too", "heading=290&mu=1&u=-1.8793852415718166"),
         Preset("as fast as the ball: separating", "u=-4"),
     ),
 )
