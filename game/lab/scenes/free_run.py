@@ -40,8 +40,12 @@ def _ball(given: Given) -> Ball:
 
 def _start(given: Given) -> _State:
     """Both engines at the same place; the other's flight is asked for at once."""
-    ball = _ball(given)
-    return _State(0, Arena((ball,), _RINGS, _LAYERS), _flight(given, _TICKS), (ball.position,), 0, ())
+    return _State(0, _start_arena(given), _flight(given, _TICKS), (given.point("ball"),), 0, ())
+
+
+def _start_arena(given: Given) -> Arena:
+    """Where ours begins."""
+    return Arena((_ball(given),), _RINGS, _LAYERS)
 
 
 def _flight(given: Given, ticks: int) -> tuple[complex, ...]:
@@ -110,6 +114,8 @@ def _note(given: Given, state: _State) -> str:
     """Where and why they part."""
     if given.engine is None:
         return "There is no second engine in this lab, so there is nothing to compare with."
+    if min(_gaps(_start_arena(given))) < 0.0:
+        return "The ball starts in the material: ours is put outside at once, the other is pushed out step by step."
     if state.bounces == 0:
         return "In free flight both are the same."
     if state.theirs and length(state.theirs[state.tick] - state.arena.balls[0].position) > 1.0:

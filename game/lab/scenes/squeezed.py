@@ -104,6 +104,8 @@ def _note(given: Given, state: _State) -> str:
     """What is happening."""
     if given.number("spin") == 0.0:
         return "ω = 0: nothing closes, and the ball goes on bouncing."
+    if state.freed and not state.dropped:
+        return "The ball overlapped an end before it flew: it is pushed out, or put outward where there is no room."
     if state.freed:
         return "No motion at v_0 could free it: after 32 bounces it is put at the nearest free place outward, and counted."
     if state.hits:

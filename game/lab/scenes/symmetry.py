@@ -10,7 +10,7 @@ from game.lab.parameters import Given, Number, Point
 from game.lab.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, Stroke, Toggle, Tone
 from game.lab.pieces import VELOCITY_SCALE, degrees, ray, ring_marks
 from game.lab.scene import Chapter, Claim, Motion, Preset, Scene, View
-from physics import PERMANENT, Arena, Ball, Hit, Ring, advance, direction, dot, length, to_cartesian
+from physics import PERMANENT, Arena, Ball, Hit, Ring, advance, contact, direction, dot, length, to_cartesian
 
 _TICK = 1.0 / 240.0
 _RADIUS = 0.4
@@ -118,6 +118,9 @@ def _formula(given: Given, state: _State) -> tuple[str, ...]:
 
 def _note(given: Given, state: _State) -> str:
     """What is to be seen."""
+    start = _start(given).plain
+    if min([contact(start.balls[0], ring, slot).gap for ring in start.rings for slot in range(ring.count)]) < 0.0:
+        return "The ball starts in the material: it is pushed out before it flies, in all three games."
     if _differences(given, state)[0] > 1e-6:
         return "Turned, the last bits round differently, and every round thing makes that larger. Chaos, not error."
     return "No direction is special, not even the polar axis. Phases lie on a grid on which -θ is exact: so is the mirror."
