@@ -16,6 +16,7 @@ from game.command_line import run, say
 from game.effects import LONGEST, after_all
 from game.errors import BadInputError, CheckFailedError, EnvironmentMissingError
 from game.headless import autopilot_game, free_path, result_line
+from game.lab.engine import Engine
 from game.levels import Level, built_in, chosen
 from game.opinions import Compare, Opinions
 from game.rules import Game, Ticked
@@ -117,7 +118,40 @@ def watch_replay(
     from game.app import watch  # noqa: PLC0415  # pygame, only where it is needed
 
     with _settings() as settings:
-        watch(recording, compare=_second_opinion(), kept=settings, lost=lambda: say("polar-breakout: the display is gone"))
+        watch(recording, compare=_second_opinion(), kept=settings, lost=_say_lost)
+
+
+@app.command("lab")
+def open_lab(
+    scene: Annotated[
+        str | None,
+        typer.Argument(help='A scene, or one as it stands: "case-2?ball=9.9,0.3&r=1".', show_default=False),
+    ] = None,
+    list_: Annotated[bool, typer.Option("--list", help="List the scenes.")] = False,
+    headless: Annotated[bool, typer.Option("--headless", help="Check every scene's claims without a window.")] = False,
+    drags: Annotated[int, typer.Option(min=0, max=10**6, help="Random drags of each scene to check after.")] = 1000,
+    screenshot: Annotated[Path | None, typer.Option(help="Draw the scene into this PNG file.")] = None,
+    size: Annotated[str, typer.Option(metavar="WxH", help="Size of the screenshot in pixels.")] = "1280x800",
+    theme: Annotated[str, typer.Option(metavar="dark|light", help="Colours of the screenshot.")] = "dark",
+) -> None:
+    """Open the lab: scenes of the collision detection one can touch."""
+    from game.lab import command  # noqa: PLC0415  # its scenes, only where they are needed
+
+    pixels = _size(size)
+    if theme not in {"dark", "light"}:
+        raise BadInputError(f"--theme {theme}: expected dark or light")
+    _check_writable(screenshot, "--screenshot")
+    if list_:
+        command.list_scenes()
+    elif headless:
+        command.check_scenes(scene, drags, _second_engine())
+    elif screenshot is not None:
+        command.save_picture(scene, screenshot, pixels, theme, _second_engine())
+    else:
+        from game.app import lab  # noqa: PLC0415  # pygame, only where it is needed
+
+        with _settings() as settings:
+            lab(scene, _second_engine, kept=settings, lost=_say_lost)
 
 
 def _verify(files: list[Path]) -> None:
@@ -164,7 +198,16 @@ def _play_in_window(levels: tuple[Level, ...], seed: int, record: Path | None, *
 
     try:
         with _settings() as settings:
-            play_in_window(levels, seed, keeper, autopilot=autopilot, compare=_second_opinion(), kept=settings, lost=lost)
+            play_in_window(
+                levels,
+                seed,
+                keeper,
+                autopilot=autopilot,
+                compare=_second_opinion(),
+                engine=_second_engine,
+                kept=settings,
+                lost=lost,
+            )
     except EnvironmentMissingError as error:
         say(f"polar-breakout: {error}; playing 20 s without a window instead")
         _demonstrate(levels, seed, record)
@@ -199,6 +242,18 @@ def _second_opinion() -> Compare:
         return opinions(ticked)
 
     return compare
+
+
+def _say_lost() -> None:
+    """Xlib ends the program: there is nothing to be saved."""
+    say("polar-breakout: the display is gone")
+
+
+def _second_engine() -> Engine:
+    """Pymunk, for the lab's scenes to ask."""
+    from tools.crosscheck.second_engine import Pymunk  # noqa: PLC0415  # pymunk, only where it is needed
+
+    return Pymunk()
 
 
 def _demonstrate(levels: tuple[Level, ...], seed: int, record: Path | None) -> None:

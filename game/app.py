@@ -11,14 +11,18 @@ import pygame
 from game import display, toast
 from game.audio import Audio
 from game.changes import changed
-from game.controls import Action, Pressed, Released, Signal, translated
+from game.controls import Action, FocusLost, Pressed, Released, Signal, translated
 from game.display_lost import on_display_lost
 from game.errors import DisplayLostError
+from game.lab import session
+from game.lab.engine import Engine
+from game.lab.registry import scenes
+from game.lab.share import parsed
 from game.levels import Level, built_in
 from game.opinions import Compare
 from game.playback import Playback
 from game.replay import Recording
-from game.screens.base import Recorder, Screen, Shared
+from game.screens.base import Listener, Recorder, Screen, Shared
 from game.screens.play import Play
 from game.screens.title import Title
 from game.screens.watch import Watch
@@ -39,17 +43,21 @@ def play(
     compare: Compare | None = None,
     kept: SettingsFile | None = None,
     lost: Callable[[], None] | None = None,
+    engine: Callable[[], Engine] | None = None,
 ) -> int:
     """Open a window with the title, the first of the levels chosen, and play until it is closed; the exit code.
 
     recorder: told every tick of every game played. autopilot: it plays, from the first serve on, without a title.
-    compare: another engine to ask about contacts. kept: the player's settings.
+    compare: another engine to ask about contacts; engine: the lab's. kept: the player's settings.
     lost: told when the display is gone and the program is about to end, with no way back to here.
     Raises EnvironmentMissingError without a display, DisplayLostError when it goes away.
     """
     catalogue = built_in() if levels[0] in built_in() else levels
-    shared = Shared(catalogue, catalogue.index(levels[0]), seed, Title, recorder, autopilot, compare=compare, kept=kept)
-    return _shown(shared, lambda: Play(shared, levels) if autopilot else Title(shared), lost)
+    lab = _lab_opener(engine)
+    shared = Shared(
+        catalogue, catalogue.index(levels[0]), seed, Title, recorder, autopilot, compare=compare, lab=lab, kept=kept
+    )
+    return _shown(shared, lambda: Play(shared, levels) if autopilot else Title(shared), lost, Audio)
 
 
 def watch(
@@ -62,16 +70,55 @@ def watch(
     """Open a window that shows a recorded game until it is closed; the exit code. Options and errors are those of `play`."""
     levels = tuple(recording.levels)
     shared = Shared(levels, 0, recording.seed, Title, compare=compare, kept=kept)
-    return _shown(shared, lambda: Watch(shared, Playback(recording)), lost)
+    return _shown(shared, lambda: Watch(shared, Playback(recording)), lost, Audio)
 
 
-def _shown(shared: Shared, opened: Callable[[], Screen], lost: Callable[[], None] | None) -> int:
-    """Show screens in a window until the last one is left; the exit code."""
+def lab(
+    line: str | None,
+    engine: Callable[[], Engine] | None = None,
+    *,
+    kept: SettingsFile | None = None,
+    lost: Callable[[], None] | None = None,
+) -> int:
+    """Open a window with the lab until it is closed; the exit code. line: a share line, None for the first scene.
+
+    Raises BadInputError for a line that names no scene as it may stand. Options and other errors are those of `play`.
+    """
+    opened = parsed(scenes()[0].name if line is None else line, None if engine is None else engine())
+    shared = Shared(built_in(), 0, 0, Title, kept=kept)
+
+    def first() -> Screen:
+        from game.lab.window.screen import Lab  # noqa: PLC0415  # its widgets, only where they are needed
+
+        return Lab(shared, session.opened(opened))
+
+    return _shown(shared, first, lost)
+
+
+def _lab_opener(engine: Callable[[], Engine] | None) -> Callable[[Shared, Screen], Screen]:
+    """What opens the lab over a screen of the game."""
+
+    def opened(shared: Shared, under: Screen) -> Screen:
+        from game.lab.window.screen import Lab  # noqa: PLC0415  # its widgets, only where they are needed
+
+        other = None if engine is None else engine()
+        return Lab(shared, session.fresh(scenes()[0], other), under)
+
+    return opened
+
+
+def _shown(
+    shared: Shared,
+    opened: Callable[[], Screen],
+    lost: Callable[[], None] | None,
+    audio: Callable[[], Audio] | None = None,
+) -> int:
+    """Show screens in a window until the last one is left; the exit code. audio: opens the sound, where there is some."""
     window = display.open_window(_TITLE)
     handler = on_display_lost(lambda: _last_words(shared, lost))  # noqa: F841  # must live as long as the window
     before = on_signal(SIGTERM, default_int_handler)  # to be ended is to be closed: nothing is lost
     try:
-        shared.audio = Audio()
+        shared.audio = None if audio is None else audio()
         shared.change(shared.settings if shared.kept is None else shared.kept.load())
         run(window, shared, opened())
     except KeyboardInterrupt:
@@ -145,14 +192,30 @@ def _answered(window: pygame.Window, shared: Shared, screen: Screen) -> Screen |
     for event in pygame.event.get():
         if event.type in (pygame.QUIT, pygame.WINDOWCLOSE):
             return None
-        signal = translated(event, _pixels_per_point(window, size))
-        if signal is None or (not _means_speed(signal, screen) and _answered_here(signal, window, shared)):
-            continue
-        following = screen.answer(signal, size)
+        following = _following(event, size, window, shared, screen)
         if following is None:
             return None
         screen = following
     return screen
+
+
+def _following(
+    event: pygame.Event, size: tuple[int, int], window: pygame.Window, shared: Shared, screen: Screen
+) -> Screen | None:
+    """The screen after one event. size: of the surface, pixels."""
+    pixels_per_point = _pixels_per_point(window, size)
+    signal = translated(event, pixels_per_point)
+    if isinstance(screen, Listener):
+        if signal == Pressed(Action.FULL_SCREEN):
+            _toggle_full_screen(window, shared)
+            return screen
+        return screen.hear(event, size, pixels_per_point)
+    if signal is None or (not _means_speed(signal, screen) and _answered_here(signal, window, shared)):
+        return screen
+    if signal == Pressed(Action.LAB) and shared.lab is not None:
+        left = screen.answer(FocusLost(), size)  # a game in play pauses
+        return None if left is None else shared.lab(shared, left)
+    return screen.answer(signal, size)
 
 
 def _answered_here(signal: Signal, window: pygame.Window, shared: Shared) -> bool:

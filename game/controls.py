@@ -42,6 +42,7 @@ class Action(Enum):
     TIP = auto()
     TOP = auto()
     SOLID = auto()
+    LAB = auto()
 
 
 KEYS: dict[int, Action] = {
@@ -68,6 +69,7 @@ KEYS: dict[int, Action] = {
     pygame.K_e: Action.EFFECTS,
     pygame.K_o: Action.SETTINGS,
     pygame.K_n: Action.NORMALS,
+    pygame.K_l: Action.LAB,
     pygame.K_COMMA: Action.STEP_BACK,
     pygame.K_PERIOD: Action.STEP,
     pygame.K_MINUS: Action.LESS,
@@ -97,6 +99,7 @@ PLAY_HELP: tuple[tuple[str, str], ...] = (
     ("T   E", "dark / light colours; effects off / on"),
     ("O", "settings: every effect, reduced motion"),
     ("N", "normals: ours thick, pymunk's thin"),
+    ("L", "the lab: the collision detection to touch"),
     ("H   F1", "this help"),
 )
 

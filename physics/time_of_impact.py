@@ -258,7 +258,7 @@ def _touch_of_turning_end(ball: Ball, ring: Ring, end: End, span: float) -> floa
     time = 0.0
     for _ in range(MAX_STEPS):
         horizon = min(span - time, longest)
-        step = _safe_step(p + v * time, v, ball_radius, spin, along, inner, outer, jerk, horizon)
+        step = safe_step(p + v * time, v, ball_radius, spin, along, inner, outer, jerk, horizon)
         if step < horizon and time + step <= time:
             return time
         time += step
@@ -268,7 +268,7 @@ def _touch_of_turning_end(ball: Ball, ring: Ring, end: End, span: float) -> floa
     return time
 
 
-def _safe_step(
+def safe_step(
     p: complex, v: complex, r: float, spin: float, along: complex, inner: float, outer: float, jerk: float, horizon: float
 ) -> float:
     """Seconds, at most `horizon`, for which a ball touches no point of an end that now points along `along`.

@@ -5,9 +5,10 @@ physics imports batch
 game      physics, but not its batch; never tools, tests, numba, pymunk
 game's rules, levels, replays, autopilot and what plays without a window: pygame neither directly nor through others;
 game/__main__.py not before it knows that a window is wanted
+game/lab  as the game; all but its window: no pygame, neither directly nor through others; its registry imports every scene
 tools     physics, game's part without pygame; what draws or times pictures: all of the game
 tools is imported by nothing but itself and tests, but for game/__main__.py, which hands the game a second opinion on
-contacts; tests by nothing
+contacts and the lab a second engine; tests by nothing
 """
 
 import ast
@@ -18,6 +19,8 @@ PURE_STDLIB = {"__future__", "collections", "dataclasses", "enum", "functools", 
 WITHOUT_WINDOW = {"rules", "levels", "replay", "autopilot", "headless", "fingerprint", "verify", "errors"}
 DRAWING_TOOLS = {"tools.frames", "tools.soak", "tools.tipping"}
 UNKNOWN = "a name made at run time"
+REGISTRY, SCENES, LAB_WINDOW = "game.lab.registry", "game.lab.scenes", "game.lab.window"
+SECOND_OPINIONS = ("tools.crosscheck.overlay", "tools.crosscheck.second_engine")
 
 
 class Import(NamedTuple):
@@ -78,6 +81,15 @@ class Graph:
         """Read every module."""
         self.paths = modules(root)
         self.imports = {module: imports_of(module, path) for module, path in self.paths.items()}
+        if REGISTRY in self.imports:
+            self.imports[REGISTRY] = self._with_scenes(self.imports[REGISTRY])
+
+    def _with_scenes(self, imports):
+        """The registry's imports: what it makes a name for at run time is every scene."""
+        scenes = [module for module in self.paths if module.startswith(f"{SCENES}.")]
+        return [
+            one._replace(target=target) for one in imports for target in (scenes if one.target == UNKNOWN else [one.target])
+        ]
 
     def chain_to(self, top, start, *, deferred):
         """The shortest way, as names, on which importing a module imports a top-level package; None if there is none."""
@@ -136,7 +148,7 @@ def _is_batch(name):
 
 def _is_second_opinion(module, target):
     """Whether this is the one place where the game is given a tool."""
-    return module == "game.__main__" and target.startswith("tools.crosscheck.overlay")
+    return module == "game.__main__" and target.startswith(SECOND_OPINIONS)
 
 
 def _foreign_to_physics(module, target):
@@ -172,4 +184,6 @@ def _without_pygame(module):
         return None
     if parts[0] == "tools" or (parts[0] == "game" and len(parts) > 1 and parts[1] in WITHOUT_WINDOW):
         return "ever"
+    if module.startswith("game.lab"):
+        return None if module.startswith(LAB_WINDOW) else "on import" if module == "game.lab.command" else "ever"
     return "on import" if module in {"game", "game.__main__"} else None

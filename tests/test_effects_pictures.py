@@ -110,16 +110,16 @@ def test_a_struck_paddle_is_farther_out_in_3d():
 
 
 def test_only_the_struck_paddles_blocks_are_pushed():
-    """Both faces by the same way, so that it keeps its width; the others and every angle stay."""
+    """All corners of its feet outwards by the same way, so that it keeps its width; the others and every angle stay."""
     slab = Slab(0.0, 0.3, 0.0, DARK.paddle, DARK.paddle)
     part = blocks.blocks(blocks.Cut(9.0, 0.2, 0.3, 3, 0.2, 40.0, 0.0), [(k, (slab,)) for k in range(3)])
     assert recoil_picture.pushed(part, ()) is part
     recoil = Recoil(1, 1.0, 16)
     pushed = recoil_picture.pushed(part, (recoil,))
-    by = np.where(part.slot == 1, recoil.out, 0.0)
-    assert np.allclose(pushed.outer_radius - part.outer_radius, by)
-    assert np.allclose(pushed.inner_radius - part.inner_radius, by)
-    assert pushed._replace(outer_radius=part.outer_radius, inner_radius=part.inner_radius) == part
+    by = np.where(part.slot == 1, recoil.out, 0.0)[:, None]
+    assert np.allclose(np.abs(pushed.foot) - np.abs(part.foot), by)
+    assert np.allclose(np.angle(pushed.foot / part.foot), 0.0)
+    assert pushed._replace(foot=part.foot) == part
 
 
 def test_light_runs_around_a_ring_both_ways():

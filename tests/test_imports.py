@@ -33,7 +33,7 @@ def tree(folder, files):
         (folder / package / "__init__.py").write_text("")
     for name, text in files.items():
         path = folder / name
-        path.parent.mkdir(exist_ok=True)
+        path.parent.mkdir(parents=True, exist_ok=True)
         path.write_text(text)
     return folder
 
@@ -81,6 +81,20 @@ WRONG = {
         {"game/__main__.py": "from game.app import play", "game/app.py": "import pygame"},
         "game.__main__ -> game.app -> pygame",
     ),
+    "lab_pygame": ({"game/lab/share.py": "import pygame"}, "game.lab.share -> pygame"),
+    "lab_scene_window": (
+        {"game/lab/scenes/a.py": "def f():\n    from game.lab.window import x", "game/lab/window/x.py": "import pygame"},
+        "game.lab.scenes.a -> game.lab.window.x -> pygame",
+    ),
+    "lab_scene_through_the_registry": (
+        {
+            "game/lab/registry.py": "import importlib\nimportlib.import_module(name)",
+            "game/lab/scenes/a.py": "import pygame",
+        },
+        "game.lab.registry -> game.lab.scenes.a -> pygame",
+    ),
+    "lab_command_pygame": ({"game/lab/command.py": "import pygame"}, "game.lab.command -> pygame"),
+    "lab_tools": ({"game/lab/share.py": "from tools.crosscheck.second_engine import x"}, "nothing imports tools but tests"),
     "tools_pygame": ({"tools/bench.py": "import pygame"}, "tools.bench -> pygame"),
     "tools_through_game": (
         {"tools/bench.py": "def f():\n    from game.app import play", "game/app.py": "import pygame"},
@@ -95,6 +109,12 @@ RIGHT = {
     "main_deferred": {"game/__main__.py": "def f():\n    from game.app import play", "game/app.py": "import pygame"},
     "tools": {"tools/crosscheck/run.py": "import pymunk\nfrom tools import x\nfrom game.rules import y", "game/rules.py": ""},
     "second_opinion": {"game/__main__.py": "def f():\n    from tools.crosscheck.overlay import opinions"},
+    "second_engine": {"game/__main__.py": "def f():\n    from tools.crosscheck.second_engine import Pymunk"},
+    "lab_window": {
+        "game/lab/window/x.py": "import pygame, pygame_gui",
+        "game/lab/command.py": "def f():\n    from game.lab.window import x",
+    },
+    "lab_registry": {"game/lab/registry.py": "import importlib\nimportlib.import_module(name)", "game/lab/scenes/a.py": ""},
     "tests": {"tests/test_a.py": "import pygame, tools.bench, numba\nfrom tests import b\n__import__(name)"},
 }
 

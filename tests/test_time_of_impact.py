@@ -426,8 +426,8 @@ def counted_steps(monkeypatch):
     """A list that grows by one for every step of a search."""
     module = __import__("sys").modules[module_function.__module__]
     seen = []
-    real = module._safe_step
-    monkeypatch.setattr(module, "_safe_step", lambda *given: seen.append(1) or real(*given))
+    real = module.safe_step
+    monkeypatch.setattr(module, "safe_step", lambda *given: seen.append(1) or real(*given))
     return seen
 
 

@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Protocol
+from typing import Protocol, runtime_checkable
 
 import pygame
 
@@ -39,6 +39,7 @@ class Shared:
     full_screen: bool = False
     view: View = FROM_ABOVE
     compare: Compare | None = None  # another engine to ask about contacts
+    lab: "Callable[[Shared, Screen], Screen] | None" = None  # opens the lab over a screen
     normals: bool = False  # show what it says
     audio: Audio | None = None
     kept: SettingsFile | None = None  # where settings outlive the session
@@ -88,3 +89,11 @@ class Screen(Protocol):
 
     def draw(self, surface: pygame.Surface) -> None:
         """Draw everything."""
+
+
+@runtime_checkable
+class Listener(Protocol):
+    """A screen that hears the window's events themselves instead of what the game's keys mean: one can type there."""
+
+    def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> "Screen | None":
+        """React to an event. pixels_per_point: pixels of the surface per unit of the mouse's coordinates, across and down."""

@@ -1,0 +1,65 @@
+"""What `python -m game lab` does without a window: list the scenes, check them, draw one into a file."""
+
+from pathlib import Path
+
+from rich.console import Console
+from rich.table import Table
+
+from game.command_line import say
+from game.errors import BadInputError, CheckFailedError
+from game.lab.checks import Report, report
+from game.lab.engine import Engine
+from game.lab.registry import scenes
+from game.lab.share import parsed
+
+_SEED = 1
+
+
+def list_scenes() -> None:
+    """Print every scene's name, title, and the rows of the README's table "Beyond the source" that it explains."""
+    table = Table(box=None, pad_edge=False)
+    for heading in ("scene", "title", "beyond"):
+        table.add_column(heading, no_wrap=heading == "scene")
+    for scene in scenes():
+        table.add_row(scene.name, scene.title, ", ".join([str(row) for row in scene.rows]))
+    Console().print(table)
+
+
+def check_scenes(line: str | None, drags: int, engine: Engine | None) -> None:
+    """Check every scene at its defaults, its presets and after random drags, and print how each did.
+
+    line: a share line, to check that scene alone, and at those values, too. drags: random ones, of each scene.
+
+    CheckFailedError when a claim fails, after all have been looked at.
+    """
+    named = None if line is None else parsed(line, engine)
+    chosen = [(scene, ()) for scene in scenes()] if named is None else [(named.scene, (named.given,))]
+    table = Table(box=None, pad_edge=False)
+    for heading in ("scene", "settings", "claims", "failed"):
+        table.add_column(heading, justify="left" if heading == "scene" else "right")
+    reports = [report(scene, drags, _SEED, engine, more) for scene, more in chosen]
+    for one in reports:
+        table.add_row(one.scene.name, f"{one.settings:,}", f"{one.claims:,}", f"{len(one.failures):,}")
+    Console().print(table)
+    _raise_failures(reports)
+
+
+def save_picture(line: str | None, path: Path, size: tuple[int, int], theme: str, engine: Engine | None) -> None:
+    """Draw a scene into a PNG file; BadInputError where it cannot be written."""
+    from game.lab.window.screenshot import save_screenshot  # noqa: PLC0415  # pygame, only where it is needed
+
+    shared = parsed(scenes()[0].name if line is None else line, engine)
+    try:
+        save_screenshot(shared, path, size, theme)
+    except OSError as error:
+        raise BadInputError(f"--screenshot {path}: cannot write; {error.strerror or error}") from None
+
+
+def _raise_failures(reports: list[Report]) -> None:
+    """Name the first failures of each scene on stderr, then raise CheckFailedError, if there are any."""
+    failed = [one for one in reports if one.failures]
+    for one in failed:
+        for failure in one.failures[:3]:
+            say(f'polar-breakout: "{failure.fact}" does not hold: python -m game lab "{failure.line}"')
+    if failed:
+        raise CheckFailedError(f"lab: {len(failed)} of {len(reports)} scenes failed")

@@ -1,0 +1,30 @@
+"""Every scene there is: the modules of `game/lab/scenes/` that have a `SCENE`."""
+
+import difflib
+import importlib
+import pkgutil
+from functools import cache
+
+from game.errors import BadInputError
+from game.lab import scenes as folder
+from game.lab.scene import Chapter, Scene
+
+
+@cache
+def scenes() -> tuple[Scene, ...]:
+    """All scenes, in the order of their chapters."""
+    names = sorted([module.name for module in pkgutil.iter_modules(folder.__path__)])
+    modules = [importlib.import_module(f"{folder.__name__}.{name}") for name in names if not name.startswith("_")]
+    found: list[Scene] = [module.SCENE for module in modules]
+    chapters = list(Chapter)
+    return tuple(sorted(found, key=lambda scene: (chapters.index(scene.chapter), scene.place, scene.name)))
+
+
+def scene_named(name: str) -> Scene:
+    """The scene of that name; BadInputError with the names near to it."""
+    found = {scene.name: scene for scene in scenes()}
+    if name in found:
+        return found[name]
+    near = difflib.get_close_matches(name, found, n=3, cutoff=0.4)
+    hint = f"near: {', '.join(near)}" if near else "--list names them all"
+    raise BadInputError(f"lab: no scene {name!r}; {hint}")

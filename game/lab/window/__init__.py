@@ -1,0 +1,1 @@
+"""The lab's window: the only part of it that knows pygame."""

@@ -1,0 +1,28 @@
+"""The lab's help: the keys, and what the mouse does."""
+
+import pygame
+
+from game.camera import unit_of
+from game.lab.window.commands import KEYS, MOUSE_HELP
+from game.palette import Theme
+from game.screens.panels import dim, draw_panel
+from game.text import Type
+
+
+def draw_help(surface: pygame.Surface, theme: Theme, type_: Type) -> None:
+    """A panel over what is drawn already."""
+    size = surface.get_size()
+    unit = unit_of(size)
+    lines = [*MOUSE_HELP, *[(key.written, key.meaning) for key in KEYS]]
+    width, height = unit * 30.0, unit * (5.6 + 1.3 * len(lines))
+    panel = pygame.Rect(round((size[0] - width) / 2), round((size[1] - height) / 2), round(width), round(height))
+    dim(surface, theme)
+    draw_panel(surface, panel, theme, unit)
+    left, top = panel.left + unit * 2.0, panel.top + unit * 1.0
+    type_.write(surface, "The lab", unit * 2.0, theme.text, complex(left, top))
+    for number, (keys, meaning) in enumerate(lines):
+        y = top + unit * (2.8 + 1.3 * number)
+        type_.write(surface, keys, unit * 1.05, theme.accent, complex(left, y))
+        type_.write(surface, meaning, unit * 1.05, theme.text, complex(left + unit * 9.0, y))
+    close = "any key or a click closes this panel"
+    type_.write(surface, close, unit * 0.95, theme.faint, complex(panel.centerx, panel.bottom - unit * 0.6), "midbottom")

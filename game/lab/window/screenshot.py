@@ -1,0 +1,35 @@
+"""A picture of the lab's window in a file, without a window that anybody sees."""
+
+import io
+import os
+from pathlib import Path
+
+import pygame
+
+from game.display import open_window
+from game.lab import session
+from game.lab.share import Shared as SharedLine
+from game.lab.window.screen import Lab
+from game.levels import built_in
+from game.screens.base import Shared
+from game.screens.title import Title
+from game.settings import Settings
+
+
+def save_screenshot(line: SharedLine, path: Path, size: tuple[int, int], colours: str) -> None:
+    """Draw the lab with a scene as it stands and save it as PNG; OSError where it cannot be written. Needs no display.
+
+    colours: a key of `settings.THEMES`.
+    """
+    if not pygame.display.get_init():
+        os.environ["SDL_VIDEODRIVER"] = "dummy"
+    window = open_window("lab", (16, 16))
+    try:
+        surface = pygame.Surface(size, 0, 32)
+        shared = Shared(built_in(), 0, 0, Title, settings=Settings(colours=colours))
+        Lab(shared, session.opened(line)).draw(surface)
+    finally:
+        window.destroy()
+    picture = io.BytesIO()
+    pygame.image.save(surface, picture, "screenshot.png")
+    path.write_bytes(picture.getvalue())
