@@ -133,4 +133,6 @@ def _lines(
 
 def _broken(type_: Type, text: str, unit: float, width: float) -> list[str]:
     """A text without spaces in lines no wider than `width` pixels, broken after "&" where that will do."""
-    return type_.wrapped(text.replace("&", "& "), unit, width) if " " not in text else type_.wrapped(text, unit, width)
+    if " " in text:
+        return type_.wrapped(text, unit, width)
+    return [line.replace("& ", "&") for line in type_.wrapped(text.replace("&", "& "), unit, width)]
