@@ -118,7 +118,7 @@ def watch_replay(
     from game.app import watch  # noqa: PLC0415  # pygame, only where it is needed
 
     with _settings() as settings:
-        watch(recording, compare=_second_opinion(), kept=settings, lost=_say_lost)
+        watch(recording, compare=_second_opinion(), engine=_second_engine, kept=settings, lost=_say_lost)
 
 
 @app.command("lab")

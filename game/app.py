@@ -64,12 +64,14 @@ def watch(
     recording: Recording,
     *,
     compare: Compare | None = None,
+    engine: Callable[[], Engine] | None = None,
     kept: SettingsFile | None = None,
     lost: Callable[[], None] | None = None,
 ) -> int:
     """Open a window that shows a recorded game until it is closed; the exit code. Options and errors are those of `play`."""
     levels = tuple(recording.levels)
     shared = Shared(levels, 0, recording.seed, Title, compare=compare, kept=kept)
+    shared.lab = _lab_opener(engine)
     return _shown(shared, lambda: Watch(shared, Playback(recording)), lost, Audio)
 
 

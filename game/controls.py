@@ -113,6 +113,7 @@ WATCH_HELP: tuple[tuple[str, str], ...] = (
     ("Tab   1   2", "tip the camera; from above; in 3D"),
     ("F11   M   T   E   O", "full screen, sound, colours, effects, settings"),
     ("N", "normals: ours thick, pymunk's thin"),
+    ("L", "the lab: the collision detection to touch"),
     ("Esc", "leave"),
     ("H   F1", "this help"),
 )

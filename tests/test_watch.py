@@ -7,6 +7,7 @@ from dummy_window import FRAME, SIZE, Desk, shared
 from game import app
 from game.effects import NOTHING
 from game.headless import autopilot_game
+from game.lab.window.screen import Lab
 from game.levels import built_in
 from game.playback import Playback
 from game.replay import Recorder
@@ -137,6 +138,19 @@ def test_help_and_leaving(desk):
     assert isinstance(desk.screen, Watch)
     desk.press(pygame.K_ESCAPE)
     assert desk.screen is None
+
+
+def test_the_lab_opens_over_a_recording_and_leads_back(desk):
+    """L opens it, Esc comes back to the very same moment: the recording stood still."""
+    desk.shared.lab = app._lab_opener(None)
+    watching = desk.screen
+    desk.press(pygame.K_PERIOD, pygame.K_l)
+    assert isinstance(desk.screen, Lab)
+    shown = watching._shown
+    desk.wait(0.3)
+    desk.press(pygame.K_ESCAPE)
+    assert desk.screen is watching
+    assert watching._shown is shown
 
 
 def test_watch_opens_and_closes(monkeypatch, recording):
