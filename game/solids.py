@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from game.blocks import Blocks, Flags, Integers, Points, Reals
 from game.camera import Camera
 from game.depth_order import back_to_front
-from game.mosaic import in_pixels
+from game.mosaic import Pixels, in_pixels
 from physics import Ball
 
 LIGHT = complex(math.cos(math.radians(125.0)), math.sin(math.radians(125.0)))
@@ -42,7 +42,7 @@ class Seen(NamedTuple):
 class Drawn(NamedTuple):
     """What to fill, one quadrilateral a row."""
 
-    corners: NDArray[np.int32]  # columns and rows of a drawing
+    corners: Pixels  # columns and rows of a drawing
     colours: NDArray[np.float32]  # red, green and blue
 
 
@@ -80,7 +80,7 @@ def faces(things: Seen, camera: Camera, finer: int) -> Drawn:
     return Drawn(points[row[:, None], _FACES[face]], colours.astype(np.float32))
 
 
-def shadows(things: Seen, balls: tuple[Ball, ...], camera: Camera, finer: int) -> NDArray[np.int32]:
+def shadows(things: Seen, balls: tuple[Ball, ...], camera: Camera, finer: int) -> Pixels:
     """The ground in the shadow of blocks and balls, as quadrilaterals.
 
     In a block's lies what its sides that are turned from the light pass over on their way down the light, and its foot does
