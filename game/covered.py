@@ -5,7 +5,7 @@ the arena's own arithmetic: its radius says in which ring, its angle in which sl
 """
 
 import math
-from typing import NamedTuple
+from functools import lru_cache
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from game.blocks import Flags, Reals
 from game.camera import Camera, Points
 from game.scene import Scene
 from game.slabs import LAYER
-from physics import PERMANENT, Ring
+from physics import PERMANENT
 
 _STEPS = 12
 """Places looked at on each line of sight."""
@@ -21,42 +21,36 @@ _PERMANENT_LAYERS = 1.0
 """Height of what never breaks, or a little more."""
 
 
-class _Wall(NamedTuple):
-    """A ring and how high it is, world units."""
-
-    ring: Ring
-    heights: Reals  # per slot
-
-
 def covered(points: Points, heights: Reals, scene: Scene, camera: Camera) -> Flags:
     """Whether each point, at its height, world units, is behind something for a tipped camera."""
-    walls = _walls(scene)
-    tallest = max([float(wall.heights.max()) for wall in walls], default=0.0)
+    walls = LAYER * scene.ground_radius * _layers(scene.layers)
     sine, cosine = math.sin(camera.tilt), math.cos(camera.tilt)
     # Towards the eye, per unit of height: from q at z it is at (-i sin t - k q) / (cos t - k z), turned to the screen.
     lean = (-1j * sine / camera.turning - camera.closeness * points) / (cosine - camera.closeness * heights)
-    rise = np.maximum(tallest - heights, 0.0) * np.linspace(0.0, 1.0, _STEPS, endpoint=False)[:, None]
-    seen = (points + lean * rise).ravel()
-    level = (heights + rise).ravel()
-    radius = np.abs(seen)
-    hidden = np.zeros(len(seen), dtype=bool)
-    for ring, high in walls:
-        near = np.flatnonzero(np.abs(radius - ring.radius) < ring.half_width)
-        if len(near):
-            pitch = math.tau / ring.count
-            turns = (np.angle(seen[near]) - ring.phase) / pitch
-            slot = np.rint(turns)
-            within = np.abs(turns - slot) * pitch < ring.half_angle
-            hidden[near] |= within & (high[slot.astype(np.int64) % ring.count] > level[near])
-    return np.asarray(hidden.reshape(_STEPS, len(points)).any(axis=0))
+    rise = np.maximum(walls.max() - heights, 0.0) * np.linspace(0.0, 1.0, _STEPS, endpoint=False)[:, None]
+    hidden = _within(points + lean * rise, heights + rise, scene, walls)
+    return np.asarray(hidden.any(axis=0))
 
 
-def _walls(scene: Scene) -> list[_Wall]:
-    """The rings in which anything stands."""
-    layer = LAYER * scene.ground_radius
-    found = []
-    for ring, layers in zip(scene.rings, scene.layers, strict=True):
-        if any(layers):
-            heights = [_PERMANENT_LAYERS if count == PERMANENT else float(count) for count in layers]
-            found.append(_Wall(ring, np.array(heights) * layer))
-    return found
+def _within(points: Points, heights: Reals, scene: Scene, walls: Reals) -> Flags:
+    """Whether each point is within what stands there. walls: heights of all slots, ring after ring."""
+    order = sorted(range(len(scene.rings)), key=lambda k: scene.rings[k].radius)
+    rings = [scene.rings[k] for k in order]
+    counts = [ring.count for ring in scene.rings]
+    faces = np.array([(ring.inner_radius, ring.outer_radius) for ring in rings]).ravel()
+    phase, half_angle, pitch = np.array([(ring.phase, ring.half_angle, math.tau / ring.count) for ring in rings]).T
+    count, first = np.array([(counts[k], sum(counts[:k])) for k in order]).T
+    passed = np.searchsorted(faces, np.abs(points))
+    inside = passed % 2 == 1
+    ring = passed[inside] // 2
+    turns = (np.angle(points[inside]) - phase[ring]) / pitch[ring]
+    slot = np.rint(turns)
+    high = walls[first[ring] + slot.astype(np.int64) % count[ring]]
+    inside[inside] = (np.abs(turns - slot) * pitch[ring] < half_angle[ring]) & (high > heights[inside])
+    return inside
+
+
+@lru_cache(maxsize=4)
+def _layers(layers: tuple[tuple[int, ...], ...]) -> Reals:
+    """How high every slot is, in layers, ring after ring."""
+    return np.array([_PERMANENT_LAYERS if count == PERMANENT else float(count) for ring in layers for count in ring])

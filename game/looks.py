@@ -1,6 +1,7 @@
 """How every slot of a ring looks: what stands in it, and how brightly it glows after a hit."""
 
 import math
+from functools import lru_cache
 
 from game.effects import Flash
 from game.rules import PADDLES
@@ -24,7 +25,10 @@ def paddle_looks(scene: Scene, flashes: list[Flash]) -> tuple[Look, ...]:
 
 def wall_looks(layers: tuple[int, ...], flashes: list[Flash]) -> tuple[Look, ...]:
     """Looks of a ring of bricks. layers: per slot; flashes: of this ring."""
-    looks = [_look(count) for count in layers]
+    resting = _resting(layers)
+    if not flashes:
+        return resting
+    looks = list(resting)
     for flash in flashes:
         if flash.echoed:
             _echo(looks, flash)
@@ -33,6 +37,12 @@ def wall_looks(layers: tuple[int, ...], flashes: list[Flash]) -> tuple[Look, ...
             kind, count, _ = looks[flash.slot]
             looks[flash.slot] = Look(Kind.GHOST if kind is Kind.EMPTY else kind, count, _glow(flash))
     return tuple(looks)
+
+
+@lru_cache(maxsize=64)
+def _resting(layers: tuple[int, ...]) -> tuple[Look, ...]:
+    """The looks of a ring where nothing happens."""
+    return tuple([_look(count) for count in layers])
 
 
 def _look(layers: int) -> Look:
