@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 Pixels = NDArray[np.float32]
 """Whole numbers; as such they reach the filling faster than as integers."""
 
-_TILE = np.array([256, 96], dtype=np.int32)
+_TILE = np.array([320, 100], dtype=np.int32)
 """Columns and rows of a tile, pixels."""
 _CORNER = Struct("2f")
 
