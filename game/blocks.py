@@ -41,8 +41,7 @@ class Blocks(NamedTuple):
     facing: Points  # where they are turned to as far as the light goes, unit
     sides: Flags  # which of the four there are
     casting: Flags  # which throw a shadow for the whole pile
-    side_colour: Reals  # three a row
-    top_colour: Reals
+    colours: Reals  # of the sides and of the top, three of each
     slot: Integers
     level: Integers  # of its slab in the pile, 0 the lowest
 
@@ -90,8 +89,7 @@ def blocks(cut: Cut, piles: list[tuple[int, tuple[Slab, ...]]]) -> Blocks:
         np.stack([shaded, normals[:, 1], -shaded, normals[:, 3]], axis=1),
         sides,
         sides & _seen_by_the_light(cut, piles, slot, level, reach)[number],
-        np.array([slab.side_colour for slab in every], dtype=np.float64).reshape(-1, 3)[number],
-        np.array([slab.top_colour for slab in every], dtype=np.float64).reshape(-1, 3)[number],
+        np.array([(slab.side_colour, slab.top_colour) for slab in every], dtype=np.float64).reshape(-1, 2, 3)[number],
         slot[number],
         level[number],
     )

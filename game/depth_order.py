@@ -31,7 +31,8 @@ def back_to_front(blocks: Blocks, turn: Reals, parting: Reals, rank: Integers, c
     turn: of each one's ring on the screen; parting: radius of a circle between that ring and the next within; rank: the
     ring's place, counted from the centre, 1 and up.
     """
-    towards = -np.sin(blocks.middles + turn[:, None]).min(axis=1)  # the eye's bearing is -90 degrees
+    ends = np.sin(blocks.middles + turn[:, None])
+    towards = -np.minimum(ends[:, 0], ends[:, 1])  # the eye's bearing is -90 degrees
     slot = -np.sin(blocks.slot_middle + turn)
     near = math.sin(camera.tilt) * towards > camera.closeness * parting
     return np.lexsort((towards, blocks.level, blocks.slot, slot, np.where(near, rank, -rank)))

@@ -30,9 +30,9 @@ def hiding(things: Seen, camera: Camera, place: complex, pixel: complex, reach: 
 
 def _near(things: Seen, pixel: complex, reach: float) -> Flags:
     """Which blocks have a box on the screen that meets the circle's."""
-    points = np.concatenate([things.top, things.bottom], axis=1) - pixel
-    across = (points.real.min(axis=1) < reach) & (points.real.max(axis=1) > -reach)
-    down = (points.imag.min(axis=1) < reach) & (points.imag.max(axis=1) > -reach)
+    points = np.stack([*things.top.T, *things.bottom.T]) - pixel
+    across = (points.real.min(axis=0) < reach) & (points.real.max(axis=0) > -reach)
+    down = (points.imag.min(axis=0) < reach) & (points.imag.max(axis=0) > -reach)
     return np.asarray(across & down & (things.blocks.top > things.blocks.bottom))
 
 

@@ -42,7 +42,7 @@ class Seen(NamedTuple):
 class Drawn(NamedTuple):
     """What to fill, one quadrilateral a row."""
 
-    corners: Pixels  # columns and rows of a drawing
+    corners: Pixels
     colours: NDArray[np.float32]  # red, green and blue
 
 
@@ -75,9 +75,11 @@ def faces(things: Seen, camera: Camera, finer: int) -> Drawn:
     place, face = np.nonzero(shown[order])
     row = order[place]
     points = in_pixels(np.concatenate([things.top, things.bottom], axis=1), finer)
+    top = face == _TOP
     light = _light(blocks.facing[row, np.minimum(face, _TOP - 1)] * (things.turn[row] / camera.turning))
-    colours = np.where((face == _TOP)[:, None], blocks.top_colour[row], blocks.side_colour[row] * light)
-    return Drawn(points[row[:, None], _FACES[face]], colours.astype(np.float32))
+    light[top] = 1.0
+    colours = blocks.colours.reshape(-1, 3)[2 * row + top] * light[:, None]
+    return Drawn(points.ravel()[8 * row[:, None] + _FACES[face]], colours.astype(np.float32))
 
 
 def shadows(things: Seen, balls: tuple[Ball, ...], camera: Camera, finer: int) -> Pixels:
@@ -101,6 +103,6 @@ def shadows(things: Seen, balls: tuple[Ball, ...], camera: Camera, finer: int) -
 
 
 def _light(facing: Points) -> Reals:
-    """What of its colour each side shows, a column. facing: in the world."""
+    """What of its colour each side shows. facing: in the world."""
     towards = (facing * LIGHT.conjugate()).real
-    return np.asarray(_DIMMEST + (_BRIGHTEST - _DIMMEST) * (0.5 + 0.5 * towards))[:, None]
+    return np.asarray(_DIMMEST + (_BRIGHTEST - _DIMMEST) * (0.5 + 0.5 * towards))
