@@ -84,9 +84,8 @@ class Mosaic:
 
 def _parts(corners: Pixels, colours: NDArray[np.uint32], finer: int, size: tuple[int, int]) -> list[tuple[int, _Part]]:
     """Every tile in which there is something, with its number."""
-    apart = corners.view(np.float32).reshape(-1, 4, 2)
-    points = _cut_the_short_way(np.ascontiguousarray(apart.transpose(2, 1, 0)))  # columns and rows; corners; quadrilaterals
-    low, high = points.min(axis=1).astype(np.int32), points.max(axis=1).astype(np.int32)
+    apart = np.ascontiguousarray(corners.view(np.float32).reshape(-1, 4, 2).transpose(2, 1, 0))  # columns and rows first
+    low, high = apart.min(axis=1).astype(np.int32), apart.max(axis=1).astype(np.int32)
     tile, end = _TILE[:, None] * finer, np.array(size, dtype=np.int32)[:, None] * finer
     across = int(-(-end[0, 0] // tile[0, 0]))
     first = np.maximum(low, 0) // tile
@@ -98,28 +97,32 @@ def _parts(corners: Pixels, colours: NDArray[np.uint32], finer: int, size: tuple
     number = (first[1, row] + down) * across + first[0, row] + aside
     order = np.argsort(number, kind="stable")
     row, number = row[order], number[order]
-    starts = np.flatnonzero(np.diff(number, prepend=-1))
+    starts = np.flatnonzero(np.concatenate([number[:1] >= 0, number[1:] != number[:-1]]))
     numbers = number[starts]
     origin = (np.stack([numbers % across, numbers // across]) * tile).astype(np.int32)
     begin = np.maximum(np.minimum.reduceat(low[:, row], starts, axis=1), origin) // finer
     behind = np.minimum(np.maximum.reduceat(high[:, row], starts, axis=1) + finer, np.minimum(origin + tile, end)) // finer
     cuts = [*starts.tolist(), len(row)]
-    shifted = points[:, :, row] - np.repeat((begin * finer).astype(np.float32), np.diff(cuts), axis=1)[:, None]
+    corner = ((begin[0] + 1j * begin[1]) * finer).astype(np.complex64)
+    shifted = _cut_the_short_way(corners, apart[1]).take(row, axis=0) - np.repeat(corner, np.diff(cuts))[:, None]
     boxes, shades = np.concatenate([begin, behind - begin]).T.tolist(), colours[row].tolist()
-    places, size_of_one = shifted.transpose(2, 1, 0).tobytes(), 4 * _CORNER.size
+    places, size_of_one = shifted.tobytes(), 4 * _CORNER.size
     return [
         (number, _Part(box, shades[a:b], places[a * size_of_one : b * size_of_one]))
         for number, box, a, b in zip(numbers.tolist(), boxes, cuts, cuts[1:], strict=False)
     ]
 
 
-def _cut_the_short_way(points: NDArray[np.float32]) -> NDArray[np.float32]:
+def _cut_the_short_way(corners: Pixels, rows: NDArray[np.float32]) -> Pixels:
     """The same quadrilaterals, begun so that a cut from the first corner to the third crosses fewer rows than the other one.
 
-    The two triangles have fewer rows together, and rows are what filling them costs.
+    The two triangles have fewer rows together, and rows are what filling them costs. rows: of the corners, first to fourth.
     """
-    height = np.abs(points[1, :2] - points[1, 2:])
-    return np.where(height[1] < height[0], points[:, [1, 2, 3, 0]], points)
+    height = np.abs(rows[:2] - rows[2:])
+    begun = corners.copy()
+    other = np.flatnonzero(height[1] < height[0])
+    begun[other] = corners[other][:, [1, 2, 3, 0]]
+    return begun
 
 
 def in_pixels(points: NDArray[np.complex128], finer: int) -> Pixels:
