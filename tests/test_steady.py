@@ -123,9 +123,9 @@ def test_a_mosaic_looks_as_if_drawn_in_one_piece(size, finer):
     mapped = np.array([canvas.map_rgb(colour) & 0xFFFFFFFF for colour in colours], dtype=np.uint32)
     mosaic, whole, tiled = Mosaic(), pygame.Surface(size, 0, 32), pygame.Surface(size, 0, 32)
     whole.fill((40, 90, 20))
-    mosaic.draw(tiled, corners[:9], mapped[:9], finer)
+    mosaic.draw(tiled, pixels(corners[:9]), mapped[:9], finer)
     tiled.fill((40, 90, 20))
-    mosaic.draw(tiled, corners, mapped, finer)
+    mosaic.draw(tiled, pixels(corners), mapped, finer)
     for colour, (a, b, c, d) in zip(colours, corners.tolist(), strict=True):
         first, second = ((a, b, c), (a, c, d)) if abs(a[1] - c[1]) <= abs(b[1] - d[1]) else ((b, c, d), (b, d, a))
         pygame.draw.polygon(canvas, colour, first)
@@ -134,6 +134,11 @@ def test_a_mosaic_looks_as_if_drawn_in_one_piece(size, finer):
     off = np.abs(pygame.surfarray.array3d(whole).astype(int) - pygame.surfarray.array3d(tiled))
     assert off.max() <= 1
     assert size == (1, 1) or len(np.unique(pygame.surfarray.array3d(tiled).reshape(-1, 3), axis=0)) > 20
+
+
+def pixels(corners):
+    """Columns and rows, along the last axis, as a mosaic takes them."""
+    return np.ascontiguousarray(corners, dtype=np.float32).view(np.complex64)[..., 0]
 
 
 def test_a_tile_that_shows_the_same_is_not_drawn_again(monkeypatch):
@@ -160,5 +165,5 @@ def test_a_mosaic_of_nothing_changes_nothing():
     surface = pygame.Surface((40, 30), 0, 32)
     beside = np.array([[[90, 10], [99, 10], [99, 20], [90, 20]]], dtype=np.int32)
     for corners in (beside[:0], beside):
-        Mosaic().draw(surface, corners, np.full(len(corners), 0xFFFFFFFF, dtype=np.uint32), 2)
+        Mosaic().draw(surface, pixels(corners), np.full(len(corners), 0xFFFFFFFF, dtype=np.uint32), 2)
     assert not pygame.surfarray.array3d(surface).any()
