@@ -47,7 +47,7 @@ def _within(points: Points, heights: Reals, scene: Scene, walls: Reals) -> Flags
     slot = np.rint(turns)
     high = walls[first[ring] + slot.astype(np.int64) % count[ring]]
     inside[inside] = (np.abs(turns - slot) * pitch[ring] < half_angle[ring]) & (high > heights[inside])
-    return inside
+    return np.asarray(inside, dtype=np.bool_)
 
 
 @lru_cache(maxsize=4)

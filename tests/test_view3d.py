@@ -115,7 +115,7 @@ def plain(monkeypatch):
         return (Slab(0.0, layers * slot.layer, 0.0, colour, colour),) if layers else ()
 
     monkeypatch.setattr(slabs, "slabs", slabs_of)
-    monkeypatch.setattr(solids, "_light", lambda facing: np.ones((len(facing), 1)))
+    monkeypatch.setattr(solids, "_light", lambda facing: np.ones(len(facing)))
 
 
 def free_place(scene, chance):
