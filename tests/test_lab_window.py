@@ -206,6 +206,29 @@ def test_sliders_follow_the_values_and_move_them(desk):
     assert row.field.get_text() == "45"
 
 
+@pytest.mark.parametrize("share", [0.03, 0.2, 0.5, 0.97])
+def test_a_press_beside_a_sliders_knob_brings_it_there(desk, share):
+    """To within a step or a pixel, and the press takes hold of it; on the knob a press moves nothing."""
+    row = desk.row("half_angle")
+    desk.type_into(row.field, "70" if share < 0.5 else "20")
+    slider, (low, high) = row.slider, row.slider.value_range
+    place = slider.rect.left + round(share * slider.rect.width), slider.rect.centery
+    assert not slider.sliding_button.rect.collidepoint(place)
+    pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=place, button=1))
+    desk.wait(FRAME)
+    assert slider.sliding_button.held
+    pygame.event.post(pygame.Event(pygame.MOUSEBUTTONUP, pos=place, button=1))
+    desk.wait(2 * FRAME)
+    knob = slider.sliding_button.rect
+    assert abs(knob.centerx - place[0]) <= max(2, knob.width / 2)
+    half = knob.width / 2
+    expected = low + (high - low) * min(max((place[0] - slider.rect.left - half) / (slider.rect.width - 2 * half), 0.0), 1.0)
+    now = desk.values.number("half_angle")
+    assert abs(now - expected) < 0.6
+    desk.click_on(slider.sliding_button)
+    assert desk.values.number("half_angle") == now
+
+
 def test_every_scene_is_one_key_away(desk):
     """] goes through all of them and comes round; [ goes back."""
     names = []

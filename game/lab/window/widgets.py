@@ -96,13 +96,21 @@ class Side:
     @property
     def busy(self) -> bool:
         """Whether keys belong to the widgets: a field is typed into, or a list is open."""
+        return self._is_open or any([row.field.is_focused for row in self._rows])
+
+    @property
+    def _is_open(self) -> bool:
+        """Whether a list is open, which may cover sliders."""
         lists = [one for one in (self._list, self._preset_list) if one is not None]
-        is_open = any([one.current_state is one.menu_states["expanded"] for one in lists])
-        return is_open or any([row.field.is_focused for row in self._rows])
+        return any([one.current_state is one.menu_states["expanded"] for one in lists])
 
     def hear(self, event: pygame.Event) -> tuple[bool, Asked | None]:
         """Whether the widgets took an event for themselves, and what was asked for by it."""
+        pressed = event.type == pygame.MOUSEBUTTONDOWN and event.button == pygame.BUTTON_LEFT
+        moved = self._beside_a_knob(event) if pressed else None
         taken = self._manager.process_events(event)
+        if moved is not None:
+            return True, self._slid(moved)
         match event.type:
             case pygame_gui.UI_HORIZONTAL_SLIDER_MOVED:
                 return True, self._slid(event.ui_element)
@@ -222,6 +230,17 @@ class Side:
             return None
         wish = self._with_part(row, float(slider.current_value))
         return Wished(row.parameter.name, snapped((row.parameter,), {row.parameter.name: wish})[row.parameter.name])
+
+    def _beside_a_knob(self, event: pygame.Event) -> UIHorizontalSlider | None:
+        """The slider that was pressed beside its knob; the knob has come to that place, so that the press takes hold of it."""
+        place = self._manager.calculate_scaled_mouse_position(event.pos)
+        slider = next((row.slider for row in self._rows if row.slider.hover_point(*place)), None)
+        if slider is None or slider.sliding_button is None or self._is_open or slider.sliding_button.rect.collidepoint(place):
+            return None
+        half, (low, high) = slider.sliding_button.rect.width / 2.0, slider.value_range
+        share = (place[0] - slider.rect.left - half) / max(slider.rect.width - 2.0 * half, 1.0)
+        slider.set_current_value(low + share * (high - low), warn=False)
+        return slider
 
     def _typed(self, field: UITextEntryLine) -> Asked | None:
         """The number that was typed."""
