@@ -131,6 +131,16 @@ def test_what_hides_a_point_is_found_as_by_marching(level):
         assert 0.03 < marched.mean() < 0.9
 
 
+def test_a_gap_hides_nothing():
+    """On the paddles' track a place within a paddle is hidden, one in the middle between two is not."""
+    scene = scene_of(0)
+    paddles, pitch = scene.rings[0], math.tau / scene.rings[0].count
+    within = paddles.radius * np.exp(1j * (paddles.phase + pitch * np.arange(paddles.count)))
+    between = within * np.exp(0.5j * pitch)
+    found = covered(np.concatenate([within, between]), np.zeros(2 * paddles.count), scene, camera_of(TIPPED, scene))
+    assert found.tolist() == [True] * paddles.count + [False] * paddles.count
+
+
 def blocked(scene, camera, point, height):
     """Whether a line from a point to the eye passes through a brick, by many small steps."""
     foot = -1j * math.sin(camera.tilt) / camera.turning / camera.closeness

@@ -229,6 +229,20 @@ def test_a_press_beside_a_sliders_knob_brings_it_there(desk, share):
     assert desk.values.number("half_angle") == now
 
 
+def test_an_open_list_keeps_what_is_below_it_from_moving(desk):
+    """A press on one of its lines is for the list alone."""
+    widgets = desk.screen._widgets(SIZE)
+    desk.click_on(widgets._list.current_state.open_button)
+    assert widgets.busy
+    before = dict(desk.session.given.values)
+    for row in widgets._rows:
+        track, knob = row.slider.rect, row.slider.sliding_button.rect
+        place = track.right - 3 if knob.centerx < track.centerx else track.left + 3, track.centery
+        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=place, button=1))
+    desk.wait(FRAME)
+    assert dict(desk.session.given.values) == before
+
+
 def test_every_scene_is_one_key_away(desk):
     """] goes through all of them and comes round; [ goes back."""
     names = []

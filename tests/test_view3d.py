@@ -20,13 +20,16 @@ from game.depth_order import back_to_front
 from game.effects import Effects, after
 from game.falling import Drop
 from game.fingerprint import state_hash
+from game.hiding import hiding
 from game.levels import built_in
+from game.looks import paddle_looks, wall_looks
 from game.palette import DARK, layer_colour
 from game.render import Painter, save_screenshot
 from game.rules import new_game, tick
 from game.scene import scene_at, still
 from game.skins import Kind, Look
 from game.slabs import Slab, Slot
+from game.solid_picture import SolidPicture
 from game.text import Type
 from game.view import FROM_ABOVE, TIPPED, View
 from physics import Ball, contact
@@ -173,6 +176,37 @@ def test_what_is_in_front_is_drawn_in_front(level):
     assert min(checked["block"], checked["ground"]) > 150
     assert checked["ball"] > 20
     assert not wrong
+
+
+def mask_of(quadrilaterals):
+    """The pixels that some cover."""
+    surface = pygame.Surface(SIZE, 0, 32)
+    for corners in np.floor(quadrilaterals.view(np.float64)).reshape(-1, 4, 2).tolist():
+        pygame.draw.polygon(surface, (255, 255, 255), corners)
+    return pygame.surfarray.array3d(surface)[:, :, 0] > 0
+
+
+@pytest.mark.parametrize("level", [3, 6])
+def test_what_is_far_on_the_screen_hides_no_ball(level):
+    """Around a ball, the blocks near it cover the same pixels as all blocks do."""
+    base = scene_at(game_after(level, 900)[0], 0.4, Effects())._replace(trails=(), flashes=(), drops=(), recoils=())
+    looks = tuple(
+        [paddle_looks(base, []) if k == 0 else wall_looks(layers, []) for k, layers in enumerate(base.layers)],
+    )
+    chance = np.random.default_rng(level)
+    x, y = np.mgrid[: SIZE[0], : SIZE[1]] + 0.5
+    hidden = 0
+    for view in VIEWS:
+        camera = seen_from(view, base)
+        things = SolidPicture().draw_blocks(pygame.Surface(SIZE, 0, 32), base, looks, camera, DARK)
+        for _ in range(4):
+            ball = free_place(base, chance)
+            pixel, reach = camera.project(ball.position, ball.radius), 8.0
+            near, every = (mask_of(hiding(things, camera, ball.position, pixel, wide)) for wide in (reach, 1e6))
+            around = np.hypot(x - pixel.real, y - pixel.imag) < reach - 1.5
+            assert np.array_equal(near[around], every[around])
+            hidden += every[around].any()
+    assert hidden > 10
 
 
 def in_shadow(scene, spot, tilt):
