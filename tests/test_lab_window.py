@@ -3,17 +3,16 @@
 import random
 
 import pygame
-import pygame_gui
 import pytest
 from dummy_window import FRAME, Desk, shared
+from lab_desk import SIZE, LabDesk
 from test_lab_session import run  # noqa: F401  # a fixture
 
 from game.app import _lab_opener
 from game.controls import PLAY_HELP
 from game.lab import session
 from game.lab.checks import lines, run_to
-from game.lab.parameters import defaults, written
-from game.lab.picture import Toggle
+from game.lab.parameters import defaults
 from game.lab.registry import scenes
 from game.lab.scene import Motion, picture_of
 from game.lab.share import Shared as SharedLine
@@ -21,88 +20,15 @@ from game.lab.share import parsed
 from game.lab.window import screen
 from game.lab.window.commands import KEYS, Command, command_of
 from game.lab.window.lens import Lens
-from game.lab.window.page import draw_head, draw_words, page, panes
+from game.lab.window.page import draw_head, draw_words, page
 from game.lab.window.screen import Lab
 from game.lab.window.screenshot import save_screenshot
-from game.lab.window.widgets import Side
 from game.palette import DARK
 from game.screens.panels import Menu
 from game.screens.play import Play
 from game.screens.title import Title
 from game.settings import THEMES
 from tools.crosscheck.second_engine import Pymunk
-
-SIZE = (1000, 700)
-
-
-class LabDesk(Desk):
-    """A desk with the lab on it."""
-
-    def __init__(self, line="case-2", size=SIZE):
-        kept = shared()
-        super().__init__(kept, None, size)
-        self.screen = Lab(kept, session.opened(parsed(line, Pymunk())))
-        self.size = size
-        self.wait(FRAME)
-
-    @property
-    def session(self):
-        """How the scene stands."""
-        return self.screen.session
-
-    @property
-    def values(self):
-        """What the scene is given."""
-        return self.session.given
-
-    def pixel(self, world, pane=0):
-        """The pixel of a place."""
-        areas = panes(page(self.size), len(self.session.picture.panes))
-        place = self.screen._lens.camera(self.session.scene.view, areas[pane]).project(world)
-        return round(place.real), round(place.imag)
-
-    def drag(self, start, end, button=1):
-        """Press, move, release, at pixels."""
-        pygame.event.post(pygame.Event(pygame.MOUSEMOTION, pos=start, rel=(0, 0), buttons=(0, 0, 0)))
-        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=start, button=button))
-        middle = ((start[0] + end[0]) // 2, (start[1] + end[1]) // 2)
-        for place in (middle, end):
-            pygame.event.post(pygame.Event(pygame.MOUSEMOTION, pos=place, rel=(0, 0), buttons=(1, 0, 0)))
-        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONUP, pos=end, button=button))
-        self.wait(2 * FRAME)
-
-    def wheel(self, place, steps):
-        """Turn the wheel over a pixel."""
-        pygame.event.post(pygame.Event(pygame.MOUSEMOTION, pos=place, rel=(0, 0), buttons=(0, 0, 0)))
-        pygame.event.post(pygame.Event(pygame.MOUSEWHEEL, x=0, y=steps, precise_x=0.0, precise_y=float(steps)))
-        self.wait(FRAME)
-
-    def row(self, name, part=0):
-        """The slider and field of a number."""
-        return next(row for row in self.screen._widgets(self.size)._rows if (row.parameter.name, row.part) == (name, part))
-
-    def type_into(self, field, text):
-        """Click a field, clear it, type and press Return."""
-        place = field.rect.center
-        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=place, button=1))
-        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONUP, pos=place, button=1))
-        self.wait(FRAME)
-        field.set_text("")
-        for letter in text:
-            key = pygame.key.key_code(letter) if letter.isalnum() else pygame.K_PERIOD
-            pygame.event.post(pygame.Event(pygame.KEYDOWN, key=key, mod=0, unicode=letter))
-            pygame.event.post(pygame.Event(pygame.TEXTINPUT, text=letter))
-        self.wait(FRAME)
-        pygame.event.post(pygame.Event(pygame.KEYDOWN, key=pygame.K_RETURN, mod=0, unicode="\r"))
-        self.wait(3 * FRAME)
-
-    def click_on(self, button):
-        """Click in the middle of a widget."""
-        place = button.rect.center
-        button.hovered = True
-        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=place, button=1))
-        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONUP, pos=place, button=1))
-        self.wait(3 * FRAME)
 
 
 @pytest.fixture
@@ -161,88 +87,6 @@ def test_a_drag_beyond_the_range_stops_at_its_border_and_says_so(desk):
     assert "is beyond its range" in desk.session.notes[0]
 
 
-def test_a_number_is_typed_exactly(desk):
-    """Every digit of it; letters are refused, what is too large is set to the border."""
-    field = desk.row("half_angle").field
-    desk.type_into(field, "33.123456789012")
-    assert desk.values.number("half_angle") == 33.123456789012
-    desk.type_into(field, "abc")
-    assert desk.values.number("half_angle") == 33.123456789012
-    assert desk.session.notes == ("φ_p: 'abc' is not a number",)
-    desk.type_into(field, "nan")
-    assert desk.session.notes == ("φ_p cannot be nan°: it stays 33.123456789012°",)
-    desk.type_into(field, "999")
-    assert desk.values.number("half_angle") == 180.0
-    assert desk.session.notes == ("φ_p = 999° is beyond its range: set to 180°",)
-    desk.type_into(desk.row("ball", 1).field, "1.25")
-    assert desk.values.point("ball") == 9.4 + 1.25j
-
-
-def test_keys_belong_to_the_field_that_is_typed_into(desk):
-    """A letter there is no command; Esc gives the keys back, and only then leaves the lab."""
-    theme = desk.shared.theme
-    place = desk.row("r").field.rect.center
-    pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=place, button=1))
-    pygame.event.post(pygame.Event(pygame.MOUSEBUTTONUP, pos=place, button=1))
-    desk.wait(FRAME)
-    desk.press(pygame.K_t, pygame.K_ESCAPE)
-    assert desk.shared.theme is theme
-    assert desk.screen is not None
-    desk.press(pygame.K_t)
-    assert desk.shared.theme is not theme
-    desk.press(pygame.K_ESCAPE)
-    assert desk.screen is None
-
-
-def test_sliders_follow_the_values_and_move_them(desk):
-    """Rounded to the parameter's step."""
-    row = desk.row("half_angle")
-    desk.type_into(row.field, "90")
-    assert row.slider.get_current_value() == 90.0
-    row.slider.set_current_value(45.13)
-    pygame.event.post(pygame.Event(pygame_gui.UI_HORIZONTAL_SLIDER_MOVED, ui_element=row.slider))
-    desk.wait(2 * FRAME)
-    assert desk.values.number("half_angle") == 45.0
-    assert row.field.get_text() == "45"
-
-
-@pytest.mark.parametrize("share", [0.03, 0.2, 0.5, 0.97])
-def test_a_press_beside_a_sliders_knob_brings_it_there(desk, share):
-    """To within a step or a pixel, and the press takes hold of it; on the knob a press moves nothing."""
-    row = desk.row("half_angle")
-    desk.type_into(row.field, "70" if share < 0.5 else "20")
-    slider, (low, high) = row.slider, row.slider.value_range
-    place = slider.rect.left + round(share * slider.rect.width), slider.rect.centery
-    assert not slider.sliding_button.rect.collidepoint(place)
-    pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=place, button=1))
-    desk.wait(FRAME)
-    assert slider.sliding_button.held
-    pygame.event.post(pygame.Event(pygame.MOUSEBUTTONUP, pos=place, button=1))
-    desk.wait(2 * FRAME)
-    knob = slider.sliding_button.rect
-    assert abs(knob.centerx - place[0]) <= max(2, knob.width / 2)
-    half = knob.width / 2
-    expected = low + (high - low) * min(max((place[0] - slider.rect.left - half) / (slider.rect.width - 2 * half), 0.0), 1.0)
-    now = desk.values.number("half_angle")
-    assert abs(now - expected) < 0.6
-    desk.click_on(slider.sliding_button)
-    assert desk.values.number("half_angle") == now
-
-
-def test_an_open_list_keeps_what_is_below_it_from_moving(desk):
-    """A press on one of its lines is for the list alone."""
-    widgets = desk.screen._widgets(SIZE)
-    desk.click_on(widgets._list.current_state.open_button)
-    assert widgets.busy
-    before = dict(desk.session.given.values)
-    for row in widgets._rows:
-        track, knob = row.slider.rect, row.slider.sliding_button.rect
-        place = track.right - 3 if knob.centerx < track.centerx else track.left + 3, track.centery
-        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=place, button=1))
-    desk.wait(FRAME)
-    assert dict(desk.session.given.values) == before
-
-
 def test_every_scene_is_one_key_away(desk):
     """] goes through all of them and comes round; [ goes back."""
     names = []
@@ -253,21 +97,6 @@ def test_every_scene_is_one_key_away(desk):
     assert desk.session.scene.name == names[0]
     desk.press(pygame.K_LEFTBRACKET)
     assert desk.session.scene.name == names[-1]
-
-
-def test_toggles_by_key_and_by_box(desk):
-    """And a box that follows a key does not answer for itself."""
-    box = next(box for box, toggle in desk.screen._widgets(SIZE)._boxes.items() if toggle is Toggle.PYMUNK)
-    for on in (True, False, True):
-        desk.press(pygame.K_7)
-        desk.wait(5 * FRAME)
-        assert (Toggle.PYMUNK in desk.screen._shown) is on
-        assert box.get_state() is on
-    for shown in (False, True):
-        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=box.rect.center, button=1))
-        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONUP, pos=box.rect.center, button=1))
-        desk.wait(5 * FRAME)
-        assert (Toggle.PYMUNK in desk.screen._shown) is shown
 
 
 def test_defaults_and_restart(desk):
@@ -324,16 +153,6 @@ def test_a_scene_in_motion(desk, run):  # noqa: F811
     assert (opened.tick, opened.playing) == (7, False)
 
 
-def test_buttons_do_what_their_keys_do(desk):
-    """The same commands."""
-    side = desk.screen._widgets(SIZE)
-    button = next(button for button, command in side._commands.items() if command is Command.NEXT)
-    before = desk.session.scene.name
-    side._manager.mouse_position = button.rect.center
-    desk.click_on(button)
-    assert desk.session.scene.name != before
-
-
 def test_every_command_has_a_key_and_no_key_two():
     """The help lists them all."""
     assert {key.command for key in KEYS} == set(Command)
@@ -353,22 +172,6 @@ def test_the_words_fit_their_places(scene, size):
         ends = [run_to(scene, given, tick) for tick in ((0, scene.shows.ticks) if isinstance(scene.shows, Motion) else (0,))]
         for state in ends:
             assert draw_words(surface, place, picture_of(scene, given, state), DARK, kept.type) <= place.words.bottom
-
-
-@pytest.mark.parametrize("scene", scenes(), ids=lambda scene: scene.name)
-@pytest.mark.parametrize("size", [(640, 480), (800, 600), (1280, 800), (3840, 2160), (900, 1600)])
-def test_the_widgets_fit_their_side(scene, size):
-    """With room for the small print, in any common window."""
-    kept = shared()
-    found = Desk(kept, None, (320, 240))
-    place = page(size)
-    side = Side(place, DARK, kept.type, session.fresh(scene, None))
-    assert side.bottom + place.unit * 4.0 < max(size[1], 480) or size == (640, 480)
-    for parameter, box in side._names if size != (640, 480) else ():
-        value = f"{parameter.label} = {written(parameter, parameter.default)}"
-        letters = [kept.type.rendered(text, place.unit * 0.95, (0, 0, 0)).get_width() for text in (value, parameter.meaning)]
-        assert sum(letters) + place.unit * 0.7 <= box.width, parameter.meaning
-    found.close()
 
 
 @pytest.mark.parametrize("scene", scenes(), ids=lambda scene: scene.name)
