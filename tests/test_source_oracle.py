@@ -1,7 +1,7 @@
 """The engine is the source's algorithm: equal to its transcription wherever the source is right.
 
-The oracle's faces and ends are compared in `test_broad_phase`, `test_narrow_phase` and `test_contact`, its response in `test_response`; where
-the source is not right, `test_beyond_the_source` shows the difference.
+The oracle's faces and ends are compared in `test_broad_phase`, `test_narrow_phase` and `test_contact`, its response in
+`test_response`; where the source is not right, `test_beyond_the_source` shows the difference.
 """
 
 import ast
