@@ -33,7 +33,10 @@ def covered(points: Points, heights: Reals, scene: Scene, camera: Camera) -> Fla
 
 
 def _within(points: Points, heights: Reals, scene: Scene, walls: Reals) -> Flags:
-    """Whether each point is within what stands there. walls: heights of all slots, ring after ring."""
+    """Whether each point is within what stands there. Rings lie one around the other, so that a radius tells the ring.
+
+    walls: heights of all slots, ring after ring.
+    """
     order = sorted(range(len(scene.rings)), key=lambda k: scene.rings[k].radius)
     rings = [scene.rings[k] for k in order]
     counts = [ring.count for ring in scene.rings]

@@ -84,23 +84,28 @@ def started_server():
     return server, f":{number}"
 
 
-@NO_SERVER
-@pytest.mark.parametrize("autopilot", [["--autopilot"], []], ids=["playing", "title"])
-def test_a_killed_x_server(tmp_path, autopilot):
-    """Xlib would end the program with two lines of its own; the game writes what it has, says one line, and exits with 3."""
-    server, name = started_server()
-    file = tmp_path / "game.polar"
-    hidden = {"SDL_VIDEODRIVER", "WAYLAND_DISPLAY"}
+def started_game(display, folder, *arguments):
+    """A game in a window, its settings and its recording in a folder: the process, and the recording's file."""
+    file, hidden = folder / "game.polar", {"SDL_VIDEODRIVER", "WAYLAND_DISPLAY"}
     environment = {key: value for key, value in os.environ.items() if key not in hidden}
-    environment |= {"DISPLAY": name, "XDG_DATA_HOME": str(tmp_path), "XDG_CONFIG_HOME": str(tmp_path), "HOME": str(tmp_path)}
+    environment |= {"DISPLAY": display, "XDG_DATA_HOME": str(folder), "XDG_CONFIG_HOME": str(folder), "HOME": str(folder)}
     game = subprocess.Popen(
-        [sys.executable, "-m", "game", "--seed", "3", "--record", str(file), *autopilot],
+        [sys.executable, "-m", "game", "--seed", "3", "--record", str(file), *arguments],
         cwd=ROOT,
         env=environment,
         stdout=subprocess.PIPE,
         stderr=subprocess.PIPE,
         text=True,
     )
+    return game, file
+
+
+@NO_SERVER
+@pytest.mark.parametrize("autopilot", [["--autopilot"], []], ids=["playing", "title"])
+def test_a_killed_x_server(tmp_path, autopilot):
+    """Xlib would end the program with two lines of its own; the game writes what it has, says one line, and exits with 3."""
+    server, name = started_server()
+    game, file = started_game(name, tmp_path, *autopilot)
     try:
         time.sleep(_STARTED)
         assert game.poll() is None, game.stderr.read()
@@ -127,17 +132,7 @@ def test_a_killed_x_server(tmp_path, autopilot):
 def test_being_ended_is_being_closed(tmp_path):
     """SIGTERM, as a system sends it on shutting down: the game is kept, and nothing is said."""
     server, name = started_server()
-    file = tmp_path / "game.polar"
-    environment = {key: value for key, value in os.environ.items() if key not in {"SDL_VIDEODRIVER", "WAYLAND_DISPLAY"}}
-    environment |= {"DISPLAY": name, "XDG_DATA_HOME": str(tmp_path), "XDG_CONFIG_HOME": str(tmp_path), "HOME": str(tmp_path)}
-    game = subprocess.Popen(
-        [sys.executable, "-m", "game", "--seed", "3", "--record", str(file), "--autopilot"],
-        cwd=ROOT,
-        env=environment,
-        stdout=subprocess.DEVNULL,
-        stderr=subprocess.PIPE,
-        text=True,
-    )
+    game, file = started_game(name, tmp_path, "--autopilot")
     try:
         time.sleep(_STARTED)
         game.terminate()
