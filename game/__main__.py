@@ -11,17 +11,19 @@ from typing import Annotated, NamedTuple
 
 import typer
 
-from game import VERSION, kept, replay
-from game.command_line import run, say
+from game import VERSION
 from game.effects import LONGEST, after_all
-from game.errors import BadInputError, CheckFailedError, EnvironmentMissingError
 from game.headless import autopilot_game, free_path, result_line
-from game.lab.engine import Engine
+from game.lab.kit.second_engine import Engine
 from game.levels import Level, built_in, chosen
-from game.opinions import Compare, Opinions
+from game.replays import file as replay
+from game.replays import history as kept
+from game.replays.verify import verified
 from game.rules import Game, Ticked
-from game.settings_file import SettingsFile, place
-from game.verify import verified
+from game.second_opinion import Compare, Opinions
+from game.settings.file import SettingsFile, place
+from game.system.command_line import run, say
+from game.system.errors import BadInputError, CheckFailedError, EnvironmentMissingError
 
 app = typer.Typer(
     help="A circular Breakout.",
@@ -272,8 +274,8 @@ def _demonstrate(levels: tuple[Level, ...], seed: int, record: Path | None) -> N
 
 def _save_screenshot(last: _Last, path: Path, size: tuple[int, int], *, tipped: bool = False) -> None:
     """Draw a game into a PNG file; BadInputError where it cannot be written."""
-    from game.render import save_screenshot  # noqa: PLC0415  # pygame, only where it is needed
-    from game.view import FROM_ABOVE, TIPPED  # noqa: PLC0415
+    from game.drawing.painter import save_screenshot  # noqa: PLC0415  # pygame, only where it is needed
+    from game.input.view import FROM_ABOVE, TIPPED  # noqa: PLC0415
 
     try:
         save_screenshot(last.game, path, size, view=TIPPED if tipped else FROM_ABOVE, effects=after_all(last.passed))

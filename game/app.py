@@ -8,25 +8,26 @@ from signal import signal as on_signal
 
 import pygame
 
-from game import display, toast
-from game.audio import Audio
-from game.changes import changed
-from game.controls import Action, FocusLost, Pressed, Released, Signal, translated
-from game.display_lost import on_display_lost
-from game.errors import DisplayLostError
-from game.lab import session
-from game.lab.engine import Engine
+from game.input.signals import Action, FocusLost, Pressed, Released, Signal, translated
+from game.lab.kit.second_engine import Engine
 from game.lab.registry import scenes
-from game.lab.share import parsed
+from game.lab.session import session
+from game.lab.session.share import parsed
 from game.levels import Level, built_in
-from game.opinions import Compare
-from game.playback import Playback
-from game.replay import Recording
+from game.overlay import toast
+from game.replays.file import Recording
+from game.replays.playback import Playback
 from game.screens.base import Listener, Recorder, Screen, Shared
 from game.screens.play import Play
 from game.screens.title import Title
 from game.screens.watch import Watch
-from game.settings_file import SettingsFile
+from game.second_opinion import Compare
+from game.settings.file import SettingsFile
+from game.settings.keys import changed
+from game.sound.mixer import Audio
+from game.system import window as display
+from game.system.display_lost import on_display_lost
+from game.system.errors import DisplayLostError
 
 _TITLE = "Polar Breakout"
 LOST = "the display is gone"

@@ -5,9 +5,9 @@ from collections.abc import Callable, Iterable
 from pathlib import Path
 
 from game.autopilot import Autopilot
-from game.fingerprint import state_hash
 from game.levels import Level
-from game.replay import Recorder
+from game.replays.file import Recorder
+from game.replays.state_hash import state_hash
 from game.rules import Game, Phase, Ticked, bricks_left, new_game, tick
 
 _PROGRESS_STEP = 1000

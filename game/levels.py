@@ -13,7 +13,7 @@ from typing import Annotated, Any
 import msgspec
 from msgspec import Meta
 
-from game.errors import BadInputError
+from game.system.errors import BadInputError
 from physics import PERMANENT, Arena, Ring
 
 MAX_FILE_SIZE = 64 * 1024

@@ -2,7 +2,7 @@
 
 The C library's `sin`, `cos` and `atan2` differ in the last bit between processors, and a bounce
 amplifies one bit to a different game. Both functions here use only `+ - * /`, `math.floor` and
-comparisons; both are off by less than 2e-15 (`tests/test_trig.py` measures it with mpmath), and
+comparisons; both are off by less than 2e-15 (`tests/physics/test_trig.py` measures it with mpmath), and
 both are exactly odd about the x axis: mirroring the argument mirrors the result bit for bit.
 """
 

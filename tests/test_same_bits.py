@@ -1,11 +1,10 @@
 """The simulation uses nothing that may give other bits on another machine. Every rule is shown to catch what breaks it."""
 
-from pathlib import Path
-
 import pytest
-from same_bits import findings
 
-ROOT = Path(__file__).parent.parent
+from tests.support.paths import ROOT
+from tests.support.same_bits import findings
+
 RULES_OF_THE_GAME = ("rules", "autopilot")
 
 

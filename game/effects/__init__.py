@@ -7,9 +7,10 @@ a file of its own; all of them are fed by the rules' events.
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from game import falling
 from game.effects import bursts, flashes, pops, recoils, shakes, streaks, trails, waves
+from game.effects import drops as falling
 from game.effects.bursts import Burst
+from game.effects.drops import Drop
 from game.effects.flashes import FLASH_TICKS, Flash
 from game.effects.kinds import ALL, MOVING, PLAIN, Kind, Shown
 from game.effects.pops import POP_TICKS, Pop
@@ -18,7 +19,6 @@ from game.effects.shakes import Shake
 from game.effects.streaks import NO_ROW, Streak
 from game.effects.trails import Trail
 from game.effects.waves import Wave
-from game.falling import Drop
 from game.rules import EventKind, Ticked
 
 __all__ = [

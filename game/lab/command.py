@@ -5,12 +5,12 @@ from pathlib import Path
 from rich.console import Console
 from rich.table import Table
 
-from game.command_line import say
-from game.errors import BadInputError, CheckFailedError
-from game.lab.checks import Report, report
-from game.lab.engine import Engine
+from game.lab.kit.second_engine import Engine
 from game.lab.registry import scenes
-from game.lab.share import parsed
+from game.lab.session.checks import Report, report
+from game.lab.session.share import parsed
+from game.system.command_line import say
+from game.system.errors import BadInputError, CheckFailedError
 
 _SEED = 1
 

@@ -5,16 +5,18 @@ import importlib
 import pkgutil
 from functools import cache
 
-from game.errors import BadInputError
 from game.lab import scenes as folder
-from game.lab.scene import Chapter, Scene
+from game.lab.kit.scene import Chapter, Scene
+from game.system.errors import BadInputError
 
 
 @cache
 def scenes() -> tuple[Scene, ...]:
     """All scenes, in the order of their chapters."""
-    names = sorted([module.name for module in pkgutil.iter_modules(folder.__path__)])
-    modules = [importlib.import_module(f"{folder.__name__}.{name}") for name in names if not name.startswith("_")]
+    names = sorted(
+        [module.name for module in pkgutil.walk_packages(folder.__path__, f"{folder.__name__}.") if not module.ispkg]
+    )
+    modules = [importlib.import_module(name) for name in names]
     found: list[Scene] = [module.SCENE for module in modules]
     chapters = list(Chapter)
     return tuple(sorted(found, key=lambda scene: (chapters.index(scene.chapter), scene.place, scene.name)))

@@ -6,20 +6,20 @@ from typing import Protocol, runtime_checkable
 
 import pygame
 
-from game import opinions
-from game.audio import Audio
-from game.camera import Camera
-from game.controls import Signal
+from game import second_opinion as opinions
+from game.drawing.camera import Camera
+from game.drawing.painter import Painter
+from game.drawing.palette import Theme
+from game.drawing.text import Type
+from game.input.signals import Signal
+from game.input.view import FROM_ABOVE, View
 from game.levels import Level
-from game.opinions import Compare, Opinions
-from game.palette import Theme
-from game.render import Painter
+from game.overlay.toast import Toast
 from game.rules import Controls, Game, Ticked
-from game.settings import LOUDEST, Settings
-from game.settings_file import SettingsFile
-from game.text import Type
-from game.toast import Toast
-from game.view import FROM_ABOVE, View
+from game.second_opinion import Compare, Opinions
+from game.settings.file import SettingsFile
+from game.settings.values import LOUDEST, Settings
+from game.sound.mixer import Audio
 
 Recorder = Callable[[Controls, Game], None]
 """Told every tick of a played game: its controls, and the game after it. `tick` is 1 after the first tick of a new game."""

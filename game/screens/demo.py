@@ -3,10 +3,10 @@
 from game import effects
 from game.autopilot import Autopilot
 from game.effects import Effects, Kind, Shown
+from game.fixed_step import Due, due
 from game.levels import Level
 from game.rules import Phase, new_game, tick
 from game.scene import Scene, scene_at, still
-from game.ticker import Due, due
 
 _END_TICKS = 240
 _LOUD = frozenset({Kind.SHAKE, Kind.POINTS})

@@ -6,13 +6,13 @@ from typing import NamedTuple
 
 import pygame
 
-from game.camera import Camera, unit_of
-from game.controls import PLAY_HELP, Action, Clicked, Moved, Pressed, Signal
-from game.looks import wall_looks
-from game.palette import Theme
-from game.render import Painter
+from game.drawing.camera import Camera, unit_of
+from game.drawing.painter import Painter
+from game.drawing.palette import Theme
+from game.drawing.primitives import draw_box
+from game.drawing.slots import wall_looks
+from game.input.signals import PLAY_HELP, Action, Clicked, Moved, Pressed, Signal
 from game.screens.base import Screen, Shared
-from game.shapes2d import draw_box
 from physics import PERMANENT, Ring
 
 

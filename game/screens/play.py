@@ -2,19 +2,21 @@
 
 import pygame
 
-from game import effects, hud, normals, notice
+from game import effects
 from game.autopilot import Autopilot
-from game.camera import Camera, Layout, layout, unit_of
-from game.controls import Action, FocusLost, Hands, Pressed, Signal
+from game.drawing import contact_normals as normals
+from game.drawing.camera import Camera, Layout, layout, unit_of
 from game.effects import Effects, Kind, hit_stop
+from game.fixed_step import Due, due
+from game.input.signals import Action, FocusLost, Hands, Pressed, Signal
 from game.levels import Level
-from game.opinions import Opinions
+from game.overlay import hud, notice
 from game.rules import Phase, new_game, tick
 from game.scene import scene_at, still
 from game.screens.base import Screen, Shared
 from game.screens.panels import Entry, Help, Menu
 from game.screens.settings_panel import SettingsPanel
-from game.ticker import Due, due
+from game.second_opinion import Opinions
 
 _READY_SECONDS = 0.6
 """After a pause with a ball in play, before it flies on."""

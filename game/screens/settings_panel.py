@@ -2,16 +2,16 @@
 
 import pygame
 
-from game.camera import unit_of
-from game.controls import Action, Clicked, Moved, Pressed, Signal
+from game.drawing.camera import unit_of
+from game.drawing.palette import mixed
+from game.drawing.primitives import draw_box, draw_dot
 from game.effects import MOVING, PLAIN
-from game.palette import mixed
+from game.input.signals import Action, Clicked, Moved, Pressed, Signal
+from game.overlay.toast import draw_bar
 from game.screens.base import Screen, Shared
 from game.screens.panels import dim, draw_panel
 from game.screens.settings_rows import EFFECTS, GENERAL, ROWS, Row
-from game.settings import LOUDEST
-from game.shapes2d import draw_box, draw_dot
-from game.toast import draw_bar
+from game.settings.values import LOUDEST
 
 _VOLUME = 0
 _PITCH = 1.85

@@ -4,7 +4,7 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from game.effects import Kind
-from game.settings import Settings
+from game.settings.values import Settings
 
 
 class Row(NamedTuple):

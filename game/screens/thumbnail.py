@@ -2,14 +2,14 @@
 
 import pygame
 
-from game.camera import Camera
+from game.drawing.camera import Camera
+from game.drawing.painter import Painter
+from game.drawing.palette import Theme
+from game.drawing.text import Type
 from game.effects import Effects
 from game.levels import Level
-from game.palette import Theme
-from game.render import Painter
 from game.rules import new_game
 from game.scene import scene_at, still
-from game.text import Type
 
 _FINER = 3
 

@@ -2,15 +2,15 @@
 
 import pygame
 
-from game.camera import layout, unit_of
-from game.controls import Action, Clicked, Moved, Pressed, Signal
+from game.drawing.camera import layout, unit_of
+from game.drawing.primitives import draw_box
+from game.input.signals import Action, Clicked, Moved, Pressed, Signal
 from game.screens.base import Screen, Shared
 from game.screens.demo import Demo
 from game.screens.panels import Help
 from game.screens.play import Play
 from game.screens.settings_panel import SettingsPanel
 from game.screens.thumbnail import thumbnail
-from game.shapes2d import draw_box
 
 NAME = "POLAR BREAKOUT"
 

@@ -4,19 +4,21 @@ from typing import Protocol
 
 import pygame
 
-from game import effects, hud, normals
-from game.camera import Layout, layout, unit_of
-from game.controls import WATCH_HELP, Action, Clicked, Dragged, Moved, Pressed, Signal, Zoomed
+from game import effects
+from game.drawing import contact_normals as normals
+from game.drawing.camera import Layout, layout, unit_of
+from game.drawing.primitives import draw_dot
 from game.effects import LONGEST, Effects
-from game.opinions import Opinions
+from game.fixed_step import LONGEST_FRAME
+from game.input.signals import WATCH_HELP, Action, Clicked, Dragged, Moved, Pressed, Signal, Zoomed
+from game.overlay import hud
+from game.overlay.toast import draw_bar
 from game.rules import TICK, Game, Ticked
 from game.scene import scene_at, still
 from game.screens.base import Screen, Shared
 from game.screens.panels import Help
 from game.screens.settings_panel import SettingsPanel
-from game.shapes2d import draw_dot
-from game.ticker import LONGEST_FRAME
-from game.toast import draw_bar
+from game.second_opinion import Opinions
 
 SPEEDS = (0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0)
 _SKIP = 5 * 240

@@ -6,11 +6,11 @@ from typing import Annotated
 
 import typer
 
-from game.command_line import run
-from game.errors import BadInputError
-from game.replay import MAX_TICKS
+from game.replays.file import MAX_TICKS
+from game.system.command_line import run
+from game.system.errors import BadInputError
 from tools.crosscheck.environment import check_environment
-from tools.crosscheck.facets import FEWEST, MOST
+from tools.crosscheck.pymunk_model.facets import FEWEST, MOST
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 

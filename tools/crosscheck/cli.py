@@ -8,15 +8,15 @@ from typing import NamedTuple
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-from tools.crosscheck.convergence import converged
+from tools.crosscheck.comparisons.convergence import converged
+from tools.crosscheck.comparisons.free_run import free_run
 from tools.crosscheck.files import check_writable, write_whole
-from tools.crosscheck.findings import Findings
-from tools.crosscheck.free_run import free_run
-from tools.crosscheck.json_report import json_text
+from tools.crosscheck.games.sources import Source
+from tools.crosscheck.report.json_file import json_text
+from tools.crosscheck.report.terminal import print_findings
+from tools.crosscheck.results.cases import Class
+from tools.crosscheck.results.findings import Findings
 from tools.crosscheck.run import Job, Outcome, checked_games, chosen_sources
-from tools.crosscheck.samples import Class
-from tools.crosscheck.sources import Source
-from tools.crosscheck.table import print_findings
 
 _RESTING = ("1", "2", "3")
 _MORE_GAMES = 10
@@ -61,7 +61,7 @@ def crosscheck(wishes: Wishes) -> int:
             console.print("no file was written")
         return 128 + signal.SIGINT
     if wishes.report is not None:
-        from tools.crosscheck.report import html_text  # noqa: PLC0415  # matplotlib takes a second to load
+        from tools.crosscheck.report.html_page import html_text  # noqa: PLC0415  # matplotlib takes a second to load
 
         write_whole(wishes.report, html_text(findings))
     if wishes.json is not None:

@@ -3,7 +3,7 @@
 import importlib
 import importlib.util
 
-from game.errors import EnvironmentMissingError
+from game.system.errors import EnvironmentMissingError
 
 MAJOR = 7
 """The major version of pymunk whose behaviour the harness relies on."""

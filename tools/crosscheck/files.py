@@ -5,7 +5,7 @@ import os
 import tempfile
 from pathlib import Path
 
-from game.errors import BadInputError
+from game.system.errors import BadInputError
 
 
 def check_writable(path: Path | None, option: str) -> None:

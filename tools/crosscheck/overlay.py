@@ -2,12 +2,12 @@
 
 import cmath
 
-from game.opinions import Opinions
 from game.rules import TICK, Ticked
+from game.second_opinion import Opinions
 from physics import Hit
-from tools.crosscheck.model import RingModel, ring_model
-from tools.crosscheck.moment import geometry_of
-from tools.crosscheck.trajectory import Leg, Tick, layers_before, paths
+from tools.crosscheck.comparisons.hit_frame import geometry_of
+from tools.crosscheck.games.trajectory import Leg, Tick, layers_before, paths
+from tools.crosscheck.pymunk_model.ring_model import RingModel, ring_model
 
 FACETS = 64
 """Per arc, where no exact shape exists: the inner faces."""

@@ -7,12 +7,12 @@ from typing import NamedTuple
 import pymunk
 
 from game import VERSION
-from game.errors import BadInputError
 from game.levels import built_in
-from tools.crosscheck.compare import Checked, checked_ticks
-from tools.crosscheck.rows import Rows
-from tools.crosscheck.sabotage import SABOTAGES
-from tools.crosscheck.sources import Source, ticks_of
+from game.system.errors import BadInputError
+from tools.crosscheck.comparisons.game import Checked, checked_ticks
+from tools.crosscheck.games.sabotage import SABOTAGES
+from tools.crosscheck.games.sources import Source, ticks_of
+from tools.crosscheck.results.rows import Rows
 from tools.crosscheck.workers import Lost, results_of
 
 

@@ -6,10 +6,10 @@ from collections.abc import Sequence
 
 import pymunk
 
-from game.lab.engine import Piece, Touch
+from game.lab.kit.second_engine import Piece, Touch
 from physics import Ball, Ring
-from tools.crosscheck.model import Geometry, RingModel, ring_model, sector
-from tools.crosscheck.solver import ITERATIONS
+from tools.crosscheck.pymunk_model.one_bounce import ITERATIONS
+from tools.crosscheck.pymunk_model.ring_model import Geometry, RingModel, ring_model, sector
 
 FACETS = 24
 """Per arc: few enough to see them."""

@@ -7,8 +7,8 @@ import typer
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
-from game.command_line import run
-from game.errors import BadInputError, EnvironmentMissingError
+from game.system.command_line import run
+from game.system.errors import BadInputError, EnvironmentMissingError
 from tools.fuzz.arenas import TICK
 from tools.fuzz.campaign import SPARED, Failure, Tally, play, smallest, tallies
 from tools.fuzz.impacts import check_impacts, multiprecision

@@ -11,8 +11,10 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
-from game.camera import Camera
-from game.lab.picture import (
+from game.drawing.camera import Camera
+from game.drawing.palette import Colour, Theme, contrast, mixed
+from game.drawing.text import Type
+from game.lab.kit.picture import (
     Arc,
     Arrow,
     Band,
@@ -28,9 +30,7 @@ from game.lab.picture import (
     Tone,
     Words,
 )
-from game.lab.scene import View
-from game.palette import Colour, Theme, contrast, mixed
-from game.text import Type
+from game.lab.kit.scene import View
 
 _PIXELS_PER_CHORD = 3.0
 _MOST_CHORDS = 720

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import pygame
 
-from game.lab.picture import Toggle
+from game.lab.kit.picture import Toggle
 
 
 class Command(Enum):

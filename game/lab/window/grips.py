@@ -5,11 +5,11 @@ from typing import NamedTuple
 
 import pygame
 
-from game.camera import Camera
-from game.lab.handles import Handle
-from game.lab.parameters import Given
+from game.drawing.camera import Camera
+from game.drawing.palette import mixed
+from game.lab.kit.handles import Handle
+from game.lab.kit.parameters import Given
 from game.lab.window.canvas import Canvas, write_beside
-from game.palette import mixed
 
 _RADIUS, _CATCH = 0.42, 1.0
 """Of a ring, and of what counts as on it, in sizes of text."""

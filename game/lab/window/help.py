@@ -2,11 +2,11 @@
 
 import pygame
 
-from game.camera import unit_of
+from game.drawing.camera import unit_of
+from game.drawing.palette import Theme
+from game.drawing.text import Type
 from game.lab.window.commands import KEYS, MOUSE_HELP
-from game.palette import Theme
 from game.screens.panels import dim, draw_panel
-from game.text import Type
 
 
 def draw_help(surface: pygame.Surface, theme: Theme, type_: Type) -> None:

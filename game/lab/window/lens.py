@@ -5,8 +5,8 @@ from typing import NamedTuple
 
 import pygame
 
-from game.camera import Camera
-from game.lab.scene import View
+from game.drawing.camera import Camera
+from game.lab.kit.scene import View
 from game.lab.window.canvas import camera_for
 
 _STEP = 1.15

@@ -4,13 +4,13 @@ from typing import NamedTuple
 
 import pygame
 
-from game.camera import Camera, unit_of
-from game.lab.beyond import rows_line
-from game.lab.picture import Picture, Toggle
-from game.lab.scene import Scene
+from game.drawing.camera import Camera, unit_of
+from game.drawing.palette import Theme
+from game.drawing.text import Type
+from game.lab.kit.beyond_the_source import rows_line
+from game.lab.kit.picture import Picture, Toggle
+from game.lab.kit.scene import Scene
 from game.lab.window.canvas import Canvas, draw_marks, write_beside
-from game.palette import Theme
-from game.text import Type
 
 _BODY = 0.8
 """Size of the lab's text in the game's."""

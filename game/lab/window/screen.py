@@ -4,17 +4,17 @@ from collections.abc import Callable
 
 import pygame
 
-from game.camera import Camera
-from game.controls import Signal
-from game.errors import BadInputError
-from game.lab import session as sessions
-from game.lab.cases import case_file, save_case
-from game.lab.handles import Handle, dragged
-from game.lab.parameters import Settled, settled
-from game.lab.picture import Picture, Toggle
+from game.drawing.camera import Camera
+from game.drawing.palette import Theme
+from game.input.signals import Signal
+from game.lab.kit.handles import Handle, dragged
+from game.lab.kit.parameters import Settled, settled
+from game.lab.kit.picture import Picture, Toggle
 from game.lab.registry import scene_named, scenes
-from game.lab.session import Session
-from game.lab.share import preset
+from game.lab.session import session as sessions
+from game.lab.session.cases import case_file, save_case
+from game.lab.session.session import Session
+from game.lab.session.share import preset
 from game.lab.window.canvas import Canvas, draw_note
 from game.lab.window.commands import TOGGLE_KEYS, Command, command_of
 from game.lab.window.grips import Grip, draw_grips, grip_at
@@ -22,8 +22,8 @@ from game.lab.window.help import draw_help
 from game.lab.window.lens import Lens
 from game.lab.window.page import Page, draw_head, draw_picture, draw_side, draw_words, page, panes
 from game.lab.window.widgets import Asked, Chosen, Preset, Refused, Side, Wished
-from game.palette import Theme
 from game.screens.base import Screen, Shared
+from game.system.errors import BadInputError
 
 SHOWN = frozenset(Toggle) - {Toggle.PYMUNK}
 """What is shown at first."""

@@ -6,14 +6,14 @@ from pathlib import Path
 
 import pygame
 
-from game.display import open_window
-from game.lab import session
-from game.lab.share import Shared as SharedLine
+from game.lab.session import session
+from game.lab.session.share import Shared as SharedLine
 from game.lab.window.screen import Lab
 from game.levels import built_in
 from game.screens.base import Shared
 from game.screens.title import Title
-from game.settings import Settings
+from game.settings.values import Settings
+from game.system.window import open_window
 
 
 def save_screenshot(line: SharedLine, path: Path, size: tuple[int, int], colours: str) -> None:

@@ -5,7 +5,7 @@ from typing import Any
 
 import pygame
 
-from game.palette import Colour, Theme, mixed
+from game.drawing.palette import Colour, Theme, mixed
 
 _FONT = "lab"
 _LETTER, _SYMBOL = 0.69, 0.9

@@ -6,15 +6,15 @@ import pygame
 import pygame_gui
 from pygame_gui.elements import UIButton, UICheckBox, UIDropDownMenu, UIHorizontalSlider, UITextEntryLine
 
-from game.lab.parameters import Count, Parameter, Point, plain, snapped, written
-from game.lab.picture import Toggle
+from game.drawing.palette import Theme
+from game.drawing.text import Type
+from game.lab.kit.parameters import Count, Parameter, Point, plain, snapped, written
+from game.lab.kit.picture import Toggle
 from game.lab.registry import scenes
-from game.lab.session import PACES, Session
+from game.lab.session.session import PACES, Session
 from game.lab.window.commands import KEYS, TOGGLE_KEYS, Command
 from game.lab.window.page import Page
 from game.lab.window.skin import skin
-from game.palette import Theme
-from game.text import Type
 
 _PRESETS = "presets"
 _HEIGHT, _GAP = 1.75, 0.3

@@ -1,0 +1,1 @@
+"""The picture of a scene: what both views share."""

@@ -1,0 +1,1 @@
+"""The flat view: rings seen from straight above."""

@@ -1,0 +1,131 @@
+"""The colours of everything, dark and light, chosen to tell apart without colour vision.
+
+Stacks are told apart by their terraces first and by colour second; the colours of a stack grow lighter (on the dark theme)
+or darker (on the light one) with every layer, so that they stay in order in grey. `tests/game/drawing/test_palette.py` computes
+all this.
+"""
+
+import math
+from typing import NamedTuple
+
+Colour = tuple[int, int, int]
+
+
+class Theme(NamedTuple):
+    """One set of colours, sRGB."""
+
+    background: Colour
+    ground: Colour
+    ground_line: Colour
+    rim: Colour
+    text: Colour
+    faint: Colour  # secondary text
+    accent: Colour  # what is chosen, the serve's aim
+    panel: Colour
+    panel_edge: Colour
+    paddle: Colour
+    paddle_top: Colour
+    ball: Colour
+    trail: Colour
+    steel: Colour
+    steel_line: Colour
+    flash: Colour
+    danger: Colour
+    shadow: float  # share of the ground's light that it takes
+    layers: tuple[Colour, ...]  # of terrace 1 (lowest) to 9
+
+
+DARK = Theme(
+    background=(9, 11, 22),
+    ground=(18, 22, 40),
+    ground_line=(31, 37, 62),
+    rim=(86, 101, 154),
+    text=(240, 243, 255),
+    faint=(160, 170, 204),
+    accent=(255, 209, 102),
+    panel=(22, 27, 50),
+    panel_edge=(74, 88, 138),
+    paddle=(22, 148, 146),
+    paddle_top=(74, 226, 208),
+    ball=(255, 255, 255),
+    trail=(120, 160, 255),
+    steel=(118, 126, 146),
+    steel_line=(38, 43, 58),
+    flash=(255, 255, 255),
+    danger=(255, 138, 128),
+    shadow=0.42,
+    layers=(
+        (58, 92, 214),
+        (136, 92, 236),
+        (222, 98, 196),
+        (255, 134, 116),
+        (255, 178, 84),
+        (255, 222, 110),
+        (255, 244, 176),
+        (255, 252, 224),
+        (255, 255, 255),
+    ),
+)
+
+LIGHT = Theme(
+    background=(222, 226, 236),
+    ground=(246, 247, 251),
+    ground_line=(226, 230, 240),
+    rim=(120, 132, 168),
+    text=(20, 24, 44),
+    faint=(74, 82, 110),
+    accent=(158, 72, 0),
+    panel=(255, 255, 255),
+    panel_edge=(120, 132, 168),
+    paddle=(0, 116, 118),
+    paddle_top=(0, 156, 150),
+    ball=(24, 28, 48),
+    trail=(70, 96, 170),
+    steel=(132, 138, 154),
+    steel_line=(58, 62, 76),
+    flash=(255, 176, 0),
+    danger=(176, 24, 36),
+    shadow=0.22,
+    layers=(
+        (84, 136, 240),
+        (126, 104, 240),
+        (168, 58, 206),
+        (176, 34, 120),
+        (150, 24, 60),
+        (112, 18, 30),
+        (78, 14, 18),
+        (48, 8, 12),
+        (16, 4, 6),
+    ),
+)
+
+
+def layer_colour(theme: Theme, layer: int) -> Colour:
+    """Colour of the given terrace of a stack, 1 the lowest; those above the last colour share it."""
+    return theme.layers[min(layer, len(theme.layers)) - 1]
+
+
+def mixed(first: Colour, second: Colour, share: float) -> Colour:
+    """The colour a share, 0 to 1, of the way from the first to the second."""
+    return (
+        round(first[0] + (second[0] - first[0]) * share),
+        round(first[1] + (second[1] - first[1]) * share),
+        round(first[2] + (second[2] - first[2]) * share),
+    )
+
+
+def luminance(colour: Colour) -> float:
+    """Relative luminance as in WCAG 2: 0 black to 1 white."""
+    red, green, blue = (_linear(channel / 255.0) for channel in colour)
+    return 0.2126 * red + 0.7152 * green + 0.0722 * blue
+
+
+def contrast(first: Colour, second: Colour) -> float:
+    """Contrast ratio as in WCAG 2: 1 to 21."""
+    darker, lighter = sorted((luminance(first), luminance(second)))
+    return (lighter + 0.05) / (darker + 0.05)
+
+
+def _linear(channel: float) -> float:
+    """Light of an sRGB channel."""
+    return channel / 12.92 if channel <= 0.04045 else math.pow((channel + 0.055) / 1.055, 2.4)

@@ -1,0 +1,1 @@
+"""The solid view: the same rings as prisms under a tilted camera."""

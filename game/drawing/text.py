@@ -1,0 +1,101 @@
+"""Text in pygame's own font, at any size, remembered so that a frame costs blits only."""
+
+from collections import OrderedDict
+
+import pygame
+
+from game.drawing.palette import Colour
+
+_SMALLEST = 6
+_LARGEST = 400
+_REMEMBERED = 256
+_FONTS = 32
+_FINER = 3
+"""Letters are drawn this much larger and scaled down: they stand where they belong, not on whole pixels."""
+
+
+class Type:
+    """Renders lines of text; keeps the most recent ones."""
+
+    def __init__(self) -> None:
+        """Start with nothing rendered."""
+        pygame.font.init()
+        self._fonts: dict[int, pygame.font.Font] = {}
+        self._lines: OrderedDict[tuple[str, int, Colour, float], pygame.Surface] = OrderedDict()
+
+    def rendered(self, text: str, size: float, colour: Colour, spacing: float = 0.0) -> pygame.Surface:
+        """A line of text on a transparent surface. size: pixels; spacing: between letters, as a share of the size."""
+        pixels = min(max(round(size), _SMALLEST), _LARGEST)
+        key = (text, pixels, colour, spacing)
+        if key in self._lines:
+            self._lines.move_to_end(key)
+            return self._lines[key]
+        large = self._spaced(text, pixels, colour, spacing) if spacing else self._font(pixels).render(text, True, colour)
+        line = pygame.transform.smoothscale(large, (-(-large.get_width() // _FINER), -(-large.get_height() // _FINER)))
+        self._lines[key] = line
+        if len(self._lines) > _REMEMBERED:
+            self._lines.popitem(last=False)
+        return line
+
+    def write(
+        self,
+        surface: pygame.Surface,
+        text: str,
+        size: float,
+        colour: Colour,
+        place: complex,
+        anchor: str = "topleft",
+        spacing: float = 0.0,
+    ) -> pygame.Rect:
+        """Draw a line of text and return where. place: pixels, of the rectangle's point named by anchor, as in pygame.Rect."""
+        line = self.rendered(text, size, colour, spacing)
+        box = line.get_rect(**{anchor: (round(place.real), round(place.imag))})
+        surface.blit(line, box)
+        return box
+
+    def wrapped(self, text: str, size: float, width: float) -> list[str]:
+        """The text in lines no wider than `width` pixels, as far as words allow."""
+        lines: list[str] = []
+        for word in text.split():
+            longer = f"{lines[-1]} {word}" if lines else word
+            if lines and self.rendered(longer, size, (0, 0, 0)).get_width() <= width:
+                lines[-1] = longer
+            else:
+                lines.append(word)
+        return lines
+
+    def _font(self, pixels: int) -> pygame.font.Font:
+        """pygame's own font at a size, larger by _FINER."""
+        if pixels not in self._fonts:
+            if len(self._fonts) >= _FONTS:
+                self._fonts.clear()
+            self._fonts[pixels] = pygame.font.Font(None, pixels * _FINER)
+        return self._fonts[pixels]
+
+    def _spaced(self, text: str, pixels: int, colour: Colour, spacing: float) -> pygame.Surface:
+        """A line with every gap between its letters alike, for large words."""
+        letters = [self._font(pixels).render(letter, True, colour) for letter in text]
+        inked = [letter.subsurface(_ink(letter)) for letter in letters]
+        gap = round(spacing * pixels * _FINER)
+        line = pygame.Surface(
+            (sum([letter.get_width() + gap for letter in inked]) - gap, letters[0].get_height()), pygame.SRCALPHA
+        )
+        line.fill((*colour, 0))
+        left = 0
+        for letter in inked:
+            line.blit(letter, (left, 0))
+            left += letter.get_width() + gap
+        return line
+
+
+def stepped(size: float) -> float:
+    """A size that changes from frame to frame, in quarters: every size has a font and every line its picture, in memory."""
+    return round(4.0 * size) / 4.0
+
+
+def _ink(letter: pygame.Surface) -> pygame.Rect:
+    """The columns a letter covers, at full height; of a space a part, for it covers none."""
+    ink = letter.get_bounding_rect()
+    if ink.width == 0:
+        return pygame.Rect(0, 0, letter.get_width(), letter.get_height())
+    return pygame.Rect(ink.left, 0, ink.width, letter.get_height())

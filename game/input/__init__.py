@@ -1,0 +1,1 @@
+"""What the player does: keys, pointer, and the view they steer."""

@@ -1,0 +1,1 @@
+"""What a scene is made of: parameters, handles, marks, cited lines."""

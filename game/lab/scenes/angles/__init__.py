@@ -1,0 +1,1 @@
+"""Angles: polar coordinates, differences, sides."""

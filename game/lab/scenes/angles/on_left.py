@@ -1,0 +1,173 @@
+"""Which end of a sector is nearer: the source's rule beside ours."""
+
+import math
+from typing import NamedTuple
+
+from game.lab.kit import handles
+from game.lab.kit.cited_line import Deciding, code, source
+from game.lab.kit.marks import degrees, ray
+from game.lab.kit.parameters import Given, Number
+from game.lab.kit.picture import Arrow, Disc, Dot, Line, Mark, Pane, Picture, Sector, Stroke, Toggle, Tone
+from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from game.lab.source import literal
+from physics import (
+    closest_point_on_line,
+    length,
+    min_difference,
+    narrow_phase_case_2,
+    normalize_angle,
+    on_left,
+    to_cartesian,
+)
+
+_RADIUS, _HALF_WIDTH = 6.0, 1.0
+
+
+class _Look(NamedTuple):
+    """What one rule makes of the ball."""
+
+    sign: int
+    a: complex
+    b: complex
+    q: complex  # of the end it looks at, the point nearest to the ball
+    normal: complex | None
+
+
+class _Both(NamedTuple):
+    """The ball, the sector, and both rules."""
+
+    p: complex
+    r: float
+    theta: float
+    angle: float
+    half_angle: float
+    theirs: _Look
+    ours: _Look
+
+    @property
+    def applies(self) -> bool:
+        """Whether this is case 2 at all."""
+        return min_difference(self.theta, self.angle) > self.half_angle
+
+
+def _both(given: Given) -> _Both:
+    """Both rules at the same ball."""
+    r, theta, angle = given.number("r"), normalize_angle(given.angle("theta")), normalize_angle(given.angle("angle"))
+    half_angle = given.angle("half_angle")
+    p = to_cartesian(_RADIUS, theta)
+    theirs = _look(p, r, angle, half_angle, literal.end_sign(theta, angle, half_angle))
+    ours = _look(p, r, angle, half_angle, 1 if on_left(theta, angle) else -1)
+    return _Both(p, r, theta, angle, half_angle, theirs, ours)
+
+
+def _look(p: complex, r: float, angle: float, half_angle: float, sign: int) -> _Look:
+    """The normal of the end on one side."""
+    a, b = literal.end_points(_RADIUS, _HALF_WIDTH, angle + sign * half_angle)
+    return _Look(sign, a, b, closest_point_on_line(a, b, p), literal.end_normal(p, r, a, b))
+
+
+def _picture(given: Given) -> Picture:
+    """The source's choice at the left, ours at the right."""
+    both = _both(given)
+    panes = (
+        Pane(_marks(both, both.theirs, Tone.SOURCE), "the source: on_left(θ, θ_p + φ_p)"),
+        Pane(_marks(both, both.ours, Tone.OURS), "here: on_left(θ, θ_p)"),
+    )
+    far = normalize_angle(both.angle + both.half_angle)
+    formula = (
+        f"θ = {degrees(both.theta)},   θ_p = {degrees(both.angle)},   φ_p = {degrees(both.half_angle)}",
+        f"the source:   on_left(θ, θ_p + φ_p = {degrees(far)}) = {both.theirs.sign > 0}:   sign = {both.theirs.sign}",
+        f"here:   on_left(θ, θ_p) = {both.ours.sign > 0}:   sign = {both.ours.sign}",
+        f"|p - q|:   {length(both.p - both.theirs.q):.3f} by the source's end, {length(both.p - both.ours.q):.3f} by ours",
+    )
+    return Picture(panes, formula, _deciding(both), _note(both))
+
+
+def _marks(both: _Both, look: _Look, tone: Tone) -> tuple[Mark, ...]:
+    """The ball, the sector, and the end that a rule looks at."""
+    marks: list[Mark] = [
+        Sector(_RADIUS, _HALF_WIDTH, both.angle, both.half_angle, Tone.SECTOR),
+        ray(both.angle, 8.0, Tone.FAINT, "θ_p"),
+        ray(both.theta, 8.0),
+        Disc(both.p, both.r, Tone.BALL),
+    ]
+    if both.applies:
+        marks += [Line((look.a, look.b), tone, Toggle.CLOSEST, Stroke.THICK), Dot(look.q, tone, Toggle.CLOSEST, "q")]
+    if both.applies and look.normal is not None:
+        marks.append(Arrow(look.q, look.normal * 2.0, tone, Toggle.NORMALS, label="n"))
+    return tuple(marks)
+
+
+def _deciding(both: _Both) -> Deciding:
+    """The line that picks the end."""
+    if both.theirs.sign != both.ours.sign:
+        return source("Narrow phase, case 2", "sign = 1 if on_left(θ, θ_p + φ_p) else -1")
+    return code(narrow_phase_case_2, "sign = 1.0 if on_left")
+
+
+def _note(both: _Both) -> str:
+    """Who errs, and why."""
+    if not both.applies:
+        return "θ lies within the sector: this is case 1, and neither rule is asked."
+    if both.theirs.sign == both.ours.sign:
+        return "Both rules pick the same end."
+    if abs(min_difference(both.theta, both.angle) - math.pi) < 1e-9:
+        return "The ball is exactly opposite: both ends are equally near."
+    return (
+        "From θ_p + φ_p to θ it is less than half a turn, though the other end is nearer: offset + φ_p > π. "
+        "The source looks at the wrong end."
+    )
+
+
+def _check(given: Given) -> tuple[Claim, ...]:
+    """Exactly when the source errs."""
+    both = _both(given)
+    offset = min_difference(both.theta, both.angle)
+    ours, theirs = length(both.p - both.ours.q), length(both.p - both.theirs.q)
+    arguments = both.p, both.r, both.theta, _RADIUS, both.angle, _HALF_WIDTH, both.half_angle
+    normal = narrow_phase_case_2(*arguments) if both.applies else None
+    borders = offset - both.half_angle, abs(offset + both.half_angle - math.pi), math.pi - offset, both.half_angle
+    clear = both.applies and min(borders) > 1e-6
+    wide = offset + both.half_angle > math.pi
+    return (
+        Claim("our end is the nearer one", not both.applies or ours <= theirs + 1e-9),
+        Claim(
+            "the source picks the other end exactly when offset + φ_p > π and the ball is clockwise of θ_p",
+            not clear or (both.theirs.sign != both.ours.sign) == (wide and both.ours.sign < 0),
+        ),
+        Claim("narrow_phase_case_2 looks at our end", (normal is not None) == (both.applies and ours < both.r)),
+        Claim("two narrow sectors are treated alike", not both.applies or wide or not clear or theirs == ours),
+    )
+
+
+SCENE = Scene(
+    name="on-left",
+    title="Which end? on_left and the wide sector",
+    idea="Measured from a wide sector's own end, a ball on the other side is still on the left: the sector's middle decides.",
+    chapter=Chapter.ANGLES,
+    place=30,
+    functions=("on_left", "narrow_phase_case_2"),
+    parameters=(
+        Number("theta", "θ", "°", 0.0, 360.0, 200.0, 0.5, "the ball's angle"),
+        Number("r", "r", "", 0.1, 4.0, 1.4, 0.05, "the ball's radius"),
+        Number("angle", "θ_p", "°", 0.0, 360.0, 0.0, 0.5, "the sector's middle angle"),
+        Number("half_angle", "φ_p", "°", 0.0, 180.0, 150.0, 0.5, "its half angle"),
+    ),
+    handles=(
+        handles.on_circle("theta", lambda _: _RADIUS, "ball"),
+        handles.on_circle("angle", lambda _: _RADIUS, "sector"),
+        handles.half_angle("half_angle", "angle", lambda _: _RADIUS + 0.6 * _HALF_WIDTH, 1.0),
+        handles.half_angle("half_angle", "angle", lambda _: _RADIUS + 0.6 * _HALF_WIDTH, -1.0),
+    ),
+    view=View(0j, 8.4 + 8.4j),
+    shows=_picture,
+    check=_check,
+    rows=(2,),
+    presets=(
+        Preset("a wide sector: the source errs", "theta=200&half_angle=150"),
+        Preset("the same, mirrored: both are right", "theta=160&half_angle=150"),
+        Preset("a narrow sector: both are right", "theta=330&half_angle=20"),
+        Preset("the ball reaches both ends", "theta=190&half_angle=160&r=2.4"),
+        Preset("opposite", "theta=180&half_angle=150&r=2"),
+    ),
+)

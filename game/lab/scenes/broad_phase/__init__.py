@@ -1,0 +1,1 @@
+"""Broad phase: which obstacle, which sector."""

@@ -1,0 +1,173 @@
+"""The broad phase: what the ball's distance from the centre says."""
+
+from game.lab.kit import handles
+from game.lab.kit.cited_line import Deciding, code
+from game.lab.kit.handles import Handle
+from game.lab.kit.marks import ball_marks, ray
+from game.lab.kit.parameters import Given, Number, Point
+from game.lab.kit.picture import Band, Circle, Line, Mark, Picture, Stroke, Toggle, Tone, Words, single
+from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from physics import (
+    Ball,
+    Outcome,
+    Ring,
+    broad_phase_outcome,
+    contact,
+    has_left,
+    in_band,
+    length,
+    normalize_angle,
+    to_cartesian,
+    to_polar,
+)
+
+_TONES = {
+    Outcome.GAME_OVER: Tone.SOURCE,
+    Outcome.PADDLES: Tone.GOOD,
+    Outcome.BRICKS: Tone.ONE,
+    Outcome.NO_COLLISION: Tone.FAINT,
+}
+_FAR = 25.0
+_CLOSED = 3.141592653589793
+
+
+def _rings(given: Given) -> tuple[Ring, Ring]:
+    """The paddles' ring and the bricks', closed: the broad phase does not look at angles."""
+    paddles = Ring(given.number("r_p"), given.number("w_p"), _CLOSED, 1)
+    return paddles, Ring(given.number("r_b"), given.number("w_b"), _CLOSED, 1)
+
+
+def _outcome(given: Given) -> Outcome:
+    """What the broad phase says."""
+    return broad_phase_outcome(given.point("ball"), given.number("r"), given.number("r_g"), *_rings(given))
+
+
+def _picture(given: Given) -> Picture:
+    """Where a centre may be for each outcome, and the ball's reach from the centre."""
+    p, r, r_g = given.point("ball"), given.number("r"), given.number("r_g")
+    paddles, bricks = _rings(given)
+    distance, theta = to_polar(p)
+    outcome = _outcome(given)
+    tone = _TONES[outcome] if outcome is not Outcome.NO_COLLISION else Tone.PLAIN
+    marks: list[Mark] = [
+        Band(r_g + r, _FAR, Tone.SOURCE, Toggle.BANDS, 0.16),
+        Band(max(bricks.inner_radius - r, 0.0), bricks.outer_radius + r, Tone.ONE, Toggle.BANDS, 0.3),
+        Band(max(paddles.inner_radius - r, 0.0), paddles.outer_radius + r, Tone.GOOD, Toggle.BANDS, 0.3),
+        Circle(0j, r_g, Tone.PLAIN),
+        *[
+            Circle(0j, radius, Tone.GHOST, None, Stroke.DASHED)
+            for ring in (paddles, bricks)
+            for radius in (ring.inner_radius, ring.outer_radius)
+        ],
+        ray(theta, distance),
+        *ball_marks(p, r),
+        Line((to_cartesian(max(distance - r, 0.0), theta), to_cartesian(distance + r, theta)), tone, None, Stroke.THICK),
+        Words(to_cartesian(r_g, 2.0) + 0.6j, "ground: r_g", Tone.PLAIN),
+        Words(to_cartesian(paddles.radius, 2.5), "paddles", Tone.PLAIN, Toggle.BANDS),
+        Words(to_cartesian(bricks.radius, 2.5), "bricks", Tone.PLAIN, Toggle.BANDS),
+    ]
+    return single(tuple(marks), _formula(given), _deciding(outcome), _note(outcome, distance))
+
+
+def _formula(given: Given) -> tuple[str, ...]:
+    """The three tests, in the source's order."""
+    p, r, r_g = given.point("ball"), given.number("r"), given.number("r_g")
+    distance = length(p)
+    low, high = distance - r, distance + r
+    lines = [f"|p| - r = {low:.2f} {'>' if low > r_g else '≤'} r_g = {r_g:g}"]
+    for letter, ring in zip("pb", _rings(given), strict=True):
+        inner, outer = ring.inner_radius, ring.outer_radius
+        lines.append(
+            f"|p| + r = {high:.2f} {'≥' if high >= inner else '<'} r_{letter} - w_{letter} = {inner:.2f}   and   "
+            f"|p| - r = {low:.2f} {'≤' if low <= outer else '>'} r_{letter} + w_{letter} = {outer:.2f}"
+        )
+    return (*lines, f"so: {_outcome(given).value}")
+
+
+def _deciding(outcome: Outcome) -> Deciding:
+    """The test that decided."""
+    if outcome is Outcome.GAME_OVER:
+        return code(has_left, "return length(p)")
+    if outcome is Outcome.NO_COLLISION:
+        return code(broad_phase_outcome, "return Outcome.NO_COLLISION")
+    return code(in_band, "return distance + ball_radius")
+
+
+def _note(outcome: Outcome, distance: float) -> str:
+    """What follows."""
+    if distance == 0.0:
+        return "The ball is on the centre: it has no angle, but the broad phase asks only for its distance."
+    if outcome is Outcome.GAME_OVER:
+        return "The source's game is over. Here the ball costs one life, once, and the game ends with the last."
+    if outcome is Outcome.NO_COLLISION:
+        return "Nothing of either ring is as far from the centre as any part of the ball."
+    ring = "paddles" if outcome is Outcome.PADDLES else "bricks"
+    return f"The ball reaches into the band of the {ring}. Which of its sectors is nearest is the next question."
+
+
+def _check(given: Given) -> tuple[Claim, ...]:
+    """By the distances themselves, and by what the narrow phase would find."""
+    p, r, r_g = given.point("ball"), given.number("r"), given.number("r_g")
+    paddles, bricks = _rings(given)
+    outcome, distance = _outcome(given), length(p)
+    gaps = [contact(Ball(p, 0j, r), ring, 0).gap for ring in (paddles, bricks)]
+    margins = [abs(distance - r - r_g), *[abs(gap) for gap in gaps]]
+    turned = to_cartesian(distance, normalize_angle(to_polar(p)[1] + 1.0))
+    elsewhere = broad_phase_outcome(turned, r, r_g, paddles, bricks)
+    touching = [gap <= 0.0 for gap in gaps]
+    expected = (
+        Outcome.GAME_OVER
+        if distance - r > r_g
+        else Outcome.PADDLES
+        if touching[0]
+        else Outcome.BRICKS
+        if touching[1]
+        else Outcome.NO_COLLISION
+    )
+    return (
+        Claim("the outcome is what a closed ring would feel", outcome is expected or min(margins) < 1e-9),
+        Claim("it does not depend on the ball's angle", outcome is elsewhere or min(margins) < 1e-9),
+        Claim("no collision means no contact", outcome is not Outcome.NO_COLLISION or min(gaps) > -1e-9),
+    )
+
+
+def _on_axis(name: str, label: str, turn: float) -> Handle:
+    """A radius, taken hold of on a bearing."""
+    return Handle(label, lambda given: to_cartesian(given.number(name), turn), lambda _given, place: {name: length(place)})
+
+
+SCENE = Scene(
+    name="broad-phase",
+    title="Broad phase: four outcomes",
+    idea="The distance from the centre alone says which ring a ball can touch at all: most balls touch none.",
+    chapter=Chapter.BROAD_PHASE,
+    place=10,
+    functions=("broad_phase",),
+    parameters=(
+        Point("ball", "p", -20.0, 20.0, 6 + 5j, meaning="the ball's centre"),
+        Number("r", "r", "", 0.1, 3.0, 0.8, 0.05, "the ball's radius"),
+        Number("r_g", "r_g", "", 5.0, 15.0, 12.0, 0.1, "the ground's radius"),
+        Number("r_p", "r_p", "", 2.1, 14.0, 10.0, 0.1, "the paddles' middle radius"),
+        Number("w_p", "w_p", "", 0.05, 2.0, 0.4, 0.05, "their half width"),
+        Number("r_b", "r_b", "", 2.1, 14.0, 5.0, 0.1, "the bricks' middle radius"),
+        Number("w_b", "w_b", "", 0.05, 2.0, 1.0, 0.05, "their half width"),
+    ),
+    handles=(
+        handles.point("ball", "ball", "r"),
+        _on_axis("r_g", "r_g", 0.0),
+        _on_axis("r_p", "r_p", 0.0),
+        _on_axis("r_b", "r_b", 0.0),
+    ),
+    view=View(0j, 14.8 + 13.4j),
+    shows=_picture,
+    check=_check,
+    rows=(9,),
+    presets=(
+        Preset("no collision", "ball=6,5"),
+        Preset("bricks", "ball=4,4"),
+        Preset("paddles", "ball=8.5,-5"),
+        Preset("game over", "ball=10,9"),
+        Preset("just not over", "ball=12.8,0"),
+        Preset("the ball on the centre", "ball=0,0"),
+    ),
+)

@@ -1,0 +1,159 @@
+"""Which of many sectors is nearest: the source's search, and arithmetic."""
+
+import math
+
+from game.lab.kit import handles
+from game.lab.kit.cited_line import Deciding, code
+from game.lab.kit.marks import ball_marks, contact_marks, degrees, ray, ring_marks, second_opinion
+from game.lab.kit.parameters import Count, Given, Number, Point
+from game.lab.kit.picture import Line, Mark, Picture, Stroke, Tone, Words, single
+from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from physics import (
+    Ball,
+    Ring,
+    angle_of,
+    broad_phase,
+    contact,
+    length,
+    min_difference,
+    nearest_slot,
+    normalize_angle,
+    to_cartesian,
+)
+
+_RADIUS, _HALF_WIDTH = 8.0, 0.9
+_NUMBERED = 16
+"""Slots up to this many have their number written on them."""
+
+
+def _ring(given: Given) -> Ring:
+    """Evenly spaced sectors."""
+    count = given.count("n")
+    return Ring(_RADIUS, _HALF_WIDTH, given.number("fill") * math.pi / count, count, given.angle("phase"))
+
+
+def _ball(given: Given) -> Ball:
+    """The ball."""
+    return Ball(given.point("ball"), 0j, given.number("r"))
+
+
+def _picture(given: Given) -> Picture:
+    """The sectors, the nearest one bright, and the borders between their neighbourhoods."""
+    ring, ball = _ring(given), _ball(given)
+    theta = angle_of(ball.position)
+    slot = nearest_slot(ring, theta)
+    found = contact(ball, ring, slot)
+    marks: list[Mark] = [*_borders(ring), *ring_marks(ring, None, slot)]
+    if ring.count <= _NUMBERED:
+        marks += [Words(to_cartesian(_RADIUS, ring.angle(k)), str(k), Tone.PLAIN) for k in range(ring.count)]
+    marks += [ray(theta, 11.0), *ball_marks(ball.position, ball.radius), *contact_marks(ball, found, 2.0)]
+    neighbours = tuple({(slot + step) % ring.count: None for step in (-1, 0, 1)})
+    marks += second_opinion(given, ball, ring, neighbours, found)
+    difference = min_difference(theta, ring.angle(slot))
+    pitch, face = math.tau / ring.count, difference <= ring.half_angle
+    formula = (
+        f"the source looks at all {ring.count}:   the least min_difference(θ, θ_p) is {degrees(difference)}, of sector {slot}",
+        f"here:   round((θ - θ_0) / (2π / n)) mod n = round({_turned(theta, ring) / pitch:.2f}) mod {ring.count} = {slot}",
+        f"min_difference {'≤' if face else '>'} φ_p = {degrees(ring.half_angle)}:   case {1 if face else 2}",
+        f"gap = {found.gap:.3f}",
+    )
+    return single(tuple(marks), formula, _deciding(), _note(given, ring, ball))
+
+
+def _borders(ring: Ring) -> list[Mark]:
+    """Where one sector's neighbourhood ends and the next one's begins."""
+    angles = [ring.angle(k) + math.pi / ring.count for k in range(ring.count)] if ring.count > 1 else []
+    return [Line((to_cartesian(5.0, angle), to_cartesian(14.0, angle)), Tone.FAINT, None, Stroke.DASHED) for angle in angles]
+
+
+def _turned(theta: float, ring: Ring) -> float:
+    """The ball's angle from slot 0, in (-pi, pi]."""
+    turn = normalize_angle(theta - ring.phase)
+    return turn - math.tau if turn > math.pi else turn
+
+
+def _deciding() -> Deciding:
+    """The arithmetic."""
+    return code(nearest_slot, "return round(")
+
+
+def _note(given: Given, ring: Ring, ball: Ball) -> str:
+    """What is special."""
+    if ball.position == 0.0:
+        return "The ball is on the centre: every sector is equally near, and by convention its angle is 0."
+    touched = _touched(ring, ball)
+    if len(touched) > 1:
+        return f"The ball touches {len(touched)} sectors. One nearest is not enough: each is answered, in the order of time."
+    if given.number("fill") == 1.0:
+        return "The sectors meet: the ring is closed, and there are no ends to hit."
+    return ""
+
+
+def _touched(ring: Ring, ball: Ball) -> list[int]:
+    """The slots that the ball touches."""
+    return [slot for slot in range(ring.count) if contact(ball, ring, slot).gap < 0.0]
+
+
+def _check(given: Given) -> tuple[Claim, ...]:
+    """The arithmetic against the search, and the search against the contacts themselves."""
+    ring, ball = _ring(given), _ball(given)
+    theta = angle_of(ball.position)
+    slot = nearest_slot(ring, theta)
+    differences = [min_difference(theta, ring.angle(k)) for k in range(ring.count)]
+    gaps = [contact(ball, ring, k).gap for k in range(ring.count)]
+    positions = [(_RADIUS, ring.angle(k)) for k in range(ring.count)]
+    normal = broad_phase(ball.position, ball.radius, theta, positions, _HALF_WIDTH, ring.half_angle)
+    ends = differences[slot] > ring.half_angle
+    asked = ends and abs(differences[slot] - ring.half_angle) > 1e-9 and abs(gaps[slot]) > 1e-9
+    return (
+        Claim("the arithmetic finds the least difference of the search", differences[slot] <= min(differences) + 1e-9),
+        Claim("no other sector is nearer to the ball", gaps[slot] <= min(gaps) + 1e-9 or _inside(ring, ball)),
+        Claim(
+            "at an end, broad_phase has a normal exactly where they touch",
+            not asked or _has(normal) == (gaps[slot] < 0.0),
+        ),
+        Claim("over a face, it always has one", ends or normal is not None),
+    )
+
+
+def _has(normal: complex | None) -> bool:
+    """Whether there is a normal."""
+    return normal is not None
+
+
+def _inside(ring: Ring, ball: Ball) -> bool:
+    """Whether the ball's centre is in the band, where the way out of a sector may lead past another's end."""
+    return ring.inner_radius < length(ball.position) < ring.outer_radius
+
+
+SCENE = Scene(
+    name="nearest-sector",
+    title="Broad phase: the nearest sector",
+    idea="The source searches a list for the angle nearest to the ball's; evenly spaced slots turn the search into a division.",
+    chapter=Chapter.BROAD_PHASE,
+    place=20,
+    functions=("broad_phase", "min_difference"),
+    parameters=(
+        Point("ball", "p", -13.0, 13.0, 8.6 + 5.2j, meaning="the ball's centre"),
+        Number("r", "r", "", 0.1, 3.0, 0.8, 0.05, "the ball's radius"),
+        Count("n", "n", 1, 60, 9, "sectors"),
+        Number("fill", "φ_p n / π", "", 0.05, 1.0, 0.7, 0.01, "share of the ring that is filled"),
+        Number("phase", "θ_0", "°", 0.0, 360.0, 0.0, 0.5, "middle angle of sector 0"),
+    ),
+    handles=(
+        handles.point("ball", "ball", "r"),
+        handles.on_circle("phase", lambda _: _RADIUS + _HALF_WIDTH, "θ_0: turn the ring"),
+    ),
+    view=View(0j, 11.8 + 11.2j),
+    shows=_picture,
+    check=_check,
+    rows=(8,),
+    presets=(
+        Preset("across the polar axis", "ball=9.5,-1&phase=10"),
+        Preset("between two: both are touched", "ball=8.2,2.98&n=9&fill=0.75&r=0.9"),
+        Preset("three paddles", "n=3&fill=0.3"),
+        Preset("sixty bricks", "n=60&fill=0.8&r=0.4"),
+        Preset("a closed ring", "fill=1"),
+        Preset("the ball on the centre", "ball=0,0"),
+    ),
+)

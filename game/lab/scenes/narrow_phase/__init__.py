@@ -1,0 +1,1 @@
+"""Narrow phase: case 1, case 2, closest points."""

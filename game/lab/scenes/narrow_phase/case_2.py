@@ -1,0 +1,195 @@
+"""Case 2: the ball's angle lies outside of the sector's."""
+
+from typing import NamedTuple
+
+from game.lab.kit import handles
+from game.lab.kit.cited_line import Deciding, code
+from game.lab.kit.marks import ball_marks, contact_marks, degrees, is_unit, ray, second_opinion
+from game.lab.kit.parameters import Given, Number, Point
+from game.lab.kit.picture import Dot, Line, Mark, Picture, Sector, Stroke, Toggle, Tone, single
+from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from game.lab.source import literal
+from physics import (
+    Ball,
+    Contact,
+    Feature,
+    Ring,
+    angle_of,
+    closest_point_on_line,
+    contact,
+    dot,
+    length,
+    min_difference,
+    narrow_phase_case_1,
+    narrow_phase_case_2,
+    on_left,
+)
+from physics.narrow_phase import end_contact
+
+_SAMPLES = 64
+_WORDS = {
+    Feature.END: "the end itself: the normal is square to it",
+    Feature.CORNER: "a corner, the clamped foot: the normal points from it to p",
+    Feature.OUTER_FACE: "the outer face",
+    Feature.INNER_FACE: "the inner face",
+}
+
+
+class _Case(NamedTuple):
+    """The numbers of the source's call, and the end it looks at."""
+
+    ball: Ball
+    theta: float
+    radius: float
+    angle: float
+    half_width: float
+    half_angle: float
+    sign: int  # 1 the counter-clockwise end, -1 the clockwise one
+    a: complex
+    b: complex
+
+    @property
+    def applies(self) -> bool:
+        """Whether the ball's angle lies outside of the sector's."""
+        return min_difference(self.theta, self.angle) > self.half_angle
+
+    @property
+    def normal(self) -> complex | None:
+        """What case 2 answers; None where it is not asked."""
+        if not self.applies:
+            return None
+        return narrow_phase_case_2(
+            self.ball.position, self.ball.radius, self.theta, self.radius, self.angle, self.half_width, self.half_angle
+        )
+
+
+def _case(given: Given) -> _Case:
+    """The call that the values make."""
+    ball = Ball(given.point("ball"), 0j, given.number("r"))
+    theta, angle, half_angle = angle_of(ball.position), given.angle("angle"), given.angle("half_angle")
+    radius, half_width = given.number("radius"), given.number("half_width")
+    sign = 1 if on_left(theta, angle) else -1
+    a, b = literal.end_points(radius, half_width, angle + sign * half_angle)
+    return _Case(ball, theta, radius, angle, half_width, half_angle, sign, a, b)
+
+
+def _ring(case: _Case) -> Ring | None:
+    """The sector as a ring; None where it has no width, which a ring must have."""
+    return Ring(case.radius, case.half_width, case.half_angle, 1, case.angle) if case.half_angle > 0.0 else None
+
+
+def _picture(given: Given) -> Picture:
+    """The sector, the end that is nearer in angle, and the closest point on it."""
+    case = _case(given)
+    ball, ring = case.ball, _ring(case)
+    found = _found(case, ring)
+    marks: list[Mark] = [Sector(case.radius, case.half_width, case.angle, case.half_angle, Tone.SECTOR)]
+    marks += [ray(case.theta, 15.0), *ball_marks(ball.position, ball.radius)]
+    if case.applies:
+        marks.append(Line((case.a, case.b), Tone.PLAIN, Toggle.CLOSEST, Stroke.THICK))
+        marks += [Dot(case.a, Tone.PLAIN, Toggle.CLOSEST, "A"), Dot(case.b, Tone.PLAIN, Toggle.CLOSEST, "B")]
+    marks += contact_marks(ball, found)
+    if ring is not None:
+        marks += second_opinion(given, ball, ring, (0,), found)
+    return single(tuple(marks), _formula(case, found), _deciding(case, found), _note(case, found))
+
+
+def _found(case: _Case, ring: Ring | None) -> Contact:
+    """Where the ball and the sector are nearest."""
+    if ring is not None and not case.applies:
+        return contact(case.ball, ring, 0)
+    along = (case.b - case.a) / length(case.b - case.a)
+    return end_contact(case.ball.position, case.ball.radius, along, case.sign, length(case.a), length(case.b))
+
+
+def _formula(case: _Case, found: Contact) -> tuple[str, ...]:
+    """Which case, which end, and the distance."""
+    difference = min_difference(case.theta, case.angle)
+    compared = f"min_difference(θ, θ_p) = {degrees(difference)} {'>' if case.applies else '≤'} φ_p = {degrees(case.half_angle)}"
+    if not case.applies:
+        return (compared, "so this is case 1: a face is nearest", f"gap = {found.gap:.3f}")
+    distance = length(case.ball.position - found.point)
+    side = "is" if case.sign > 0 else "is not"
+    return (
+        compared,
+        f"θ = {degrees(case.theta)} {side} on the left of θ_p = {degrees(case.angle)}: sign = {case.sign}",
+        "A, B = (r_p - w_p, θ_p + sign φ_p), (r_p + w_p, θ_p + sign φ_p)",
+        f"|p - q| = {distance:.3f} {'<' if found.gap < 0.0 else '≥'} r = {case.ball.radius:g}: "
+        + ("n = (p - q) / |p - q|" if found.gap < 0.0 else "None"),
+    )
+
+
+def _deciding(case: _Case, found: Contact) -> Deciding:
+    """The line that says what the normal is."""
+    if not case.applies:
+        return code(narrow_phase_case_1, "return -n")
+    if found.gap >= 0.0:
+        return code(narrow_phase_case_2, "found.gap < 0.0")
+    return code(end_contact, "normal = ")
+
+
+def _note(case: _Case, found: Contact) -> str:
+    """What is nearest, or what is degenerate."""
+    if case.ball.position == 0.0:
+        return "The ball is on the centre: it has no angle, and θ = 0 by convention."
+    if case.half_angle == 0.0:
+        return "φ_p = 0: the sector is a mere segment. The game refuses such a ring; case 2 answers all the same."
+    if not case.applies and case.half_angle >= 3.1415926:
+        return "φ_p = 180°: the ring is closed. It has no ends, so every ball is case 1."
+    if length(case.ball.position - found.point) == 0.0:
+        return "p = q: the source leaves out the distance 0. The normal is the end's own."
+    return f"Nearest: {_WORDS[found.feature]}."
+
+
+def _check(given: Given) -> tuple[Claim, ...]:
+    """The end by brute force, the normal by its definition."""
+    case = _case(given)
+    p, r = case.ball.position, case.ball.radius
+    q = closest_point_on_line(case.a, case.b, p)
+    distance = length(p - q)
+    nearest = min([length(p - (case.a + (case.b - case.a) * (k / _SAMPLES))) for k in range(_SAMPLES + 1)])
+    other = closest_point_on_line(
+        *literal.end_points(case.radius, case.half_width, case.angle - case.sign * case.half_angle), p
+    )
+    normal, ring = case.normal, _ring(case)
+    gap = None if ring is None or not case.applies else contact(case.ball, ring, 0).gap
+    return (
+        Claim("no point of the end is nearer to p than q", distance <= nearest + 1e-9),
+        Claim("the other end is no nearer", not case.applies or distance <= length(p - other) + 1e-9),
+        Claim("there is a normal exactly where |p - q| < r", (normal is not None) == (case.applies and distance < r)),
+        Claim("the normal has length 1", normal is None or is_unit(normal)),
+        Claim("and points from q to p", normal is None or abs(dot(normal, p - q) - distance) < 1e-9),
+        Claim("contact() agrees on the gap", gap is None or abs(gap - (distance - r)) < 1e-9),
+    )
+
+
+SCENE = Scene(
+    name="case-2",
+    title="Narrow phase, case 2: an end and its corners",
+    idea="Outside of the sector's angle the nearer end is a segment AB; the normal points from its closest point to the ball.",
+    chapter=Chapter.NARROW_PHASE,
+    place=30,
+    functions=("narrow_phase_case_2", "closest_point_on_line", "to_cartesian"),
+    parameters=(
+        Point("ball", "p", -15.0, 15.0, 9.4 + 3.9j, meaning="the ball's centre"),
+        Number("r", "r", "", 0.05, 5.0, 0.9, 0.05, "the ball's radius"),
+        Number("radius", "r_p", "", 2.0, 13.0, 10.0, 0.05, "the sector's middle radius"),
+        Number("angle", "θ_p", "°", 0.0, 360.0, 0.0, 0.5, "the sector's middle angle"),
+        Number("half_width", "w_p", "", 0.05, 1.9, 1.0, 0.05, "its half width"),
+        Number("half_angle", "φ_p", "°", 0.0, 180.0, 20.0, 0.5, "its half angle"),
+    ),
+    handles=(handles.point("ball", "ball", "r"), *handles.sector_handles("radius", "half_width", "angle", "half_angle")),
+    view=View(9.4 + 2.5j, 4.0 + 2.9j),
+    shows=_picture,
+    check=_check,
+    rows=(3,),
+    presets=(
+        Preset("beside the end", "ball=9.4,3.9"),
+        Preset("outer corner", "ball=10.9,4.4"),
+        Preset("inner corner", "ball=8.1,3.6"),
+        Preset("the clockwise end", "ball=9.4,-3.9"),
+        Preset("case 1 instead", "ball=8.4,1"),
+        Preset("no width", "half_angle=0&ball=9.6,0.6"),
+        Preset("the ball on the centre", "ball=0,0"),
+    ),
+)

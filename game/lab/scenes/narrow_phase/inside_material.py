@@ -1,0 +1,199 @@
+"""A ball that starts inside the material: which way out?"""
+
+import math
+from typing import NamedTuple
+
+from game.lab.kit import handles
+from game.lab.kit.cited_line import Deciding, code, source
+from game.lab.kit.marks import ball_marks, contact_marks, ring_marks, two_decimals
+from game.lab.kit.parameters import Given, Number, Point
+from game.lab.kit.picture import Arrow, Circle, Line, Mark, Picture, Stroke, Toggle, Tone, Words, single
+from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from physics import (
+    PERMANENT,
+    Arena,
+    Ball,
+    Contact,
+    Feature,
+    Ring,
+    Step,
+    advance,
+    angle_of,
+    contact,
+    dot,
+    length,
+    min_difference,
+    to_cartesian,
+)
+from physics.narrow_phase import face_contact, sector_contact
+from physics.tolerances import OVERLAP
+
+_TICK = 1.0 / 240.0
+_SAMPLES = 200
+_WORDS = {
+    Feature.OUTER_FACE: "the outer face",
+    Feature.INNER_FACE: "the inner face",
+    Feature.END: "an end",
+    Feature.CORNER: "a corner",
+}
+
+
+class _Start(NamedTuple):
+    """A ball put somewhere, both ways out, and the tick that follows."""
+
+    ball: Ball
+    ring: Ring
+    face: Contact  # the source's: a face, wherever the centre is
+    found: Contact  # ours
+    step: Step
+
+    @property
+    def over(self) -> bool:
+        """Whether the ball's angle lies within the sector's: the source's case 1."""
+        return min_difference(angle_of(self.ball.position), self.ring.angle(0)) <= self.ring.half_angle
+
+    @property
+    def inside(self) -> bool:
+        """Whether the ball's centre is in the material."""
+        return self.over and self.ring.inner_radius < length(self.ball.position) < self.ring.outer_radius
+
+
+def _begun(given: Given) -> _Start:
+    """What the values make."""
+    ring = Ring(given.number("radius"), given.number("half_width"), given.angle("half_angle"), 1, given.angle("angle"))
+    ball = Ball(given.point("ball"), 0j, given.number("r"))
+    face = face_contact(ball.position, ball.radius, ring.radius, ring.half_width)
+    step = advance(Arena((ball,), (ring,), ((PERMANENT,),)), _TICK, 1.0)
+    return _Start(ball, ring, face, contact(ball, ring, 0), step)
+
+
+def _picture(given: Given) -> Picture:
+    """The ball, the source's way out and ours."""
+    begun = _begun(given)
+    ball, ring = begun.ball, begun.ring
+    marks: list[Mark] = [*ring_marks(ring), *ball_marks(ball.position, ball.radius)]
+    if begun.over and begun.face.gap < 0.0:
+        marks += _way(ball, begun.face, Tone.SOURCE, "the source: a face")
+    if begun.step.freed:
+        place = begun.step.arena.balls[0].position
+        if length(place - ball.position + begun.found.normal * begun.found.gap) < 1e-9:
+            marks += _way(ball, begun.found, Tone.OURS, "here: the least depth")
+        else:
+            marks += [
+                Circle(place, ball.radius, Tone.OURS, Toggle.SWEPT, Stroke.THICK),
+                Line((ball.position, place), Tone.OURS),
+            ]
+    else:
+        marks += contact_marks(ball, begun.found)
+    return single(tuple(marks), _formula(begun), _deciding(begun), _note(begun))
+
+
+def _way(ball: Ball, way: Contact, tone: Tone, words: str) -> list[Mark]:
+    """Where a ball is put that leaves through one side."""
+    there = ball.position - way.normal * way.gap
+    return [
+        Circle(there, ball.radius, tone, Toggle.SWEPT, Stroke.THICK),
+        Arrow(ball.position, there - ball.position, tone, Toggle.NORMALS),
+        Words(there + way.normal * (ball.radius + 0.7), words, tone, Toggle.NORMALS),
+    ]
+
+
+def _formula(begun: _Start) -> tuple[str, ...]:
+    """The ways out, and the shortest."""
+    ring, p, r = begun.ring, begun.ball.position, begun.ball.radius
+    if not begun.inside:
+        return ("the centre is not in the material:", f"gap = {begun.found.gap:.3f},   n = {two_decimals(begun.found.normal)}")
+    offset = ring.half_angle - min_difference(angle_of(p), ring.angle(0))
+    end = f"{length(p) * math.sin(offset):.3f}" if offset < math.pi / 2.0 else "out of reach"
+    return (
+        f"to the outer face:   r_p + w_p - |p| = {ring.outer_radius - length(p):.3f}",
+        f"to the inner face:   |p| - (r_p - w_p) = {length(p) - ring.inner_radius:.3f}",
+        f"to the nearer end:   |p| sin(φ_p - |θ - θ_p|) = {end}",
+        f"the least: {_WORDS[begun.found.feature]}, and r = {r:g} on top: the ball is moved by {-begun.found.gap:.3f}",
+        f"the tick that follows:   freed = {begun.step.freed}",
+    )
+
+
+def _deciding(begun: _Start) -> Deciding:
+    """The source's reason, or ours."""
+    if begun.inside and begun.found.feature is Feature.END:
+        return source("Broad phase", "if min_difference(θ, θ_p) ≤ φ_p: return narrow_phase_case_1(p, r_p)")
+    return code(sector_contact, "if half_angle < math.pi and inner")
+
+
+def _note(begun: _Start) -> str:
+    """What is special."""
+    if begun.ring.half_angle >= math.pi:
+        return "φ_p = 180°: a closed ring has no ends, and every way out is through a face."
+    if not begun.inside:
+        return "The centre is outside of the material, where the sweep keeps it. Put it inside, as a spawn would."
+    if begun.found.feature is Feature.END:
+        return "Its angle lies within the sector's, so the source sees a face and sends it the long way; an end is nearer."
+    return "A face is the shortest way out: here the source is right."
+
+
+def _check(given: Given) -> tuple[Claim, ...]:
+    """The way out is the shortest, and it leads out."""
+    begun = _begun(given)
+    ball, ring, found = begun.ball, begun.ring, begun.found
+    depth = -found.gap - ball.radius
+    nearest = min([length(ball.position - point) for point in _outline(ring)])
+    pushed = Ball(ball.position - found.normal * found.gap, 0j, ball.radius)
+    simple = begun.inside and ring.half_angle <= math.pi / 2.0 and ball.radius < ring.inner_radius
+    after = begun.step.arena.balls[0]
+    overlaps = found.gap < -OVERLAP * ball.radius
+    clear = abs(found.gap + OVERLAP * ball.radius) > 1e-12
+    return (
+        Claim("no point of the outline is nearer than the way out", not begun.inside or depth <= nearest + 1e-9),
+        Claim("ours is no longer than the source's", not begun.inside or found.gap >= begun.face.gap - 1e-12),
+        Claim("it leads to where the ball touches", not simple or abs(contact(pushed, ring, 0).gap) < 1e-9),
+        Claim("the next tick frees a ball that overlaps, and no other", not clear or begun.step.freed == int(overlaps)),
+        Claim("then nothing overlaps", contact(after, ring, 0).gap > -1e-9),
+        Claim("no bounce is made of it", begun.step.hits == ()),
+        Claim("the normal leads out, not in", not begun.inside or dot(found.normal, found.point - ball.position) > -1e-12),
+    )
+
+
+def _outline(ring: Ring) -> list[complex]:
+    """Points of the faces and of the ends."""
+    shares = [2.0 * k / _SAMPLES - 1.0 for k in range(_SAMPLES + 1)]
+    faces = [
+        to_cartesian(radius, ring.phase + share * ring.half_angle)
+        for radius in (ring.inner_radius, ring.outer_radius)
+        for share in shares
+    ]
+    if ring.half_angle >= math.pi:
+        return faces
+    ends = [to_cartesian(1.0, ring.phase + side * ring.half_angle) for side in (-1.0, 1.0)]
+    return faces + [end * (ring.radius + share * ring.half_width) for end in ends for share in shares]
+
+
+SCENE = Scene(
+    name="inside-material",
+    title="A ball inside the material",
+    idea="An angle within the sector's means a face only for a ball outside; one put inside leaves by the shortest way.",
+    chapter=Chapter.NARROW_PHASE,
+    place=50,
+    functions=("narrow_phase_case_1", "broad_phase"),
+    parameters=(
+        Point("ball", "p", -15.0, 15.0, 4.6 + 5.2j, meaning="where the ball is put"),
+        Number("r", "r", "", 0.05, 3.0, 0.6, 0.05, "the ball's radius"),
+        Number("radius", "r_p", "", 3.0, 13.0, 7.5, 0.05, "the sector's middle radius"),
+        Number("angle", "θ_p", "°", 0.0, 360.0, 20.0, 0.5, "the sector's middle angle"),
+        Number("half_width", "w_p", "", 0.05, 2.9, 2.0, 0.05, "its half width"),
+        Number("half_angle", "φ_p", "°", 0.5, 180.0, 32.0, 0.5, "its half angle"),
+    ),
+    handles=(handles.point("ball", "ball", "r"), *handles.sector_handles("radius", "half_width", "angle", "half_angle")),
+    view=View(6.0 + 3.2j, 6.6 + 5.5j),
+    shows=_picture,
+    check=_check,
+    rows=(7,),
+    presets=(
+        Preset("near an end", "ball=4.6,5.2"),
+        Preset("near the outer face", "ball=8.6,2.5"),
+        Preset("near the inner face", "ball=5.5,2.4"),
+        Preset("equally far from three sides", "ball=6.1,3.2"),
+        Preset("outside", "ball=3,6.5"),
+        Preset("a closed ring", "half_angle=180"),
+    ),
+)

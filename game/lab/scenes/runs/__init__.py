@@ -1,0 +1,1 @@
+"""Scenes that run: several ticks, whole games."""

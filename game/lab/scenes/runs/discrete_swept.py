@@ -1,0 +1,219 @@
+"""Overlap tested once a frame, beside the exact time of impact."""
+
+import math
+from typing import NamedTuple
+
+from game.lab.kit import handles
+from game.lab.kit.cited_line import Deciding, code, source
+from game.lab.kit.marks import VELOCITY_SCALE, ring_marks
+from game.lab.kit.parameters import Count, Given, Number, Point
+from game.lab.kit.picture import Arrow, Circle, Disc, Dot, Line, Mark, Pane, Picture, Stroke, Toggle, Tone
+from game.lab.kit.scene import Chapter, Claim, Motion, Preset, Scene, View
+from game.lab.source.discrete import Flight, frame
+from physics import PERMANENT, Arena, Ball, Ring, advance, cross, in_band, length, time_of_impact, to_cartesian
+
+_RADIUS = 8.0
+_TICKS_PER_SECOND = 240
+_TRAIL = 24
+_GRAZING = 0.99
+_SCALE = VELOCITY_SCALE / 2.0
+
+
+class _Setting(NamedTuple):
+    """What the values make."""
+
+    ball: Ball
+    wall: Ring
+    speed: float
+    rate: int  # frames per second
+
+    @property
+    def inside(self) -> bool:
+        """Whether the ball starts in the hole of the ring, clear of the wall."""
+        return length(self.ball.position) + self.ball.radius < self.wall.inner_radius
+
+    @property
+    def grazes(self) -> bool:
+        """Whether the ball all but rolls along the wall."""
+        lever = abs(cross(self.ball.position, self.ball.velocity)) / self.speed
+        return lever > _GRAZING * (self.wall.inner_radius - self.ball.radius)
+
+
+class _State(NamedTuple):
+    """Both balls as the last frame left them."""
+
+    tick: int
+    frames: int
+    theirs: Flight
+    seen: int  # frames whose test found an overlap
+    trail: tuple[complex, ...]  # of the source's ball, frame by frame
+    ours: Ball
+    hits: int
+    path: tuple[complex, ...]  # of our ball: where it started and where it bounced
+
+
+def _setting(given: Given) -> _Setting:
+    """The ball and the wall."""
+    speed, r = given.number("speed"), given.number("r")
+    ball = Ball(given.point("ball"), to_cartesian(speed, given.angle("heading")), r)
+    return _Setting(ball, Ring(_RADIUS, given.number("half_width"), math.pi, 1), speed, given.count("rate"))
+
+
+def _start(given: Given) -> _State:
+    """The first frame."""
+    ball = _setting(given).ball
+    here = (ball.position,)
+    return _State(0, 0, Flight(ball.position, ball.velocity), 0, here, ball, 0, here)
+
+
+def _step(given: Given, state: _State) -> _State:
+    """A tick later: the next frame, when it is due."""
+    tick = state.tick + 1
+    setting = _setting(given)
+    due = tick * setting.rate // _TICKS_PER_SECOND > state.frames
+    return _next_frame(setting, state)._replace(tick=tick) if due else state._replace(tick=tick)
+
+
+def _next_frame(setting: _Setting, state: _State) -> _State:
+    """Both balls one frame later."""
+    dt, wall = 1.0 / setting.rate, setting.wall
+    theirs = frame(state.theirs, setting.ball.radius, (wall,), dt, setting.speed)
+    seen = in_band(theirs.position, setting.ball.radius, wall)
+    after = advance(Arena((state.ours,), (wall,), ((PERMANENT,),)), dt, setting.speed)
+    touched = [hit.contact.point + hit.contact.normal * setting.ball.radius for hit in after.hits]
+    return state._replace(
+        frames=state.frames + 1,
+        theirs=theirs,
+        seen=state.seen + seen,
+        trail=(*state.trail, theirs.position)[-_TRAIL:],
+        ours=after.arena.balls[0],
+        hits=state.hits + len(after.hits),
+        path=(*state.path, *touched)[-_TRAIL:],
+    )
+
+
+def _picture(given: Given, state: _State) -> Picture:
+    """The source's ball frame by frame, and ours with its whole path."""
+    setting = _setting(given)
+    r, wall = setting.ball.radius, ring_marks(setting.wall)
+    theirs: list[Mark] = [*wall, Line(state.trail, Tone.GHOST, Toggle.SWEPT, Stroke.DASHED)]
+    theirs += [Circle(place, r, Tone.SOURCE, Toggle.SWEPT) for place in state.trail[:-1]]
+    ours: list[Mark] = [*wall, Line((*state.path, state.ours.position), Tone.OURS, Toggle.SWEPT)]
+    ours += [Circle(place, r, Tone.OURS, Toggle.SWEPT) for place in state.path[1:]]
+    for marks, place in ((theirs, state.theirs.position), (ours, state.ours.position)):
+        marks.append(Disc(place, r, Tone.BALL))
+        if state.frames == 0:
+            marks.append(Arrow(place, setting.ball.velocity * _SCALE, Tone.PLAIN, label="v"))
+        else:
+            marks.append(Dot(place, Tone.FAINT))
+    panes = (
+        Pane(tuple(theirs), f"the source: {setting.rate} tests a second"),
+        Pane(tuple(ours), f"swept: {setting.rate} steps a second"),
+    )
+    return Picture(panes, _formula(setting, state), _deciding(setting, state), _note(setting, state))
+
+
+def _formula(setting: _Setting, state: _State) -> tuple[str, ...]:
+    """How far the ball flies in a frame, and what the last test saw."""
+    r, w = setting.ball.radius, setting.wall.half_width
+    distance = length(state.theirs.position)
+    overlap = "yes" if in_band(state.theirs.position, r, setting.wall) else "no"
+    return (
+        f"a frame's flight:   v_0 / f = {setting.speed:g} / {setting.rate} = {setting.speed / setting.rate:.3f}",
+        f"the wall and the ball:   2 (w_p + r) = {2.0 * (w + r):.3f}",
+        f"the source, frame {state.frames}:   |p| = {distance:.3f},   overlap: {overlap},   so far {state.seen}",
+        f"swept:   |p| = {length(state.ours.position):.3f},   bounces so far {state.hits}",
+    )
+
+
+def _is_out(setting: _Setting, state: _State) -> bool:
+    """Whether the source's ball has got out of the ring."""
+    return setting.inside and length(state.theirs.position) - setting.ball.radius > setting.wall.outer_radius
+
+
+def _deciding(setting: _Setting, state: _State) -> Deciding:
+    """The test that saw nothing, or the sweep."""
+    if _is_out(setting, state):
+        return source("Broad phase", "|p| + r ≥ r_p - w_p and |p| - r ≤ r_p + w_p")
+    return code(time_of_impact, "impact = _first_touch")
+
+
+def _note(setting: _Setting, state: _State) -> str:
+    """What has happened."""
+    if not setting.inside:
+        return "The ball does not start in the hole of the ring. Put it there."
+    if _is_out(setting, state) and state.seen == 0:
+        return "Through the wall: before it in one frame, behind it in the next, and no test ever saw an overlap."
+    if _is_out(setting, state):
+        return "Through the wall: one test found the ball's centre beyond r_p, and case 1 sent it on outward."
+    if setting.speed / setting.rate > 2.0 * (setting.ball.radius + setting.wall.half_width):
+        return "A frame's flight is longer than the wall and the ball together: the source's ball can pass between two tests."
+    return "Slower than that, every crossing is seen; but up to a frame late, so the source's ball bounces at another place."
+
+
+def _check(given: Given) -> tuple[Claim, ...]:
+    """A second of flight: what is kept, frame rates, and backwards in time."""
+    setting = _setting(given)
+    smooth = setting.inside and not setting.grazes
+    states, out = [_start(given)], False
+    for _ in range(setting.rate):
+        states.append(_next_frame(setting, states[-1]))
+        out |= _is_out(setting, states[-1]) and states[-1].seen == 0
+    end = states[-1].ours
+    spins = [abs(cross(state.ours.position, state.ours.velocity)) for state in states]
+    farthest = max([length(state.ours.position) for state in states]) + setting.ball.radius
+    fine = _flown(setting, setting.ball, 2 * setting.rate)
+    home = _flown(setting, Ball(end.position, -end.velocity, end.radius), setting.rate)
+    return (
+        Claim("our ball stays inside of the ring", not setting.inside or farthest < setting.wall.inner_radius + 1e-9),
+        Claim("at the speed v_0", abs(length(end.velocity) - setting.speed) < 1e-9),
+        Claim("with the same angular momentum", not smooth or max(spins) - min(spins) < 1e-9 * _RADIUS * setting.speed),
+        Claim("twice as many frames lead to the same place", not smooth or length(fine.position - end.position) < 1e-6),
+        Claim("and backwards in time home", not smooth or length(home.position - setting.ball.position) < 1e-6),
+        Claim(
+            "the source's ball passes unseen only where a frame's flight is longer than 2 (w_p + r)",
+            not out or setting.speed / setting.rate > 2.0 * (setting.wall.half_width + setting.ball.radius),
+        ),
+    )
+
+
+def _flown(setting: _Setting, ball: Ball, frames: int) -> Ball:
+    """Our ball a second later, in so many steps."""
+    arena = Arena((ball,), (setting.wall,), ((PERMANENT,),))
+    for _ in range(frames):
+        arena = advance(arena, 1.0 / frames, setting.speed).arena
+    return arena.balls[0]
+
+
+SCENE = Scene(
+    name="discrete-swept",
+    title="Discrete against swept",
+    idea="Tested once a frame, a fast ball is before the wall, then behind it, never in it; the time of impact misses nothing.",
+    chapter=Chapter.RUNS,
+    place=10,
+    functions=("narrow_phase_case_1", "collision_response"),
+    parameters=(
+        Count("rate", "f", 5, 240, 20, "frames per second"),
+        Number("speed", "v_0", "", 1.0, 60.0, 24.0, 0.5, "the ball's fixed speed"),
+        Point("ball", "p", -7.0, 7.0, -4.0 - 2j, meaning="the ball's centre at first"),
+        Number("heading", "ψ", "°", 0.0, 360.0, 60.0, 0.5, "direction of v"),
+        Number("r", "r", "", 0.05, 1.0, 0.3, 0.05, "the ball's radius"),
+        Number("half_width", "w_p", "", 0.02, 1.0, 0.1, 0.02, "the wall's half width"),
+    ),
+    handles=(
+        handles.polar_vector("speed", "heading", lambda given: given.point("ball"), _SCALE, "velocity"),
+        handles.point("ball", "ball", "r"),
+    ),
+    view=View(0j, 10.5 + 10.5j),
+    shows=Motion(_start, _step, _picture, ticks=480),
+    check=_check,
+    rows=(6,),
+    presets=(
+        Preset("20 tests a second", "rate=20"),
+        Preset("60 tests a second: late, but not through", "rate=60"),
+        Preset("240 tests a second", "rate=240"),
+        Preset("a thin wall, a small fast ball", "rate=60&speed=60&r=0.1&half_width=0.02"),
+        Preset("head-on, seen too late", "rate=25&speed=22&ball=-6,0&heading=0&half_width=0.3"),
+        Preset("grazing", "ball=-7,0&heading=95&rate=30"),
+    ),
+)

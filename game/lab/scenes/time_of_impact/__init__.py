@@ -1,0 +1,1 @@
+"""Time of impact: when a moving ball first touches."""

@@ -1,0 +1,233 @@
+"""A ball between two bricks touches both."""
+
+import math
+from itertools import pairwise
+from typing import NamedTuple
+
+from game.lab.kit import handles
+from game.lab.kit.cited_line import Deciding, code, source
+from game.lab.kit.marks import ring_marks, two_decimals
+from game.lab.kit.parameters import Given, Number, Point
+from game.lab.kit.picture import Arrow, Circle, Disc, Dot, Line, Mark, Pane, Picture, Stroke, Toggle, Tone
+from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from game.lab.source.discrete import Flight, frame, normal_at
+from game.lab.source.literal import bounced
+from physics import PERMANENT, Arena, Ball, Hit, Ring, Step, advance, contact, dot, length, time_of_impact
+
+_RADIUS, _COUNT = 8.0, 4
+_RATE = 60
+"""Frames per second of the source's loop."""
+_SCALE = 0.12
+_SAME = 1e-9
+"""Seconds: two touches nearer than that are drawn as one."""
+
+
+class _Notch(NamedTuple):
+    """The ball, the bricks on both sides of the notch, and what becomes of it."""
+
+    ball: Ball
+    ring: Ring
+    dt: float
+    step: Step
+    apart: bool  # whether the ball touches nothing at first
+
+    @property
+    def hits(self) -> tuple[Hit, ...]:
+        """Our bounces."""
+        return self.step.hits
+
+    @property
+    def tie(self) -> bool:
+        """Whether the first two bricks are touched at the same time."""
+        return len(self.hits) > 1 and self.hits[0].slot != self.hits[1].slot and self.hits[1].time - self.hits[0].time < _SAME
+
+
+def _notch(given: Given) -> _Notch:
+    """What the values make."""
+    ball = Ball(given.point("ball"), given.point("v"), given.number("r"))
+    half = math.pi / _COUNT - given.angle("notch")
+    ring = Ring(_RADIUS, given.number("half_width"), half, _COUNT, math.pi / _COUNT)
+    dt, speed = given.number("dt"), length(ball.velocity)
+    apart = min([contact(ball, ring, slot).gap for slot in range(_COUNT)]) > 1e-7
+    return _Notch(ball, ring, dt, advance(Arena((ball,), (ring,), ((PERMANENT,) * _COUNT,)), dt, speed), apart)
+
+
+def _picture(given: Given) -> Picture:
+    """The source's way at the left, ours at the right."""
+    notch = _notch(given)
+    panes = (
+        Pane(_theirs(notch), f"the source: the nearest brick, {_RATE} tests a second"),
+        Pane(_ours(notch), "here: every brick, in the order of time"),
+    )
+    return Picture(panes, _formula(notch), _deciding(notch), _note(notch))
+
+
+def _theirs(notch: _Notch) -> tuple[Mark, ...]:
+    """The source's ball, frame by frame."""
+    ball, speed = notch.ball, length(notch.ball.velocity)
+    flight, places = Flight(ball.position, ball.velocity), [ball.position]
+    marks: list[Mark] = list(ring_marks(notch.ring))
+    for _ in range(round(notch.dt * _RATE)):
+        flight = frame(flight, ball.radius, (notch.ring,), 1.0 / _RATE, speed)
+        places.append(flight.position)
+        normal = normal_at(flight.position, ball.radius, notch.ring)
+        overlap = min([contact(Ball(flight.position, 0j, ball.radius), notch.ring, slot).gap for slot in range(_COUNT)]) < 0.0
+        if normal is not None and overlap:
+            marks.append(Circle(flight.position, ball.radius, Tone.SOURCE, Toggle.CONTACTS))
+            marks.append(Arrow(flight.position, normal * 1.2, Tone.SOURCE, Toggle.NORMALS, Stroke.SOLID))
+    return (*marks, *_flown(ball, tuple(places)))
+
+
+def _ours(notch: _Notch) -> tuple[Mark, ...]:
+    """Our ball, bounce by bounce, the bounces numbered."""
+    ball = notch.ball
+    marks: list[Mark] = list(ring_marks(notch.ring))
+    places = [ball.position]
+    for number, hit in enumerate(notch.hits, 1):
+        place = hit.contact.point + hit.contact.normal * ball.radius
+        places.append(place)
+        marks.append(Circle(place, ball.radius, Tone.OURS, Toggle.CONTACTS))
+        marks.append(Arrow(hit.contact.point, hit.contact.normal * 1.2, Tone.OURS, Toggle.NORMALS, Stroke.SOLID))
+        marks.append(Dot(hit.contact.point, Tone.OURS, Toggle.CONTACTS, str(number)))
+    return (*marks, *_flown(ball, (*places, notch.step.arena.balls[0].position)))
+
+
+def _flown(ball: Ball, places: tuple[complex, ...]) -> tuple[Mark, ...]:
+    """A path, the ball at its beginning with its velocity, and at its end."""
+    return (
+        Line(places, Tone.PLAIN, Toggle.SWEPT),
+        Disc(places[0], ball.radius, Tone.BALL),
+        Arrow(places[0], ball.velocity * _SCALE, Tone.PLAIN, label="v"),
+        Circle(places[-1], ball.radius, Tone.GHOST, Toggle.SWEPT, Stroke.DASHED),
+    )
+
+
+def _formula(notch: _Notch) -> tuple[str, ...]:
+    """Our bounces, and what the source's one answer leaves."""
+    if not notch.hits:
+        return (f"no brick is touched within {notch.dt:g} s",)
+    lines = [
+        f"{number}:   t = {hit.time:.6f} s,   slot {hit.slot},   n = {two_decimals(hit.contact.normal)},   "
+        f"v := {two_decimals(hit.after)}"
+        for number, hit in enumerate(notch.hits[:3], 1)
+    ]
+    if len(notch.hits) > 3:
+        slot = notch.hits[0].slot
+        lines.append(
+            f"and {len(notch.hits) - 3} more;   {sum([hit.slot == slot for hit in notch.hits])} in all with slot {slot}"
+        )
+    if notch.tie:
+        first, other = notch.hits[0].contact.normal, notch.hits[1].contact.normal
+        after = bounced(notch.ball.velocity, first, 0j, 0.0)
+        lines.append(f"the source answers the first alone:   then v · n of the other = {dot(after, other):.2f}")
+    return tuple(lines)
+
+
+def _deciding(notch: _Notch) -> Deciding:
+    """The search for one, or the order of all."""
+    if notch.tie:
+        return source("Broad phase", "if min_difference(θ, θ'_p) < min_difference(θ, θ_p): r_p, θ_p = r'_p, θ'_p")
+    return code(time_of_impact, "impact = _first_touch")
+
+
+def _note(notch: _Notch) -> str:
+    """What is special."""
+    if not notch.apart:
+        return "The ball overlaps a brick at first: it is pushed out before it flies."
+    if notch.step.dropped:
+        return "After 32 bounces the rest of the tick is dropped, and counted: no wedge can hang the game."
+    if notch.tie:
+        return "Both are touched at the very same time: the lower slot answers first, then the other, if still approached."
+    if len({hit.slot for hit in notch.hits}) > 1:
+        return "One after the other: each bounce starts from the velocity that the one before has left."
+    return "One brick only. Send the ball into the notch."
+
+
+def _check(given: Given) -> tuple[Claim, ...]:
+    """Order, energy, free flight, and the same in a world turned by a quarter."""
+    notch = _notch(given)
+    hits, speed = notch.hits, length(notch.ball.velocity)
+    times = [hit.time for hit in hits]
+    end = notch.step.arena.balls[0]
+    quarter = Ball(notch.ball.position * 1j, notch.ball.velocity * 1j, notch.ball.radius)
+    turned = advance(Arena((quarter,), (notch.ring,), ((PERMANENT,) * _COUNT,)), notch.dt, speed).hits
+    alone = _alone(notch)
+    tie = len(alone) > 1 and alone[1][0] - alone[0][0] < _SAME
+    firsts = (*hits[:1], *turned[:1])
+    sharp = all([dot(hit.before, hit.contact.normal) < -0.05 * speed and hit.time < notch.dt - _SAME for hit in firsts])
+    return (
+        Claim("the bounces are in the order of time", times == sorted(times)),
+        Claim(
+            "the brick that alone would be touched first comes first, of equals the lower slot",
+            not notch.apart or [(hit.time, hit.slot) for hit in hits[:1]] == alone[:1],
+        ),
+        Claim("each was flown into", all([dot(hit.before, hit.contact.normal) < 1e-9 for hit in hits])),
+        Claim("and is left at v_0", all([_leaves(hit, speed) for hit in hits])),
+        Claim("each starts from what the one before has left", all([a.after == b.before for a, b in pairwise(hits)])),
+        Claim("in the end the ball overlaps nothing", not notch.apart or min(_gaps(notch.ring, end)) > -1e-8),
+        Claim("there are no more than 32", len(hits) <= 32),
+        Claim(
+            "turned by a quarter, the first bounce is one slot on",
+            not (notch.apart and sharp) or tie or _first_is_one_on(hits, turned),
+        ),
+    )
+
+
+def _gaps(ring: Ring, ball: Ball) -> list[float]:
+    """Between the ball and every brick."""
+    return [contact(ball, ring, slot).gap for slot in range(ring.count)]
+
+
+def _alone(notch: _Notch) -> list[tuple[float, int]]:
+    """When the ball would touch each brick, if no other were there; the first one first."""
+    found = []
+    for slot in range(_COUNT):
+        impact = time_of_impact(notch.ball, notch.ring, notch.dt, [int(slot == other) for other in range(_COUNT)])
+        if impact is not None:
+            found.append((impact.time, slot))
+    return sorted(found)
+
+
+def _leaves(hit: Hit, speed: float) -> bool:
+    """Whether the ball flies off with its speed."""
+    return dot(hit.after, hit.contact.normal) > 0.0 and abs(length(hit.after) - speed) < 1e-9 * max(speed, 1.0)
+
+
+def _first_is_one_on(hits: tuple[Hit, ...], turned: tuple[Hit, ...]) -> bool:
+    """Whether the first bounces are the same, but for the slot's number."""
+    if not hits or not turned:
+        return not hits and not turned
+    return abs(hits[0].time - turned[0].time) < 1e-8 and turned[0].slot == (hits[0].slot + 1) % _COUNT
+
+
+SCENE = Scene(
+    name="two-bricks",
+    title="Two bricks at once",
+    idea="A ball in a notch touches both of its sides: all contacts are answered, in the order of time, ties by the slot.",
+    chapter=Chapter.TIME_OF_IMPACT,
+    place=30,
+    functions=("broad_phase", "collision_response"),
+    parameters=(
+        Point("ball", "p", -15.0, 15.0, 12.8 + 0.0j, meaning="the ball's centre"),
+        Point("v", "v", -30.0, 30.0, -14.0 + 0.0j, 0.1, "its velocity"),
+        Number("r", "r", "", 0.05, 3.0, 1.2, 0.05, "the ball's radius"),
+        Number("notch", "φ_n", "°", 0.5, 40.0, 6.5, 0.5, "half of the notch's angle"),
+        Number("half_width", "w_b", "", 0.1, 5.0, 1.5, 0.1, "the bricks' half width"),
+        Number("dt", "Δt", "s", 0.05, 1.0, 0.4, 0.05, "how long it flies"),
+    ),
+    handles=(
+        handles.vector("v", lambda given: given.point("ball"), _SCALE, "velocity"),
+        handles.point("ball", "ball", "r"),
+    ),
+    view=View(10.0 + 0j, 4.6 + 4.6j),
+    shows=_picture,
+    check=_check,
+    rows=(8,),
+    presets=(
+        Preset("both at the same time", "ball=12.8,0"),
+        Preset("one after the other", "ball=12.8,0.1"),
+        Preset("down into the wedge", "r=0.5&half_width=4&v=-24,5&dt=0.6&notch=7"),
+        Preset("a large ball", "r=2.5&ball=14,0.1"),
+        Preset("one brick only", "ball=12.8,3"),
+    ),
+)

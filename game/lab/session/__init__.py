@@ -1,0 +1,1 @@
+"""A scene in use: its state, its claims, its share line, saved cases."""

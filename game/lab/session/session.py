@@ -1,0 +1,130 @@
+"""A scene being looked at: its values, the states it has run through, and whether it runs. Nothing here knows a window."""
+
+import hashlib
+import struct
+from typing import Any, NamedTuple
+
+from game.lab.kit.parameters import Given, Settled, defaults
+from game.lab.kit.picture import Picture
+from game.lab.kit.scene import Motion, Scene, picture_of, started, stepped
+from game.lab.kit.second_engine import Engine
+from game.lab.session.share import Shared, share_line
+
+PACES = (1 / 64, 1 / 32, 1 / 16, 1 / 8, 1 / 4, 1 / 2, 1.0)
+"""How much slower than real time a scene may run."""
+_PACE = PACES.index(1 / 4)
+_MOST_PER_FRAME = 64
+
+
+class Session(NamedTuple):
+    """One scene as it stands. Its state is a function of its values and its tick, so going back is looking back."""
+
+    scene: Scene
+    given: Given
+    states: tuple[Any, ...]  # at tick 0, 1, 2, ...
+    tick: int = 0  # the one that is shown
+    playing: bool = False
+    pace: int = _PACE  # of PACES
+    rest: float = 0.0  # of a tick, not yet run
+    notes: tuple[str, ...] = ()  # what the last change did that was not asked for
+
+    @property
+    def runs(self) -> bool:
+        """Whether the scene runs at all."""
+        return isinstance(self.scene.shows, Motion)
+
+    @property
+    def last(self) -> int:
+        """The tick at which it stands still."""
+        return self.scene.shows.ticks if isinstance(self.scene.shows, Motion) else 0
+
+    @property
+    def picture(self) -> Picture:
+        """What it looks like."""
+        return picture_of(self.scene, self.given, self.states[self.tick])
+
+    @property
+    def line(self) -> str:
+        """The share line that opens it as it stands."""
+        return share_line(Shared(self.scene, self.given, self.tick))
+
+
+def opened(shared: Shared) -> Session:
+    """A scene as a share line has it; one that runs, and is at its start, runs at once."""
+    new = Session(shared.scene, shared.given, (started(shared.scene, shared.given),))
+    return at_tick(new, shared.tick) if shared.tick else new._replace(playing=new.runs)
+
+
+def fresh(scene: Scene, engine: Engine | None) -> Session:
+    """A scene at its defaults."""
+    return opened(Shared(scene, defaults(scene.parameters, engine)))
+
+
+def changed(session: Session, settled: Settled) -> Session:
+    """After a change of values: a scene that runs begins anew."""
+    if settled.given.values == session.given.values:
+        return session._replace(notes=settled.notes)
+    start = (started(session.scene, settled.given),)
+    return session._replace(given=settled.given, states=start, tick=0, rest=0.0, notes=settled.notes)
+
+
+def restarted(session: Session) -> Session:
+    """Back at the start, with the same values; a scene that runs, runs."""
+    return session._replace(tick=0, rest=0.0, playing=session.runs, notes=())
+
+
+def reset(session: Session) -> Session:
+    """At the scene's defaults."""
+    return changed(session, Settled(defaults(session.scene.parameters, session.given.engine), ()))
+
+
+def toggled(session: Session) -> Session:
+    """Paused, or going on; from its end it begins anew."""
+    if session.runs and session.tick == session.last:
+        return restarted(session)
+    return session._replace(playing=session.runs and not session.playing, notes=())
+
+
+def moved(session: Session, ticks: int) -> Session:
+    """Paused, that many ticks later; earlier where below 0."""
+    return at_tick(session._replace(playing=False, notes=()), session.tick + ticks)
+
+
+def paced(session: Session, steps: int) -> Session:
+    """Faster or slower by so many steps."""
+    return session._replace(pace=min(max(session.pace + steps, 0), len(PACES) - 1))
+
+
+def later(session: Session, seconds: float) -> Session:
+    """After some real time: as many ticks later as are due."""
+    if not (session.playing and isinstance(session.scene.shows, Motion)):
+        return session
+    due = session.rest + min(seconds, 1.0) * PACES[session.pace] / session.scene.shows.tick
+    ticks = min(int(due), _MOST_PER_FRAME)
+    there = at_tick(session, session.tick + ticks)._replace(rest=due - int(due))
+    return there._replace(playing=there.tick < there.last)
+
+
+def at_tick(session: Session, tick: int) -> Session:
+    """At a tick of its run, which is run as far as that, if it was not before."""
+    tick = min(max(tick, 0), session.last)
+    states = list(session.states)
+    while len(states) <= tick:
+        states.append(stepped(session.scene, session.given, states[-1]))
+    return session._replace(states=tuple(states) if len(states) > len(session.states) else session.states, tick=tick)
+
+
+def state_hash(session: Session) -> str:
+    """The first 12 digits of a SHA-256 over the values and the state: little-endian float64, -0.0 as 0.0."""
+    values = [session.given.values[parameter.name] for parameter in session.scene.parameters]
+    packed = _packed((session.scene.name, tuple(values), session.tick, session.states[session.tick]))
+    return hashlib.sha256(packed).hexdigest()[:12]
+
+
+def _packed(value: Any) -> bytes:
+    """A nested value as bytes."""
+    if isinstance(value, tuple | list):
+        return b"(" + b"".join([_packed(part) for part in value]) + b")"
+    if isinstance(value, float | complex) and not isinstance(value, bool):
+        return struct.pack("<2d", value.real + 0.0, value.imag + 0.0)
+    return repr(value).encode() + b";"

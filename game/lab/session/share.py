@@ -1,0 +1,117 @@
+"""The state of a scene as one line: case-2?ball=9.9,0.3&half_angle=25. The line of a running scene ends in its tick."""
+
+import math
+from typing import NamedTuple
+
+from game.lab.kit.parameters import Count, Given, Parameter, Point, defaults, plain, settled, written
+from game.lab.kit.scene import Motion, Scene
+from game.lab.kit.second_engine import Engine
+from game.lab.registry import scene_named
+from game.system.errors import BadInputError
+
+_TICK = "tick"
+_LONGEST = 4096
+
+
+class Shared(NamedTuple):
+    """A scene and how it stands."""
+
+    scene: Scene
+    given: Given
+    tick: int = 0
+
+
+def share_line(shared: Shared) -> str:
+    """The line that opens a scene as it stands: every value, exactly."""
+    parts = [
+        f"{parameter.name}={_printed(shared.given.values[parameter.name], parameter)}" for parameter in shared.scene.parameters
+    ]
+    if shared.tick:
+        parts.append(f"{_TICK}={shared.tick}")
+    return f"{shared.scene.name}?{'&'.join(parts)}"
+
+
+def parsed(line: str, engine: Engine | None = None) -> Shared:
+    """The scene and the values that a line names; what it does not name has its default.
+
+    BadInputError names the part that cannot be used: an unknown scene or value, a value given twice, no number, a number out
+    of range.
+    """
+    if len(line) > _LONGEST:
+        raise BadInputError(f"lab: a share line of {len(line)} characters; expected at most {_LONGEST}")
+    name, mark, rest = line.strip().partition("?")
+    scene = scene_named(name)
+    given, tick = _read(scene, rest, engine) if mark and rest else (defaults(scene.parameters, engine), 0)
+    return Shared(scene, given, tick)
+
+
+def preset(scene: Scene, line: str, engine: Engine | None = None) -> Given:
+    """The values of one of a scene's presets."""
+    return _read(scene, line, engine)[0]
+
+
+def _read(scene: Scene, rest: str, engine: Engine | None) -> tuple[Given, int]:
+    """The values and the tick after the question mark."""
+    parameters = {parameter.name: parameter for parameter in scene.parameters}
+    values: dict[str, complex] = {}
+    tick: int | None = None
+    for part in rest.split("&"):
+        name, equals, text = part.partition("=")
+        if not equals:
+            raise BadInputError(f"lab: part {part!r} of the share line: expected NAME=VALUE")
+        if name in values or (name == _TICK and tick is not None):
+            raise BadInputError(f"lab: part {part!r} of the share line: {name} is given twice")
+        if name == _TICK and isinstance(scene.shows, Motion):
+            tick = _tick(part, text, scene.shows)
+        elif name in parameters:
+            values[name] = _value(part, text, parameters[name])
+        else:
+            names = ", ".join([*parameters, *([_TICK] if isinstance(scene.shows, Motion) else [])])
+            raise BadInputError(f"lab: part {part!r} of the share line: {scene.name} has no {name!r}; expected {names}")
+    return settled(scene.parameters, defaults(scene.parameters, engine), values).given, tick or 0
+
+
+def _tick(part: str, text: str, motion: Motion) -> int:
+    """The tick to go to."""
+    if not text.isdecimal() or not text.isascii() or len(text) > 9 or int(text) > motion.ticks:
+        raise BadInputError(f"lab: part {part!r} of the share line: expected a whole number from 0 to {motion.ticks}")
+    return int(text)
+
+
+def _value(part: str, text: str, parameter: Parameter) -> complex:
+    """One value, in its range."""
+    texts = text.split(",")
+    if len(texts) != (2 if isinstance(parameter, Point) else 1):
+        expected = "two numbers X,Y" if isinstance(parameter, Point) else "one number"
+        raise BadInputError(f"lab: part {part!r} of the share line: expected {expected}")
+    numbers = [_number(part, text) for text in texts]
+    for number in numbers:
+        if not parameter.low <= number <= parameter.high:
+            low, high = written_borders(parameter)
+            raise BadInputError(f"lab: part {part!r} of the share line: {plain(number)} is not from {low} to {high}")
+        if isinstance(parameter, Count) and number != round(number):
+            raise BadInputError(f"lab: part {part!r} of the share line: expected a whole number")
+    return complex(*numbers) if isinstance(parameter, Point) else numbers[0]
+
+
+def written_borders(parameter: Parameter) -> tuple[str, str]:
+    """The lowest and the highest number of a parameter, with its unit."""
+    if isinstance(parameter, Point):
+        return plain(parameter.low), plain(parameter.high)
+    return written(parameter, parameter.low), written(parameter, parameter.high)
+
+
+def _number(part: str, text: str) -> float:
+    """A finite number."""
+    try:
+        number = float(text)
+    except ValueError:
+        number = math.nan
+    if not math.isfinite(number) or "_" in text or text != text.strip():
+        raise BadInputError(f"lab: part {part!r} of the share line: {text!r} is not a number")
+    return number
+
+
+def _printed(value: complex, parameter: Parameter) -> str:
+    """A value as it stands in a line."""
+    return f"{plain(value.real)},{plain(value.imag)}" if isinstance(parameter, Point) else plain(value.real)

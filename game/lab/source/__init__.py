@@ -1,0 +1,1 @@
+"""The source taken literally, for the scenes that compare."""

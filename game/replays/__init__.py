@@ -1,0 +1,1 @@
+"""Recorded games: the file, watching, verifying, the kept ones."""

@@ -1,0 +1,55 @@
+"""Does a recording still play the same game? And if not, where do the two part?"""
+
+from itertools import islice
+from typing import NamedTuple
+
+from game.replays.file import BLOCK, Recording, controls_of
+from game.replays.state_hash import FIELDS, field_checks, state_hash
+from game.rules import Game, new_game, tick
+
+
+class Divergence(NamedTuple):
+    """Where a recording and its re-simulation part."""
+
+    block: int  # the first whose hash differs; block k ends after tick (k + 1) BLOCK
+    tick: int | None  # the first whose trace differs, counted from 1; None where the whole block's trace agrees
+    field: str | None  # of fingerprint.FIELDS
+
+    def __str__(self) -> str:
+        first, last = self.block * BLOCK + 1, (self.block + 1) * BLOCK
+        if self.tick is None:
+            return f"diverged in ticks {first}-{last}: the trace agrees, the recorded hash does not"
+        return f"diverged at tick {self.tick} (block {first}-{last}), first in: {self.field}"
+
+
+class Verdict(NamedTuple):
+    """What playing a recording again gave."""
+
+    game: Game  # as far as it was played: to the end, or to the end of the first bad block
+    divergence: Divergence | None
+
+    @property
+    def final_hash(self) -> str:
+        """State hash of that game."""
+        return state_hash(self.game)
+
+
+def verified(recording: Recording) -> Verdict:
+    """The recording played again and held against its hashes, up to the first block that differs."""
+    game = new_game(tuple(recording.levels), recording.seed)
+    controls = controls_of(recording)
+    for block in range(len(recording.hashes) // 32):
+        start = game
+        part = list(islice(controls, BLOCK))
+        for one in part:
+            game = tick(game, one).game
+        if bytes.fromhex(state_hash(game)) != recording.hashes[block * 32 : block * 32 + 32]:
+            game = start
+            for one in part:
+                game = tick(game, one).game
+                checks = field_checks(game)
+                for number, field in enumerate(FIELDS):
+                    if checks[number] != recording.trace[number * recording.ticks + game.tick - 1]:
+                        return Verdict(game, Divergence(block, game.tick, field))
+            return Verdict(game, Divergence(block, None, None))
+    return Verdict(game, None)

@@ -1,0 +1,119 @@
+"""The settings, kept in the user's configuration folder from one session to the next.
+
+A JSON object with the fields of `Settings` and a version; `off` is a list of effects. What is missing has its default, what
+is out of range is brought into it, and whatever cannot be read is moved aside: no file keeps the game from starting.
+"""
+
+import time
+from pathlib import Path
+from typing import Any
+
+import msgspec
+import platformdirs
+
+from game.effects import Kind
+from game.settings.values import LOUDEST, THEMES, Settings
+from game.system.files import write_whole
+
+VERSION = 1
+_LARGEST = 64 * 1024
+
+
+def place() -> Path:
+    """Where the settings are kept."""
+    return platformdirs.user_config_path("polar-breakout", appauthor=False) / "settings.json"
+
+
+class SettingsFile:
+    """One session's hold on the file. Nothing here raises; `problem` says in one line what went wrong last."""
+
+    def __init__(self, path: Path) -> None:
+        """path: of the file; it is not looked at yet."""
+        self._path = path
+        self._kept: Settings | None = None
+        self._newer = False
+        self.problem: str | None = None
+
+    def load(self) -> Settings:
+        """The settings that were kept; the defaults where there are none."""
+        self._kept = self._read()
+        return self._kept
+
+    def keep(self, settings: Settings) -> None:
+        """Write the settings if they have changed, and no newer game has written the file."""
+        if settings == self._kept or self._newer:
+            return
+        try:
+            self._path.parent.mkdir(parents=True, exist_ok=True)
+            write_whole(self._path, encoded(settings))
+            self._kept = settings
+        except OSError as error:
+            self.problem = f"settings not saved: {self._path}: {error.strerror or error}"
+
+    def _read(self) -> Settings:
+        """What the file says."""
+        try:
+            if not self._path.exists():
+                return Settings()
+            if not self._path.is_file():
+                self.problem = f"settings not read: {self._path}: not a file; the defaults are used"
+                return Settings()
+            with self._path.open("rb") as file:
+                data = file.read(_LARGEST + 1)
+        except OSError as error:
+            self.problem = f"settings not read: {self._path}: {error.strerror or error}; the defaults are used"
+            return Settings()
+        try:
+            said = msgspec.json.decode(data, type=dict[str, Any]) if len(data) <= _LARGEST else None
+        except (msgspec.DecodeError, RecursionError, UnicodeDecodeError):
+            said = None
+        if said is None:
+            self._put_aside()
+            return Settings()
+        self._newer = not _is_known(said.get("version", VERSION))
+        if self._newer:
+            self.problem = f"settings of a newer version in {self._path}: changes will not be saved"
+        return decoded(said)
+
+    def _put_aside(self) -> None:
+        """Move a file that cannot be read out of the way."""
+        aside = self._path.with_name(f"{self._path.name}.bad-{time.strftime('%Y%m%d-%H%M%S')}")
+        try:
+            self._path.replace(aside)
+            self.problem = f"settings not readable: moved to {aside}; the defaults are used"
+        except OSError as error:
+            self.problem = f"settings not readable: {self._path}: {error.strerror or error}; the defaults are used"
+
+
+def encoded(settings: Settings) -> bytes:
+    """The file's bytes."""
+    said = {"version": VERSION, **settings._asdict(), "off": sorted(settings.off)}
+    return msgspec.json.format(msgspec.json.encode(said)) + b"\n"
+
+
+def decoded(said: dict[str, Any]) -> Settings:
+    """The settings in a file, key by key: the default for what makes no sense, the nearest for what is out of range."""
+    settings = Settings()
+    if isinstance(colours := said.get("colours"), str) and colours in THEMES:
+        settings = settings._replace(colours=colours)
+    settings = settings._replace(
+        sound=_flag(said, "sound", settings.sound),
+        reduced_motion=_flag(said, "reduced_motion", settings.reduced_motion),
+        effects=_flag(said, "effects", settings.effects),
+    )
+    if isinstance(volume := said.get("volume"), int | float) and not isinstance(volume, bool):
+        settings = settings._replace(volume=round(min(max(volume, 0), LOUDEST)))
+    if isinstance(off := said.get("off"), list):
+        settings = settings._replace(off=frozenset([kind for kind in Kind if kind in off]))
+    return settings
+
+
+def _flag(said: dict[str, Any], key: str, default: bool) -> bool:  # noqa: FBT001  # the value of a key, not a switch
+    """Yes or no."""
+    wanted = said.get(key)
+    return wanted if isinstance(wanted, bool) else default
+
+
+def _is_known(version: object) -> bool:
+    """Whether this game understands all of a file of a version; of no version at all it makes what it can."""
+    return not isinstance(version, int) or version <= VERSION

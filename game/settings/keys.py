@@ -1,0 +1,23 @@
+"""The keys that change a setting on every screen, and what is said about it."""
+
+from game.input.signals import Action
+from game.overlay.toast import Toast
+from game.settings.values import LOUDEST, Settings
+
+
+def changed(settings: Settings, action: Action) -> tuple[Settings, Toast] | None:
+    """The settings after a key, and a word about them; None for the keys that change none."""
+    match action:
+        case Action.MUTE:
+            settings = settings._replace(sound=not settings.sound)
+            return settings, Toast("Sound on" if settings.sound else "Sound off")
+        case Action.LESS | Action.MORE:
+            settings = settings.louder(1 if action is Action.MORE else -1)
+            return settings, Toast(f"Volume {settings.volume} %", settings.volume / LOUDEST)
+        case Action.THEME:
+            settings = settings.other_colours()
+            return settings, Toast(f"{settings.colours.capitalize()} colours")
+        case Action.EFFECTS:
+            settings = settings._replace(effects=not settings.effects)
+            return settings, Toast("Effects on" if settings.effects else "Effects off")
+    return None

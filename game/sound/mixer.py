@@ -1,0 +1,133 @@
+"""The sound card: plays what `voices` has chosen and `synth` has drawn; silent where there is none."""
+
+import sys
+import time
+from collections.abc import Callable, Sequence
+
+import numpy as np
+import pygame
+
+from game.rules import Event
+from game.sound.synth import Note, Wave, every_note, waveform
+from game.sound.voices import SILENCE, VOICES, Side, Tail, Voice, chorus, cues, tail
+from game.system.quiet_stderr import quiet_libraries
+
+_BLOCK = 512
+"""Samples the mixer makes at once: 12 ms, soon enough to be heard with the hit."""
+_HUSH = 30
+"""Milliseconds in which sounds fade when they are switched off: a cut would click."""
+_FULL_SCALE = 32767.0
+
+
+class Audio:
+    """The game's sounds; made once, after the window, and told the events of every frame.
+
+    Without a sound card one line on stderr says so, `problem` keeps it, and everything else does nothing. Nothing here
+    raises, and nothing changes a game.
+    """
+
+    problem: str | None  # why there is no sound
+
+    def __init__(self, sample_rate: int = 44100, clock: Callable[[], float] = time.perf_counter) -> None:
+        """Open the mixer. Sounds are drawn one by one by `prepare`, or when they are first heard.
+
+        sample_rate: per second; the mixer converts if the card wants another. clock: seconds.
+        """
+        self._rate, self._clock = sample_rate, clock
+        self._volume, self._muted, self._closed = 1.0, False, False
+        self._voices = SILENCE
+        self._sounds: dict[Note, pygame.mixer.Sound] = {}
+        self._tails: dict[Note, Tail] = {}
+        self._waiting = list(every_note()[::-1])
+        self.problem = _opened(sample_rate)
+        if self.problem is not None and sys.stderr is not None:
+            sys.stderr.write(f"{self.problem}\n")
+
+    @property
+    def volume(self) -> float:
+        """0 silent to 1; loudness as it is felt, so that half is about half as loud."""
+        return self._volume
+
+    @volume.setter
+    def volume(self, volume: float) -> None:
+        """Changes what sounds now, too."""
+        self._volume = min(max(volume, 0.0), 1.0)
+        if self._is_open():
+            for place in range(VOICES):
+                self._level(place)
+
+    @property
+    def muted(self) -> bool:
+        """Whether there is no sound for now."""
+        return self._muted
+
+    @muted.setter
+    def muted(self, muted: bool) -> None:
+        """Fades what sounds now."""
+        if muted and not self._muted:
+            self._voices = SILENCE
+            if self._is_open():
+                pygame.mixer.fadeout(_HUSH)
+        self._muted = muted
+
+    def prepare(self) -> None:
+        """Draw one more sound ahead of its use, until there are all: a frame has time for one."""
+        if self._waiting and self._is_open():
+            self._draw([self._waiting.pop()])
+
+    def play(self, events: Sequence[Event], side: Side, combo: int) -> None:
+        """Make the sounds of some events. side: where they are on the screen. combo: the game's, after the last of them."""
+        if self._muted or not events or not self._is_open():
+            return
+        wanted = cues(events, side, combo)
+        self._draw([cue.note for cue in wanted])
+        self._voices, new = chorus(self._voices, wanted, self._tails, self._clock())
+        for place in new:
+            voice = self._voices[place]
+            if voice is not None:
+                pygame.mixer.Channel(place).play(self._sounds[voice.note])
+                self._level(place)
+
+    def close(self) -> None:
+        """Give the sound card back; nothing is heard any more."""
+        if self._is_open():
+            pygame.mixer.quit()
+        self._voices = SILENCE
+        self._sounds.clear()
+        self._closed = True
+
+    def _is_open(self) -> bool:
+        """Whether there is a mixer: pygame.quit() takes it away too."""
+        return self.problem is None and not self._closed and pygame.mixer.get_init() is not None
+
+    def _draw(self, notes: Sequence[Note]) -> None:
+        """Draw the sounds that are not there yet."""
+        for note in notes:
+            if note not in self._sounds:
+                wave = waveform(note, self._rate)
+                self._sounds[note] = pygame.mixer.Sound(buffer=_stereo(wave))
+                self._tails[note] = tail(wave, self._rate)
+
+    def _level(self, place: int) -> None:
+        """Set how loud each ear hears one voice."""
+        voice: Voice | None = self._voices[place]
+        if voice is not None:
+            gain = self._volume**2
+            pygame.mixer.Channel(place).set_volume(voice.left * gain, voice.right * gain)
+
+
+def _opened(sample_rate: int) -> str | None:
+    """Open the mixer; one line that says why that is not possible, or None."""
+    try:
+        pygame.mixer.quit()
+        with quiet_libraries():
+            pygame.mixer.init(sample_rate, -16, 2, _BLOCK, allowedchanges=0)
+        pygame.mixer.set_num_channels(VOICES)
+    except (pygame.error, NotImplementedError) as error:
+        return f"no sound: {' '.join(str(error).split())}"
+    return None
+
+
+def _stereo(wave: Wave) -> bytes:
+    """16-bit samples, the same for both ears."""
+    return np.repeat(np.rint(wave * _FULL_SCALE).astype(np.int16), 2).tobytes()

@@ -1,0 +1,298 @@
+"""The command `python -m tools.crosscheck`: its output, its files, its exit codes, and what it says to bad input."""
+
+import importlib.util
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import types
+from pathlib import Path
+
+import pytest
+from rich.console import Console
+
+from game.autopilot import Autopilot
+from game.levels import chosen
+from game.replays.file import Recorder, save
+from game.rules import new_game, tick
+from game.system.command_line import run
+from tests.support.paths import ROOT
+from tools.crosscheck import cli
+from tools.crosscheck.__main__ import _CLASSES, _SABOTAGES, app
+from tools.crosscheck.comparisons.convergence import FACETS, Curve
+from tools.crosscheck.games.sabotage import SABOTAGES
+from tools.crosscheck.games.sources import RANDOM, Source
+from tools.crosscheck.report.terminal import print_findings
+from tools.crosscheck.results.cases import Class
+from tools.crosscheck.results.findings import Findings
+from tools.crosscheck.run import Job, Outcome, check_game
+from tools.crosscheck.workers import Lost
+
+SHORT = ["--games", "1", "--level", "6", "--ticks", "1500"]
+
+
+@pytest.fixture(autouse=True)
+def _in_this_process(monkeypatch):
+    """Worker processes take a second to start; `test_crosscheck_workers` is about them."""
+    answers = lambda function, jobs, _: enumerate(map(function, jobs))  # noqa: E731
+    monkeypatch.setattr("tools.crosscheck.run.results_of", answers)
+
+
+def crosscheck(capsys, *arguments):
+    """Exit code, stdout and stderr."""
+    code = run(app, "polar-crosscheck", [str(argument) for argument in arguments])
+    out, err = capsys.readouterr()
+    return code, out, err
+
+
+@pytest.fixture(scope="module")
+def replay(tmp_path_factory):
+    """A recorded game of eight seconds."""
+    path = tmp_path_factory.mktemp("replays") / "a game.polar"
+    levels = chosen("3")
+    game, pilot, recorder = new_game(levels, 4), Autopilot(), Recorder(levels, 4)
+    for _ in range(1920):
+        controls = pilot.controls(game)
+        game = tick(game, controls).game
+        recorder.add(controls, game)
+    save(recorder.recording(), path)
+    return path
+
+
+def test_agreement_is_exit_code_0_and_one_verdict_line(capsys):
+    """The last line says it, the table fits 80 columns, and stderr is empty."""
+    code, out, err = crosscheck(capsys, *SHORT)
+    assert (code, err) == (0, "")
+    assert re.fullmatch(r"AGREE: 0 unexplained in \d+ contacts, [\d,]+ poses in 1 game", out.splitlines()[-1])
+    assert max(len(line) for line in out.splitlines()) <= 80
+    assert "…" not in out
+    for word in ("normal, exact shape", "presence every tick", "time of first touch", "bounce, no friction", "sagitta"):
+        assert word in out
+
+
+def test_disagreement_is_exit_code_1_with_a_command_to_repeat_it(capsys):
+    """A sabotaged game: the reason, how often, and a command that shows the first case again, alone."""
+    code, out, _ = crosscheck(capsys, *SHORT, "--sabotage", "rotated-normal")
+    assert code == 1
+    assert out.splitlines()[-1].startswith("DISAGREE: ")
+    assert "the game's normal is turned by +0.1 degrees" in out
+    command = next(line for line in out.splitlines() if "--tick " in line).split()
+    assert command[:3] == ["python", "-m", "tools.crosscheck"]
+    code, again, _ = crosscheck(capsys, *command[3:])
+    assert code == 1
+    assert "the game's normal is turned by +0.1 degrees" in again
+    assert "1 contacts" in again or "2 contacts" in again
+
+
+def test_a_replay_is_checked(capsys, replay):
+    """The recorded game gives the contacts of the same game played again."""
+    code, out, _ = crosscheck(capsys, replay)
+    assert code == 0
+    played = check_game(Job(Source(None, "3", 4, 1920), 64)).rows
+    assert f"AGREE: 0 unexplained in {played.contacts} contacts" in out
+
+
+def test_cases_of_a_class_can_be_listed(capsys):
+    """Each in a line, with its command."""
+    _, out, _ = crosscheck(capsys, "--games", 1, "--level", RANDOM, "--seed", 2, "--ticks", 1500, "--list", "rule")
+    listed = [line for line in out.splitlines() if line.startswith("source rule: ")]
+    assert len(listed) == int(re.search(r"source rule\s+(\d+)", out)[1]) > 0
+    assert all("python -m tools.crosscheck --level random --seed 2" in line for line in listed)
+
+
+KEYS = {
+    "format", "verdict", "agrees", "partial", "versions", "options", "games", "totals", "seconds", "classes", "rows", "cases",
+    "convergence", "free_run",
+}  # fmt: skip
+ROW_KEYS = {
+    "comparison", "feature", "unit", "count", "median", "p99", "maximum", "bound", "share", "bound_source", "worst",
+}  # fmt: skip
+
+
+def test_the_json_file_keeps_its_format(capsys, tmp_path: Path):
+    """The documented keys, all of them, no others; numbers that JSON has; and the numbers of the table."""
+    file = tmp_path / "result.json"
+    code, out, _ = crosscheck(capsys, *SHORT, "--json", file)
+    result = json.loads(file.read_text(), parse_constant=lambda word: pytest.fail(f"{word} is no JSON"))
+    assert code == 0
+    assert result["format"] == "polar-breakout crosscheck 1"
+    assert set(result) == KEYS
+    assert all(set(row) == ROW_KEYS for row in result["rows"])
+    assert result["verdict"] == out.splitlines()[-1]
+    assert sum(result["classes"].values()) == result["totals"]["contacts"]
+    assert result["games"] == [{"options": "--level 6 --seed 1 --games 1 --ticks 1500", "lost": None}]
+    documented = __import__("tools.crosscheck.report.json_file", fromlist=["_"]).__doc__
+    for key in KEYS | ROW_KEYS | set(result["rows"][0]["worst"]) | set(result["totals"]) | set(result["seconds"]):
+        assert re.search(rf"\b{key}\b", documented), f"{key} is not documented"
+
+
+def test_the_page_needs_nothing_else(capsys, tmp_path: Path):
+    """No link, script, style sheet or picture from outside; its ids are its own; it knows the dark, phones and paper."""
+    file = tmp_path / "page.html"
+    code, _, _ = crosscheck(capsys, *SHORT, "--sabotage", "swapped-end", "--seed", 3, "--report", file)
+    page = file.read_text()
+    assert code in {0, 1}
+    assert re.findall(r"""(?:src|href)=["'](?!#)[^"']*|@import|<link|<script|url\((?!#)""", page) == []
+    ids = re.findall(r'\bid="([^"]*)"', page)
+    assert len(ids) == len(set(ids)) > 10
+    assert set(re.findall(r'(?:href="#|url\(#)([^")]*)', page)) <= set(ids)
+    for word in ("prefers-color-scheme: dark", "@media print", "max-width: 40rem", 'name="viewport"', "<svg viewBox"):
+        assert word in page
+    assert not re.search(r"#0[1-6]0[1-6]0[1-6]", page), "a colour that is not the page's"
+
+
+def test_the_extras_are_shown(capsys, tmp_path: Path, monkeypatch):
+    """Convergence and free run, on the terminal, in the page and in the JSON file."""
+    monkeypatch.setattr(cli, "_FREE_RUNS", 1)
+    errors = tuple(1.0 / n for n in FACETS)
+    monkeypatch.setattr(cli, "converged", lambda *_: [Curve("normal, outer face", "rad", -1.0, FACETS, errors, 100)])
+    page, numbers = tmp_path / "page.html", tmp_path / "numbers.json"
+    code, out, _ = crosscheck(capsys, *SHORT, "--convergence", "--free-run", "--report", page, "--json", numbers)
+    result = json.loads(numbers.read_text())
+    assert code == 0
+    assert [(curve["slope"], curve["holds"]) for curve in result["convergence"]] == [(pytest.approx(-1.0), True)]
+    assert result["free_run"][0]["together"] >= 1
+    assert "normal, outer face: falls as N^-1.000, expected N^-1, over 100 contacts" in out
+    assert "free run 1: together for" in out
+    assert "More facets, smaller difference" in page.read_text()
+    assert "Left alone" in page.read_text()
+
+
+@pytest.mark.parametrize(
+    ("arguments", "reason"),
+    [
+        (["--facets", "2"], "'--facets'"),
+        (["--facets", "5000"], "'--facets'"),
+        (["--games", "0"], "'--games'"),
+        (["--games", "many"], "'--games'"),
+        (["--workers", "0"], "'--workers'"),
+        (["--seed", "-1"], "'--seed'"),
+        (["--ticks", "0"], "'--ticks'"),
+        (["--tick", "-1"], "'--tick'"),
+        (["--level", "nowhere"], "--level nowhere: no such level"),
+        (["--list", "everything"], "--list everything: expected one of"),
+        (["--sabotage", "sand"], "--sabotage sand: expected one of"),
+        (["no such.polar"], "no such.polar: cannot read replay"),
+        (["."], "cannot read replay; expected a file, not a folder"),
+        (["--report", "no/such/folder/page.html"], "the folder no/such/folder does not exist"),
+        (["--json", "."], "--json .: is a folder"),
+        (["--bogus"], "No such option"),
+    ],
+)
+def test_bad_input_is_one_line_and_exit_code_2(capsys, monkeypatch, arguments, reason):
+    """Before any work starts."""
+    monkeypatch.setattr(cli, "checked_games", lambda *_: pytest.fail("work has started"))
+    code, out, err = crosscheck(capsys, *arguments)
+    assert (code, out) == (2, "")
+    assert reason in err
+    assert err.count("\n") == 1
+    assert err.startswith("polar-crosscheck: ")
+
+
+@pytest.mark.parametrize(
+    "content", [b"", b"polar-breakout replay 1\n", b"\x00" * 100, b"polar-breakout replay 9\n" + b"x" * 99]
+)
+def test_a_damaged_or_foreign_replay_is_refused(capsys, tmp_path: Path, content):
+    """Also when it comes after a good one: no work is done for half a list."""
+    file = tmp_path / "bad.polar"
+    file.write_bytes(content)
+    code, out, err = crosscheck(capsys, file)
+    assert (code, out, err.count("\n")) == (2, "", 1)
+    assert str(file) in err
+
+
+@pytest.mark.skipif(os.geteuid() == 0, reason="root may write anywhere")
+def test_a_folder_without_permission_is_refused(capsys, tmp_path: Path):
+    """Said before the work, not after it."""
+    tmp_path.chmod(0o500)
+    code, _, err = crosscheck(capsys, *SHORT, "--report", tmp_path / "page.html")
+    tmp_path.chmod(0o700)
+    assert (code, err.count("\n")) == (2, 1)
+
+
+@pytest.mark.parametrize(
+    ("version", "reason"), [(None, "pymunk is not installed"), ("6.11.1", "pymunk 6.11.1 is installed"), ("8.0", "pymunk 8.0")]
+)
+def test_without_a_fitting_pymunk_it_says_what_to_install(capsys, monkeypatch, version, reason):
+    """Exit code 3, one line."""
+    find = importlib.util.find_spec
+    monkeypatch.setattr(importlib.util, "find_spec", lambda name: None if (name, version) == ("pymunk", None) else find(name))
+    if version is not None:
+        monkeypatch.setitem(sys.modules, "pymunk", types.SimpleNamespace(version=version, __spec__=object()))
+    code, out, err = crosscheck(capsys, *SHORT)
+    assert (code, out, err.count("\n")) == (3, "", 1)
+    assert reason in err
+    assert 'python -m pip install "pymunk>=7.1,<8"' in err
+
+
+def test_without_assertions_it_refuses_to_run():
+    """pymunk's own checks are assertions; -O would let its garbage through."""
+    done = subprocess.run(
+        [sys.executable, "-O", "-m", "tools.crosscheck", *SHORT],
+        check=False,
+        capture_output=True,
+        text=True,
+        cwd=ROOT,
+    )
+    assert (done.returncode, done.stdout, done.stderr.count("\n")) == (3, "", 1)
+    assert "without -O" in done.stderr
+
+
+def test_ctrl_c_leaves_a_partial_summary_and_no_file(capsys, monkeypatch, tmp_path: Path):
+    """What was checked until then is shown as partial, whatever it found; files of an earlier run stay as they are."""
+
+    def interrupted(function, jobs, _):
+        yield 0, function(jobs[0])
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("tools.crosscheck.run.results_of", interrupted)
+    file = tmp_path / "result.json"
+    file.write_text("earlier")
+    code, out, err = crosscheck(capsys, *SHORT, "--games", 3, "--json", file)
+    assert code == 128 + signal.SIGINT
+    assert re.search(r"^PARTIAL \(1 of 3 games\): AGREE: 0 unexplained in \d+ contacts", out, re.MULTILINE)
+    assert out.endswith("no file was written\n")
+    assert err == "polar-crosscheck: interrupted\n"
+    assert file.read_text() == "earlier"
+    assert [*tmp_path.iterdir()] == [file]
+
+
+def test_a_lost_game_is_reported_and_no_agreement(capsys, monkeypatch):
+    """A crash of pymunk loses its game and nothing else; the exit code says that something is missing."""
+
+    def one_lost(function, jobs, _):
+        yield 0, Lost("its process was killed by SIGABRT")
+        yield 1, function(jobs[1])
+
+    monkeypatch.setattr("tools.crosscheck.run.results_of", one_lost)
+    code, out, _ = crosscheck(capsys, *SHORT, "--games", 2)
+    assert code == 1
+    assert "lost: level 6, seed 1: its process was killed by SIGABRT" in out
+    assert re.match(r"INCOMPLETE: 1 game lost; 0 unexplained in \d+ contacts, [\d,]+ poses in 1 game", out.splitlines()[-1])
+
+
+def test_the_table_fits_80_columns_with_the_counts_of_a_long_run(capsys):
+    """Twelve million poses and every row: no number is cut."""
+    outcome = Outcome([Job(Source(None, "6", 1, 1500), 64)])
+    outcome.take(outcome.jobs[0].source, check_game(outcome.jobs[0]))
+    for samples in outcome.rows.samples.values():
+        samples.zeros += 12_345_678
+    print_findings(Console(width=80), Findings(outcome), None)
+    out = capsys.readouterr().out
+    assert "12,34" in out
+    assert "…" not in out
+
+
+def test_nothing_compared_is_no_agreement():
+    """A game without a contact proves nothing."""
+    outcome = Outcome([Job(Source(None, "1", 1, 10), 64)])
+    outcome.take(outcome.jobs[0].source, check_game(outcome.jobs[0]))
+    assert (outcome.rows.contacts, outcome.agrees) == (0, False)
+
+
+def test_the_command_line_knows_every_sabotage_and_class():
+    """It names them without importing pymunk; here the two lists are held together."""
+    assert set(_SABOTAGES) == set(SABOTAGES)
+    assert {name.upper() for name in _CLASSES} == {kind.name for kind in Class if kind > Class.FACETS}

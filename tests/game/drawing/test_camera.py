@@ -1,0 +1,157 @@
+"""World to screen and back."""
+
+import math
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from game.drawing.camera import Camera, bearing, layout, unit_of
+from game.input.signals import Action, Dragged, Hands, Pressed, Zoomed
+from game.input.view import FROM_ABOVE, LEAST_TILT, LEAST_ZOOM, MOST_TILT, MOST_ZOOM, TIPPED, View
+from game.rules import POINTER_STEPS
+
+SIZES = st.tuples(st.integers(1, 8000), st.integers(1, 8000))
+POINTS = st.complex_numbers(max_magnitude=20.0, allow_nan=False, allow_infinity=False)
+
+
+@given(SIZES, POINTS)
+def test_unproject_undoes_project(size, point):
+    """Every point of the world comes back from its pixel."""
+    camera = layout(size, 10.0).camera
+    assert camera.unproject(camera.project(point)) == pytest.approx(point, abs=1e-6)
+
+
+@given(st.tuples(st.integers(64, 8000), st.integers(64, 8000)), st.floats(1.0, 1000.0), st.floats(0.0, 2.0 * math.pi))
+def test_the_arena_lies_on_the_surface(size, radius, angle):
+    """Every point of the rim is on the surface, whatever its shape."""
+    pixel = layout(size, radius).camera.project(radius * complex(math.cos(angle), math.sin(angle)))
+    assert 0.0 <= pixel.real <= size[0]
+    assert 0.0 <= pixel.imag <= size[1]
+
+
+def test_up_in_the_world_is_up_on_the_screen():
+    """The screen's y grows downwards, the world's upwards."""
+    camera = layout((800, 600), 10.0).camera
+    assert camera.project(5j).imag < camera.project(0j).imag
+    assert camera.project(5 + 0j).real > camera.project(0j).real
+
+
+def test_room_below_is_left_free():
+    """What is asked to stay free at the bottom is not part of the layout."""
+    free = layout((800, 600), 10.0, below=100.0)
+    assert free.size == (800, 500)
+    assert free.camera.project(-10j).imag < 500.0
+
+
+def test_a_square_window_has_bands_for_the_figures():
+    """Where there is no room beside the arena there is some above and below."""
+    assert layout((800, 600), 10.0).beside
+    square = layout((800, 800), 10.0)
+    assert not square.beside
+    assert square.camera.project(10j).imag > 2.0 * unit_of((800, 800))
+
+
+def test_bearing_of_the_pointer():
+    """The pointer's bearing is counter-clockwise from the right; on the centre it has none."""
+    camera = layout((800, 600), 10.0).camera
+    assert bearing(camera, camera.project(0.0 + 3j)) == pytest.approx(math.pi / 2.0)
+    assert bearing(camera, camera.project(-2.0 + 2j)) == pytest.approx(0.75 * math.pi)
+    assert bearing(camera, camera.centre + 1.0) is None
+
+
+@given(
+    st.tuples(st.floats(-math.pi, math.pi), st.floats(0.0, 1.3), st.floats(0.0, 0.034)),
+    st.complex_numbers(max_magnitude=12.0, allow_nan=False, allow_infinity=False),
+)
+def test_unproject_undoes_project_on_the_ground_of_a_tipped_camera(pose, point):
+    """Every point of the ground comes back from its pixel, however the camera is turned, tipped and near."""
+    camera = Camera(400 + 300j, 30.0, *pose)
+    assert camera.unproject(camera.project(point)) == pytest.approx(point, abs=1e-6)
+
+
+@given(SIZES, POINTS, st.floats(0.0, 3.0))
+def test_upright_the_tipped_camera_is_the_flat_one(size, point, height):
+    """With no tilt, azimuth and perspective a point's pixel is the top-down camera's, whatever its height."""
+    camera = layout(size, 10.0).camera
+    turned = np.array([point * camera.turning])
+    assert camera.project(point, height) == camera.project(point)
+    assert complex(camera.projected(turned, height)[0]) == pytest.approx(camera.project(point), abs=1e-6)
+
+
+@given(st.tuples(st.floats(-3.0, 3.0), st.floats(0.0, 1.3), st.floats(0.0, 0.034)), POINTS, st.floats(0.0, 3.0))
+def test_one_point_and_many_are_projected_alike(pose, point, height):
+    """`projected` and `project` are the same projection."""
+    camera = Camera(400 + 300j, 30.0, *pose)
+    many = camera.projected(np.array([point * camera.turning]), height)
+    assert complex(many[0]) == pytest.approx(camera.project(point, height), abs=1e-6)
+
+
+@pytest.mark.parametrize("tilt", [0.3, 0.9, 1.3])
+def test_a_pixel_beyond_the_horizon_still_has_a_bearing(tilt):
+    """Above the horizon straight up on the screen is straight away from the eye."""
+    camera = Camera(400 + 300j, 30.0, 0.5, tilt, 0.034)
+    assert bearing(camera, 400 - 1e6j) == pytest.approx(0.5 + math.pi / 2.0)
+
+
+def test_the_way_from_one_view_to_the_other_has_no_jumps():
+    """From straight above the camera moves a little a frame until it is tipped, and ends where it began on the way back."""
+    place, view = layout((1280, 800), 10.0), FROM_ABOVE.after(Pressed(Action.TIP), 20.0)
+    pixels = [place.camera.project(6 + 5j)]
+    while view.tipped < 1.0:
+        view = view.later(1.0 / 60.0)
+        pixels.append(view.seen(place).camera.project(6 + 5j, 0.5))
+    assert len(pixels) > 30
+    assert max(abs(after - before) for before, after in pairwise(pixels)) < 12.0
+    view = view.after(Pressed(Action.TOP), 20.0).later(10.0)
+    assert view.seen(place).camera == place.camera
+
+
+def test_players_who_want_no_motion_get_a_cut():
+    """Without smooth motion the camera is there at once."""
+    assert FROM_ABOVE.after(Pressed(Action.SOLID), 20.0).later(0.0, smooth=False).tipped == 1.0
+
+
+def test_dragging_and_zooming_stay_within_bounds():
+    """However far the mouse goes the eye stays above the ground, and from above nothing turns."""
+    view = TIPPED
+    for way in (1e5 + 1e5j, -3e5 - 2e5j):
+        view = view.after(Dragged(way), 20.0).after(Zoomed(way.real), 20.0)
+        assert math.radians(10.0) < view.tilt < math.radians(80.0)
+        assert 0.5 < view.zoom < 4.0
+        assert abs(view.azimuth) <= math.pi
+    assert FROM_ABOVE.after(Dragged(50 + 0j), 20.0).after(Zoomed(2.0), 20.0) == FROM_ABOVE
+
+
+@pytest.mark.parametrize("tilt", [0.2, 0.9, 1.3])
+@pytest.mark.parametrize("size", [(800, 600), (1280, 800), (600, 900), (3840, 2160)])
+def test_the_tipped_arena_lies_on_the_surface(size, tilt):
+    """Every point of the rim is on the surface, from every side."""
+    camera = TIPPED._replace(tilt=tilt, azimuth=0.7).seen(layout(size, 10.0)).camera
+    for angle in np.linspace(0.0, math.tau, 90):
+        pixel = camera.project(10.0 * complex(math.cos(angle), math.sin(angle)))
+        assert 0.0 <= pixel.real <= size[0]
+        assert 0.0 <= pixel.imag <= size[1]
+
+
+@pytest.mark.parametrize("zoom", [LEAST_ZOOM, 1.0, MOST_ZOOM])
+@pytest.mark.parametrize("tilt", [LEAST_TILT, 0.9, MOST_TILT])
+def test_the_wall_stays_in_sight(tilt, zoom):
+    """However near the camera is, the arena's centre is in the middle of the surface, a seventh of its height up or down."""
+    for azimuth in (0.0, 2.0, -2.0):
+        camera = View(1.0, 1.0, azimuth, tilt, zoom).seen(layout((1280, 800), 10.0)).camera
+        assert abs(camera.project(0j) - (640 + 400j)) < 800.0 / 7.0
+
+
+@pytest.mark.parametrize("azimuth", np.linspace(-math.pi, math.pi, 9))
+@pytest.mark.parametrize("tilt", [LEAST_TILT, 0.9, MOST_TILT])
+def test_the_mouse_aims_at_paddles_from_every_side(azimuth, tilt):
+    """A pointer on the track means that place of the world, and one on the top of a paddle nearly the same."""
+    camera = View(1.0, 1.0, azimuth, tilt, 1.2).seen(layout((1280, 800), 10.0)).camera
+    for angle in np.linspace(0.0, math.tau, 24, endpoint=False):
+        point = 9.2 * complex(math.cos(angle), math.sin(angle))
+        for height, most in ((0.0, 0.001), (0.3, 0.15)):
+            steps = Hands(pointer=camera.project(point, height)).controls(camera).pointer
+            assert abs(math.remainder(steps / POINTER_STEPS * math.tau - angle, math.tau)) < most

@@ -1,0 +1,235 @@
+"""The top-down picture shows what the geometry says, and drawing changes nothing."""
+
+import cmath
+import itertools
+import math
+import os
+
+os.environ["SDL_VIDEODRIVER"] = "dummy"
+
+import numpy as np
+import pygame
+import pytest
+
+from game.autopilot import Autopilot
+from game.drawing.camera import layout
+from game.drawing.flat.annulus_pixels import band
+from game.drawing.flat.sector_colours import DOT_SHADE, MOST_DOT, Kind, Look, Sector, colours, dots
+from game.drawing.painter import Painter, save_screenshot
+from game.drawing.palette import DARK, LIGHT, contrast, layer_colour, mixed
+from game.drawing.text import Type
+from game.effects import Effects
+from game.levels import built_in
+from game.replays.state_hash import state_hash
+from game.rules import PADDLES, new_game, tick
+from game.scene import scene_at, still
+from physics import PERMANENT
+
+SIZE = (900, 700)
+UNIT = 20.0
+
+
+def game_after(level, ticks, seed=3):
+    """An autopilot's game and its last tick."""
+    game, pilot = new_game(built_in()[level:], seed), Autopilot()
+    done = still(game)
+    for _ in range(ticks):
+        done = tick(done.game, pilot.controls(done.game))
+    return done
+
+
+def painted(scene, size=SIZE, theme=DARK, painter=None):
+    """A scene on a new surface, and the camera that saw it."""
+    surface = pygame.Surface(size, 0, 32)
+    camera = layout(size, scene.ground_radius).camera
+    (painter or Painter(theme)).paint(surface, scene, camera, Type(), UNIT)
+    return surface, camera
+
+
+def colour_at(surface, camera, point):
+    """The pixel that a point of the world falls into."""
+    pixel = camera.project(point)
+    return tuple(surface.get_at((math.floor(pixel.real), math.floor(pixel.imag))))[:3]
+
+
+def bare(done, alpha=1.0):
+    """A scene without anything that could cover a sector."""
+    return scene_at(done, alpha, Effects())._replace(balls=(), aim=None)
+
+
+def top_colour(theme, layers):
+    """What is in the very middle of a stack's top: three layers have a dot there."""
+    colour = layer_colour(theme, layers)
+    return mixed(colour, theme.ground, DOT_SHADE) if layers == 3 else colour
+
+
+@pytest.mark.parametrize("theme", [DARK, LIGHT], ids=["dark", "light"])
+@pytest.mark.parametrize("level", range(7))
+def test_sectors_are_where_the_geometry_says(level, theme):
+    """In the middle of every slot is its stack's colour or a dot, steel or ground; half way to the next slot is ground."""
+    scene = bare(game_after(level, 1500))
+    surface, camera = painted(scene, theme=theme)
+    checked = 0
+    for k, (ring, layers) in enumerate(zip(scene.rings, scene.layers, strict=True)):
+        for slot, count in enumerate(layers):
+            got = colour_at(surface, camera, ring.radius * cmath.exp(1j * ring.angle(slot)))
+            if k == PADDLES:
+                assert got == theme.paddle_top
+            elif count == PERMANENT:
+                assert got != theme.ground
+            else:
+                assert got == (top_colour(theme, count) if count else theme.ground)
+            checked += 1
+            gap = (math.pi / ring.count - ring.half_angle) * ring.radius * camera.scale
+            if k != PADDLES and gap > 2.0:
+                between = ring.radius * cmath.exp(1j * (ring.angle(slot) + math.pi / ring.count))
+                assert colour_at(surface, camera, between) == theme.ground
+    assert checked > 12
+
+
+@pytest.mark.parametrize("phase", [0.0, 0.001, 0.37, 3.0])
+def test_edges_lie_where_they_belong_to_a_fraction_of_a_pixel(phase):
+    """What the pixels of a ring are covered adds up to the area of its sectors, at any angle."""
+    scene = bare(game_after(0, 0))
+    ring = scene.rings[1]._replace(phase=phase, spin=0.1)
+    scene = scene._replace(rings=(scene.rings[0], ring), layers=(scene.layers[0], (1,) * ring.count))
+    surface, camera = painted(scene)
+    brick, ground = np.array(layer_colour(DARK, 1), float), np.array(DARK.ground, float)
+    pixels = pygame.surfarray.array3d(surface).astype(float)
+    columns, rows = np.indices(pixels.shape[:2]) + 0.5
+    near = np.abs(np.hypot(columns - camera.centre.real, rows - camera.centre.imag) / camera.scale - ring.radius) < 1.0
+    covered = ((pixels[near] - ground) @ (brick - ground) / ((brick - ground) @ (brick - ground))).sum()
+    area = ring.count * 2.0 * ring.half_angle * ring.radius * 2.0 * ring.half_width * camera.scale**2
+    edges = ring.count * 2.0 * (2.0 * ring.half_angle * ring.radius + 2.0 * ring.half_width) * camera.scale
+    assert abs(covered - area) < 0.1 * edges
+
+
+def test_every_layer_of_a_stack_can_be_seen():
+    """From a stack's face to its middle the colours of all its terraces come in order."""
+    scene = bare(game_after(4, 0))
+    surface, camera = painted(scene, (1800, 1400))
+    ring, layers = scene.rings[1], scene.layers[1]
+    assert max(layers) == 6
+    way = cmath.exp(1j * ring.angle(0))
+    seen = []
+    for step in np.linspace(ring.inner_radius, ring.radius, 400):
+        colour = np.array(colour_at(surface, camera, complex(step) * way), float)
+        away = [float(np.abs(colour - layer_colour(DARK, layer)).max()) for layer in range(1, 10)]
+        if min(away) < 40.0 and away.index(min(away)) + 1 not in seen:
+            seen.append(away.index(min(away)) + 1)
+    assert seen == [1, 2, 3, 4, 5, 6]
+
+
+@pytest.mark.parametrize("theme", [DARK, LIGHT], ids=["dark", "light"])
+@pytest.mark.parametrize("layers", range(1, 10))
+def test_as_many_dots_as_layers(layers, theme):
+    """A stack of two or more shows a dot for every layer, apart from each other; one layer is plain. Grey is enough to see."""
+    found = dots(layers, 100.0, 12.0, 0.3, 4.0)
+    assert len(found) == (0 if layers == 1 else layers)
+    for one, other in itertools.combinations(found, 2):
+        assert max(abs(one.radius - other.radius), 100.0 * abs(one.angle - other.angle)) > 2.9 * one.half
+    top = layer_colour(theme, layers)
+    assert contrast(top, mixed(top, theme.ground, DOT_SHADE)) > 1.8
+
+
+def test_a_dot_is_where_it_is_said_to_be():
+    """In the picture of a stack a dot's middle is dark, and beside it is the top."""
+    sector = Sector(80.0, 120.0, 0.3, 2.0, 20.0)
+    for dot in dots(4, 100.0, 20.0 - 6.0, 0.3 - 0.06, MOST_DOT * 20.0):
+        radii, angles = np.float32([dot.radius, dot.radius + 2.0 * dot.half]), np.float32([dot.angle])
+        picture = colours(Look(Kind.BRICKS, 4), sector, radii, angles, DARK)[:, 0]
+        assert np.abs(picture[0] - mixed(layer_colour(DARK, 4), DARK.ground, DOT_SHADE)).max() < 1.0
+        assert np.abs(picture[1] - layer_colour(DARK, 4)).max() < 1.0
+
+
+def test_what_cannot_break_differs_in_shape_too():
+    """A steel sector is crossed by lines; a stack's top is plain."""
+    scene = bare(game_after(5, 0))
+    surface, camera = painted(scene)
+    ring, layers = scene.rings[2], scene.layers[2]
+
+    def shades(slot):
+        angles = np.linspace(-0.8, 0.8, 60) * ring.half_angle + ring.angle(slot)
+        return {colour_at(surface, camera, ring.radius * cmath.exp(1j * float(angle))) for angle in angles}
+
+    assert len(shades(layers.index(1))) == 1
+    assert DARK.steel_line in shades(layers.index(PERMANENT))
+
+
+def test_the_ball_is_drawn_at_its_place():
+    """The pixel under the ball's middle is bright; the one two radii away is not."""
+    done = game_after(0, 400)
+    scene = scene_at(done, 0.5, Effects())
+    surface, camera = painted(scene)
+    ball = scene.balls[0]
+    assert min(colour_at(surface, camera, ball.position)) > 150
+    assert colour_at(surface, camera, ball.position * (1.0 - 2.5 * ball.radius / abs(ball.position))) == DARK.ground
+
+
+def test_a_remembered_picture_equals_a_fresh_one():
+    """Over thousands of ticks and a change of level, a painter that remembers draws what a new one draws."""
+    game, pilot, painter = new_game(built_in()[:3], 5), Autopilot(), Painter()
+    compared = 0
+    levels = set()
+    for number in range(16_000):
+        done = tick(game, pilot.controls(game))
+        game = done.game
+        if number % 200 == 0 or (done.step.hits and number % 7 == 0):
+            scene = scene_at(done, 0.5, Effects())
+            kept, _ = painted(scene, (240, 180), painter=painter)
+            fresh, _ = painted(scene, (240, 180))
+            assert pygame.image.tobytes(kept, "RGB") == pygame.image.tobytes(fresh, "RGB")
+            compared += 1
+            levels.add(game.number)
+    assert compared > 50
+    assert len(levels) > 1
+
+
+def test_drawing_leaves_the_game_alone():
+    """A game that is drawn at every tick ends in the same state as one that is not."""
+    game, pilot, painter = new_game(built_in()[3:], 11), Autopilot(), Painter()
+    for _ in range(500):
+        done = tick(game, pilot.controls(game))
+        painted(scene_at(done, 0.3, Effects()), (120, 90), painter=painter)
+        game = done.game
+    assert state_hash(game) == state_hash(game_after(3, 500, seed=11).game)
+
+
+@pytest.mark.parametrize("size", [(1, 1), (2, 300), (300, 2), (17, 17), (7680, 40), (800, 600)])
+def test_any_size_can_be_drawn(size, tmp_path):
+    """From one pixel to very wide: a picture of that size."""
+    path = tmp_path / "picture.png"
+    save_screenshot(game_after(5, 300).game, path, size)
+    assert pygame.image.load(path).get_size() == size
+
+
+def test_a_screenshot_is_a_full_picture(tmp_path):
+    """Many colours, the figures among them, and the same bytes every time."""
+    game = game_after(4, 700).game
+    for name in ("one.png", "two.png"):
+        save_screenshot(game, tmp_path / name, (800, 600))
+    assert (tmp_path / "one.png").read_bytes() == (tmp_path / "two.png").read_bytes()
+    pixels = pygame.surfarray.array3d(pygame.image.load(tmp_path / "one.png"))
+    assert len(np.unique(pixels.reshape(-1, 3), axis=0)) > 100
+    corner = pixels[:150, :90].reshape(-1, 3)
+    assert (corner.min(axis=1) > 220).any()
+
+
+def test_a_screenshot_that_cannot_be_written_says_so(tmp_path):
+    """The command line turns the system's error into a line of its own."""
+    with pytest.raises(OSError, match="nowhere"):
+        save_screenshot(game_after(0, 0).game, tmp_path / "nowhere" / "picture.png", (64, 64))
+
+
+@pytest.mark.parametrize("centre", [50 + 40j, 0j, -30 + 20j, 50.5 + 40.25j])
+@pytest.mark.parametrize("radii", [(10.0, 20.0), (0.0, 15.5), (33.3, 34.1)])
+def test_a_band_has_every_pixel_between_its_radii_once(centre, radii):
+    """As many as a look at every pixel of the surface finds, none twice."""
+    width, height = 100, 80
+    pixels = band((width, height), width, centre, *radii)
+    xs, ys = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
+    away = np.hypot(xs - centre.real, ys - centre.imag)
+    inside = (away >= radii[0] - 1e-9) & (away <= radii[1] + 1e-9)
+    expected = np.flatnonzero(inside.ravel())
+    assert sorted(pixels.place.tolist()) == expected.tolist()
+    assert np.allclose(pixels.radius, away.ravel()[pixels.place], atol=1e-4)

@@ -1,0 +1,367 @@
+"""The tipped camera: what stands in front hides what is behind, from every angle, and tipping changes nothing else."""
+
+import itertools
+import math
+import os
+from collections import Counter
+
+os.environ["SDL_VIDEODRIVER"] = "dummy"
+
+import numpy as np
+import pygame
+import pytest
+
+from game.autopilot import Autopilot
+from game.drawing.camera import layout
+from game.drawing.flat.sector_colours import Kind, Look
+from game.drawing.painter import Painter, save_screenshot
+from game.drawing.palette import DARK, layer_colour
+from game.drawing.slots import paddle_looks, wall_looks
+from game.drawing.solid import faces as solids
+from game.drawing.solid import slabs
+from game.drawing.solid.ball_occlusion import hiding
+from game.drawing.solid.painters_order import back_to_front
+from game.drawing.solid.picture import SolidPicture
+from game.drawing.solid.prisms import Cut, blocks, wedges_of
+from game.drawing.solid.slabs import Slab, Slot
+from game.drawing.text import Type
+from game.effects import Effects, after
+from game.effects.drops import Drop
+from game.input.view import FROM_ABOVE, TIPPED, View
+from game.levels import built_in
+from game.replays.state_hash import state_hash
+from game.rules import new_game, tick
+from game.scene import scene_at, still
+from physics import Ball, contact
+from tests.support.paths import REFERENCE
+
+SIZE = (480, 360)
+
+
+def game_after(level, ticks, seed=3):
+    """The last tick of an autopilot's game, and its effects."""
+    game, pilot, effects = new_game(built_in()[level:], seed), Autopilot(), Effects()
+    done = still(game)
+    for _ in range(ticks):
+        done = tick(done.game, pilot.controls(done.game))
+        effects = after(effects, done)
+    return done, effects
+
+
+def seen_from(view, scene, size=SIZE):
+    """The camera of a view."""
+    return view.seen(layout(size, scene.ground_radius)).camera
+
+
+def painted(scene, camera, size=SIZE):
+    """A scene on a new surface."""
+    surface = pygame.Surface(size, 0, 32)
+    Painter(DARK).paint(surface, scene, camera, Type(), 10.0)
+    return surface
+
+
+def first_met(scene, eye, way, reach):
+    """What a line of sight meets first: a ring's number, "ball", or None for the ground.
+
+    Found by marching along the line: no order, no projection, no polygons.
+    """
+    steps = np.linspace(reach[0], reach[1], 8000)
+    x, y, z = (eye[k] + way[k] * steps for k in range(3))
+    radius, angle = np.hypot(x, y), np.arctan2(y, x)
+    best, found = math.inf, None
+    for k, ring in enumerate(scene.rings):
+        pitch = math.tau / ring.count
+        slot = np.rint((angle - ring.phase) / pitch).astype(int) % ring.count
+        off = (angle - ring.phase - slot * pitch + math.pi) % math.tau - math.pi
+        top = np.array([heights(k, layers) for layers in scene.layers[k]])[slot]
+        inside = (np.abs(radius - ring.radius) < ring.half_width) & (np.abs(off) < ring.half_angle) & (z < top) & (top > 0.0)
+        if inside.any() and steps[inside.argmax()] < best:
+            best, found = steps[inside.argmax()], k
+    for ball in scene.balls:
+        inside = np.sqrt((x - ball.position.real) ** 2 + (y - ball.position.imag) ** 2 + (z - ball.radius) ** 2) < ball.radius
+        if inside.any() and steps[inside.argmax()] < best:
+            best, found = steps[inside.argmax()], "ball"
+    return found
+
+
+def heights(k, layers):
+    """Height of what stands in a slot: a paddle, steel, or a stack."""
+    return 0.45 * (0.7 if k == 0 else 1.0 if layers < 0 else layers)
+
+
+def sight(camera, pixel):
+    """The line of sight through a pixel: the eye, a unit way, and the part of it where things may be."""
+    ground = camera.unproject(pixel)
+    bearing = camera.azimuth - math.pi / 2.0
+    towards = np.array(
+        [math.cos(bearing) * math.sin(camera.tilt), math.sin(bearing) * math.sin(camera.tilt), math.cos(camera.tilt)]
+    )
+    eye = towards / camera.closeness
+    way = np.array([ground.real, ground.imag, 0.0]) - eye
+    length = float(np.linalg.norm(way))
+    return eye, way / length, (0.4 * length, length)
+
+
+VIEWS = [
+    View(1.0, 1.0, azimuth, math.radians(tilt))
+    for azimuth, tilt in itertools.product((0.0, 0.9, 2.2, -2.7, -1.1), (15.0, 45.0, 62.0, 76.0))
+]
+
+
+@pytest.fixture
+def plain(monkeypatch):
+    """Every ring in a colour of its own, without terraces, marks or light."""
+
+    def slabs_of(look, slot, _drop, _theme):
+        layers = {Kind.PADDLE: 0.7, Kind.STEEL: 1.0, Kind.BRICKS: look.layers}.get(look.kind, 0)
+        colour = (round(slot.radius * 25.0), 0, 200)
+        return (Slab(0.0, layers * slot.layer, 0.0, colour, colour),) if layers else ()
+
+    monkeypatch.setattr(slabs, "slabs", slabs_of)
+    monkeypatch.setattr(solids, "_light", lambda facing: np.ones(len(facing)))
+
+
+def free_place(scene, chance):
+    """Where a ball has room between what stands in the arena."""
+    while True:
+        place = (0.3 + 8.2 * chance.random()) * complex(np.exp(1j * chance.random() * math.tau))
+        ball = Ball(place, 1 + 0j, 0.25)
+        near = [
+            contact(ball, ring, slot).gap
+            for ring, layers in zip(scene.rings, scene.layers, strict=True)
+            for slot, count in enumerate(layers)
+            if count
+        ]
+        if min(near) > 0.0:
+            return ball
+
+
+def drawn_at(surface, scene, x, y):
+    """What a pixel shows, as `first_met` names it; "edge" where its neighbours are of another colour."""
+    around = [tuple(surface.get_at((x + i, y + j)))[:3] for i in (-1, 0, 1) for j in (-1, 0, 1)]
+    if min(min(colour) for colour in around) > 90:
+        return "ball"
+    if any(colour != around[0] for colour in around):
+        return "edge"
+    red, green, blue = around[0]
+    if (green, blue) != (0, 200):
+        return None
+    return next(k for k, ring in enumerate(scene.rings) if red == round(ring.radius * 25.0))
+
+
+@pytest.mark.usefixtures("plain")
+@pytest.mark.parametrize("level", [0, 3, 4, 5, 6])
+def test_what_is_in_front_is_drawn_in_front(level):
+    """At thousands of pixels from twenty angles, what is drawn is what a line of sight meets first, the ball included."""
+    base = scene_at(game_after(level, 1800)[0], 0.4, Effects())._replace(aim=None, trails=(), flashes=(), pops=())
+    chance = np.random.default_rng(level)
+    wrong, checked = [], Counter()
+    for view in VIEWS:
+        scene = base._replace(balls=(free_place(base, chance),))
+        camera = seen_from(view, scene)
+        surface = painted(scene, camera)
+        spots = [scene.balls[0].position + 0.2 * complex(*chance.normal(size=2)) for _ in range(12)]
+        rings = [scene.rings[int(chance.integers(0, len(scene.rings)))].radius for _ in range(50)]
+        spots += [radius * complex(np.exp(1j * chance.random() * math.tau)) for radius in rings]
+        for spot in spots:
+            pixel = camera.project(spot, float(chance.random()) * 1.2)
+            x, y = math.floor(pixel.real), math.floor(pixel.imag)
+            if not (2 <= x < SIZE[0] - 2 and 2 <= y < SIZE[1] - 2):
+                continue
+            drawn = drawn_at(surface, scene, x, y)
+            met = first_met(scene, *sight(camera, complex(x + 0.5, y + 0.5)))
+            checked[drawn if isinstance(drawn, str) else "ground" if drawn is None else "block"] += 1
+            if drawn not in {"edge", met}:
+                wrong.append((view, (x, y), drawn, met))
+    assert min(checked["block"], checked["ground"]) > 150
+    assert checked["ball"] > 20
+    assert not wrong
+
+
+def mask_of(quadrilaterals):
+    """The pixels that some cover."""
+    surface = pygame.Surface(SIZE, 0, 32)
+    for corners in np.floor(quadrilaterals.view(np.float64)).reshape(-1, 4, 2).tolist():
+        pygame.draw.polygon(surface, (255, 255, 255), corners)
+    return pygame.surfarray.array3d(surface)[:, :, 0] > 0
+
+
+@pytest.mark.parametrize("level", [3, 6])
+def test_what_is_far_on_the_screen_hides_no_ball(level):
+    """Around a ball, the blocks near it cover the same pixels as all blocks do."""
+    base = scene_at(game_after(level, 900)[0], 0.4, Effects())._replace(trails=(), flashes=(), drops=(), recoils=())
+    looks = tuple(
+        [paddle_looks(base, []) if k == 0 else wall_looks(layers, []) for k, layers in enumerate(base.layers)],
+    )
+    chance = np.random.default_rng(level)
+    x, y = np.mgrid[: SIZE[0], : SIZE[1]] + 0.5
+    hidden = 0
+    for view in VIEWS:
+        camera = seen_from(view, base)
+        things = SolidPicture().draw_blocks(pygame.Surface(SIZE, 0, 32), base, looks, camera, DARK)
+        for _ in range(4):
+            ball = free_place(base, chance)
+            pixel, reach = camera.project(ball.position, ball.radius), 8.0
+            near, every = (mask_of(hiding(things, camera, ball.position, pixel, wide)) for wide in (reach, 1e6))
+            around = np.hypot(x - pixel.real, y - pixel.imag) < reach - 1.5
+            assert np.array_equal(near[around], every[around])
+            hidden += every[around].any()
+    assert hidden > 10
+
+
+def in_shadow(scene, spot, tilt):
+    """Whether a place of the ground sees something between it and the light. Found by marching up the light."""
+    z, lifted = np.linspace(0.0, 3.0, 3000), {(drop.ring, drop.slot): 0.45 * drop.height for drop in scene.drops}
+    way = spot + solids.LIGHT * solids.SLANT * math.sin(tilt) * z
+    radius, angle = np.abs(way), np.angle(way)
+    for k, ring in enumerate(scene.rings):
+        pitch = math.tau / ring.count
+        slot = np.rint((angle - ring.phase) / pitch).astype(int) % ring.count
+        off = (angle - ring.phase - slot * pitch + math.pi) % math.tau - math.pi
+        top = np.array([heights(k, layers) for layers in scene.layers[k]])[slot]
+        foot = np.array([lifted.get((k, number), 0.0) for number in range(ring.count)])[slot]
+        within = (np.abs(radius - ring.radius) < ring.half_width) & (np.abs(off) < ring.half_angle)
+        if (within & (z > foot) & (z < foot + top)).any():
+            return True
+    return False
+
+
+@pytest.mark.parametrize("level", [0, 3, 4, 5, 6])
+def test_shadows_lie_where_the_light_is_kept_out(level):
+    """At hundreds of places of the ground it is dark where the way to the light is barred, by stacks that fall, too."""
+    base = scene_at(game_after(level, 1800)[0], 0.4, Effects())
+    drops = tuple([Drop(1, slot, 1.2, 0.0) for slot in range(0, base.rings[1].count, 2) if base.layers[1][slot] > 0])
+    scene = base._replace(aim=None, trails=(), flashes=(), pops=(), balls=(), drops=drops)
+    bright, chance = DARK.ground, np.random.default_rng(level)
+    dark = tuple(int(channel * (1.0 - DARK.shadow)) for channel in bright)
+    wrong, checked = 0, Counter()
+    for view in VIEWS[:12]:
+        camera = seen_from(view, scene, (900, 700))
+        surface = painted(scene, camera, (900, 700))
+        for _ in range(300):
+            spot = chance.random() * 6.5 * complex(np.exp(1j * chance.random() * math.tau))
+            x, y = (math.floor(part) for part in (camera.project(spot).real, camera.project(spot).imag))
+            around = {tuple(surface.get_at((x + i, y + j)))[:3] for i in (-1, 0, 1) for j in (-1, 0, 1)}
+            if max(abs(one - other) for colour in around for one, other in zip(colour, bright, strict=True)) == 0:
+                drawn = False
+            elif max(abs(one - other) for colour in around for one, other in zip(colour, dark, strict=True)) <= 1:
+                drawn = True
+            else:
+                continue
+            checked[drawn] += 1
+            wrong += drawn != in_shadow(scene, camera.unproject(complex(x + 0.5, y + 0.5)), camera.tilt)
+    assert checked[False] > 200
+    assert checked[True] > 10
+    assert wrong <= 0.01 * checked.total()
+
+
+@pytest.mark.parametrize("phase", [0.0, 0.1, 0.23, 0.37])
+@pytest.mark.parametrize("size", [(480, 360), (900, 700)])
+def test_blocks_cover_as_many_pixels_as_they_should(phase, size):
+    """All but upright, what a ring's blocks cover adds up to its sectors' area, to a tenth of a pixel along their edges."""
+    base = scene_at(game_after(0, 0)[0], 1.0, Effects())._replace(balls=(), aim=None)
+    ring = base.rings[1]._replace(phase=phase)
+    scene = base._replace(rings=(base.rings[0], ring), layers=(base.layers[0], (1,) * ring.count))
+    camera = seen_from(FROM_ABOVE, scene, size)._replace(tilt=1e-7)
+    pixels = pygame.surfarray.array3d(painted(scene, camera, size)).astype(float)
+    brick, ground = np.array(layer_colour(DARK, 1), float), np.array(DARK.ground, float)
+    columns, rows = np.indices(pixels.shape[:2]) + 0.5
+    near = np.abs(np.hypot(columns - camera.centre.real, rows - camera.centre.imag) / camera.scale - ring.radius) < 1.0
+    covered = ((pixels[near] - ground) @ (brick - ground) / ((brick - ground) @ (brick - ground))).sum()
+    area = ring.count * 2.0 * ring.half_angle * ring.radius * 2.0 * ring.half_width * camera.scale**2
+    edges = ring.count * 2.0 * (2.0 * ring.half_angle * ring.radius + 2.0 * ring.half_width) * camera.scale
+    assert abs(covered - area) < 0.1 * edges
+
+
+@pytest.mark.parametrize("level", range(7))
+@pytest.mark.parametrize("size", [(800, 600), (1280, 800)])
+def test_all_but_upright_the_blocks_look_as_from_above(level, size):
+    """Just before the camera is upright the silhouettes and the tops' colours are those of the top-down picture."""
+    done, _ = game_after(level, 900)
+    scene = scene_at(done, 0.4, Effects())._replace(aim=None, trails=())
+    flat = seen_from(FROM_ABOVE, scene, size)
+    pictures = [
+        pygame.surfarray.array3d(painted(scene, camera, size)).astype(int) for camera in (flat, flat._replace(tilt=1e-7))
+    ]
+    off = np.abs(pictures[0] - pictures[1]).max(axis=2)
+    assert (off > 110).mean() < 0.001
+    assert off.mean() < 1.0
+
+
+@pytest.mark.parametrize("size", [(1, 1), (2, 300), (300, 2), (17, 17), (7680, 40), (40, 4320), (800, 600)])
+def test_any_size_can_be_drawn(size, tmp_path):
+    """From one pixel to very wide: a picture of that size, tipped."""
+    path = tmp_path / "picture.png"
+    save_screenshot(game_after(5, 300)[0].game, path, size, view=TIPPED)
+    assert pygame.image.load(path).get_size() == size
+
+
+def test_eight_thousand_pixels_can_be_drawn():
+    """A surface of 7680 by 4320, and after it a small one with the same painter."""
+    scene = scene_at(game_after(4, 300)[0], 0.5, Effects())
+    painter = Painter(DARK)
+    for size in ((7680, 4320), (320, 200)):
+        surface = pygame.Surface(size, 0, 32)
+        painter.paint(surface, scene, seen_from(TIPPED, scene, size), Type(), 20.0)
+        middle = pygame.surfarray.array3d(surface)[size[0] // 3 : size[0] * 2 // 3, size[1] // 4 : size[1] * 2 // 3]
+        assert len(np.unique(middle[::8, ::8].reshape(-1, 3), axis=0)) > 20
+
+
+def test_tipping_leaves_the_game_alone():
+    """A game that is drawn tipped at every tick, its stacks falling, ends in the same state as one that is not."""
+    game, pilot, effects, painter = new_game(built_in()[4:], 3), Autopilot(), Effects(), Painter()
+    fell = 0
+    for number in range(900):
+        done = tick(game, pilot.controls(game))
+        game, effects = done.game, after(effects, done)
+        scene = scene_at(done, 0.3, effects)
+        fell += bool(scene.drops)
+        painter.paint(pygame.Surface((80, 60), 0, 32), scene, seen_from(VIEWS[number % 20], scene, (80, 60)), Type(), 4.0)
+    assert state_hash(game) == state_hash(game_after(4, 900)[0].game)
+
+
+@pytest.mark.parametrize(("level", "view"), [(4, TIPPED), (6, View(1.0, 1.0, 2.2, 1.2)), (5, View(1.0, 0.4))])
+def test_reference_pictures(level, view):
+    """A few frames look as they did when somebody looked at them: fewer than 0.1 % of their pixels differ."""
+    done, _ = game_after(level, 1500)
+    scene = scene_at(done, 0.5, Effects())
+    surface = painted(scene, seen_from(view, scene))
+    path = REFERENCE / f"3d-level-{level + 1}.png"
+    off = np.abs(pygame.surfarray.array3d(surface).astype(int) - pygame.surfarray.array3d(pygame.image.load(path)))
+    assert (off.max(axis=2) > 16).mean() < 0.001
+
+
+@pytest.mark.parametrize("look", [Look(Kind.STEEL), Look(Kind.BRICKS, 4)])
+@pytest.mark.parametrize("tilt", [0.2, 0.9, 1.3])
+def test_what_is_painted_on_a_top_comes_after_it(look, tilt):
+    """From every side bars and dots are drawn later than all pieces of the top that they lie on, however wide the slot."""
+    slot = Slot(3.0, 0.4, 0.6, 4, 0.45)
+    pile = slabs.slabs(look, slot, 0.0, DARK)
+    cut = Cut(3.0, 0.4, 0.6, 4, 0.2, 40.0, 0.0)
+    every, pieces = blocks(cut, [(number, pile) for number in range(4)]), wedges_of(cut)
+    marks = {level for level, slab in enumerate(pile) if slab.mark is not None}
+    count = len(every.slot)
+    assert len(marks) >= 4
+    for azimuth in np.linspace(0.0, math.tau, 61):
+        camera = View(1.0, 1.0, float(azimuth), tilt).seen(layout(SIZE, 10.0)).camera
+        order = back_to_front(every, np.full(count, -azimuth), np.full(count, 2.0), np.ones(count, dtype=int), camera)
+        place = np.argsort(order)
+        for mark in np.flatnonzero(np.isin(every.level, list(marks))):
+            angles = np.angle(every.foot[mark] * np.exp(-1j * every.slot_middle[mark]))
+            piece, half = every.middles[:, 0] - every.slot_middle, 0.6 / pieces - 1e-6
+            under = (every.slot == every.slot[mark]) & (every.level < min(marks))
+            under &= (piece + half > angles.min()) & (piece - half < angles.max())
+            assert under.any()
+            assert place[mark] > place[under].max()
+
+
+@pytest.mark.parametrize(("half_angle", "slots"), [(math.pi, 1), (1.2, 2), (0.1, 20)])
+def test_feet_cover_the_sectors_and_only_their_ends_are_ends(half_angle, slots):
+    """The feet of a ring's blocks have its sectors' area together; a whole ring has no ends, a sector has two."""
+    cut = Cut(3.0, 0.4, half_angle, slots, 0.2, 40.0, 0.0)
+    every = blocks(cut, [(number, (Slab(0.0, 0.5, 0.0, (9, 9, 9), (9, 9, 9)),)) for number in range(slots)])
+    following = np.roll(every.foot, -1, axis=1)
+    area = 0.5 * (every.foot.conjugate() * following).imag.sum()
+    assert area == pytest.approx(slots * 2.0 * half_angle * 3.0 * 0.8, rel=0.003)
+    assert every.sides[:, 1].sum() == every.sides[:, 3].sum() == (0 if half_angle == math.pi else slots)
+    assert every.sides[:, [0, 2]].all()

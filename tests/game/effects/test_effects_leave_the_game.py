@@ -1,0 +1,119 @@
+"""Every effect on or off, held breath and camera moves included: the same game, to the last bit."""
+
+import os
+
+os.environ["SDL_VIDEODRIVER"] = "dummy"
+os.environ["SDL_AUDIODRIVER"] = "dummy"
+
+import random
+
+import pygame
+import pytest
+
+from game.autopilot import Autopilot
+from game.effects import ALL, Kind, hit_stop
+from game.input.view import TIPPED
+from game.levels import built_in
+from game.replays.file import Recorder
+from game.replays.state_hash import state_hash
+from game.replays.verify import verified
+from game.rules import EventKind, new_game, tick
+from game.screens.play import Play
+from game.settings.values import Settings
+from tests.support.dummy_window import SIZE, shared
+
+TICKS = 2600
+LEVEL = 4
+
+
+class Kept:
+    """Records a game as the window does, up to TICKS."""
+
+    def __init__(self):
+        self.recorder = Recorder(built_in()[LEVEL:], 7)
+        self.last = None
+
+    def __call__(self, controls, after):
+        if self.recorder.ticks < TICKS:
+            self.recorder.add(controls, after)
+            self.last = after
+
+
+def played(settings, view=None, seconds=1.0 / 60.0):
+    """The recording of a game in its screen, drawn as it goes, and how many frames it took."""
+    kept = Kept()
+    app = shared(LEVEL, 7, kept, autopilot=True)
+    app.change(settings)
+    app.view = app.view if view is None else view
+    screen, surface, frames = Play(app, built_in()[LEVEL:]), pygame.Surface((96, 72), 0, 32), 0
+    while kept.recorder.ticks < TICKS:
+        screen = screen.advance(seconds, SIZE)
+        if frames % 5 == 0:
+            screen.draw(surface)
+        frames += 1
+    return kept.recorder.recording(), frames
+
+
+@pytest.fixture(scope="module")
+def bare():
+    """The game played by the rules alone."""
+    kept, game, pilot = Kept(), new_game(built_in()[LEVEL:], 7), Autopilot()
+    for _ in range(TICKS):
+        controls = pilot.controls(game)
+        game = tick(game, controls).game
+        kept(controls, game)
+    return kept.recorder.recording()
+
+
+@pytest.mark.parametrize(
+    "settings",
+    [
+        Settings(),
+        Settings(effects=False),
+        Settings(off=ALL),
+        Settings(reduced_motion=True),
+        *[Settings(off=ALL - {kind}) for kind in Kind],
+    ],
+    ids=["all", "none", "all off", "reduced motion", *Kind],
+)
+def test_a_recording_does_not_know_what_was_seen(bare, settings):
+    """Inputs, hashes and traces of the whole game are those of the rules alone; so are those of all chance there is."""
+    chance = random.getstate()
+    recording, _ = played(settings)
+    assert recording == bare
+    assert random.getstate() == chance
+
+
+def test_tipped_and_at_another_frame_rate(bare):
+    """The camera and the frames' length change nothing either; and what was recorded verifies."""
+    for seconds in (1.0 / 144.0, 0.11):
+        recording, _ = played(Settings(), TIPPED, seconds)
+        assert recording == bare
+    assert verified(bare).divergence is None
+
+
+def test_a_held_breath_takes_time_but_no_tick():
+    """A ball is lost: with hit-stop no tick runs for as long as the breath says, then the game goes on as without."""
+    ends = {}
+    for settings in (Settings(), Settings(off=frozenset({Kind.HIT_STOP}))):
+        told = []
+        app = shared(0, 1, lambda _controls, after, told=told: told.append(state_hash(after)))
+        app.change(settings)
+        screen = Play(app, built_in())
+        counts = []
+        for _ in range(1500):
+            screen._hands = screen._hands._replace(serve=len(told) > 50)
+            before = screen._ticked.game.lives
+            screen = screen.advance(1.0 / 240.0, SIZE)
+            counts.append((len(told), screen._ticked.game.lives < before))
+        ends[settings] = told, counts
+    with_breath, without = (ends[settings] for settings in ends)
+    common = min(len(with_breath[0]), len(without[0]))
+    assert with_breath[0][:common] == without[0][:common]
+    loss = next(k for k, (_, gone) in enumerate(with_breath[1]) if gone)
+    stood = with_breath[1][loss][0]
+    breath = round(240 * hit_stop._SECONDS[EventKind.BALL_LOST])
+    assert breath >= 20
+    assert with_breath[1][loss + breath - 2][0] == stood
+    assert with_breath[1][loss + breath + 3][0] > stood
+    assert without[1][loss + 4][0] > stood

@@ -1,0 +1,67 @@
+"""The regression suite: golden games play the same, bit for bit, wherever they are played.
+
+`pytest tests/game/replays/test_golden.py --regen` records them anew; the changelog must then say why.
+"""
+
+import os
+import platform
+import subprocess
+import sys
+
+import pytest
+
+from game.replays.file import load, save
+from game.replays.verify import verified
+from tests.support.golden import FOLDER, LEAST_TICKS, golden_games, recorded
+
+GOLDEN = list(golden_games())
+FILES = [FOLDER / f"{golden.name}.polar" for golden in GOLDEN]
+NO_FMA = "glibc.cpu.hwcaps=-AVX2,-FMA,-AVX2_Usable,-FMA_Usable"
+
+
+@pytest.fixture(scope="module", autouse=True)
+def regenerated(request):
+    """With --regen, every golden game is recorded anew before it is looked at."""
+    if request.config.getoption("--regen"):
+        FOLDER.mkdir(exist_ok=True)
+        for golden, file in zip(GOLDEN, FILES, strict=True):
+            save(recorded(golden), file)
+
+
+def test_there_are_at_least_twenty_different_games():
+    """Twenty games and more, over all levels, all kinds of player, each with its own seed and each a minute or longer."""
+    recordings = [load(file) for file in FILES]
+    assert sorted(FOLDER.glob("*.polar")) == sorted(FILES)
+    assert len(FILES) >= 20
+    assert len({recording.seed for recording in recordings}) == len(FILES)
+    assert len({recording.levels[0].name for recording in recordings}) == 7
+    assert all(recording.ticks >= LEAST_TICKS for recording in recordings)
+
+
+@pytest.mark.parametrize("file", FILES, ids=lambda file: file.stem)
+def test_golden_game(file):
+    """A golden game still plays as it was recorded, in every block's hash."""
+    assert verified(load(file)).divergence is None
+
+
+@pytest.mark.parametrize(
+    ("options", "environment"),
+    [
+        (["-O"], {}),
+        ([], {"PYTHONHASHSEED": "0"}),
+        ([], {"PYTHONHASHSEED": "random"}),
+        pytest.param(
+            [],
+            {"GLIBC_TUNABLES": NO_FMA},
+            marks=pytest.mark.skipif(platform.libc_ver()[0] != "glibc", reason="only glibc can switch its FMA code off"),
+        ),
+    ],
+    ids=["optimised", "hash-seed-0", "hash-seed-random", "no-fma"],
+)
+def test_golden_games_elsewhere(options, environment):
+    """The same hashes come out with assertions off, with any hash seed and without the C library's FMA code."""
+    command = [sys.executable, *options, "-m", "game", "replay", "--verify", *map(str, FILES)]
+    done = subprocess.run(command, env=os.environ | environment, capture_output=True, text=True, check=False)
+    assert done.returncode == 0, done.stderr
+    expected = [load(file).hashes[-32:].hex() for file in FILES]
+    assert [line.rpartition("hash=")[2] for line in done.stdout.splitlines()] == expected

@@ -1,0 +1,350 @@
+"""The window game, played by posted events on the dummy driver."""
+
+import pygame
+import pytest
+
+from game import app
+from game.drawing.palette import DARK, LIGHT
+from game.levels import built_in
+from game.replays.state_hash import state_hash
+from game.rules import Phase, new_game, tick
+from game.screens.panels import Help, Menu
+from game.screens.play import Play
+from game.screens.title import Title
+from tests.support.dummy_window import FRAME, SIZE, Desk, shared
+
+
+@pytest.fixture
+def ticks():
+    """What the recorder was told."""
+    return []
+
+
+@pytest.fixture
+def desk(ticks):
+    """The app at its title."""
+    kept = shared(recorder=lambda controls, after: ticks.append((controls, after)))
+    found = Desk(kept, Title(kept))
+    found.wait(FRAME)
+    yield found
+    found.close()
+
+
+@pytest.fixture
+def playing(desk):
+    """The app in a game before its first serve."""
+    desk.press(pygame.K_RETURN)
+    assert isinstance(desk.screen, Play)
+    return desk
+
+
+def test_a_whole_evening(desk, ticks):
+    """Title, serve, steer, pause, go on, restart, back to the title, quit: by keys alone."""
+    desk.press(pygame.K_RETURN)
+    desk.wait(0.2)
+    assert ticks[-1][1].phase == Phase.SERVING
+    desk.press(pygame.K_SPACE)
+    desk.hold(pygame.K_RIGHT)
+    desk.wait(0.3)
+    desk.release(pygame.K_RIGHT)
+    assert ticks[-1][1].phase == Phase.PLAYING
+    assert ticks[-1][1].arena.rings[0].spin > 0.0
+    desk.press(pygame.K_p)
+    assert isinstance(desk.screen, Menu)
+    stopped = len(ticks)
+    desk.wait(1.0)
+    assert len(ticks) == stopped
+    desk.press(pygame.K_p)
+    desk.wait(1.0)
+    assert len(ticks) > stopped
+    desk.press(pygame.K_r, pygame.K_r)
+    assert isinstance(desk.screen, Play)
+    desk.wait(0.1)
+    assert ticks[-1][1].tick < 30
+    desk.press(pygame.K_ESCAPE, pygame.K_DOWN, pygame.K_DOWN, pygame.K_DOWN, pygame.K_RETURN)
+    assert isinstance(desk.screen, Title)
+    desk.press(pygame.K_ESCAPE)
+    assert desk.screen is None
+
+
+def test_what_is_recorded_plays_again(playing, ticks):
+    """The recorder's controls, given to the rules alone, lead to the very game that was on the screen."""
+    playing.move((400, 100))
+    playing.wait(0.4)
+    playing.press(pygame.K_SPACE)
+    playing.hold(pygame.K_a)
+    playing.wait(0.5)
+    playing.release(pygame.K_a)
+    playing.move((100, 350))
+    playing.wait(1.0)
+    game = new_game(built_in(), 7)
+    for controls, after in ticks:
+        game = tick(game, controls).game
+        assert after.tick == game.tick
+    assert state_hash(game) == state_hash(ticks[-1][1])
+    assert {controls.turn for controls, _ in ticks} == {0, -1}
+    assert any(controls.pointer is not None for controls, _ in ticks)
+
+
+def test_escape_twice_loses_nothing(playing, ticks):
+    """Esc pauses, Esc again goes on: nobody leaves a game by accident."""
+    playing.press(pygame.K_SPACE)
+    playing.wait(0.1)
+    playing.press(pygame.K_ESCAPE, pygame.K_ESCAPE)
+    assert isinstance(playing.screen, Play)
+    before = len(ticks)
+    playing.wait(1.0)
+    assert len(ticks) > before
+
+
+def test_restart_asks_first(playing, ticks):
+    """R alone restarts nothing; the question can be answered with no."""
+    playing.press(pygame.K_SPACE)
+    playing.wait(0.2)
+    before = ticks[-1][1].tick
+    playing.press(pygame.K_r)
+    assert isinstance(playing.screen, Menu)
+    playing.press(pygame.K_ESCAPE)
+    playing.wait(1.0)
+    assert ticks[-1][1].tick > before
+
+
+def test_losing_the_focus_pauses_and_lets_go(playing, ticks):
+    """The game stops, and a key that was held is not held when it goes on."""
+    playing.hold(pygame.K_RIGHT)
+    playing.wait(0.2)
+    playing.post(pygame.WINDOWFOCUSLOST)
+    assert isinstance(playing.screen, Menu)
+    playing.press(pygame.K_RETURN)
+    playing.wait(0.2)
+    assert ticks[-1][0].turn == 0
+
+
+def test_after_a_pause_there_is_a_moment_to_get_ready(playing, ticks):
+    """With a ball in play no tick runs in the first half second; while serving there is nothing to wait for."""
+    playing.press(pygame.K_p, pygame.K_p)
+    before = len(ticks)
+    playing.wait(0.1)
+    assert len(ticks) > before
+    playing.press(pygame.K_SPACE)
+    playing.press(pygame.K_p, pygame.K_p)
+    before = len(ticks)
+    playing.wait(0.3)
+    assert len(ticks) == before
+    playing.wait(0.6)
+    assert len(ticks) > before
+
+
+def test_help_opens_over_everything_and_closes_again(desk):
+    """From the title, a game and its pause, by either key; any key of the game closes it."""
+    for opens in (pygame.K_h, pygame.K_F1):
+        for screen in (Title, Play, Menu):
+            assert isinstance(desk.screen, screen)
+            desk.press(opens)
+            assert isinstance(desk.screen, Help)
+            desk.press(pygame.K_x if screen is Title else pygame.K_SPACE)
+            if screen is Title:
+                assert isinstance(desk.screen, Help)
+                desk.press(pygame.K_ESCAPE)
+            assert isinstance(desk.screen, screen)
+            desk.press({Title: pygame.K_RETURN, Play: pygame.K_p, Menu: pygame.K_p}[screen])
+        desk.press(pygame.K_p, pygame.K_UP, pygame.K_UP, pygame.K_RETURN)
+
+
+def test_levels_are_chosen_by_arrows_and_mouse(desk, ticks):
+    """Both ways lead to the level that is framed; left of the first is the last."""
+    desk.press(pygame.K_RIGHT, pygame.K_RIGHT, pygame.K_LEFT)
+    assert desk.shared.chosen == 1
+    desk.press(pygame.K_LEFT, pygame.K_LEFT)
+    assert desk.shared.chosen == len(built_in()) - 1
+    card = desk.screen._cards(SIZE)[3]
+    desk.move(card.center)
+    desk.wait(FRAME)
+    assert desk.shared.chosen == 3
+    desk.click(card.center)
+    desk.wait(0.1)
+    assert ticks[-1][1].level == built_in()[3]
+
+
+def test_a_click_beside_the_cards_starts_nothing(desk):
+    """Only a card starts a level."""
+    desk.click((2, 2))
+    assert isinstance(desk.screen, Title)
+
+
+def test_menus_answer_to_the_mouse(playing):
+    """Moving over an entry selects it, clicking does it, clicking elsewhere does nothing."""
+    playing.press(pygame.K_p)
+    boxes = playing.screen._boxes(SIZE)[1]
+    playing.click((1, 1))
+    assert isinstance(playing.screen, Menu)
+    playing.move(boxes[1].center)
+    playing.wait(FRAME)
+    assert playing.screen._selected == 1
+    playing.click(boxes[3].center)
+    assert isinstance(playing.screen, Title)
+
+
+def test_the_title_plays_by_itself(desk):
+    """The demonstration serves and scores, and begins anew after its end."""
+    desk.wait(6.0)
+    assert desk.screen._demo._ticked.game.score > 0
+    first = desk.screen._demo
+    for _ in range(4000):
+        desk.screen.advance(0.25, SIZE)
+        if desk.screen._demo is not first:
+            break
+    assert desk.screen._demo is not first
+
+
+def test_losing_every_ball_ends_the_game(playing, ticks):
+    """Serves without steering lose three balls; the panel offers another game, and no mashed key restarts too early."""
+    for _ in range(4000):
+        if not isinstance(playing.screen, Play):
+            break
+        playing.hold(pygame.K_SPACE)
+        playing.hold(pygame.K_RIGHT)
+        playing.wait(FRAME)
+    assert ticks[-1][1].phase == Phase.OVER
+    assert ticks[-1][1].phase_tick >= 200
+    assert isinstance(playing.screen, Menu)
+    playing.press(pygame.K_r)
+    playing.wait(0.1)
+    assert ticks[-1][1].tick < 30
+
+
+def test_winning_ends_the_game_too():
+    """The autopilot clears the only level; the panel says so."""
+    kept = shared(autopilot=True)
+    screen = Play(kept, built_in()[:1])
+    while isinstance(screen, Play):
+        screen = screen.advance(0.25, SIZE)
+    assert screen._title == "You won"
+
+
+def test_switches_work_on_every_screen(desk):
+    """Sound, colours and effects can be switched at any time."""
+    for opens in (None, pygame.K_RETURN, pygame.K_p):
+        if opens is not None:
+            desk.press(opens)
+        desk.press(pygame.K_m, pygame.K_t, pygame.K_e)
+        chosen = desk.shared.settings
+        assert (chosen.sound, chosen.theme, chosen.effects) == (False, LIGHT, False)
+        assert desk.shared.painter.theme is LIGHT
+        desk.press(pygame.K_m, pygame.K_t, pygame.K_e)
+        chosen = desk.shared.settings
+        assert (chosen.sound, chosen.theme, chosen.effects) == (True, DARK, True)
+
+
+def test_full_screen_and_back(playing):
+    """F11 fills the desktop; again, the window has its size back; Alt+Enter does the same."""
+    desktop = pygame.display.get_desktop_sizes()[0]
+    playing.press(pygame.K_F11)
+    assert playing.window.size == desktop
+    playing.press(pygame.K_F11)
+    assert playing.window.size == SIZE
+    playing.press(pygame.K_RETURN, mod=pygame.KMOD_ALT)
+    assert playing.window.size == desktop
+    assert isinstance(playing.screen, Play)
+
+
+@pytest.mark.parametrize("size", [(1, 1), (3, 900), (900, 3), (7680, 4320), (800, 600)])
+def test_any_window_size_in_play(desk, size):
+    """Title, help, game and pause survive being resized, and go on."""
+    desk.window.size = size
+    desk.wait(2 * FRAME)
+    desk.press(pygame.K_h, pygame.K_h, pygame.K_RETURN, pygame.K_SPACE)
+    desk.wait(2 * FRAME)
+    desk.press(pygame.K_p)
+    desk.window.size = SIZE
+    desk.press(pygame.K_p)
+    assert isinstance(desk.screen, Play)
+
+
+def test_minimising_pauses(playing):
+    """A game nobody sees does not go on."""
+    playing.post(pygame.WINDOWMINIMIZED)
+    assert isinstance(playing.screen, Menu)
+
+
+def test_a_stall_runs_at_most_60_ticks(playing, ticks):
+    """An hour asleep is a quarter of a second of play."""
+    before = len(ticks)
+    playing.screen = app.frame(playing.window, playing.shared, playing.screen, 3600.0)
+    assert len(ticks) - before <= 60
+
+
+def test_a_clock_that_jumps_back_runs_nothing_and_breaks_nothing(playing, ticks):
+    """Time that has not passed is no time; afterwards the game goes on as if nothing had been."""
+    playing.press(pygame.K_SPACE, pygame.K_MINUS)
+    before = len(ticks)
+    playing.screen = app.frame(playing.window, playing.shared, playing.screen, -7200.0)
+    assert len(ticks) == before
+    playing.wait(0.5)
+    assert len(ticks) >= before + 110
+
+
+def test_a_key_shows_in_the_next_frame(playing):
+    """The picture after a key press differs from the one without it."""
+    playing.wait(0.2)
+    surface = playing.window.get_surface()
+
+    def paddles():
+        return playing.screen._ticked.game.arena.rings[0].phase
+
+    before, still = pygame.image.tobytes(surface, "RGB"), paddles()
+    playing.hold(pygame.K_RIGHT)
+    playing.wait(FRAME)
+    assert paddles() != still
+    assert pygame.image.tobytes(surface, "RGB") != before
+
+
+@pytest.mark.parametrize("kind", [pygame.QUIT, pygame.WINDOWCLOSE])
+def test_closing_the_window_leaves_from_anywhere(playing, kind):
+    """No question is asked of somebody who closes the window."""
+    playing.post(kind)
+    assert playing.screen is None
+
+
+def test_play_returns_0_when_the_window_is_closed(monkeypatch):
+    """The whole of `play`, closed after a few frames."""
+    frames = []
+
+    def counted(*args):
+        frames.append(args)
+        if len(frames) == 5:
+            pygame.event.post(pygame.Event(pygame.QUIT))
+        return real(*args)
+
+    real = app.frame
+    monkeypatch.setattr(app, "frame", counted)
+    assert app.play(built_in()[2:], 1) == 0
+    assert len(frames) == 5
+    assert not pygame.display.get_init()
+
+
+def test_ctrl_c_leaves_quietly(monkeypatch):
+    """As closing the window does."""
+
+    def interrupted(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(app, "frame", interrupted)
+    assert app.play(built_in(), 1, autopilot=True) == 0
+    assert not pygame.display.get_init()
+
+
+def test_a_level_of_ones_own_is_the_only_one_offered(monkeypatch):
+    """A level that is not built in stands alone on the title."""
+    own = (
+        built_in()[0].__class__(**{**{f: getattr(built_in()[0], f) for f in built_in()[0].__struct_fields__}, "name": "Mine"}),
+    )
+    seen = []
+
+    def looked(_window, kept, screen, _seconds):
+        seen.append((kept.catalogue, screen.__class__))
+
+    monkeypatch.setattr(app, "frame", looked)
+    app.play(own, 1)
+    app.play(built_in()[2:], 1)
+    assert seen == [(own, Title), (built_in(), Title)]

@@ -1,0 +1,241 @@
+"""The mixer: that sounds reach it as they were chosen, and that nothing happens without one."""
+
+import os
+import random
+import subprocess
+import sys
+import textwrap
+
+import numpy as np
+import pygame
+import pytest
+
+from game.autopilot import Autopilot
+from game.levels import built_in
+from game.replays.state_hash import state_hash
+from game.rules import Event, EventKind, new_game, tick
+from game.sound.mixer import Audio
+from game.sound.synth import every_note
+from game.sound.voices import SILENT, VOICES
+from tests.support.paths import ROOT
+
+SERVED = [Event(EventKind.SERVED)]
+
+
+def side(position):
+    """Where a place is on the screen, in an arena of ten units."""
+    return position.real / 10.0
+
+
+class Clock:
+    """Time that stands still unless told."""
+
+    now = 0.0
+
+    def __call__(self):
+        return self.now
+
+
+@pytest.fixture
+def audio(monkeypatch):
+    """Sound on SDL's dummy driver."""
+    monkeypatch.setenv("SDL_AUDIODRIVER", "dummy")
+    made = Audio(clock=Clock())
+    yield made
+    made.close()
+
+
+def sounding():
+    """How many voices the mixer plays."""
+    return sum(pygame.mixer.Channel(place).get_busy() for place in range(VOICES))
+
+
+def run(code, **environment):
+    """What a program wrote, run on its own."""
+    command = [sys.executable, "-c", textwrap.dedent(code)]
+    return subprocess.run(
+        command, cwd=ROOT, env={**os.environ, **environment}, capture_output=True, text=True, timeout=60, check=False
+    )
+
+
+def test_every_event_is_played_or_silent(audio):
+    """One voice each, on a mixer of two ears with sixteen bits."""
+    assert audio.problem is None
+    assert pygame.mixer.get_init() == (44100, -16, 2)
+    for count, kind in enumerate(EventKind):
+        audio._clock.now = 3.0 * count
+        pygame.mixer.stop()
+        audio.play([Event(kind)], side, 1)
+        assert sounding() == (kind not in SILENT)
+
+
+def test_no_more_voices_than_there_are(audio):
+    """A hundred events in one frame."""
+    audio.play([Event(kind) for kind in EventKind] + [Event(EventKind.BRICK_HIT)] * 90, side, 95)
+    assert 3 <= sounding() <= VOICES
+    assert pygame.mixer.get_num_channels() == VOICES
+
+
+def test_sounds_are_drawn_when_they_are_first_heard_or_one_a_frame(audio):
+    """The start draws none; what is heard is drawn at once and once; after a second of frames there are all."""
+    assert len(audio._sounds) == 0
+    for combo in (3, 3, 4):
+        audio.play([Event(EventKind.BRICK_HIT)], side, combo)
+    assert len(audio._sounds) == 2
+    drawn = dict(audio._sounds)
+    for count in range(len(every_note())):
+        before = len(audio._sounds)
+        audio.prepare()
+        assert len(audio._sounds) <= before + 1, count
+    assert set(audio._sounds) == set(every_note())
+    assert all(audio._sounds[note] is sound for note, sound in drawn.items())
+    audio.prepare()
+
+
+def test_mute_ends_what_sounds_and_starts_nothing(audio):
+    """Until it is taken back."""
+    audio.play(SERVED, side, 0)
+    assert sounding() == 1
+    audio.muted = True
+    pygame.time.wait(150)
+    assert sounding() == 0
+    audio.play(SERVED, side, 0)
+    assert sounding() == 0
+    audio.muted = False
+    audio.play(SERVED, side, 0)
+    assert (sounding(), audio.muted) == (1, False)
+
+
+def test_volume_stays_between_0_and_1(audio):
+    """A slider dragged too far ends at its end."""
+    for wanted, kept in ((0.25, 0.25), (1.5, 1.0), (-0.5, 0.0)):
+        audio.volume = wanted
+        assert audio.volume == kept
+
+
+def test_an_odd_rate_is_played_too(monkeypatch):
+    """The mixer converts."""
+    monkeypatch.setenv("SDL_AUDIODRIVER", "dummy")
+    audio = Audio(sample_rate=22050)
+    audio.play(SERVED, side, 0)
+    assert pygame.mixer.get_init() == (22050, -16, 2)
+    assert sounding() == 1
+    audio.close()
+
+
+def test_without_a_card_there_is_one_line_and_silence(monkeypatch, capfd):
+    """Said once, kept for the screen; everything else does nothing."""
+    monkeypatch.setenv("SDL_AUDIODRIVER", "nonexistent")
+    audio = Audio()
+    said = capfd.readouterr().err
+    audio.play(SERVED, side, 0)
+    audio.volume, audio.muted = 0.5, True
+    audio.play(SERVED, side, 0)
+    audio.close()
+    assert said == f"{audio.problem}\n"
+    assert said.startswith("no sound: ")
+    assert capfd.readouterr() == ("", "")
+    assert (audio.volume, audio.muted) == (0.5, True)
+
+
+@pytest.mark.parametrize("console", ["None", "sys.stderr"])
+def test_no_card_is_no_error(console):
+    """Not even on a machine without a console; C libraries do not add to the one line."""
+    done = run(
+        f"""
+        import os, sys
+        sys.stderr = {console}
+        if sys.stderr is None:
+            os.close(2)
+        from game.sound.mixer import Audio
+        audio = Audio()
+        audio.play([], None, 0)
+        audio.close()
+        print(audio.problem)
+        """,
+        SDL_AUDIODRIVER="nonexistent",
+        PYGAME_HIDE_SUPPORT_PROMPT="1",
+    )
+    assert done.returncode == 0
+    assert done.stdout.startswith("no sound: ")
+    assert done.stderr == ("" if console == "None" else done.stdout)
+
+
+@pytest.mark.parametrize("ending", [pygame.quit, pygame.mixer.quit])
+def test_a_mixer_taken_away_is_silence(audio, ending):
+    """The window is closed before the sound is."""
+    audio.play(SERVED, side, 0)
+    ending()
+    audio.play(SERVED, side, 0)
+    audio.volume, audio.muted = 0.5, True
+    audio.close()
+    assert pygame.mixer.get_init() is None
+
+
+def test_closed_twice_and_played_after(audio):
+    """Nothing happens, and another one may be opened."""
+    audio.close()
+    audio.close()
+    audio.play(SERVED, side, 0)
+    assert pygame.mixer.get_init() is None
+    again = Audio(clock=Clock())
+    again.play(SERVED, side, 0)
+    assert sounding() == 1
+    again.close()
+
+
+def test_a_game_with_sound_is_the_game_without(audio):
+    """The same state after 4000 ticks, and nobody else's chance is used up."""
+
+    def state(listener):
+        game, pilot = new_game(built_in()[:1], 5), Autopilot()
+        heard = 0
+        for _ in range(4000):
+            ticked = tick(game, pilot.controls(game))
+            game = ticked.game
+            heard += len(ticked.events)
+            listener(ticked.events, side, game.combo)
+        return state_hash(game), heard
+
+    chance = random.getstate()
+    with_sound = state(audio.play)
+    assert random.getstate() == chance
+    assert with_sound == state(lambda *_: None)
+    assert with_sound[1] > 10
+    assert set(audio._sounds) <= set(every_note())
+
+
+def recorded(folder, x, volume=1.0, *, muted=False):
+    """The left and the right ear's peak, as they reach the card, of a ball lost at x."""
+    path = folder / "card.raw"
+    done = run(
+        f"""
+        import time
+        from game.sound.mixer import Audio
+        from game.rules import Event, EventKind
+        audio = Audio()
+        audio.volume, audio.muted = {volume}, {muted}
+        audio.play([Event(EventKind.BALL_LOST, position=complex({x}))], lambda position: position.real / 10.0, 0)
+        time.sleep(0.5)
+        audio.close()
+        print(audio.problem)
+        """,
+        SDL_AUDIODRIVER="disk",
+        SDL_DISKAUDIOFILE=str(path),
+    )
+    assert done.returncode == 0, done.stderr
+    if "None" not in done.stdout:
+        pytest.skip("this SDL cannot play to a file")
+    assert done.stderr == "", "SDL's own lines about its driver are kept off"
+    return np.max(np.abs(np.fromfile(path, np.int16).reshape(-1, 2).astype(float)), axis=0)
+
+
+def test_the_card_hears_left_right_volume_and_mute(tmp_path):
+    """Played to a file instead of a card: panned with constant power, half the volume a quarter of the amplitude, mute 0."""
+    left, middle, right = [recorded(tmp_path, x) for x in (-10.0, 0.0, 10.0)]
+    assert left[0] > 3.0 * left[1] > 0.0
+    assert left == pytest.approx(right[::-1], rel=0.02)
+    assert middle[0] == pytest.approx(middle[1], rel=0.02)
+    assert np.sum(left**2) == pytest.approx(np.sum(middle**2), rel=0.03)
+    assert recorded(tmp_path, 0.0, 0.5) == pytest.approx(0.25 * middle, rel=0.05)
+    assert list(recorded(tmp_path, 0.0, muted=True)) == [0.0, 0.0]

@@ -1,0 +1,170 @@
+"""Which sounds an event makes, how loud and where, and that they never add up to too much."""
+
+import itertools
+import math
+
+import numpy as np
+import pytest
+from hypothesis import example, given, settings
+from hypothesis import strategies as st
+
+from game.rules import Event, EventKind
+from game.sound.synth import Note, Patch, brick, every_note, waveform
+from game.sound.voices import SILENCE, SILENT, TAIL_STEP, VOICES, Cue, chorus, cues, panned, tail
+from physics import Contact, Feature, Hit
+
+RATE = 8000
+WAVES = {note: waveform(note, RATE) for note in every_note()}
+TAILS = {note: tail(wave, RATE) for note, wave in WAVES.items()}
+HITS = {EventKind.PADDLE_HIT, EventKind.BRICK_HIT, EventKind.WALL_HIT}
+
+sides = st.floats(-1.0, 1.0)
+some_cues = st.builds(Cue, st.sampled_from(every_note()), st.floats(0.5, 1.0), sides)
+storms = st.lists(st.tuples(st.floats(0.0, 0.2), st.lists(some_cues, max_size=12)), max_size=12)
+
+
+def side(position):
+    """Where a place is on the screen, in an arena of ten units."""
+    return position.real / 10.0
+
+
+def hit(before=-5j, layers=0):
+    return Hit(0.0, 0, 1, 0, Contact(1j, 0j, 0.0, Feature.OUTER_FACE), before, -before, layers)
+
+
+def event(kind, position=0j, **of_hit):
+    return Event(kind, hit(**of_hit) if kind in HITS else None, position=position)
+
+
+def played(storm):
+    """What the two ears are sent when cues come, each after a pause; and the most voices at once."""
+    voices, now, ears, most = SILENCE, 0.0, np.zeros((2, 6 * RATE)), 0
+    for pause, wanted in storm:
+        now += pause
+        voices, new = chorus(voices, wanted, TAILS, now)
+        most = max(most, sum(voice is not None for voice in voices))
+        for place in new:
+            wave, start = WAVES[voices[place].note], round(now * RATE)
+            ears[:, start : start + len(wave)] += np.outer((voices[place].left, voices[place].right), wave)
+    return ears, most
+
+
+@pytest.mark.parametrize("kind", EventKind)
+def test_every_event_has_a_sound_or_is_silent_on_purpose(kind):
+    """A new kind of event must be given one or the other."""
+    assert len(cues([event(kind)], side, 1)) == (kind not in SILENT)
+
+
+def test_different_events_sound_different():
+    """No two kinds share a sound."""
+    notes = [cue.note for kind in EventKind for cue in cues([event(kind)], side, 1)]
+    assert len(set(notes)) == len(notes) == len(EventKind) - len(SILENT)
+
+
+def test_a_brick_sounds_of_its_place_in_the_row_and_of_what_is_left():
+    """Two bricks in one frame are two steps of the scale, the later one as high as the combo says."""
+    events = [event(EventKind.BRICK_HIT, layers=2), event(EventKind.BRICK_HIT, layers=0)]
+    assert [cue.note for cue in cues(events, side, 5)] == [brick(4, 2), brick(5, 0)]
+
+
+def test_a_row_ends_at_the_paddle():
+    """A brick after it is the first of a new row, and one before it cannot be told any more: it is a first one, too."""
+    events = [event(EventKind.BRICK_HIT), event(EventKind.PADDLE_HIT), event(EventKind.BRICK_HIT)]
+    assert [cue.note for cue in cues(events, side, 1)] == [brick(1, 0), Note(Patch.PADDLE), brick(1, 0)]
+
+
+@pytest.mark.parametrize(
+    ("small", "great", "patch"),
+    [
+        (EventKind.LEVEL_CLEARED, EventKind.GAME_WON, Patch.WON),
+        (EventKind.BALL_LOST, EventKind.GAME_OVER, Patch.OVER),
+    ],
+)
+def test_the_greater_news_is_told_alone(small, great, patch):
+    """The last level's end is not announced twice."""
+    events = [event(EventKind.BRICK_HIT), event(small), event(great)]
+    assert [cue.note.patch for cue in cues(events, side, 1)] == [Patch.BRICK, patch]
+
+
+def test_a_graze_is_softer_than_a_hit_straight_on():
+    """From half as loud to full."""
+    gains = [cues([event(EventKind.WALL_HIT, before=v)], side, 0)[0].gain for v in (5.0, 5.0 - 5.0j, -5j)]
+    assert gains == pytest.approx([0.5, 0.5 + 0.5 * math.sqrt(0.5), 1.0])
+
+
+@given(sides)
+def test_panning_keeps_the_power_and_mirrors(side):
+    """Left and right squared are 1 together everywhere; the other side swaps the ears."""
+    left, right = panned(side)
+    assert left**2 + right**2 == pytest.approx(1.0)
+    assert panned(-side) == pytest.approx((right, left))
+    assert (right > left) == (side > 0.0) or side == pytest.approx(0.0)
+
+
+def test_panning_follows_the_place():
+    """The further right, the more in the right ear; the rim is heard in both, and beyond it is like the rim."""
+    places = [-1000.0, -10.0, -5.0, 0.0, 5.0, 10.0, 1000.0]
+    rights = [panned(cues([event(EventKind.BALL_LOST, x + 3j)], side, 0)[0].side)[1] for x in places]
+    assert all(less < more for less, more in itertools.pairwise(rights[1:-1]))
+    assert rights[0] == rights[1] > 0.1
+    assert rights[-1] == rights[-2] < 0.99
+
+
+@pytest.mark.parametrize("note", [Note(Patch.WON), Note(Patch.NUDGE), brick(3, 1)])
+def test_a_tail_bounds_what_is_still_to_come(note):
+    """At every sample; it begins at the peak, never rises and ends at 0."""
+    wave, levels = WAVES[note], TAILS[note]
+    at = (np.arange(len(wave)) / (RATE * TAIL_STEP)).astype(int)
+    assert np.all(np.abs(wave) <= levels[at])
+    assert levels[0] == np.max(np.abs(wave))
+    assert np.all(np.diff(levels) <= 0.0)
+    assert levels[-1] == 0.0
+
+
+@settings(max_examples=50)
+@given(storms)
+@example([(0.0, [Cue(note, 1.0, -1.0) for note in every_note()])] * 8)
+def test_no_storm_of_sounds_clips(storm):
+    """Whatever comes at once, neither ear is sent more than full scale, by no more than VOICES voices."""
+    ears, most = played(storm)
+    assert np.max(np.abs(ears)) <= 1.0
+    assert most <= VOICES
+
+
+def test_three_bricks_at_once_are_heard_in_full():
+    """Room is taken from a crowd only: a fourth in the same instant is softer, a fifth left out."""
+    wanted = [Cue(brick(combo, 0), 1.0, side) for combo, side in ((1, -0.5), (2, 0.0), (3, 0.3), (4, 0.5), (5, 0.0))]
+    voices, new = chorus(SILENCE, wanted, TAILS, 0.0)
+    powers = [voices[place].left ** 2 + voices[place].right ** 2 for place in new]
+    assert powers[:3] == pytest.approx([1.0, 1.0, 1.0])
+    assert len(powers) == 4
+    assert 0.09 < powers[3] < 0.5
+
+
+def test_news_is_heard_through_any_number_of_hits():
+    """A lost ball in the thick of it, and it goes before the hits of its own frame."""
+    hits = [Cue(note, 1.0, 0.0) for note in every_note() if note.patch is Patch.BRICK]
+    crowd = chorus(SILENCE, hits, TAILS, 0.0).voices
+    news = Cue(Note(Patch.LOST), 1.0, 0.0)
+    for before, wanted in ((crowd, [news]), (SILENCE, [*hits, news])):
+        voices, new = chorus(before, wanted, TAILS, 0.005)
+        first = voices[new[0]]
+        assert first.note == Note(Patch.LOST)
+        assert first.left == pytest.approx(math.sqrt(0.5))
+
+
+def test_one_note_is_not_struck_twice_at_once():
+    """Two walls in a frame are one clang; a moment later it may be struck again."""
+    wanted = [Cue(Note(Patch.WALL), 1.0, 0.0)]
+    voices, new = chorus(SILENCE, wanted * 2, TAILS, 0.0)
+    assert len(new) == 1
+    assert chorus(voices, wanted, TAILS, 0.02).new == ()
+    assert len(chorus(voices, wanted, TAILS, 0.06).new) == 1
+
+
+def test_a_voice_is_free_again_when_its_sound_has_ended():
+    """And not before."""
+    wanted = [Cue(brick(1, 3), 1.0, 0.0)]
+    voices, _ = chorus(SILENCE, wanted, TAILS, 0.0)
+    assert chorus(voices, [], TAILS, 0.15).voices == voices
+    assert chorus(voices, [], TAILS, 0.25).voices == SILENCE

@@ -1,0 +1,172 @@
+"""The command line: one line and an exit code for everything that can go wrong."""
+
+import os
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from game.__main__ import app
+from game.autopilot import Autopilot
+from game.drawing.painter import save_screenshot
+from game.input.view import FROM_ABOVE, TIPPED
+from game.levels import built_in
+from game.rules import EventKind, new_game, tick
+from game.system.command_line import run
+from tests.support.paths import ROOT
+
+HEADLESS = ["--headless", "--autopilot", "--seed", "7", "--ticks", "500"]
+
+
+def polar(capsys, *arguments):
+    """Exit code, stdout and stderr of one run of the command line."""
+    code = run(app, "polar-breakout", [str(argument) for argument in arguments])
+    out, err = capsys.readouterr()
+    return code, out, err
+
+
+def test_a_headless_game_prints_one_line(capsys):
+    """The result line has ticks, level, phase, score, lives, bricks and hash, and is the same every time."""
+    first, again = polar(capsys, *HEADLESS), polar(capsys, *HEADLESS)
+    pattern = r"ticks=500 level=1 phase=\w+ score=\d+ lives=\d bricks=\d+ hash=[0-9a-f]{64}\n"
+    assert first == again
+    assert re.fullmatch(pattern, first[1])
+    assert polar(capsys, *HEADLESS[:-3], "8", *HEADLESS[-2:])[1] != first[1]
+
+
+def test_a_recorded_game_verifies(capsys, tmp_path: Path):
+    """What --record writes, replay --verify plays to the same hash."""
+    file = tmp_path / "game.polar"
+    _, out, _ = polar(capsys, *HEADLESS, "--record", file)
+    code, verified, _ = polar(capsys, "replay", "--verify", file)
+    assert code == 0
+    assert verified == f"verified {file}: {out}"
+
+
+def test_headless_imports_no_pygame(tmp_path: Path):
+    """A headless game, recorded and verified, and the list of levels never import pygame."""
+    file = tmp_path / "game.polar"
+    program = (
+        "import sys; from game.__main__ import app; from game.system.command_line import run\n"
+        f"for arguments in ({[*HEADLESS, '--record', str(file)]!r}, ['replay', '--verify', {str(file)!r}], ['levels']):\n"
+        "    assert run(app, 'x', arguments) == 0\n"
+        "assert 'pygame' not in sys.modules and 'numba' not in sys.modules and 'pymunk' not in sys.modules\n"
+    )
+    subprocess.run([sys.executable, "-c", program], check=True, capture_output=True)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "reason"),
+    [
+        (["--bogus"], "No such option"),
+        (["--level"], "requires an argument"),
+        (["--level", "none"], "no such level"),
+        (["--level", "none.toml"], "cannot read level"),
+        (["--seed", "abc"], "--seed"),
+        (["--seed", "-1"], "--seed"),
+        (["--seed", str(2**70)], "--seed"),
+        (["--headless", "--autopilot", "--ticks", "-1"], "--ticks"),
+        (["--headless", "--autopilot", "--ticks", "1e3"], "--ticks"),
+        (["--headless", "--autopilot", "--ticks", str(10**18)], "--ticks"),
+        (["--headless"], "nobody plays; add --autopilot"),
+        (["--screenshot", "x.png"], "add --headless --autopilot"),
+        ([*HEADLESS, "--size", "0x0", "--screenshot", "x.png"], "--size 0x0: expected 16 to 16384"),
+        ([*HEADLESS, "--size", "big"], "--size big: expected WIDTHxHEIGHT"),
+        ([*HEADLESS, "--record", "."], "a folder; expected a file"),
+        ([*HEADLESS, "--record", "none/x.polar"], "there is no folder none"),
+        ([*HEADLESS, "--screenshot", "none/x.png"], "there is no folder none"),
+        (["replay"], "FILES"),
+        (["replay", "none.polar"], "cannot read replay"),
+        (["replay", "--verify", "."], "not a folder"),
+        (["replay", "a.polar", "b.polar"], "expected one"),
+        (["nonsense"], "No such command"),
+    ],
+)
+def test_bad_options_exit_2_with_one_line(capsys, monkeypatch, tmp_path, arguments, reason):
+    """Every bad option or file exits with 2 and one line on stderr that names it, and prints nothing else."""
+    monkeypatch.chdir(tmp_path)
+    code, out, err = polar(capsys, *arguments)
+    assert (code, out) == (2, "")
+    assert re.fullmatch(r"polar-breakout: [^\n]+\n", err)
+    assert reason.casefold() in err.casefold()
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_a_divergence_exits_1(capsys, tmp_path: Path, monkeypatch):
+    """A replay that plays differently exits with 1 and says where."""
+    file = tmp_path / "game.polar"
+    polar(capsys, *HEADLESS, "--record", file)
+    monkeypatch.setattr("game.rules._POINTS_PER_BRICK", 11)
+    monkeypatch.setattr("game.rules._SERVE_GAP", 1e-5)
+    code, _, err = polar(capsys, "replay", "--verify", file)
+    assert code == 1
+    assert "diverged at tick 1 (block 1-60), first in: ball positions" in err
+
+
+def test_help_needs_no_display():
+    """--help, --version and levels exit with 0 on a machine without any display."""
+    environment = {name: value for name, value in os.environ.items() if "DISPLAY" not in name}
+    for arguments in (["--help"], ["--version"], ["levels"], ["replay", "--help"], ["replays"]):
+        done = subprocess.run([sys.executable, "-m", "game", *arguments], env=environment, capture_output=True, check=False)
+        assert (done.returncode, done.stderr) == (0, b"")
+
+
+def test_a_closed_pipe_is_no_error():
+    """Output into a pipe that nobody reads ends quietly."""
+    command = f"{sys.executable} -m game levels | true"
+    done = subprocess.run(["sh", "-c", command], capture_output=True, check=False)  # noqa: S607
+    assert b"Traceback" not in done.stderr
+
+
+def test_ctrl_c_is_one_line(capsys, monkeypatch):
+    """An interrupted game exits with 130 and one line."""
+
+    def interrupted(*_):
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr("game.__main__.autopilot_game", interrupted)
+    assert polar(capsys, *HEADLESS) == (130, "", "polar-breakout: interrupted\n")
+
+
+def test_odd_characters_in_a_path_can_be_named(capsys):
+    """A path that is not UTF-8 is named in the error, not the cause of another."""
+    code, _, err = polar(capsys, "replay", os.fsdecode(b"no\xffne.polar"))
+    assert code == 2
+    assert "no\\udcffne.polar" in err
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere there is always a display")
+def test_without_a_display_it_says_so_and_shows_what_it_can(tmp_path: Path):
+    """Without any display, the plain command says so in one line, plays by itself and leaves a picture; it exits with 0."""
+    hidden = {"DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER", "XDG_RUNTIME_DIR"}
+    environment = {name: value for name, value in os.environ.items() if name not in hidden}
+    root = ROOT
+    command = [sys.executable, "-m", "game", "--seed", "5"]
+    done = subprocess.run(
+        command, cwd=tmp_path, env=environment | {"PYTHONPATH": str(root)}, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+    assert re.fullmatch(r"polar-breakout: no display[^\n]*; playing 20 s without a window instead\n", done.stderr)
+    assert re.fullmatch(r"ticks=4800 [^\n]*\npicture: [^\n]*polar-breakout\.png\n", done.stdout)
+    assert (tmp_path / "polar-breakout.png").read_bytes().startswith(b"\x89PNG")
+
+
+def test_a_screenshot_shows_the_effects_of_the_last_ticks(capsys, tmp_path: Path):
+    """Just after a brick was hit there are shards in the air; a picture of the bare game has none."""
+    game, pilot, hit = new_game(built_in(), 7), Autopilot(), 0
+    while not hit or game.tick < hit + 24:
+        done = tick(game, pilot.controls(game))
+        game = done.game
+        if not hit and any(event.kind == EventKind.BRICK_HIT for event in done.events):
+            hit = game.tick
+    for view, seen in (("top", FROM_ABOVE), ("3d", TIPPED)):
+        path, bare = tmp_path / "shown.png", tmp_path / "bare.png"
+        shot = ("--screenshot", path, "--view", view, "--size", "640x400")
+        assert polar(capsys, *HEADLESS[:-1], game.tick, *shot)[0] == 0
+        save_screenshot(game, bare, (640, 400), view=seen)
+        assert path.read_bytes() != bare.read_bytes()
+        again = tmp_path / "again.png"
+        polar(capsys, *HEADLESS[:-1], game.tick, "--screenshot", again, "--view", view, "--size", "640x400")
+        assert path.read_bytes() == again.read_bytes()

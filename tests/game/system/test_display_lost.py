@@ -1,0 +1,146 @@
+"""The display goes away in the middle of a game: the game is kept, one line, exit code 3."""
+
+import os
+import shutil
+import subprocess
+import sys
+import time
+
+os.environ["SDL_VIDEODRIVER"] = "dummy"
+os.environ["SDL_AUDIODRIVER"] = "dummy"
+
+import pygame
+import pytest
+
+from game import app
+from game.__main__ import app as command
+from game.levels import built_in
+from game.replays import file as replay
+from game.replays import history as kept
+from game.replays.verify import verified
+from game.system.command_line import run
+from game.system.errors import DisplayLostError
+from tests.support.paths import ROOT
+
+_STARTED = 5.0
+"""Seconds in which a game has begun on a busy machine, too."""
+NO_SERVER = pytest.mark.skipif(shutil.which("Xvfb") is None, reason="needs an X server to kill: Xvfb")
+
+
+class Broken:
+    """A window whose display is gone after some pictures."""
+
+    focused, size = True, (320, 200)
+
+    def __init__(self, pictures):
+        self.left, self.surface = pictures, pygame.Surface(self.size, 0, 32)
+
+    def get_surface(self):
+        return self.surface
+
+    def flip(self):
+        self.left -= 1
+        if self.left < 0:
+            raise pygame.error("lost device")
+
+
+def test_a_window_that_cannot_be_shown_any_more_ends_the_game_cleanly(monkeypatch, tmp_path, capsys):
+    """The system says so by an error: the recorded game is written whole, and the exit code is 3."""
+    monkeypatch.setattr("game.__main__.place", lambda: tmp_path / "settings.json")
+    monkeypatch.setattr(kept, "folder", lambda: tmp_path / "replays")
+    monkeypatch.setattr(app.display, "open_window", lambda _title: pygame.display.init() or Broken(40))
+    monkeypatch.setattr(app.display, "refresh_rate", lambda: 60)
+    file = tmp_path / "game.polar"
+    assert run(command, "polar-breakout", ["--autopilot", "--seed", "3", "--record", str(file)]) == 3
+    out, err = capsys.readouterr()
+    assert err == "polar-breakout: the display is gone: lost device\n"
+    assert out == ""
+    recording = replay.load(file)
+    assert recording.ticks > 20
+    assert verified(recording).divergence is None
+
+
+def test_a_surface_that_is_gone_says_so_too():
+    """Before anything could be drawn."""
+
+    class Gone(Broken):
+        def get_surface(self):
+            raise pygame.error("Window surface is invalid")
+
+    with pytest.raises(DisplayLostError, match="the display is gone: Window surface"):
+        app.frame(Gone(1), None, None, 0.0)
+
+
+def started_server():
+    """An X server of one's own and the name of its display."""
+    reading, writing = os.pipe()
+    server = subprocess.Popen(
+        ["Xvfb", "-displayfd", str(writing), "-screen", "0", "800x600x24", "-nolisten", "tcp"],  # noqa: S607  # as installed
+        pass_fds=[writing],
+        stderr=subprocess.DEVNULL,
+    )
+    os.close(writing)
+    with os.fdopen(reading) as told:
+        number = told.readline().strip()
+    return server, f":{number}"
+
+
+def started_game(display, folder, *arguments):
+    """A game in a window, its settings and its recording in a folder: the process, and the recording's file."""
+    file, hidden = folder / "game.polar", {"SDL_VIDEODRIVER", "WAYLAND_DISPLAY"}
+    environment = {key: value for key, value in os.environ.items() if key not in hidden}
+    environment |= {"DISPLAY": display, "XDG_DATA_HOME": str(folder), "XDG_CONFIG_HOME": str(folder), "HOME": str(folder)}
+    game = subprocess.Popen(
+        [sys.executable, "-m", "game", "--seed", "3", "--record", str(file), *arguments],
+        cwd=ROOT,
+        env=environment,
+        stdout=subprocess.PIPE,
+        stderr=subprocess.PIPE,
+        text=True,
+    )
+    return game, file
+
+
+@NO_SERVER
+@pytest.mark.parametrize("autopilot", [["--autopilot"], []], ids=["playing", "title"])
+def test_a_killed_x_server(tmp_path, autopilot):
+    """Xlib would end the program with two lines of its own; the game writes what it has, says one line, and exits with 3."""
+    server, name = started_server()
+    game, file = started_game(name, tmp_path, *autopilot)
+    try:
+        time.sleep(_STARTED)
+        assert game.poll() is None, game.stderr.read()
+        server.kill()
+        out, err = game.communicate(timeout=20)
+    finally:
+        game.kill()
+        server.kill()
+        server.wait()
+    assert game.returncode == 3, err
+    assert err.startswith("polar-breakout: the display is gone")
+    assert err.count("\n") == 1
+    assert "pygame" in out or not out
+    if autopilot:
+        recording = replay.load(file)
+        assert recording.ticks > 100
+        assert recording.levels[0] == built_in()[0]
+        assert verified(recording).divergence is None
+    else:
+        assert not file.exists()
+
+
+@NO_SERVER
+def test_being_ended_is_being_closed(tmp_path):
+    """SIGTERM, as a system sends it on shutting down: the game is kept, and nothing is said."""
+    server, name = started_server()
+    game, file = started_game(name, tmp_path, "--autopilot")
+    try:
+        time.sleep(_STARTED)
+        game.terminate()
+        _, err = game.communicate(timeout=20)
+    finally:
+        game.kill()
+        server.kill()
+        server.wait()
+    assert (game.returncode, err) == (0, "")
+    assert verified(replay.load(file)).divergence is None

@@ -1,0 +1,113 @@
+"""`python -m game lab` without a window."""
+
+import os
+import re
+import subprocess
+import sys
+
+import pygame
+import pytest
+
+from game.lab import command
+from game.lab.kit.scene import Claim
+from game.lab.registry import scenes
+from game.lab.session.share import parsed
+from tests.game.system.test_command_line import polar
+
+
+def test_the_list_names_every_scene(capsys):
+    """With its title."""
+    code, out, err = polar(capsys, "lab", "--list")
+    assert (code, err) == (0, "")
+    for scene in scenes():
+        assert re.search(rf"^{scene.name} ", out, re.MULTILINE)
+
+
+def test_headless_checks_every_scene(capsys):
+    """One line for each, and exit code 0; a thousand drags are `test_lab_scenes`'s."""
+    code, out, err = polar(capsys, "lab", "--headless", "--drags", "100")
+    assert (code, err) == (0, "")
+    for scene in scenes():
+        assert re.search(rf"^{scene.name} +[\d,]+ +[\d,]+ +0$", out, re.MULTILINE)
+
+
+def test_headless_exits_1_when_a_claim_fails(capsys, monkeypatch):
+    """And names the claim with a line that opens it."""
+    broken = scenes()[0]._replace(check=lambda _: (Claim("black is white", holds=False),))
+    monkeypatch.setattr(command, "scenes", lambda: (broken, *scenes()[1:2]))
+    code, _, err = polar(capsys, "lab", "--headless", "--drags", "3")
+    assert code == 1
+    assert f'"black is white" does not hold: python -m game lab "{broken.name}?' in err
+    assert err.endswith("polar-breakout: lab: 1 of 2 scenes failed\n")
+
+
+def test_a_picture_is_drawn_without_a_display(tmp_path):
+    """At any size, in both themes, and the two differ."""
+    pictures = []
+    for theme in ("dark", "light"):
+        file = tmp_path / f"{theme}.png"
+        arguments = ["lab", "case-2?ball=10.9,4.4", "--screenshot", str(file), "--size", "640x480", "--theme", theme]
+        hidden = {"DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER"}
+        environment = {name: value for name, value in os.environ.items() if name not in hidden}
+        done = subprocess.run(
+            [sys.executable, "-m", "game", *arguments], env=environment, capture_output=True, text=True, check=False
+        )
+        assert (done.returncode, done.stderr) == (0, "")
+        pictures.append(pygame.image.load(file))
+    assert [picture.get_size() for picture in pictures] == [(640, 480)] * 2
+    assert pictures[0].get_at((300, 200)) != pictures[1].get_at((300, 200))
+
+
+def test_headless_checks_one_scene_at_the_values_of_a_share_line(capsys, monkeypatch):
+    """Those values, too: a claim that fails only there is found."""
+    named = parsed("case-2?r=1.25")
+    touchy = named.scene._replace(check=lambda given: (Claim("r is not 1.25", given.number("r") != 1.25),))
+    monkeypatch.setattr(command, "parsed", lambda *_: named._replace(scene=touchy))
+    code, out, err = polar(capsys, "lab", "case-2?r=1.25", "--headless", "--drags", "5")
+    assert code == 1
+    assert len(out.splitlines()) == 2
+    assert "r=1.25&" in err
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="elsewhere there is always a display")
+def test_without_a_display_it_is_one_line_and_exit_3():
+    """The lab has nothing to show then."""
+    hidden = {"DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER", "XDG_RUNTIME_DIR"}
+    environment = {name: value for name, value in os.environ.items() if name not in hidden}
+    command = [sys.executable, "-m", "game", "lab", "polar"]
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout) == (3, "")
+    assert re.fullmatch(r"polar-breakout: no display[^\n]*\n", done.stderr)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "reason"),
+    [
+        (["lab", "cse-2", "--headless"], "near: case-2"),
+        (["lab", "case-2?ball=x,1", "--screenshot", "a.png"], "'x' is not a number"),
+        (["lab", "--screenshot", "none/a.png"], "there is no folder none"),
+        (["lab", "--screenshot", "a.png", "--size", "1"], "expected WIDTHxHEIGHT"),
+        (["lab", "--screenshot", "a.png", "--theme", "blue"], "--theme blue: expected dark or light"),
+        (["lab", "--headless", "--drags", "-1"], "--drags"),
+        (["lab", "a", "b"], "unexpected extra argument"),
+    ],
+)
+def test_bad_options_exit_2_with_one_line(capsys, monkeypatch, tmp_path, arguments, reason):
+    """One line on stderr, nothing else, no file."""
+    monkeypatch.chdir(tmp_path)
+    code, out, err = polar(capsys, *arguments)
+    assert (code, out) == (2, "")
+    assert re.fullmatch(r"polar-breakout: [^\n]+\n", err)
+    assert reason in err
+    assert list(tmp_path.iterdir()) == []
+
+
+def test_list_and_check_need_no_window():
+    """Neither imports pygame."""
+    program = (
+        "import sys; from game.__main__ import app; from game.system.command_line import run\n"
+        "for arguments in (['lab', '--list'], ['lab', '--headless', '--drags', '3']):\n"
+        "    assert run(app, 'x', arguments) == 0\n"
+        "assert 'pygame' not in sys.modules and 'pygame_gui' not in sys.modules\n"
+    )
+    subprocess.run([sys.executable, "-c", program], check=True, capture_output=True)

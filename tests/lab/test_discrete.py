@@ -1,0 +1,86 @@
+"""The lab's picture of the source's loop is the source's: against its transcription."""
+
+import math
+
+import pytest
+from hypothesis import assume, given
+from hypothesis import strategies as st
+
+from game.lab.source import literal
+from game.lab.source.discrete import Flight, frame, normal_at, reset
+from physics import Ball, Ring, min_difference
+from tests.support import source_oracle
+from tests.support.strategies import balls, points, reals, rings
+
+FRAME = 1.0 / 60.0
+
+
+def oracle_normal(p, ball_radius, ring):
+    """The source's pages in a row; None where its band says that there is nothing."""
+    sizes = (ring.radius, ring.half_width)
+    if source_oracle.outcome(p, ball_radius, math.inf, *sizes, *sizes) == "no collision":
+        return None
+    theta = source_oracle.to_polar(p)[1]
+    positions = [(ring.radius, ring.angle(slot)) for slot in range(ring.count)]
+    return source_oracle.broad_phase(p, ball_radius, theta, positions, ring.half_width, ring.half_angle)
+
+
+def is_clear(p, ball_radius, ring):
+    """Whether no rounding decides: not the band, nor which sector is nearest, nor which case, which end, or a touch."""
+    theta = source_oracle.to_polar(p)[1]
+    offsets = sorted([min_difference(theta, ring.angle(slot)) for slot in range(ring.count)])
+    tied = len(offsets) > 1 and offsets[1] - offsets[0] < 1e-6
+    borders = abs(offsets[0] - ring.half_angle), abs(offsets[0] + ring.half_angle - math.pi), abs(math.pi - offsets[0])
+    lines = [ring.angle(slot) + side * ring.half_angle for slot in range(ring.count) for side in (-1, 1)]
+    across = [abs((p * complex(math.cos(line), -math.sin(line))).imag) for line in lines]
+    ends = min([min(distance, abs(distance - ball_radius)) for distance in across])
+    bands = [abs(p) - ring.radius, abs(p) + ball_radius - ring.inner_radius, abs(p) - ball_radius - ring.outer_radius]
+    return abs(p) > 1e-3 and not tied and min(borders) > 1e-6 and ends > 1e-6 and min([abs(band) for band in bands]) > 1e-9
+
+
+@given(balls(), rings())
+def test_its_normal_is_the_sources(ball, ring):
+    """Faults included: the wrong end of a wide sector, and the endless line."""
+    assume(is_clear(ball.position, ball.radius, ring))
+    found, expected = normal_at(ball.position, ball.radius, ring), oracle_normal(ball.position, ball.radius, ring)
+    assert (found is None) == (expected is None)
+    assert found is None or abs(found - expected) < 1e-6
+
+
+@given(points(8.0), points(5.0), reals(0.0, 1.0), reals(0.0, math.tau))
+def test_its_bounce_is_the_sources(v, surface, friction, angle):
+    """Where the source has an answer."""
+    normal = complex(math.cos(angle), math.sin(angle))
+    expected = literal.bounced(v, normal, surface, friction)
+    assume(abs(v) > 1e-3 and abs(expected) > 1e-3)
+    found = reset(v, expected, 7.0)
+    if expected == v:
+        assert found == v
+    else:
+        assert abs(found - source_oracle.collision_response(v, normal, surface, friction, 7.0)) < 1e-9
+
+
+def test_zero_by_zero_has_no_velocity_and_the_ball_stands_still():
+    """An end that retreats at half the ball's speed."""
+    assert reset(-4j, 0j, 4.0) is None
+    assert reset(-4j, 1e-15 + 0j, 4.0) is None
+    still = Flight(3 + 1j, None)
+    assert frame(still, 0.5, (), FRAME, 4.0) is still
+
+
+@pytest.mark.parametrize(("speed", "through"), [(3.0, False), (30.0, True)])
+def test_a_fast_ball_tunnels_and_a_slow_one_does_not(speed, through):
+    """One test a frame: that is all there is to it."""
+    wall, flight = Ring(8.0, 0.05, math.pi, 1), Flight(0j, complex(speed, 0.0))
+    for _ in range(round(12.0 / speed / FRAME)):
+        flight = frame(flight, 0.1, (wall,), FRAME, speed)
+    assert (abs(flight.position) > 8.5) == through
+
+
+@given(st.integers(1, 12))
+def test_the_nearest_of_many_sectors_is_found(count):
+    """A ball above the middle of each slot is case 1 with that slot."""
+    ring = Ring(6.0, 0.5, 0.9 * math.pi / count, count, 0.4)
+    for slot in range(count):
+        place = 6.6 * complex(math.cos(ring.angle(slot)), math.sin(ring.angle(slot)))
+        assert abs(normal_at(Ball(place, 0j, 0.3).position, 0.3, ring) - place / 6.6) < 1e-12

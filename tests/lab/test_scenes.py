@@ -1,0 +1,169 @@
+"""Every scene of the lab: its claims hold wherever one drags it, and the registry finds it."""
+
+import inspect
+import os
+import random
+import re
+from pathlib import Path
+
+import pygame
+import pytest
+
+import physics
+from game.lab import scenes as folder
+from game.lab.kit.beyond_the_source import BEYOND
+from game.lab.kit.cited_line import code
+from game.lab.kit.handles import dragged
+from game.lab.kit.parameters import Point, defaults
+from game.lab.kit.scene import Claim, Motion, Scene, picture_of, started
+from game.lab.registry import scenes
+from game.lab.session.checks import after_drags, failures, lines, report, run_to
+from tools.crosscheck.second_engine import Pymunk
+
+SCENES = pytest.mark.parametrize("scene", scenes(), ids=lambda scene: scene.name)
+
+
+def test_every_file_is_a_scene_named_like_it():
+    """Adding a scene is adding one file."""
+    files = {path.stem.replace("_", "-") for path in Path(folder.__path__[0]).glob("*/[!_]*.py")}
+    assert {scene.name for scene in scenes()} == files
+    assert len(scenes()) == len(files)
+
+
+@SCENES
+def test_the_claims_hold_at_the_defaults_and_the_presets(scene):
+    """With pymunk beside, and without."""
+    for engine in (Pymunk(), None):
+        for given in lines(scene, engine):
+            assert failures(scene, given) == ()
+
+
+@SCENES
+def test_the_claims_hold_after_a_thousand_drags(scene):
+    """No exception, nothing that is not finite, and every fact still a fact; other drags every time."""
+    seed = 1 if os.environ.get("CI") else random.randrange(2**32)
+    for given in after_drags(scene, 1000, seed):
+        assert failures(scene, given) == (), f"seed {seed}"
+
+
+@SCENES
+def test_pymunk_may_be_asked_anywhere(scene):
+    """A hundred drags with the second engine in the picture."""
+    for given in after_drags(scene, 100, 2, Pymunk()):
+        assert failures(scene, given) == ()
+
+
+@SCENES
+def test_a_claim_that_fails_is_reported(scene):
+    """The report is no rubber stamp."""
+    lying = scene._replace(check=lambda given: (*scene.check(given), Claim("the moon is a cheese", holds=False)))
+    found = report(lying, 5, 1)
+    assert len(found.failures) == found.settings
+    assert found.failures[0].fact == "the moon is a cheese"
+    assert found.failures[0].line.startswith(scene.name)
+
+
+@SCENES
+def test_a_scene_says_what_it_is(scene):
+    """A sentence, functions that exist, rows that exist, presets that differ, defaults in range."""
+    assert re.fullmatch(r"[A-Z].*\.", scene.idea)
+    assert all([callable(getattr(physics, name)) for name in scene.functions])
+    assert set(scene.rows) <= set(BEYOND)
+    assert len({preset.label for preset in scene.presets}) == len(scene.presets)
+    names = [parameter.name for parameter in scene.parameters]
+    assert len(set(names)) == len(names)
+    for parameter in scene.parameters:
+        parts = (parameter.default.real, parameter.default.imag if isinstance(parameter, Point) else parameter.low)
+        assert all([parameter.low <= part <= parameter.high for part in parts])
+
+
+def test_every_function_of_the_source_has_a_scene():
+    """By its name."""
+    words = "normalize_angle min_difference on_left to_polar to_cartesian closest_point_on_line broad_phase narrow_phase_case_1"
+    shown = {name for scene in scenes() for name in scene.functions}
+    assert {*words.split(), "narrow_phase_case_2", "collision_response"} <= shown
+
+
+def test_every_row_beyond_the_source_has_a_scene():
+    """So that each can be seen."""
+    assert {row for scene in scenes() for row in scene.rows} == set(BEYOND)
+
+
+def test_the_rows_are_those_of_the_readme():
+    """As many as its table has, under the same numbers."""
+    readme = (Path(physics.__file__).parent.parent / "README.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (\d+) \|", readme.partition("### Beyond the source")[2], re.MULTILINE)
+    assert [int(row) for row in rows] == list(BEYOND)
+
+
+@SCENES
+def test_every_handle_can_be_taken_hold_of_and_does_something(scene):
+    """Dragged to where it is, it changes nothing but by rounding to its step; dragged elsewhere, something."""
+    given = defaults(scene.parameters)
+    for handle in scene.handles:
+        place = handle.place(given)
+        elsewhere = dragged(scene.parameters, given, handle, place + (0.9 - 0.7j)).given
+        assert elsewhere.values != given.values, handle.label
+
+
+@SCENES
+def test_a_handle_follows_the_hand(scene):
+    """Dragged a little way, it comes nearer to where it is wanted, or its value is at a border or a step short."""
+    chance = random.Random(3)
+    for given in after_drags(scene, 300, 4):
+        for handle in scene.handles:
+            here = handle.place(given)
+            wanted = here + complex(chance.random() - 0.5, chance.random() - 0.5)
+            after, notes = dragged(scene.parameters, given, handle, wanted)
+            assert notes or abs(handle.place(after) - wanted) <= abs(here - wanted) + 0.2, handle.label
+
+
+@SCENES
+def test_words_and_formula_fit_the_font(scene):
+    """Every letter has a glyph, on the screen's font: none is drawn as an empty box."""
+    pygame.font.init()
+    font = pygame.font.Font(None, 40)
+    missing = pygame.image.tobytes(font.render("\u2220", True, (255, 255, 255)), "RGBA")
+    for given in lines(scene, Pymunk()):
+        picture = picture_of(scene, given, started(scene, given))
+        texts = [scene.title, scene.idea, picture.note, picture.deciding.where, picture.deciding.text, *picture.formula]
+        texts += [text for one in scene.parameters for text in (one.label, one.meaning, getattr(one, "unit", ""))]
+        texts += [preset.label for preset in scene.presets] + [pane.title for pane in picture.panes]
+        texts += [getattr(mark, "label", "") for pane in picture.panes for mark in pane.marks]
+        texts += [getattr(mark, "text", "") for pane in picture.panes for mark in pane.marks]
+        for letter in sorted(set("".join(texts))):
+            drawn = pygame.image.tobytes(font.render(letter, True, (255, 255, 255)), "RGBA")
+            assert drawn != missing, f"{letter!r} has no glyph"
+
+
+def test_the_deciding_line_is_read_from_the_function():
+    """It is the very line, by its number; a part that is not there, or there twice, is an error."""
+    found = code(physics.closest_point_on_line, "if along >= square")
+    file, number = re.fullmatch(r"(.+):(\d+) closest_point_on_line", found.where).groups()
+    root = Path(physics.__file__).parent.parent
+    assert (root / file).read_text(encoding="utf-8").splitlines()[int(number) - 1].strip() == found.text
+    for part in ("no such line", "a"):
+        with pytest.raises(ValueError, match="closest_point_on_line has"):
+            code(physics.closest_point_on_line, part)
+
+
+def counting_scene(limit=10):
+    """A scene that runs: it counts."""
+    still = scenes()[0]
+    shown = still.shows(defaults(still.parameters)) if not isinstance(still.shows, Motion) else None
+    motion = Motion(lambda _: 0, lambda _, state: state + 1, lambda _, state: shown._replace(note=str(state)), ticks=limit)
+    return still._replace(shows=motion)
+
+
+def test_a_scene_that_runs_is_a_function_of_its_tick():
+    """The state at a tick is that many steps from the start."""
+    scene = counting_scene()
+    given = defaults(scene.parameters)
+    assert run_to(scene, given, 7) == 7
+    assert picture_of(scene, given, 7).note == "7"
+
+
+def test_scenes_are_values():
+    """Nothing of a scene changes: it is a tuple of values and functions."""
+    assert all([isinstance(scene, Scene) for scene in scenes()])
+    assert all([not inspect.isgeneratorfunction(scene.check) for scene in scenes()])

@@ -1,0 +1,145 @@
+"""What a scene of the lab is about does happen in it: at its defaults and in the presets that say so."""
+
+import pytest
+
+from game.lab.registry import scene_named
+from game.lab.scenes.narrow_phase import inside_material
+from game.lab.scenes.response import carried, stopped_dead
+from game.lab.scenes.runs import discrete_swept, free_run
+from game.lab.scenes.time_of_impact import impact_resting, impact_turning, two_bricks
+from game.lab.session.checks import run_to
+from game.lab.session.share import preset
+from game.lab.source.touched_end import answered
+from physics import Feature
+from tools.crosscheck.second_engine import Pymunk
+
+
+def values(scene, label):
+    """The values of a preset, found by the beginning of its label."""
+    (found,) = [one for one in scene.presets if one.label.startswith(label)]
+    return preset(scene, found.line)
+
+
+@pytest.mark.parametrize("label", ["half the speed", "rough and slanting"])
+def test_the_ball_is_stopped_dead(label):
+    """The source's answer is 0 / 0, and a hair more or less is not."""
+    assert answered(values(stopped_dead.SCENE, label)).stopped
+    assert not answered(values(stopped_dead.SCENE, "a little less")).stopped
+    assert answered(values(stopped_dead.SCENE, "a little more")).overtaken
+
+
+@pytest.mark.parametrize("label", ["carried", "the other way", "a retreating end"])
+def test_the_ball_is_carried(label):
+    """The source's ball is overtaken, and the two part at once."""
+    given = values(carried.SCENE, label)
+    assert answered(given).overtaken
+    states = [run_to(carried.SCENE, given, tick) for tick in (1, 10)]
+    assert all([abs(state.ours.position - state.theirs.position) > 1e-4 for state in states])
+
+
+@pytest.mark.parametrize("label", ["hit from behind", "met head-on"])
+def test_the_ball_gets_away(label):
+    """It is met, and both answers are the same."""
+    bounce = answered(values(carried.SCENE, label))
+    assert bounce.approach < 0.0
+    assert not bounce.overtaken
+    assert abs(bounce.theirs - bounce.ours) < 1e-12
+
+
+@pytest.mark.parametrize(
+    ("label", "feature"),
+    [
+        ("the inner face", Feature.INNER_FACE),
+        ("the outer face", Feature.OUTER_FACE),
+        ("an end", Feature.END),
+        ("a corner", Feature.CORNER),
+        ("past it", None),
+        ("at rest", None),
+    ],
+)
+def test_what_the_resting_sector_is_touched_with(label, feature):
+    """Each preset touches what it names."""
+    impact = impact_resting._flight(values(impact_resting.SCENE, label)).impact
+    assert (None if impact is None else impact.contact.feature) == feature
+
+
+def test_the_search_for_the_turning_end_is_one_to_be_seen():
+    """Eight steps and more at the defaults, one for an end at rest, none where they touch."""
+    steps = {
+        one.label: len(impact_turning._search(preset(impact_turning.SCENE, one.line)).times) - 1
+        for one in impact_turning.SCENE.presets
+    }
+    assert steps["across the end's way"] >= 8
+    assert steps["the end at rest"] == 1
+    assert steps["touching at t = 0"] == 0
+
+
+def test_the_ball_tunnels_before_ones_eyes():
+    """At 20 tests a second; not at 60, and not at 240."""
+    scene = discrete_swept.SCENE
+    for label, through in (("20 tests", True), ("60 tests", False), ("240 tests", False), ("a thin wall", True)):
+        given = values(scene, label)
+        end = run_to(scene, given, 480)
+        assert discrete_swept._is_out(discrete_swept._setting(given), end) is through
+        assert end.hits >= 2
+
+
+def test_both_bricks_are_touched():
+    """At the same time, and one after the other."""
+    scene = two_bricks.SCENE
+    tie, later = (two_bricks._notch(values(scene, label)) for label in ("both at the same", "one after"))
+    assert (tie.tie, later.tie) == (True, False)
+    assert {hit.slot for hit in tie.hits} == {hit.slot for hit in later.hits} == {0, 3}
+    assert len(two_bricks._notch(values(scene, "down into")).hits) > 8
+
+
+def test_which_way_is_out():
+    """An end, the outer face, the inner face."""
+    labels = {"near an end": Feature.END, "near the outer": Feature.OUTER_FACE, "near the inner": Feature.INNER_FACE}
+    for label, feature in labels.items():
+        begun = inside_material._begun(values(inside_material.SCENE, label))
+        assert (begun.inside, begun.found.feature, begun.step.freed) == (True, feature, 1)
+
+
+def test_the_ball_is_squeezed_and_put_outward():
+    """After a tick of 32 bounces; not where it gets out in time."""
+    scene = scene_named("squeezed")
+    for label, squeezed in (
+        ("closing slowly", True),
+        ("closing fast", True),
+        ("it gets out", False),
+        ("nothing closes", False),
+    ):
+        end = run_to(scene, values(scene, label), 240)
+        assert (end.most == 32, end.dropped > 0, end.freed > 0) == (squeezed,) * 3
+
+
+def test_the_game_ends_once_while_the_source_ends_it_again_and_again():
+    """Three balls lost, one end; a paddle in the way keeps the ball."""
+    scene = scene_named("game-over-once")
+    end = run_to(scene, values(scene, "out at once"), 480)
+    assert (end.lost, end.ended, end.game.lives) == (3, 1, 0)
+    assert end.over > 400
+    assert run_to(scene, values(scene, "kept by"), 240).lost == 0
+
+
+def test_the_nudge_comes():
+    """With the twelfth contact, in every preset; the ball without it goes on."""
+    scene = scene_named("nudge")
+    for one in scene.presets:
+        end = run_to(scene, preset(scene, one.line), 960)
+        assert end.nudges >= 1
+        assert end.contacts == 12
+        assert end.bounces > 12
+
+
+def test_the_two_engines_part_at_the_first_bounce():
+    """Not before it; and more steps of the other one make the first difference smaller."""
+    scene = free_run.SCENE
+    apart = []
+    for label in ("one step", "eight steps"):
+        (found,) = [one for one in scene.presets if one.label.startswith(label)]
+        end = run_to(scene, preset(scene, found.line, Pymunk()), 240)
+        assert end.bounces == len(end.apart) >= 2
+        apart.append(end.apart[0])
+    assert apart[0] > 2.0 * apart[1] > 1e-3

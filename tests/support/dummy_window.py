@@ -1,0 +1,71 @@
+"""A window on SDL's dummy driver, and a player's hands on it."""
+
+import os
+
+os.environ["SDL_VIDEODRIVER"] = "dummy"
+os.environ["SDL_AUDIODRIVER"] = "dummy"
+
+import pygame
+
+from game.app import frame
+from game.levels import built_in
+from game.screens.base import Shared
+from game.screens.title import Title
+from game.system import window as display
+
+FRAME = 1.0 / 60.0
+SIZE = (640, 400)
+
+
+def shared(level=0, seed=7, recorder=None, *, autopilot=False):
+    """What outlives a screen, before anything has happened."""
+    return Shared(built_in(), level, seed, Title, recorder, autopilot)
+
+
+class Desk:
+    """Runs the app frame by frame and posts what a player does as events."""
+
+    def __init__(self, kept, screen, size=SIZE):
+        self.shared, self.screen = kept, screen
+        self.window = display.open_window("test", size)
+        pygame.event.clear()
+
+    def press(self, *keys, mod=0):
+        """Press and release keys, a frame each."""
+        for key in keys:
+            pygame.event.post(pygame.Event(pygame.KEYDOWN, key=key, mod=mod))
+            pygame.event.post(pygame.Event(pygame.KEYUP, key=key, mod=mod))
+            self.wait(FRAME)
+
+    def hold(self, key):
+        """Press a key and keep it down."""
+        pygame.event.post(pygame.Event(pygame.KEYDOWN, key=key, mod=0))
+
+    def release(self, key):
+        """Let a key go."""
+        pygame.event.post(pygame.Event(pygame.KEYUP, key=key, mod=0))
+
+    def move(self, place, *, held=False):
+        """Move the mouse."""
+        pygame.event.post(pygame.Event(pygame.MOUSEMOTION, pos=place, rel=(1, 1), buttons=(int(held), 0, 0)))
+
+    def click(self, place):
+        """Click with the main button."""
+        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=place, button=1))
+        self.wait(FRAME)
+
+    def post(self, kind):
+        """Send any other event."""
+        pygame.event.post(pygame.Event(kind))
+        self.wait(FRAME)
+
+    def wait(self, seconds):
+        """Let time pass in frames; stops when the game is left."""
+        for _ in range(max(round(seconds / FRAME), 1)):
+            if self.screen is not None:
+                self.screen = frame(self.window, self.shared, self.screen, FRAME)
+
+    def close(self):
+        """Take the window away."""
+        self.window.destroy()
+        pygame.quit()

@@ -1,0 +1,1 @@
+"""What is compared with pymunk, one question a file."""

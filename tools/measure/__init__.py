@@ -1,0 +1,1 @@
+"""What things cost: a tick, a frame, a start, memory."""
