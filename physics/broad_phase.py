@@ -1,7 +1,7 @@
 """Which obstacle can the ball touch at all? (the source: "Broad phase")."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from enum import Enum
 
 from physics.narrow_phase import narrow_phase_case_1, narrow_phase_case_2
@@ -19,14 +19,20 @@ class Outcome(Enum):
     NO_COLLISION = "no collision"
 
 
-def broad_phase_outcome(p: complex, ball_radius: float, ground_radius: float, paddles: Ring, bricks: Ring) -> Outcome:
-    """The first of the source's four outcomes that holds, in the source's order."""
+def broad_phase_outcome(p: complex, ball_radius: float, ground_radius: float, paddles: Ring, bricks: Sequence[Ring]) -> Outcome:
+    """The first of the source's four outcomes that holds, in the source's order.
+
+    p: the ball's centre. ground_radius: the source's r_g. bricks: the rings of the wall, any number.
+    The engine asks the same questions of every ring: a fast ball can meet paddles and bricks in one tick.
+    """
     if has_left(p, ball_radius, ground_radius):
         return Outcome.GAME_OVER
-    if in_band(p, ball_radius, paddles):
+    distance = length(p)
+    if in_band(distance, ball_radius, paddles):
         return Outcome.PADDLES
-    if in_band(p, ball_radius, bricks):
-        return Outcome.BRICKS
+    for ring in bricks:
+        if in_band(distance, ball_radius, ring):
+            return Outcome.BRICKS
     return Outcome.NO_COLLISION
 
 
@@ -35,10 +41,13 @@ def has_left(p: complex, ball_radius: float, ground_radius: float) -> bool:
     return length(p) - ball_radius > ground_radius
 
 
-def in_band(p: complex, ball_radius: float, ring: Ring) -> bool:
-    """Whether the ball reaches into a ring's band: |p| + r >= r_p - w_p and |p| - r <= r_p + w_p."""
-    distance = length(p)
-    return distance + ball_radius >= ring.inner_radius and distance - ball_radius <= ring.outer_radius
+def in_band(distance: float, ball_radius: float, ring: Ring) -> bool:
+    """Whether the ball reaches into a ring's band: |p| + r >= r_p - w_p and |p| - r <= r_p + w_p.
+
+    distance: |p|, of the ball's centre from the origin. A ball that flies some distance d reaches no band that a ball at
+    rest, larger by d, does not reach: so the sweep asks the same question.
+    """
+    return distance + ball_radius >= ring.radius - ring.half_width and distance - ball_radius <= ring.radius + ring.half_width
 
 
 def broad_phase(
@@ -48,11 +57,16 @@ def broad_phase(
     positions: Sequence[tuple[float, float]],
     half_width: float,
     half_angle: float,
+    case_2: Callable[[complex, float, float, float, float, float, float], complex | None] = narrow_phase_case_2,
 ) -> complex | None:
     """Normal of the sector nearest in angle, by the source's search over a list.
 
-    p, theta: the ball's centre and its angle. positions: (radius, angle) of each sector's middle, at least one.
-    Of equally near sectors the first is taken. Returns what the narrow phase of that sector returns.
+    p, theta: the ball's centre and its angle, normalised. positions: (radius, angle) of each sector's middle, at least one,
+    the angles normalised. Of equally near sectors the first is taken. case_2: what answers for an end; the source mode
+    hands in the slides' own. Returns what the narrow phase of the nearest sector returns.
+
+    The swept engine finds the same sector by arithmetic (`nearest_slot`), which costs the same for any number of sectors;
+    this search is what that arithmetic is tested against, and what `python -m game --physics source` flies on.
 
     >>> broad_phase(9.5 + 0j, 0.25, 0.0, [(10.0, 3.0), (10.0, 0.1)], 0.3, 0.2)
     (-1-0j)
@@ -63,10 +77,13 @@ def broad_phase(
             radius, angle = other_radius, other_angle
     if min_difference(theta, angle) <= half_angle:
         return narrow_phase_case_1(p, radius)
-    return narrow_phase_case_2(p, ball_radius, theta, radius, angle, half_width, half_angle)
+    return case_2(p, ball_radius, theta, radius, angle, half_width, half_angle)
 
 
-def nearest_slot(ring: Ring, angle: float) -> int:
-    """The slot whose middle is nearest to an angle: the source's search as arithmetic, at one price for any count."""
+def nearest_slot(ring: Ring, theta: float) -> int:
+    """The slot whose middle is nearest to an angle: the source's search as arithmetic, at one price for any count.
+
+    theta: radians, normalised. Of two equally near slots either may be taken.
+    """
     pitch = math.tau / ring.count
-    return round(signed_difference(angle, ring.phase) / pitch) % ring.count
+    return round(signed_difference(theta, ring.phase) / pitch) % ring.count
