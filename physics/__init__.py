@@ -27,7 +27,7 @@ from physics.polar import (
     to_cartesian,
     to_polar,
 )
-from physics.response import Response, collision_response, response
+from physics.response import Response, collision_response, response_steps
 from physics.shapes import PERMANENT, Arena, Ball, Contact, Feature, Ring
 from physics.step import Hit, Step, advance
 from physics.time_of_impact import Impact, time_of_impact
@@ -71,7 +71,7 @@ __all__ = [
     "nearest_slot",
     "normalize_angle",
     "on_left",
-    "response",
+    "response_steps",
     "signed_difference",
     "subtract_angles",
     "time_of_impact",

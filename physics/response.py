@@ -31,15 +31,15 @@ def collision_response(v: complex, normal: complex, surface_velocity: complex, f
 
     v: the ball's velocity. normal: unit, from the surface to the ball. surface_velocity: of the surface at the contact
     point (the source's v_p). friction: mu in [0, 1]. speed: the ball's fixed speed v_0 > 0.
-    `response` has the steps on the way.
+    `response_steps` has the quantities on the way.
 
     >>> collision_response(3 - 4j, 1j, 0j, 0.0, 5.0)
     (3+4j)
     """
-    return response(v, normal, surface_velocity, friction, speed).velocity
+    return response_steps(v, normal, surface_velocity, friction, speed).velocity
 
 
-def response(v: complex, normal: complex, surface_velocity: complex, friction: float, speed: float) -> Response:
+def response_steps(v: complex, normal: complex, surface_velocity: complex, friction: float, speed: float) -> Response:
     """The steps of a collision response; arguments as of `collision_response`.
 
     Beyond the source: where v_res = 0 the ball leaves along the normal; where the reset to v_0 leaves it slower than the
@@ -111,8 +111,8 @@ def bounce_off_two(ball: Ball, found: Contact, ring: Ring, other: Contact, other
     both_square, apart_square = dot(both, both), dot(apart, apart)
     if min(both_square, apart_square) <= PARALLEL * PARALLEL:
         return None
-    one = response(ball.velocity, n, ring.surface_velocity(found.point), ring.friction, speed)
-    two = response(ball.velocity, m, other_ring.surface_velocity(other.point), other_ring.friction, speed)
+    one = response_steps(ball.velocity, n, ring.surface_velocity(found.point), ring.friction, speed)
+    two = response_steps(ball.velocity, m, other_ring.surface_velocity(other.point), other_ring.friction, speed)
     a, b = dot(one.relative, n), dot(two.relative, m)
     cosine = dot(n, m)
     if a - cosine * b >= 0.0 or b - cosine * a >= 0.0:
