@@ -23,9 +23,10 @@ class End(NamedTuple):
     side: int
     away: float
 
-    def angle(self, ring: Ring) -> float:
-        """Where the end is, radians, normalised, wherever its ring has turned."""
-        return end_angle(ring.angle(self.slot), ring.half_angle, self.side)
+
+def angle_of_end(ring: Ring, end: End) -> float:
+    """Where an end is, radians, normalised, wherever its ring has turned."""
+    return end_angle(ring.angle(end.slot), ring.half_angle, end.side)
 
 
 def gap_end(ring: Ring, alive: Sequence[int], slot: int, offset: float, side: int, first: int, reach: float) -> End | None:

@@ -122,7 +122,7 @@ def end_contact(ball: Ball, ring: Ring, slot: int, theta: float) -> Contact:
     assert normal is not None, "an infinite ball touches every end"
     end = _nearest_end(p, theta, radius, angle, half_width, half_angle)
     feature = Feature.CORNER if end.q in (end.a, end.b) else Feature.END
-    return Contact(normal, end.q, length(p - end.q) - ball_radius, feature)
+    return Contact(complex(normal.real, normal.imag), end.q, length(p - end.q) - ball_radius, feature)
 
 
 def _nearest_end(p: complex, theta: float, radius: float, angle: float, half_width: float, half_angle: float) -> _NearestEnd:

@@ -6,7 +6,7 @@ radius beside the segment, or the disc of that radius around a corner.
 
 import math
 
-from physics.gap import End
+from physics.gap import End, angle_of_end
 from physics.narrow_phase import end_contact
 from physics.polar import to_cartesian
 from physics.shapes import Ball, Ring
@@ -20,7 +20,7 @@ def touch_of_resting_end(ball: Ball, ring: Ring, end: End, span: float) -> float
     Of its line, a linear equation; of its corners, a quadratic each.
     """
     p, v, ball_radius = ball
-    angle = end.angle(ring)
+    angle = angle_of_end(ring, end)
     now = end_contact(ball, ring, end.slot, angle)
     if dot(now.normal, v) >= 0.0:
         return None  # the distance to a convex set, seen from a straight path, grows for good once it grows

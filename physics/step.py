@@ -9,7 +9,7 @@ from physics.escape import all_freed
 from physics.free_flight import FreeFlight, free_flight, still_known
 from physics.response import bounce, bounce_off_two
 from physics.shapes import Arena, Ball, Contact, Ring, unchecked
-from physics.time_of_impact import Impact, time_of_impact, touched_now
+from physics.time_of_impact import Impact, first_impact, touched_now
 from physics.tolerances import MAX_IMPACTS, OVERLAP
 from physics.vectors import length
 
@@ -139,7 +139,7 @@ def _next_impact(
         if not in_band(distance, reach, ring):
             continue
         now = ring.turned(clock) if clock > 0.0 and ring.spin != 0.0 else ring
-        impact = time_of_impact(ball, now, rest, layers[k])
+        impact = first_impact(ball, now, rest, layers[k])
         if impact is not None and (first is None or clock + impact.time < first.time):
             first = _Next(clock + impact.time, index, k, impact)
     return first

@@ -13,7 +13,7 @@ from typing import NamedTuple
 
 from physics.band import Stretch, band_stretches
 from physics.broad_phase import nearest_slot
-from physics.gap import End, gap_end
+from physics.gap import End, angle_of_end, gap_end
 from physics.narrow_phase import contact, end_contact, is_over
 from physics.polar import signed_difference
 from physics.resting_end import touch_of_resting_end
@@ -44,11 +44,15 @@ def time_of_impact(ball: Ball, ring: Ring, dt: float, alive: Sequence[int] | Non
     """
     if not 0.0 <= dt < math.inf:
         raise ValueError(f"dt must be finite and at least 0, not {dt}")
-    living = (1,) * ring.count if alive is None else alive
+    return first_impact(ball, ring, dt, (1,) * ring.count if alive is None else alive)
+
+
+def first_impact(ball: Ball, ring: Ring, dt: float, alive: Sequence[int]) -> Impact | None:
+    """`time_of_impact` for a dt that is known to be right and a ring whose slots are given."""
     inward, outward = band_stretches(ball, ring, dt)
-    impact = None if inward is None else _first_touch(ball, ring, inward, living)
+    impact = None if inward is None else _first_touch(ball, ring, inward, alive)
     if impact is None and outward is not None:
-        impact = _first_touch(ball, ring, outward, living)
+        impact = _first_touch(ball, ring, outward, alive)
     return impact
 
 
@@ -72,7 +76,7 @@ def _first_touch(ball: Ball, ring: Ring, stretch: Stretch, alive: Sequence[int])
     counter = gap_end(ring, alive, slot, offset, 1, int(over), reach)
     first = None if clockwise is None else _touch_of_end(ball, ring, clockwise, span)
     second = None if counter is None else _touch_of_end(ball, ring, counter, span)
-    if first is None or (second is not None and (second.time, second.slot) < (first.time, first.slot)):
+    if first is None or (second is not None and _is_before(second, first)):
         first = second
     return None if first is None else Impact(start + first.time, first.slot, first.contact)
 
@@ -101,6 +105,11 @@ def _touch(ball: Ball, ring: Ring, slot: int, found: Contact, touch: float) -> I
     return Impact(0.0, slot, found) if found.gap <= touch and approaches(ball, ring, found) else None
 
 
+def _is_before(one: Impact, other: Impact) -> bool:
+    """Whether an impact is answered before another one: the earlier, and of equally early ones the lower slot."""
+    return one.slot < other.slot if one.time == other.time else one.time < other.time
+
+
 def _meets(ball: Ball, ring: Ring, found: Contact, heading: int) -> bool:
     """Whether a ball above a sector meets it: a face by its heading, an end, from inside, by the rate of the gap."""
     if found.feature == Feature.OUTER_FACE:
@@ -126,7 +135,7 @@ def _touch_of_end(ball: Ball, ring: Ring, end: End, span: float) -> Impact | Non
 
 def _contact_with(ball: Ball, ring: Ring, end: End) -> Contact:
     """Contact with one end of a gap, wherever the ring has turned since the gap was found."""
-    return end_contact(ball, ring, end.slot, end.angle(ring))
+    return end_contact(ball, ring, end.slot, angle_of_end(ring, end))
 
 
 def _reach(ball: Ball, ring: Ring, span: float) -> float:

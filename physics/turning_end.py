@@ -16,7 +16,7 @@ faster than Newton's. One step turns the ring by at most a radian, and three hal
 
 import math
 
-from physics.gap import End
+from physics.gap import End, angle_of_end
 from physics.narrow_phase import closest_point_on_line
 from physics.polar import signed_difference, to_cartesian
 from physics.shapes import Ball, Ring
@@ -35,7 +35,7 @@ def touch_of_turning_end(ball: Ball, ring: Ring, end: End, span: float) -> float
     p, v, ball_radius = ball
     spin = ring.spin
     inner, outer = ring.radius - ring.half_width, ring.radius + ring.half_width
-    end_angle = end.angle(ring)
+    end_angle = angle_of_end(ring, end)
     along = to_cartesian(1.0, end_angle)
     nearest = closest_point_on_line(along * inner, along * outer, p)
     gap = length(p - nearest) - ball_radius
