@@ -4,7 +4,7 @@ import matplotlib as mpl
 import pytest
 
 from game.lab.session.share import parsed
-from tools.figures.__main__ import FIGURES, FOLDER, LAB_SCENES, draw_lab_scene
+from tools.figures.__main__ import FIGURES, FOLDER, SCREENSHOTS, draw_screenshot
 
 MATHEMATICS = '<path class="mathematics"'
 """How a line begins that another version of matplotlib may set a hundredth of a point to the side."""
@@ -32,19 +32,19 @@ def test_a_figure_is_drawn_again_byte_for_byte(name, tmp_path):
 
 def test_every_figure_is_one_that_the_script_draws():
     """Nothing lies in the folder that could not be drawn again, and nothing is missing."""
-    named = {f"{name}.svg" for name in FIGURES} | {f"lab-{name}.png" for name in LAB_SCENES}
+    named = {f"{name}.svg" for name in FIGURES} | {f"{name}.png" for name in SCREENSHOTS}
     assert {path.name for path in FOLDER.iterdir()} == named
 
 
-@pytest.mark.parametrize("name", LAB_SCENES)
+@pytest.mark.parametrize("name", [name for name, arguments in SCREENSHOTS.items() if arguments[0] == "lab"])
 def test_every_picture_of_the_lab_shows_a_scene_that_opens(name):
     """Its line names a scene, and numbers within their ranges."""
-    scene = LAB_SCENES[name]
+    scene = SCREENSHOTS[name][1]
     assert parsed(scene).scene.name == scene.partition("?")[0]
 
 
-def test_a_picture_of_the_lab_can_be_drawn(tmp_path):
-    """Without a window, by the lab's own command."""
+def test_a_screenshot_can_be_drawn(tmp_path):
+    """Without a window, by the game's own command."""
     path = tmp_path / "case-2.png"
-    draw_lab_scene("case-2", path)
+    draw_screenshot("lab-case-2", path)
     assert path.read_bytes().startswith(b"\x89PNG")

@@ -1,4 +1,4 @@
-"""Draw the documentation's figures: `python -m tools.figures`; with --lab, the lab's pictures, too."""
+"""Draw the documentation's figures: `python -m tools.figures`; with --screenshots, those of game and lab, too."""
 
 import subprocess
 import sys
@@ -27,28 +27,29 @@ FIGURES: dict[str, Callable[[], Sheet]] = {
 }
 """Every figure by the name of its file."""
 
-LAB_SCENES = {
-    "polar": "polar",
-    "on-left": "on-left",
-    "broad-phase": "broad-phase",
-    "nearest-sector": "nearest-sector",
-    "closest-point": "closest-point",
-    "case-1": "case-1",
-    "case-2": "case-2",
-    "impact-resting": "impact-resting",
-    "impact-turning": "impact-turning",
-    "response-paddle": "response-paddle",
-    "inside-material": "inside-material",
-    "two-bricks": "two-bricks",
-    "discrete-swept": "discrete-swept",
+_FROM_THE_LAB = ("--size", "960x640", "--theme", "light")
+SCREENSHOTS: dict[str, tuple[str, ...]] = {
+    "game": ("--headless", "--autopilot", "--level", "4", "--seed", "7", "--ticks", "2200", "--size", "1280x800"),
+    "lab-polar": ("lab", "polar", *_FROM_THE_LAB),
+    "lab-on-left": ("lab", "on-left", *_FROM_THE_LAB),
+    "lab-broad-phase": ("lab", "broad-phase", *_FROM_THE_LAB),
+    "lab-nearest-sector": ("lab", "nearest-sector", *_FROM_THE_LAB),
+    "lab-impact-resting": ("lab", "impact-resting", *_FROM_THE_LAB),
+    "lab-impact-turning": ("lab", "impact-turning", *_FROM_THE_LAB),
+    "lab-case-1": ("lab", "case-1", *_FROM_THE_LAB),
+    "lab-case-2": ("lab", "case-2", *_FROM_THE_LAB),
+    "lab-closest-point": ("lab", "closest-point", *_FROM_THE_LAB),
+    "lab-response-paddle": ("lab", "response-paddle", *_FROM_THE_LAB),
+    "lab-inside-material": ("lab", "inside-material", *_FROM_THE_LAB),
+    "lab-two-bricks": ("lab", "two-bricks", *_FROM_THE_LAB),
+    "lab-discrete-swept": ("lab", "discrete-swept", *_FROM_THE_LAB),
 }
-"""Every picture of the lab by the name of its file, and the scene as `python -m game lab` takes it."""
+"""Every screenshot by the name of its file, and what `python -m game` is told to draw it."""
 
 _CHECKOUT = Path(__file__).parents[2]
 FOLDER = _CHECKOUT / "docs" / "figures"
-_LAB_SIZE = "960x640"
-_LAB_COLOURS = 96
-"""Colours of a picture of the lab: few, so that its file is small; its areas are plain."""
+_COLOURS = 96
+"""Colours of a screenshot's file: few, so that it is small; areas are plain."""
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
@@ -61,38 +62,26 @@ def main() -> None:
 @app.command()
 def draw(
     folder: Annotated[Path, typer.Option(help="Where to write the files.")] = FOLDER,
-    lab: Annotated[bool, typer.Option("--lab", help="Draw the lab's pictures, too.")] = False,
+    screenshots: Annotated[bool, typer.Option("--screenshots", help="Draw the pictures of game and lab, too.")] = False,
 ) -> None:
     """Draw every figure of the documentation."""
     folder.mkdir(parents=True, exist_ok=True)
     for name, sheet in FIGURES.items():
         sheet().save(folder / f"{name}.svg")
         print(folder / f"{name}.svg")
-    for name, scene in LAB_SCENES.items() if lab else ():
-        draw_lab_scene(scene, folder / f"lab-{name}.png")
-        print(folder / f"lab-{name}.png")
+    for name in SCREENSHOTS if screenshots else ():
+        draw_screenshot(name, folder / f"{name}.png")
+        print(folder / f"{name}.png")
 
 
-def draw_lab_scene(scene: str, path: Path) -> None:
-    """Draw one scene of the lab in light colours into a PNG file, by the lab's own command."""
-    command = [
-        sys.executable,
-        "-m",
-        "game",
-        "lab",
-        scene,
-        "--screenshot",
-        str(path.resolve()),
-        "--size",
-        _LAB_SIZE,
-        "--theme",
-        "light",
-    ]
+def draw_screenshot(name: str, path: Path) -> None:
+    """Draw one of `SCREENSHOTS` into a PNG file, by the game's own command."""
+    command = [sys.executable, "-m", "game", *SCREENSHOTS[name], "--screenshot", str(path.resolve())]
     finished = subprocess.run(command, capture_output=True, text=True, check=False, cwd=_CHECKOUT)  # noqa: S603
     if finished.returncode:
-        raise CheckFailedError(f"the lab draws no {scene}: {finished.stderr.strip()}")
+        raise CheckFailedError(f"{name}: {finished.stderr.strip()}")
     with Image.open(path) as picture:
-        picture.convert("RGB").quantize(_LAB_COLOURS, dither=Image.Dither.NONE).save(path, optimize=True)
+        picture.convert("RGB").quantize(_COLOURS, dither=Image.Dither.NONE).save(path, optimize=True)
 
 
 if __name__ == "__main__":

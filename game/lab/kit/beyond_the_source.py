@@ -1,4 +1,4 @@
-"""The rows of the README's table "Beyond the source", each in a few words, for the scenes that explain them."""
+"""The rows of the table "Beyond the source" in docs/algorithm.md, each in a few words, for the scenes that explain them."""
 
 BEYOND = {
     1: "angles are in [0, 2π), also for -1e-17",
@@ -11,6 +11,8 @@ BEYOND = {
     8: "two sectors at once, in the order of time",
     9: "leaving the ground costs one life, once",
     10: "friction is the source's; endless loops are nudged",
+    11: "case 2 touches at a distance in [0, r): at 0 the normal is the end's own",
+    12: "v and n lie in the ground, which is two-dimensional",
 }
 
 
