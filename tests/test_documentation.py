@@ -1,0 +1,68 @@
+"""The pages of the documentation: their links lead somewhere, and what they repeat is what the program says."""
+
+import re
+
+import pytest
+
+import game
+from tests.support.paths import ROOT
+
+PAGES = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md")])
+LINK = re.compile(r"\]\(([^)\s]+)\)")
+"""Where a link or a picture leads."""
+
+
+def headings(page):
+    """The anchors of a page's headings, as GitHub and mkdocs name them."""
+    titles = re.findall(r"^#+ (.+)$", page.read_text(encoding="utf-8"), re.MULTILINE)
+    return {re.sub(r"[^\w\- ]", "", title.lower()).replace(" ", "-") for title in titles}
+
+
+@pytest.mark.parametrize("page", PAGES, ids=lambda page: page.relative_to(ROOT).as_posix())
+def test_every_link_leads_somewhere(page):
+    """To a file of the checkout, and where it names a heading, to one that the file has."""
+    broken = []
+    for link in LINK.findall(page.read_text(encoding="utf-8")):
+        if "://" in link:
+            continue
+        name, _, anchor = link.replace("\\", "").partition("#")
+        target = page.parent / name if name else page
+        if not target.is_file() or (anchor and anchor not in headings(target)):
+            broken.append(link)
+    assert broken == []
+
+
+def test_the_pages_are_found():
+    """The README, how to contribute, and everything in docs/."""
+    assert {"README.md", "CONTRIBUTING.md", "algorithm.md", "architecture.md"} <= {page.name for page in PAGES}
+
+
+def test_every_page_of_the_documentation_is_in_the_sites_contents():
+    """A page that nothing leads to is not found."""
+    contents = (ROOT / "mkdocs.yml").read_text(encoding="utf-8").partition("\nnav:")[2].partition("\ntheme:")[0]
+    assert {page.name for page in (ROOT / "docs").glob("*.md")} <= set(re.findall(r": (\S+\.md)$", contents, re.MULTILINE))
+
+
+def test_the_readme_starts_with_the_two_commands():
+    """The first plays, the second tests; the build runs the second, word for word."""
+    first, second = re.findall(
+        r"^```sh\n(.*?)^```$", (ROOT / "README.md").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL
+    )[:2]
+    install = "python3 -m venv .venv && .venv/bin/python -m pip install --quiet --editable"
+    assert first == f"{install} . && .venv/bin/python -m game\n"
+    assert second == f"{install} '.[test]' && .venv/bin/python -m pytest -n auto\n"
+
+
+@pytest.mark.parametrize("name", ["README.md", "docs/algorithm.md", "CITATION.cff"])
+def test_the_source_is_named(name):
+    """Its author, its course, its university and its title."""
+    text = " ".join((ROOT / name).read_text(encoding="utf-8").split())
+    assert all(part in text for part in ("Marek", "Trtík", "PA199", "Masaryk University"))
+    assert "Collision detection and response in the assignment" in text
+
+
+def test_the_citation_names_this_version():
+    """The one that the program prints."""
+    cited = re.search(r"^version: (.+)$", (ROOT / "CITATION.cff").read_text(encoding="utf-8"), re.MULTILINE)
+    assert cited
+    assert cited.group(1) == game.VERSION
