@@ -11,6 +11,11 @@ PAGES = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md")])
 LINK = re.compile(r"\]\(([^)\s]+)\)")
 """Where a link or a picture leads."""
 
+ALGORITHM = (ROOT / "docs" / "algorithm.md").read_text(encoding="utf-8")
+STAGE = re.compile(r"^\*File: \[physics/(\w+\.py)\]", re.MULTILINE)
+STAGE_WITH_NAMES = re.compile(r"^\*File: \[physics/(\w+\.py)\]\S*((?:.|\n(?!\n))*)", re.MULTILINE)
+NAME = re.compile(r"`(\w+)`")
+
 
 def headings(page):
     """The anchors of a page's headings, as GitHub and mkdocs name them."""
@@ -30,6 +35,14 @@ def test_every_link_leads_somewhere(page):
         if not target.is_file() or (anchor and anchor not in headings(target)):
             broken.append(link)
     assert broken == []
+
+
+@pytest.mark.parametrize("module", sorted(set(STAGE.findall(ALGORITHM))))
+def test_a_stage_names_functions_of_its_file(module):
+    """A function that was renamed, or moved, is renamed on the page that explains it."""
+    named = [name for found, names in STAGE_WITH_NAMES.findall(ALGORITHM) if found == module for name in NAME.findall(names)]
+    text = (ROOT / "physics" / module).read_text(encoding="utf-8")
+    assert [name for name in named if f"def {name}(" not in text] == []
 
 
 def test_the_pages_are_found():
