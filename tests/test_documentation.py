@@ -5,6 +5,7 @@ import re
 import pytest
 
 import game
+import physics
 from tests.support.paths import ROOT
 
 PAGES = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md")])
@@ -48,6 +49,19 @@ def test_a_stage_names_functions_of_its_file(module):
 def test_the_pages_are_found():
     """The README, how to contribute, and everything in docs/."""
     assert {"README.md", "CONTRIBUTING.md", "algorithm.md", "architecture.md"} <= {page.name for page in PAGES}
+
+
+def test_every_figure_is_shown_on_a_page():
+    """A figure that nobody sees is not drawn."""
+    shown = {link.rpartition("/")[2] for page in PAGES for link in LINK.findall(page.read_text(encoding="utf-8"))}
+    assert {path.name for path in (ROOT / "docs" / "figures").iterdir()} <= shown
+
+
+def test_every_public_name_of_the_physics_is_described():
+    """On the page made of its docstrings; mkdocs refuses a name that the physics does not have."""
+    page = (ROOT / "docs" / "api.md").read_text(encoding="utf-8")
+    described = {path.rpartition(".")[2] for path in re.findall(r"^::: (\S+)$", page, re.MULTILINE)}
+    assert set(physics.__all__) <= described
 
 
 def test_every_page_of_the_documentation_is_in_the_sites_contents():

@@ -14,13 +14,14 @@ from game.system.errors import CheckFailedError
 from tools.figures.flow import flow, imports
 from tools.figures.response import response_symbols
 from tools.figures.sheet import Sheet
-from tools.figures.sweep import sweep_symbols
+from tools.figures.sweep import free_flight_symbols, sweep_symbols
 from tools.figures.symbols import end_symbols, polar_symbols
 
 FIGURES: dict[str, Callable[[], Sheet]] = {
     "symbols": polar_symbols,
     "end": end_symbols,
     "sweep": sweep_symbols,
+    "free-flight": free_flight_symbols,
     "response": response_symbols,
     "flow": flow,
     "imports": imports,

@@ -1,4 +1,4 @@
-"""When a ball can touch a ring at all: the two stretches of its flight in the ring's band, and the ends of a gap."""
+"""When a ball can touch a ring at all: the stretches of its flight in the band, the ends of a gap, and how far off they are."""
 
 import cmath
 import math
@@ -49,6 +49,33 @@ def sweep_symbols() -> Sheet:
     sheet.text(impact.contact.point + impact.contact.normal * 1.3 + 0.3, r"$\mathbf{n}$", colour=NORMAL)
     sheet.text(5.0 + 6.4j, "dashed: the band's borders,\n$r_p \\pm (w_p + r)$", size=13)
     sheet.text(-5.6 + 5.4j, "thick: the two\nends of a gap", size=13)
+    return sheet
+
+
+def free_flight_symbols() -> Sheet:
+    """A ball in a gap: the angle that it covers, and what may use up the angle from there to the two ends."""
+    ring = Ring(radius=6.0, half_width=0.7, half_angle=math.radians(12.0), count=4, phase=math.radians(45.0))
+    ball = Ball(cmath.rect(5.9, math.radians(86.0)), cmath.rect(1.9, math.radians(10.0)), 0.62)
+    sheet = Sheet(-5.9 - 0.5j, 5.9 + 8.0j, 560)
+    theta, covered = math.radians(86.0), math.asin(ball.radius / 5.9)
+    right, left = ring.angle(0) + ring.half_angle, ring.angle(1) - ring.half_angle
+    for slot in (0, 1):
+        middle = ring.angle(slot)
+        sheet.sector(ring.inner_radius, ring.outer_radius, middle - ring.half_angle, middle + ring.half_angle)
+    for angle, colour in ((right, INK), (left, INK), (theta - covered, FAINT), (theta + covered, FAINT)):
+        sheet.line(0j, cmath.rect(ring.outer_radius, angle), colour=colour, dashed=True)
+    sheet.circle(ball.position, ball.radius, fill=BALL)
+    sheet.dot(ball.position)
+    sheet.dot(0j)
+    sheet.arrow(ball.position, ball.position + ball.velocity, colour=VELOCITY)
+    sheet.text(ball.position + ball.velocity + 0.3, r"$\mathbf{v}$", colour=VELOCITY)
+    sheet.angle(4.3, theta - covered, theta - covered - 0.12, colour=VELOCITY)
+    for end, turn in ((right, 0.16), (left, -0.16)):
+        sheet.angle(7.05, end, end + turn, colour=NORMAL)
+        sheet.angle(4.3, end, end + turn, colour=NORMAL)
+    sheet.text(7.62j, "the ring, at its fastest, may turn either way", size=13, colour=NORMAL)
+    sheet.text(2.6 + 1.5j, "free until these\narrows meet", size=13)
+    sheet.text(-2.7 + 1.5j, "the ball covers\nthe middle angle", size=13, colour=FAINT)
     return sheet
 
 
