@@ -1,6 +1,8 @@
 """The pages of the documentation: their links lead somewhere, and what they repeat is what the program says."""
 
 import re
+import subprocess
+import sys
 
 import pytest
 
@@ -78,6 +80,17 @@ def test_the_readme_starts_with_the_two_commands():
     install = "python3 -m venv .venv && .venv/bin/python -m pip install --quiet --editable"
     assert first == f"{install} . && .venv/bin/python -m game\n"
     assert second == f"{install} '.[test]' && .venv/bin/python -m pytest -n auto\n"
+
+
+def test_the_example_of_the_readme_runs():
+    """As it stands, in a Python of its own."""
+    (example,) = re.findall(
+        r"^```python\n(.*?)^```$", (ROOT / "README.md").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL
+    )
+    finished = subprocess.run([sys.executable, "-c", example], cwd=ROOT, capture_output=True, text=True, check=True)
+    time, slot, *_ = finished.stdout.split()
+    assert 0.0 < float(time) < 1.0
+    assert slot.isdigit()
 
 
 @pytest.mark.parametrize("name", ["README.md", "docs/algorithm.md", "CITATION.cff"])
