@@ -1,3 +1,4 @@
+# ruff: noqa: INP001  # no package: mkdocs loads this file by its path
 """What mkdocs does with the pages, beyond its configuration: the README and the sources as pages, formulas as MathML.
 
 The same Markdown files are read in a checkout and on the site. In a checkout a link such as `../physics/polar.py` opens a file;

@@ -4,7 +4,8 @@ import matplotlib as mpl
 import pytest
 
 from game.lab.session.share import parsed
-from tools.figures.__main__ import FIGURES, FOLDER, SCREENSHOTS, draw_screenshot
+from tools.figures.__main__ import FIGURES, FOLDER
+from tools.figures.screenshots import SCREENSHOTS, draw_screenshot
 
 MATHEMATICS = '<path class="mathematics"'
 """How a line begins that another version of matplotlib may set a hundredth of a point to the side."""

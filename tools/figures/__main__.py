@@ -1,16 +1,13 @@
-"""Draw the documentation's figures: `python -m tools.figures`; with --screenshots, those of game and lab, too."""
+"""Draw the documentation's figures: `python -m tools.figures`."""
 
-import subprocess
 import sys
 from collections.abc import Callable
 from pathlib import Path
 from typing import Annotated
 
 import typer
-from PIL import Image
 
 from game.system.command_line import run
-from game.system.errors import CheckFailedError
 from tools.figures.flow import flow, imports
 from tools.figures.response import response_symbols
 from tools.figures.sheet import Sheet
@@ -28,29 +25,7 @@ FIGURES: dict[str, Callable[[], Sheet]] = {
 }
 """Every figure by the name of its file."""
 
-_FROM_THE_LAB = ("--size", "960x640", "--theme", "light")
-SCREENSHOTS: dict[str, tuple[str, ...]] = {
-    "game": ("--headless", "--autopilot", "--level", "4", "--seed", "7", "--ticks", "2200", "--size", "1280x800"),
-    "lab-polar": ("lab", "polar", *_FROM_THE_LAB),
-    "lab-on-left": ("lab", "on-left", *_FROM_THE_LAB),
-    "lab-broad-phase": ("lab", "broad-phase", *_FROM_THE_LAB),
-    "lab-nearest-sector": ("lab", "nearest-sector", *_FROM_THE_LAB),
-    "lab-impact-resting": ("lab", "impact-resting", *_FROM_THE_LAB),
-    "lab-impact-turning": ("lab", "impact-turning", *_FROM_THE_LAB),
-    "lab-case-1": ("lab", "case-1", *_FROM_THE_LAB),
-    "lab-case-2": ("lab", "case-2", *_FROM_THE_LAB),
-    "lab-closest-point": ("lab", "closest-point", *_FROM_THE_LAB),
-    "lab-response-paddle": ("lab", "response-paddle", *_FROM_THE_LAB),
-    "lab-inside-material": ("lab", "inside-material", *_FROM_THE_LAB),
-    "lab-two-bricks": ("lab", "two-bricks", *_FROM_THE_LAB),
-    "lab-discrete-swept": ("lab", "discrete-swept", *_FROM_THE_LAB),
-}
-"""Every screenshot by the name of its file, and what `python -m game` is told to draw it."""
-
-_CHECKOUT = Path(__file__).parents[2]
-FOLDER = _CHECKOUT / "docs" / "figures"
-_COLOURS = 96
-"""Colours of a screenshot's file: few, so that it is small; areas are plain."""
+FOLDER = Path(__file__).parents[2] / "docs" / "figures"
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
@@ -61,28 +36,12 @@ def main() -> None:
 
 
 @app.command()
-def draw(
-    folder: Annotated[Path, typer.Option(help="Where to write the files.")] = FOLDER,
-    screenshots: Annotated[bool, typer.Option("--screenshots", help="Draw the pictures of game and lab, too.")] = False,
-) -> None:
-    """Draw every figure of the documentation."""
+def draw(folder: Annotated[Path, typer.Option(help="Where to write the files.")] = FOLDER) -> None:
+    """Draw every figure of the documentation into SVG files."""
     folder.mkdir(parents=True, exist_ok=True)
     for name, sheet in FIGURES.items():
         sheet().save(folder / f"{name}.svg")
-        print(folder / f"{name}.svg")
-    for name in SCREENSHOTS if screenshots else ():
-        draw_screenshot(name, folder / f"{name}.png")
-        print(folder / f"{name}.png")
-
-
-def draw_screenshot(name: str, path: Path) -> None:
-    """Draw one of `SCREENSHOTS` into a PNG file, by the game's own command."""
-    command = [sys.executable, "-m", "game", *SCREENSHOTS[name], "--screenshot", str(path.resolve())]
-    finished = subprocess.run(command, capture_output=True, text=True, check=False, cwd=_CHECKOUT)  # noqa: S603
-    if finished.returncode:
-        raise CheckFailedError(f"{name}: {finished.stderr.strip()}")
-    with Image.open(path) as picture:
-        picture.convert("RGB").quantize(_COLOURS, dither=Image.Dither.NONE).save(path, optimize=True)
+        typer.echo(folder / f"{name}.svg")
 
 
 if __name__ == "__main__":

@@ -1,4 +1,4 @@
-"""The rows of the table "Beyond the source" in docs/algorithm.md, each in a few words, for the scenes that explain them."""
+"""The rows of the README's table "Beyond the source", each in a few words, for the scenes that explain them."""
 
 BEYOND = {
     1: "angles are in [0, 2π), also for -1e-17",

@@ -10,7 +10,7 @@
    They are asserted by pytest for the defaults, the presets, saved cases, and after a thousand random drags.
 5. Say what can be dragged, what matters most first: `handles.point`, `vector`, `polar_vector`, `sector_handles`, or a
    `Handle` of your own.
-6. `SCENE = Scene(...)` with title, idea, and the rows of the table "Beyond the source" (docs/algorithm.md) that it explains.
+6. `SCENE = Scene(...)` with title, idea, and the rows of the README's table "Beyond the source" that it explains.
 
 A scene that runs gives `Motion(start, step, picture)` instead of `_picture`: `start(given)` is the state at tick 0,
 `step(given, state)` the state one tick later, `picture(given, state)` what it looks like. All three are pure and the state
