@@ -89,10 +89,10 @@ def test_every_row_beyond_the_source_has_a_scene():
     assert {row for scene in scenes() for row in scene.rows} == set(BEYOND)
 
 
-def test_the_rows_are_those_of_the_readme():
+def test_the_rows_are_those_of_the_documentation():
     """As many as its table has, under the same numbers."""
-    readme = (Path(physics.__file__).parent.parent / "README.md").read_text(encoding="utf-8")
-    rows = re.findall(r"^\| (\d+) \|", readme.partition("### Beyond the source")[2], re.MULTILINE)
+    page = (Path(physics.__file__).parent.parent / "docs" / "algorithm.md").read_text(encoding="utf-8")
+    rows = re.findall(r"^\| (\d+) \|", page.partition("## Beyond the source")[2], re.MULTILINE)
     assert [int(row) for row in rows] == list(BEYOND)
 
 

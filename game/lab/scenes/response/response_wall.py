@@ -143,6 +143,7 @@ SCENE = Scene(
     view=View(0.4 + 7.2j, 5.4 + 3.4j),
     shows=_picture,
     check=_check,
+    rows=(12,),
     presets=(
         Preset("smooth", "mu=0"),
         Preset("as rough as can be", "mu=1"),
