@@ -18,7 +18,10 @@ from physics.vectors import cross, dot, length
 class Stretch(NamedTuple):
     """A part of the flight on which the ball reaches into the band.
 
-    start, stop: seconds from now. heading: -1 where the ball flies inward, +1 outward, 0 where it rests.
+    Attributes:
+        start: seconds from now.
+        stop: seconds from now.
+        heading: -1 where the ball flies inward, +1 outward, 0 where it rests.
     """
 
     start: float

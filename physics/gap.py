@@ -15,8 +15,10 @@ from physics.shapes import Ring
 class End(NamedTuple):
     """One straight end of a sector, facing the gap the ball is in.
 
-    slot: of its sector. side: +1 the counter-clockwise end of its sector, -1 the clockwise one.
-    away: radians from the ball's angle to the end, across the gap; < 0 where the ball is over the sector.
+    Attributes:
+        slot: of its sector.
+        side: +1 the counter-clockwise end of its sector, -1 the clockwise one.
+        away: radians from the ball's angle to the end, across the gap; < 0 where the ball is over the sector.
     """
 
     slot: int

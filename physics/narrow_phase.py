@@ -19,7 +19,7 @@ class _NearestEnd(NamedTuple):
 
 
 def contact(ball: Ball, ring: Ring, slot: int) -> Contact:
-    """The nearest point of one sector to the ball, with the gap between them.
+    """The nearest point of one sector to the ball, with the gap between them. slot: 0 to ring.count - 1.
 
     Case 1, face: the ball's angle lies within the sector, so an arc is nearest and the normal is radial.
     Case 2, end: it lies outside, so the straight end nearer in angle is nearest; its two corners need no code
@@ -49,7 +49,8 @@ def is_over(ring: Ring, theta: float, angle: float) -> bool:
 def narrow_phase_case_1(p: complex, radius: float) -> complex:
     """Normal of a face, for a ball whose angle lies within the sector's: radial, away from the ring's middle radius.
 
-    p: the ball's centre. radius: of the ring's middle (the source's r_p). For p = 0 the angle is 0 by convention.
+    p: the ball's centre; radius: of the ring's middle (the source's r_p); both in world units. The result is a unit vector
+    from the obstacle to the ball. For p = 0 the angle is 0 by convention.
 
     >>> narrow_phase_case_1(3 + 4j, 6.0), narrow_phase_case_1(3 + 4j, 4.0)
     ((-0.6-0.8j), (0.6+0.8j))
@@ -63,7 +64,8 @@ def narrow_phase_case_2(
 ) -> complex | None:
     """Normal of an end, for a ball whose angle theta lies outside the sector's; None when it does not touch.
 
-    theta, angle: radians, normalised. radius, angle: the sector's middle (the source's r_p, theta_p).
+    theta, angle: radians, normalised. half_angle: radians, in (0, pi]. p, ball_radius, radius, half_width: world units.
+    radius, angle: the sector's middle (the source's r_p, theta_p). The result is a unit vector from the obstacle to the ball.
     Touching means a distance in [0, ball_radius): where the source leaves out the distance 0, the normal is the end's own.
     Which end is decided by the side of the sector's middle on which theta lies; that is right however wide the sector is.
     """
@@ -77,8 +79,8 @@ def narrow_phase_case_2(
 def closest_point_on_line(a: complex, b: complex, p: complex) -> complex:
     """The point of the segment from a to b nearest to p.
 
-    The source's line AB, clamped to the segment: the clamp is what makes the corners. Returns a or b itself
-    beyond the ends, and a when a = b.
+    a, b, p: in any unit of length, all in the same. The source's line AB, clamped to the segment: the clamp is what makes
+    the corners. Returns a or b itself beyond the ends, and a when a = b.
 
     >>> closest_point_on_line(0j, 2 + 0j, 1 + 5j), closest_point_on_line(0j, 2 + 0j, 7 + 5j)
     ((1+0j), (2+0j))

@@ -81,7 +81,7 @@ def on_left(a: float, b: float) -> bool:
 
 
 def to_polar(p: complex) -> tuple[float, float]:
-    """(radius, angle) of a point, the angle in [0, 2 pi); the origin has angle 0.
+    """(radius, angle) of a point: the radius in the unit of the point, the angle in radians in [0, 2 pi), 0 for the origin.
 
     >>> to_polar(-2 + 0j) == (2.0, math.pi)
     True
@@ -90,7 +90,7 @@ def to_polar(p: complex) -> tuple[float, float]:
 
 
 def to_cartesian(radius: float, angle: float) -> complex:
-    """The point at a radius and an angle in radians (any angle, normalised or not).
+    """The point at a radius, in any unit of length, and an angle in radians (any angle, normalised or not).
 
     Angles above pi are taken as negative ones, so that angles mirrored about the x axis give mirrored points to the bit.
 

@@ -11,10 +11,16 @@ from physics.vectors import dot, length, quarter_turn, unit
 class Response(NamedTuple):
     """Every quantity of the source's response, in the order of its slides; world units per second.
 
-    relative: dv = v - v_p. normal_part, tangential_part: dv_n along the normal and dv_t across it; dv = dv_n + dv_t.
-    normal_change, tangential_change: dv_n' = -2 dv_n and dv_t' = -mu min(|dv_n|, |dv_t|) dv_t / |dv_t|.
-    result: v_res = v + dv_n' + dv_t'. velocity: v := v_0 v_res / |v_res|, of length v_0, or what goes beyond the source.
     While the two separate, dv . n >= 0, the changes are 0 and the velocity is v itself.
+
+    Attributes:
+        relative: dv = v - v_p.
+        normal_part: dv_n = (dv . n) n.
+        tangential_part: dv_t = dv - dv_n.
+        normal_change: dv_n' = -2 dv_n, "bounce off the paddle".
+        tangential_change: dv_t' = -mu min(|dv_n|, |dv_t|) dv_t / |dv_t|, "match the paddle's velocity".
+        result: v_res = v + dv_n' + dv_t'.
+        velocity: v := v_0 v_res / |v_res|, of length v_0, or what goes beyond the source.
     """
 
     relative: complex
@@ -30,7 +36,8 @@ def collision_response(v: complex, normal: complex, surface_velocity: complex, f
     """Velocity of a ball after it bounces off a moving surface, of length `speed`; v itself when the two separate.
 
     v: the ball's velocity. normal: unit, from the surface to the ball. surface_velocity: of the surface at the contact
-    point (the source's v_p). friction: mu in [0, 1]. speed: the ball's fixed speed v_0 > 0.
+    point (the source's v_p). friction: mu in [0, 1]. speed: the ball's fixed speed v_0 > 0. All velocities in world units
+    per second.
     `response_steps` has the quantities on the way.
 
     >>> collision_response(3 - 4j, 1j, 0j, 0.0, 5.0)

@@ -32,10 +32,12 @@ class _BallFields(NamedTuple):
 class Ball(_BallFields):
     """A moving disc.
 
-    position: its centre, in world units, at most LARGEST (1e35) from the origin.
-    velocity: world units per second, 0 or of a length from SMALLEST (1e-35) to LARGEST.
-    radius: world units, from SMALLEST to LARGEST.
     Raises ValueError, naming the field, for what is out of its range or not finite; so does `_replace`.
+
+    Attributes:
+        position: its centre, world units, at most LARGEST (1e35) from the origin.
+        velocity: world units per second, 0 or of a length from SMALLEST (1e-35) to LARGEST.
+        radius: world units, from SMALLEST to LARGEST.
     """
 
     __slots__ = ()
@@ -60,7 +62,7 @@ class Ball(_BallFields):
         return angle_of(self.position if self.position != 0.0 else self.velocity)
 
     def moved(self, time: float) -> "Ball":
-        """The ball after flying straight for some seconds. Not checked: valid stays valid."""
+        """The ball after flying straight. time: seconds. Not checked: valid stays valid."""
         position, velocity, radius = self
         return unchecked(Ball, (position + velocity * time, velocity, radius))
 
@@ -78,16 +80,17 @@ class _RingFields(NamedTuple):
 class Ring(_RingFields):
     """`count` equal annular sectors, evenly spaced, turning together: the paddles, or a ring of bricks.
 
-    Slot k has its middle at the angle phase + k 2 pi / count.
+    Slot k has its middle at the angle phase + k 2 pi / count. Raises ValueError, naming the field, for what is out of its
+    range or not finite; so does `_replace`.
 
-    radius: of the ring's middle, world units, at most LARGEST (1e35); the source's r_p.
-    half_width: radial, world units, from SMALLEST (1e-35) to below the radius; the source's w_p.
-    half_angle: of one sector, radians, in (0, pi / count]; pi / count closes the ring; the source's phi_p.
-    count: sectors, a whole number from 1 up.
-    phase: middle angle of slot 0, radians, finite; stored in [0, 2 pi) on the angle grid.
-    spin: rad/s, counter-clockwise, at most LARGEST; below SMALLEST it is stored as 0.
-    friction: in [0, 1]; the source's mu_p.
-    Raises ValueError, naming the field; so does `_replace`.
+    Attributes:
+        radius: of the ring's middle, world units, from SMALLEST (1e-35) to LARGEST (1e35); the source's r_p.
+        half_width: radial, world units, from SMALLEST to below the radius; the source's w_p.
+        half_angle: of one sector, radians, in (0, pi / count]; pi / count closes the ring; the source's phi_p.
+        count: sectors, a whole number from 1 up.
+        phase: middle angle of slot 0, radians, finite; stored in [0, 2 pi) on the angle grid.
+        spin: rad/s, counter-clockwise, at most LARGEST; below SMALLEST it is stored as 0.
+        friction: in [0, 1]; the source's mu_p.
     """
 
     __slots__ = ()
@@ -129,12 +132,12 @@ class Ring(_RingFields):
 
     @property
     def inner_radius(self) -> float:
-        """Radius of the inner faces."""
+        """Radius of the inner faces, world units."""
         return self.radius - self.half_width
 
     @property
     def outer_radius(self) -> float:
-        """Radius of the outer faces."""
+        """Radius of the outer faces, world units."""
         return self.radius + self.half_width
 
     def angle(self, slot: int) -> float:
@@ -147,7 +150,7 @@ class Ring(_RingFields):
         return subtract_angles(self.phase, (self.count - slot) / self.count * math.tau)
 
     def turned(self, time: float) -> "Ring":
-        """The ring after turning for some seconds. Not checked: valid stays valid."""
+        """The ring after turning. time: seconds. Not checked: valid stays valid."""
         radius, half_width, half_angle, count, phase, spin, friction = self
         turn = spin * time
         # Between 4 and 8 floats are the grid itself. The turn is rounded, not the sum: then every sum is exact.
@@ -163,15 +166,17 @@ class Ring(_RingFields):
         return unchecked(Ring, (radius, half_width, half_angle, count, phase, _checked_spin(spin), friction))
 
     def surface_velocity(self, point: complex) -> complex:
-        """Velocity of the ring's material at a point: spin x point; the source's v_p."""
+        """Velocity of the ring's material at a point, world units per second: spin x point; the source's v_p."""
         return quarter_turn(point) * self.spin
 
 
 class Arena(NamedTuple):
     """Everything that moves or can be hit.
 
-    balls: any number. rings: any number; no two may overlap. layers: for every ring, for every slot, how many bricks are
-    stacked there; 0 empty, PERMANENT unbreakable.
+    Attributes:
+        balls: any number.
+        rings: any number; no two may overlap.
+        layers: for every ring, for every slot, how many bricks are stacked there; 0 empty, PERMANENT unbreakable.
     """
 
     balls: tuple[Ball, ...]
@@ -180,7 +185,14 @@ class Arena(NamedTuple):
 
 
 class Feature(IntEnum):
-    """The part of a sector that a contact is on."""
+    """The part of a sector that a contact is on.
+
+    Attributes:
+        OUTER_FACE: the arc of the outer radius; the normal points away from the centre.
+        INNER_FACE: the arc of the inner radius; the normal points to the centre.
+        END: one of the two straight sides; the normal is at a right angle to it.
+        CORNER: where an arc and a straight side meet; the normal points from there to the ball's centre.
+    """
 
     OUTER_FACE = 0
     INNER_FACE = 1
@@ -191,8 +203,11 @@ class Feature(IntEnum):
 class Contact(NamedTuple):
     """Where a ball and a sector are nearest.
 
-    normal: unit vector, from the sector towards the ball. point: on the sector's surface, world units.
-    gap: between the two, world units; > 0 apart, 0 touching, < 0 overlapping by -gap. feature: the part of the sector.
+    Attributes:
+        normal: unit vector, from the sector towards the ball.
+        point: on the sector's surface, world units.
+        gap: between the two, world units; > 0 apart, 0 touching, < 0 overlapping by -gap.
+        feature: the part of the sector.
     """
 
     normal: complex

@@ -20,9 +20,17 @@ _LOOK_AHEAD = 256
 class Hit(NamedTuple):
     """One bounce off one sector.
 
-    time: seconds after the tick's start. ball, ring, slot: indices into the arena. contact: at that moment.
-    before, after: the ball's velocity, world units per second. layers: left in the slot after the hit; PERMANENT where it
-    cannot break. Two hits of one ball with the same time, `before` and `after` are one bounce off two sectors at once.
+    Two hits of one ball with the same time, `before` and `after` are one bounce off two sectors at once.
+
+    Attributes:
+        time: seconds after the tick's start.
+        ball: index of the ball in the arena.
+        ring: index of the ring in the arena.
+        slot: index of the sector in its ring.
+        contact: at that moment.
+        before: the ball's velocity before the bounce, world units per second.
+        after: its velocity after the bounce.
+        layers: left in the slot after the hit; PERMANENT where it cannot break.
     """
 
     time: float
@@ -38,9 +46,12 @@ class Hit(NamedTuple):
 class Step(NamedTuple):
     """What one tick did.
 
-    arena: after it. hits: in the order of time, ball, ring, slot. dropped: balls that used up MAX_IMPACTS and rested for
-    what was left of the tick. freed: balls that overlapped material and were put outside it.
-    flight: to be handed to the next `advance`; it decides nothing, and spares it work.
+    Attributes:
+        arena: after the tick.
+        hits: in the order of time, ball, ring, slot.
+        dropped: how many balls used up MAX_IMPACTS and rested for what was left of the tick.
+        freed: how many balls overlapped material and were put outside it.
+        flight: to be handed to the next `advance`; it decides nothing, and spares it work.
     """
 
     arena: Arena
@@ -62,8 +73,8 @@ class _Next(NamedTuple):
 def advance(arena: Arena, dt: float, speed: float, flight: FreeFlight | None = None) -> Step:
     """The arena dt seconds later, and the hits on the way, in the order of time.
 
-    dt: seconds, finite and >= 0, else ValueError; 0 changes nothing. speed: every ball's fixed speed after a bounce.
-    Each ball flies from impact to impact. A hit takes one layer from its slot at once, so that a ball that comes
+    dt: seconds, finite and >= 0, else ValueError; 0 changes nothing. speed: every ball's fixed speed after a bounce, world
+    units per second, > 0. Each ball flies from impact to impact. A hit takes one layer from its slot at once, so that a ball that comes
     later in the same tick meets what is left. Equal times are answered in the order of ball, ring, slot.
     flight: `Step.flight` of the tick before. Where the arena is still that tick's, but for the spin of a turning ring, a
     ball in free flight is not looked after anew; it changes no bit of the result.

@@ -26,7 +26,10 @@ from physics.vectors import dot, length
 class Impact(NamedTuple):
     """The first touch of a ball with a ring.
 
-    time: seconds from now. slot: the sector that is touched. contact: at that moment.
+    Attributes:
+        time: seconds from now.
+        slot: the sector that is touched.
+        contact: at that moment.
     """
 
     time: float

@@ -50,7 +50,7 @@ def direction(angle: float) -> complex:
 
 
 def angle_of(point: complex) -> float:
-    """Angle of a point seen from the origin, in [0, 2 pi); 0 for the origin itself.
+    """Angle of a point seen from the origin, radians in [0, 2 pi); 0 for the origin itself. point: in any unit of length.
 
     The angle lies on the angle grid (`on_angle_grid`), so the mirrored point has exactly the negated angle, 2 pi - angle.
 
