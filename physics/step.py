@@ -74,8 +74,8 @@ def advance(arena: Arena, dt: float, speed: float, flight: FreeFlight | None = N
     """The arena dt seconds later, and the hits on the way, in the order of time.
 
     dt: seconds, finite and >= 0, else ValueError; 0 changes nothing. speed: every ball's fixed speed after a bounce, world
-    units per second, > 0. Each ball flies from impact to impact. A hit takes one layer from its slot at once, so that a ball that comes
-    later in the same tick meets what is left. Equal times are answered in the order of ball, ring, slot.
+    units per second, > 0. Each ball flies from impact to impact. A hit takes one layer from its slot at once, so that a ball
+    that comes later in the same tick meets what is left. Equal times are answered in the order of ball, ring, slot.
     flight: `Step.flight` of the tick before. Where the arena is still that tick's, but for the spin of a turning ring, a
     ball in free flight is not looked after anew; it changes no bit of the result.
     """
