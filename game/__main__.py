@@ -20,7 +20,7 @@ from game.replays import file as replay
 from game.replays import history as kept
 from game.replays.verify import verified
 from game.rules import Game, Ticked
-from game.second_opinion import Compare, Opinions
+from game.second_opinion import Compare, NormalPair
 from game.settings.file import SettingsFile, place
 from game.system.command_line import run, say
 from game.system.errors import BadInputError, CheckFailedError, EnvironmentMissingError
@@ -120,7 +120,7 @@ def watch_replay(
     from game.app import watch  # noqa: PLC0415  # pygame, only where it is needed
 
     with _settings() as settings:
-        watch(recording, compare=_second_opinion(), engine=_second_engine, kept=settings, lost=_say_lost)
+        watch(recording, compare=_second_opinion(), engine=_second_engine, settings=settings, lost=_say_lost)
 
 
 @app.command("lab")
@@ -153,7 +153,7 @@ def open_lab(
         from game.app import lab  # noqa: PLC0415  # pygame, only where it is needed
 
         with _settings() as settings:
-            lab(scene, _second_engine, kept=settings, lost=_say_lost)
+            lab(scene, _second_engine, settings=settings, lost=_say_lost)
 
 
 def _verify(files: list[Path]) -> None:
@@ -207,7 +207,7 @@ def _play_in_window(levels: tuple[Level, ...], seed: int, record: Path | None, *
                 autopilot=autopilot,
                 compare=_second_opinion(),
                 engine=_second_engine,
-                kept=settings,
+                settings=settings,
                 lost=lost,
             )
     except EnvironmentMissingError as error:
@@ -238,7 +238,7 @@ def _settings() -> Iterator[SettingsFile]:
 def _second_opinion() -> Compare:
     """Asks pymunk about contacts; it is loaded with the first of them."""
 
-    def compare(ticked: Ticked) -> tuple[Opinions, ...]:
+    def compare(ticked: Ticked) -> tuple[NormalPair, ...]:
         from tools.crosscheck.overlay import opinions  # noqa: PLC0415  # pymunk, only where it is needed
 
         return opinions(ticked)
@@ -274,8 +274,8 @@ def _demonstrate(levels: tuple[Level, ...], seed: int, record: Path | None) -> N
 
 def _save_screenshot(last: _Last, path: Path, size: tuple[int, int], *, tipped: bool = False) -> None:
     """Draw a game into a PNG file; BadInputError where it cannot be written."""
-    from game.drawing.painter import save_screenshot  # noqa: PLC0415  # pygame, only where it is needed
     from game.input.view import FROM_ABOVE, TIPPED  # noqa: PLC0415
+    from game.screenshot import save_screenshot  # noqa: PLC0415  # pygame, only where it is needed
 
     try:
         save_screenshot(last.game, path, size, view=TIPPED if tipped else FROM_ABOVE, effects=after_all(last.passed))

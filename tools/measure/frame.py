@@ -17,6 +17,7 @@ from rich.table import Table
 
 from game.autopilot import Autopilot
 from game.drawing.camera import layout
+from game.drawing.canvas import Canvas
 from game.drawing.painter import Painter
 from game.drawing.palette import DARK
 from game.drawing.text import Type
@@ -99,7 +100,7 @@ def timed(
     done = still(game)
     for _ in range(_SERVED):
         done, effects = _later(done, effects, pilot)
-    shown, painter, type_, view = opened(case.size), Painter(DARK), Type(), case.view
+    shown, painter, type_, view = opened(case.size), Painter(), Type(), case.view
     taken: list[Taken] = []
     gc.freeze()  # as the game does
     for _ in range(count + _WARM_UP):
@@ -139,9 +140,10 @@ def _later(done: Ticked, effects: Effects, pilot: Autopilot) -> tuple[Ticked, Ef
 
 def _draw(surface: pygame.Surface, done: Ticked, effects: Effects, view: View, painter: Painter, type_: Type) -> None:
     """One frame, as the window draws it."""
-    place = view.seen(layout(surface.get_size(), done.game.level.ground_radius))
-    painter.paint(surface, scene_at(done, 0.5, effects), place.camera, type_, place.unit)
-    hud.draw(surface, place, hud.readings(done.game), painter.theme, type_)
+    seen = view.seen(layout(surface.get_size(), done.game.level.ground_radius))
+    canvas = Canvas(surface, seen.camera, DARK, type_, seen.unit)
+    painter.paint(canvas, scene_at(done, 0.5, effects))
+    hud.draw(canvas, hud.readings(done.game), seen)
 
 
 if __name__ == "__main__":

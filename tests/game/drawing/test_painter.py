@@ -13,16 +13,20 @@ import pytest
 
 from game.autopilot import Autopilot
 from game.drawing.camera import layout
-from game.drawing.flat.annulus_pixels import band
-from game.drawing.flat.sector_colours import DOT_SHADE, MOST_DOT, Kind, Look, Sector, colours, dots
-from game.drawing.painter import Painter, save_screenshot
+from game.drawing.canvas import Canvas
+from game.drawing.flat.sector_colours import paint_parts
+from game.drawing.painter import Painter
 from game.drawing.palette import DARK, LIGHT, contrast, layer_colour, mixed
+from game.drawing.raster.annulus import annulus_pixels
+from game.drawing.slots.contents import ContentKind, SlotContent
+from game.drawing.slots.parts import DOT_SHADE, SlotShape, dots, parts
 from game.drawing.text import Type
 from game.effects import Effects
 from game.levels import built_in
 from game.replays.state_hash import state_hash
 from game.rules import PADDLES, new_game, tick
 from game.scene import scene_at, still
+from game.screenshot import save_screenshot
 from physics import PERMANENT
 
 SIZE = (900, 700)
@@ -42,7 +46,7 @@ def painted(scene, size=SIZE, theme=DARK, painter=None):
     """A scene on a new surface, and the camera that saw it."""
     surface = pygame.Surface(size, 0, 32)
     camera = layout(size, scene.ground_radius).camera
-    (painter or Painter(theme)).paint(surface, scene, camera, Type(), UNIT)
+    (painter or Painter()).paint(Canvas(surface, camera, theme, Type(), UNIT), scene)
     return surface, camera
 
 
@@ -124,20 +128,22 @@ def test_every_layer_of_a_stack_can_be_seen():
 @pytest.mark.parametrize("layers", range(1, 10))
 def test_as_many_dots_as_layers(layers, theme):
     """A stack of two or more shows a dot for every layer, apart from each other; one layer is plain. Grey is enough to see."""
-    found = dots(layers, 100.0, 12.0, 0.3, 4.0)
+    found = dots(layers, SlotShape(4.0, 0.45, 0.3, 9, 0.01))
     assert len(found) == (0 if layers == 1 else layers)
-    for one, other in itertools.combinations(found, 2):
-        assert max(abs(one.radius - other.radius), 100.0 * abs(one.angle - other.angle)) > 2.9 * one.half
+    for (radius, angle, half), (other_radius, other_angle, _) in itertools.combinations(found, 2):
+        assert max(abs(radius - other_radius), 4.0 * abs(angle - other_angle)) > 2.9 * half
     top = layer_colour(theme, layers)
     assert contrast(top, mixed(top, theme.ground, DOT_SHADE)) > 1.8
 
 
 def test_a_dot_is_where_it_is_said_to_be():
     """In the picture of a stack a dot's middle is dark, and beside it is the top."""
-    sector = Sector(80.0, 120.0, 0.3, 2.0, 20.0)
-    for dot in dots(4, 100.0, 20.0 - 6.0, 0.3 - 0.06, MOST_DOT * 20.0):
-        radii, angles = np.float32([dot.radius, dot.radius + 2.0 * dot.half]), np.float32([dot.angle])
-        picture = colours(Look(Kind.BRICKS, 4), sector, radii, angles, DARK)[:, 0]
+    shape, scale = SlotShape(5.0, 1.0, 0.3, 4, 0.05), 20.0
+    inset = 3.0 * shape.terrace
+    for radius, angle, half in dots(4, shape._replace(half_width=1.0 - inset, half_angle=0.3 - inset / 5.0)):
+        radii, angles = np.float32([radius, radius + 2.0 * half]) * scale, np.float32([angle, angle])
+        picture = np.zeros((2, 3), dtype=np.float32)
+        paint_parts(picture, parts(SlotContent(ContentKind.BRICKS, 4), shape, 0.0, DARK), shape, scale, radii, angles)
         assert np.abs(picture[0] - mixed(layer_colour(DARK, 4), DARK.ground, DOT_SHADE)).max() < 1.0
         assert np.abs(picture[1] - layer_colour(DARK, 4)).max() < 1.0
 
@@ -223,13 +229,13 @@ def test_a_screenshot_that_cannot_be_written_says_so(tmp_path):
 
 @pytest.mark.parametrize("centre", [50 + 40j, 0j, -30 + 20j, 50.5 + 40.25j])
 @pytest.mark.parametrize("radii", [(10.0, 20.0), (0.0, 15.5), (33.3, 34.1)])
-def test_a_band_has_every_pixel_between_its_radii_once(centre, radii):
+def test_an_annulus_has_every_pixel_between_its_radii_once(centre, radii):
     """As many as a look at every pixel of the surface finds, none twice."""
     width, height = 100, 80
-    pixels = band((width, height), width, centre, *radii)
+    pixels = annulus_pixels((width, height), width, centre, *radii)
     xs, ys = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
     away = np.hypot(xs - centre.real, ys - centre.imag)
     inside = (away >= radii[0] - 1e-9) & (away <= radii[1] + 1e-9)
     expected = np.flatnonzero(inside.ravel())
-    assert sorted(pixels.place.tolist()) == expected.tolist()
-    assert np.allclose(pixels.radius, away.ravel()[pixels.place], atol=1e-4)
+    assert sorted(pixels.pixel.tolist()) == expected.tolist()
+    assert np.allclose(pixels.radius, away.ravel()[pixels.pixel], atol=1e-4)

@@ -7,12 +7,13 @@ import pytest
 
 from game import effects
 from game.autopilot import Autopilot
-from game.effects import ALL, FLASH_TICKS, LONGEST, NOTHING, PLAIN, POP_TICKS, Effects, Kind, bursts, hit_stop
+from game.effects import ALL, FLASH_TICKS, LONGEST, NOTHING, PLAIN, POP_TICKS, EffectKind, Effects, bursts
 from game.effects.bursts import Matter
+from game.effects.hit_stop import hit_stop_seconds
 from game.effects.recoils import RECOIL_TICKS, Recoil
 from game.effects.shakes import SHAKE_TICKS, Shake
-from game.effects.streaks import BUMP_TICKS, ENDED_TICKS, NO_ROW
-from game.effects.waves import Tone
+from game.effects.streaks import BUMP_TICKS, ENDED_TICKS, NO_STREAK
+from game.effects.waves import WaveTone
 from game.levels import built_in
 from game.rules import BEST_COMBO, Controls, EventKind, Phase, new_game, tick
 from physics import PERMANENT
@@ -66,8 +67,8 @@ def test_a_ring_answers_only_when_a_brick_goes():
             assert answers == [hit.ring > 0 and hit.layers != PERMANENT] * len(answers)
             answered[answers[0]] += 1
     assert min(answered.values()) > 3
-    assert any(fading.flashes for _, fading in played(1500, frozenset({Kind.RING})))
-    assert all(not flash.lit for _, fading in played(1500, frozenset({Kind.RING})) for flash in fading.flashes)
+    assert any(fading.flashes for _, fading in played(1500, frozenset({EffectKind.RING})))
+    assert all(not flash.lit for _, fading in played(1500, frozenset({EffectKind.RING})) for flash in fading.flashes)
 
 
 def test_points_pop_where_the_brick_was_hit():
@@ -103,7 +104,7 @@ def test_without_effects_only_the_trail_is_left():
     assert trails
 
 
-@pytest.mark.parametrize("kind", sorted(ALL - {Kind.HIT_STOP, Kind.SHAKE}))
+@pytest.mark.parametrize("kind", sorted(ALL - {EffectKind.HIT_STOP, EffectKind.SHAKE}))
 def test_each_effect_is_seen_only_when_it_is_wanted(kind):
     """Alone it changes something; all the others together leave its part as it is without any."""
     alone = [fading for _, fading in played(1500, frozenset({kind}), level=3)]
@@ -111,7 +112,7 @@ def test_each_effect_is_seen_only_when_it_is_wanted(kind):
     seen = {name for fading in alone for name, part in fading._asdict().items() if part != getattr(NOTHING, name)}
     assert len(seen) == 1
     without = [fading for _, fading in played(1500, ALL - {kind}, level=3)]
-    if kind not in {Kind.FLASH, Kind.RING, Kind.SHARDS, Kind.SPARKS}:  # these pairs share a part
+    if kind not in {EffectKind.FLASH, EffectKind.RING, EffectKind.SHARDS, EffectKind.SPARKS}:  # these pairs share a part
         assert all(getattr(fading, name) == getattr(NOTHING, name) for fading in without for name in seen)
 
 
@@ -133,9 +134,9 @@ def test_a_lost_ball_is_named_bursts_and_shakes():
     (event,) = [event for event in done.events if event.kind == EventKind.BALL_LOST]
     assert (fading.pops[-1].text, fading.pops[-1].bad) == ("lost", True)
     assert fading.bursts[-1].matter is Matter.BALL
-    assert fading.shake.way == pytest.approx(event.position / abs(event.position))
-    assert {wave.tone for wave in fading.waves} == {Tone.BAD}
-    assert hit_stop.breath(done) > 0.0
+    assert fading.shake.direction == pytest.approx(event.position / abs(event.position))
+    assert {wave.tone for wave in fading.waves} == {WaveTone.BAD}
+    assert hit_stop_seconds(done) > 0.0
 
 
 def test_everything_fades():
@@ -153,7 +154,7 @@ def test_what_is_seen_does_not_depend_on_how_long_ago_one_began_to_look():
     pairs = list(played(2600, level=4))
     for end in range(700, 2600, 380):
         late = effects.after_all([done for done, _ in pairs[end - LONGEST : end]])
-        assert late._replace(streak=NO_ROW, trails=()) == pairs[end - 1][1]._replace(streak=NO_ROW, trails=())
+        assert late._replace(streak=NO_STREAK, trails=()) == pairs[end - 1][1]._replace(streak=NO_STREAK, trails=())
 
 
 def test_bursts_are_bounded_and_told_apart():
@@ -162,7 +163,7 @@ def test_bursts_are_bounded_and_told_apart():
     for done, fading in played(6000, level=5):
         assert len(fading.bursts) <= bursts.MOST
         for burst in fading.bursts:
-            assert 0 <= burst.age < bursts.lasting(burst.matter)
+            assert 0 <= burst.age < bursts.lifetime(burst.matter)
             seeds.setdefault((burst.seed, burst.matter), done.game.tick - burst.age)
             assert seeds[(burst.seed, burst.matter)] == done.game.tick - burst.age
             matters.add(burst.matter)
@@ -179,7 +180,7 @@ def test_a_struck_paddle_gives_way_outwards_and_comes_back():
     assert 0.15 < max(way) < 0.5
     assert min(way) > -0.2 * max(way)
     assert abs(way[-1]) < 0.02 * max(way)
-    reaches = [recoil.reach for _, fading in played(2400) for recoil in fading.recoils]
+    reaches = [recoil.strength for _, fading in played(2400) for recoil in fading.recoils]
     assert reaches
     assert all(0.0 <= reach <= 0.6 for reach in reaches)
 
@@ -219,18 +220,18 @@ def test_waves_stay_on_the_ground():
         for wave in fading.waves:
             assert 0.0 <= wave.radius <= done.game.level.ground_radius
             tones.add(wave.tone)
-        if tones == set(Tone):
+        if tones == set(WaveTone):
             break
-    assert tones == set(Tone)
+    assert tones == set(WaveTone)
 
 
-def test_the_breath_is_held_on_great_moments_alone():
+def test_the_game_stands_still_on_great_moments_alone():
     """A lost ball, a cleared level, the best combo reached; at most a sixth of a second."""
     kinds = set()
     for done, _ in itertools.chain(lost(3000), played(40_000)):
-        breath = hit_stop.breath(done)
-        assert 0.0 <= breath <= 1.0 / 6.0
-        if breath:
+        stop = hit_stop_seconds(done)
+        assert 0.0 <= stop <= 1.0 / 6.0
+        if stop:
             assert done.game.combo == BEST_COMBO or {event.kind for event in done.events} & {
                 EventKind.BALL_LOST,
                 EventKind.LEVEL_CLEARED,
@@ -250,7 +251,7 @@ def test_a_recoil_is_as_strong_as_the_hit_is_square():
         for event in done.events:
             if event.kind == EventKind.PADDLE_HIT:
                 outwards = (event.hit.before * event.position.conjugate()).real / abs(event.position) / abs(event.hit.before)
-                seen[outwards] = fading.recoils[-1].reach
+                seen[outwards] = fading.recoils[-1].strength
     ways = sorted(seen)
     assert len(ways) > 3
     assert [seen[way] for way in ways] == sorted(seen.values())

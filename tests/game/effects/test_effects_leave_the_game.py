@@ -11,7 +11,8 @@ import pygame
 import pytest
 
 from game.autopilot import Autopilot
-from game.effects import ALL, Kind, hit_stop
+from game.effects import ALL, EffectKind
+from game.effects.hit_stop import SECONDS
 from game.input.view import TIPPED
 from game.levels import built_in
 from game.replays.file import Recorder
@@ -72,9 +73,9 @@ def bare():
         Settings(effects=False),
         Settings(off=ALL),
         Settings(reduced_motion=True),
-        *[Settings(off=ALL - {kind}) for kind in Kind],
+        *[Settings(off=ALL - {kind}) for kind in EffectKind],
     ],
-    ids=["all", "none", "all off", "reduced motion", *Kind],
+    ids=["all", "none", "all off", "reduced motion", *EffectKind],
 )
 def test_a_recording_does_not_know_what_was_seen(bare, settings):
     """Inputs, hashes and traces of the whole game are those of the rules alone; so are those of all chance there is."""
@@ -95,7 +96,7 @@ def test_tipped_and_at_another_frame_rate(bare):
 def test_a_held_breath_takes_time_but_no_tick():
     """A ball is lost: with hit-stop no tick runs for as long as the breath says, then the game goes on as without."""
     ends = {}
-    for settings in (Settings(), Settings(off=frozenset({Kind.HIT_STOP}))):
+    for settings in (Settings(), Settings(off=frozenset({EffectKind.HIT_STOP}))):
         told = []
         app = shared(0, 1, lambda _controls, after, told=told: told.append(state_hash(after)))
         app.change(settings)
@@ -107,13 +108,13 @@ def test_a_held_breath_takes_time_but_no_tick():
             screen = screen.advance(1.0 / 240.0, SIZE)
             counts.append((len(told), screen._ticked.game.lives < before))
         ends[settings] = told, counts
-    with_breath, without = (ends[settings] for settings in ends)
-    common = min(len(with_breath[0]), len(without[0]))
-    assert with_breath[0][:common] == without[0][:common]
-    loss = next(k for k, (_, gone) in enumerate(with_breath[1]) if gone)
-    stood = with_breath[1][loss][0]
-    breath = round(240 * hit_stop._SECONDS[EventKind.BALL_LOST])
-    assert breath >= 20
-    assert with_breath[1][loss + breath - 2][0] == stood
-    assert with_breath[1][loss + breath + 3][0] > stood
+    with_stop, without = (ends[settings] for settings in ends)
+    common = min(len(with_stop[0]), len(without[0]))
+    assert with_stop[0][:common] == without[0][:common]
+    loss = next(k for k, (_, gone) in enumerate(with_stop[1]) if gone)
+    stood = with_stop[1][loss][0]
+    stop = round(240 * SECONDS[EventKind.BALL_LOST])
+    assert stop >= 20
+    assert with_stop[1][loss + stop - 2][0] == stood
+    assert with_stop[1][loss + stop + 3][0] > stood
     assert without[1][loss + 4][0] > stood

@@ -6,9 +6,9 @@ import pytest
 
 from game.drawing.camera import unit_of
 from game.drawing.palette import LIGHT
-from game.drawing.primitives import draw_box
-from game.effects import Kind
-from game.screens.panels import Menu
+from game.drawing.raster.primitives import draw_box
+from game.effects import EffectKind
+from game.screens.menu import Menu
 from game.screens.play import Play
 from game.screens.settings_panel import SettingsPanel, _boxes, _volume_bar
 from game.screens.settings_rows import EFFECTS, ROWS
@@ -55,7 +55,7 @@ def test_every_row_changes_something_and_changes_it_back(desk):
         desk.press(pygame.K_RETURN)
         assert desk.shared.settings == Settings()
     assert len(seen) == len(ROWS) - 1
-    assert {row.kind for row in EFFECTS} == set(Kind)
+    assert {row.kind for row in EFFECTS} == set(EffectKind)
 
 
 def test_the_volume_follows_keys_and_mouse(desk):
@@ -80,7 +80,7 @@ def test_the_mouse_selects_and_switches(desk):
     desk.wait(FRAME)
     assert desk.screen._selected == 2
     desk.click(box.center)
-    assert desk.shared.painter.theme is LIGHT
+    assert desk.shared.theme is LIGHT
     desk.click((1, 1))
     assert desk.shared.settings == Settings(colours="light")
 
@@ -124,8 +124,8 @@ def test_a_change_by_key_is_told_for_a_moment(desk):
 
 def test_closing_the_panel_writes_the_settings(desk, tmp_path):
     """A crash later in the evening does not lose them."""
-    desk.shared.kept = SettingsFile(tmp_path / "settings.json")
-    desk.shared.kept.load()
+    desk.shared.settings_file = SettingsFile(tmp_path / "settings.json")
+    desk.shared.settings_file.load()
     desk.press(pygame.K_o, pygame.K_LEFT)
     assert not (tmp_path / "settings.json").exists()
     desk.press(pygame.K_ESCAPE)

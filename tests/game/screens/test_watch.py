@@ -142,7 +142,7 @@ def test_help_and_leaving(desk):
 
 def test_the_lab_opens_over_a_recording_and_leads_back(desk):
     """L opens it, Esc comes back to the very same moment: the recording stood still."""
-    desk.shared.lab = app._lab_opener(None)
+    desk.shared.open_lab = app._lab_opener(None)
     watching = desk.screen
     desk.press(pygame.K_PERIOD, pygame.K_l)
     assert isinstance(desk.screen, Lab)

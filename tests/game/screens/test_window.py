@@ -8,7 +8,8 @@ from game.drawing.palette import DARK, LIGHT
 from game.levels import built_in
 from game.replays.state_hash import state_hash
 from game.rules import Phase, new_game, tick
-from game.screens.panels import Help, Menu
+from game.screens.help import Help
+from game.screens.menu import Menu
 from game.screens.play import Play
 from game.screens.title import Title
 from tests.support.dummy_window import FRAME, SIZE, Desk, shared
@@ -230,7 +231,7 @@ def test_switches_work_on_every_screen(desk):
         desk.press(pygame.K_m, pygame.K_t, pygame.K_e)
         chosen = desk.shared.settings
         assert (chosen.sound, chosen.theme, chosen.effects) == (False, LIGHT, False)
-        assert desk.shared.painter.theme is LIGHT
+        assert desk.shared.theme is LIGHT
         desk.press(pygame.K_m, pygame.K_t, pygame.K_e)
         chosen = desk.shared.settings
         assert (chosen.sound, chosen.theme, chosen.effects) == (True, DARK, True)
