@@ -69,7 +69,7 @@ def test_a_shaken_picture_is_the_picture_moved(view):
 
 @pytest.mark.parametrize("slot", [0, 1, 2])
 def test_a_struck_paddle_is_farther_out_from_above(slot):
-    """Beyond its outer face there is paddle, at its inner face ground; the other paddles are where they were."""
+    """Beyond its outer face there is paddle, in its slot ground and track; the other paddles are where they were."""
     scene = scene_of()
     ring = scene.rings[PADDLES]
     away = scene._replace(recoils=(Recoil(slot, 1.0, 16),))
@@ -77,13 +77,14 @@ def test_a_struck_paddle_is_farther_out_from_above(slot):
     assert out > 0.3
     rest, camera = painted(scene)
     picture, _ = painted(away)
-    way = cmath.exp(1j * ring.angle(slot))
+    middle = cmath.exp(1j * ring.angle(slot))
     for turn in (-0.8, 0.0, 0.8):
-        ray = way * cmath.exp(1j * turn * ring.half_angle)
+        ray = middle * cmath.exp(1j * turn * ring.half_angle)
         assert at(picture, camera, ray * (ring.radius + out)) == DARK.paddle_top
         assert at(picture, camera, ray * (ring.inner_radius + 0.02)) == DARK.ground
+        assert at(picture, camera, ray * ring.radius) != DARK.ground
     others = [cmath.exp(1j * ring.angle(other)) * ring.radius for other in range(ring.count) if other != slot]
-    assert all(at(picture, camera, place) == at(rest, camera, place) == DARK.paddle_top for place in others)
+    assert all(at(picture, camera, point) == at(rest, camera, point) == DARK.paddle_top for point in others)
 
 
 def test_a_paddle_at_rest_looks_the_same_as_one_whose_recoil_is_over():
