@@ -5,6 +5,7 @@ import time
 from collections.abc import Callable
 from signal import SIGTERM, default_int_handler
 from signal import signal as on_signal
+from typing import NamedTuple
 
 import pygame
 
@@ -30,71 +31,77 @@ from game.system import window as display
 from game.system.display_lost import on_display_lost
 from game.system.errors import DisplayLostError
 
-_TITLE = "Polar Breakout"
 LOST = "the display is gone"
+_TITLE = "Polar Breakout"
 _IDLE_RATE = 20
 """Frames per second while the window has no focus."""
+
+
+class Services(NamedTuple):
+    """What the program that opens a window gives it; each may be missing.
+
+    compare: asks another engine about a tick's contacts.
+    engine: makes the engine that the lab compares with.
+    settings: the file of the player's settings.
+    lost: told when the display is gone and the program is about to end without returning from here.
+    """
+
+    compare: Compare | None = None
+    engine: Callable[[], Engine] | None = None
+    settings: SettingsFile | None = None
+    lost: Callable[[], None] | None = None
+
+
+NO_SERVICES = Services()
 
 
 def play(
     levels: tuple[Level, ...],
     seed: int,
-    recorder: Recorder | None = None,
+    services: Services = NO_SERVICES,
     *,
+    recorder: Recorder | None = None,
     autopilot: bool = False,
-    compare: Compare | None = None,
-    settings: SettingsFile | None = None,
-    lost: Callable[[], None] | None = None,
-    engine: Callable[[], Engine] | None = None,
 ) -> int:
     """Open a window with the title, the first of the levels chosen, and play until it is closed; the exit code.
 
     recorder: told every tick of every game played. autopilot: it plays, from the first serve on, without a title.
-    compare: another engine to ask about contacts; engine: the lab's. settings: the player's.
-    lost: told when the display is gone and the program is about to end, with no way back to here.
     Raises EnvironmentMissingError without a display, DisplayLostError when it goes away.
     """
     catalogue = built_in() if levels[0] in built_in() else levels
-    state = AppState(catalogue, catalogue.index(levels[0]), seed, Title, recorder, autopilot)
-    state.compare, state.open_lab, state.settings_file = compare, _lab_opener(engine), settings
-    return _shown(state, lambda: Play(state, levels) if autopilot else Title(state), lost, Audio)
+    state = _state(catalogue, services, catalogue.index(levels[0]), seed)
+    state.recorder, state.autopilot = recorder, autopilot
+    return _shown(state, lambda: Play(state, levels) if autopilot else Title(state), services, Audio)
 
 
-def watch(
-    recording: Recording,
-    *,
-    compare: Compare | None = None,
-    engine: Callable[[], Engine] | None = None,
-    settings: SettingsFile | None = None,
-    lost: Callable[[], None] | None = None,
-) -> int:
-    """Open a window that shows a recorded game until it is closed; the exit code. Options and errors are those of `play`."""
-    levels = tuple(recording.levels)
-    state = AppState(levels, 0, recording.seed, Title)
-    state.compare, state.open_lab, state.settings_file = compare, _lab_opener(engine), settings
-    return _shown(state, lambda: Watch(state, Playback(recording)), lost, Audio)
+def watch(recording: Recording, services: Services = NO_SERVICES) -> int:
+    """Open a window that shows a recorded game until it is closed; the exit code. Errors are those of `play`."""
+    state = _state(tuple(recording.levels), services, 0, recording.seed)
+    return _shown(state, lambda: Watch(state, Playback(recording)), services, Audio)
 
 
-def lab(
-    line: str | None,
-    engine: Callable[[], Engine] | None = None,
-    *,
-    settings: SettingsFile | None = None,
-    lost: Callable[[], None] | None = None,
-) -> int:
+def lab(line: str | None, services: Services = NO_SERVICES) -> int:
     """Open a window with the lab until it is closed; the exit code. line: a share line, None for the first scene.
 
-    Raises BadInputError for a line that names no scene as it may stand. Options and other errors are those of `play`.
+    Raises BadInputError for a line that names no scene as it may stand. Other errors are those of `play`.
     """
-    opened = parsed(scenes()[0].name if line is None else line, None if engine is None else engine())
-    state = AppState(built_in(), 0, 0, Title, settings_file=settings)
+    engine = None if services.engine is None else services.engine()
+    opened = parsed(scenes()[0].name if line is None else line, engine)
+    state = _state(built_in(), services, 0, 0)
 
     def first() -> Screen:
         from game.lab.window.screen import Lab  # noqa: PLC0415  # its widgets, only where they are needed
 
         return Lab(state, session.opened(opened))
 
-    return _shown(state, first, lost)
+    return _shown(state, first, services)
+
+
+def _state(catalogue: tuple[Level, ...], services: Services, chosen: int, seed: int) -> AppState:
+    """The state that a window begins with."""
+    state = AppState(catalogue, chosen, seed, Title, compare=services.compare, settings_file=services.settings)
+    state.open_lab = _lab_opener(services.engine)
+    return state
 
 
 def _lab_opener(engine: Callable[[], Engine] | None) -> Callable[[AppState, Screen], Screen]:
@@ -109,15 +116,10 @@ def _lab_opener(engine: Callable[[], Engine] | None) -> Callable[[AppState, Scre
     return opened
 
 
-def _shown(
-    state: AppState,
-    opened: Callable[[], Screen],
-    lost: Callable[[], None] | None,
-    audio: Callable[[], Audio] | None = None,
-) -> int:
+def _shown(state: AppState, opened: Callable[[], Screen], services: Services, audio: Callable[[], Audio] | None = None) -> int:
     """Show screens in a window until the last one is left; the exit code. audio: opens the sound, where there is some."""
     window = display.open_window(_TITLE)
-    handler = on_display_lost(lambda: _last_words(state, lost))  # noqa: F841  # must live as long as the window
+    handler = on_display_lost(lambda: _save(state, services.lost))  # noqa: F841  # must live as long as the window
     before = on_signal(SIGTERM, default_int_handler)  # to be ended is to be closed: nothing is lost
     try:
         state.audio = None if audio is None else audio()
@@ -134,7 +136,7 @@ def _shown(
     return 0
 
 
-def _last_words(state: AppState, lost: Callable[[], None] | None) -> None:
+def _save(state: AppState, lost: Callable[[], None] | None) -> None:
     """Save what can be saved before the program ends."""
     state.save_settings()
     if lost is not None:
@@ -142,8 +144,8 @@ def _last_words(state: AppState, lost: Callable[[], None] | None) -> None:
 
 
 def run(window: pygame.Window, state: AppState, first: Screen) -> None:
-    """The loop."""
-    gc.freeze()  # what was made until now stays: looking through it again and again would cost whole frames
+    """Draw frame after frame until the last screen is left or the window closed."""
+    gc.freeze()  # what was made until now stays: to search it for garbage again and again would cost whole frames
     clock, rate = pygame.time.Clock(), display.refresh_rate()
     screen: Screen | None = first
     before = time.perf_counter()
@@ -173,7 +175,7 @@ def frame(window: pygame.Window, state: AppState, screen: Screen, seconds: float
 
 
 def _surface(window: pygame.Window) -> pygame.Surface:
-    """What to draw on; DisplayLostError where there is nothing any more."""
+    """The window's surface; DisplayLostError where there is none any more."""
     try:
         return window.get_surface()
     except pygame.error as error:
@@ -221,7 +223,7 @@ def _following(
 
 
 def _answered_here(signal: Signal, window: pygame.Window, state: AppState) -> bool:
-    """Whether the signal is one that means the same on every screen; if so it is obeyed."""
+    """Obey a signal that means the same on every screen; whether it is one."""
     if isinstance(signal, Released):
         return False
     match signal:
@@ -242,7 +244,7 @@ def _means_speed(signal: Signal, screen: Screen) -> bool:
 
 
 def _toggle_full_screen(window: pygame.Window, state: AppState) -> None:
-    """To the whole desktop and back."""
+    """Make the window as large as the desktop, or as it was before."""
     state.full_screen = not state.full_screen
     if state.full_screen:
         window.set_fullscreen(desktop=True)

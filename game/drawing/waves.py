@@ -16,7 +16,7 @@ from game.scene import Scene
 _WIDTH = 0.014
 """Width of a new circle's line, in shares of the ground's radius."""
 _THINNING = 0.6
-"""Share of its width that the line loses on the way."""
+"""Share of its width that the line loses by the end."""
 _LEAST_HALF_WIDTH = 0.5
 """Pixels."""
 _FAINTEST = 0.06
@@ -25,7 +25,7 @@ _AROUND = np.exp(1j * np.linspace(0.0, math.tau, 121))
 
 
 def draw(canvas: Canvas, scene: Scene) -> None:
-    """The circles that are on their way, fainter and fainter."""
+    """The circles that are running, fainter and fainter."""
     theme, camera = canvas.theme, canvas.camera
     colours = {WaveTone.START: theme.rim, WaveTone.GOOD: theme.accent, WaveTone.BAD: theme.danger}
     for wave in scene.waves:

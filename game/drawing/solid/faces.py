@@ -94,7 +94,7 @@ def visible_faces(seen: ProjectedBlocks, camera: Camera, finer: int) -> Faces:
 def shadows(seen: ProjectedBlocks, balls: tuple[Ball, ...], camera: Camera, finer: int) -> FinePixels:
     """The ground in the shadow of blocks and balls, as quadrilaterals.
 
-    A block's shadow is what its sides that are turned from the light pass over on their way down the light, and while it
+    A block's shadow is what its sides that are turned from the light pass over as they are moved down the light, and while it
     falls, what its foot does. The shadow of a side that is turned from the eye is hidden by the block that stands there, unless
     the block ends a row. A ball's shadow is a disc.
     """

@@ -25,7 +25,7 @@ def hits():
 
 
 def test_pymunk_agrees_on_every_contact(hits):
-    """On exact shapes the two normals are the same to rounding; on inner faces to half a facet of 64 to an arc."""
+    """On exact shapes the two normals agree to rounding; on inner faces, which pymunk has as facets, to half a facet."""
     assert len(hits) > 20
     for hit, pair in hits:
         assert pair.ours == hit.contact.normal

@@ -61,13 +61,13 @@ def painted(scene, camera, size=SIZE):
     return surface
 
 
-def first_met(scene, eye, way, reach):
+def first_met(scene, eye, ray, reach):
     """What a line of sight meets first: a ring's number, "ball", or None for the ground.
 
     Found by marching along the line: no order, no projection, no polygons.
     """
     steps = np.linspace(reach[0], reach[1], 8000)
-    x, y, z = (eye[k] + way[k] * steps for k in range(3))
+    x, y, z = (eye[k] + ray[k] * steps for k in range(3))
     radius, angle = np.hypot(x, y), np.arctan2(y, x)
     best, found, standing = math.inf, None, standing_heights(scene)
     for k, ring in enumerate(scene.rings):
@@ -92,16 +92,16 @@ def standing_heights(scene):
 
 
 def sight(camera, pixel):
-    """The line of sight through a pixel: the eye, a unit way, and the part of it where things may be."""
+    """The line of sight through a pixel: the eye, its unit direction, and the part of it where things may be."""
     ground = camera.unproject(pixel)
     bearing = camera.azimuth - math.pi / 2.0
     towards = np.array(
         [math.cos(bearing) * math.sin(camera.tilt), math.sin(bearing) * math.sin(camera.tilt), math.cos(camera.tilt)]
     )
     eye = towards / camera.closeness
-    way = np.array([ground.real, ground.imag, 0.0]) - eye
-    length = float(np.linalg.norm(way))
-    return eye, way / length, (0.4 * length, length)
+    ray = np.array([ground.real, ground.imag, 0.0]) - eye
+    length = float(np.linalg.norm(ray))
+    return eye, ray / length, (0.4 * length, length)
 
 
 VIEWS = [
@@ -228,7 +228,7 @@ def in_shadow(scene, spot, tilt):
 
 @pytest.mark.parametrize("level", [0, 3, 4, 5, 6])
 def test_shadows_lie_where_the_light_is_kept_out(level):
-    """At hundreds of places of the ground it is dark where the way to the light is barred, by stacks that fall, too."""
+    """The ground is dark exactly where something is between it and the light, falling stacks included."""
     base = scene_at(game_after(level, 1800)[0], 0.4, Effects())
     drops = tuple([Drop(1, slot, 1.2, 0.0) for slot in range(0, base.rings[1].count, 2) if base.layers[1][slot] > 0])
     scene = base._replace(aim=None, trails=(), flashes=(), pops=(), balls=(), drops=drops)
@@ -290,14 +290,14 @@ def test_all_but_upright_the_blocks_look_as_from_above(level, size):
 
 @pytest.mark.parametrize("size", [(1, 1), (2, 300), (300, 2), (17, 17), (7680, 40), (40, 4320), (800, 600)])
 def test_any_size_can_be_drawn(size, tmp_path):
-    """From one pixel to very wide: a picture of that size, tipped."""
+    """Pictures of one pixel, very wide and very high ones have the size that was asked for."""
     path = tmp_path / "picture.png"
     save_screenshot(game_after(5, 300)[0].game, path, size, view=TIPPED)
     assert pygame.image.load(path).get_size() == size
 
 
 def test_eight_thousand_pixels_can_be_drawn():
-    """A surface of 7680 by 4320, and after it a small one with the same painter."""
+    """A painter draws on a surface of 7680 by 4320, and on a small one afterwards."""
     scene = scene_at(game_after(4, 300)[0], 0.5, Effects())
     painter = Painter()
     for size in ((7680, 4320), (320, 200)):
@@ -323,7 +323,7 @@ def test_tipping_leaves_the_game_alone():
 
 @pytest.mark.parametrize(("level", "view"), [(4, TIPPED), (6, View(1.0, 1.0, 2.2, 1.2)), (5, View(1.0, 0.4))])
 def test_reference_pictures(level, view):
-    """A few frames look as they did when somebody looked at them: fewer than 0.1 % of their pixels differ."""
+    """Fewer than 0.1 % of the pixels differ from pictures that somebody has looked at."""
     done, _ = game_after(level, 1500)
     scene = scene_at(done, 0.5, Effects())
     surface = painted(scene, seen_from(view, scene))

@@ -52,7 +52,7 @@ def camera_of(view, scene, size=(480, 360)):
 
 @MATTERS
 def test_pieces_begin_where_the_burst_is_and_end_too_small_to_see(matter):
-    """All of them in the burst's sector; none left at its end; never below the ground in between."""
+    """Every piece begins in the burst's sector, stays above the ground and near its start, and has no size at its end."""
     new = pieces([burst(matter)], RADIUS)
     assert len(new.position) == THROWS[matter].number
     assert np.all(np.abs(np.abs(new.position) - 4.0) <= 0.2 + 1e-12)
@@ -67,7 +67,7 @@ def test_pieces_begin_where_the_burst_is_and_end_too_small_to_see(matter):
 
 @MATTERS
 def test_pieces_go_up_come_down_and_bounce(matter):
-    """Their middle height rises at first; each is on the ground once, and above it again, lower, if there is time."""
+    """On average they rise at first; each comes down to the ground and bounces to less than a quarter of its height."""
     heights = np.array([pieces([burst(matter, age)], RADIUS).height for age in range(400)])
     assert heights[8].mean() > heights[0].mean()
     for piece in heights.T:
@@ -81,7 +81,7 @@ def test_pieces_go_up_come_down_and_bounce(matter):
 
 @MATTERS
 def test_pieces_fall_as_stones_do(matter):
-    """In the air every height is a parabola, bent downwards by the same gravity for all."""
+    """In the air the height of every piece is a parabola, with the same gravity for all."""
     heights = np.array([pieces([burst(matter, age)], RADIUS).height for age in range(30)])
     bend = np.diff(heights, 2, axis=0)[np.all([heights[k : 28 + k] > 0.0 for k in range(3)], axis=0)]
     falling = bend[bend < 0.0]
@@ -91,7 +91,7 @@ def test_pieces_fall_as_stones_do(matter):
 
 
 def test_pieces_go_in_their_bursts_direction():
-    """On average; and hardly to either side of it."""
+    """The mean of many pieces moves in the burst's direction, and hardly to either side of it."""
     for direction in (1.0, 1j, -1.0, (1.0 + 1j) / math.sqrt(2.0)):
         start, later = (
             pieces([burst(Matter.STEEL, age, direction=direction, seed=seed) for seed in range(20)], RADIUS) for age in (0, 40)
@@ -101,7 +101,7 @@ def test_pieces_go_in_their_bursts_direction():
 
 
 def test_the_same_burst_always_scatters_alike():
-    """And beside other bursts as alone; another seed scatters otherwise."""
+    """A burst has the same pieces every time, alone or beside others; with another seed it has other pieces."""
     alone = pieces([burst(age=30)], RADIUS)
     beside = pieces([burst(Matter.BALL, 5, 3), burst(age=30)], RADIUS)
     count = THROWS[Matter.BRICK].number
@@ -115,7 +115,7 @@ def test_the_same_burst_always_scatters_alike():
 
 
 def test_chances_are_spread_evenly():
-    """Over many seeds, sizes and turns have the middle they should."""
+    """Over many seeds, turns and shapes have the mean and the spread of even distributions."""
     many = pieces([burst(seed=seed) for seed in range(400)], RADIUS)
     assert abs(np.mean(many.turn)) < 0.1
     assert np.mean(many.shape) == pytest.approx(0.5, abs=0.02)
@@ -124,7 +124,7 @@ def test_chances_are_spread_evenly():
 
 @pytest.mark.parametrize("level", [2, 4, 6])
 def test_what_hides_a_point_is_found_as_by_marching(level):
-    """Along four thousand finer steps towards the eye: the same answer, but for a few that graze a corner."""
+    """For at least 95 % of points the answer is that of a march along the line of sight in four thousand steps."""
     scene = scene_of(level, 900)
     chance = np.random.default_rng(level)
     points = np.sqrt(chance.random(300)) * 9.0 * np.exp(1j * chance.random(300) * math.tau)
@@ -182,7 +182,7 @@ def test_shards_have_the_colour_of_their_layer(view):
 
 
 def test_nothing_to_draw_draws_nothing():
-    """No bursts, or bursts behind a wall."""
+    """Without bursts the surface stays as it is, and with pieces that a wall hides, too."""
     scene = scene_of(4)
     surface = pygame.Surface((480, 360), 0, 32)
     canvas = Canvas(surface, camera_of(TIPPED, scene), DARK, Type(), 10.0)

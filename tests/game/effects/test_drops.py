@@ -29,7 +29,7 @@ def fall(drops):
 
 
 def test_a_stack_settles_within_a_second_after_a_small_bounce():
-    """It touches the ground, rises again by a little, and comes to rest; it is never below its place."""
+    """It lands, rises again by less than a quarter of a layer, and comes to rest; it is never below the ground."""
     heights = [drops[0].height for drops in fall(after_hit((), 1, 2, 3))[:-1]]
     assert heights[0] == 1.0
     assert min(heights) == 0.0
@@ -39,7 +39,7 @@ def test_a_stack_settles_within_a_second_after_a_small_bounce():
 
 
 def test_a_second_hit_in_the_air_adds_a_layer_to_the_drop():
-    """The stack keeps its speed and has one more layer to fall."""
+    """A stack that is hit while it falls keeps its speed and has one more layer to fall."""
     drops = after_hit((), 1, 2, 3)
     for _ in range(20):
         drops = fallen(drops)
@@ -49,14 +49,14 @@ def test_a_second_hit_in_the_air_adds_a_layer_to_the_drop():
 
 
 def test_the_last_layer_leaves_nothing_to_fall():
-    """A slot that is empty drops nothing, whatever fell there; other slots go on."""
+    """In a slot that has become empty nothing falls any more; stacks in other slots go on falling."""
     drops = after_hit(after_hit((), 1, 2, 1), 1, 3, 4)
     assert after_hit(drops, 1, 2, 0) == (Drop(1, 3, 1.0, 0.0),)
 
 
 @pytest.mark.parametrize("layers", [1, 2, 5])
 def test_layers_of_a_falling_stack_stand_on_each_other(layers):
-    """At every moment each layer begins where the one below ends, the lowest not below the ground; at rest it is at it."""
+    """At every moment each layer begins where the one below ends; at rest the lowest begins at the ground."""
     for drops in fall(after_hit((), 1, 2, layers)):
         pile = standing(layers, drops[0].height if drops else 0.0)
         assert len(pile) == layers

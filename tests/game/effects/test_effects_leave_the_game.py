@@ -27,7 +27,7 @@ TICKS = 2600
 LEVEL = 4
 
 
-class Kept:
+class TicksRecorder:
     """Records a game as the window does, up to TICKS."""
 
     def __init__(self):
@@ -42,28 +42,28 @@ class Kept:
 
 def played(settings, view=None, seconds=1.0 / 60.0):
     """The recording of a game in its screen, drawn as it goes, and how many frames it took."""
-    kept = Kept()
-    app = shared(LEVEL, 7, kept, autopilot=True)
+    recorded = TicksRecorder()
+    app = shared(LEVEL, 7, recorded, autopilot=True)
     app.change(settings)
     app.view = app.view if view is None else view
     screen, surface, frames = Play(app, built_in()[LEVEL:]), pygame.Surface((96, 72), 0, 32), 0
-    while kept.recorder.ticks < TICKS:
+    while recorded.recorder.ticks < TICKS:
         screen = screen.advance(seconds, SIZE)
         if frames % 5 == 0:
             screen.draw(surface)
         frames += 1
-    return kept.recorder.recording(), frames
+    return recorded.recorder.recording(), frames
 
 
 @pytest.fixture(scope="module")
 def bare():
     """The game played by the rules alone."""
-    kept, game, pilot = Kept(), new_game(built_in()[LEVEL:], 7), Autopilot()
+    recorded, game, pilot = TicksRecorder(), new_game(built_in()[LEVEL:], 7), Autopilot()
     for _ in range(TICKS):
         controls = pilot.controls(game)
         game = tick(game, controls).game
-        kept(controls, game)
-    return kept.recorder.recording()
+        recorded(controls, game)
+    return recorded.recorder.recording()
 
 
 @pytest.mark.parametrize(
@@ -78,7 +78,7 @@ def bare():
     ids=["all", "none", "all off", "reduced motion", *EffectKind],
 )
 def test_a_recording_does_not_know_what_was_seen(bare, settings):
-    """Inputs, hashes and traces of the whole game are those of the rules alone; so are those of all chance there is."""
+    """The recording is that of the rules alone, and Python's own generator is left alone."""
     chance = random.getstate()
     recording, _ = played(settings)
     assert recording == bare
@@ -86,7 +86,7 @@ def test_a_recording_does_not_know_what_was_seen(bare, settings):
 
 
 def test_tipped_and_at_another_frame_rate(bare):
-    """The camera and the frames' length change nothing either; and what was recorded verifies."""
+    """A tipped camera and another frame rate change nothing in the recording, and it verifies."""
     for seconds in (1.0 / 144.0, 0.11):
         recording, _ = played(Settings(), TIPPED, seconds)
         assert recording == bare
@@ -94,7 +94,7 @@ def test_tipped_and_at_another_frame_rate(bare):
 
 
 def test_a_held_breath_takes_time_but_no_tick():
-    """A ball is lost: with hit-stop no tick runs for as long as the breath says, then the game goes on as without."""
+    """After a ball is lost no tick runs for the hit-stop's seconds; the ticks that follow are those of a game without it."""
     ends = {}
     for settings in (Settings(), Settings(off=frozenset({EffectKind.HIT_STOP}))):
         told = []

@@ -58,7 +58,7 @@ def at(picture, camera, point, height=0.0):
 
 @VIEWS
 def test_a_shaken_picture_is_the_picture_moved(view):
-    """By whole pixels, upwards where the shake is upwards; the camera, and with it the mouse, stays."""
+    """The picture moves by whole pixels, upwards where the shake goes upwards; the camera stays as it is."""
     scene = scene_of()
     rest, camera = painted(scene, view)
     reach = scene.ground_radius * camera.scale
@@ -88,7 +88,7 @@ def test_a_struck_paddle_is_farther_out_from_above(slot):
 
 
 def test_a_paddle_at_rest_looks_the_same_as_one_whose_recoil_is_over():
-    """The picture of its own is the ring's, but for some pixels of its edges."""
+    """A paddle that is drawn apart from its ring looks as in the ring, but for a few pixels of its edges."""
     scene = scene_of()
     rest, _ = painted(scene)
     picture, _ = painted(scene._replace(recoils=(Recoil(1, 0.0, 3),)))
@@ -98,7 +98,7 @@ def test_a_paddle_at_rest_looks_the_same_as_one_whose_recoil_is_over():
 
 
 def test_a_struck_paddle_is_farther_out_in_3d():
-    """Its blocks are the others', farther out by as much; and so they are seen."""
+    """On top of the paddle, farther out by the recoil, is the paddle's colour; without the recoil it is not there."""
     scene = scene_of()
     ring = scene.rings[PADDLES]
     away = scene._replace(recoils=(Recoil(0, 1.0, 16),))
@@ -125,7 +125,7 @@ def test_only_the_struck_paddles_blocks_are_pushed():
 
 
 def test_light_runs_around_a_ring_both_ways():
-    """It is as bright on one side of the broken brick as on the other, goes farther with every step, and reaches everywhere."""
+    """It is the same on both sides of the broken brick, is farther away with every step, and reaches every slot."""
     layers, slot = (1,) * 24, 5
     reached, farthest = set(), []
     for step in range(6):
@@ -140,7 +140,7 @@ def test_light_runs_around_a_ring_both_ways():
 
 
 def test_light_leaves_gaps_dark_and_flashes_alone():
-    """Empty slots stay empty; a slot that flashes itself keeps its own glow; without the answer nothing else glows."""
+    """Empty slots stay empty, a slot that was hit has its own glow, and without light around the ring no other slot glows."""
     layers = (1, 0, -1, 2, 0, 1)
     for age in (0.1, 0.5, 0.9):
         contents = wall_contents(layers, [Flash(1, 3, 2, age, lit=True, echoed=True)])
@@ -152,7 +152,7 @@ def test_light_leaves_gaps_dark_and_flashes_alone():
 
 @VIEWS
 def test_a_wave_is_a_circle_on_the_ground(view):
-    """At its radius all around, and nowhere far from it; one that waits is not drawn."""
+    """It is drawn at its radius all around and nowhere else; before it begins and after it ends nothing is drawn."""
     scene = scene_of()
     camera = view.seen(layout(SIZE, scene.ground_radius)).camera
     surface = pygame.Surface(SIZE, 0, 32)
@@ -165,14 +165,18 @@ def test_a_wave_is_a_circle_on_the_ground(view):
     wave_picture.draw(canvas, scene._replace(waves=(wave,)))
     picture = pygame.surfarray.array3d(surface).astype(int)
     for angle in np.arange(0.0, math.tau, 0.37):
-        way = cmath.exp(1j * angle)
-        near = [at(picture, camera, way * (wave.radius + off)) for off in (-0.04, 0.0, 0.04)]
+        outwards = cmath.exp(1j * angle)
+        near = [at(picture, camera, outwards * (wave.radius + off)) for off in (-0.04, 0.0, 0.04)]
         assert any(colour != DARK.ground for colour in near)
-        assert at(picture, camera, way * (wave.radius + 0.4)) == at(picture, camera, way * (wave.radius - 0.4)) == DARK.ground
+        assert (
+            at(picture, camera, outwards * (wave.radius + 0.4))
+            == at(picture, camera, outwards * (wave.radius - 0.4))
+            == DARK.ground
+        )
 
 
 def test_many_bursts_at_once_make_room_for_the_newest():
-    """Fifteen bricks in one tick: the last MOST of them."""
+    """Of fifteen bursts in one tick the last MOST are left."""
     game, pilot, done = new_game(built_in()[4:], 3), Autopilot(), None
     while done is None or not any(event.kind == EventKind.BRICK_HIT for event in done.events):
         done = tick(game, pilot.controls(game))
@@ -186,14 +190,14 @@ def test_many_bursts_at_once_make_room_for_the_newest():
 
 
 def test_a_glow_lasts_as_long_as_its_flash():
-    """The light of the ring is drawn anew only when the flash's own glow changes: six times in all."""
+    """The contents of a ring change only when the flash's own glow changes, which is six times."""
     layers = (2,) * 12
     contents = [wall_contents(layers, [Flash(1, 0, 2, age / FLASH_TICKS, lit=True, echoed=True)]) for age in range(FLASH_TICKS)]
     assert 1 + sum(one != other for one, other in itertools.pairwise(contents)) == 6
 
 
 def test_sounds_come_from_their_place_on_the_screen():
-    """From behind, left and right are swapped; from the side, near and far are in the middle; the rim is full left or right."""
+    """A sound is heard where its event is on the screen: seen from behind, left and right are swapped."""
 
     class Card:
         sides = ()
@@ -206,11 +210,11 @@ def test_sounds_come_from_their_place_on_the_screen():
     game = new_game(built_in(), 1)
     done = tick(game, Autopilot().controls(game)._replace(serve=True))
     (event,) = done.events
-    placed = done._replace(events=tuple(event._replace(position=place) for place in (6.0 + 0j, -6.0 + 0j, 6j, 10.0 + 0j)))
-    place = layout((1600, 800), 10.0)
+    placed = done._replace(events=tuple(event._replace(position=position) for position in (6.0 + 0j, -6.0 + 0j, 6j, 10.0 + 0j)))
+    flat = layout((1600, 800), 10.0)
 
     def heard(view):
-        app.play_sounds(placed, view.seen(place).camera)
+        app.play_sounds(placed, view.seen(flat).camera)
         return card.sides
 
     assert heard(FROM_ABOVE) == pytest.approx([0.6, -0.6, 0.0, 1.0])
