@@ -21,7 +21,7 @@ from game.lab.window.lens import Lens
 from game.lab.window.page import draw_head, draw_words, page
 from game.lab.window.screen import Lab
 from game.lab.window.screenshot import save_screenshot
-from game.screens.panels import Menu
+from game.screens.menu import Menu
 from game.screens.play import Play
 from game.screens.title import Title
 from game.settings.values import THEMES
@@ -225,7 +225,7 @@ def test_no_hands_break_it(scene, tmp_path, monkeypatch):
 def test_l_opens_the_lab_over_the_game_and_esc_comes_back():
     """A game in play pauses."""
     kept = shared()
-    kept.lab = _lab_opener(Pymunk)
+    kept.open_lab = _lab_opener(Pymunk)
     assert "L" in [keys for keys, _ in PLAY_HELP]
     desk = Desk(kept, Title(kept))
     desk.press(pygame.K_RETURN)

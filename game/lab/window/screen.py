@@ -22,7 +22,8 @@ from game.lab.window.help import draw_help
 from game.lab.window.lens import Lens
 from game.lab.window.page import Page, draw_head, draw_picture, draw_side, draw_words, page, panes
 from game.lab.window.widgets import Asked, Chosen, Preset, Refused, Side, Wished
-from game.screens.base import Screen, Shared
+from game.screens.app_state import AppState
+from game.screens.base import Screen
 from game.system.errors import BadInputError
 
 SHOWN = frozenset(Toggle) - {Toggle.PYMUNK}
@@ -47,7 +48,7 @@ _CHANGES: dict[Command, Callable[[Session], Session]] = {
 class Lab:
     """One scene at a time, and everything that can be done to it."""
 
-    def __init__(self, shared: Shared, session: Session, under: Screen | None = None) -> None:
+    def __init__(self, shared: AppState, session: Session, under: Screen | None = None) -> None:
         """Open with a session. under: the screen to go back to; None leaves the program."""
         self._shared, self._session, self._under = shared, session, under
         self._shown = SHOWN

@@ -11,66 +11,76 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
-Pixels = NDArray[np.complex64]
-"""Column and row of a drawing: whole numbers, but the filling takes these faster than integers."""
+FinePixels = NDArray[np.complex64]
+"""Columns and rows of a finer drawing: whole numbers, but filling takes floats faster than integers."""
 
 _TILE = np.array([320, 100], dtype=np.int32)
-"""Columns and rows of a tile, pixels: of those that were tried the quickest. Larger ones leave the cache, of smaller ones more
-quadrilaterals lie in two."""
+"""Columns and rows of a tile, pixels: the quickest of those that were tried. Larger tiles leave the processor's cache, and with
+smaller ones more quadrilaterals lie in two tiles."""
 _CORNER = Struct("2f")
 """Column and row."""
 
 
-class _Part(NamedTuple):
-    """What a tile shows."""
+class _Quads(NamedTuple):
+    """The quadrilaterals that a tile shows.
 
-    box: list[int]  # left, top, width and height on the surface: as much of the tile as there is something
+    box: left, top, width and height of what they cover of the tile, pixels of the surface.
+    colours: one of each.
+    corners: four of each, as `_CORNER`, in columns and rows of the finer drawing from the box's corner.
+    """
+
+    box: list[int]
     colours: list[int]
-    corners: bytes  # of four a quadrilateral, as `_CORNER`: in the pixels of the finer drawing, from the box's corner
+    corners: bytes
 
 
-class _Held(NamedTuple):
-    """A tile's picture, in the upper left corner of a surface, and what it depends on."""
+class _Tile(NamedTuple):
+    """A tile's picture, and what it depends on.
+
+    finer: rows and columns of the drawing per pixel.
+    quads: what it shows.
+    picture: in the upper left corner of this surface, as large as their box.
+    """
 
     finer: int
-    part: _Part
+    quads: _Quads
     picture: pygame.Surface
 
 
-class Mosaic:
-    """Remembers every tile's last picture."""
+class QuadRaster:
+    """Fills quadrilaterals on surfaces; caches every tile's last picture."""
 
     def __init__(self) -> None:
-        """Start with nothing remembered."""
+        """Start with nothing cached."""
         self.canvas = pygame.Surface((1, 1), pygame.SRCALPHA, 32)
         self._flattened = self.canvas
-        self._held: dict[int, _Held] = {}
+        self._tiles: dict[int, _Tile] = {}
         self._size = (0, 0)
 
-    def draw(self, surface: pygame.Surface, corners: Pixels, colours: NDArray[np.uint32], finer: int) -> None:
+    def draw(self, surface: pygame.Surface, corners: FinePixels, colours: NDArray[np.uint32], finer: int) -> None:
         """Fill convex quadrilaterals in their order.
 
         corners: four a row, in a drawing with `finer` columns and rows per pixel of the surface; colours: as 32-bit surfaces
         with alpha store them, multiplied by their alpha.
         """
         if self._size != surface.get_size():
-            self._held.clear()
+            self._tiles.clear()
             self._size = surface.get_size()
-        for number, part in _parts(corners, colours, finer, self._size):
-            held = self._held.get(number)
-            if held is None or held[:2] != (finer, part):
-                picture = pygame.Surface(_TILE.tolist(), pygame.SRCALPHA, 32) if held is None else held.picture
-                held = self._held[number] = _Held(finer, part, picture)
-                self._fill(part, finer, picture)
-            left, top, width, height = part.box
-            surface.blit(held.picture, (left, top), (0, 0, width, height), special_flags=pygame.BLEND_PREMULTIPLIED)
+        for number, quads in _by_tile(corners, colours, finer, self._size):
+            tile = self._tiles.get(number)
+            if tile is None or tile[:2] != (finer, quads):
+                picture = pygame.Surface(_TILE.tolist(), pygame.SRCALPHA, 32) if tile is None else tile.picture
+                tile = self._tiles[number] = _Tile(finer, quads, picture)
+                self._fill(quads, finer, picture)
+            left, top, width, height = quads.box
+            surface.blit(tile.picture, (left, top), (0, 0, width, height), special_flags=pygame.BLEND_PREMULTIPLIED)
 
-    def _fill(self, part: _Part, finer: int, picture: pygame.Surface) -> None:
+    def _fill(self, quads: _Quads, finer: int, picture: pygame.Surface) -> None:
         """Draw a tile; what is covered of a pixel becomes its alpha.
 
         Three corners are filled faster than four, and rows first, then columns, are scaled down faster than both at once.
         """
-        width, height = part.box[2:]
+        width, height = quads.box[2:]
         right, bottom = width * finer, height * finer
         if not self.canvas.get_rect().contains((0, 0, right, bottom)):
             self.canvas = pygame.Surface((_TILE * finer).tolist(), pygame.SRCALPHA, 32)
@@ -78,8 +88,8 @@ class Mosaic:
         canvas, fill = self.canvas, pygame.draw.polygon
         fill(canvas, 0, ((0, 0), (right, 0), (right, bottom)))  # Surface.fill leaves the processor's cache empty
         fill(canvas, 0, ((0, 0), (right, bottom), (0, bottom)))
-        corner = _CORNER.iter_unpack(part.corners)
-        for colour, a, b, c, d in zip(part.colours, corner, corner, corner, corner, strict=True):
+        corner = _CORNER.iter_unpack(quads.corners)
+        for colour, a, b, c, d in zip(quads.colours, corner, corner, corner, corner, strict=True):
             fill(canvas, colour, (a, b, c))
             fill(canvas, colour, (a, c, d))
         flattened = self._flattened.subsurface((0, 0, right, height))
@@ -87,8 +97,8 @@ class Mosaic:
         pygame.transform.smoothscale(flattened, (width, height), picture.subsurface((0, 0, width, height)))
 
 
-def _parts(corners: Pixels, colours: NDArray[np.uint32], finer: int, size: tuple[int, int]) -> list[tuple[int, _Part]]:
-    """Every tile in which there is something, with its number."""
+def _by_tile(corners: FinePixels, colours: NDArray[np.uint32], finer: int, size: tuple[int, int]) -> list[tuple[int, _Quads]]:
+    """The quadrilaterals of every tile that shows some, with the tile's number."""
     apart = np.ascontiguousarray(corners.view(np.float32).reshape(-1, 4, 2).transpose(2, 1, 0))  # columns and rows first
     low, high = apart.min(axis=1).astype(np.int32), apart.max(axis=1).astype(np.int32)
     tile, end = _TILE[:, None] * finer, np.array(size, dtype=np.int32)[:, None] * finer
@@ -109,19 +119,20 @@ def _parts(corners: Pixels, colours: NDArray[np.uint32], finer: int, size: tuple
     behind = np.minimum(np.maximum.reduceat(high[:, row], starts, axis=1) + finer, np.minimum(origin + tile, end)) // finer
     cuts = [*starts.tolist(), len(row)]
     corner = ((begin[0] + 1j * begin[1]) * finer).astype(np.complex64)
-    shifted = _cut_the_short_way(corners, apart[1]).take(row, axis=0) - np.repeat(corner, np.diff(cuts))[:, None]
+    shifted = _begun_for_short_cuts(corners, apart[1]).take(row, axis=0) - np.repeat(corner, np.diff(cuts))[:, None]
     boxes, shades = np.concatenate([begin, behind - begin]).T.tolist(), colours[row].tolist()
-    places, size_of_one = shifted.tobytes(), 4 * _CORNER.size
+    memory, size_of_one = shifted.tobytes(), 4 * _CORNER.size
     return [
-        (number, _Part(box, shades[a:b], places[a * size_of_one : b * size_of_one]))
+        (number, _Quads(box, shades[a:b], memory[a * size_of_one : b * size_of_one]))
         for number, box, a, b in zip(numbers.tolist(), boxes, cuts, cuts[1:], strict=False)
     ]
 
 
-def _cut_the_short_way(corners: Pixels, rows: NDArray[np.float32]) -> Pixels:
-    """The same quadrilaterals, begun so that a cut from the first corner to the third crosses fewer rows than the other one.
+def _begun_for_short_cuts(corners: FinePixels, rows: NDArray[np.float32]) -> FinePixels:
+    """The same quadrilaterals, each begun at the corner whose diagonal crosses fewer rows.
 
-    The two triangles have fewer rows together, and rows are what filling them costs. rows: of the corners, first to fourth.
+    The raster cuts them in two along the diagonal from the first corner to the third. The fewer rows that crosses, the fewer
+    the two triangles have together, and rows are what filling costs. rows: of the corners, first to fourth.
     """
     height = np.abs(rows[:2] - rows[2:])
     begun = corners.copy()
@@ -130,6 +141,6 @@ def _cut_the_short_way(corners: Pixels, rows: NDArray[np.float32]) -> Pixels:
     return begun
 
 
-def in_pixels(points: NDArray[np.complex128], finer: int) -> Pixels:
+def fine_pixels(points: NDArray[np.complex128], finer: int) -> FinePixels:
     """Columns and rows of a drawing. points: pixels, x to the right and y down."""
     return np.floor(points.view(np.float64) * finer).astype(np.float32).view(np.complex64)
