@@ -1,0 +1,260 @@
+"""What is proved of one flight, or why it is not.
+
+Of an impact that the physics reports at time t with normal n, with the tolerances below:
+
+1.  There is a t* with |t* - t| <= tau at which the gap to the reported sector falls through 0.
+2.  On [start, t - tau] the gap to every living sector is above 0. So the first touch of the flight is within tau of t.
+3.  The exact normal at t* is enclosed in a disc of radius 1e-30, and n is within `bound` of it.
+
+Of a flight that no impact ends: the gap to every living sector is above 0 from its start to the tick's end.
+In 2 and in a flight without an impact, one thing is allowed: a touch that the flight starts from, or the tick ends in, may be an overlap,
+of at most delta, if the function that decides it only rises until it is above 0, or only falls from there.
+
+delta = 1e-13 + E, the gap at which the physics ends a search and what rounding may add; E = 32 u L, where u = 2^-53 and L is the
+sum of the lengths that enter: the start's distance, the flight's length, the ring's outer radius, the ball's radius.
+tau = 2 delta / c, where c is the proved closing rate at t*: a gap within delta is a time within delta / c.
+bound = 1e-14 + k (E + (|v| + |w| R) |t* - t|) + |w| |t* - t|, where k is the curvature of what the normal turns with (1 / r at a
+corner, 1 / |P| at a face, 0 at an end): a position off by e turns the normal by k e.
+
+These numbers say what is asked of the physics. Whether the answer meets them is decided by enclosures alone.
+"""
+
+from collections.abc import Iterator, Sequence
+from enum import Enum
+from typing import NamedTuple
+
+from flint import arb
+
+from physics import Hit, Ring
+from tools.certify.exclusion import ring_is_far, sectors_near
+from tools.certify.flights import Flight, Tick, flights_of
+from tools.certify.moments import Annulus, Exact, annulus, exact_ball, moment, sector
+from tools.certify.no_touch import Finding, Window, apart, misses, touches
+from tools.certify.touch import Touch, touch
+
+SEARCH_ENDS = 1e-13
+"""World units: a gap at which the physics, by its own word, may end the search for an impact."""
+
+ROUNDINGS = 32
+"""Units of 2^-53 of the lengths that enter, allowed for rounding."""
+
+NORMAL = 1e-14
+"""What a normal may be off by, apart from what the position is off by."""
+
+NORMAL_WIDTH = 1e-30
+"""What the enclosure of the exact normal must be narrower than."""
+
+LOOSEST = 1e-7
+"""Seconds. A larger tau means a graze: where the ball nearly slides past, a time of touch is not determined."""
+
+_UNIT = 2.0**-53
+
+
+class Verdict(Enum):
+    """What became of a claim."""
+
+    CERTIFIED = "certified"
+    REFUTED = "refuted"
+    UNDECIDED = "undecided"
+
+
+class Reason(Enum):
+    """Why a claim is refuted or undecided."""
+
+    NONE = ""
+    NO_SECTOR = "there is no sector in the reported slot"
+    NO_TOUCH = "the ball does not touch the reported sector at the reported time"
+    OVERLAP = "the ball overlaps the reported sector at the reported time"
+    LEAVING = "the ball leaves the reported sector at the reported time"
+    EARLIER = "the ball overlaps a sector before"
+    NORMAL = "the normal is another"
+    PATH = "the flights do not lead to where the ball is said to be"
+    GRAZE = "graze: the time of touch is not determined"
+    EARLIER_GRAZE = "graze: a sector is touched before, no deeper than the tolerance"
+    BORDER = "the touch is on the border of two features"
+    SQUEEZED = "squeezed: the flight starts in an overlap"
+    SEARCH = "no proof within the pieces allowed"
+
+
+class Certificate(NamedTuple):
+    """The verdict on one flight.
+
+    tick, ball: which flight. hit: the claim, None for a flight without an impact. rest: what is measured of a certified impact,
+    as floats rounded up: time_bound tau in s, time_off |t* - t| in s, gap_off |gap(t)|, normal_bound, normal_off.
+    """
+
+    verdict: Verdict
+    reason: Reason
+    tick: int
+    ball: int
+    hit: Hit | None
+    time_bound: float = 0.0
+    time_off: float = 0.0
+    normal_bound: float = 0.0
+    normal_off: float = 0.0
+
+
+class _Scales(NamedTuple):
+    """The tolerances of one flight beside one ring. rounding: E. tolerance: delta."""
+
+    rounding: float
+    tolerance: float
+
+
+class _Proof(NamedTuple):
+    """A proved touch with its tau, or a doubt."""
+
+    verdict: Verdict
+    reason: Reason
+    touch: Touch | None = None
+    late: float = 0.0  # |t* - t|, s
+    bound: float = 0.0  # tau, s
+
+
+def certificates(tick: Tick) -> Iterator[Certificate]:
+    """A certificate for every flight of a tick."""
+    rings = [annulus(ring) for ring in tick.arena.rings]
+    squeezed: set[int] = set()
+    if tick.step.freed:
+        squeezed = {index for index in range(len(tick.arena.balls)) if _starts_inside(_start_of(tick, index), tick, rings)}
+    for flight in flights_of(tick):
+        if flight.ball in squeezed:
+            yield Certificate(Verdict.UNDECIDED, Reason.SQUEEZED, tick.number, flight.ball, flight.hit)
+        else:
+            yield _certificate(flight, tick, rings)
+
+
+def _start_of(tick: Tick, index: int) -> Flight:
+    """A flight of a ball as long as the tick."""
+    p, v, radius = tick.arena.balls[index]
+    return Flight(index, p, v, radius, 0.0, tick.dt, None, tick.arena.layers, {})
+
+
+def _starts_inside(flight: Flight, tick: Tick, rings: Sequence[Annulus]) -> bool:
+    """Whether a flight certainly starts in an overlap deeper than the tolerance."""
+    ball = exact_ball(flight)
+    for number, ring, slot in _sectors_in_reach(flight, tick.arena.rings):
+        less = ball.radius - arb(_scales(flight, ring).tolerance)
+        if touches(moment(ball, rings[number], ball.start), rings[number], sector(ring.count, ring.half_angle, slot), less):
+            return True
+    return False
+
+
+def _certificate(flight: Flight, tick: Tick, rings: Sequence[Annulus]) -> Certificate:
+    """The certificate of one flight."""
+    ball, hit = exact_ball(flight), flight.hit
+
+    def verdict(proof: _Proof, **measured: float) -> Certificate:
+        return Certificate(proof.verdict, proof.reason, tick.number, flight.ball, hit, **measured)
+
+    if hit is None:
+        there = tick.step.arena.balls[flight.ball].position
+        off = flight.end() - there
+        allowed = arb(ROUNDINGS * _UNIT * (abs(there) + abs(flight.position)))
+        if not (tick.step.dropped or tick.step.freed) and (arb(off.real) ** 2 + arb(off.imag) ** 2).sqrt() > allowed:
+            return verdict(_Proof(Verdict.REFUTED, Reason.PATH))
+        return verdict(_nothing_touched(flight, ball, tick, rings, arb(flight.stop)))
+    ring = tick.arena.rings[hit.ring]
+    proof = _touched(flight, hit, ball, ring, rings[hit.ring])
+    if proof.touch is None:
+        return verdict(proof)
+    before = _nothing_touched(flight, ball, tick, rings, arb(hit.time) - arb(proof.bound))
+    if before.verdict != Verdict.CERTIFIED:
+        return verdict(before)
+    reason, off, bound = _normal(hit, proof, ball, rings[hit.ring], _scales(flight, ring))
+    outcome = Verdict.CERTIFIED if reason == Reason.NONE else Verdict.REFUTED
+    return verdict(
+        _Proof(outcome, reason), time_bound=proof.bound, time_off=proof.late, normal_bound=bound, normal_off=off
+    )
+
+
+def _touched(flight: Flight, hit: Hit, ball: Exact, ring: Ring, exact: Annulus) -> _Proof:
+    """Point 1: the reported sector is touched near the reported time."""
+    gone = flight.gone.get((hit.ring, hit.slot))
+    if not flight.layers[hit.ring][hit.slot] or gone is not None:
+        return _Proof(Verdict.REFUTED, Reason.NO_SECTOR)
+    place, tolerance = sector(ring.count, ring.half_angle, hit.slot), arb(_scales(flight, ring).tolerance)
+    time = arb(hit.time)
+    at = moment(ball, exact, time)
+    if misses(at, exact, place, ball.radius + tolerance):
+        return _Proof(Verdict.REFUTED, Reason.NO_TOUCH)
+    if touches(at, exact, place, ball.radius - tolerance):
+        return _Proof(Verdict.REFUTED, Reason.OVERLAP)
+    found = touch(ball, exact, place, time, 2 * tolerance)
+    if found is None:
+        return _Proof(Verdict.UNDECIDED, Reason.BORDER)
+    if found.closing < 0:
+        return _Proof(Verdict.REFUTED, Reason.LEAVING)
+    late = _above(abs(found.time - time))
+    bound = float((2 * tolerance / found.closing).lower())
+    if not (late <= bound <= LOOSEST):
+        return _Proof(Verdict.UNDECIDED, Reason.GRAZE)
+    return _Proof(Verdict.CERTIFIED, Reason.NONE, found, late, bound)
+
+
+def _nothing_touched(flight: Flight, ball: Exact, tick: Tick, rings: Sequence[Annulus], stop: arb) -> _Proof:
+    """Point 2: no living sector is touched from the flight's start until a time."""
+    doubt: _Proof | None = None
+    if not ball.start < stop:
+        return _Proof(Verdict.CERTIFIED, Reason.NONE)
+    for number, ring, slot in _sectors_in_reach(flight, tick.arena.rings):
+        if not flight.layers[number][slot]:
+            continue
+        gone = flight.gone.get((number, slot))
+        until, last = stop, flight.hit is None
+        if gone is not None and arb(gone) < stop:
+            until, last = arb(gone), True
+        if not ball.start < until:
+            continue
+        place, tolerance = sector(ring.count, ring.half_angle, slot), arb(_scales(flight, ring).tolerance)
+        window = Window(ball.start, until, first=True, last=last)
+        if apart(ball, rings[number], place, window, ball.radius, tolerance).finding == Finding.APART:
+            continue
+        less = ball.radius - tolerance
+        deeper = apart(ball, rings[number], place, window, less, arb(0)).finding
+        if deeper == Finding.TOUCHED:
+            inside = touches(moment(ball, rings[number], ball.start), rings[number], place, less)
+            if not inside:
+                return _Proof(Verdict.REFUTED, Reason.EARLIER)
+            doubt = _Proof(Verdict.UNDECIDED, Reason.SQUEEZED)
+        else:
+            doubt = doubt or _Proof(
+                Verdict.UNDECIDED, Reason.EARLIER_GRAZE if deeper == Finding.APART else Reason.SEARCH
+            )
+    return doubt or _Proof(Verdict.CERTIFIED, Reason.NONE)
+
+
+def _normal(hit: Hit, proof: _Proof, ball: Exact, ring: Annulus, scales: _Scales) -> tuple[Reason, float, float]:
+    """Point 3: why the reported normal is not the exact one (`NONE` where it is), how far it is off, and the bound."""
+    found = proof.touch
+    assert found is not None
+    width = 2 * (found.nx.rad() + found.ny.rad())
+    assert width < NORMAL_WIDTH, width
+    reported = hit.contact.normal
+    off = ((found.nx - reported.real) ** 2 + (found.ny - reported.imag) ** 2).sqrt()
+    pace, late = abs(ring.spin), arb(proof.late)
+    moved = arb(scales.rounding) + (ball.speed + pace * ring.outer) * late
+    bound = NORMAL + found.curvature * moved + pace * late
+    return Reason.NONE if off <= bound else Reason.NORMAL, _above(off), _above(bound)
+
+
+def _sectors_in_reach(flight: Flight, rings: Sequence[Ring]) -> Iterator[tuple[int, Ring, int]]:
+    """(number of the ring, ring, slot) of every sector that the flight can come near, living or not."""
+    reach = abs(flight.velocity) * (flight.stop - flight.start) + flight.radius
+    for number, ring in enumerate(rings):
+        if not ring_is_far(flight.position, reach, ring):
+            for slot in sectors_near(flight.position, reach, ring, flight.start, flight.stop):
+                yield number, ring, slot
+
+
+def _scales(flight: Flight, ring: Ring) -> _Scales:
+    """The tolerances of a flight beside a ring."""
+    travel = abs(flight.velocity) * (flight.stop - flight.start)
+    lengths = abs(flight.position) + travel + ring.radius + ring.half_width + flight.radius
+    rounding = ROUNDINGS * _UNIT * lengths
+    return _Scales(rounding, SEARCH_ENDS + rounding)
+
+
+def _above(x: arb) -> float:
+    """A float not below x."""
+    return float(x.upper()) * (1.0 + 2.0**-50)
