@@ -7,18 +7,25 @@ Of an impact that the physics reports at time t with normal n, with the toleranc
 3.  The exact normal at t* is enclosed in a disc of radius 1e-30, and n is within `bound` of it.
 
 Of a flight that no impact ends: the gap to every living sector is above 0 from its start to the tick's end.
-In 2 and in a flight without an impact, one thing is allowed: a touch that the flight starts from, or the tick ends in, may be an overlap,
-of at most delta, if the function that decides it only rises until it is above 0, or only falls from there.
 
-delta = 1e-13 + E, the gap at which the physics ends a search and what rounding may add; E = 32 u L, where u = 2^-53 and L is the
-sum of the lengths that enter: the start's distance, the flight's length, the ring's outer radius, the ball's radius.
-tau = 2 delta / c, where c is the proved closing rate at t*: a gap within delta is a time within delta / c.
-bound = 1e-14 + k (E + (|v| + |w| R) |t* - t|) + |w| |t* - t|, where k is the curvature of what the normal turns with (1 / r at a
-corner, 1 / |P| at a face, 0 at an end): a position off by e turns the normal by k e.
+In both, one thing is allowed: a touch that the flight starts from, or that the tick ends in, may be an overlap of at most
+delta, if the function that keeps the two apart only rises from there to above 0, or only falls to there from above 0.
+A bounce leaves a ball so; and a touch in the last 1e-16 s of a tick is the next tick's.
 
-These numbers say what is asked of the physics. Whether the answer meets them is decided by enclosures alone.
+Of a tick: where it ends is where the next one starts, ball by ball and ring by ring, but for rounding.
+
+    delta = 1e-13 + E       the gap at which the physics ends a search, and what rounding may add
+    E = 32 u L              u = 2^-53; L is the sum of the start's distance, the flight's length, the ring's outer radius and
+                            the ball's radius
+    tau = 2 delta / c       c is the proved closing rate at t*: a gap within delta is a time within delta / c
+    bound = 1e-14 + k (E + (|v| + |w| R) |t* - t|) + |w| |t* - t|
+                            k is 1 / r at a corner, 1 / |P| at a face, 0 at an end: a position that is off by e turns the
+                            normal by k e
+
+These numbers say what is asked of the physics. Whether an answer meets them is decided by enclosures alone.
 """
 
+import math
 from collections.abc import Iterator, Sequence
 from enum import Enum
 from typing import NamedTuple
@@ -27,7 +34,7 @@ from flint import arb
 
 from physics import Hit, Ring
 from tools.certify.exclusion import ring_is_far, sectors_near
-from tools.certify.flights import Flight, Tick, flights_of
+from tools.certify.flights import Flight, Tick, flights_of, starts
 from tools.certify.moments import Annulus, Exact, annulus, exact_ball, moment, sector
 from tools.certify.no_touch import Finding, Window, apart, misses, touches
 from tools.certify.touch import Touch, touch
@@ -69,10 +76,10 @@ class Reason(Enum):
     EARLIER = "the ball overlaps a sector before"
     NORMAL = "the normal is another"
     PATH = "the flights do not lead to where the ball is said to be"
-    GRAZE = "graze: the time of touch is not determined"
+    GRAZE = "graze: the time of touch, or the feature touched, is not determined"
     EARLIER_GRAZE = "graze: a sector is touched before, no deeper than the tolerance"
-    BORDER = "the touch is on the border of two features"
     SQUEEZED = "squeezed: the flight starts in an overlap"
+    WIDE = "the enclosure of the exact normal is too wide"
     SEARCH = "no proof within the pieces allowed"
 
 
@@ -126,7 +133,7 @@ def certificates(tick: Tick) -> Iterator[Certificate]:
 
 def _start_of(tick: Tick, index: int) -> Flight:
     """A flight of a ball as long as the tick."""
-    p, v, radius = tick.arena.balls[index]
+    p, v, radius = starts(tick)[index]
     return Flight(index, p, v, radius, 0.0, tick.dt, None, tick.arena.layers, {})
 
 
@@ -147,49 +154,73 @@ def _certificate(flight: Flight, tick: Tick, rings: Sequence[Annulus]) -> Certif
     def verdict(proof: _Proof, **measured: float) -> Certificate:
         return Certificate(proof.verdict, proof.reason, tick.number, flight.ball, hit, **measured)
 
+    if hit is not None and hit.before != flight.velocity:
+        return verdict(_Proof(Verdict.REFUTED, Reason.PATH))
     if hit is None:
-        there = tick.step.arena.balls[flight.ball].position
-        off = flight.end() - there
-        allowed = arb(ROUNDINGS * _UNIT * (abs(there) + abs(flight.position)))
-        if not (tick.step.dropped or tick.step.freed) and (arb(off.real) ** 2 + arb(off.imag) ** 2).sqrt() > allowed:
+        if not _goes_on(flight, tick):
             return verdict(_Proof(Verdict.REFUTED, Reason.PATH))
         return verdict(_nothing_touched(flight, ball, tick, rings, arb(flight.stop)))
     ring = tick.arena.rings[hit.ring]
     proof = _touched(flight, hit, ball, ring, rings[hit.ring])
     if proof.touch is None:
-        return verdict(proof)
+        deeper = proof.verdict == Verdict.UNDECIDED and _nothing_touched(flight, ball, tick, rings, arb(hit.time))
+        return verdict(deeper if deeper and deeper.verdict == Verdict.REFUTED else proof)
     before = _nothing_touched(flight, ball, tick, rings, arb(hit.time) - arb(proof.bound))
     if before.verdict != Verdict.CERTIFIED:
         return verdict(before)
-    reason, off, bound = _normal(hit, proof, ball, rings[hit.ring], _scales(flight, ring))
-    outcome = Verdict.CERTIFIED if reason == Reason.NONE else Verdict.REFUTED
-    return verdict(
-        _Proof(outcome, reason), time_bound=proof.bound, time_off=proof.late, normal_bound=bound, normal_off=off
-    )
+    known, off, bound = _normal(hit, proof, ball, rings[hit.ring], _scales(flight, ring))
+    return verdict(known, time_bound=proof.bound, time_off=proof.late, normal_bound=bound, normal_off=off)
+
+
+def _goes_on(flight: Flight, tick: Tick) -> bool:
+    """Whether ball and rings are, at the tick's end, where the flight and the spins lead, but for rounding.
+
+    A tick at whose end a squeezed ball was put elsewhere is not asked.
+    """
+    if tick.step.freed and tick.step.dropped:
+        return True
+    there = tick.step.arena.balls[flight.ball]
+    off = flight.end() - there.position
+    allowed = ROUNDINGS * _UNIT * (abs(there.position) + abs(flight.position) + abs(flight.velocity) * tick.dt)
+    rings = zip(tick.arena.rings, tick.step.arena.rings, strict=True)
+    return abs(off) <= allowed and there.velocity == flight.velocity and all([_turned(old, new, tick.dt) for old, new in rings])
+
+
+def _turned(old: Ring, new: Ring, dt: float) -> bool:
+    """Whether a ring has turned by its spin, but for rounding."""
+    if old.spin == 0.0:
+        return old == new
+    turn = arb(new.phase) - arb(old.phase) - arb(old.spin) * arb(dt)
+    whole = 2 * arb.pi() * round(float(turn.mid()) / math.tau)
+    return abs(turn - whole) <= ROUNDINGS * _UNIT * (math.tau + abs(old.spin) * dt) and new._replace(phase=old.phase) == old
 
 
 def _touched(flight: Flight, hit: Hit, ball: Exact, ring: Ring, exact: Annulus) -> _Proof:
     """Point 1: the reported sector is touched near the reported time."""
-    gone = flight.gone.get((hit.ring, hit.slot))
-    if not flight.layers[hit.ring][hit.slot] or gone is not None:
-        return _Proof(Verdict.REFUTED, Reason.NO_SECTOR)
-    place, tolerance = sector(ring.count, ring.half_angle, hit.slot), arb(_scales(flight, ring).tolerance)
-    time = arb(hit.time)
-    at = moment(ball, exact, time)
-    if misses(at, exact, place, ball.radius + tolerance):
-        return _Proof(Verdict.REFUTED, Reason.NO_TOUCH)
-    if touches(at, exact, place, ball.radius - tolerance):
-        return _Proof(Verdict.REFUTED, Reason.OVERLAP)
-    found = touch(ball, exact, place, time, 2 * tolerance)
+    tolerance, time = arb(_scales(flight, ring).tolerance), arb(hit.time)
+    wrong = _refutation(flight, hit, ball, ring, exact, tolerance)
+    if wrong != Reason.NONE:
+        return _Proof(Verdict.REFUTED, wrong)
+    found = touch(ball, exact, sector(ring.count, ring.half_angle, hit.slot), time, 2 * tolerance)
     if found is None:
-        return _Proof(Verdict.UNDECIDED, Reason.BORDER)
+        return _Proof(Verdict.UNDECIDED, Reason.GRAZE)
     if found.closing < 0:
         return _Proof(Verdict.REFUTED, Reason.LEAVING)
-    late = _above(abs(found.time - time))
-    bound = float((2 * tolerance / found.closing).lower())
-    if not (late <= bound <= LOOSEST):
+    late, bound = _above(abs(found.time - time)), float((2 * tolerance / found.closing).lower())
+    if not late <= bound <= LOOSEST:
         return _Proof(Verdict.UNDECIDED, Reason.GRAZE)
     return _Proof(Verdict.CERTIFIED, Reason.NONE, found, late, bound)
+
+
+def _refutation(flight: Flight, hit: Hit, ball: Exact, ring: Ring, exact: Annulus, tolerance: arb) -> Reason:
+    """Why the reported sector is certainly not just touched at the reported time; `NONE` where it may be."""
+    if not flight.layers[hit.ring][hit.slot] or (hit.ring, hit.slot) in flight.gone:
+        return Reason.NO_SECTOR
+    place = sector(ring.count, ring.half_angle, hit.slot)
+    at = moment(ball, exact, arb(hit.time))
+    if misses(at, exact, place, ball.radius + tolerance):
+        return Reason.NO_TOUCH
+    return Reason.OVERLAP if touches(at, exact, place, ball.radius - tolerance) else Reason.NONE
 
 
 def _nothing_touched(flight: Flight, ball: Exact, tick: Tick, rings: Sequence[Annulus], stop: arb) -> _Proof:
@@ -198,8 +229,6 @@ def _nothing_touched(flight: Flight, ball: Exact, tick: Tick, rings: Sequence[An
     if not ball.start < stop:
         return _Proof(Verdict.CERTIFIED, Reason.NONE)
     for number, ring, slot in _sectors_in_reach(flight, tick.arena.rings):
-        if not flight.layers[number][slot]:
-            continue
         gone = flight.gone.get((number, slot))
         until, last = stop, flight.hit is None
         if gone is not None and arb(gone) < stop:
@@ -218,33 +247,36 @@ def _nothing_touched(flight: Flight, ball: Exact, tick: Tick, rings: Sequence[An
                 return _Proof(Verdict.REFUTED, Reason.EARLIER)
             doubt = _Proof(Verdict.UNDECIDED, Reason.SQUEEZED)
         else:
-            doubt = doubt or _Proof(
-                Verdict.UNDECIDED, Reason.EARLIER_GRAZE if deeper == Finding.APART else Reason.SEARCH
-            )
+            doubt = doubt or _Proof(Verdict.UNDECIDED, Reason.EARLIER_GRAZE if deeper == Finding.APART else Reason.SEARCH)
     return doubt or _Proof(Verdict.CERTIFIED, Reason.NONE)
 
 
-def _normal(hit: Hit, proof: _Proof, ball: Exact, ring: Annulus, scales: _Scales) -> tuple[Reason, float, float]:
-    """Point 3: why the reported normal is not the exact one (`NONE` where it is), how far it is off, and the bound."""
+def _normal(hit: Hit, proof: _Proof, ball: Exact, ring: Annulus, scales: _Scales) -> tuple[_Proof, float, float]:
+    """Point 3: the verdict on the reported normal, how far it is off, and the bound."""
     found = proof.touch
     assert found is not None
-    width = 2 * (found.nx.rad() + found.ny.rad())
-    assert width < NORMAL_WIDTH, width
     reported = hit.contact.normal
-    off = ((found.nx - reported.real) ** 2 + (found.ny - reported.imag) ** 2).sqrt()
+    square = (found.nx - reported.real) ** 2 + (found.ny - reported.imag) ** 2
     pace, late = abs(ring.spin), arb(proof.late)
     moved = arb(scales.rounding) + (ball.speed + pace * ring.outer) * late
     bound = NORMAL + found.curvature * moved + pace * late
-    return Reason.NONE if off <= bound else Reason.NORMAL, _above(off), _above(bound)
+    if not 2 * (found.nx.rad() + found.ny.rad()) < NORMAL_WIDTH:
+        known = _Proof(Verdict.UNDECIDED, Reason.WIDE)
+    elif square <= bound * bound:
+        known = _Proof(Verdict.CERTIFIED, Reason.NONE)
+    else:
+        known = _Proof(Verdict.REFUTED if square > bound * bound else Verdict.UNDECIDED, Reason.NORMAL)
+    return known, _above(square.upper().sqrt()), _above(bound)
 
 
 def _sectors_in_reach(flight: Flight, rings: Sequence[Ring]) -> Iterator[tuple[int, Ring, int]]:
-    """(number of the ring, ring, slot) of every sector that the flight can come near, living or not."""
+    """(number of the ring, ring, slot) of every sector that the flight can come near and that is there when it starts."""
     reach = abs(flight.velocity) * (flight.stop - flight.start) + flight.radius
     for number, ring in enumerate(rings):
         if not ring_is_far(flight.position, reach, ring):
             for slot in sectors_near(flight.position, reach, ring, flight.start, flight.stop):
-                yield number, ring, slot
+                if flight.layers[number][slot]:
+                    yield number, ring, slot
 
 
 def _scales(flight: Flight, ring: Ring) -> _Scales:

@@ -3,18 +3,22 @@
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from physics import Arena, Hit, Step
+from physics import Arena, Ball, Hit, Step, advance
+
+_NO_TIME = 5e-324
+"""Seconds: the shortest tick there is. It moves no ball, but frees those that overlap."""
 
 
 class Tick(NamedTuple):
     """One tick: the arena that the physics advanced, and what it says became of it.
 
-    number: counted from 0 within its game or arena. dt: seconds.
+    number: counted from 0 within its game or arena. dt: seconds. speed: of every ball after a bounce.
     """
 
     number: int
     arena: Arena
     dt: float
+    speed: float
     step: Step
 
 
@@ -57,16 +61,14 @@ def flights_of(tick: Tick) -> Iterator[Flight]:
     """
     hits = tick.step.hits
     layers = _layers_after_each_hit(tick)
-    begun = [_Bounce(ball.position, ball.velocity, 0.0, 0) for ball in tick.arena.balls]
+    begun = [_Bounce(ball.position, ball.velocity, 0.0, 0) for ball in starts(tick)]
 
     def flight(index: int, stop: float, hit: Hit | None, hits_after: int) -> Flight:
         start = begun[index]
         radius = tick.arena.balls[index].radius
         between = hits[start.hits_before : hits_after]
         gone = {(other.ring, other.slot): other.time for other in between if other.layers == 0}
-        return Flight(
-            index, start.position, start.velocity, radius, start.time, stop, hit, layers[start.hits_before], gone
-        )
+        return Flight(index, start.position, start.velocity, radius, start.time, stop, hit, layers[start.hits_before], gone)
 
     for number, hit in enumerate(hits):
         done = flight(hit.ball, hit.time, hit, number)
@@ -76,6 +78,15 @@ def flights_of(tick: Tick) -> Iterator[Flight]:
     for index in range(len(begun)):
         if index not in resting:
             yield flight(index, tick.dt, None, len(hits))
+
+
+def starts(tick: Tick) -> tuple[Ball, ...]:
+    """The balls as their flights begin: those that overlapped are where the physics puts them before anything moves."""
+    balls = tick.arena.balls
+    if not tick.step.freed:
+        return balls
+    freed = advance(tick.arena, _NO_TIME, tick.speed).arena.balls
+    return tuple([ball._replace(position=moved.position) for ball, moved in zip(balls, freed, strict=True)])
 
 
 def _layers_after_each_hit(tick: Tick) -> list[tuple[tuple[int, ...], ...]]:

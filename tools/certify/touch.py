@@ -120,9 +120,7 @@ def _seen_end(at: Moment, ball: Exact, ring: Annulus, end: End) -> Seen:
     """An end: the ball is straight beside it, on the side away from its sector."""
     seen = beside(at, end, ring)
     owned = bool(ring.inner < seen.x and seen.x < ring.outer)
-    return Seen(
-        end.sign * seen.y - ball.radius, end.sign * seen.dy, -end.sign * end.sine, end.sign * end.cosine, arb(0), owned
-    )
+    return Seen(end.sign * seen.y - ball.radius, end.sign * seen.dy, -end.sign * end.sine, end.sign * end.cosine, arb(0), owned)
 
 
 def _seen_corner(at: Moment, ball: Exact, ring: Annulus, end: End, rho: arb) -> Seen:

@@ -1,0 +1,49 @@
+"""The command's work, once the options are read and the machine is known to have python-flint."""
+
+import signal
+from pathlib import Path
+
+from rich.console import Console
+from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
+
+from tools.certify.report import json_text, lines
+from tools.certify.run import Outcome, outcome
+from tools.certify.sources import Plan, Source
+from tools.certify.tally import Tally
+from tools.crosscheck.files import check_writable, write_whole
+
+
+def certify(names: tuple[str, ...], impacts: int, seed: int, workers: int, json: Path | None, *, every_case: bool) -> int:
+    """Certify what is named, or a plan of games and arenas; the exit code."""
+    check_writable(json, "--json")
+    named = [Source(name).checked() for name in names]
+    done = _with_progress(named or Plan(seed, impacts), None if named else impacts, workers)
+    for line in lines(done, every_case=every_case):
+        print(line)  # noqa: T201  # the command's output
+    if json is not None:
+        options = {"sources": list(names), "impacts": impacts, "seed": seed}
+        write_whole(json, json_text(done, options))
+    if done.tally.refuted or done.lost:
+        return 1
+    if done.partial:
+        return 128 + signal.SIGINT
+    return 0 if done.tally.impacts else 1
+
+
+def _with_progress(sources: "list[Source] | Plan", impacts: int | None, workers: int) -> Outcome:
+    """Run; where somebody watches, a bar shows how far it is."""
+    console = Console(stderr=True)
+    columns = (
+        TextColumn("certifying"),
+        BarColumn(),
+        TextColumn("{task.fields[impacts]:,} impacts, {task.fields[refuted]} refuted,"),
+        TimeElapsedColumn(),
+    )
+    with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as progress:
+        task = progress.add_task("", total=len(sources) if impacts is None else impacts, impacts=0, refuted=0)
+
+        def tell(number: int, tally: Tally) -> None:
+            completed = number if impacts is None else tally.impacts
+            progress.update(task, completed=completed, impacts=tally.impacts, refuted=tally.refuted)
+
+        return outcome(sources, impacts, workers, tell)

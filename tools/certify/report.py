@@ -1,0 +1,86 @@
+"""A run's outcome in words and as JSON."""
+
+import importlib.metadata
+import json
+import platform
+from collections.abc import Iterator
+
+from game import VERSION
+from physics import PHYSICS_VERSION
+from tools.certify.certificate import NORMAL, NORMAL_WIDTH, ROUNDINGS, SEARCH_ENDS, Verdict
+from tools.certify.run import Outcome
+
+FORMAT = "polar-breakout certify 1"
+_SHOWN = 10
+
+
+def verdict(outcome: Outcome) -> str:
+    """The line that says it."""
+    tally = outcome.tally
+    certified, undecided = (tally.number(impact=True, verdict=one) for one in (Verdict.CERTIFIED, Verdict.UNDECIDED))
+    flights = tally.number(impact=False, verdict=Verdict.CERTIFIED)
+    unsure = tally.number(impact=False, verdict=Verdict.UNDECIDED)
+    word = "REFUTED" if tally.refuted else "CERTIFIED" if certified else "NOTHING CERTIFIED"
+    line = f"{word}: {certified:,} impacts and {flights:,} free flights certified, {tally.refuted} refuted, "
+    line += f"{undecided} and {unsure} undecided"
+    if outcome.lost:
+        line += f"; {len(outcome.lost)} sources lost"
+    return line + ("; stopped by Ctrl-C" if outcome.partial else "")
+
+
+def lines(outcome: Outcome, *, every_case: bool) -> Iterator[str]:
+    """The whole report, the verdict last."""
+    tally = outcome.tally
+    certified = tally.number(impact=True, verdict=Verdict.CERTIFIED)
+    yield f"{tally.sources:,} games and arenas, {tally.ticks:,} ticks"
+    if certified:
+        features = ", ".join(
+            [f"{name.name.lower().replace('_', ' ')} {count:,}" for name, count in sorted(tally.features.items())]
+        )
+        yield f"certified impacts by feature: {features}"
+        yield f"time: at most {tally.time_off:.2g} s off, every enclosure within {tally.time_bound:.2g} s"
+        share = f"within {NORMAL:g} without any allowance: {tally.close / certified:.2%}"
+        yield f"normal: at most {tally.normal_off:.2g} off; {share}"
+    for (impact, one, reason), count in sorted(tally.counts.items(), key=lambda item: -item[1]):
+        if one != Verdict.CERTIFIED:
+            yield f"{one.value}: {count:,} {'impacts' if impact else 'free flights'}: {reason.value}"
+    shown = tally.cases if every_case else [case for case in tally.cases if case.verdict == Verdict.REFUTED][:_SHOWN]
+    yield from map(str, shown)
+    yield from [f"lost: {name}: {why}" for name, why in outcome.lost]
+    yield verdict(outcome)
+
+
+def json_text(outcome: Outcome, options: dict[str, object]) -> str:
+    """The outcome as JSON: one object; `format` changes when a key changes its meaning."""
+    tally = outcome.tally
+    kinds = [
+        {"impact": kind.impact, "verdict": kind.verdict.value, "reason": kind.reason.value, "count": count}
+        for kind, count in tally.counts.items()
+    ]
+    result = {
+        "format": FORMAT,
+        "verdict": verdict(outcome),
+        "partial": outcome.partial,
+        "versions": {
+            "game": VERSION,
+            "physics": PHYSICS_VERSION,
+            "python": platform.python_version(),
+            "python-flint": importlib.metadata.version("python-flint"),
+        },
+        "options": options,
+        "asked": {"search_ends": SEARCH_ENDS, "roundings": ROUNDINGS, "normal": NORMAL, "normal_width": NORMAL_WIDTH},
+        "sources": tally.sources,
+        "ticks": tally.ticks,
+        "counts": kinds,
+        "features": {name.name.lower(): count for name, count in sorted(tally.features.items())},
+        "normals_within": tally.close,
+        "worst": {
+            "time_bound": tally.time_bound,
+            "time_off": tally.time_off,
+            "normal_bound": tally.normal_bound,
+            "normal_off": tally.normal_off,
+        },
+        "cases": [case._asdict() | {"verdict": case.verdict.value, "reason": case.reason.value} for case in tally.cases],
+        "lost": [{"source": name, "why": why} for name, why in outcome.lost],
+    }
+    return json.dumps(result, indent=1, allow_nan=False) + "\n"
