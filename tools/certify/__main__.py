@@ -13,6 +13,7 @@ app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_mar
 
 _MOST_IMPACTS = 10**7
 _MOST_WORKERS = 256
+_MOST_PIECES = 10**7
 
 
 def main() -> None:
@@ -34,6 +35,12 @@ def certify(
     seed: Annotated[int, typer.Option(min=0, max=2**62, help="Without a SOURCE: seed of the games and arenas.")] = 1,
     workers: Annotated[int, typer.Option(min=1, max=_MOST_WORKERS, help="Processes to share the work.")] = 1,
     json: Annotated[Path | None, typer.Option(help="Write all numbers to this JSON file.")] = None,
+    functions: Annotated[
+        int | None,
+        typer.Option(
+            min=1, max=_MOST_PIECES, metavar="PIECES", help="Prove the source's functions over boxes cut into so many pieces."
+        ),
+    ] = None,
     every_case: Annotated[bool, typer.Option("--list", help="List every claim that is not certified.")] = False,
 ) -> int:
     """Prove every impact: when it is, that nothing is touched before, and the normal, in ball arithmetic.
@@ -43,6 +50,8 @@ def certify(
     check_environment()
     from tools.certify import command  # noqa: PLC0415  # needs python-flint, which has just been looked for
 
+    if functions is not None:
+        return command.certify_functions(functions, json)
     return command.certify(tuple(sources or ()), impacts, seed, workers, json, every_case=every_case)
 
 

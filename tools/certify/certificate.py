@@ -256,7 +256,8 @@ def _normal(hit: Hit, proof: _Proof, ball: Exact, ring: Annulus, scales: _Scales
     found = proof.touch
     assert found is not None
     reported = hit.contact.normal
-    square = (found.nx - reported.real) ** 2 + (found.ny - reported.imag) ** 2
+    dx, dy = found.nx - reported.real, found.ny - reported.imag
+    square = dx * dx + dy * dy
     pace, late = abs(ring.spin), arb(proof.late)
     moved = arb(scales.rounding) + (ball.speed + pace * ring.outer) * late
     bound = NORMAL + found.curvature * moved + pace * late

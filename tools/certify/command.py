@@ -1,12 +1,16 @@
 """The command's work, once the options are read and the machine is known to have python-flint."""
 
 import signal
+from contextlib import nullcontext
 from pathlib import Path
 
 from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
-from tools.certify.report import json_text, lines
+from tools.certify.boxes.catalogue import boxes
+from tools.certify.boxes.subdivision import proof_of
+from tools.certify.moments import use_precision
+from tools.certify.report import functions_json_text, functions_lines, json_text, lines
 from tools.certify.run import Outcome, outcome
 from tools.certify.sources import Plan, Source
 from tools.certify.tally import Tally
@@ -28,6 +32,20 @@ def certify(names: tuple[str, ...], impacts: int, seed: int, workers: int, json:
     if done.partial:
         return 128 + signal.SIGINT
     return 0 if done.tally.impacts else 1
+
+
+def certify_functions(pieces: int, json: Path | None) -> int:
+    """Prove the source's functions over boxes of inputs; the exit code."""
+    check_writable(json, "--json")
+    use_precision()
+    console = Console(stderr=True)
+    with console.status("subdividing") if console.is_terminal else nullcontext():
+        proofs = [proof_of(box, pieces) for box in boxes()]
+    for line in functions_lines(proofs):
+        print(line)  # noqa: T201
+    if json is not None:
+        write_whole(json, functions_json_text(proofs, pieces))
+    return 0 if all([proof.wrong is None and proof.proved > 0.0 for proof in proofs]) else 1
 
 
 def _with_progress(sources: "list[Source] | Plan", impacts: int | None, workers: int) -> Outcome:

@@ -2,11 +2,13 @@
 
 import importlib.metadata
 import json
+import math
 import platform
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from game import VERSION
 from physics import PHYSICS_VERSION
+from tools.certify.boxes.subdivision import Proof
 from tools.certify.certificate import NORMAL, NORMAL_WIDTH, ROUNDINGS, SEARCH_ENDS, Verdict
 from tools.certify.run import Outcome
 
@@ -61,12 +63,7 @@ def json_text(outcome: Outcome, options: dict[str, object]) -> str:
         "format": FORMAT,
         "verdict": verdict(outcome),
         "partial": outcome.partial,
-        "versions": {
-            "game": VERSION,
-            "physics": PHYSICS_VERSION,
-            "python": platform.python_version(),
-            "python-flint": importlib.metadata.version("python-flint"),
-        },
+        "versions": _versions(),
         "options": options,
         "asked": {"search_ends": SEARCH_ENDS, "roundings": ROUNDINGS, "normal": NORMAL, "normal_width": NORMAL_WIDTH},
         "sources": tally.sources,
@@ -84,3 +81,51 @@ def json_text(outcome: Outcome, options: dict[str, object]) -> str:
         "lost": [{"source": name, "why": why} for name, why in outcome.lost],
     }
     return json.dumps(result, indent=1, allow_nan=False) + "\n"
+
+
+def functions_lines(proofs: Sequence[Proof]) -> Iterator[str]:
+    """A line for every box, and the verdict last."""
+    for proof in proofs:
+        yield (
+            f"{proof.name}: within {proof.bound:g} (found {proof.worst:.2g}) on {_share(proof.proved)} of the box, "
+            f"{proof.border:.2g} of it on the border of a branch, {proof.loose:.2g} not bounded; {proof.pieces:,} pieces"
+        )
+        if proof.wrong is not None:
+            yield f"  another formula at {proof.wrong}"
+    yield functions_verdict(proofs)
+
+
+def functions_verdict(proofs: Sequence[Proof]) -> str:
+    """The line that says it."""
+    wrong = [proof.name for proof in proofs if proof.wrong is not None]
+    nothing = [proof.name for proof in proofs if proof.wrong is None and proof.proved == 0.0]
+    if wrong or nothing:
+        return f"REFUTED: {len(wrong)} boxes with another formula; nothing proved of {len(nothing)}"
+    return f"CERTIFIED: {len(proofs)} boxes, at least {_share(min([proof.proved for proof in proofs]))} of each"
+
+
+def functions_json_text(proofs: Sequence[Proof], pieces: int) -> str:
+    """The proofs over boxes as JSON."""
+    result = {
+        "format": FORMAT,
+        "verdict": functions_verdict(proofs),
+        "versions": _versions(),
+        "options": {"functions": pieces},
+        "boxes": [proof._asdict() for proof in proofs],
+    }
+    return json.dumps(result, indent=1, allow_nan=False) + "\n"
+
+
+def _share(x: float) -> str:
+    """A share, never rounded up to all."""
+    return "all" if x == 1.0 else f"{math.floor(x * 1e6) / 1e4:.4f} %"
+
+
+def _versions() -> dict[str, object]:
+    """What the result was made with."""
+    return {
+        "game": VERSION,
+        "physics": PHYSICS_VERSION,
+        "python": platform.python_version(),
+        "python-flint": importlib.metadata.version("python-flint"),
+    }

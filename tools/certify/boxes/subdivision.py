@@ -1,0 +1,133 @@
+"""A box of inputs is halved until a function's rounding error is bounded on every piece."""
+
+import heapq
+import itertools
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any, NamedTuple
+
+from flint import arb
+
+from tools.certify.boxes.formulas import Numbers
+from tools.certify.boxes.rounded import BranchBorderError, Point, Rounded, number
+
+_SAME = arb(2) ** -80
+"""How near the program's exact value and the formula's must be in a point: 1e-24. Both are known to 2^-96 or better."""
+
+Range = tuple[float, float]
+
+
+class Box(NamedTuple):
+    """A function, a box of its inputs, and what is asked.
+
+    ranges: of each coordinate, both ends included. call: from the coordinates to the function's result. formula: from exact
+    coordinates to the exact result, None where it is `None`. bound: of the absolute error of every coordinate of the result.
+    """
+
+    name: str
+    ranges: tuple[Range, ...]
+    call: Callable[[Sequence[Rounded]], Any]
+    formula: Callable[[Numbers], Numbers | None]
+    bound: float
+
+
+class Proof(NamedTuple):
+    """What is proved of a box.
+
+    proved: share of its volume where the error is within the bound. border: where pieces are left on which a branch is not
+    decided. loose: where the error found is above the bound. worst: the largest bound found where proved. wrong: coordinates
+    at which the program's formula is not the source's. pieces: evaluations.
+    """
+
+    name: str
+    bound: float
+    proved: float
+    border: float
+    loose: float
+    worst: float
+    wrong: tuple[float, ...] | None
+    pieces: int
+
+
+class _Piece(NamedTuple):
+    """A part of a box. order: largest first, then first come."""
+
+    order: tuple[float, int]
+    middles: tuple[arb, ...]
+    halves: tuple[arb, ...]
+    border: bool
+
+
+def proof_of(box: Box, pieces: int) -> Proof:
+    """Halve the largest piece that is not proved, its widest side first, as often as allowed."""
+    numbers = itertools.count()
+    sides = [(arb(low), arb(high)) for low, high in box.ranges]
+    middles, halves = tuple([(low + high) / 2 for low, high in sides]), tuple([(high - low) / 2 for low, high in sides])
+    heap = [_Piece((-1.0, next(numbers)), middles, halves, border=False)]
+    proved, worst, count = 0.0, arb(0), 0
+    while heap and count < pieces:
+        piece = heapq.heappop(heap)
+        error = _error(box, piece)
+        count += 1
+        if error is not None and error <= box.bound:
+            wrong = _wrong(box, piece)
+            if wrong is not None:
+                return Proof(box.name, box.bound, proved, 0.0, 0.0, _up(worst), wrong, count)
+            proved -= piece.order[0]
+            worst = arb.max(worst, error)
+            continue
+        for middles, halves in _halved(piece):
+            heapq.heappush(heap, _Piece((piece.order[0] / 2.0, next(numbers)), middles, halves, border=error is None))
+    border = -sum([piece.order[0] for piece in heap if piece.border])
+    loose = -sum([piece.order[0] for piece in heap if not piece.border])
+    return Proof(box.name, box.bound, proved, border, loose, _up(worst), None, count)
+
+
+def _error(box: Box, piece: _Piece) -> arb | None:
+    """The largest error of the result on a piece; None where its branch is not decided."""
+    inputs = [Rounded(arb(middle, half), arb(0)) for middle, half in zip(piece.middles, piece.halves, strict=True)]
+    try:
+        result = box.call(inputs)
+    except BranchBorderError:
+        return None
+    worst = arb(0)
+    for part in _parts(result) or ():
+        if not part.error.is_finite():
+            return None
+        worst = arb.max(worst, part.error)
+    return worst
+
+
+def _wrong(box: Box, piece: _Piece) -> tuple[float, ...] | None:
+    """The middle of a piece, where the exact value of the program is not the formula's there."""
+    try:
+        found = _parts(box.call([Rounded(middle, arb(0)) for middle in piece.middles]))
+        expected = box.formula(piece.middles)
+    except (BranchBorderError, ValueError):
+        return None  # the middle is on a border: another piece's middle is not
+    if found is None or expected is None:
+        agree = found is None and expected is None
+    else:
+        agree = all([abs(one.exact - other) < _SAME for one, other in zip(found, expected, strict=True)])
+    return None if agree else tuple([float(middle) for middle in piece.middles])
+
+
+def _parts(result: Any) -> list[Rounded] | None:
+    """The coordinates of a result."""
+    if result is None:
+        return None
+    return [result.real, result.imag] if isinstance(result, Point) else [number(result)]
+
+
+def _halved(piece: _Piece) -> Iterator[tuple[tuple[arb, ...], tuple[arb, ...]]]:
+    """Both halves of a piece, cut across its widest side."""
+    widths = [float(half) for half in piece.halves]
+    side = widths.index(max(widths))
+    half = piece.halves[side] / 2
+    halves = (*piece.halves[:side], half, *piece.halves[side + 1 :])
+    for middle in (piece.middles[side] - half, piece.middles[side] + half):
+        yield (*piece.middles[:side], middle, *piece.middles[side + 1 :]), halves
+
+
+def _up(x: arb) -> float:
+    """A float not below x."""
+    return float(x.upper()) * (1.0 + 2.0**-50)
