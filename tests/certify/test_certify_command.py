@@ -65,6 +65,23 @@ class TestWithFlint:
         assert "refuted: arena:1:2, tick " in out
         assert "the ball overlaps the reported sector at the reported time" in out
 
+    def test_functions_are_proved_over_boxes(self, capsys, tmp_path, monkeypatch):
+        """A line for each box; with another formula for one of them, exit code 1."""
+        from tools.certify import command  # noqa: PLC0415
+
+        file = tmp_path / "result.json"
+        code, out, err = certify(capsys, "--functions", 200, "--json", file)
+        assert (code, err) == (0, "")
+        assert out.splitlines()[-1].startswith("CERTIFIED: ")
+        result = json.loads(file.read_text())
+        assert len(result["boxes"]) == len(out.splitlines()) - 1
+        assert {box["wrong"] for box in result["boxes"]} == {None}
+        boxes = [command.boxes()[0]._replace(formula=lambda x: [x[0] - x[1]])]
+        monkeypatch.setattr(command, "boxes", lambda: boxes)
+        code, out, _ = certify(capsys, "--functions", 200)
+        assert code == 1
+        assert "another formula at (" in out
+
     def test_grazes_are_counted_and_listed(self, capsys):
         """Questions built to graze: some stay open, which is no failure."""
         code, out, _ = certify(capsys, "impacts:1:0", "impacts:1:1", "--list")

@@ -1,7 +1,7 @@
 """The source's formulas once more, in ball arithmetic, by other means than the physics uses.
 
 Each takes the exact inputs and returns the exact result as one or two coordinates; None where the source finds no contact. A
-`ValueError` says that the inputs are on a border of the formula.
+`ValueError` says that the inputs are, or a box of them is, on a border of the formula.
 """
 
 from collections.abc import Sequence
@@ -12,9 +12,10 @@ Numbers = Sequence[arb]
 
 
 def min_difference(inputs: Numbers) -> Numbers:
-    """Twice the angle whose sine is half the chord between two directions."""
+    """The difference without its sign, or what is missing to a full turn where that is less."""
     a, b = inputs
-    return [2 * abs(((a - b) / 2).sin()).asin()]
+    difference = _sign(a - b) * (a - b)
+    return [2 * arb.pi() - difference if _sign(difference - arb.pi()) > 0 else difference]
 
 
 def closest_point_on_line(inputs: Numbers) -> Numbers:
