@@ -16,6 +16,7 @@ from tests.support.claims import (
     first_impact,
     flown_through,
     flying_at,
+    past_a_corner,
     played,
     towards_feature,
     verdicts,
@@ -71,6 +72,15 @@ def test_a_normal_that_is_off_by_1e_12_is_refuted(feature, spin, turned):
 def test_a_missed_touch_is_refuted(feature, spin):
     """A ball that flies through a sector as if it were not there."""
     assert verdicts(flown_through(towards_feature(feature, spin))) == [("REFUTED", "EARLIER")]
+
+
+@pytest.mark.parametrize("spin", [0.0, 0.1, -0.1])
+@pytest.mark.parametrize("outer", [True, False])
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_clipped_corner_is_refuted(sign, outer, spin):
+    """Each corner alone, with nothing else of its sector near; passed outside of its reach, it is certified."""
+    assert verdicts(flown_through(*past_a_corner(sign, outer, spin, 0.17))) == [("REFUTED", "EARLIER")]
+    assert verdicts(flown_through(*past_a_corner(sign, outer, spin, 0.23))) == [TRUE]
 
 
 def test_a_missed_earlier_touch_is_refuted():

@@ -38,6 +38,21 @@ def towards_feature(feature, spin=0.0):
     return flying_at(end * 5.4 + n * RADIUS, -n * aslant, spin=spin)
 
 
+def past_a_corner(sign, outer, spin, miss):
+    """An arena, and the length of a tick, whose ball passes one corner of slot 0 aslant, at a least distance `miss`.
+
+    From 0.15 on it comes near nothing but the corner. sign: +1 the counter-clockwise end, -1 the clockwise one.
+    """
+    end = cmath.rect(1.0, 0.2 + sign * 0.3)
+    away = end * (1.0 if outer else -1.0) + 1j * sign * end
+    away /= abs(away)
+    v = SPEED * away * 1j
+    dt = 0.6 / SPEED
+    p = end * (5.4 if outer else 4.6) + away * miss - v * dt / 2.0
+    ring = Ring(5.0, 0.4, 0.3, 3, 0.2 - spin * dt / 2.0, spin)
+    return Arena((Ball(p, v, RADIUS),), (ring,), ((PERMANENT,) * 3,)), dt
+
+
 def played(arena, dt=TICK):
     """The tick as the physics plays it."""
     return Tick(0, arena, dt, SPEED, advance(arena, dt, SPEED))
