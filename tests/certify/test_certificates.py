@@ -69,6 +69,15 @@ def test_a_normal_that_is_off_by_1e_12_is_refuted(feature, spin, turned):
 
 @pytest.mark.parametrize("spin", SPINS)
 @pytest.mark.parametrize("feature", list(Feature))
+def test_a_point_that_is_off_by_1e_12_is_refuted(feature, spin):
+    """The normal is right, the point is not where ball and sector meet."""
+    for off in (1e-12, -1e-12j):
+        wrong = claiming(played(towards_feature(feature, spin)), moved=off)
+        assert verdicts(wrong)[0] == ("REFUTED", "POINT")
+
+
+@pytest.mark.parametrize("spin", SPINS)
+@pytest.mark.parametrize("feature", list(Feature))
 def test_a_missed_touch_is_refuted(feature, spin):
     """A ball that flies through a sector as if it were not there."""
     assert verdicts(flown_through(towards_feature(feature, spin))) == [("REFUTED", "EARLIER")]

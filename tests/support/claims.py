@@ -59,12 +59,14 @@ def played(arena, dt=TICK):
 
 
 def claiming(tick, number=0, **changes):
-    """The tick with another claim in one of its hits. `turned`: radians that its normal is turned by."""
+    """The tick with another claim in one of its hits. turned: radians added to its normal; moved: added to its point."""
     hits = list(tick.step.hits)
     hit = hits[number]
     if "turned" in changes:
         normal = hit.contact.normal * cmath.rect(1.0, changes.pop("turned"))
         changes["contact"] = hit.contact._replace(normal=normal)
+    if "moved" in changes:
+        changes["contact"] = hit.contact._replace(point=hit.contact.point + changes.pop("moved"))
     hits[number] = hit._replace(**changes)
     return tick._replace(step=tick.step._replace(hits=tuple(hits)))
 

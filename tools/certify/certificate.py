@@ -4,7 +4,8 @@ Of an impact that the physics reports at time t with normal n, with the toleranc
 
 1.  There is a t* with |t* - t| <= tau at which the gap to the reported sector falls through 0.
 2.  On [start, t - tau] the gap to every living sector is above 0. So the first touch of the flight is within tau of t.
-3.  The exact normal at t* is enclosed in a disc of radius 1e-30, and n is within `bound` of it.
+3.  The exact normal at t* is enclosed in a disc of radius 1e-30, and n is within `bound` of it. The reported point is within
+    2 (E + (|v| + |w| R) |t* - t|) of the exact one.
 
 Of a flight that no impact ends: the gap to every living sector is above 0 from its start to the tick's end.
 
@@ -79,6 +80,7 @@ class Reason(Enum):
     GRAZE = "graze: the time of touch, or the feature touched, is not determined"
     EARLIER_GRAZE = "graze: a sector is touched before, no deeper than the tolerance"
     SQUEEZED = "squeezed: the flight starts in an overlap"
+    POINT = "the point of contact is another"
     WIDE = "the enclosure of the exact normal is too wide"
     SEARCH = "no proof within the pieces allowed"
 
@@ -168,7 +170,7 @@ def _certificate(flight: Flight, tick: Tick, rings: Sequence[Annulus]) -> Certif
     before = _nothing_touched(flight, ball, tick, rings, arb(hit.time) - arb(proof.bound))
     if before.verdict != Verdict.CERTIFIED:
         return verdict(before)
-    known, off, bound = _normal(hit, proof, ball, rings[hit.ring], _scales(flight, ring))
+    known, off, bound = _contact(hit, proof, ball, rings[hit.ring], _scales(flight, ring))
     return verdict(known, time_bound=proof.bound, time_off=proof.late, normal_bound=bound, normal_off=off)
 
 
@@ -251,23 +253,32 @@ def _nothing_touched(flight: Flight, ball: Exact, tick: Tick, rings: Sequence[An
     return doubt or _Proof(Verdict.CERTIFIED, Reason.NONE)
 
 
-def _normal(hit: Hit, proof: _Proof, ball: Exact, ring: Annulus, scales: _Scales) -> tuple[_Proof, float, float]:
-    """Point 3: the verdict on the reported normal, how far it is off, and the bound."""
+def _contact(hit: Hit, proof: _Proof, ball: Exact, ring: Annulus, scales: _Scales) -> tuple[_Proof, float, float]:
+    """Point 3: the verdict on the reported normal and point, how far the normal is off, and its bound."""
     found = proof.touch
     assert found is not None
     reported = hit.contact.normal
-    dx, dy = found.nx - reported.real, found.ny - reported.imag
-    square = dx * dx + dy * dy
+    square = _square_of_distance(found.nx, found.ny, reported)
     pace, late = abs(ring.spin), arb(proof.late)
     moved = arb(scales.rounding) + (ball.speed + pace * ring.outer) * late
     bound = NORMAL + found.curvature * moved + pace * late
+    flown = found.time - ball.start
+    px, py = ball.px + ball.vx * flown - ball.radius * found.nx, ball.py + ball.vy * flown - ball.radius * found.ny
     if not 2 * (found.nx.rad() + found.ny.rad()) < NORMAL_WIDTH:
         known = _Proof(Verdict.UNDECIDED, Reason.WIDE)
-    elif square <= bound * bound:
-        known = _Proof(Verdict.CERTIFIED, Reason.NONE)
-    else:
+    elif not square <= bound * bound:
         known = _Proof(Verdict.REFUTED if square > bound * bound else Verdict.UNDECIDED, Reason.NORMAL)
+    elif _square_of_distance(px, py, hit.contact.point) > 4 * moved * moved:
+        known = _Proof(Verdict.REFUTED, Reason.POINT)
+    else:
+        known = _Proof(Verdict.CERTIFIED, Reason.NONE)
     return known, _above(square.upper().sqrt()), _above(bound)
+
+
+def _square_of_distance(x: arb, y: arb, point: complex) -> arb:
+    """The square of the distance from (x, y) to a point in floats."""
+    dx, dy = x - point.real, y - point.imag
+    return dx * dx + dy * dy
 
 
 def _sectors_in_reach(flight: Flight, rings: Sequence[Ring]) -> Iterator[tuple[int, Ring, int]]:
