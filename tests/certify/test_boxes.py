@@ -19,6 +19,7 @@ from tools.certify.boxes import catalogue, formulas
 from tools.certify.boxes.catalogue import boxes
 from tools.certify.boxes.rounded import BranchBorderError, Point, Rounded, RoundedMath, number
 from tools.certify.boxes.same_code import on_other_numbers
+from tools.certify.boxes.series import SeriesMath, direction_off
 from tools.certify.boxes.subdivision import Box, proof_of
 from tools.certify.moments import use_precision
 
@@ -118,6 +119,7 @@ def test_every_box_is_proved(box):
 
 
 PLAIN = {
+    "direction": physics.direction,
     "min_difference": lambda a, b=0.0: [physics.min_difference(a, b)],
     "closest_point_on_line": lambda *x: physics.closest_point_on_line(complex(*x[:2]), complex(*x[2:4]), complex(*x[4:])),
     "narrow_phase_case_1": lambda x, y, radius: physics.narrow_phase_case_1(complex(x, y), radius),
@@ -174,6 +176,24 @@ def test_another_function_is_told_apart(name, mistake):
     }
     proof = proof_of(box._replace(call=calls[name.partition(",")[0]]), 2500)
     assert proof.wrong is not None
+
+
+@pytest.mark.parametrize(
+    "mistake",
+    [
+        {"_HALF_PI_MIDDLE": 0.0},
+        {"_HALF_PI_LOW": 1e-14},
+        {"_cos_sin": lambda x: (1.0 - x * x * 0.5 + x * x * x * x * (1 / 24), x - x * x * x * (1 / 6))},
+    ],
+)
+def test_another_direction_is_not_proved(mistake):
+    """A part of pi left out, 1e-14 too much of it, two terms of each series."""
+    box = _box("direction")
+    names = {"math": SeriesMath, "complex": lambda cosine, sine: (cosine, sine), **mistake}
+    on_series = on_other_numbers(physics.direction, names)
+    code = catalogue._code(physics.direction, **mistake)
+    proof = proof_of(box._replace(call=lambda x: code(x[0]), off=lambda *side: direction_off(on_series, *side)), 500)
+    assert proof.proved < 0.15  # the middle quadrant takes nothing of pi away
 
 
 def test_a_bound_that_does_not_hold_is_not_proved():

@@ -76,7 +76,7 @@ class TestWithFlint:
         result = json.loads(file.read_text())
         assert len(result["boxes"]) == len(out.splitlines()) - 1
         assert {box["wrong"] for box in result["boxes"]} == {None}
-        boxes = [command.boxes()[0]._replace(formula=lambda x: [x[0] - x[1]])]
+        boxes = [command.boxes()[1]._replace(formula=lambda x: [x[0] - x[1]])]
         monkeypatch.setattr(command, "boxes", lambda: boxes)
         code, out, _ = certify(capsys, "--functions", 200)
         assert code == 1

@@ -8,12 +8,16 @@ from flint import arb
 
 import physics
 from tools.certify.boxes import formulas
-from tools.certify.boxes.rounded import Point, Rounded, RoundedMath, number
+from tools.certify.boxes.rounded import BranchBorderError, Point, Rounded, RoundedMath, number
 from tools.certify.boxes.same_code import on_other_numbers
+from tools.certify.boxes.series import SeriesMath, direction_off
 from tools.certify.boxes.subdivision import Box, Range
 
 DIRECTION = 2e-15
-"""What `physics.direction` may be off by: its own promise, measured by its tests, taken for granted here."""
+"""What `physics.direction` may be off by: its own promise, proved by the first box, and used by those with sectors."""
+
+LARGEST_ANGLE = 8.0
+"""Radians: how far the first box reaches."""
 
 _TURN = (0.0, math.tau)
 _PADDLE = (0.2, 0.57, 5.0, 0.2, 0.4, 0.3)
@@ -22,7 +26,23 @@ _PADDLE = (0.2, 0.57, 5.0, 0.2, 0.4, 0.3)
 
 def boxes() -> list[Box]:
     """All of them. The process's precision must be set."""
-    return [*_angles(), *_lines(), *_faces(), *_ends()]
+    return [*_directions(), *_angles(), *_lines(), *_faces(), *_ends()]
+
+
+def _directions() -> list[Box]:
+    """`direction`: of any angle up to more than a turn to either side."""
+    code = _code(physics.direction)
+    on_series = on_other_numbers(physics.direction, {"math": SeriesMath, "complex": lambda cosine, sine: (cosine, sine)})
+    return [
+        Box(
+            "direction, an angle in [-8, 8]",
+            ((-LARGEST_ANGLE, LARGEST_ANGLE),),
+            lambda x: code(x[0]),
+            formulas.direction,
+            DIRECTION,
+            lambda middle, side: direction_off(on_series, middle, side),
+        )
+    ]
 
 
 def _angles() -> list[Box]:
@@ -106,7 +126,9 @@ def _code(function: Callable[..., Any], **names: Any) -> Callable[..., Any]:
 
 
 def _direction(angle: Rounded) -> Point:
-    """`physics.direction` by its promise: sine and cosine, off by what the angle is off and by DIRECTION."""
+    """`physics.direction` by its promise: cosine and sine, off by what the angle is off and by DIRECTION."""
+    if not abs(angle.computed) <= LARGEST_ANGLE:
+        raise BranchBorderError("the angle is beyond what is proved of direction")
     sine, cosine = angle.exact.sin_cos()
     error = angle.error + arb(DIRECTION)
     return Point(Rounded(cosine, error), Rounded(sine, error))

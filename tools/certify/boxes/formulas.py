@@ -18,6 +18,12 @@ def min_difference(inputs: Numbers) -> Numbers:
     return [2 * arb.pi() - difference if _sign(difference - arb.pi()) > 0 else difference]
 
 
+def direction(inputs: Numbers) -> Numbers:
+    """Cosine and sine."""
+    sine, cosine = inputs[0].sin_cos()
+    return [cosine, sine]
+
+
 def closest_point_on_line(inputs: Numbers) -> Numbers:
     """The point less its part along the segment's normal; an end where the point lies beyond it."""
     ax, ay, bx, by, px, py = inputs

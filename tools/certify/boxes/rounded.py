@@ -66,11 +66,9 @@ class Rounded:
     def __mod__(self, other: "Rounded | float") -> "Rounded":
         """Python's remainder: the C library's, which is exact, and one addition where the signs differ."""
         divisor = number(other)
-        turns = (self.computed / divisor.computed).floor().unique_fmpz()
-        if turns is None:
-            raise BranchBorderError("a remainder may jump")
-        exact = self.exact - divisor.exact * int(turns)
-        passed = self.error + divisor.error * abs(int(turns))
+        turns = whole_number(self.computed / divisor.computed)
+        exact = self.exact - divisor.exact * turns
+        passed = self.error + divisor.error * abs(turns)
         return _rounded(exact, passed) if turns < 0 else Rounded(exact, passed)
 
     def __radd__(self, other: float) -> "Rounded":
@@ -99,19 +97,19 @@ class Rounded:
 
     def __lt__(self, other: "Rounded | float") -> bool:
         """Whether it is less."""
-        return _answer(self.computed, number(other).computed, strict=True)
+        return answer(self.computed, number(other).computed, strict=True)
 
     def __le__(self, other: "Rounded | float") -> bool:
         """Whether it is less or equal."""
-        return _answer(self.computed, number(other).computed, strict=False)
+        return answer(self.computed, number(other).computed, strict=False)
 
     def __gt__(self, other: "Rounded | float") -> bool:
         """Whether it is greater."""
-        return _answer(number(other).computed, self.computed, strict=True)
+        return answer(number(other).computed, self.computed, strict=True)
 
     def __ge__(self, other: "Rounded | float") -> bool:
         """Whether it is greater or equal."""
-        return _answer(number(other).computed, self.computed, strict=False)
+        return answer(number(other).computed, self.computed, strict=False)
 
     def __eq__(self, other: object) -> bool:
         """Whether it is equal: known only where it is not, or where both are one number."""
@@ -181,6 +179,11 @@ class RoundedMath:
         """The square root."""
         return number(x).sqrt()
 
+    @staticmethod
+    def floor(x: Rounded) -> int:
+        """The whole number below."""
+        return whole_number(x.computed)
+
 
 def number(x: Rounded | float) -> Rounded:
     """A float as the exact number that it is."""
@@ -204,7 +207,15 @@ def _square(x: arb) -> arb:
     return arb.union(least * least, most * most)
 
 
-def _answer(a: arb, b: arb, *, strict: bool) -> bool:
+def whole_number(x: arb) -> int:
+    """The whole number below every value of an enclosure."""
+    found = x.floor().unique_fmpz()
+    if found is None:
+        raise BranchBorderError("a whole number may be another")
+    return int(found)
+
+
+def answer(a: arb, b: arb, *, strict: bool) -> bool:
     """Whether a < b, or a <= b, for every pair of their values."""
     if a < b or (not strict and a <= b):
         return True
