@@ -17,11 +17,11 @@ from physics.narrow_phase import closest_point_on_line
 from tests.support.strategies import reals
 from tools.certify.boxes import catalogue, formulas
 from tools.certify.boxes.catalogue import boxes
-from tools.certify.boxes.rounded import BranchBorderError, Point, Rounded, RoundedMath, number
+from tools.certify.boxes.rounded import BranchBorderError, Rounded, RoundedMath, RoundedPoint, number
 from tools.certify.boxes.same_code import on_other_numbers
 from tools.certify.boxes.series import SeriesMath, direction_off
 from tools.certify.boxes.subdivision import Box, proof_of
-from tools.certify.moments import use_precision
+from tools.certify.exact_geometry import use_precision
 
 use_precision()
 
@@ -88,14 +88,14 @@ def test_the_remainder_is_pythons(x):
 def test_a_comparison_without_one_answer_is_a_border():
     """Also of what may be equal; where it is certain there is an answer."""
     wide = Rounded(arb(1, 0.5), arb(0))
-    for question in (lambda: wide < 1.0, lambda: wide >= 1.2, lambda: wide == 1.0, lambda: Point(wide) == 1.0):
+    for question in (lambda: wide < 1.0, lambda: wide >= 1.2, lambda: wide == 1.0, lambda: RoundedPoint(wide) == 1.0):
         with pytest.raises(BranchBorderError):
             question()
     assert wide < 1.6
     assert not wide < 0.4
     assert wide != 2.0
     assert number(3.0) == 3.0
-    assert Point(wide) != 2.0
+    assert RoundedPoint(wide) != 2.0
 
 
 def test_the_code_itself_runs():
@@ -158,7 +158,7 @@ def _box(name):
         ("closest_point_on_line, beside", {"dot": lambda a, b: a.real * b.real - a.imag * b.imag}),
         ("closest_point_on_line, all around", {"dot": lambda a, b: a.real * b.real + a.imag * b.imag + 1e-9}),
         ("narrow_phase_case_1", {"length": lambda a: (a.real * a.real + a.imag * a.imag).sqrt() + 0.01}),
-        ("narrow_phase_case_2, beside", {"quarter_turn": lambda a: Point(a.imag, -a.real)}),
+        ("narrow_phase_case_2, beside", {"quarter_turn": lambda a: RoundedPoint(a.imag, -a.real)}),
         ("narrow_phase_case_2, outer corner", {"on_left": lambda a, b: a < b}),
         ("narrow_phase_case_2, all around", {"on_left": lambda a, b: a < b}),
     ],
@@ -170,9 +170,9 @@ def test_another_function_is_told_apart(name, mistake):
     code = catalogue._code(function, **({"direction": catalogue._direction} if "case_2" in name else {}), **mistake)
     calls = {
         "min_difference": lambda x: code(*x),
-        "closest_point_on_line": lambda x: code(Point(*x[:2]), Point(*x[2:4]), Point(*x[4:])),
-        "narrow_phase_case_1": lambda x: code(Point(x[0], x[1]), x[2]),
-        "narrow_phase_case_2": lambda x: code(Point(x[0], x[1]), *x[2:]),
+        "closest_point_on_line": lambda x: code(RoundedPoint(*x[:2]), RoundedPoint(*x[2:4]), RoundedPoint(*x[4:])),
+        "narrow_phase_case_1": lambda x: code(RoundedPoint(x[0], x[1]), x[2]),
+        "narrow_phase_case_2": lambda x: code(RoundedPoint(x[0], x[1]), *x[2:]),
     }
     proof = proof_of(box._replace(call=calls[name.partition(",")[0]]), 2500)
     assert proof.wrong is not None

@@ -22,9 +22,9 @@ from tests.support.claims import (
     verdicts,
     with_hit,
 )
-from tools.certify.certificate import Verdict, certificates
-from tools.certify.moments import use_precision
-from tools.certify.sources import Source
+from tools.certify.certificate import Decision, certificates
+from tools.certify.exact_geometry import use_precision
+from tools.certify.sources import ClaimSource
 
 TRUE = ("CERTIFIED", "NONE")
 SPINS = [0.0, 0.9, -0.9]
@@ -175,7 +175,7 @@ def test_a_freed_ball_flies_from_where_it_was_put():
 @pytest.mark.parametrize("name", ["arena:1:2", "arena:1:12", "game:6:2", "impacts:3:0"])
 def test_games_and_arenas_have_no_false_claim(name):
     """Some ticks of each kind of source; `python -m tools.certify` is the same at length."""
-    found = [one.verdict for tick in islice(Source(name).ticks(), 1500) for one in certificates(tick)]
-    assert Verdict.REFUTED not in found
-    assert found.count(Verdict.CERTIFIED) > 90
-    assert found.count(Verdict.UNDECIDED) <= (0 if name[0] in "ag" else 20)
+    found = [one.verdict for tick in islice(ClaimSource(name).ticks(), 1500) for one in certificates(tick)]
+    assert Decision.REFUTED not in found
+    assert found.count(Decision.CERTIFIED) > 90
+    assert found.count(Decision.UNDECIDED) <= (0 if name[0] in "ag" else 20)

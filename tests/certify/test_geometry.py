@@ -15,11 +15,11 @@ from flint import arb
 from physics import Ball, Ring
 from tests.support.impact_oracle import gap
 from tests.support.strategies import angles, points, reals
+from tools.certify.exact_geometry import exact_ball, exact_ring, moment, sector, use_precision
 from tools.certify.exclusion import ring_is_far, sectors_near
-from tools.certify.flights import Flight
-from tools.certify.moments import annulus, exact_ball, moment, sector, use_precision
-from tools.certify.no_touch import Finding, Window, apart, misses, touches
-from tools.certify.signs import Curve, positive
+from tools.certify.flights import StraightFlight
+from tools.certify.no_touch import Separation, TimeWindow, apart, misses, touches
+from tools.certify.signs import FunctionOnInterval, positive
 
 use_precision()
 
@@ -42,7 +42,7 @@ def flights(draw):
     v = draw(points(1.0)) * draw(st.sampled_from([1.0, 30.0, 1000.0]))
     p = draw(points(10.0))
     layers = ((1,) * ring.count,)
-    return ring, Flight(0, p, v, ball_radius, 0.0, 1.0 / 240.0, None, layers, {})
+    return ring, StraightFlight(0, p, v, ball_radius, 0.0, 1.0 / 240.0, None, layers, {})
 
 
 def exact_gap(flight, ring, time, slot):
@@ -54,7 +54,7 @@ def exact_gap(flight, ring, time, slot):
 def test_touching_is_a_gap_below_zero(found, share):
     """At any moment, for any sector: the seven regions are the points within the radius of the sector, and no others."""
     ring, flight = found
-    ball, exact = exact_ball(flight), annulus(ring)
+    ball, exact = exact_ball(flight), exact_ring(ring)
     time = share / 240.0
     at = moment(ball, exact, arb(time))
     for slot in range(ring.count):
@@ -69,21 +69,21 @@ def test_touching_is_a_gap_below_zero(found, share):
 def test_apart_agrees_with_samples(found):
     """Where the proof finds no touch, no sample overlaps; where it names a moment of a touch, the gap there is below 0."""
     ring, flight = found
-    ball, exact = exact_ball(flight), annulus(ring)
-    window = Window(ball.start, arb(flight.stop), first=False, last=False)
+    ball, exact = exact_ball(flight), exact_ring(ring)
+    window = TimeWindow(ball.start, arb(flight.stop), first=False, last=False)
     for slot in range(ring.count):
         place = sector(ring.count, ring.half_angle, slot)
         search = apart(ball, exact, place, window, ball.radius, arb(0))
         gaps = [gap(Ball(flight.position, flight.velocity, flight.radius), ring, k / 240e3, [slot]) for k in range(0, 1001, 4)]
-        if search.finding == Finding.APART:
+        if search.finding == Separation.APART:
             assert min(gaps) > -1e-12
-        elif search.finding == Finding.TOUCHED:
+        elif search.finding == Separation.TOUCHED:
             time = float(search.time.mid())
             assert exact_gap(flight, ring, time, slot) < 1e-12
         else:
             assert abs(min(gaps)) < 1e-3
         if min(gaps) < -1e-9:
-            assert search.finding == Finding.TOUCHED
+            assert search.finding == Separation.TOUCHED
 
 
 @given(flights())
@@ -105,5 +105,5 @@ def test_the_sign_of_a_parabola_is_exact(a, b, c):
     inside = [-b / (2 * a)] if a > 0 and 0 < -b / (2 * a) < 1 else []
     least = min(c + b * s + a * s * s for s in [Fraction(0), Fraction(1), *inside])
     number = [arb(x.numerator) / x.denominator for x in (c, b, c + b + a, b + 2 * a, 2 * a)]
-    found = positive(Curve(*number, None), arb(1))
+    found = positive(FunctionOnInterval(*number, None), arb(1))
     assert found == (least > 0)

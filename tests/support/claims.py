@@ -5,7 +5,7 @@ import math
 
 from physics import PERMANENT, Arena, Ball, Contact, Feature, Hit, Ring, advance
 from tools.certify.certificate import certificates
-from tools.certify.flights import Tick
+from tools.certify.flights import ClaimedTick
 
 SPEED = 8.0
 TICK = 1.0 / 240.0
@@ -55,7 +55,7 @@ def past_a_corner(sign, outer, spin, miss):
 
 def played(arena, dt=TICK):
     """The tick as the physics plays it."""
-    return Tick(0, arena, dt, SPEED, advance(arena, dt, SPEED))
+    return ClaimedTick(0, arena, dt, SPEED, advance(arena, dt, SPEED))
 
 
 def claiming(tick, number=0, **changes):
@@ -75,7 +75,7 @@ def flown_through(arena, dt=TICK):
     """The tick of a physics that sees no touch."""
     end = Arena(tuple([ball.moved(dt) for ball in arena.balls]), tuple([ring.turned(dt) for ring in arena.rings]), arena.layers)
     step = advance(arena._replace(balls=()), dt, SPEED)
-    return Tick(0, arena, dt, SPEED, step._replace(arena=end))
+    return ClaimedTick(0, arena, dt, SPEED, step._replace(arena=end))
 
 
 def with_hit(tick, time, normal, slot=0):

@@ -34,11 +34,11 @@ from typing import NamedTuple
 from flint import arb
 
 from physics import Hit, Ring
+from tools.certify.exact_geometry import ExactBall, ExactRing, exact_ball, exact_ring, moment, sector
 from tools.certify.exclusion import ring_is_far, sectors_near
-from tools.certify.flights import Flight, Tick, flights_of, starts
-from tools.certify.moments import Annulus, Exact, annulus, exact_ball, moment, sector
-from tools.certify.no_touch import Finding, Window, apart, misses, touches
-from tools.certify.touch import Touch, touch
+from tools.certify.flights import ClaimedTick, StraightFlight, flights_of, starts
+from tools.certify.no_touch import Separation, TimeWindow, apart, misses, touches
+from tools.certify.touch import ProvedTouch, touch
 
 SEARCH_ENDS = 1e-13
 """World units: a gap at which the physics, by its own word, may end the search for an impact."""
@@ -58,7 +58,7 @@ LOOSEST = 1e-7
 _UNIT = 2.0**-53
 
 
-class Verdict(Enum):
+class Decision(Enum):
     """What became of a claim."""
 
     CERTIFIED = "certified"
@@ -92,7 +92,7 @@ class Certificate(NamedTuple):
     as floats rounded up: time_bound tau in s, time_off |t* - t| in s, gap_off |gap(t)|, normal_bound, normal_off.
     """
 
-    verdict: Verdict
+    verdict: Decision
     reason: Reason
     tick: int
     ball: int
@@ -110,36 +110,36 @@ class _Scales(NamedTuple):
     tolerance: float
 
 
-class _Proof(NamedTuple):
-    """A proved touch with its tau, or a doubt."""
+class _Ruling(NamedTuple):
+    """A verdict; of a proved touch with late, |t* - t|, and bound, tau, in seconds."""
 
-    verdict: Verdict
+    verdict: Decision
     reason: Reason
-    touch: Touch | None = None
-    late: float = 0.0  # |t* - t|, s
-    bound: float = 0.0  # tau, s
+    touch: ProvedTouch | None = None
+    late: float = 0.0
+    bound: float = 0.0
 
 
-def certificates(tick: Tick) -> Iterator[Certificate]:
+def certificates(tick: ClaimedTick) -> Iterator[Certificate]:
     """A certificate for every flight of a tick."""
-    rings = [annulus(ring) for ring in tick.arena.rings]
+    rings = [exact_ring(ring) for ring in tick.arena.rings]
     squeezed: set[int] = set()
     if tick.step.freed:
         squeezed = {index for index in range(len(tick.arena.balls)) if _starts_inside(_start_of(tick, index), tick, rings)}
     for flight in flights_of(tick):
         if flight.ball in squeezed:
-            yield Certificate(Verdict.UNDECIDED, Reason.SQUEEZED, tick.number, flight.ball, flight.hit)
+            yield Certificate(Decision.UNDECIDED, Reason.SQUEEZED, tick.number, flight.ball, flight.hit)
         else:
             yield _certificate(flight, tick, rings)
 
 
-def _start_of(tick: Tick, index: int) -> Flight:
+def _start_of(tick: ClaimedTick, index: int) -> StraightFlight:
     """A flight of a ball as long as the tick."""
     p, v, radius = starts(tick)[index]
-    return Flight(index, p, v, radius, 0.0, tick.dt, None, tick.arena.layers, {})
+    return StraightFlight(index, p, v, radius, 0.0, tick.dt, None, tick.arena.layers, {})
 
 
-def _starts_inside(flight: Flight, tick: Tick, rings: Sequence[Annulus]) -> bool:
+def _starts_inside(flight: StraightFlight, tick: ClaimedTick, rings: Sequence[ExactRing]) -> bool:
     """Whether a flight certainly starts in an overlap deeper than the tolerance."""
     ball = exact_ball(flight)
     for number, ring, slot in _sectors_in_reach(flight, tick.arena.rings):
@@ -149,32 +149,32 @@ def _starts_inside(flight: Flight, tick: Tick, rings: Sequence[Annulus]) -> bool
     return False
 
 
-def _certificate(flight: Flight, tick: Tick, rings: Sequence[Annulus]) -> Certificate:
+def _certificate(flight: StraightFlight, tick: ClaimedTick, rings: Sequence[ExactRing]) -> Certificate:
     """The certificate of one flight."""
     ball, hit = exact_ball(flight), flight.hit
 
-    def verdict(proof: _Proof, **measured: float) -> Certificate:
+    def verdict(proof: _Ruling, **measured: float) -> Certificate:
         return Certificate(proof.verdict, proof.reason, tick.number, flight.ball, hit, **measured)
 
     if hit is not None and hit.before != flight.velocity:
-        return verdict(_Proof(Verdict.REFUTED, Reason.PATH))
+        return verdict(_Ruling(Decision.REFUTED, Reason.PATH))
     if hit is None:
         if not _goes_on(flight, tick):
-            return verdict(_Proof(Verdict.REFUTED, Reason.PATH))
+            return verdict(_Ruling(Decision.REFUTED, Reason.PATH))
         return verdict(_nothing_touched(flight, ball, tick, rings, arb(flight.stop)))
     ring = tick.arena.rings[hit.ring]
     proof = _touched(flight, hit, ball, ring, rings[hit.ring])
     if proof.touch is None:
-        deeper = proof.verdict == Verdict.UNDECIDED and _nothing_touched(flight, ball, tick, rings, arb(hit.time))
-        return verdict(deeper if deeper and deeper.verdict == Verdict.REFUTED else proof)
+        deeper = proof.verdict == Decision.UNDECIDED and _nothing_touched(flight, ball, tick, rings, arb(hit.time))
+        return verdict(deeper if deeper and deeper.verdict == Decision.REFUTED else proof)
     before = _nothing_touched(flight, ball, tick, rings, arb(hit.time) - arb(proof.bound))
-    if before.verdict != Verdict.CERTIFIED:
+    if before.verdict != Decision.CERTIFIED:
         return verdict(before)
     known, off, bound = _contact(hit, proof, ball, rings[hit.ring], _scales(flight, ring))
     return verdict(known, time_bound=proof.bound, time_off=proof.late, normal_bound=bound, normal_off=off)
 
 
-def _goes_on(flight: Flight, tick: Tick) -> bool:
+def _goes_on(flight: StraightFlight, tick: ClaimedTick) -> bool:
     """Whether ball and rings are, at the tick's end, where the flight and the spins lead, but for rounding.
 
     A tick at whose end a squeezed ball was put elsewhere is not asked.
@@ -197,24 +197,24 @@ def _turned(old: Ring, new: Ring, dt: float) -> bool:
     return abs(turn - whole) <= ROUNDINGS * _UNIT * (math.tau + abs(old.spin) * dt) and new._replace(phase=old.phase) == old
 
 
-def _touched(flight: Flight, hit: Hit, ball: Exact, ring: Ring, exact: Annulus) -> _Proof:
+def _touched(flight: StraightFlight, hit: Hit, ball: ExactBall, ring: Ring, exact: ExactRing) -> _Ruling:
     """Point 1: the reported sector is touched near the reported time."""
     tolerance, time = arb(_scales(flight, ring).tolerance), arb(hit.time)
     wrong = _refutation(flight, hit, ball, ring, exact, tolerance)
     if wrong != Reason.NONE:
-        return _Proof(Verdict.REFUTED, wrong)
+        return _Ruling(Decision.REFUTED, wrong)
     found = touch(ball, exact, sector(ring.count, ring.half_angle, hit.slot), time, 2 * tolerance)
     if found is None:
-        return _Proof(Verdict.UNDECIDED, Reason.GRAZE)
+        return _Ruling(Decision.UNDECIDED, Reason.GRAZE)
     if found.closing < 0:
-        return _Proof(Verdict.REFUTED, Reason.LEAVING)
+        return _Ruling(Decision.REFUTED, Reason.LEAVING)
     late, bound = _above(abs(found.time - time)), float((2 * tolerance / found.closing).lower())
     if not late <= bound <= LOOSEST:
-        return _Proof(Verdict.UNDECIDED, Reason.GRAZE)
-    return _Proof(Verdict.CERTIFIED, Reason.NONE, found, late, bound)
+        return _Ruling(Decision.UNDECIDED, Reason.GRAZE)
+    return _Ruling(Decision.CERTIFIED, Reason.NONE, found, late, bound)
 
 
-def _refutation(flight: Flight, hit: Hit, ball: Exact, ring: Ring, exact: Annulus, tolerance: arb) -> Reason:
+def _refutation(flight: StraightFlight, hit: Hit, ball: ExactBall, ring: Ring, exact: ExactRing, tolerance: arb) -> Reason:
     """Why the reported sector is certainly not just touched at the reported time; `NONE` where it may be."""
     if not flight.layers[hit.ring][hit.slot] or (hit.ring, hit.slot) in flight.gone:
         return Reason.NO_SECTOR
@@ -225,11 +225,13 @@ def _refutation(flight: Flight, hit: Hit, ball: Exact, ring: Ring, exact: Annulu
     return Reason.OVERLAP if touches(at, exact, place, ball.radius - tolerance) else Reason.NONE
 
 
-def _nothing_touched(flight: Flight, ball: Exact, tick: Tick, rings: Sequence[Annulus], stop: arb) -> _Proof:
+def _nothing_touched(
+    flight: StraightFlight, ball: ExactBall, tick: ClaimedTick, rings: Sequence[ExactRing], stop: arb
+) -> _Ruling:
     """Point 2: no living sector is touched from the flight's start until a time."""
-    doubt: _Proof | None = None
+    doubt: _Ruling | None = None
     if not ball.start < stop:
-        return _Proof(Verdict.CERTIFIED, Reason.NONE)
+        return _Ruling(Decision.CERTIFIED, Reason.NONE)
     for number, ring, slot in _sectors_in_reach(flight, tick.arena.rings):
         gone = flight.gone.get((number, slot))
         until, last = stop, flight.hit is None
@@ -238,22 +240,22 @@ def _nothing_touched(flight: Flight, ball: Exact, tick: Tick, rings: Sequence[An
         if not ball.start < until:
             continue
         place, tolerance = sector(ring.count, ring.half_angle, slot), arb(_scales(flight, ring).tolerance)
-        window = Window(ball.start, until, first=True, last=last)
-        if apart(ball, rings[number], place, window, ball.radius, tolerance).finding == Finding.APART:
+        window = TimeWindow(ball.start, until, first=True, last=last)
+        if apart(ball, rings[number], place, window, ball.radius, tolerance).finding == Separation.APART:
             continue
         less = ball.radius - tolerance
         deeper = apart(ball, rings[number], place, window, less, arb(0)).finding
-        if deeper == Finding.TOUCHED:
+        if deeper == Separation.TOUCHED:
             inside = touches(moment(ball, rings[number], ball.start), rings[number], place, less)
             if not inside:
-                return _Proof(Verdict.REFUTED, Reason.EARLIER)
-            doubt = _Proof(Verdict.UNDECIDED, Reason.SQUEEZED)
+                return _Ruling(Decision.REFUTED, Reason.EARLIER)
+            doubt = _Ruling(Decision.UNDECIDED, Reason.SQUEEZED)
         else:
-            doubt = doubt or _Proof(Verdict.UNDECIDED, Reason.EARLIER_GRAZE if deeper == Finding.APART else Reason.SEARCH)
-    return doubt or _Proof(Verdict.CERTIFIED, Reason.NONE)
+            doubt = doubt or _Ruling(Decision.UNDECIDED, Reason.EARLIER_GRAZE if deeper == Separation.APART else Reason.SEARCH)
+    return doubt or _Ruling(Decision.CERTIFIED, Reason.NONE)
 
 
-def _contact(hit: Hit, proof: _Proof, ball: Exact, ring: Annulus, scales: _Scales) -> tuple[_Proof, float, float]:
+def _contact(hit: Hit, proof: _Ruling, ball: ExactBall, ring: ExactRing, scales: _Scales) -> tuple[_Ruling, float, float]:
     """Point 3: the verdict on the reported normal and point, how far the normal is off, and its bound."""
     found = proof.touch
     assert found is not None
@@ -265,13 +267,13 @@ def _contact(hit: Hit, proof: _Proof, ball: Exact, ring: Annulus, scales: _Scale
     flown = found.time - ball.start
     px, py = ball.px + ball.vx * flown - ball.radius * found.nx, ball.py + ball.vy * flown - ball.radius * found.ny
     if not 2 * (found.nx.rad() + found.ny.rad()) < NORMAL_WIDTH:
-        known = _Proof(Verdict.UNDECIDED, Reason.WIDE)
+        known = _Ruling(Decision.UNDECIDED, Reason.WIDE)
     elif not square <= bound * bound:
-        known = _Proof(Verdict.REFUTED if square > bound * bound else Verdict.UNDECIDED, Reason.NORMAL)
+        known = _Ruling(Decision.REFUTED if square > bound * bound else Decision.UNDECIDED, Reason.NORMAL)
     elif _square_of_distance(px, py, hit.contact.point) > 4 * moved * moved:
-        known = _Proof(Verdict.REFUTED, Reason.POINT)
+        known = _Ruling(Decision.REFUTED, Reason.POINT)
     else:
-        known = _Proof(Verdict.CERTIFIED, Reason.NONE)
+        known = _Ruling(Decision.CERTIFIED, Reason.NONE)
     return known, _above(square.upper().sqrt()), _above(bound)
 
 
@@ -281,7 +283,7 @@ def _square_of_distance(x: arb, y: arb, point: complex) -> arb:
     return dx * dx + dy * dy
 
 
-def _sectors_in_reach(flight: Flight, rings: Sequence[Ring]) -> Iterator[tuple[int, Ring, int]]:
+def _sectors_in_reach(flight: StraightFlight, rings: Sequence[Ring]) -> Iterator[tuple[int, Ring, int]]:
     """(number of the ring, ring, slot) of every sector that the flight can come near and that is there when it starts."""
     reach = abs(flight.velocity) * (flight.stop - flight.start) + flight.radius
     for number, ring in enumerate(rings):
@@ -291,7 +293,7 @@ def _sectors_in_reach(flight: Flight, rings: Sequence[Ring]) -> Iterator[tuple[i
                     yield number, ring, slot
 
 
-def _scales(flight: Flight, ring: Ring) -> _Scales:
+def _scales(flight: StraightFlight, ring: Ring) -> _Scales:
     """The tolerances of a flight beside a ring."""
     travel = abs(flight.velocity) * (flight.stop - flight.start)
     lengths = abs(flight.position) + travel + ring.radius + ring.half_width + flight.radius

@@ -9,19 +9,19 @@ from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 from tools.certify.boxes.catalogue import boxes
 from tools.certify.boxes.subdivision import proof_of
-from tools.certify.moments import use_precision
+from tools.certify.exact_geometry import use_precision
 from tools.certify.report import functions_json_text, functions_lines, json_text, lines
-from tools.certify.run import Outcome, outcome
-from tools.certify.sources import Plan, Source
-from tools.certify.tally import Tally
+from tools.certify.run import RunResult, outcome
+from tools.certify.sources import ClaimSource, SourcePlan
+from tools.certify.totals import Totals
 from tools.crosscheck.files import check_writable, write_whole
 
 
 def certify(names: tuple[str, ...], impacts: int, seed: int, workers: int, json: Path | None, *, every_case: bool) -> int:
     """Certify what is named, or a plan of games and arenas; the exit code."""
     check_writable(json, "--json")
-    named = [Source(name).checked() for name in names]
-    done = _with_progress(named or Plan(seed, impacts), None if named else impacts, workers)
+    named = [ClaimSource(name).checked() for name in names]
+    done = _with_progress(named or SourcePlan(seed, impacts), None if named else impacts, workers)
     for line in lines(done, every_case=every_case):
         print(line)  # noqa: T201  # the command's output
     if json is not None:
@@ -48,7 +48,7 @@ def certify_functions(pieces: int, json: Path | None) -> int:
     return 0 if all([proof.wrong is None and proof.proved > 0.0 for proof in proofs]) else 1
 
 
-def _with_progress(sources: "list[Source] | Plan", impacts: int | None, workers: int) -> Outcome:
+def _with_progress(sources: "list[ClaimSource] | SourcePlan", impacts: int | None, workers: int) -> RunResult:
     """Run; where somebody watches, a bar shows how far it is."""
     console = Console(stderr=True)
     columns = (
@@ -60,7 +60,7 @@ def _with_progress(sources: "list[Source] | Plan", impacts: int | None, workers:
     with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as progress:
         task = progress.add_task("", total=len(sources) if impacts is None else impacts, impacts=0, refuted=0)
 
-        def tell(number: int, tally: Tally) -> None:
+        def tell(number: int, tally: Totals) -> None:
             completed = number if impacts is None else tally.impacts
             progress.update(task, completed=completed, impacts=tally.impacts, refuted=tally.refuted)
 

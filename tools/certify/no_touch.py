@@ -1,6 +1,6 @@
 """A flight touches a sector at no moment: proved piece by piece.
 
-The points within r of a sector are the union of seven regions, in the sector's frame (X, Y of an end as in `moments`):
+The points within r of a sector are the union of seven regions, in the sector's frame (X, Y of an end as in `exact_geometry`):
 
     the face     |psi| <= alpha and inner - r <= |P| <= outer + r
     two strips   inner <= X <= outer and |Y| <= r, one beside each end
@@ -20,8 +20,8 @@ from typing import NamedTuple
 
 from flint import arb
 
-from tools.certify.moments import Annulus, Beside, End, Exact, Moment, Sector, beside, moment
-from tools.certify.signs import Curve, kept_apart
+from tools.certify.exact_geometry import Beside, EndVector, ExactBall, ExactRing, FrameState, SectorShape, beside, moment
+from tools.certify.signs import FunctionOnInterval, kept_apart
 
 MOST_PIECES = 4000
 """Intervals that one flight beside one sector is cut into before it is given up as undecided. Twelve are usual."""
@@ -29,7 +29,7 @@ MOST_PIECES = 4000
 _FACE = 0
 
 
-class Finding(Enum):
+class Separation(Enum):
     """What the search for a proof came to."""
 
     APART = "no touch"
@@ -37,7 +37,7 @@ class Finding(Enum):
     OPEN = "no proof within the pieces allowed"
 
 
-class Window(NamedTuple):
+class TimeWindow(NamedTuple):
     """A part of a flight. first, last: whether the flight's start, and its end, belong to it and may be a touch."""
 
     start: arb
@@ -46,18 +46,18 @@ class Window(NamedTuple):
     last: bool
 
 
-class Search(NamedTuple):
+class SeparationSearch(NamedTuple):
     """A finding, and a moment of the touch where there is one."""
 
-    finding: Finding
+    finding: Separation
     time: arb | None = None
 
 
-class _Piece(NamedTuple):
+class _TimePiece(NamedTuple):
     """An interval of time with the regions that the ball may still enter on it."""
 
-    start: Moment
-    stop: Moment
+    start: FrameState
+    stop: FrameState
     first: bool
     last: bool
     regions: tuple[int, ...]
@@ -66,35 +66,37 @@ class _Piece(NamedTuple):
 class _Body(NamedTuple):
     """A ball and a sector. radius: of the ball. tolerance: how deep a flight may start or end in a touch."""
 
-    ball: Exact
-    ring: Annulus
-    sector: Sector
+    ball: ExactBall
+    ring: ExactRing
+    sector: SectorShape
     radius: arb
     tolerance: arb
 
 
-def apart(ball: Exact, ring: Annulus, place: Sector, window: Window, radius: arb, tolerance: arb) -> Search:
+def apart(
+    ball: ExactBall, ring: ExactRing, place: SectorShape, window: TimeWindow, radius: arb, tolerance: arb
+) -> SeparationSearch:
     """Whether a ball of some radius, on a ball's flight, stays apart from a sector throughout a window."""
     body = _Body(ball, ring, place, radius, tolerance)
     regions = (_FACE,) if place.whole else (_FACE, 1, 2, 3, 4, 5, 6)
-    whole = _Piece(moment(ball, ring, window.start), moment(ball, ring, window.stop), window.first, window.last, regions)
+    whole = _TimePiece(moment(ball, ring, window.start), moment(ball, ring, window.stop), window.first, window.last, regions)
     pieces = [whole]
     for _ in range(MOST_PIECES):
         if not pieces:
-            return Search(Finding.APART)
+            return SeparationSearch(Separation.APART)
         piece = pieces.pop()
         left = _regions_left(body, piece)
         if not left:
             continue
         middle = moment(ball, ring, ((piece.start.time + piece.stop.time) / 2).mid())
         if touches(middle, ring, place, radius):
-            return Search(Finding.TOUCHED, middle.time)
-        pieces.append(_Piece(middle, piece.stop, False, piece.last, left))
-        pieces.append(_Piece(piece.start, middle, piece.first, False, left))
-    return Search(Finding.OPEN)
+            return SeparationSearch(Separation.TOUCHED, middle.time)
+        pieces.append(_TimePiece(middle, piece.stop, False, piece.last, left))
+        pieces.append(_TimePiece(piece.start, middle, piece.first, False, left))
+    return SeparationSearch(Separation.OPEN)
 
 
-def touches(at: Moment, ring: Annulus, place: Sector, radius: arb) -> bool:
+def touches(at: FrameState, ring: ExactRing, place: SectorShape, radius: arb) -> bool:
     """Whether a ball of some radius overlaps a sector at a moment, for certain."""
     if _radially_in(at, ring, radius) and _in_wedge(at, ring, place):
         return True
@@ -110,21 +112,21 @@ def touches(at: Moment, ring: Annulus, place: Sector, radius: arb) -> bool:
     return False
 
 
-def misses(at: Moment, ring: Annulus, place: Sector, radius: arb) -> bool:
+def misses(at: FrameState, ring: ExactRing, place: SectorShape, radius: arb) -> bool:
     """Whether a ball of some radius is apart from a sector at a moment, for certain."""
     still = arb(0)
-    piece = _Piece(at, at, False, False, (_FACE,) if place.whole else (_FACE, 1, 2, 3, 4, 5, 6))
-    body = _Body(Exact(still, still, still, still, radius, still, still), ring, place, radius, still)
+    piece = _TimePiece(at, at, False, False, (_FACE,) if place.whole else (_FACE, 1, 2, 3, 4, 5, 6))
+    body = _Body(ExactBall(still, still, still, still, radius, still, still), ring, place, radius, still)
     return not _regions_left(body, piece)
 
 
-def _radially_in(at: Moment, ring: Annulus, radius: arb) -> bool:
+def _radially_in(at: FrameState, ring: ExactRing, radius: arb) -> bool:
     """Whether the ball reaches into the ring's annulus, for certain."""
     hole, edge = ring.inner - radius, ring.outer + radius
     return bool(at.square < edge * edge and (hole < 0 or at.square > hole * hole))
 
 
-def _in_wedge(at: Moment, ring: Annulus, place: Sector) -> bool:
+def _in_wedge(at: FrameState, ring: ExactRing, place: SectorShape) -> bool:
     """Whether the centre's bearing lies within the sector's, for certain."""
     if place.whole:
         return True
@@ -132,7 +134,7 @@ def _in_wedge(at: Moment, ring: Annulus, place: Sector) -> bool:
     return bool(ahead or behind) if place.wide else bool(ahead and behind)
 
 
-def _regions_left(body: _Body, piece: _Piece) -> tuple[int, ...]:
+def _regions_left(body: _Body, piece: _TimePiece) -> tuple[int, ...]:
     """The regions that the ball may enter during a piece."""
     width = piece.stop.time - piece.start.time
     if any([_holds(curve, width, piece) for curve in _band(body, piece)]):
@@ -140,49 +142,49 @@ def _regions_left(body: _Body, piece: _Piece) -> tuple[int, ...]:
     if body.sector.whole:
         return piece.regions
     views = [
-        _View(body, piece, end, beside(piece.start, end, body.ring), beside(piece.stop, end, body.ring))
+        _BesideEnd(body, piece, end, beside(piece.start, end, body.ring), beside(piece.stop, end, body.ring))
         for end in body.sector.ends
     ]
     return tuple([region for region in piece.regions if not _kept_out(views, region, width, piece)])
 
 
-def _kept_out(views: "list[_View]", region: int, width: arb, piece: _Piece) -> bool:
+def _kept_out(views: "list[_BesideEnd]", region: int, width: arb, piece: _TimePiece) -> bool:
     """Whether the ball stays out of one region during a piece."""
     if region == _FACE:
         beyond = [_holds(view.beyond(), width, piece) for view in views]
         return all(beyond) if views[0].body.sector.wide else any(beyond)
     end, part = divmod(region - 1, 3)
     view = views[end]
-    curves = view.out_of_strip() if part == 0 else view.out_of_disc(part == 2)
+    curves = view.out_of_strip() if part == 0 else view.out_of_disc(view.corners[part - 1])
     return any([_holds(curve, width, piece) for curve in curves])
 
 
-def _holds(curve: Curve, width: arb, piece: _Piece) -> bool:
+def _holds(curve: FunctionOnInterval, width: arb, piece: _TimePiece) -> bool:
     """Whether a condition holds throughout a piece."""
     return kept_apart(curve, width, first=piece.first, last=piece.last)
 
 
-def _band(body: _Body, piece: _Piece) -> Iterator[Curve]:
+def _band(body: _Body, piece: _TimePiece) -> Iterator[FunctionOnInterval]:
     """Conditions that keep the ball out of every region: beyond the outer face, or within the hole."""
     a, b = piece.start, piece.stop
     rate_a, rate_b = 2 * a.outward, 2 * b.outward
     bend = 2 * (body.ball.vx * body.ball.vx + body.ball.vy * body.ball.vy)
     edge = body.ring.outer + body.radius
     less = edge - body.tolerance
-    yield Curve(a.square - edge * edge, rate_a, b.square - edge * edge, rate_b, bend, edge * edge - less * less)
+    yield FunctionOnInterval(a.square - edge * edge, rate_a, b.square - edge * edge, rate_b, bend, edge * edge - less * less)
     hole = body.ring.inner - body.radius
     if hole > 0:
         more = hole + body.tolerance
         ease = more * more - hole * hole
-        yield Curve(hole * hole - a.square, -rate_a, hole * hole - b.square, -rate_b, -bend, ease)
+        yield FunctionOnInterval(hole * hole - a.square, -rate_a, hole * hole - b.square, -rate_b, -bend, ease)
 
 
-class _View:
+class _BesideEnd:
     """A ball beside one end during a piece: the conditions that keep it out of the end's regions."""
 
-    def __init__(self, body: _Body, piece: _Piece, end: End, start: Beside, stop: Beside) -> None:
+    def __init__(self, body: _Body, piece: _TimePiece, end: EndVector, start: Beside, stop: Beside) -> None:
         """Take both ends of the piece, and bound the second derivatives in between."""
-        self.body, self.end = body, end
+        self.body, self.end, self.corners = body, end, (body.ring.inner, body.ring.outer)
         self.a, self.b = start, stop
         self.ddx = self.ddy = arb(0)
         ring = body.ring
@@ -195,29 +197,28 @@ class _View:
             self.ddx = 2 * spin * start.vy - square * start.x + slack
             self.ddy = -2 * spin * start.vx - square * start.y + slack
 
-    def beyond(self) -> Curve:
+    def beyond(self) -> FunctionOnInterval:
         """Beyond the end's line, on the side away from its sector."""
         a, b = self.a, self.b
         if self.end.sign > 0:
-            return Curve(a.y, a.dy, b.y, b.dy, self.ddy, None)
-        return Curve(-a.y, -a.dy, -b.y, -b.dy, -self.ddy, None)
+            return FunctionOnInterval(a.y, a.dy, b.y, b.dy, self.ddy, None)
+        return FunctionOnInterval(-a.y, -a.dy, -b.y, -b.dy, -self.ddy, None)
 
-    def out_of_strip(self) -> Iterator[Curve]:
+    def out_of_strip(self) -> Iterator[FunctionOnInterval]:
         """Above the strip, below it, inward of it, outward of it."""
         a, b, r = self.a, self.b, self.body.radius
         ring, tolerance = self.body.ring, self.body.tolerance
-        yield Curve(a.y - r, a.dy, b.y - r, b.dy, self.ddy, tolerance)
-        yield Curve(-a.y - r, -a.dy, -b.y - r, -b.dy, -self.ddy, tolerance)
-        yield Curve(ring.inner - a.x, -a.dx, ring.inner - b.x, -b.dx, -self.ddx, None)
-        yield Curve(a.x - ring.outer, a.dx, b.x - ring.outer, b.dx, self.ddx, None)
+        yield FunctionOnInterval(a.y - r, a.dy, b.y - r, b.dy, self.ddy, tolerance)
+        yield FunctionOnInterval(-a.y - r, -a.dy, -b.y - r, -b.dy, -self.ddy, tolerance)
+        yield FunctionOnInterval(ring.inner - a.x, -a.dx, ring.inner - b.x, -b.dx, -self.ddx, None)
+        yield FunctionOnInterval(a.x - ring.outer, a.dx, b.x - ring.outer, b.dx, self.ddx, None)
 
-    def out_of_disc(self, outer: bool) -> Iterator[Curve]:  # noqa: FBT001
+    def out_of_disc(self, rho: arb) -> Iterator[FunctionOnInterval]:
         """Out of the disc around a corner: the square of the distance, |P|^2 - 2 rho X + rho^2, above r^2."""
         a, b, r = self.a, self.b, self.body.radius
-        rho = self.body.ring.outer if outer else self.body.ring.inner
         less = r - self.body.tolerance
         square = r * r
         values = [(seen.x - rho) * (seen.x - rho) + seen.y * seen.y - square for seen in (a, b)]
         rates = [2 * ((seen.x - rho) * seen.dx + seen.y * seen.dy) for seen in (a, b)]
         bend = 2 * (self.body.ball.vx * self.body.ball.vx + self.body.ball.vy * self.body.ball.vy) - 2 * rho * self.ddx
-        yield Curve(values[0], rates[0], values[1], rates[1], bend, square - less * less)
+        yield FunctionOnInterval(values[0], rates[0], values[1], rates[1], bend, square - less * less)

@@ -9,19 +9,19 @@ from collections.abc import Iterator, Sequence
 from game import VERSION
 from physics import PHYSICS_VERSION
 from tools.certify.boxes.subdivision import Proof
-from tools.certify.certificate import NORMAL, NORMAL_WIDTH, ROUNDINGS, SEARCH_ENDS, Verdict
-from tools.certify.run import Outcome
+from tools.certify.certificate import NORMAL, NORMAL_WIDTH, ROUNDINGS, SEARCH_ENDS, Decision
+from tools.certify.run import RunResult
 
 FORMAT = "polar-breakout certify 1"
 _SHOWN = 10
 
 
-def verdict(outcome: Outcome) -> str:
+def verdict(outcome: RunResult) -> str:
     """The line that says it."""
     tally = outcome.tally
-    certified, undecided = (tally.number(impact=True, verdict=one) for one in (Verdict.CERTIFIED, Verdict.UNDECIDED))
-    flights = tally.number(impact=False, verdict=Verdict.CERTIFIED)
-    unsure = tally.number(impact=False, verdict=Verdict.UNDECIDED)
+    certified, undecided = (tally.number(impact=True, verdict=one) for one in (Decision.CERTIFIED, Decision.UNDECIDED))
+    flights = tally.number(impact=False, verdict=Decision.CERTIFIED)
+    unsure = tally.number(impact=False, verdict=Decision.UNDECIDED)
     word = "REFUTED" if tally.refuted else "CERTIFIED" if certified else "NOTHING CERTIFIED"
     line = f"{word}: {certified:,} impacts and {flights:,} free flights certified, {tally.refuted} refuted, "
     line += f"{undecided} and {unsure} undecided"
@@ -30,10 +30,10 @@ def verdict(outcome: Outcome) -> str:
     return line + ("; stopped by Ctrl-C" if outcome.partial else "")
 
 
-def lines(outcome: Outcome, *, every_case: bool) -> Iterator[str]:
+def lines(outcome: RunResult, *, every_case: bool) -> Iterator[str]:
     """The whole report, the verdict last."""
     tally = outcome.tally
-    certified = tally.number(impact=True, verdict=Verdict.CERTIFIED)
+    certified = tally.number(impact=True, verdict=Decision.CERTIFIED)
     yield f"{tally.sources:,} games and arenas, {tally.ticks:,} ticks"
     if certified:
         features = ", ".join(
@@ -44,15 +44,15 @@ def lines(outcome: Outcome, *, every_case: bool) -> Iterator[str]:
         share = f"within {NORMAL:g} without any allowance: {tally.close / certified:.2%}"
         yield f"normal: at most {tally.normal_off:.2g} off; {share}"
     for (impact, one, reason), count in sorted(tally.counts.items(), key=lambda item: -item[1]):
-        if one != Verdict.CERTIFIED:
+        if one != Decision.CERTIFIED:
             yield f"{one.value}: {count:,} {'impacts' if impact else 'free flights'}: {reason.value}"
-    shown = tally.cases if every_case else [case for case in tally.cases if case.verdict == Verdict.REFUTED][:_SHOWN]
+    shown = tally.cases if every_case else [case for case in tally.cases if case.verdict == Decision.REFUTED][:_SHOWN]
     yield from map(str, shown)
     yield from [f"lost: {name}: {why}" for name, why in outcome.lost]
     yield verdict(outcome)
 
 
-def json_text(outcome: Outcome, options: dict[str, object]) -> str:
+def json_text(outcome: RunResult, options: dict[str, object]) -> str:
     """The outcome as JSON: one object; `format` changes when a key changes its meaning."""
     tally = outcome.tally
     kinds = [

@@ -4,20 +4,22 @@ from collections.abc import Callable, Generator, Iterator, Sequence
 from contextlib import closing
 from typing import NamedTuple
 
-from tools.certify.sources import Source
-from tools.certify.tally import Tally, nothing, tally_of
+from tools.certify.sources import ClaimSource
+from tools.certify.totals import Totals, nothing, tally_of
 from tools.crosscheck.workers import Lost, results_of
 
 
-class Outcome(NamedTuple):
+class RunResult(NamedTuple):
     """What a run came to. lost: sources without a result, and why. partial: it was stopped by Ctrl-C."""
 
-    tally: Tally
+    tally: Totals
     lost: tuple[tuple[str, str], ...] = ()
     partial: bool = False
 
 
-def outcome(sources: Sequence[Source], impacts: int | None, workers: int, tell: Callable[[int, Tally], None]) -> Outcome:
+def outcome(
+    sources: Sequence[ClaimSource], impacts: int | None, workers: int, tell: Callable[[int, Totals], None]
+) -> RunResult:
     """The sources in their order, until `impacts` are reached; None: all of them.
 
     The same for any number of workers: results are taken in the order of the sources. After Ctrl-C, what there is until then.
@@ -35,11 +37,11 @@ def outcome(sources: Sequence[Source], impacts: int | None, workers: int, tell: 
                 if impacts is not None and total.impacts >= impacts:
                     break
     except KeyboardInterrupt:
-        return Outcome(total, tuple(lost), partial=True)
-    return Outcome(total, tuple(lost))
+        return RunResult(total, tuple(lost), partial=True)
+    return RunResult(total, tuple(lost))
 
 
-def _results(sources: Sequence[Source], workers: int) -> Generator[Tally | Lost, None, None]:
+def _results(sources: Sequence[ClaimSource], workers: int) -> Generator[Totals | Lost, None, None]:
     """A result for each source, in order."""
     if workers == 1:
         yield from map(tally_of, sources)
@@ -47,9 +49,9 @@ def _results(sources: Sequence[Source], workers: int) -> Generator[Tally | Lost,
         yield from _in_order(results_of(tally_of, sources, workers))
 
 
-def _in_order(results: Iterator[tuple[int, Tally | Lost]]) -> Iterator[Tally | Lost]:
+def _in_order(results: Iterator[tuple[int, Totals | Lost]]) -> Iterator[Totals | Lost]:
     """Numbered results in the order of their numbers; what comes early waits."""
-    early: dict[int, Tally | Lost] = {}
+    early: dict[int, Totals | Lost] = {}
     number = 0
     for found, result in results:
         early[found] = result

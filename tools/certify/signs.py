@@ -5,7 +5,7 @@ from typing import NamedTuple
 from flint import arb
 
 
-class Curve(NamedTuple):
+class FunctionOnInterval(NamedTuple):
     """A function f on an interval [a, b]: f and f' at both ends, and an enclosure of f'' on all of it.
 
     ease: what f would be larger by for a ball smaller by the tolerance; None where f does not depend on the radius.
@@ -19,7 +19,7 @@ class Curve(NamedTuple):
     ease: arb | None
 
 
-def positive(f: Curve, width: arb) -> bool:
+def positive(f: FunctionOnInterval, width: arb) -> bool:
     """Whether f > 0 on the interval for certain. Where f'' is known exactly, the answer is exact, too.
 
     Each line is a lower bound of f: a concave f lies above its chord, one with f'' <= H above the chord less H w^2 / 8; one
@@ -40,21 +40,21 @@ def positive(f: Curve, width: arb) -> bool:
     return False
 
 
-def rising(f: Curve, width: arb) -> bool:
+def rising(f: FunctionOnInterval, width: arb) -> bool:
     """Whether f' > 0 inside the interval for certain."""
     if not f.start_rate > 0:
         return False
     return bool(f.bend >= 0 or f.start_rate + f.bend.lower() * width > 0 or (f.bend <= 0 and f.stop_rate > 0))
 
 
-def falling(f: Curve, width: arb) -> bool:
+def falling(f: FunctionOnInterval, width: arb) -> bool:
     """Whether f' < 0 inside the interval for certain."""
     if not f.stop_rate < 0:
         return False
     return bool(f.bend >= 0 or f.stop_rate - f.bend.lower() * width < 0 or (f.bend <= 0 and f.start_rate < 0))
 
 
-def kept_apart(f: Curve, width: arb, *, first: bool, last: bool) -> bool:
+def kept_apart(f: FunctionOnInterval, width: arb, *, first: bool, last: bool) -> bool:
     """Whether f > 0 on the interval but for a touch within the tolerance that the flight starts from, or ends in.
 
     first, last: whether the interval begins, or ends, with the flight. On a first one f may begin below 0, though not for

@@ -10,7 +10,7 @@ from game.replays.file import load, played
 from game.rules import TICK, Phase, Ticked, new_game, tick
 from game.system.errors import BadInputError
 from physics import Arena, Hit, Step, advance, time_of_impact
-from tools.certify.flights import Tick
+from tools.certify.flights import ClaimedTick
 from tools.fuzz import arenas
 from tools.fuzz.impacts import random_impact
 
@@ -23,7 +23,7 @@ BATCH = 500
 _ARENA, _GAME, _IMPACTS = "arena:", "game:", "impacts:"
 
 
-class Source(NamedTuple):
+class ClaimSource(NamedTuple):
     """One game, arena or batch of questions to `time_of_impact`, by its name on the command line.
 
     name: a file, game:LEVEL:SEED, arena:SEED:INDEX or impacts:SEED:BATCH.
@@ -31,7 +31,7 @@ class Source(NamedTuple):
 
     name: str
 
-    def checked(self) -> "Source":
+    def checked(self) -> "ClaimSource":
         """Itself; BadInputError, in one line, where there is no such thing."""
         if self.name.startswith((_ARENA, _IMPACTS)):
             self._two_numbers()
@@ -43,7 +43,7 @@ class Source(NamedTuple):
             load(Path(self.name))
         return self
 
-    def ticks(self) -> Iterator[Tick]:
+    def ticks(self) -> Iterator[ClaimedTick]:
         """Its ticks, played now."""
         if self.name.startswith(_ARENA):
             return _in_arena(*self._two_numbers())
@@ -59,7 +59,7 @@ class Source(NamedTuple):
         return _numbers(self.name, self.name.split(":")[1:], 2)
 
 
-class Plan(Sequence[Source]):
+class SourcePlan(Sequence[ClaimSource]):
     """The sources of a run without files: a game of the autopilot on every level, then arena after arena."""
 
     def __init__(self, seed: int, arena_count: int) -> None:
@@ -73,20 +73,20 @@ class Plan(Sequence[Source]):
         return self._count
 
     @overload
-    def __getitem__(self, index: int) -> Source: ...
+    def __getitem__(self, index: int) -> ClaimSource: ...
 
     @overload
-    def __getitem__(self, index: slice) -> Sequence[Source]: ...
+    def __getitem__(self, index: slice) -> Sequence[ClaimSource]: ...
 
-    def __getitem__(self, index: int | slice) -> Source | Sequence[Source]:
+    def __getitem__(self, index: int | slice) -> ClaimSource | Sequence[ClaimSource]:
         """The source of a number."""
         if isinstance(index, slice):
             return [self[k] for k in range(*index.indices(self._count))]
         if not 0 <= index < self._count:
             raise IndexError(index)
         if index < self._games:
-            return Source(f"{_GAME}{index + 1}:{self._seed}")
-        return Source(f"{_ARENA}{self._seed}:{index - self._games}")
+            return ClaimSource(f"{_GAME}{index + 1}:{self._seed}")
+        return ClaimSource(f"{_ARENA}{self._seed}:{index - self._games}")
 
 
 def _numbers(name: str, words: list[str], count: int) -> list[int]:
@@ -96,16 +96,16 @@ def _numbers(name: str, words: list[str], count: int) -> list[int]:
     return [int(word) for word in words]
 
 
-def _in_arena(seed: int, index: int) -> Iterator[Tick]:
+def _in_arena(seed: int, index: int) -> Iterator[ClaimedTick]:
     """A case of the fuzzer, played as it plays it."""
     arena, speed, chance = arenas.random_case(seed, index)
     for number in range(arenas.TICKS):
         step = advance(arena, arenas.TICK, speed)
-        yield Tick(number, arena, arenas.TICK, speed, step)
+        yield ClaimedTick(number, arena, arenas.TICK, speed, step)
         arena = arenas.steered(arenas.with_lost_balls_back(step.arena, speed, chance), speed, chance)
 
 
-def _questions(seed: int, batch: int) -> Iterator[Tick]:
+def _questions(seed: int, batch: int) -> Iterator[ClaimedTick]:
     """Flights of one ball beside one ring, a third of them built to graze, each as a tick that ends with its impact."""
     for number in range(BATCH):
         ball, ring, dt, alive = random_impact(seed, batch * BATCH + number)
@@ -117,7 +117,7 @@ def _questions(seed: int, batch: int) -> Iterator[Tick]:
         else:
             hit = Hit(found.time, 0, 0, found.slot, found.contact, ball.velocity, ball.velocity, alive[found.slot])
             step = Step(end, (hit,), 1, 0)  # as if the ball rested from there on: there is no flight after it
-        yield Tick(number, arena, dt, abs(ball.velocity), step)
+        yield ClaimedTick(number, arena, dt, abs(ball.velocity), step)
 
 
 def _autopiloted(level: str, seed: int) -> Iterator[Ticked]:
@@ -131,10 +131,10 @@ def _autopiloted(level: str, seed: int) -> Iterator[Ticked]:
         yield done
 
 
-def _of_game(game: Iterator[Ticked]) -> Iterator[Tick]:
+def _of_game(game: Iterator[Ticked]) -> Iterator[ClaimedTick]:
     """A game's ticks. Before a serve the ball rests on its paddle, and the physics knows of none."""
     for number, done in enumerate(game):
         moving = done.moving
         if len(done.step.arena.balls) != len(moving.balls):
             moving = moving._replace(balls=())
-        yield Tick(number, moving, TICK, done.game.level.ball.speed, done.step)
+        yield ClaimedTick(number, moving, TICK, done.game.level.ball.speed, done.step)

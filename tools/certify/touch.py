@@ -11,7 +11,7 @@ from typing import NamedTuple
 from flint import arb
 
 from physics import Feature
-from tools.certify.moments import Annulus, End, Exact, Moment, Sector, beside, moment
+from tools.certify.exact_geometry import EndVector, ExactBall, ExactRing, FrameState, SectorShape, beside, moment
 
 HALF_WIDTH = arb(2) ** -140
 """Seconds: half of the interval in which the touch is. A normal turns by at most 1e5 rad/s or so: it is known to 1e-36."""
@@ -19,7 +19,7 @@ HALF_WIDTH = arb(2) ** -140
 _NEWTON_STEPS = 8
 
 
-class Touch(NamedTuple):
+class ProvedTouch(NamedTuple):
     """A proved touch. time: an enclosure. closing: minus the gap's rate there. nx, ny: the normal. bend: 1 / curve radius."""
 
     time: arb
@@ -30,26 +30,29 @@ class Touch(NamedTuple):
     curvature: arb
 
 
-class _Shape(NamedTuple):
+class _FeatureShape(NamedTuple):
     """One feature: which, and of which end and radius if it is an end or a corner."""
 
     feature: Feature
-    end: End | None
+    end: EndVector | None
     rho: arb | None
 
 
-class Seen(NamedTuple):
-    """A feature at a moment: its gap, the gap's rate, and the normal and the curvature of what the centre moves around."""
+class FeatureGap(NamedTuple):
+    """A feature at a moment: its gap, the gap's rate, the normal, and how much a move of the centre turns that.
+
+    owned: whether the sector's nearest point is on this feature, for certain.
+    """
 
     gap: arb
     rate: arb
     nx: arb
     ny: arb
     curvature: arb
-    owned: bool  # whether the sector's nearest point is on this feature, for certain
+    owned: bool
 
 
-def touch(ball: Exact, ring: Annulus, place: Sector, near: arb, within: arb) -> Touch | None:
+def touch(ball: ExactBall, ring: ExactRing, place: SectorShape, near: arb, within: arb) -> ProvedTouch | None:
     """The touch near a time, of the feature whose gap there is certainly within a bound; None if none can be proved."""
     for shape in _shapes(ring, place):
         now = _seen(moment(ball, ring, near), ball, ring, place, shape)
@@ -60,18 +63,18 @@ def touch(ball: Exact, ring: Annulus, place: Sector, near: arb, within: arb) -> 
     return None
 
 
-def _shapes(ring: Annulus, place: Sector) -> Iterator[_Shape]:
+def _shapes(ring: ExactRing, place: SectorShape) -> Iterator[_FeatureShape]:
     """The features of a sector."""
-    yield _Shape(Feature.OUTER_FACE, None, None)
-    yield _Shape(Feature.INNER_FACE, None, None)
+    yield _FeatureShape(Feature.OUTER_FACE, None, None)
+    yield _FeatureShape(Feature.INNER_FACE, None, None)
     if not place.whole:
         for end in place.ends:
-            yield _Shape(Feature.END, end, None)
-            yield _Shape(Feature.CORNER, end, ring.inner)
-            yield _Shape(Feature.CORNER, end, ring.outer)
+            yield _FeatureShape(Feature.END, end, None)
+            yield _FeatureShape(Feature.CORNER, end, ring.inner)
+            yield _FeatureShape(Feature.CORNER, end, ring.outer)
 
 
-def _root(ball: Exact, ring: Annulus, place: Sector, shape: _Shape, near: arb) -> Touch | None:
+def _root(ball: ExactBall, ring: ExactRing, place: SectorShape, shape: _FeatureShape, near: arb) -> ProvedTouch | None:
     """The time near another at which a feature's gap falls through 0, by Newton's steps and one change of sign."""
     time = near
     for _ in range(_NEWTON_STEPS):
@@ -91,10 +94,10 @@ def _root(ball: Exact, ring: Annulus, place: Sector, shape: _Shape, near: arb) -
     if not ((falls or rises) and there.owned):
         return None
     nx, ny = at.cosine * there.nx - at.sine * there.ny, at.sine * there.nx + at.cosine * there.ny
-    return Touch(interval, -there.rate, nx, ny, shape.feature, there.curvature)
+    return ProvedTouch(interval, -there.rate, nx, ny, shape.feature, there.curvature)
 
 
-def _seen(at: Moment, ball: Exact, ring: Annulus, place: Sector, shape: _Shape) -> Seen:
+def _seen(at: FrameState, ball: ExactBall, ring: ExactRing, place: SectorShape, shape: _FeatureShape) -> FeatureGap:
     """A feature seen from the ball at a moment."""
     if shape.end is None:
         return _seen_face(at, ball, ring, place, outer=shape.feature == Feature.OUTER_FACE)
@@ -103,7 +106,7 @@ def _seen(at: Moment, ball: Exact, ring: Annulus, place: Sector, shape: _Shape) 
     return _seen_corner(at, ball, ring, shape.end, shape.rho)
 
 
-def _seen_face(at: Moment, ball: Exact, ring: Annulus, place: Sector, *, outer: bool) -> Seen:
+def _seen_face(at: FrameState, ball: ExactBall, ring: ExactRing, place: SectorShape, *, outer: bool) -> FeatureGap:
     """A face: the ball's bearing lies within the sector's."""
     distance = at.square.sqrt()
     rate, nx, ny = at.outward / distance, at.x / distance, at.y / distance
@@ -112,18 +115,20 @@ def _seen_face(at: Moment, ball: Exact, ring: Annulus, place: Sector, *, outer: 
         ahead, behind = beside(at, place.ends[0], ring).y < 0, beside(at, place.ends[1], ring).y > 0
         owned = bool(ahead or behind) if place.wide else bool(ahead and behind)
     if outer:
-        return Seen(distance - ring.outer - ball.radius, rate, nx, ny, 1 / distance, owned)
-    return Seen(ring.inner - distance - ball.radius, -rate, -nx, -ny, 1 / distance, owned)
+        return FeatureGap(distance - ring.outer - ball.radius, rate, nx, ny, 1 / distance, owned)
+    return FeatureGap(ring.inner - distance - ball.radius, -rate, -nx, -ny, 1 / distance, owned)
 
 
-def _seen_end(at: Moment, ball: Exact, ring: Annulus, end: End) -> Seen:
+def _seen_end(at: FrameState, ball: ExactBall, ring: ExactRing, end: EndVector) -> FeatureGap:
     """An end: the ball is straight beside it, on the side away from its sector."""
     seen = beside(at, end, ring)
     owned = bool(ring.inner < seen.x and seen.x < ring.outer)
-    return Seen(end.sign * seen.y - ball.radius, end.sign * seen.dy, -end.sign * end.sine, end.sign * end.cosine, arb(0), owned)
+    return FeatureGap(
+        end.sign * seen.y - ball.radius, end.sign * seen.dy, -end.sign * end.sine, end.sign * end.cosine, arb(0), owned
+    )
 
 
-def _seen_corner(at: Moment, ball: Exact, ring: Annulus, end: End, rho: arb) -> Seen:
+def _seen_corner(at: FrameState, ball: ExactBall, ring: ExactRing, end: EndVector, rho: arb) -> FeatureGap:
     """A corner: the ball is beyond the end's length and beyond its line."""
     seen = beside(at, end, ring)
     run = seen.x - rho
@@ -133,4 +138,4 @@ def _seen_corner(at: Moment, ball: Exact, ring: Annulus, end: End, rho: arb) -> 
     owned = bool(beyond and end.sign * seen.y > 0)
     along, across = run / distance, seen.y / distance
     nx, ny = end.cosine * along - end.sine * across, end.sine * along + end.cosine * across
-    return Seen(distance - ball.radius, rate, nx, ny, 1 / distance, owned)
+    return FeatureGap(distance - ball.radius, rate, nx, ny, 1 / distance, owned)

@@ -8,7 +8,7 @@ from flint import arb
 
 import physics
 from tools.certify.boxes import formulas
-from tools.certify.boxes.rounded import BranchBorderError, Point, Rounded, RoundedMath, number
+from tools.certify.boxes.rounded import BranchBorderError, Rounded, RoundedMath, RoundedPoint, number
 from tools.certify.boxes.same_code import on_other_numbers
 from tools.certify.boxes.series import SeriesMath, direction_off
 from tools.certify.boxes.subdivision import Box, Range
@@ -65,7 +65,7 @@ def _lines() -> list[Box]:
     code = _code(physics.closest_point_on_line)
 
     def call(x: Sequence[Rounded]) -> Any:
-        return code(Point(x[0], x[1]), Point(x[2], x[3]), Point(x[4], x[5]))
+        return code(RoundedPoint(x[0], x[1]), RoundedPoint(x[2], x[3]), RoundedPoint(x[4], x[5]))
 
     def box(name: str, *ranges: Range) -> Box:
         return Box(f"closest_point_on_line, {name}", ranges, call, formulas.closest_point_on_line, 1e-14)
@@ -87,7 +87,7 @@ def _faces() -> list[Box]:
         Box(
             "narrow_phase_case_1, all of the ground",
             ((-12.0, 12.0), (-12.0, 12.0), (4.999, 5.001)),
-            lambda x: code(Point(x[0], x[1]), x[2]),
+            lambda x: code(RoundedPoint(x[0], x[1]), x[2]),
             formulas.narrow_phase_case_1,
             1e-15,
         )
@@ -99,7 +99,7 @@ def _ends() -> list[Box]:
     code = _code(physics.narrow_phase_case_2, direction=_direction)
 
     def call(x: Sequence[Rounded]) -> Any:
-        return code(Point(x[0], x[1]), *x[2:])
+        return code(RoundedPoint(x[0], x[1]), *x[2:])
 
     def box(name: str, bound: float, *ranges: Range) -> Box:
         return Box(f"narrow_phase_case_2, {name}", ranges, call, formulas.narrow_phase_case_2, bound)
@@ -122,13 +122,13 @@ def _ends() -> list[Box]:
 
 def _code(function: Callable[..., Any], **names: Any) -> Callable[..., Any]:
     """A function of the physics on `Rounded` numbers."""
-    return on_other_numbers(function, {"math": RoundedMath(), "complex": Point, **names})
+    return on_other_numbers(function, {"math": RoundedMath(), "complex": RoundedPoint, **names})
 
 
-def _direction(angle: Rounded) -> Point:
+def _direction(angle: Rounded) -> RoundedPoint:
     """`physics.direction` by its promise: cosine and sine, off by what the angle is off and by DIRECTION."""
     if not abs(angle.computed) <= LARGEST_ANGLE:
         raise BranchBorderError("the angle is beyond what is proved of direction")
     sine, cosine = angle.exact.sin_cos()
     error = angle.error + arb(DIRECTION)
-    return Point(Rounded(cosine, error), Rounded(sine, error))
+    return RoundedPoint(Rounded(cosine, error), Rounded(sine, error))

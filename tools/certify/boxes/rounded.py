@@ -129,7 +129,7 @@ class Rounded:
         return _rounded(self.exact.sqrt(), self.error / (least.sqrt() + self.exact.lower().sqrt()), _ETA)
 
 
-class Point:
+class RoundedPoint:
     """A complex number of two `Rounded`, with the operations that the source's functions use."""
 
     __hash__ = None  # type: ignore[assignment]
@@ -139,27 +139,27 @@ class Point:
         """Take both parts."""
         self.real, self.imag = number(real), number(imag)
 
-    def __add__(self, other: "Point") -> "Point":
+    def __add__(self, other: "RoundedPoint") -> "RoundedPoint":
         """The sum."""
-        return Point(self.real + other.real, self.imag + other.imag)
+        return RoundedPoint(self.real + other.real, self.imag + other.imag)
 
-    def __sub__(self, other: "Point") -> "Point":
+    def __sub__(self, other: "RoundedPoint") -> "RoundedPoint":
         """The difference."""
-        return Point(self.real - other.real, self.imag - other.imag)
+        return RoundedPoint(self.real - other.real, self.imag - other.imag)
 
-    def __mul__(self, scale: Rounded | float) -> "Point":
+    def __mul__(self, scale: Rounded | float) -> "RoundedPoint":
         """A multiple by a real number: for a complex and a float, Python adds products with 0, which changes nothing."""
-        return Point(self.real * scale, self.imag * scale)
+        return RoundedPoint(self.real * scale, self.imag * scale)
 
-    def __neg__(self) -> "Point":
+    def __neg__(self) -> "RoundedPoint":
         """The opposite."""
-        return Point(-self.real, -self.imag)
+        return RoundedPoint(-self.real, -self.imag)
 
     def __eq__(self, other: object) -> bool:
         """Whether both parts are equal."""
-        if not isinstance(other, Point):
+        if not isinstance(other, RoundedPoint):
             assert isinstance(other, complex | float | int)
-            other = Point(complex(other).real, complex(other).imag)
+            other = RoundedPoint(complex(other).real, complex(other).imag)
         pairs = ((self.real, other.real), (self.imag, other.imag))
         if any([not mine.computed.overlaps(others.computed) for mine, others in pairs]):
             return False

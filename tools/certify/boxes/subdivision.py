@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 from flint import arb
 
 from tools.certify.boxes.formulas import Numbers
-from tools.certify.boxes.rounded import BranchBorderError, Point, Rounded, number
+from tools.certify.boxes.rounded import BranchBorderError, Rounded, RoundedPoint, number
 
 _SAME = arb(2) ** -80
 """How near the program's exact value and the formula's must be in a point: 1e-24. Both are known to 2^-96 or better."""
@@ -60,7 +60,7 @@ class Proof(NamedTuple):
     pieces: int
 
 
-class _Piece(NamedTuple):
+class _BoxPart(NamedTuple):
     """A part of a box. order: largest first, then first come."""
 
     order: tuple[float, int]
@@ -74,7 +74,7 @@ def proof_of(box: Box, pieces: int) -> Proof:
     numbers = itertools.count()
     sides = [(arb(low), arb(high)) for low, high in box.ranges]
     middles, halves = tuple([(low + high) / 2 for low, high in sides]), tuple([(high - low) / 2 for low, high in sides])
-    heap = [_Piece((-1.0, next(numbers)), middles, halves, border=False)]
+    heap = [_BoxPart((-1.0, next(numbers)), middles, halves, border=False)]
     proved, worst, count = 0.0, arb(0), 0
     while heap and count < pieces:
         piece = heapq.heappop(heap)
@@ -88,13 +88,13 @@ def proof_of(box: Box, pieces: int) -> Proof:
             worst = arb.max(worst, error)
             continue
         for middles, halves in _halved(piece):
-            heapq.heappush(heap, _Piece((piece.order[0] / 2.0, next(numbers)), middles, halves, border=error is None))
+            heapq.heappush(heap, _BoxPart((piece.order[0] / 2.0, next(numbers)), middles, halves, border=error is None))
     border = -sum([piece.order[0] for piece in heap if piece.border])
     loose = -sum([piece.order[0] for piece in heap if not piece.border])
     return Proof(box.name, box.bound, proved, border, loose, _up(worst), None, count)
 
 
-def _error(box: Box, piece: _Piece) -> arb | None:
+def _error(box: Box, piece: _BoxPart) -> arb | None:
     """The largest error of the result on a piece; None where the program's branch, or the formula's, is not decided."""
     sides = [arb(middle, half) for middle, half in zip(piece.middles, piece.halves, strict=True)]
     try:
@@ -111,7 +111,7 @@ def _error(box: Box, piece: _Piece) -> arb | None:
     return off + rounding
 
 
-def _wrong(box: Box, piece: _Piece) -> tuple[float, ...] | None:
+def _wrong(box: Box, piece: _BoxPart) -> tuple[float, ...] | None:
     """A point of a piece where the exact value of the program is not the formula's: its middle or one of two others."""
     for number_of_point in range(_POINTS):
         shares = [_spread(number_of_point, side) for side in range(len(piece.middles))]
@@ -139,10 +139,10 @@ def _parts(result: Any) -> list[Rounded] | None:
     """The coordinates of a result."""
     if result is None:
         return None
-    return [result.real, result.imag] if isinstance(result, Point) else [number(result)]
+    return [result.real, result.imag] if isinstance(result, RoundedPoint) else [number(result)]
 
 
-def _halved(piece: _Piece) -> Iterator[tuple[tuple[arb, ...], tuple[arb, ...]]]:
+def _halved(piece: _BoxPart) -> Iterator[tuple[tuple[arb, ...], tuple[arb, ...]]]:
     """Both halves of a piece, cut across its widest side."""
     widths = [float(half) for half in piece.halves]
     side = widths.index(max(widths))

@@ -4,30 +4,30 @@ from collections import Counter
 from typing import NamedTuple
 
 from physics import Feature
-from tools.certify.certificate import NORMAL, Certificate, Reason, Verdict, certificates
-from tools.certify.moments import use_precision
-from tools.certify.sources import Source
+from tools.certify.certificate import NORMAL, Certificate, Decision, Reason, certificates
+from tools.certify.exact_geometry import use_precision
+from tools.certify.sources import ClaimSource
 
 MOST_CASES = 200
 """Doubtful cases of one source that are kept in words. All are counted."""
 
 
-class Kind(NamedTuple):
+class Category(NamedTuple):
     """What certificates are counted by. impact: false for a flight that no impact ends."""
 
     impact: bool
-    verdict: Verdict
+    verdict: Decision
     reason: Reason
 
 
-class Case(NamedTuple):
+class DoubtfulClaim(NamedTuple):
     """A claim that was refuted or not decided. time: seconds after its tick's start; None for a flight without an impact."""
 
     source: str
     tick: int
     ball: int
     time: float | None
-    verdict: Verdict
+    verdict: Decision
     reason: Reason
 
     def __str__(self) -> str:
@@ -35,14 +35,14 @@ class Case(NamedTuple):
         return f"{self.verdict.value}: {self.source}, tick {self.tick}, ball {self.ball}, {what}: {self.reason.value}"
 
 
-class Tally(NamedTuple):
+class Totals(NamedTuple):
     """The certificates of some sources.
 
     features: certified impacts by the reported feature. close: those whose normal is within 1e-14 without any allowance. The
     four maxima are of certified impacts: tau and |t* - t| in seconds, the bound of the normal and what it is off by.
     """
 
-    counts: Counter[Kind]
+    counts: Counter[Category]
     features: Counter[Feature]
     close: int = 0
     time_bound: float = 0.0
@@ -51,9 +51,9 @@ class Tally(NamedTuple):
     normal_off: float = 0.0
     ticks: int = 0
     sources: int = 0
-    cases: tuple[Case, ...] = ()
+    cases: tuple[DoubtfulClaim, ...] = ()
 
-    def number(self, *, impact: bool, verdict: Verdict | None = None) -> int:
+    def number(self, *, impact: bool, verdict: Decision | None = None) -> int:
         """How many impacts, or other flights, there are, of one verdict or of all."""
         return sum([n for kind, n in self.counts.items() if kind.impact == impact and verdict in {None, kind.verdict}])
 
@@ -65,11 +65,11 @@ class Tally(NamedTuple):
     @property
     def refuted(self) -> int:
         """Refuted claims, of impacts and of flights without one."""
-        return sum([self.number(impact=impact, verdict=Verdict.REFUTED) for impact in (True, False)])
+        return sum([self.number(impact=impact, verdict=Decision.REFUTED) for impact in (True, False)])
 
-    def plus(self, other: "Tally") -> "Tally":
+    def plus(self, other: "Totals") -> "Totals":
         """Both together."""
-        return Tally(
+        return Totals(
             self.counts + other.counts,
             self.features + other.features,
             self.close + other.close,
@@ -83,28 +83,28 @@ class Tally(NamedTuple):
         )
 
 
-def nothing() -> Tally:
+def nothing() -> Totals:
     """The tally of no source."""
-    return Tally(Counter(), Counter())
+    return Totals(Counter(), Counter())
 
 
-def tally_of(source: Source) -> Tally:
+def tally_of(source: ClaimSource) -> Totals:
     """Every certificate of one source."""
     use_precision()
-    counts: Counter[Kind] = Counter()
+    counts: Counter[Category] = Counter()
     impacts: list[Certificate] = []
-    cases: list[Case] = []
+    cases: list[DoubtfulClaim] = []
     ticks = 0
     for tick in source.ticks():
         ticks += 1
         for one in certificates(tick):
-            counts[Kind(one.hit is not None, one.verdict, one.reason)] += 1
-            if one.verdict != Verdict.CERTIFIED:
+            counts[Category(one.hit is not None, one.verdict, one.reason)] += 1
+            if one.verdict != Decision.CERTIFIED:
                 time = None if one.hit is None else one.hit.time
-                cases.append(Case(source.name, one.tick, one.ball, time, one.verdict, one.reason))
+                cases.append(DoubtfulClaim(source.name, one.tick, one.ball, time, one.verdict, one.reason))
             elif one.hit is not None:
                 impacts.append(one)
-    return Tally(
+    return Totals(
         counts,
         Counter([one.hit.contact.feature for one in impacts if one.hit is not None]),
         sum([one.normal_off <= NORMAL for one in impacts]),
@@ -114,5 +114,5 @@ def tally_of(source: Source) -> Tally:
         max([one.normal_off for one in impacts], default=0.0),
         ticks,
         1,
-        tuple(sorted(cases, key=lambda case: case.verdict != Verdict.REFUTED)[:MOST_CASES]),
+        tuple(sorted(cases, key=lambda case: case.verdict != Decision.REFUTED)[:MOST_CASES]),
     )

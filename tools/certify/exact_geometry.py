@@ -21,13 +21,13 @@ from typing import NamedTuple
 from flint import arb, ctx
 
 from physics import Ring
-from tools.certify.flights import Flight
+from tools.certify.flights import StraightFlight
 
 PRECISION = 192
 """Bits of every midpoint. The widths that are promised, 1e-30, need 140 of them."""
 
 
-class Exact(NamedTuple):
+class ExactBall(NamedTuple):
     """A ball in flight, as exact numbers. speed: an upper bound of |v|."""
 
     px: arb
@@ -39,7 +39,7 @@ class Exact(NamedTuple):
     speed: arb
 
 
-class Annulus(NamedTuple):
+class ExactRing(NamedTuple):
     """A ring, as exact numbers. sine, cosine: of the phase."""
 
     inner: arb
@@ -51,7 +51,7 @@ class Annulus(NamedTuple):
     cosine: arb
 
 
-class Moment(NamedTuple):
+class FrameState(NamedTuple):
     """A ball at one moment, in a ring's frame. square: |P|^2. outward: P . v. sine, cosine: of the ring's turn."""
 
     time: arb
@@ -65,7 +65,7 @@ class Moment(NamedTuple):
     cosine: arb
 
 
-class End(NamedTuple):
+class EndVector(NamedTuple):
     """One straight end of a sector in its ring's frame: a unit vector; sign +1 for the counter-clockwise end, -1 the other."""
 
     cosine: arb
@@ -73,10 +73,10 @@ class End(NamedTuple):
     sign: int
 
 
-class Sector(NamedTuple):
+class SectorShape(NamedTuple):
     """One sector in its ring's frame. wide: half angle above a quarter turn. whole: it closes its ring alone."""
 
-    ends: tuple[End, End]
+    ends: tuple[EndVector, EndVector]
     wide: bool
     whole: bool
 
@@ -97,23 +97,23 @@ def use_precision() -> None:
     ctx.prec = PRECISION
 
 
-def exact_ball(flight: Flight) -> Exact:
+def exact_ball(flight: StraightFlight) -> ExactBall:
     """The ball of a flight."""
     vx, vy = arb(flight.velocity.real), arb(flight.velocity.imag)
     speed = (vx * vx + vy * vy).sqrt().upper()
     p = flight.position
-    return Exact(arb(p.real), arb(p.imag), vx, vy, arb(flight.radius), arb(flight.start), speed)
+    return ExactBall(arb(p.real), arb(p.imag), vx, vy, arb(flight.radius), arb(flight.start), speed)
 
 
-def annulus(ring: Ring) -> Annulus:
+def exact_ring(ring: Ring) -> ExactRing:
     """A ring's exact numbers."""
     radius, half_width, phase = arb(ring.radius), arb(ring.half_width), arb(ring.phase)
     sine, cosine = phase.sin_cos()
-    return Annulus(radius - half_width, radius + half_width, phase, arb(ring.spin), ring.spin != 0.0, sine, cosine)
+    return ExactRing(radius - half_width, radius + half_width, phase, arb(ring.spin), ring.spin != 0.0, sine, cosine)
 
 
 @lru_cache(maxsize=4096)
-def sector(count: int, half_angle: float, slot: int) -> Sector:
+def sector(count: int, half_angle: float, slot: int) -> SectorShape:
     """A slot's sector."""
     closed = half_angle >= math.pi / count
     half = arb.pi() / count if closed else arb(half_angle)
@@ -121,16 +121,16 @@ def sector(count: int, half_angle: float, slot: int) -> Sector:
     ends = []
     for sign in (1, -1):
         sine, cosine = (middle + sign * half).sin_cos()
-        ends.append(End(cosine, sine, sign))
-    return Sector((ends[0], ends[1]), half_angle > math.pi / 2.0, closed and count == 1)
+        ends.append(EndVector(cosine, sine, sign))
+    return SectorShape((ends[0], ends[1]), half_angle > math.pi / 2.0, closed and count == 1)
 
 
-def moment(ball: Exact, ring: Annulus, time: arb) -> Moment:
+def moment(ball: ExactBall, ring: ExactRing, time: arb) -> FrameState:
     """The ball at a time, which may be an interval, seen by a ring."""
     flown = time - ball.start
     px, py = ball.px + ball.vx * flown, ball.py + ball.vy * flown
     sine, cosine = (ring.phase + ring.spin * time).sin_cos() if ring.turns else (ring.sine, ring.cosine)
-    return Moment(
+    return FrameState(
         time,
         cosine * px + sine * py,
         cosine * py - sine * px,
@@ -143,7 +143,7 @@ def moment(ball: Exact, ring: Annulus, time: arb) -> Moment:
     )
 
 
-def beside(at: Moment, end: End, ring: Annulus) -> Beside:
+def beside(at: FrameState, end: EndVector, ring: ExactRing) -> Beside:
     """The ball seen from an end."""
     c, s = end.cosine, end.sine
     x, y = c * at.x + s * at.y, c * at.y - s * at.x
