@@ -3,6 +3,10 @@
 import cmath
 import math
 
+import pytest
+
+pytest.importorskip("flint", reason="the proofs need python-flint, the extra [proof]")
+
 from physics import PERMANENT, Arena, Ball, Contact, Feature, Hit, Ring, advance
 from tools.certify.certificate import certificates
 from tools.certify.flights import ClaimedTick

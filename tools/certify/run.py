@@ -5,7 +5,7 @@ from contextlib import closing
 from typing import NamedTuple
 
 from tools.certify.sources import ClaimSource
-from tools.certify.totals import Totals, nothing, tally_of
+from tools.certify.totals import Totals, no_totals, totals_of
 from tools.crosscheck.workers import Lost, results_of
 
 
@@ -25,7 +25,7 @@ def outcome(
     The same for any number of workers: results are taken in the order of the sources. After Ctrl-C, what there is until then.
     tell: is called after each source, with its number from 1 on and the tally.
     """
-    total, lost = nothing(), list[tuple[str, str]]()
+    total, lost = no_totals(), list[tuple[str, str]]()
     try:
         with closing(_results(sources, workers)) as results:
             for number, result in enumerate(results):
@@ -44,9 +44,9 @@ def outcome(
 def _results(sources: Sequence[ClaimSource], workers: int) -> Generator[Totals | Lost, None, None]:
     """A result for each source, in order."""
     if workers == 1:
-        yield from map(tally_of, sources)
+        yield from map(totals_of, sources)
     else:
-        yield from _in_order(results_of(tally_of, sources, workers))
+        yield from _in_order(results_of(totals_of, sources, workers))
 
 
 def _in_order(results: Iterator[tuple[int, Totals | Lost]]) -> Iterator[Totals | Lost]:

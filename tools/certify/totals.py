@@ -83,12 +83,12 @@ class Totals(NamedTuple):
         )
 
 
-def nothing() -> Totals:
+def no_totals() -> Totals:
     """The tally of no source."""
     return Totals(Counter(), Counter())
 
 
-def tally_of(source: ClaimSource) -> Totals:
+def totals_of(source: ClaimSource) -> Totals:
     """Every certificate of one source."""
     use_precision()
     counts: Counter[Category] = Counter()
