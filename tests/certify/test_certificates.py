@@ -87,8 +87,9 @@ def test_a_missed_touch_is_refuted(feature, spin):
 @pytest.mark.parametrize("outer", [True, False])
 @pytest.mark.parametrize("sign", [1, -1])
 def test_a_clipped_corner_is_refuted(sign, outer, spin):
-    """Each corner alone, with nothing else of its sector near; passed outside of its reach, it is certified."""
-    assert verdicts(flown_through(*past_a_corner(sign, outer, spin, 0.17))) == [("REFUTED", "EARLIER")]
+    """Each corner alone, deep or by a millionth, with nothing else of its sector near; passed beyond its reach, it is free."""
+    for miss in (0.17, 0.2 - 1e-6):
+        assert verdicts(flown_through(*past_a_corner(sign, outer, spin, miss))) == [("REFUTED", "EARLIER")]
     assert verdicts(flown_through(*past_a_corner(sign, outer, spin, 0.23))) == [TRUE]
 
 

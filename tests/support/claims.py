@@ -45,15 +45,16 @@ def towards_feature(feature, spin=0.0):
 def past_a_corner(sign, outer, spin, miss):
     """An arena, and the length of a tick, whose ball passes one corner of slot 0 aslant, at a least distance `miss`.
 
-    From 0.15 on it comes near nothing but the corner. sign: +1 the counter-clockwise end, -1 the clockwise one.
+    From 0.15 on it comes near nothing but the corner; it is nearest at a moment that no halving meets. sign: +1 the
+    counter-clockwise end, -1 the clockwise one.
     """
     end = cmath.rect(1.0, 0.2 + sign * 0.3)
     away = end * (1.0 if outer else -1.0) + 1j * sign * end
     away /= abs(away)
     v = SPEED * away * 1j
-    dt = 0.6 / SPEED
-    p = end * (5.4 if outer else 4.6) + away * miss - v * dt / 2.0
-    ring = Ring(5.0, 0.4, 0.3, 3, 0.2 - spin * dt / 2.0, spin)
+    dt, nearest = 0.6 / SPEED, 0.37 * 0.6 / SPEED
+    p = end * (5.4 if outer else 4.6) + away * miss - v * nearest
+    ring = Ring(5.0, 0.4, 0.3, 3, 0.2 - spin * nearest, spin)
     return Arena((Ball(p, v, RADIUS),), (ring,), ((PERMANENT,) * 3,)), dt
 
 
