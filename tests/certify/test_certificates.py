@@ -12,6 +12,7 @@ from tests.support.claims import (
     SPEED,
     TICK,
     above_a_wall,
+    along_a_turning_end,
     claiming,
     first_impact,
     flown_through,
@@ -91,6 +92,14 @@ def test_a_clipped_corner_is_refuted(sign, outer, spin):
     for miss in (0.17, 0.2 - 1e-6):
         assert verdicts(flown_through(*past_a_corner(sign, outer, spin, miss))) == [("REFUTED", "EARLIER")]
     assert verdicts(flown_through(*past_a_corner(sign, outer, spin, 0.23))) == [TRUE]
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_a_touched_end_is_refuted(sign):
+    """Between its corners, by a hundredth or by a millionth; a thousandth above it, the flight is free."""
+    for miss in (0.19, 0.2 - 1e-6):
+        assert verdicts(flown_through(*along_a_turning_end(sign, miss))) == [("REFUTED", "EARLIER")]
+    assert verdicts(flown_through(*along_a_turning_end(sign, 0.201))) == [TRUE]
 
 
 def test_a_missed_earlier_touch_is_refuted():

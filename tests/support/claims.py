@@ -58,6 +58,19 @@ def past_a_corner(sign, outer, spin, miss):
     return Arena((Ball(p, v, RADIUS),), (ring,), ((PERMANENT,) * 3,)), dt
 
 
+def along_a_turning_end(sign, miss):
+    """An arena, and the length of a tick, whose ball flies outward along an end of slot 0 that turns away from it.
+
+    Seen from the end it comes down to a least height `miss` above the middle of the end, and rises again.
+    """
+    end, spin = cmath.rect(1.0, 0.2 + sign * 0.3), -0.9 * sign
+    v = end * complex(SPEED, spin * 5.0)
+    dt, nearest = 0.06, 0.37 * 0.06
+    p = end * complex(5.0, sign * miss) - v * nearest
+    ring = Ring(5.0, 0.4, 0.3, 3, 0.2 - spin * nearest, spin)
+    return Arena((Ball(p, v, RADIUS),), (ring,), ((PERMANENT,) * 3,)), dt
+
+
 def played(arena, dt=TICK):
     """The tick as the physics plays it."""
     return ClaimedTick(0, arena, dt, SPEED, advance(arena, dt, SPEED))
