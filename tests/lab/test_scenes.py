@@ -4,6 +4,9 @@ import inspect
 import os
 import random
 import re
+import subprocess
+import sys
+import zipfile
 from pathlib import Path
 
 import pygame
@@ -23,11 +26,26 @@ from tools.crosscheck.second_engine import Pymunk
 SCENES = pytest.mark.parametrize("scene", scenes(), ids=lambda scene: scene.name)
 
 
-def test_every_file_is_a_scene_named_like_it():
-    """Adding a scene is adding one file."""
-    files = {path.stem.replace("_", "-") for path in Path(folder.__path__[0]).glob("*/[!_]*.py")}
-    assert {scene.name for scene in scenes()} == files
-    assert len(scenes()) == len(files)
+def test_every_file_of_a_scene_is_listed_under_its_own_name():
+    """A file below `scenes/` that its chapter does not list would never be shown; every scene is called like its file."""
+    files = sorted([path.stem.replace("_", "-") for path in Path(folder.__path__[0]).rglob("[!_]*.py")])
+    assert sorted([scene.name for scene in scenes()]) == files
+
+
+def test_the_registry_needs_no_files(tmp_path):
+    """In a zip archive there is no folder to list: the scenes are found all the same."""
+    archive = tmp_path / "game.zip"
+    root = Path(physics.__file__).parent.parent
+    with zipfile.ZipFile(archive, "w") as zipped:
+        for package in ("game", "physics"):
+            for path in (root / package).rglob("*.py"):
+                zipped.write(path, path.relative_to(root))
+    program = "from game.lab.registry import scenes; print([scene.name for scene in scenes()])"
+    environment = {**os.environ, "PYTHONPATH": str(archive)}
+    done = subprocess.run(
+        [sys.executable, "-P", "-c", program], cwd=tmp_path, env=environment, capture_output=True, text=True, check=False
+    )
+    assert (done.stdout.strip(), done.stderr) == (str([scene.name for scene in scenes()]), "")
 
 
 @SCENES

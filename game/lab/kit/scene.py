@@ -1,6 +1,7 @@
 """What a scene is, and how to write one.
 
-1. Add one file to `game/lab/scenes/`; it is found by itself. Its name with hyphens is the scene's.
+1. Add one file to a chapter's folder in `game/lab/scenes/`, and name it in the tuple of that folder's `__init__.py`, at its
+   position in the lab's list. Its name with hyphens is the scene's.
 2. Choose the numbers one can set: `Number` (angles in degrees), `Count`, `Point`, each with range and default.
 3. Write `_picture(given) -> Picture`: pure; read the numbers with `given.number("r")`, `given.angle("half_angle")` (radians),
    `given.point("ball")`, ask `physics`, and answer with marks, the formula with the numbers in it, and the line that
@@ -20,23 +21,11 @@ Without another engine `given.engine` is None: leave its marks out.
 """
 
 from collections.abc import Callable
-from enum import Enum
 from typing import Any, NamedTuple
 
 from game.lab.kit.handles import Handle
 from game.lab.kit.parameters import Given, Parameter
 from game.lab.kit.picture import Picture
-
-
-class Chapter(Enum):
-    """Where in the source a scene belongs, in the source's order; then what goes beyond it."""
-
-    ANGLES = "polar coordinates"
-    BROAD_PHASE = "broad phase"
-    NARROW_PHASE = "narrow phase"
-    RESPONSE = "response"
-    TIME_OF_IMPACT = "time of impact"
-    RUNS = "in motion"
 
 
 class View(NamedTuple):
@@ -76,8 +65,6 @@ class Scene(NamedTuple):
     name: str
     title: str
     idea: str  # in one sentence
-    chapter: Chapter
-    place: int  # in its chapter
     functions: tuple[str, ...]  # of the source that it shows, by name
     parameters: tuple[Parameter, ...]
     handles: tuple[Handle, ...]

@@ -7,7 +7,7 @@ from game.lab.kit.cited_line import Deciding, code
 from game.lab.kit.marks import angle_arc, degrees, ray
 from game.lab.kit.parameters import Given, Number
 from game.lab.kit.picture import Circle, Dot, Line, Mark, Picture, Stroke, Tone, Words, single
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from game.lab.kit.scene import Claim, Preset, Scene, View
 from physics import add_angles, min_difference, normalize_angle, on_left, signed_difference, subtract_angles, to_cartesian
 
 _RADIUS = 4.0
@@ -102,8 +102,6 @@ SCENE = Scene(
     name="angle-difference",
     title="The difference of two angles, across the polar axis",
     idea="Between two directions there are two ways round; the shorter one counts, also where it passes the polar axis.",
-    chapter=Chapter.ANGLES,
-    place=20,
     functions=("min_difference", "on_left", "normalize_angle"),
     parameters=(
         Number("a", "a", "°", 0.0, 360.0, 25.0, 0.5, "the ball's angle, say"),

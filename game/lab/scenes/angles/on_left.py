@@ -8,7 +8,7 @@ from game.lab.kit.cited_line import Deciding, code, source
 from game.lab.kit.marks import degrees, ray
 from game.lab.kit.parameters import Given, Number
 from game.lab.kit.picture import Arrow, Disc, Dot, Line, Mark, Pane, Picture, Sector, Stroke, Toggle, Tone
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from game.lab.kit.scene import Claim, Preset, Scene, View
 from game.lab.source import literal
 from physics import (
     closest_point_on_line,
@@ -144,8 +144,6 @@ SCENE = Scene(
     name="on-left",
     title="Which end? on_left and the wide sector",
     idea="Measured from a wide sector's own end, a ball on the other side is still on the left: the sector's middle decides.",
-    chapter=Chapter.ANGLES,
-    place=30,
     functions=("on_left", "narrow_phase_case_2"),
     parameters=(
         Number("theta", "θ", "°", 0.0, 360.0, 200.0, 0.5, "the ball's angle"),

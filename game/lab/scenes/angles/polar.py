@@ -7,7 +7,7 @@ from game.lab.kit.cited_line import Deciding, code
 from game.lab.kit.marks import angle_arc, degrees, ray, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Dot, Line, Mark, Picture, Stroke, Tone, Words, single
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from game.lab.kit.scene import Claim, Preset, Scene, View
 from game.lab.source import literal
 from physics import length, normalize_angle, to_cartesian, to_polar
 
@@ -96,8 +96,6 @@ SCENE = Scene(
     name="polar",
     title="Polar coordinates and normalised angles",
     idea="A point is a distance and an angle; angles are brought to [0, 2π) once, at the border, and compared only then.",
-    chapter=Chapter.ANGLES,
-    place=10,
     functions=("normalize_angle", "to_polar", "to_cartesian"),
     parameters=(
         Point("p", "p", -10.0, 10.0, 4 + 3j, meaning="a point"),

@@ -6,7 +6,7 @@ from game.lab.kit.handles import Handle
 from game.lab.kit.marks import ball_marks, ray
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Band, Circle, Line, Mark, Picture, Stroke, Toggle, Tone, Words, single
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from game.lab.kit.scene import Claim, Preset, Scene, View
 from physics import (
     Ball,
     Outcome,
@@ -140,8 +140,6 @@ SCENE = Scene(
     name="broad-phase",
     title="Broad phase: four outcomes",
     idea="The distance from the centre alone says which ring a ball can touch at all: most balls touch none.",
-    chapter=Chapter.BROAD_PHASE,
-    place=10,
     functions=("broad_phase",),
     parameters=(
         Point("ball", "p", -20.0, 20.0, 6 + 5j, meaning="the ball's centre"),

@@ -7,7 +7,7 @@ from game.lab.kit.cited_line import Deciding, code
 from game.lab.kit.marks import ball_marks, contact_marks, degrees, ray, ring_marks, second_opinion
 from game.lab.kit.parameters import Count, Given, Number, Point
 from game.lab.kit.picture import Line, Mark, Picture, Stroke, Tone, Words, single
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from game.lab.kit.scene import Claim, Preset, Scene, View
 from physics import (
     Ball,
     Ring,
@@ -130,8 +130,6 @@ SCENE = Scene(
     name="nearest-sector",
     title="Broad phase: the nearest sector",
     idea="The source searches a list for the angle nearest to the ball's; evenly spaced slots turn the search into a division.",
-    chapter=Chapter.BROAD_PHASE,
-    place=20,
     functions=("broad_phase", "min_difference"),
     parameters=(
         Point("ball", "p", -13.0, 13.0, 8.6 + 5.2j, meaning="the ball's centre"),

@@ -7,7 +7,7 @@ from game.lab.kit.cited_line import Deciding, code
 from game.lab.kit.marks import ball_marks, contact_marks, degrees, is_unit, ray, ring_marks, second_opinion, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Mark, Picture, Stroke, Toggle, Tone, single
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from game.lab.kit.scene import Claim, Preset, Scene, View
 from game.lab.source import literal
 from physics import (
     Ball,
@@ -143,8 +143,6 @@ SCENE = Scene(
     name="case-1",
     title="Narrow phase, case 1: a face",
     idea="Within the sector's angle a face is nearest, so the normal is radial; the middle radius says which way it points.",
-    chapter=Chapter.NARROW_PHASE,
-    place=20,
     functions=("narrow_phase_case_1",),
     parameters=(
         Point("ball", "p", -15.0, 15.0, 7.6 + 1.6j, meaning="the ball's centre"),

@@ -7,7 +7,7 @@ from game.lab.kit.cited_line import Deciding, code
 from game.lab.kit.marks import ball_marks, contact_marks, degrees, is_unit, ray, second_opinion
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Dot, Line, Mark, Picture, Sector, Stroke, Toggle, Tone, single
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from game.lab.kit.scene import Claim, Preset, Scene, View
 from game.lab.source import literal
 from physics import (
     Ball,
@@ -167,8 +167,6 @@ SCENE = Scene(
     name="case-2",
     title="Narrow phase, case 2: an end and its corners",
     idea="Outside of the sector's angle the nearer end is a segment AB; the normal points from its closest point to the ball.",
-    chapter=Chapter.NARROW_PHASE,
-    place=30,
     functions=("narrow_phase_case_2", "closest_point_on_line", "to_cartesian"),
     parameters=(
         Point("ball", "p", -15.0, 15.0, 9.4 + 3.9j, meaning="the ball's centre"),

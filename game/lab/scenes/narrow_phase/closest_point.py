@@ -5,7 +5,7 @@ from game.lab.kit.cited_line import Deciding, code
 from game.lab.kit.marks import two_decimals
 from game.lab.kit.parameters import Given, Point
 from game.lab.kit.picture import Dot, Line, Mark, Picture, Stroke, Toggle, Tone, single
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from game.lab.kit.scene import Claim, Preset, Scene, View
 from game.lab.source import literal
 from physics import closest_point_on_line, dot, length
 
@@ -69,8 +69,6 @@ SCENE = Scene(
     name="closest-point",
     title="The closest point on a line, and on a segment",
     idea="An end of a sector is a segment, not a line: clamping the foot of the perpendicular to it is what makes the corners.",
-    chapter=Chapter.NARROW_PHASE,
-    place=10,
     functions=("closest_point_on_line",),
     parameters=(
         Point("A", "A", -10.0, 10.0, -3 - 1j, meaning="one end"),

@@ -11,7 +11,7 @@ from game.lab.kit.cited_line import Deciding, code
 from game.lab.kit.marks import ball_marks, contact_marks, is_unit, second_opinion, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arc, Arrow, Field, Line, Mark, Picture, Stroke, Toggle, Tone, Words, single
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from game.lab.kit.scene import Claim, Preset, Scene, View
 from game.lab.source import literal
 from physics import Ball, Contact, Feature, Ring, contact, length, to_cartesian
 from physics.narrow_phase import end_contact, face_contact
@@ -214,8 +214,6 @@ SCENE = Scene(
     name="gap-field",
     title="The field of the gap and of its normals",
     idea="Around a sector the gap is a landscape without a step; its slope is the normal; faces, ends and corners share it.",
-    chapter=Chapter.NARROW_PHASE,
-    place=40,
     functions=("narrow_phase_case_1", "narrow_phase_case_2"),
     parameters=(
         Point("ball", "p", -15.0, 15.0, 8.4 + 6.3j, meaning="the ball's centre"),

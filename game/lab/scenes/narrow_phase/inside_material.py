@@ -8,7 +8,7 @@ from game.lab.kit.cited_line import Deciding, code, source
 from game.lab.kit.marks import ball_marks, contact_marks, ring_marks, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Line, Mark, Picture, Stroke, Toggle, Tone, Words, single
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from game.lab.kit.scene import Claim, Preset, Scene, View
 from physics import (
     PERMANENT,
     Arena,
@@ -172,8 +172,6 @@ SCENE = Scene(
     name="inside-material",
     title="A ball inside the material",
     idea="An angle within the sector's means a face only for a ball outside; one put inside leaves by the shortest way.",
-    chapter=Chapter.NARROW_PHASE,
-    place=50,
     functions=("narrow_phase_case_1", "broad_phase"),
     parameters=(
         Point("ball", "p", -15.0, 15.0, 4.6 + 5.2j, meaning="where the ball is put"),

@@ -6,7 +6,7 @@ from game.lab.kit.cited_line import Deciding, code
 from game.lab.kit.marks import two_decimals
 from game.lab.kit.parameters import Given, Number
 from game.lab.kit.picture import Picture
-from game.lab.kit.scene import Chapter, Claim, Motion, Preset, Scene, View
+from game.lab.kit.scene import Claim, Motion, Preset, Scene, View
 from game.lab.source import touched_end
 from game.lab.source.touched_end import NORMAL, REACH, Answered, Running, answered, clearance, panes
 from physics import collision_response, cross, dot, length, to_cartesian
@@ -95,8 +95,6 @@ SCENE = Scene(
     name="carried",
     title="Response: the carried ball",
     idea="A fast end makes the ball faster than v_0; reset to v_0, it would be overtaken, so it is carried at the end's pace.",
-    chapter=Chapter.RESPONSE,
-    place=40,
     functions=("collision_response",),
     parameters=(
         Number("u", "u", "", -8.0, 8.0, 4.5, 0.1, "v_p · n: above 0 the end comes after the ball"),

@@ -8,7 +8,7 @@ from game.lab.kit.cited_line import Deciding, code
 from game.lab.kit.marks import VELOCITY_SCALE, ball_marks, contact_marks, ring_marks, second_opinion, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Mark, Picture, Stroke, Tone, single
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from game.lab.kit.scene import Claim, Preset, Scene, View
 from game.lab.source import literal
 from physics import Ball, Contact, Ring, collision_response, contact, dot, length, to_cartesian
 from physics.tolerances import STOPPED
@@ -168,8 +168,6 @@ SCENE = Scene(
     name="response-paddle",
     title="Response: a moving paddle with friction",
     idea="The bounce happens in the frame of the surface that is touched: its motion, and its roughness, aim the ball.",
-    chapter=Chapter.RESPONSE,
-    place=20,
     functions=("collision_response",),
     parameters=(
         Point("ball", "p", -15.0, 15.0, 0.8 + 7j, meaning="pulled to where it touches"),

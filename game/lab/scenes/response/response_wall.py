@@ -16,7 +16,7 @@ from game.lab.kit.marks import (
 )
 from game.lab.kit.parameters import Given, Number
 from game.lab.kit.picture import Arrow, Line, Mark, Picture, Stroke, Toggle, Tone, single
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from game.lab.kit.scene import Claim, Preset, Scene, View
 from physics import Ball, Contact, Ring, collision_response, contact, cross, dot, length, to_cartesian, to_polar
 
 _RADIUS, _HALF_WIDTH, _HALF_ANGLE = 6.0, 0.6, 0.7
@@ -122,8 +122,6 @@ SCENE = Scene(
     name="response-wall",
     title="Response: a wall at rest",
     idea="A smooth wall is a mirror; friction takes from what slides, and the fixed speed turns the rest towards the normal.",
-    chapter=Chapter.RESPONSE,
-    place=10,
     functions=("collision_response",),
     parameters=(
         Number("theta", "θ", "°", 50.0, 130.0, 80.0, 0.5, "where the ball touches"),

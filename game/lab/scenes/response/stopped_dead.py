@@ -6,7 +6,7 @@ from game.lab.kit.cited_line import Deciding, code, source
 from game.lab.kit.marks import two_decimals
 from game.lab.kit.parameters import Given, Number
 from game.lab.kit.picture import Picture
-from game.lab.kit.scene import Chapter, Claim, Motion, Preset, Scene, View
+from game.lab.kit.scene import Claim, Motion, Preset, Scene, View
 from game.lab.source import touched_end
 from game.lab.source.touched_end import NORMAL, Answered, Running, answered, clearance, panes
 from physics import collision_response, dot, length
@@ -95,8 +95,6 @@ SCENE = Scene(
     name="stopped-dead",
     title="Response: v_res = 0",
     idea="An end that retreats at half the ball's speed stops it dead: the source's v_res / |v_res| is then 0 / 0.",
-    chapter=Chapter.RESPONSE,
-    place=30,
     functions=("collision_response",),
     parameters=(
         Number("u", "u", "", -8.0, 8.0, -2.0, 0.1, "v_p · n: below 0 the end retreats"),

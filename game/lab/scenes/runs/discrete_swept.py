@@ -8,7 +8,7 @@ from game.lab.kit.cited_line import Deciding, code, source
 from game.lab.kit.marks import VELOCITY_SCALE, ring_marks
 from game.lab.kit.parameters import Count, Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Dot, Line, Mark, Pane, Picture, Stroke, Toggle, Tone
-from game.lab.kit.scene import Chapter, Claim, Motion, Preset, Scene, View
+from game.lab.kit.scene import Claim, Motion, Preset, Scene, View
 from game.lab.source.discrete import Flight, frame
 from physics import PERMANENT, Arena, Ball, Ring, advance, cross, in_band, length, time_of_impact, to_cartesian
 
@@ -189,8 +189,6 @@ SCENE = Scene(
     name="discrete-swept",
     title="Discrete against swept",
     idea="Tested once a frame, a fast ball is before the wall, then behind it, never in it; the time of impact misses nothing.",
-    chapter=Chapter.RUNS,
-    place=10,
     functions=("narrow_phase_case_1", "collision_response"),
     parameters=(
         Count("rate", "f", 5, 240, 20, "frames per second"),

@@ -9,7 +9,7 @@ from game.lab.kit.cited_line import Deciding, code
 from game.lab.kit.marks import VELOCITY_SCALE, ring_marks
 from game.lab.kit.parameters import Count, Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Dot, Line, Mark, Picture, Stroke, Toggle, Tone, Words, single
-from game.lab.kit.scene import Chapter, Claim, Motion, Preset, Scene, View
+from game.lab.kit.scene import Claim, Motion, Preset, Scene, View
 from physics import PERMANENT, Arena, Ball, Ring, advance, contact, length, time_of_impact, to_cartesian
 
 _TICK = 1.0 / 240.0
@@ -160,8 +160,6 @@ SCENE = Scene(
     name="free-run",
     title="A free run beside pymunk",
     idea="Two engines, one start: they agree until the first bounce, which a discrete step finds late.",
-    chapter=Chapter.RUNS,
-    place=50,
     functions=("advance", "time_of_impact"),
     parameters=(
         Count("steps", "k", 1, 8, 1, "pymunk's steps in a tick of 1/240 s"),

@@ -7,7 +7,7 @@ from game.lab.kit.cited_line import Deciding, code, source
 from game.lab.kit.marks import VELOCITY_SCALE, ring_marks
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Dot, Line, Mark, Pane, Picture, Stroke, Toggle, Tone
-from game.lab.kit.scene import Chapter, Claim, Motion, Preset, Scene, View
+from game.lab.kit.scene import Claim, Motion, Preset, Scene, View
 from game.levels import BallSpec, Level, PaddleSpec, RingSpec
 from game.rules import LIVES, PADDLES, TICK, Controls, EventKind, Game, Phase, new_game, tick
 from physics import Ball, has_left, length, to_cartesian
@@ -150,8 +150,6 @@ SCENE = Scene(
     name="game-over-once",
     title="Game over, once",
     idea="The source's rule is true in every frame after the ball has left; here it costs one life, and the last ends it.",
-    chapter=Chapter.RUNS,
-    place=60,
     functions=("has_left",),
     parameters=(
         Point("ball", "p", -4.0, 4.0, 1.5 + 1.0j, meaning="the first ball's centre"),

@@ -8,7 +8,7 @@ from game.lab.kit.cited_line import Deciding, code, source
 from game.lab.kit.marks import ring_marks
 from game.lab.kit.parameters import Count, Given, Number
 from game.lab.kit.picture import Arrow, Circle, Disc, Dot, Line, Mark, Pane, Picture, Stroke, Toggle, Tone
-from game.lab.kit.scene import Chapter, Claim, Motion, Preset, Scene, View
+from game.lab.kit.scene import Claim, Motion, Preset, Scene, View
 from game.levels import BallSpec, Level, PaddleSpec, RingSpec
 from game.rules import TICK, Controls, EventKind, Game, Phase, new_game, tick
 from physics import Arena, Ball, advance, cross, dot, length, to_cartesian
@@ -150,8 +150,6 @@ SCENE = Scene(
     name="nudge",
     title="The nudge",
     idea="Friction is the source's; but a ball that bounces on without meeting a brick is turned a little, by a seeded chance.",
-    chapter=Chapter.RUNS,
-    place=70,
     functions=("collision_response",),
     parameters=(
         Count("seed", "seed", 0, 999, 1, "of the game's chance"),

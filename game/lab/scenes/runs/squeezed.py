@@ -7,7 +7,7 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import Deciding, code
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Dot, Line, Mark, Picture, Sector, Stroke, Toggle, Tone, single
-from game.lab.kit.scene import Chapter, Claim, Motion, Preset, Scene, View
+from game.lab.kit.scene import Claim, Motion, Preset, Scene, View
 from physics import PERMANENT, Arena, Ball, Ring, advance, contact, length, to_cartesian
 from physics.escape import freed
 from physics.tolerances import MAX_IMPACTS
@@ -147,8 +147,6 @@ SCENE = Scene(
     name="squeezed",
     title="The squeezed ball",
     idea="Where two ends close on the ball, no motion at v_0 can free it: 32 bounces, then it is put outward, and counted.",
-    chapter=Chapter.RUNS,
-    place=30,
     functions=("advance",),
     parameters=(
         Number("spin", "ω", "rad/s", 0.0, 3.0, 0.2, 0.05, "of both rings, against each other"),

@@ -9,7 +9,7 @@ from game.lab.kit.cited_line import code
 from game.lab.kit.marks import VELOCITY_SCALE, degrees, ray, ring_marks
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, Stroke, Toggle, Tone
-from game.lab.kit.scene import Chapter, Claim, Motion, Preset, Scene, View
+from game.lab.kit.scene import Claim, Motion, Preset, Scene, View
 from physics import PERMANENT, Arena, Ball, Hit, Ring, advance, contact, direction, dot, length, to_cartesian
 
 _TICK = 1.0 / 240.0
@@ -159,8 +159,6 @@ SCENE = Scene(
     name="symmetry",
     title="Turned, and in a mirror",
     idea="A game does not care where zero is, nor which hand is left: turned and mirrored games are the same games.",
-    chapter=Chapter.RUNS,
-    place=40,
     functions=("advance", "normalize_angle"),
     parameters=(
         Number("alpha", "β", "°", 0.0, 360.0, 137.5, 0.5, "the angle by which the second is turned"),

@@ -8,7 +8,7 @@ from game.lab.kit.cited_line import Deciding, code
 from game.lab.kit.marks import ball_marks, contact_marks, ring_marks, second_opinion
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arc, Arrow, Circle, Dot, Line, Mark, Picture, Stroke, Toggle, Tone, single
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from game.lab.kit.scene import Claim, Preset, Scene, View
 from game.lab.source import literal
 from physics import Ball, Contact, Feature, Impact, Ring, contact, cross, dot, length, time_of_impact, to_cartesian
 
@@ -202,8 +202,6 @@ SCENE = Scene(
     name="impact-resting",
     title="Time of impact: a sector at rest",
     idea="The ball's centre runs into the sector grown by r: arcs, corners and ends give an equation each.",
-    chapter=Chapter.TIME_OF_IMPACT,
-    place=10,
     functions=("time_of_impact",),
     parameters=(
         Point("ball", "p", -15.0, 15.0, -1.5 - 3.5j, meaning="the ball's centre"),

@@ -7,7 +7,7 @@ from game.lab.kit.cited_line import Deciding, code
 from game.lab.kit.marks import ball_marks, contact_marks, ghost_marks
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Dot, Line, Mark, Picture, Sector, Stroke, Toggle, Tone, single
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from game.lab.kit.scene import Claim, Preset, Scene, View
 from game.lab.source import literal
 from physics import Ball, Contact, Impact, Ring, closest_point_on_line, contact, dot, length, time_of_impact, to_cartesian
 from physics.narrow_phase import end_contact
@@ -193,8 +193,6 @@ SCENE = Scene(
     name="impact-turning",
     title="Time of impact: a turning end",
     idea="No formula gives the moment: the search steps as far as no touch is possible, until it stands at it.",
-    chapter=Chapter.TIME_OF_IMPACT,
-    place=20,
     functions=("time_of_impact",),
     parameters=(
         Point("ball", "p", -15.0, 15.0, 9.9 + 5.5j, meaning="the ball's centre"),

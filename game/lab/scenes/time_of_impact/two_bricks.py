@@ -9,7 +9,7 @@ from game.lab.kit.cited_line import Deciding, code, source
 from game.lab.kit.marks import ring_marks, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Dot, Line, Mark, Pane, Picture, Stroke, Toggle, Tone
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from game.lab.kit.scene import Claim, Preset, Scene, View
 from game.lab.source.discrete import Flight, frame, normal_at
 from game.lab.source.literal import bounced
 from physics import PERMANENT, Arena, Ball, Hit, Ring, Step, advance, contact, dot, length, time_of_impact
@@ -204,8 +204,6 @@ SCENE = Scene(
     name="two-bricks",
     title="Two bricks at once",
     idea="A ball in a notch touches both of its sides: all contacts are answered, in the order of time, ties by the slot.",
-    chapter=Chapter.TIME_OF_IMPACT,
-    place=30,
     functions=("broad_phase", "collision_response"),
     parameters=(
         Point("ball", "p", -15.0, 15.0, 12.8 + 0.0j, meaning="the ball's centre"),
