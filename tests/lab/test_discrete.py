@@ -6,8 +6,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from game.lab.source import literal
-from game.lab.source.discrete import Flight, frame, normal_at, reset
+from game.lab.source import Flight, frame, normal_at, reset, response_steps
 from physics import Ball, Ring, min_difference
 from tests.support import source_oracle
 from tests.support.strategies import balls, points, reals, rings
@@ -51,7 +50,7 @@ def test_its_normal_is_the_sources(ball, ring):
 def test_its_bounce_is_the_sources(v, surface, friction, angle):
     """Where the source has an answer."""
     normal = complex(math.cos(angle), math.sin(angle))
-    expected = literal.bounced(v, normal, surface, friction)
+    expected = response_steps(v, normal, surface, friction, 7.0).before_reset
     assume(abs(v) > 1e-3 and abs(expected) > 1e-3)
     found = reset(v, expected, 7.0)
     if expected == v:

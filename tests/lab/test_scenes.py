@@ -1,7 +1,9 @@
 """Every scene of the lab: its claims hold wherever one drags it, and the registry finds it."""
 
+import ast
 import inspect
 import os
+import py_compile
 import random
 import re
 import subprocess
@@ -15,12 +17,13 @@ import pytest
 import physics
 from game.lab import scenes as folder
 from game.lab.kit.beyond_the_source import BEYOND
-from game.lab.kit.cited_line import code
+from game.lab.kit.cited_line import code_line
 from game.lab.kit.handles import dragged
 from game.lab.kit.parameters import Point, defaults
-from game.lab.kit.scene import Claim, Motion, Scene, picture_of, started
+from game.lab.kit.scene import Claim, Scene, picture_of, started
 from game.lab.registry import scenes
-from game.lab.session.checks import after_drags, failures, lines, report, run_to
+from game.lab.session.checks import after_drags, failures, lines, report
+from tests.support.lab_scenes import counting_scene, state_at
 from tools.crosscheck.second_engine import Pymunk
 
 SCENES = pytest.mark.parametrize("scene", scenes(), ids=lambda scene: scene.name)
@@ -32,20 +35,38 @@ def test_every_file_of_a_scene_is_listed_under_its_own_name():
     assert sorted([scene.name for scene in scenes()]) == files
 
 
-def test_the_registry_needs_no_files(tmp_path):
-    """In a zip archive there is no folder to list: the scenes are found all the same."""
-    archive = tmp_path / "game.zip"
-    root = Path(physics.__file__).parent.parent
+def cited_lines():
+    """Every scene's cited lines at its defaults and its presets."""
+    return [(scene.name, *picture_of(scene, one, started(scene, one)).cited) for scene in scenes() for one in lines(scene)]
+
+
+PRINT_CITED_LINES = f"""
+from game.lab.kit.scene import picture_of, started
+from game.lab.registry import scenes
+from game.lab.session.checks import lines
+{inspect.getsource(cited_lines)}
+print(repr(cited_lines()))
+"""
+
+
+def test_without_files_and_source_text_every_scene_is_shown_with_its_cited_line(tmp_path):
+    """In a zip archive of byte code, as in a frozen program, there is no folder to list and no source to read.
+
+    The byte code is that of `python -OO`, without asserts and docstrings. Only the lines' numbers are missing there.
+    """
+    root, archive = Path(physics.__file__).parent.parent, tmp_path / "game.zip"
     with zipfile.ZipFile(archive, "w") as zipped:
-        for package in ("game", "physics"):
-            for path in (root / package).rglob("*.py"):
-                zipped.write(path, path.relative_to(root))
-    program = "from game.lab.registry import scenes; print([scene.name for scene in scenes()])"
-    environment = {**os.environ, "PYTHONPATH": str(archive)}
-    done = subprocess.run(
-        [sys.executable, "-P", "-c", program], cwd=tmp_path, env=environment, capture_output=True, text=True, check=False
-    )
-    assert (done.stdout.strip(), done.stderr) == (str([scene.name for scene in scenes()]), "")
+        for path in [path for package in ("game", "physics") for path in (root / package).rglob("*.py")]:
+            inside = path.relative_to(root)
+            zipped.write(
+                py_compile.compile(str(path), str(tmp_path / "one.pyc"), str(inside), True, 2), inside.with_suffix(".pyc")
+            )
+    environment = {**os.environ, "PYTHONPATH": str(archive), "PYTHONIOENCODING": "utf-8"}
+    command = [sys.executable, "-P", "-OO", "-c", PRINT_CITED_LINES]
+    done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, encoding="utf-8", check=False)
+    assert done.stderr == ""
+    without_numbers = [(name, re.sub(r"\.py:\d+ ", ".py ", where), text) for name, where, text in cited_lines()]
+    assert ast.literal_eval(done.stdout) == without_numbers
 
 
 @SCENES
@@ -144,7 +165,7 @@ def test_words_and_formula_fit_the_font(scene):
     missing = pygame.image.tobytes(font.render("\u2220", True, (255, 255, 255)), "RGBA")
     for given in lines(scene, Pymunk()):
         picture = picture_of(scene, given, started(scene, given))
-        texts = [scene.title, scene.idea, picture.note, picture.deciding.where, picture.deciding.text, *picture.formula]
+        texts = [scene.title, scene.idea, picture.note, picture.cited.where, picture.cited.text, *picture.formula]
         texts += [text for one in scene.parameters for text in (one.label, one.meaning, getattr(one, "unit", ""))]
         texts += [preset.label for preset in scene.presets] + [pane.title for pane in picture.panes]
         texts += [getattr(mark, "label", "") for pane in picture.panes for mark in pane.marks]
@@ -154,30 +175,22 @@ def test_words_and_formula_fit_the_font(scene):
             assert drawn != missing, f"{letter!r} has no glyph"
 
 
-def test_the_deciding_line_is_read_from_the_function():
-    """It is the very line, by its number; a part that is not there, or there twice, is an error."""
-    found = code(physics.closest_point_on_line, "if along >= square")
+def test_a_cited_line_stands_where_it_says():
+    """In the file, at the number; a citation that is in no line of the function, or in several, is an error."""
+    found = code_line(physics.closest_point_on_line, "if along >= square:")
     file, number = re.fullmatch(r"(.+):(\d+) closest_point_on_line", found.where).groups()
     root = Path(physics.__file__).parent.parent
     assert (root / file).read_text(encoding="utf-8").splitlines()[int(number) - 1].strip() == found.text
-    for part in ("no such line", "a"):
+    for text in ("no such line", "a"):
         with pytest.raises(ValueError, match="closest_point_on_line has"):
-            code(physics.closest_point_on_line, part)
-
-
-def counting_scene(limit=10):
-    """A scene that runs: it counts."""
-    still = scenes()[0]
-    shown = still.shows(defaults(still.parameters)) if not isinstance(still.shows, Motion) else None
-    motion = Motion(lambda _: 0, lambda _, state: state + 1, lambda _, state: shown._replace(note=str(state)), ticks=limit)
-    return still._replace(shows=motion)
+            code_line(physics.closest_point_on_line, text)
 
 
 def test_a_scene_that_runs_is_a_function_of_its_tick():
     """The state at a tick is that many steps from the start."""
     scene = counting_scene()
     given = defaults(scene.parameters)
-    assert run_to(scene, given, 7) == 7
+    assert state_at(scene, given, 7) == 7
     assert picture_of(scene, given, 7).note == "7"
 
 

@@ -9,10 +9,8 @@ from game.lab.session import cases, session
 from game.lab.session.checks import failures
 from game.lab.session.share import Shared, parsed
 from game.system.errors import BadInputError
-from tests.lab.test_scenes import counting_scene
-from tests.support.paths import LAB_CASES
-
-CASES = LAB_CASES
+from tests.support.lab_scenes import counting_scene
+from tests.support.paths import LAB_CASES as CASES
 
 
 @pytest.fixture

@@ -2,15 +2,15 @@
 
 import pytest
 
+from game.lab.kit.end_bounce import end_bounce
 from game.lab.registry import scene_named
 from game.lab.scenes.narrow_phase import inside_material
 from game.lab.scenes.response import carried, stopped_dead
 from game.lab.scenes.runs import discrete_swept, free_run
 from game.lab.scenes.time_of_impact import impact_resting, impact_turning, two_bricks
-from game.lab.session.checks import run_to
 from game.lab.session.share import preset
-from game.lab.source.touched_end import answered
 from physics import Feature
+from tests.support.lab_scenes import state_at
 from tools.crosscheck.second_engine import Pymunk
 
 
@@ -22,28 +22,28 @@ def values(scene, label):
 
 @pytest.mark.parametrize("label", ["half the speed", "rough and slanting"])
 def test_the_ball_is_stopped_dead(label):
-    """The source's answer is 0 / 0, and a hair more or less is not."""
-    assert answered(values(stopped_dead.SCENE, label)).stopped
-    assert not answered(values(stopped_dead.SCENE, "a little less")).stopped
-    assert answered(values(stopped_dead.SCENE, "a little more")).overtaken
+    """The source's answer is 0 / 0; with an end a little slower or faster it is not."""
+    assert end_bounce(values(stopped_dead.SCENE, label)).found.stopped
+    assert not end_bounce(values(stopped_dead.SCENE, "a little less")).found.stopped
+    assert end_bounce(values(stopped_dead.SCENE, "a little more")).found.overtaken
 
 
 @pytest.mark.parametrize("label", ["carried", "the other way", "a retreating end"])
 def test_the_ball_is_carried(label):
-    """The source's ball is overtaken, and the two part at once."""
+    """The end would overtake the source's ball, and the two balls part at once."""
     given = values(carried.SCENE, label)
-    assert answered(given).overtaken
-    states = [run_to(carried.SCENE, given, tick) for tick in (1, 10)]
-    assert all([abs(state.ours.position - state.theirs.position) > 1e-4 for state in states])
+    assert end_bounce(given).found.overtaken
+    states = [state_at(carried.SCENE, given, tick) for tick in (1, 10)]
+    assert all([abs(state.by_physics.position - state.by_source.position) > 1e-4 for state in states])
 
 
 @pytest.mark.parametrize("label", ["hit from behind", "met head-on"])
 def test_the_ball_gets_away(label):
-    """It is met, and both answers are the same."""
-    bounce = answered(values(carried.SCENE, label))
-    assert bounce.approach < 0.0
-    assert not bounce.overtaken
-    assert abs(bounce.theirs - bounce.ours) < 1e-12
+    """The end meets it, and both answers are the same."""
+    after = end_bounce(values(carried.SCENE, label))
+    assert not after.found.separates
+    assert not after.found.overtaken
+    assert abs(after.by_source - after.found.steps.result) < 1e-12
 
 
 @pytest.mark.parametrize(
@@ -79,7 +79,7 @@ def test_the_ball_tunnels_before_ones_eyes():
     scene = discrete_swept.SCENE
     for label, through in (("20 tests", True), ("60 tests", False), ("240 tests", False), ("a thin wall", True)):
         given = values(scene, label)
-        end = run_to(scene, given, 480)
+        end = state_at(scene, given, 480)
         assert discrete_swept._is_out(discrete_swept._setting(given), end) is through
         assert end.hits >= 2
 
@@ -110,24 +110,24 @@ def test_the_ball_is_squeezed_and_put_outward():
         ("it gets out", False),
         ("nothing closes", False),
     ):
-        end = run_to(scene, values(scene, label), 240)
+        end = state_at(scene, values(scene, label), 240)
         assert (end.most == 32, end.dropped > 0, end.freed > 0) == (squeezed,) * 3
 
 
 def test_the_game_ends_once_while_the_source_ends_it_again_and_again():
     """Three balls lost, one end; a paddle in the way keeps the ball."""
     scene = scene_named("game-over-once")
-    end = run_to(scene, values(scene, "out at once"), 480)
+    end = state_at(scene, values(scene, "out at once"), 480)
     assert (end.lost, end.ended, end.game.lives) == (3, 1, 0)
     assert end.over > 400
-    assert run_to(scene, values(scene, "kept by"), 240).lost == 0
+    assert state_at(scene, values(scene, "kept by"), 240).lost == 0
 
 
 def test_the_nudge_comes():
     """With the twelfth contact, in every preset; the ball without it goes on."""
     scene = scene_named("nudge")
     for one in scene.presets:
-        end = run_to(scene, preset(scene, one.line), 960)
+        end = state_at(scene, preset(scene, one.line), 960)
         assert end.nudges >= 1
         assert end.contacts == 12
         assert end.bounces > 12
@@ -139,7 +139,7 @@ def test_the_two_engines_part_at_the_first_bounce():
     apart = []
     for label in ("one step", "eight steps"):
         (found,) = [one for one in scene.presets if one.label.startswith(label)]
-        end = run_to(scene, preset(scene, found.line, Pymunk()), 240)
+        end = state_at(scene, preset(scene, found.line, Pymunk()), 240)
         assert end.bounces == len(end.apart) >= 2
         apart.append(end.apart[0])
     assert apart[0] > 2.0 * apart[1] > 1e-3

@@ -9,7 +9,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.lab.kit.cited_line import Deciding
+from game.lab.kit.cited_line import CitedLine
 
 
 class Toggle(Enum):
@@ -169,7 +169,7 @@ class Picture(NamedTuple):
 
     panes: tuple[Pane, ...]
     formula: tuple[str, ...]  # of the phase, with the numbers in it, in the source's letters
-    deciding: Deciding  # the line that decided
+    cited: CitedLine  # the line that decided
     note: str = ""  # what is special about these values, and why
 
     @property
@@ -178,6 +178,6 @@ class Picture(NamedTuple):
         return frozenset([mark.toggle for pane in self.panes for mark in pane.marks if mark.toggle is not None])
 
 
-def single(marks: tuple[Mark, ...], formula: tuple[str, ...], deciding: Deciding, note: str = "") -> Picture:
+def single(marks: tuple[Mark, ...], formula: tuple[str, ...], cited: CitedLine, note: str = "") -> Picture:
     """A picture of one world."""
-    return Picture((Pane(marks),), formula, deciding, note)
+    return Picture((Pane(marks),), formula, cited, note)

@@ -5,8 +5,8 @@
 2. Choose the numbers one can set: `Number` (angles in degrees), `Count`, `Point`, each with range and default.
 3. Write `_picture(given) -> Picture`: pure; read the numbers with `given.number("r")`, `given.angle("half_angle")` (radians),
    `given.point("ball")`, ask `physics`, and answer with marks, the formula with the numbers in it, and the line that
-   decides (`code(function, "a part of the line")` or `source("Narrow phase", "the line")`). `game/lab/kit/marks.py` has the
-   marks of a ball, a sector, a contact, a second opinion. Two worlds side by side are two `Pane`s.
+   decides (`code_line(function, "a part of the line")` or `source_line("Narrow phase", "the line")`). `game/lab/kit/marks.py`
+   has the marks of a ball, a sector, a contact, a second opinion. Two worlds side by side are two `Pane`s.
 4. Write `_check(given) -> tuple[Claim, ...]`: facts that must hold for every setting in range, each with whether it does.
    They are asserted by pytest for the defaults, the presets, saved cases, and after a thousand random drags.
 5. Say what can be dragged, what matters most first: `handles.point`, `vector`, `polar_vector`, `sector_handles`, or a

@@ -3,14 +3,14 @@
 import math
 import random
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from game.lab.kit.handles import dragged
 from game.lab.kit.parameters import Count, Given, Parameter, Point, defaults, settled
 from game.lab.kit.picture import Field
-from game.lab.kit.scene import Motion, Scene, picture_of, started, stepped
+from game.lab.kit.scene import Motion, Scene, picture_of, started
 from game.lab.kit.second_engine import Engine
 from game.lab.session.share import Shared, preset, share_line
 
@@ -66,14 +66,6 @@ def after_drags(scene: Scene, count: int, seed: int, engine: Engine | None = Non
         given = _dragged_somewhere(scene, given, chance)
         if not isinstance(scene.shows, Motion) or number % _RUN_EVERY == 0:
             yield given
-
-
-def run_to(scene: Scene, given: Given, tick: int) -> Any:
-    """The state of a scene at a tick."""
-    state = started(scene, given)
-    for _ in range(tick):
-        state = stepped(scene, given, state)
-    return state
 
 
 def _dragged_somewhere(scene: Scene, given: Given, chance: random.Random) -> Given:

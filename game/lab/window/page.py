@@ -114,7 +114,7 @@ def draw_words(surface: pygame.Surface, place: Page, picture: Picture, theme: Th
     for line in picture.formula:
         top = _lines(surface, type_, line, theme.text, complex(edge, top), (unit, width))
     top += unit * 0.25
-    decided = f"{picture.deciding.where}:  {picture.deciding.text}"
+    decided = f"{picture.cited.where}:  {picture.cited.text}"
     top = _lines(surface, type_, decided, theme.faint, complex(edge, top), (unit, width))
     return _lines(surface, type_, picture.note, theme.accent, complex(edge, top), (unit, width))
 

@@ -3,7 +3,7 @@
 import math
 
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code
+from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import angle_arc, degrees, ray
 from game.lab.kit.parameters import Given, Number
 from game.lab.kit.picture import Circle, Dot, Line, Mark, Picture, Stroke, Tone, Words, single
@@ -40,7 +40,7 @@ def _picture(given: Given) -> Picture:
         f"min_difference(a, b) = {degrees(min_difference(a, b))}",
         f"on_left(a, b) = {on_left(a, b)}:   a {_side(shorter)} b",
     )
-    return single(tuple(marks), formula, _deciding(a, b), _note(a, b))
+    return single(tuple(marks), formula, _cited(a, b), _note(a, b))
 
 
 def _side(shorter: float) -> str:
@@ -52,11 +52,11 @@ def _side(shorter: float) -> str:
     return "is counter-clockwise of" if shorter > 0.0 else "is clockwise of"
 
 
-def _deciding(a: float, b: float) -> Deciding:
+def _cited(a: float, b: float) -> CitedLine:
     """The line that finds the shorter way."""
-    return code(
-        signed_difference, "if -math.pi < difference" if -math.pi < a - b <= math.pi else "return difference - math.tau"
-    )
+    if -math.pi < a - b <= math.pi:
+        return code_line(signed_difference, "if -math.pi < difference <= math.pi:")
+    return code_line(signed_difference, "return difference - math.tau if difference > math.pi else difference")
 
 
 def _note(a: float, b: float) -> str:

@@ -3,13 +3,13 @@
 import math
 from typing import NamedTuple
 
+from game.lab import source
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code, source
+from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import degrees, ray
 from game.lab.kit.parameters import Given, Number
 from game.lab.kit.picture import Arrow, Disc, Dot, Line, Mark, Pane, Picture, Sector, Stroke, Toggle, Tone
 from game.lab.kit.scene import Claim, Preset, Scene, View
-from game.lab.source import literal
 from physics import (
     closest_point_on_line,
     length,
@@ -55,15 +55,15 @@ def _both(given: Given) -> _Both:
     r, theta, angle = given.number("r"), normalize_angle(given.angle("theta")), normalize_angle(given.angle("angle"))
     half_angle = given.angle("half_angle")
     p = to_cartesian(_RADIUS, theta)
-    theirs = _look(p, r, angle, half_angle, literal.end_sign(theta, angle, half_angle))
+    theirs = _look(p, r, angle, half_angle, source.end_sign(theta, angle, half_angle))
     ours = _look(p, r, angle, half_angle, 1 if on_left(theta, angle) else -1)
     return _Both(p, r, theta, angle, half_angle, theirs, ours)
 
 
 def _look(p: complex, r: float, angle: float, half_angle: float, sign: int) -> _Look:
     """The normal of the end on one side."""
-    a, b = literal.end_points(_RADIUS, _HALF_WIDTH, angle + sign * half_angle)
-    return _Look(sign, a, b, closest_point_on_line(a, b, p), literal.end_normal(p, r, a, b))
+    a, b = source.end_points(_RADIUS, _HALF_WIDTH, angle + sign * half_angle)
+    return _Look(sign, a, b, closest_point_on_line(a, b, p), source.end_normal(p, r, a, b))
 
 
 def _picture(given: Given) -> Picture:
@@ -80,7 +80,7 @@ def _picture(given: Given) -> Picture:
         f"here:   on_left(θ, θ_p) = {both.ours.sign > 0}:   sign = {both.ours.sign}",
         f"|p - q|:   {length(both.p - both.theirs.q):.3f} by the source's end, {length(both.p - both.ours.q):.3f} by ours",
     )
-    return Picture(panes, formula, _deciding(both), _note(both))
+    return Picture(panes, formula, _cited(both), _note(both))
 
 
 def _marks(both: _Both, look: _Look, tone: Tone) -> tuple[Mark, ...]:
@@ -98,11 +98,11 @@ def _marks(both: _Both, look: _Look, tone: Tone) -> tuple[Mark, ...]:
     return tuple(marks)
 
 
-def _deciding(both: _Both) -> Deciding:
+def _cited(both: _Both) -> CitedLine:
     """The line that picks the end."""
     if both.theirs.sign != both.ours.sign:
-        return source("Narrow phase, case 2", "sign = 1 if on_left(θ, θ_p + φ_p) else -1")
-    return code(narrow_phase_case_2, "sign = 1.0 if on_left")
+        return source_line("Narrow phase, case 2", "sign = 1 if on_left(θ, θ_p + φ_p) else -1")
+    return code_line(narrow_phase_case_2, "sign = 1.0 if on_left(theta, angle) else -1.0")
 
 
 def _note(both: _Both) -> str:

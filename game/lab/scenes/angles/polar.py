@@ -2,13 +2,13 @@
 
 import math
 
+from game.lab import source
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code
+from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import angle_arc, degrees, ray, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Dot, Line, Mark, Picture, Stroke, Tone, Words, single
 from game.lab.kit.scene import Claim, Preset, Scene, View
-from game.lab.source import literal
 from physics import length, normalize_angle, to_cartesian, to_polar
 
 _TINY = 1e-15
@@ -24,7 +24,7 @@ def _picture(given: Given) -> Picture:
     """A point with its two kinds of coordinates, and an angle of any size with where it points."""
     p, turn = given.point("p"), _turned(given)
     radius, theta = to_polar(p)
-    folded, plain = normalize_angle(turn), literal.normalize_angle(turn)
+    folded, plain = normalize_angle(turn), source.normalize_angle(turn)
     marks: list[Mark] = [
         Line((0j, 12 + 0j), Tone.FAINT, None, Stroke.DASHED, "polar axis"),
         Circle(0j, radius, Tone.FAINT, None, Stroke.DASHED),
@@ -44,7 +44,7 @@ def _picture(given: Given) -> Picture:
         f"a mod 2π = {_number(plain)} rad" + (",   which is 2π: out of range" if plain >= math.tau else ""),
         f"normalised, in [0, 2π):   {_number(folded)} rad = {degrees(folded)}",
     )
-    return single(tuple(marks), formula, _deciding(plain), _note(p, turn, plain))
+    return single(tuple(marks), formula, _cited(plain), _note(p, turn, plain))
 
 
 def _spiral(turn: float) -> tuple[complex, ...]:
@@ -58,9 +58,9 @@ def _number(angle: float) -> str:
     return f"{angle:.3g}" if 0.0 < abs(angle) < 1e-3 else f"{angle:.5f}"
 
 
-def _deciding(plain: float) -> Deciding:
+def _cited(plain: float) -> CitedLine:
     """What keeps the range half-open."""
-    return code(normalize_angle, "return angle if" if plain >= math.tau else "angle %= math.tau")
+    return code_line(normalize_angle, "return angle if angle < math.tau else 0.0" if plain >= math.tau else "angle %= math.tau")
 
 
 def _note(p: complex, turn: float, plain: float) -> str:
@@ -80,7 +80,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
     radius, theta = to_polar(p)
     folded = normalize_angle(turn)
     there = to_cartesian(1.0, turn) - to_cartesian(1.0, folded)
-    plain = literal.normalize_angle(turn)
+    plain = source.normalize_angle(turn)
     return (
         Claim("there and back is the same point", length(to_cartesian(radius, theta) - p) <= 1e-12 * (1.0 + radius)),
         Claim("the point's angle is in [0, 2π)", 0.0 <= theta < math.tau),

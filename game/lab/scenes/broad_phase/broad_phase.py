@@ -1,7 +1,7 @@
 """The broad phase: what the ball's distance from the centre says."""
 
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code
+from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.handles import Handle
 from game.lab.kit.marks import ball_marks, ray
 from game.lab.kit.parameters import Given, Number, Point
@@ -66,7 +66,7 @@ def _picture(given: Given) -> Picture:
         Words(to_cartesian(paddles.radius, 2.5), "paddles", Tone.PLAIN, Toggle.BANDS),
         Words(to_cartesian(bricks.radius, 2.5), "bricks", Tone.PLAIN, Toggle.BANDS),
     ]
-    return single(tuple(marks), _formula(given), _deciding(outcome), _note(outcome, distance))
+    return single(tuple(marks), _formula(given), _cited(outcome), _note(outcome, distance))
 
 
 def _formula(given: Given) -> tuple[str, ...]:
@@ -84,13 +84,15 @@ def _formula(given: Given) -> tuple[str, ...]:
     return (*lines, f"so: {_outcome(given).value}")
 
 
-def _deciding(outcome: Outcome) -> Deciding:
+def _cited(outcome: Outcome) -> CitedLine:
     """The test that decided."""
     if outcome is Outcome.GAME_OVER:
-        return code(has_left, "return length(p)")
+        return code_line(has_left, "return length(p) - ball_radius > ground_radius")
     if outcome is Outcome.NO_COLLISION:
-        return code(broad_phase_outcome, "return Outcome.NO_COLLISION")
-    return code(in_band, "return distance + ball_radius")
+        return code_line(broad_phase_outcome, "return Outcome.NO_COLLISION")
+    return code_line(
+        in_band, "return distance + ball_radius >= ring.inner_radius and distance - ball_radius <= ring.outer_radius"
+    )
 
 
 def _note(outcome: Outcome, distance: float) -> str:

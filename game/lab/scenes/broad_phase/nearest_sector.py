@@ -3,7 +3,7 @@
 import math
 
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code
+from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import ball_marks, contact_marks, degrees, ray, ring_marks, second_opinion
 from game.lab.kit.parameters import Count, Given, Number, Point
 from game.lab.kit.picture import Line, Mark, Picture, Stroke, Tone, Words, single
@@ -57,7 +57,7 @@ def _picture(given: Given) -> Picture:
         f"min_difference {'≤' if face else '>'} φ_p = {degrees(ring.half_angle)}:   case {1 if face else 2}",
         f"gap = {found.gap:.3f}",
     )
-    return single(tuple(marks), formula, _deciding(), _note(given, ring, ball))
+    return single(tuple(marks), formula, _cited(), _note(given, ring, ball))
 
 
 def _borders(ring: Ring) -> list[Mark]:
@@ -72,9 +72,9 @@ def _turned(theta: float, ring: Ring) -> float:
     return turn - math.tau if turn > math.pi else turn
 
 
-def _deciding() -> Deciding:
+def _cited() -> CitedLine:
     """The arithmetic."""
-    return code(nearest_slot, "return round(")
+    return code_line(nearest_slot, "return round(signed_difference(angle, ring.phase) / pitch) % ring.count")
 
 
 def _note(given: Given, ring: Ring, ball: Ball) -> str:

@@ -2,13 +2,13 @@
 
 from typing import NamedTuple
 
+from game.lab import source
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code
+from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import ball_marks, contact_marks, degrees, is_unit, ray, ring_marks, second_opinion, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Mark, Picture, Stroke, Toggle, Tone, single
 from game.lab.kit.scene import Claim, Preset, Scene, View
-from game.lab.source import literal
 from physics import (
     Ball,
     Contact,
@@ -67,7 +67,7 @@ def _picture(given: Given) -> Picture:
         marks.append(Arrow(ball.position, case.normal * 1.5, Tone.SOURCE, Toggle.NORMALS, label="case 1"))
     marks += contact_marks(ball, case.found)
     marks += second_opinion(given, ball, ring, (0,), case.found)
-    return single(tuple(marks), _formula(case), _deciding(case), _note(case))
+    return single(tuple(marks), _formula(case), _cited(case), _note(case))
 
 
 def _formula(case: _Case) -> tuple[str, ...]:
@@ -86,11 +86,13 @@ def _formula(case: _Case) -> tuple[str, ...]:
     )
 
 
-def _deciding(case: _Case) -> Deciding:
+def _cited(case: _Case) -> CitedLine:
     """The sign; inside of the material, the comparison of the ways out."""
     if case.inside:
-        return code(sector_contact, "if half_angle < math.pi and inner")
-    return code(narrow_phase_case_1, "return -n") if case.applies else code(sector_contact, "if abs(offset) <= half_angle")
+        return code_line(sector_contact, "if half_angle < math.pi and inner < distance < outer:")
+    if case.applies:
+        return code_line(narrow_phase_case_1, "return -n if length(p) < radius else n")
+    return code_line(sector_contact, "if abs(offset) <= half_angle:")
 
 
 def _note(case: _Case) -> str:
@@ -135,7 +137,7 @@ def _distance_to_outline(ring: Ring, p: complex) -> float:
     arcs = [length(p - to_cartesian(radius, a)) for a in angles for radius in (ring.inner_radius, ring.outer_radius)]
     if ring.half_angle >= 3.141592653589793:
         return min(arcs)
-    ends = [literal.end_points(ring.radius, ring.half_width, angle) for angle in (angles[0], angles[-1])]
+    ends = [source.end_points(ring.radius, ring.half_width, angle) for angle in (angles[0], angles[-1])]
     return min([*arcs, *[length(p - closest_point_on_line(a, b, p)) for a, b in ends]])
 
 

@@ -2,13 +2,13 @@
 
 from typing import NamedTuple
 
+from game.lab import source
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code
+from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import ball_marks, contact_marks, degrees, is_unit, ray, second_opinion
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Dot, Line, Mark, Picture, Sector, Stroke, Toggle, Tone, single
 from game.lab.kit.scene import Claim, Preset, Scene, View
-from game.lab.source import literal
 from physics import (
     Ball,
     Contact,
@@ -69,7 +69,7 @@ def _case(given: Given) -> _Case:
     theta, angle, half_angle = angle_of(ball.position), given.angle("angle"), given.angle("half_angle")
     radius, half_width = given.number("radius"), given.number("half_width")
     sign = 1 if on_left(theta, angle) else -1
-    a, b = literal.end_points(radius, half_width, angle + sign * half_angle)
+    a, b = source.end_points(radius, half_width, angle + sign * half_angle)
     return _Case(ball, theta, radius, angle, half_width, half_angle, sign, a, b)
 
 
@@ -91,7 +91,7 @@ def _picture(given: Given) -> Picture:
     marks += contact_marks(ball, found)
     if ring is not None:
         marks += second_opinion(given, ball, ring, (0,), found)
-    return single(tuple(marks), _formula(case, found), _deciding(case, found), _note(case, found))
+    return single(tuple(marks), _formula(case, found), _cited(case, found), _note(case, found))
 
 
 def _found(case: _Case, ring: Ring | None) -> Contact:
@@ -119,13 +119,15 @@ def _formula(case: _Case, found: Contact) -> tuple[str, ...]:
     )
 
 
-def _deciding(case: _Case, found: Contact) -> Deciding:
+def _cited(case: _Case, found: Contact) -> CitedLine:
     """The line that says what the normal is."""
     if not case.applies:
-        return code(narrow_phase_case_1, "return -n")
+        return code_line(narrow_phase_case_1, "return -n if length(p) < radius else n")
     if found.gap >= 0.0:
-        return code(narrow_phase_case_2, "found.gap < 0.0")
-    return code(end_contact, "normal = ")
+        return code_line(narrow_phase_case_2, "return found.normal if found.gap < 0.0 else None")
+    return code_line(
+        end_contact, "normal = quarter_turn(end) * sign if feature == Feature.END or distance == 0.0 else unit(p - q)"
+    )
 
 
 def _note(case: _Case, found: Contact) -> str:
@@ -148,9 +150,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
     q = closest_point_on_line(case.a, case.b, p)
     distance = length(p - q)
     nearest = min([length(p - (case.a + (case.b - case.a) * (k / _SAMPLES))) for k in range(_SAMPLES + 1)])
-    other = closest_point_on_line(
-        *literal.end_points(case.radius, case.half_width, case.angle - case.sign * case.half_angle), p
-    )
+    other = closest_point_on_line(*source.end_points(case.radius, case.half_width, case.angle - case.sign * case.half_angle), p)
     normal, ring = case.normal, _ring(case)
     gap = None if ring is None or not case.applies else contact(case.ball, ring, 0).gap
     return (

@@ -1,12 +1,12 @@
 """The closest point on a line, and on a segment."""
 
+from game.lab import source
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code
+from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import two_decimals
 from game.lab.kit.parameters import Given, Point
 from game.lab.kit.picture import Dot, Line, Mark, Picture, Stroke, Toggle, Tone, single
 from game.lab.kit.scene import Claim, Preset, Scene, View
-from game.lab.source import literal
 from physics import closest_point_on_line, dot, length
 
 _SAMPLES = 64
@@ -15,7 +15,7 @@ _SAMPLES = 64
 def _picture(given: Given) -> Picture:
     """The segment, the endless line, and the two answers."""
     a, b, p = given.point("A"), given.point("B"), given.point("P")
-    q, foot = closest_point_on_line(a, b, p), literal.foot_on_line(a, b, p)
+    q, foot = closest_point_on_line(a, b, p), source.foot_on_line(a, b, p)
     marks: list[Mark] = []
     if foot is not None:
         far = (b - a) * (100.0 / length(b - a))
@@ -39,7 +39,7 @@ def _picture(given: Given) -> Picture:
         note = f"The foot on the endless line is {two_decimals(foot)}: no point of the segment. q is clamped to the end."
     else:
         note = ""
-    return single(tuple(marks), formula, _deciding(along, square), note)
+    return single(tuple(marks), formula, _cited(along, square), note)
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
@@ -47,7 +47,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
     a, b, p = given.point("A"), given.point("B"), given.point("P")
     q = closest_point_on_line(a, b, p)
     nearest = min([length(p - (a + (b - a) * (k / _SAMPLES))) for k in range(_SAMPLES + 1)])
-    foot = literal.foot_on_line(a, b, p)
+    foot = source.foot_on_line(a, b, p)
     inside = foot is not None and 0.0 <= dot(foot - a, b - a) <= dot(b - a, b - a)
     return (
         Claim("q lies on the segment", abs(length(a - q) + length(q - b) - length(b - a)) < 1e-9),
@@ -58,11 +58,11 @@ def _check(given: Given) -> tuple[Claim, ...]:
     )
 
 
-def _deciding(along: float, square: float) -> Deciding:
+def _cited(along: float, square: float) -> CitedLine:
     """The line that says where q is."""
     if along <= 0.0:
-        return code(closest_point_on_line, "if along <= 0.0")
-    return code(closest_point_on_line, "if along >= square" if along >= square else "return a + ab")
+        return code_line(closest_point_on_line, "if along <= 0.0:")
+    return code_line(closest_point_on_line, "if along >= square:" if along >= square else "return a + ab * (along / square)")
 
 
 SCENE = Scene(

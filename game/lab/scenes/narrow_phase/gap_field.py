@@ -6,13 +6,13 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.lab import source
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code
+from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import ball_marks, contact_marks, is_unit, second_opinion, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arc, Arrow, Field, Line, Mark, Picture, Stroke, Toggle, Tone, Words, single
 from game.lab.kit.scene import Claim, Preset, Scene, View
-from game.lab.source import literal
 from physics import Ball, Contact, Feature, Ring, contact, length, to_cartesian
 from physics.narrow_phase import end_contact, face_contact
 
@@ -69,7 +69,7 @@ def _picture(given: Given) -> Picture:
         f"p = {two_decimals(p)},   q = {two_decimals(q)},   n = {two_decimals(found.normal)}",
         f"nearest: {_WORDS[found.feature]};   a band of colour is {_BAND:g} wide, blue for a gap above 0, red for an overlap",
     )
-    return single(tuple(marks), formula, _deciding(found), _note(ball, ring))
+    return single(tuple(marks), formula, _cited(found), _note(ball, ring))
 
 
 def _gaps(x: NDArray[np.float64], y: NDArray[np.float64], ring: Ring) -> NDArray[np.float64]:
@@ -92,7 +92,7 @@ def _sides(ring: Ring) -> list[Mark]:
         Arc(0j, radius, start, sweep, Tone.SECTOR, None, Stroke.THICK) for radius in (ring.inner_radius, ring.outer_radius)
     ]
     if ring.half_angle < math.pi:
-        ends = [literal.end_points(ring.radius, ring.half_width, angle) for angle in (start, start + sweep)]
+        ends = [source.end_points(ring.radius, ring.half_width, angle) for angle in (start, start + sweep)]
         marks += [Line(end, Tone.SECTOR, None, Stroke.THICK) for end in ends]
     return marks
 
@@ -157,13 +157,15 @@ def _distance(p: complex, ring: Ring) -> float:
     return float(_gaps(np.array(p.real), np.array(p.imag), ring))
 
 
-def _deciding(found: Contact) -> Deciding:
+def _cited(found: Contact) -> CitedLine:
     """The line that found the normal."""
     if found.feature is Feature.CORNER:
-        return code(end_contact, "feature = Feature.CORNER")
+        return code_line(end_contact, "feature = Feature.CORNER if q in (a, b) else Feature.END")
     if found.feature is Feature.END:
-        return code(end_contact, "normal = quarter_turn")
-    return code(face_contact, "if distance < radius")
+        return code_line(
+            end_contact, "normal = quarter_turn(end) * sign if feature == Feature.END or distance == 0.0 else unit(p - q)"
+        )
+    return code_line(face_contact, "if distance < radius:")
 
 
 def _note(ball: Ball, ring: Ring) -> str:

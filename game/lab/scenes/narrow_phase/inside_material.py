@@ -4,7 +4,7 @@ import math
 from typing import NamedTuple
 
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code, source
+from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import ball_marks, contact_marks, ring_marks, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Line, Mark, Picture, Stroke, Toggle, Tone, Words, single
@@ -85,7 +85,7 @@ def _picture(given: Given) -> Picture:
             ]
     else:
         marks += contact_marks(ball, begun.found)
-    return single(tuple(marks), _formula(begun), _deciding(begun), _note(begun))
+    return single(tuple(marks), _formula(begun), _cited(begun), _note(begun))
 
 
 def _way(ball: Ball, way: Contact, tone: Tone, words: str) -> list[Mark]:
@@ -114,11 +114,11 @@ def _formula(begun: _Start) -> tuple[str, ...]:
     )
 
 
-def _deciding(begun: _Start) -> Deciding:
+def _cited(begun: _Start) -> CitedLine:
     """The source's reason, or ours."""
     if begun.inside and begun.found.feature is Feature.END:
-        return source("Broad phase", "if min_difference(θ, θ_p) ≤ φ_p: return narrow_phase_case_1(p, r_p)")
-    return code(sector_contact, "if half_angle < math.pi and inner")
+        return source_line("Broad phase", "if min_difference(θ, θ_p) ≤ φ_p: return narrow_phase_case_1(p, r_p)")
+    return code_line(sector_contact, "if half_angle < math.pi and inner < distance < outer:")
 
 
 def _note(begun: _Start) -> str:

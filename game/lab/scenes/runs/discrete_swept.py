@@ -3,13 +3,13 @@
 import math
 from typing import NamedTuple
 
+from game.lab import source
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code, source
+from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import VELOCITY_SCALE, ring_marks
 from game.lab.kit.parameters import Count, Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Dot, Line, Mark, Pane, Picture, Stroke, Toggle, Tone
 from game.lab.kit.scene import Claim, Motion, Preset, Scene, View
-from game.lab.source.discrete import Flight, frame
 from physics import PERMANENT, Arena, Ball, Ring, advance, cross, in_band, length, time_of_impact, to_cartesian
 
 _RADIUS = 8.0
@@ -44,7 +44,7 @@ class _State(NamedTuple):
 
     tick: int
     frames: int
-    theirs: Flight
+    theirs: source.Flight
     seen: int  # frames whose test found an overlap
     trail: tuple[complex, ...]  # of the source's ball, frame by frame
     ours: Ball
@@ -63,7 +63,7 @@ def _start(given: Given) -> _State:
     """The first frame."""
     ball = _setting(given).ball
     here = (ball.position,)
-    return _State(0, 0, Flight(ball.position, ball.velocity), 0, here, ball, 0, here)
+    return _State(0, 0, source.Flight(ball.position, ball.velocity), 0, here, ball, 0, here)
 
 
 def _step(given: Given, state: _State) -> _State:
@@ -77,7 +77,7 @@ def _step(given: Given, state: _State) -> _State:
 def _next_frame(setting: _Setting, state: _State) -> _State:
     """Both balls one frame later."""
     dt, wall = 1.0 / setting.rate, setting.wall
-    theirs = frame(state.theirs, setting.ball.radius, (wall,), dt, setting.speed)
+    theirs = source.frame(state.theirs, setting.ball.radius, (wall,), dt, setting.speed)
     seen = in_band(theirs.position, setting.ball.radius, wall)
     after = advance(Arena((state.ours,), (wall,), ((PERMANENT,),)), dt, setting.speed)
     touched = [hit.contact.point + hit.contact.normal * setting.ball.radius for hit in after.hits]
@@ -110,7 +110,7 @@ def _picture(given: Given, state: _State) -> Picture:
         Pane(tuple(theirs), f"the source: {setting.rate} tests a second"),
         Pane(tuple(ours), f"swept: {setting.rate} steps a second"),
     )
-    return Picture(panes, _formula(setting, state), _deciding(setting, state), _note(setting, state))
+    return Picture(panes, _formula(setting, state), _cited(setting, state), _note(setting, state))
 
 
 def _formula(setting: _Setting, state: _State) -> tuple[str, ...]:
@@ -131,11 +131,11 @@ def _is_out(setting: _Setting, state: _State) -> bool:
     return setting.inside and length(state.theirs.position) - setting.ball.radius > setting.wall.outer_radius
 
 
-def _deciding(setting: _Setting, state: _State) -> Deciding:
+def _cited(setting: _Setting, state: _State) -> CitedLine:
     """The test that saw nothing, or the sweep."""
     if _is_out(setting, state):
-        return source("Broad phase", "|p| + r ≥ r_p - w_p and |p| - r ≤ r_p + w_p")
-    return code(time_of_impact, "impact = _first_touch")
+        return source_line("Broad phase", "|p| + r ≥ r_p - w_p and |p| - r ≤ r_p + w_p")
+    return code_line(time_of_impact, "impact = _first_touch(ball, ring, stretch, alive)")
 
 
 def _note(setting: _Setting, state: _State) -> str:

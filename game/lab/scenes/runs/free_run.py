@@ -5,7 +5,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code
+from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import VELOCITY_SCALE, ring_marks
 from game.lab.kit.parameters import Count, Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Dot, Line, Mark, Picture, Stroke, Toggle, Tone, Words, single
@@ -85,7 +85,7 @@ def _picture(given: Given, state: _State) -> Picture:
         marks.append(Words(ball.position + 0.8j, "ours", Tone.OURS))
     if state.tick == 0:
         marks.append(Arrow(ball.position, ball.velocity * VELOCITY_SCALE, Tone.PLAIN, label="v"))
-    return single(tuple(marks), _formula(given, state), _deciding(), _note(given, state))
+    return single(tuple(marks), _formula(given, state), _cited(), _note(given, state))
 
 
 def _formula(given: Given, state: _State) -> tuple[str, ...]:
@@ -105,9 +105,9 @@ def _formula(given: Given, state: _State) -> tuple[str, ...]:
     )
 
 
-def _deciding() -> Deciding:
+def _cited() -> CitedLine:
     """The exact moment, which the other engine does not look for."""
-    return code(time_of_impact, "impact = _first_touch")
+    return code_line(time_of_impact, "impact = _first_touch(ball, ring, stretch, alive)")
 
 
 def _note(given: Given, state: _State) -> str:

@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code, source
+from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import VELOCITY_SCALE, ring_marks
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Dot, Line, Mark, Pane, Picture, Stroke, Toggle, Tone
@@ -90,7 +90,7 @@ def _picture(given: Given, state: _State) -> Picture:
         Pane(tuple(theirs), f"the source:   game over {state.over} times"),
         Pane(tuple(ours), f"here:   lives {state.game.lives},   game over {state.ended} times"),
     )
-    return Picture(panes, _formula(given, state), _deciding(state), _note(state))
+    return Picture(panes, _formula(given, state), _cited(state), _note(state))
 
 
 def _formula(given: Given, state: _State) -> tuple[str, ...]:
@@ -103,9 +103,11 @@ def _formula(given: Given, state: _State) -> tuple[str, ...]:
     )
 
 
-def _deciding(state: _State) -> Deciding:
+def _cited(state: _State) -> CitedLine:
     """The rule."""
-    return code(has_left, "return length(p)") if state.lost else source("Broad phase", "if |p| - r > r_g then GAME OVER")
+    if state.lost:
+        return code_line(has_left, "return length(p) - ball_radius > ground_radius")
+    return source_line("Broad phase", "if |p| - r > r_g then GAME OVER")
 
 
 def _note(state: _State) -> str:

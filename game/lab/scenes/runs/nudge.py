@@ -4,7 +4,7 @@ import math
 from typing import NamedTuple
 
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code, source
+from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import ring_marks
 from game.lab.kit.parameters import Count, Given, Number
 from game.lab.kit.picture import Arrow, Circle, Disc, Dot, Line, Mark, Pane, Picture, Stroke, Toggle, Tone
@@ -80,7 +80,7 @@ def _picture(given: Given, state: _State) -> Picture:
         Pane(theirs, f"without a nudge:   {state.bounces} bounces"),
         Pane(ours, f"here:   nudged {state.nudges} times"),
     )
-    return Picture(panes, _formula(given, state), _deciding(state), _note(state))
+    return Picture(panes, _formula(given, state), _cited(state), _note(state))
 
 
 def _marks(arena: Arena, trail: tuple[complex, ...], tone: Tone) -> tuple[Mark, ...]:
@@ -104,11 +104,11 @@ def _formula(given: Given, state: _State) -> tuple[str, ...]:
     )
 
 
-def _deciding(state: _State) -> Deciding:
+def _cited(state: _State) -> CitedLine:
     """The count, or the source's friction, which alone changes nothing here."""
     if state.nudges:
-        return code(tick, "return _played(game, arena)")
-    return source("Collision response", "Δv'_t = -μ_p min{|Δv_n|, |Δv_t|} Δv_t / |Δv_t|")
+        return code_line(tick, "return _played(game, arena)")
+    return source_line("Collision response", "Δv'_t = -μ_p min{|Δv_n|, |Δv_t|} Δv_t / |Δv_t|")
 
 
 def _note(state: _State) -> str:

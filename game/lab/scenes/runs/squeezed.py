@@ -4,7 +4,7 @@ import math
 from typing import NamedTuple
 
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code
+from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Dot, Line, Mark, Picture, Sector, Stroke, Toggle, Tone, single
 from game.lab.kit.scene import Claim, Motion, Preset, Scene, View
@@ -71,7 +71,7 @@ def _picture(given: Given, state: _State) -> Picture:
     marks += [Circle(ball.position, ball.radius, Tone.GOOD if state.freed else Tone.OURS, None, Stroke.THICK)]
     marks += [Disc(ball.position, ball.radius, Tone.BALL), Dot(ball.position, Tone.FAINT)]
     marks.append(Arrow(ball.position, ball.velocity * _SCALE, Tone.PLAIN, label="v"))
-    return single(tuple(marks), _formula(state), _deciding(state), _note(given, state))
+    return single(tuple(marks), _formula(state), _cited(state), _note(given, state))
 
 
 def _spin_arrow(ring: Ring) -> Arrow:
@@ -95,9 +95,11 @@ def _formula(state: _State) -> tuple[str, ...]:
     )
 
 
-def _deciding(state: _State) -> Deciding:
+def _cited(state: _State) -> CitedLine:
     """The bound, or the way out."""
-    return code(freed, "return _outward") if state.freed else code(advance, "return _flown(_all_freed(arena)")
+    if state.freed:
+        return code_line(freed, "return _outward(ball, rings, layers)")
+    return code_line(advance, "return _flown(_all_freed(arena) if last is None else Step(arena, (), 0, 0), dt, speed)")
 
 
 def _note(given: Given, state: _State) -> str:

@@ -5,7 +5,7 @@ from itertools import pairwise
 from typing import NamedTuple
 
 from game.lab.kit import handles
-from game.lab.kit.cited_line import code
+from game.lab.kit.cited_line import code_line
 from game.lab.kit.marks import VELOCITY_SCALE, degrees, ray, ring_marks
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, Stroke, Toggle, Tone
@@ -77,7 +77,8 @@ def _picture(given: Given, state: _State) -> Picture:
         for title, axis, arena, trail in zip(titles, axes, state[:3], state.trails, strict=True)
     ]
     panes[0] = panes[0]._replace(marks=(*panes[0].marks, *_first(given)))
-    return Picture(tuple(panes), _formula(given, state), code(Ring.angle_near, "return phase + (slot"), _note(given, state))
+    cited = code_line(Ring.angle_near, "return phase + (slot - turns * self.count) * pitch")
+    return Picture(tuple(panes), _formula(given, state), cited, _note(given, state))
 
 
 def _first(given: Given) -> tuple[Mark, ...]:

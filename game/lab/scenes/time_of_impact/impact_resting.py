@@ -3,13 +3,13 @@
 import math
 from typing import NamedTuple
 
+from game.lab import source
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code
+from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import ball_marks, contact_marks, ring_marks, second_opinion
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arc, Arrow, Circle, Dot, Line, Mark, Picture, Stroke, Toggle, Tone, single
 from game.lab.kit.scene import Claim, Preset, Scene, View
-from game.lab.source import literal
 from physics import Ball, Contact, Feature, Impact, Ring, contact, cross, dot, length, time_of_impact, to_cartesian
 
 _SCALE = 0.2
@@ -64,7 +64,7 @@ def _times(ball: Ball, ring: Ring) -> list[float]:
     if ring.half_angle >= math.pi:
         return times
     for side in (-1.0, 1.0):
-        a, b = literal.end_points(ring.radius, ring.half_width, ring.angle(0) + side * ring.half_angle)
+        a, b = source.end_points(ring.radius, ring.half_width, ring.angle(0) + side * ring.half_angle)
         along = (b - a) / length(b - a)
         climb = cross(along, v)
         times += [(height - cross(along, p)) / climb for height in (-r, r) if climb != 0.0]
@@ -97,7 +97,7 @@ def _picture(given: Given) -> Picture:
         there = ball.moved(impact.time)
         marks += [Circle(there.position, ball.radius, Tone.OURS, None, Stroke.THICK), *contact_marks(there, impact.contact)]
         marks += second_opinion(given, there, ring, (0,), impact.contact)
-    return single(tuple(marks), _formula(flight), _deciding(flight), _note(flight))
+    return single(tuple(marks), _formula(flight), _cited(flight), _note(flight))
 
 
 def _grown(r: float, ring: Ring) -> list[Mark]:
@@ -112,7 +112,7 @@ def _grown(r: float, ring: Ring) -> list[Mark]:
         return marks
     for side in (-1.0, 1.0):
         angle = ring.angle(0) + side * ring.half_angle
-        ends = literal.end_points(ring.radius, ring.half_width, angle)
+        ends = source.end_points(ring.radius, ring.half_width, angle)
         aside = to_cartesian(r, angle + side * math.pi / 2.0)
         marks.append(Line((ends[0] + aside, ends[1] + aside), Tone.GHOST, Toggle.BANDS, Stroke.DASHED))
         marks += [
@@ -147,13 +147,13 @@ def _formula(flight: _Flight) -> tuple[str, ...]:
     )
 
 
-def _deciding(flight: _Flight) -> Deciding:
+def _cited(flight: _Flight) -> CitedLine:
     """Where the time comes from."""
     if flight.impact is None:
-        return code(time_of_impact, "return None")
+        return code_line(time_of_impact, "return None")
     if flight.impact.contact.feature in {Feature.END, Feature.CORNER}:
-        return code(time_of_impact, "impact = _first_touch")
-    return code(time_of_impact, "for stretch in")
+        return code_line(time_of_impact, "impact = _first_touch(ball, ring, stretch, alive)")
+    return code_line(time_of_impact, "for stretch in stretches(ball, ring, dt):")
 
 
 def _note(flight: _Flight) -> str:

@@ -2,13 +2,13 @@
 
 from typing import NamedTuple
 
+from game.lab import source
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code
+from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import ball_marks, contact_marks, ghost_marks
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Dot, Line, Mark, Picture, Sector, Stroke, Toggle, Tone, single
 from game.lab.kit.scene import Claim, Preset, Scene, View
-from game.lab.source import literal
 from physics import Ball, Contact, Impact, Ring, closest_point_on_line, contact, dot, length, time_of_impact, to_cartesian
 from physics.narrow_phase import end_contact
 from physics.time_of_impact import safe_step
@@ -34,7 +34,7 @@ class _Search(NamedTuple):
     def end(self, time: float) -> tuple[complex, complex]:
         """Both corners of the end at a time."""
         angle = self.ring.phase + self.ring.half_angle + self.ring.spin * time
-        return literal.end_points(self.ring.radius, self.ring.half_width, angle)
+        return source.end_points(self.ring.radius, self.ring.half_width, angle)
 
     def distance(self, time: float) -> float:
         """Between the end and the ball's centre."""
@@ -98,7 +98,7 @@ def _picture(given: Given) -> Picture:
         there = ball.moved(search.touch)
         marks.append(Circle(there.position, ball.radius, Tone.OURS, None, Stroke.THICK))
         marks += contact_marks(there, search.contact(search.touch))
-    return single(tuple(marks), _formula(search), _deciding(search), _note(search))
+    return single(tuple(marks), _formula(search), _cited(search), _note(search))
 
 
 def _spin_arrow(ring: Ring) -> Arrow:
@@ -123,14 +123,14 @@ def _formula(search: _Search) -> tuple[str, ...]:
     )
 
 
-def _deciding(search: _Search) -> Deciding:
+def _cited(search: _Search) -> CitedLine:
     """Why the search stopped."""
     if search.touch is None:
-        return code(safe_step, "if height <= -TOUCH or beyond")
+        return code_line(safe_step, "if height <= -TOUCH or beyond >= horizon:")
     a, b = search.end(search.touch)
     p = search.ball.moved(search.touch).position
     beside = length(a) <= dot(p, b) / length(b) <= length(b)
-    return code(safe_step, "return 0.0 if height <= TOUCH" if beside else "if gap <= TOUCH and rate")
+    return code_line(safe_step, "return 0.0 if height <= TOUCH and dy < 0.0" if beside else "if gap <= TOUCH and rate < 0.0:")
 
 
 def _note(search: _Search) -> str:

@@ -4,14 +4,13 @@ import math
 from itertools import pairwise
 from typing import NamedTuple
 
+from game.lab import source
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code, source
+from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import ring_marks, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Dot, Line, Mark, Pane, Picture, Stroke, Toggle, Tone
 from game.lab.kit.scene import Claim, Preset, Scene, View
-from game.lab.source.discrete import Flight, frame, normal_at
-from game.lab.source.literal import bounced
 from physics import PERMANENT, Arena, Ball, Hit, Ring, Step, advance, contact, dot, length, time_of_impact
 
 _RADIUS, _COUNT = 8.0, 4
@@ -59,18 +58,18 @@ def _picture(given: Given) -> Picture:
         Pane(_theirs(notch), f"the source: the nearest brick, {_RATE} tests a second"),
         Pane(_ours(notch), "here: every brick, in the order of time"),
     )
-    return Picture(panes, _formula(notch), _deciding(notch), _note(notch))
+    return Picture(panes, _formula(notch), _cited(notch), _note(notch))
 
 
 def _theirs(notch: _Notch) -> tuple[Mark, ...]:
     """The source's ball, frame by frame."""
     ball, speed = notch.ball, length(notch.ball.velocity)
-    flight, places = Flight(ball.position, ball.velocity), [ball.position]
+    flight, places = source.Flight(ball.position, ball.velocity), [ball.position]
     marks: list[Mark] = list(ring_marks(notch.ring))
     for _ in range(round(notch.dt * _RATE)):
-        flight = frame(flight, ball.radius, (notch.ring,), 1.0 / _RATE, speed)
+        flight = source.frame(flight, ball.radius, (notch.ring,), 1.0 / _RATE, speed)
         places.append(flight.position)
-        normal = normal_at(flight.position, ball.radius, notch.ring)
+        normal = source.normal_at(flight.position, ball.radius, notch.ring)
         overlap = min([contact(Ball(flight.position, 0j, ball.radius), notch.ring, slot).gap for slot in range(_COUNT)]) < 0.0
         if normal is not None and overlap:
             marks.append(Circle(flight.position, ball.radius, Tone.SOURCE, Toggle.CONTACTS))
@@ -118,16 +117,17 @@ def _formula(notch: _Notch) -> tuple[str, ...]:
         )
     if notch.tie:
         first, other = notch.hits[0].contact.normal, notch.hits[1].contact.normal
-        after = bounced(notch.ball.velocity, first, 0j, 0.0)
+        velocity = notch.ball.velocity
+        after = source.response_steps(velocity, first, 0j, 0.0, length(velocity)).before_reset
         lines.append(f"the source answers the first alone:   then v · n of the other = {dot(after, other):.2f}")
     return tuple(lines)
 
 
-def _deciding(notch: _Notch) -> Deciding:
+def _cited(notch: _Notch) -> CitedLine:
     """The search for one, or the order of all."""
     if notch.tie:
-        return source("Broad phase", "if min_difference(θ, θ'_p) < min_difference(θ, θ_p): r_p, θ_p = r'_p, θ'_p")
-    return code(time_of_impact, "impact = _first_touch")
+        return source_line("Broad phase", "if min_difference(θ, θ'_p) < min_difference(θ, θ_p): r_p, θ_p = r'_p, θ'_p")
+    return code_line(time_of_impact, "impact = _first_touch(ball, ring, stretch, alive)")
 
 
 def _note(notch: _Notch) -> str:
