@@ -2,22 +2,14 @@
 
 import pytest
 
-from game.lab.kit.parameters import Settled, defaults, settled
+from game.lab.kit.parameters import Settled, settled
 from game.lab.kit.scene import Motion
 from game.lab.registry import scenes
 from game.lab.session import cases, session
 from game.lab.session.checks import failures
-from game.lab.session.share import Shared, parsed
+from game.lab.session.share import parsed
 from game.system.errors import BadInputError
-from tests.support.lab_scenes import counting_scene
 from tests.support.paths import LAB_CASES as CASES
-
-
-@pytest.fixture
-def run():
-    """A scene that counts its ticks, at its start."""
-    scene = counting_scene(limit=100)
-    return session.opened(Shared(scene, defaults(scene.parameters)))
 
 
 def other(run):

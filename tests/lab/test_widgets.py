@@ -13,15 +13,7 @@ from game.lab.window.commands import Command
 from game.lab.window.page import page
 from game.lab.window.widgets import Side
 from tests.support.dummy_window import FRAME, Desk, shared
-from tests.support.lab_desk import SIZE, LabDesk
-
-
-@pytest.fixture
-def desk():
-    """The lab at case 2."""
-    found = LabDesk()
-    yield found
-    found.close()
+from tests.support.lab_desk import SIZE
 
 
 def test_a_number_is_typed_exactly(desk):

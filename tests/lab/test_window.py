@@ -12,7 +12,7 @@ from game.lab.kit.parameters import defaults
 from game.lab.kit.scene import Motion, picture_of
 from game.lab.registry import scenes
 from game.lab.session import session
-from game.lab.session.checks import lines, run_to
+from game.lab.session.checks import lines
 from game.lab.session.share import Shared as SharedLine
 from game.lab.session.share import parsed
 from game.lab.window import screen
@@ -25,18 +25,10 @@ from game.screens.panels import Menu
 from game.screens.play import Play
 from game.screens.title import Title
 from game.settings.values import THEMES
-from tests.lab.test_session import run  # noqa: F401  # a fixture
 from tests.support.dummy_window import FRAME, Desk, shared
 from tests.support.lab_desk import SIZE, LabDesk
+from tests.support.lab_scenes import state_at
 from tools.crosscheck.second_engine import Pymunk
-
-
-@pytest.fixture
-def desk():
-    """The lab at case 2."""
-    found = LabDesk()
-    yield found
-    found.close()
 
 
 def test_the_ball_is_dragged_where_the_hand_goes(desk):
@@ -133,7 +125,7 @@ def test_help_opens_and_any_key_closes_it(desk):
     assert not desk.screen._help
 
 
-def test_a_scene_in_motion(desk, run):  # noqa: F811
+def test_a_scene_in_motion(desk, run):
     """Runs, pauses, steps forward and back, slows down; a share line's tick is where it opens."""
     desk.screen._session = run
     desk.wait(0.2)
@@ -153,6 +145,51 @@ def test_a_scene_in_motion(desk, run):  # noqa: F811
     assert (opened.tick, opened.playing) == (7, False)
 
 
+@pytest.mark.parametrize(("key", "mod"), [(pygame.K_F11, 0), (pygame.K_RETURN, pygame.KMOD_LALT)], ids=["F11", "Alt+Enter"])
+def test_full_screen_comes_with_the_press_and_stays_when_the_key_comes_up(desk, key, mod):
+    """The next press leaves it again. In between the lab goes on."""
+    for on in (True, False):
+        desk.press(key, mod=mod)
+        assert desk.shared.full_screen is on
+        desk.wait(FRAME)
+        assert desk.shared.full_screen is on
+    assert isinstance(desk.screen, Lab)
+
+
+def test_a_tap_under_load_goes_on_by_one_scene(desk):
+    """A picture that takes a second is drawn between the press and the release of the key: it counts once."""
+    names = [scene.name for scene in scenes()]
+    before = names.index(desk.session.scene.name)
+    desk.hold(pygame.K_RIGHTBRACKET)
+    for _ in range(3):
+        desk.wait_once(1.0)
+    desk.release(pygame.K_RIGHTBRACKET)
+    desk.wait_once(1.0)
+    assert names.index(desk.session.scene.name) == before + 1
+    assert pygame.key.get_repeat() == (0, 0)
+
+
+def test_a_held_key_repeats_steps_but_a_tap_is_one_step(desk, run):
+    """However long the pictures around the tap take; and it stops with the key's release or the window's focus."""
+    desk.screen._session = session.toggled(run)
+    desk.hold(pygame.K_PERIOD)
+    desk.wait_once(5.0)
+    desk.release(pygame.K_PERIOD)
+    desk.wait_once(5.0)
+    assert desk.session.tick == 1
+    desk.hold(pygame.K_PERIOD)
+    desk.wait(1.0)
+    held = desk.session.tick
+    assert 8 <= held <= 16
+    desk.release(pygame.K_PERIOD)
+    desk.wait(1.0)
+    assert desk.session.tick == held
+    desk.hold(pygame.K_COMMA)
+    desk.post(pygame.WINDOWFOCUSLOST)
+    desk.wait(1.0)
+    assert desk.session.tick == held - 1
+
+
 def test_every_command_has_a_key_and_no_key_two():
     """The help lists them all."""
     assert {key.command for key in KEYS} == set(Command)
@@ -169,7 +206,7 @@ def test_the_words_fit_their_places(scene, size):
     surface = pygame.Surface(size)
     assert draw_head(surface, place, scene, DARK, kept.type) <= place.head.bottom
     for given in lines(scene, Pymunk()):
-        ends = [run_to(scene, given, tick) for tick in ((0, scene.shows.ticks) if isinstance(scene.shows, Motion) else (0,))]
+        ends = [state_at(scene, given, tick) for tick in ((0, scene.shows.ticks) if isinstance(scene.shows, Motion) else (0,))]
         for state in ends:
             assert draw_words(surface, place, picture_of(scene, given, state), DARK, kept.type) <= place.words.bottom
 
@@ -179,7 +216,7 @@ def test_every_scene_is_drawn_in_both_themes(scene, tmp_path):
     """At its start, and half way through where it runs."""
     tick = scene.shows.ticks // 2 if isinstance(scene.shows, Motion) else 0
     given = defaults(scene.parameters, Pymunk())
-    assert run_to(scene, given, 0) is not None or tick == 0
+    assert state_at(scene, given, 0) is not None or tick == 0
     pictures = []
     for theme in THEMES:
         file = tmp_path / "scene.png"

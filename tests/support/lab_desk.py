@@ -2,6 +2,7 @@
 
 import pygame
 
+from game.app import frame
 from game.lab.session import session
 from game.lab.session.share import parsed
 from game.lab.window.page import page, panes
@@ -31,6 +32,10 @@ class LabDesk(Desk):
     def values(self):
         """What the scene is given."""
         return self.session.given
+
+    def wait_once(self, seconds):
+        """Let one picture take so many seconds."""
+        self.screen = frame(self.window, self.shared, self.screen, seconds)
 
     def pixel(self, world, pane=0):
         """The pixel of a place."""

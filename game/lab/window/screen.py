@@ -15,10 +15,12 @@ from game.lab.session import session as sessions
 from game.lab.session.cases import case_file, save_case
 from game.lab.session.session import Session
 from game.lab.session.share import preset
+from game.lab.window import key_repeat
 from game.lab.window.canvas import Canvas, draw_note
 from game.lab.window.commands import TOGGLE_KEYS, Command, command_of
 from game.lab.window.grips import Grip, draw_grips, grip_at
 from game.lab.window.help import draw_help
+from game.lab.window.key_repeat import REPEATED, HeldKey
 from game.lab.window.lens import Lens
 from game.lab.window.page import Page, draw_head, draw_picture, draw_side, draw_words, page, panes
 from game.lab.window.widgets import Asked, Chosen, Preset, Refused, Side, Wished
@@ -28,9 +30,6 @@ from game.system.errors import BadInputError
 SHOWN = frozenset(Toggle) - {Toggle.PYMUNK}
 """What is shown at first."""
 _NOTICE_SECONDS = 5.0
-_REPEAT = (400, 50)
-"""Milliseconds until a held key repeats, and between repeats."""
-
 
 _CHANGES: dict[Command, Callable[[Session], Session]] = {
     Command.PLAY: sessions.toggled,
@@ -60,7 +59,7 @@ class Lab:
         self._seconds = 0.0  # since the last picture
         self._notice, self._notice_left = "", 0.0
         self._help = False
-        pygame.key.set_repeat(*_REPEAT)
+        self._held: HeldKey | None = None
 
     @property
     def session(self) -> Session:
@@ -74,6 +73,10 @@ class Lab:
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> Screen | None:
         """React to an event of the window."""
         self._pixels_per_point = pixels_per_point
+        if event.type == pygame.WINDOWFOCUSLOST or (
+            event.type == pygame.KEYUP and self._held is not None and event.key == self._held.key
+        ):
+            self._held = None
         if self._help:
             self._help = event.type not in (pygame.KEYDOWN, pygame.MOUSEBUTTONDOWN)
             return self
@@ -90,6 +93,10 @@ class Lab:
         """Let time pass."""
         self._session = sessions.later(self._session, seconds)
         self._seconds += seconds
+        if self._held is not None:
+            self._held, again = key_repeat.later(self._held, seconds)
+            if again:
+                self._obey(self._held.command)
         self._notice_left -= seconds
         return self
 
@@ -127,7 +134,10 @@ class Lab:
         toggle, command = TOGGLE_KEYS.get(event.key), command_of(event.key)
         asked_by_key = toggle or command
         modified = event.mod & (pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META)
-        return self if asked_by_key is None or modified else self._do(asked_by_key)
+        if asked_by_key is None or modified:
+            return self
+        self._held = HeldKey(event.key, command) if command in REPEATED else None
+        return self._do(asked_by_key)
 
     def _mouse(self, event: pygame.Event, size: tuple[int, int]) -> None:
         """The mouse over the world."""
@@ -167,7 +177,6 @@ class Lab:
         scene, given = self._session.scene, self._session.given
         match asked:
             case Command.LEAVE:
-                pygame.key.set_repeat()
                 return self._under
             case Command():
                 self._obey(asked)
