@@ -4,7 +4,7 @@ import pytest
 
 from game.lab.kit.parameters import defaults
 from game.lab.session import session
-from game.lab.session.share import Shared
+from game.lab.session.share import SharedScene
 from tests.support.lab_desk import LabDesk
 from tests.support.lab_scenes import counting_scene
 
@@ -13,7 +13,7 @@ from tests.support.lab_scenes import counting_scene
 def run():
     """A scene that counts its ticks, at its start."""
     scene = counting_scene(limit=100)
-    return session.opened(Shared(scene, defaults(scene.parameters)))
+    return session.opened(SharedScene(scene, defaults(scene.parameters)))
 
 
 @pytest.fixture

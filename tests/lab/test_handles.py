@@ -30,7 +30,7 @@ def test_the_body_goes_where_the_hand_goes(angle, radius, bearing):
     """Its middle is the hand's place; width and half angle stay."""
     place = cmath.rect(radius, math.radians(bearing))
     after = dragged(SECTOR, sector(angle), BODY, place).given
-    assert abs(BODY.place(after) - place) < 1e-6
+    assert abs(BODY.position(after) - place) < 1e-6
     assert (after.number("half_width"), after.number("half_angle")) == (1.0, 20.0)
 
 
@@ -67,7 +67,7 @@ def test_the_tip_of_a_vector(start, way):
         handles.polar_vector("length", "heading", lambda _: start, 0.5, "v"),
     ):
         after = dragged(parameters, before, handle, start + way).given
-        assert abs(handle.place(after) - start - way) < 1e-6
+        assert abs(handle.position(after) - start - way) < 1e-6
 
 
 @pytest.mark.parametrize("handle", [BODY, LEFT, RIGHT, FACE])

@@ -14,23 +14,25 @@ from game.drawing.text import Type
 from game.lab.kit.marks import angle_between, contact_marks, ring_marks, second_opinion
 from game.lab.kit.parameters import Given
 from game.lab.kit.picture import (
+    AnnularSector,
+    Annulus,
     Arc,
     Arrow,
-    Band,
     Circle,
     Disc,
-    Dot,
     Field,
     Line,
-    Sector,
+    PointMark,
+    Role,
     Stroke,
     Toggle,
-    Tone,
     Words,
 )
-from game.lab.kit.scene import View
-from game.lab.kit.second_engine import Touch
-from game.lab.window.canvas import Canvas, camera_for, draw_marks, ink, tone_colour
+from game.lab.kit.scene import ViewBox
+from game.lab.kit.second_engine import EngineContact
+from game.lab.window.canvas import PaneCanvas, camera_for
+from game.lab.window.colours import role_colour, text_colour
+from game.lab.window.marks import draw_marks
 from physics import Ball, Ring, contact
 from tests.support.strategies import balls, balls_beside_an_end, reals, rings
 from tools.crosscheck.second_engine import Pymunk
@@ -42,7 +44,7 @@ def test_a_contacts_marks_are_the_contact(ball, ring):
     found = contact(ball, ring, 0)
     marks = contact_marks(ball, found, 2.0)
     arrow = next(mark for mark in marks if isinstance(mark, Arrow))
-    assert (arrow.start, arrow.way) == (found.point, found.normal * 2.0)
+    assert (arrow.start, arrow.vector) == (found.point, found.normal * 2.0)
     line = next(mark for mark in marks if isinstance(mark, Line))
     assert abs(abs(line.points[1] - line.points[0]) - abs(found.gap)) < 1e-9
     assert abs(abs(line.points[1] - ball.position) - ball.radius) < 1e-9
@@ -56,7 +58,7 @@ def test_a_rings_marks_are_its_living_sectors(ring):
     alive = [slot % 2 for slot in range(ring.count)]
     marks = ring_marks(ring, alive, 1)
     assert [mark.angle for mark in marks] == [ring.angle(slot) for slot in range(ring.count) if slot % 2]
-    assert {mark.tone for mark in marks} <= {Tone.SECTOR, Tone.OTHER}
+    assert {mark.role for mark in marks} <= {Role.SECTOR, Role.OTHER}
 
 
 @given(balls_beside_an_end())
@@ -85,7 +87,7 @@ def test_pymunk_sees_the_same_outer_face(ring, share, radius):
 @given(rings())
 def test_pymunks_pieces_are_where_the_sector_is(ring):
     """Their ends lie on its outline."""
-    for piece in Pymunk().pieces(ring, (0,)):
+    for piece in Pymunk().shapes(ring, (0,)):
         for end in (piece.a, piece.b):
             assert abs(abs(abs(end) - ring.radius) - ring.half_width) < 1e-9
             offset = cmath.phase(end * cmath.rect(1.0, -ring.angle(0)))
@@ -108,9 +110,9 @@ class Crooked:
     name = "crooked"
 
     def touch(self, *_):
-        return Touch(1j, 1.0)
+        return EngineContact(1j, 1.0)
 
-    def pieces(self, *_):
+    def shapes(self, *_):
         return ()
 
 
@@ -137,7 +139,7 @@ def away(one, other):
 
 
 AREA = pygame.Rect(50, 40, 300, 200)
-CAMERA = camera_for(View(1 + 1j, 3 + 2j), AREA)
+CAMERA = camera_for(ViewBox(1 + 1j, 3 + 2j), AREA)
 
 
 @pytest.fixture(params=[DARK, LIGHT], ids=["dark", "light"])
@@ -145,7 +147,7 @@ def canvas(request):
     """A surface in the ground's colour."""
     surface = pygame.Surface((400, 300), 0, 32)
     surface.fill(request.param.ground)
-    return Canvas(surface, AREA, CAMERA, request.param, Type(), 14.0, frozenset({Toggle.GAP}))
+    return PaneCanvas(surface, AREA, CAMERA, request.param, Type(), 14.0, frozenset({Toggle.GAP}))
 
 
 def test_the_view_is_in_the_middle_of_its_area_and_fits():
@@ -158,20 +160,20 @@ def test_the_view_is_in_the_middle_of_its_area_and_fits():
 @pytest.mark.parametrize("theme", [DARK, LIGHT], ids=["dark", "light"])
 def test_words_of_every_role_can_be_read(theme):
     """On the ground, by the rule of the palette; marks themselves stand out, too."""
-    for tone in Tone:
-        assert contrast(ink(theme, tone), theme.ground) >= 4.5
-        assert contrast(tone_colour(theme, tone), theme.ground) >= (1.5 if tone in {Tone.OTHER, Tone.FAINT} else 2.5), tone
+    for role in Role:
+        assert contrast(text_colour(theme, role), theme.ground) >= 4.5
+        assert contrast(role_colour(theme, role), theme.ground) >= (1.5 if role in {Role.OTHER, Role.FAINT} else 2.5), role
 
 
 MARKS = [
-    (Disc(1 + 1j, 1.0, Tone.BALL), 1 + 2j),
-    (Circle(1 + 1j, 1.0, Tone.GOOD, None, Stroke.THICK), 1 + 2j),
-    (Sector(2.0, 0.5, 0.5, 0.4, Tone.SECTOR), cmath.rect(2.0, 0.5)),
-    (Line((0j, 3 + 0j), Tone.SOURCE, None, Stroke.THICK), 1 + 0j),
-    (Line((0j, 3 + 0j), Tone.SOURCE, None, Stroke.DASHED), 0.1 + 0j),
-    (Arrow(0j, 3 + 0j, Tone.OURS), 1 + 0j),
-    (Dot(2 + 1j, Tone.TWO), 2 + 1j),
-    (Arc(0j, 2.0, 0.0, 1.0, Tone.PLAIN, None, Stroke.THICK), cmath.rect(2.0, 0.5)),
+    (Disc(1 + 1j, 1.0, Role.BALL), 1 + 2j),
+    (Circle(1 + 1j, 1.0, Role.GOOD, None, Stroke.THICK), 1 + 2j),
+    (AnnularSector(2.0, 0.5, 0.5, 0.4, Role.SECTOR), cmath.rect(2.0, 0.5)),
+    (Line((0j, 3 + 0j), Role.SOURCE, None, Stroke.THICK), 1 + 0j),
+    (Line((0j, 3 + 0j), Role.SOURCE, None, Stroke.DASHED), 0.1 + 0j),
+    (Arrow(0j, 3 + 0j, Role.OURS), 1 + 0j),
+    (PointMark(2 + 1j, Role.TWO), 2 + 1j),
+    (Arc(0j, 2.0, 0.0, 1.0, Role.PLAIN, None, Stroke.THICK), cmath.rect(2.0, 0.5)),
 ]
 
 
@@ -180,7 +182,7 @@ def test_a_mark_is_where_it_should_be_in_its_colour(canvas, mark, place):
     """And it is not there when its toggle is off."""
     spot = canvas.camera.project(place)
     pixels = [(math.floor(spot.real) + dx, math.floor(spot.imag) + dy) for dx in (-1, 0, 1) for dy in (-1, 0, 1)]
-    colour = tone_colour(canvas.theme, mark.tone)
+    colour = role_colour(canvas.theme, mark.role)
     draw_marks(canvas, [mark._replace(toggle=Toggle.BANDS)])
     assert all([canvas.surface.get_at(pixel)[:3] == canvas.theme.ground for pixel in pixels])
     draw_marks(canvas, [mark._replace(toggle=Toggle.GAP)])
@@ -190,7 +192,7 @@ def test_a_mark_is_where_it_should_be_in_its_colour(canvas, mark, place):
 
 def test_a_band_is_coloured_between_its_radii_only(canvas):
     """Its hole is not."""
-    draw_marks(canvas, [Band(1.0, 2.0, Tone.ONE)])
+    draw_marks(canvas, [Annulus(1.0, 2.0, Role.ONE)])
 
     def at(place):
         spot = canvas.camera.project(place)
@@ -202,8 +204,8 @@ def test_a_band_is_coloured_between_its_radii_only(canvas):
 
 def test_a_sector_is_coloured_between_its_ends_and_faces_only(canvas):
     """From the clockwise end to the other, from the inner face to the outer one."""
-    draw_marks(canvas, [Sector(2.0, 0.5, 0.5, 0.4, Tone.SECTOR)])
-    colour = tone_colour(canvas.theme, Tone.SECTOR)
+    draw_marks(canvas, [AnnularSector(2.0, 0.5, 0.5, 0.4, Role.SECTOR)])
+    colour = role_colour(canvas.theme, Role.SECTOR)
     inside = [(2.0, 0.14), (2.0, 0.86), (1.6, 0.5), (2.4, 0.5)]
     outside = [(2.0, 0.04), (2.0, 0.96), (1.4, 0.5), (2.6, 0.5)]
     for radius, angle in [*inside, *outside]:
@@ -228,8 +230,8 @@ def test_a_field_is_coloured_by_its_sign(canvas):
 
 def test_nothing_is_drawn_outside_of_the_area(canvas):
     """However far the marks reach."""
-    words = [Words(9 + 9j, "far away", Tone.PLAIN), Dot(6 + 1j, Tone.PLAIN, None, "label"), Band(0.0, 50.0, Tone.ONE)]
-    draw_marks(canvas, [*[mark for mark, _ in MARKS], *words, Line((-99 + 0j, 99 + 1j), Tone.PLAIN, None, Stroke.DASHED)])
+    words = [Words(9 + 9j, "far away", Role.PLAIN), PointMark(6 + 1j, Role.PLAIN, None, "label"), Annulus(0.0, 50.0, Role.ONE)]
+    draw_marks(canvas, [*[mark for mark, _ in MARKS], *words, Line((-99 + 0j, 99 + 1j), Role.PLAIN, None, Stroke.DASHED)])
     outside = pygame.mask.from_threshold(canvas.surface, canvas.theme.ground, (1, 1, 1, 255))
     outside.draw(pygame.mask.Mask(AREA.size, fill=True), AREA.topleft)
     assert outside.count() == 400 * 300
@@ -240,11 +242,11 @@ def test_any_zoom_can_be_drawn(canvas, scale):
     """What is too large for the surface is left out or cut, in bounded time."""
     camera = Camera(canvas.camera.centre, scale)
     degenerate = [
-        Arrow(0j, 0j, Tone.OURS, label="n"),
-        Line((1j, 1j), Tone.PLAIN),
-        Sector(2.0, 0.5, 0.5, 0.0, Tone.SECTOR),
-        Sector(2.0, 0.5, 0.5, math.pi, Tone.SECTOR),
-        Disc(0j, 0.0, Tone.BALL),
-        Arc(0j, 1.0, 0.0, 0.0, Tone.PLAIN, label="0"),
+        Arrow(0j, 0j, Role.OURS, label="n"),
+        Line((1j, 1j), Role.PLAIN),
+        AnnularSector(2.0, 0.5, 0.5, 0.0, Role.SECTOR),
+        AnnularSector(2.0, 0.5, 0.5, math.pi, Role.SECTOR),
+        Disc(0j, 0.0, Role.BALL),
+        Arc(0j, 1.0, 0.0, 0.0, Role.PLAIN, label="0"),
     ]
-    draw_marks(canvas._replace(camera=camera), [*[mark for mark, _ in MARKS], *degenerate, Band(0.0, 2.0, Tone.ONE)])
+    draw_marks(canvas._replace(camera=camera), [*[mark for mark, _ in MARKS], *degenerate, Annulus(0.0, 2.0, Role.ONE)])

@@ -16,8 +16,8 @@ import pytest
 
 import physics
 from game.lab import scenes as folder
-from game.lab.kit.beyond_the_source import BEYOND
 from game.lab.kit.cited_line import code_line
+from game.lab.kit.differences import DIFFERENCES
 from game.lab.kit.handles import dragged
 from game.lab.kit.parameters import Point, defaults
 from game.lab.kit.scene import Claim, Scene, picture_of, started
@@ -107,7 +107,7 @@ def test_a_scene_says_what_it_is(scene):
     """A sentence, functions that exist, rows that exist, presets that differ, defaults in range."""
     assert re.fullmatch(r"[A-Z].*\.", scene.idea)
     assert all([callable(getattr(physics, name)) for name in scene.functions])
-    assert set(scene.rows) <= set(BEYOND)
+    assert set(scene.rows) <= set(DIFFERENCES)
     assert len({preset.label for preset in scene.presets}) == len(scene.presets)
     names = [parameter.name for parameter in scene.parameters]
     assert len(set(names)) == len(names)
@@ -125,14 +125,14 @@ def test_every_function_of_the_source_has_a_scene():
 
 def test_every_row_beyond_the_source_has_a_scene():
     """So that each can be seen."""
-    assert {row for scene in scenes() for row in scene.rows} == set(BEYOND)
+    assert {row for scene in scenes() for row in scene.rows} == set(DIFFERENCES)
 
 
 def test_the_rows_are_those_of_the_readme():
     """As many as its table has, under the same numbers."""
     readme = (Path(physics.__file__).parent.parent / "README.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| (\d+) \|", readme.partition("### Beyond the source")[2], re.MULTILINE)
-    assert [int(row) for row in rows] == list(BEYOND)
+    assert [int(row) for row in rows] == list(DIFFERENCES)
 
 
 @SCENES
@@ -140,7 +140,7 @@ def test_every_handle_can_be_taken_hold_of_and_does_something(scene):
     """Dragged to where it is, it changes nothing but by rounding to its step; dragged elsewhere, something."""
     given = defaults(scene.parameters)
     for handle in scene.handles:
-        place = handle.place(given)
+        place = handle.position(given)
         elsewhere = dragged(scene.parameters, given, handle, place + (0.9 - 0.7j)).given
         assert elsewhere.values != given.values, handle.label
 
@@ -151,10 +151,10 @@ def test_a_handle_follows_the_hand(scene):
     chance = random.Random(3)
     for given in after_drags(scene, 300, 4):
         for handle in scene.handles:
-            here = handle.place(given)
+            here = handle.position(given)
             wanted = here + complex(chance.random() - 0.5, chance.random() - 0.5)
             after, notes = dragged(scene.parameters, given, handle, wanted)
-            assert notes or abs(handle.place(after) - wanted) <= abs(here - wanted) + 0.2, handle.label
+            assert notes or abs(handle.position(after) - wanted) <= abs(here - wanted) + 0.2, handle.label
 
 
 @SCENES

@@ -2,7 +2,7 @@
 
 import pytest
 
-from game.lab.kit.parameters import Settled, settled
+from game.lab.kit.parameters import Clamped, clamped
 from game.lab.kit.scene import Motion
 from game.lab.registry import scenes
 from game.lab.session import cases, session
@@ -15,7 +15,7 @@ from tests.support.paths import LAB_CASES as CASES
 def other(run):
     """The values with the first one changed."""
     parameter = run.scene.parameters[0]
-    return settled(run.scene.parameters, run.given, {parameter.name: parameter.default + 0.5})
+    return clamped(run.scene.parameters, run.given, {parameter.name: parameter.default + 0.5})
 
 
 def test_a_scene_that_runs_runs_at_once_and_pauses(run):
@@ -58,7 +58,7 @@ def test_a_change_begins_anew(run):
     run = session.moved(run, 9)
     after = session.changed(run, other(run))
     assert (after.tick, after.states) == (0, (0,))
-    assert session.changed(run, Settled(run.given, ("a note",))) == run._replace(notes=("a note",))
+    assert session.changed(run, Clamped(run.given, ("a note",))) == run._replace(notes=("a note",))
 
 
 def test_restart_keeps_the_values(run):

@@ -59,7 +59,7 @@ def test_the_ball_gets_away(label):
 )
 def test_what_the_resting_sector_is_touched_with(label, feature):
     """Each preset touches what it names."""
-    impact = impact_resting._flight(values(impact_resting.SCENE, label)).impact
+    impact = impact_resting._flight_past(values(impact_resting.SCENE, label)).impact
     assert (None if impact is None else impact.contact.feature) == feature
 
 
@@ -80,7 +80,7 @@ def test_the_ball_tunnels_before_ones_eyes():
     for label, through in (("20 tests", True), ("60 tests", False), ("240 tests", False), ("a thin wall", True)):
         given = values(scene, label)
         end = state_at(scene, given, 480)
-        assert discrete_swept._is_out(discrete_swept._setting(given), end) is through
+        assert discrete_swept._is_out(discrete_swept._ball_and_wall(given), end) is through
         assert end.hits >= 2
 
 
@@ -97,8 +97,8 @@ def test_which_way_is_out():
     """An end, the outer face, the inner face."""
     labels = {"near an end": Feature.END, "near the outer": Feature.OUTER_FACE, "near the inner": Feature.INNER_FACE}
     for label, feature in labels.items():
-        begun = inside_material._begun(values(inside_material.SCENE, label))
-        assert (begun.inside, begun.found.feature, begun.step.freed) == (True, feature, 1)
+        start = inside_material._ball_inside(values(inside_material.SCENE, label))
+        assert (start.inside, start.found.feature, start.step.freed) == (True, feature, 1)
 
 
 def test_the_ball_is_squeezed_and_put_outward():

@@ -10,7 +10,7 @@ from game.lab.kit.picture import Toggle
 from game.lab.registry import scenes
 from game.lab.session import session
 from game.lab.window.commands import Command
-from game.lab.window.page import page
+from game.lab.window.layout import layout_of
 from game.lab.window.widgets import Side
 from tests.support.dummy_window import FRAME, Desk, shared
 from tests.support.lab_desk import SIZE
@@ -127,11 +127,11 @@ def test_the_widgets_fit_their_side(scene, size):
     """With room for the small print, in any common window."""
     kept = shared()
     found = Desk(kept, None, (320, 240))
-    place = page(size)
-    side = Side(place, DARK, kept.type, session.fresh(scene, None))
-    assert side.bottom + place.unit * 4.0 < max(size[1], 480) or size == (640, 480)
+    layout = layout_of(size)
+    side = Side(layout, DARK, kept.type, session.fresh(scene, None))
+    assert side.bottom + layout.unit * 4.0 < max(size[1], 480) or size == (640, 480)
     for parameter, box in side._names if size != (640, 480) else ():
         value = f"{parameter.label} = {written(parameter, parameter.default)}"
-        letters = [kept.type.rendered(text, place.unit * 0.95, (0, 0, 0)).get_width() for text in (value, parameter.meaning)]
-        assert sum(letters) + place.unit * 0.7 <= box.width, parameter.meaning
+        letters = [kept.type.rendered(text, layout.unit * 0.95, (0, 0, 0)).get_width() for text in (value, parameter.meaning)]
+        assert sum(letters) + layout.unit * 0.7 <= box.width, parameter.meaning
     found.close()

@@ -7,20 +7,21 @@ import pytest
 
 from game.app import _lab_opener
 from game.drawing.palette import DARK
+from game.drawing.text import Type
 from game.input.signals import PLAY_HELP
 from game.lab.kit.parameters import defaults
 from game.lab.kit.scene import Motion, picture_of
 from game.lab.registry import scenes
 from game.lab.session import session
 from game.lab.session.checks import lines
-from game.lab.session.share import Shared as SharedLine
-from game.lab.session.share import parsed
+from game.lab.session.share import SharedScene, parsed
 from game.lab.window import screen
 from game.lab.window.commands import KEYS, Command, command_of
-from game.lab.window.lens import Lens
-from game.lab.window.page import draw_head, draw_words, page
+from game.lab.window.layout import layout_of
+from game.lab.window.pan_zoom import PanZoom
 from game.lab.window.screen import Lab
 from game.lab.window.screenshot import save_screenshot
+from game.lab.window.words import Sheet, draw_head, draw_words
 from game.screens.panels import Menu
 from game.screens.play import Play
 from game.screens.title import Title
@@ -63,7 +64,7 @@ def test_the_wheel_zooms_about_the_pointer(desk):
 def test_the_view_shows_the_ball_wherever_it_is():
     """A share line may put the ball far away: the view is wider then, and Home comes back to it."""
     desk = LabDesk("case-2?ball=-12,-9")
-    area = page(desk.size).world
+    area = layout_of(desk.size).world
     for _ in range(2):
         assert area.collidepoint(desk.pixel(-12 - 9j))
         desk.wheel(area.center, 5)
@@ -73,7 +74,7 @@ def test_the_view_shows_the_ball_wherever_it_is():
 
 def test_a_drag_beyond_the_range_stops_at_its_border_and_says_so(desk):
     """Visibly."""
-    desk.screen._lens = Lens(zoom=0.3)
+    desk.screen._pan_zoom = PanZoom(zoom=0.3)
     desk.drag(desk.pixel(9.4 + 3.9j), desk.pixel(16 + 3.9j))
     assert desk.values.point("ball").real == 15.0
     assert "is beyond its range" in desk.session.notes[0]
@@ -141,7 +142,7 @@ def test_a_scene_in_motion(desk, run):
     desk.press(pygame.K_r)
     assert desk.session.playing
     assert desk.session.tick <= 2
-    opened = session.opened(SharedLine(run.scene, run.given, 7))
+    opened = session.opened(SharedScene(run.scene, run.given, 7))
     assert (opened.tick, opened.playing) == (7, False)
 
 
@@ -202,13 +203,13 @@ def test_every_command_has_a_key_and_no_key_two():
 @pytest.mark.parametrize("size", [(800, 600), (1280, 800), (3840, 2160), (900, 1600)])
 def test_the_words_fit_their_places(scene, size):
     """The head above the world, formula and notes below it, at every preset: nothing is cut off."""
-    kept, place = shared(), page(size)
-    surface = pygame.Surface(size)
-    assert draw_head(surface, place, scene, DARK, kept.type) <= place.head.bottom
+    layout = layout_of(size)
+    sheet = Sheet(pygame.Surface(size), layout, DARK, Type())
+    assert draw_head(sheet, scene) <= layout.head.bottom
     for given in lines(scene, Pymunk()):
         ends = [state_at(scene, given, tick) for tick in ((0, scene.shows.ticks) if isinstance(scene.shows, Motion) else (0,))]
         for state in ends:
-            assert draw_words(surface, place, picture_of(scene, given, state), DARK, kept.type) <= place.words.bottom
+            assert draw_words(sheet, picture_of(scene, given, state)) <= layout.words.bottom
 
 
 @pytest.mark.parametrize("scene", scenes(), ids=lambda scene: scene.name)
@@ -220,7 +221,7 @@ def test_every_scene_is_drawn_in_both_themes(scene, tmp_path):
     pictures = []
     for theme in THEMES:
         file = tmp_path / "scene.png"
-        save_screenshot(SharedLine(scene, given, tick), file, (800, 600), theme)
+        save_screenshot(SharedScene(scene, given, tick), file, (800, 600), theme)
         pictures.append(pygame.image.load(file))
     assert pygame.transform.average_color(pictures[0])[0] + 100 < pygame.transform.average_color(pictures[1])[0]
 

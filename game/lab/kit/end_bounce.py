@@ -11,7 +11,7 @@ from game.lab.kit.bounce import Bounce, bounce
 from game.lab.kit.handles import Handle, polar_vector
 from game.lab.kit.marks import ring_marks
 from game.lab.kit.parameters import Given
-from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Stroke, Toggle, Tone, Words
+from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Role, Stroke, Toggle, Words
 from physics import PERMANENT, Arena, Ball, Ring, advance, contact, to_cartesian
 
 REACH, RADIUS = 6.0, 0.5
@@ -81,8 +81,8 @@ def panes(after: EndBounce, state: EndFlight) -> tuple[Pane, Pane]:
     """The source's ball at the left, ours at the right."""
     left, right = state.by_source, state.by_physics
     return (
-        _pane(after, state.ring, left, Tone.SOURCE, "the source"),
-        _pane(after, state.ring, source.Flight(right.position, right.velocity), Tone.GOOD, "here"),
+        _pane(after, state.ring, left, Role.SOURCE, "the source"),
+        _pane(after, state.ring, source.Flight(right.position, right.velocity), Role.GOOD, "here"),
     )
 
 
@@ -108,25 +108,25 @@ def least_gap(given: Given, ticks: int) -> float:
     return least
 
 
-def _pane(after: EndBounce, ring: Ring, flight: source.Flight, tone: Tone, title: str) -> Pane:
+def _pane(after: EndBounce, ring: Ring, flight: source.Flight, role: Role, title: str) -> Pane:
     """The paddle and one ball as they are now, and where the ball came from."""
     touched, now = after.ball.position, flight.position
     marks: list[Mark] = [
         *ring_marks(ring),
-        Circle(touched, RADIUS, Tone.GHOST, Toggle.SWEPT, Stroke.DASHED),
-        Line((touched, now), tone, Toggle.SWEPT, Stroke.DASHED),
+        Circle(touched, RADIUS, Role.GHOST, Toggle.SWEPT, Stroke.DASHED),
+        Line((touched, now), role, Toggle.SWEPT, Stroke.DASHED),
         *[_surface_arrow(after.ring, q) for q in (_AT, 2.0 * REACH - _AT)],
-        Disc(now, RADIUS, Tone.BALL),
-        Arrow(touched, after.ball.velocity * _SCALE, Tone.PLAIN, label="v before"),
+        Disc(now, RADIUS, Role.BALL),
+        Arrow(touched, after.ball.velocity * _SCALE, Role.PLAIN, label="v before"),
     ]
     if flight.velocity is None:
-        marks.append(Words(now + 0.75j, "v = 0 / 0", tone))
+        marks.append(Words(now + 0.75j, "v = 0 / 0", role))
     else:
-        marks.append(Arrow(now, flight.velocity * _SCALE, tone, label="v"))
+        marks.append(Arrow(now, flight.velocity * _SCALE, role, label="v"))
     gap = contact(Ball(now, 0j, RADIUS), ring, 0).gap
     return Pane(tuple(marks), f"{title}:   gap = {gap + 0.0:.3f}")
 
 
 def _surface_arrow(ring: Ring, q: complex) -> Arrow:
     """The velocity of a point of the end at the moment of the bounce."""
-    return Arrow(q, ring.surface_velocity(q) * _SCALE, Tone.ONE, label="ω × q" if ring.spin else "")
+    return Arrow(q, ring.surface_velocity(q) * _SCALE, Role.ONE, label="ω × q" if ring.spin else "")

@@ -8,11 +8,11 @@ from typing import NamedTuple
 import numpy as np
 
 from game.lab.kit.handles import dragged
-from game.lab.kit.parameters import Count, Given, Parameter, Point, defaults, settled
+from game.lab.kit.parameters import Count, Given, Parameter, Point, clamped, defaults
 from game.lab.kit.picture import Field
 from game.lab.kit.scene import Motion, Scene, picture_of, started
 from game.lab.kit.second_engine import Engine
-from game.lab.session.share import Shared, preset, share_line
+from game.lab.session.share import SharedScene, preset, share_line
 
 _REACH = 2.0
 """Random drags go this many times as far as the view."""
@@ -20,7 +20,7 @@ _RUN_EVERY = 50
 """A scene that runs is run after every so many drags."""
 
 
-class Failure(NamedTuple):
+class FailedClaim(NamedTuple):
     """A claim that does not hold, and the line that opens it."""
 
     line: str
@@ -33,7 +33,7 @@ class Report(NamedTuple):
     scene: Scene
     settings: int  # looked at
     claims: int
-    failures: tuple[Failure, ...]
+    failures: tuple[FailedClaim, ...]
 
 
 def report(scene: Scene, drags: int, seed: int, engine: Engine | None = None, more: tuple[Given, ...] = ()) -> Report:
@@ -44,12 +44,12 @@ def report(scene: Scene, drags: int, seed: int, engine: Engine | None = None, mo
     return Report(scene, len(looked_at), claims * len(looked_at), tuple(found))
 
 
-def failures(scene: Scene, given: Given) -> tuple[Failure, ...]:
+def failures(scene: Scene, given: Given) -> tuple[FailedClaim, ...]:
     """The claims that do not hold at some values, and any number of the picture that is not finite."""
-    line = share_line(Shared(scene, given))
-    found = [Failure(line, claim.fact) for claim in scene.check(given) if not claim.holds]
+    line = share_line(SharedScene(scene, given))
+    found = [FailedClaim(line, claim.fact) for claim in scene.check(given) if not claim.holds]
     if not _is_finite(picture_of(scene, given, started(scene, given))):
-        found.append(Failure(line, "every number of the picture is finite"))
+        found.append(FailedClaim(line, "every number of the picture is finite"))
     return tuple(found)
 
 
@@ -74,7 +74,7 @@ def _dragged_somewhere(scene: Scene, given: Given, chance: random.Random) -> Giv
         handle = scene.handles[int(chance.random() * len(scene.handles))]
         return dragged(scene.parameters, given, handle, _somewhere(scene, given, chance)).given
     parameter = scene.parameters[int(chance.random() * len(scene.parameters))]
-    return settled(scene.parameters, given, {parameter.name: _some_value(parameter, chance)}).given
+    return clamped(scene.parameters, given, {parameter.name: _some_value(parameter, chance)}).given
 
 
 def _somewhere(scene: Scene, given: Given, chance: random.Random) -> complex:
@@ -83,9 +83,9 @@ def _somewhere(scene: Scene, given: Given, chance: random.Random) -> complex:
     if kind < 0.05:
         return 0j
     if kind < 0.15:
-        return scene.handles[int(chance.random() * len(scene.handles))].place(given)
+        return scene.handles[int(chance.random() * len(scene.handles))].position(given)
     across, up = (2.0 * chance.random() - 1.0, 2.0 * chance.random() - 1.0)
-    return scene.view.centre + _REACH * complex(across * scene.view.half.real, up * scene.view.half.imag)
+    return scene.view_box.centre + _REACH * complex(across * scene.view_box.half.real, up * scene.view_box.half.imag)
 
 
 def _some_value(parameter: Parameter, chance: random.Random) -> complex:

@@ -4,11 +4,11 @@ import hashlib
 import struct
 from typing import Any, NamedTuple
 
-from game.lab.kit.parameters import Given, Settled, defaults
+from game.lab.kit.parameters import Clamped, Given, defaults
 from game.lab.kit.picture import Picture
 from game.lab.kit.scene import Motion, Scene, picture_of, started, stepped
 from game.lab.kit.second_engine import Engine
-from game.lab.session.share import Shared, share_line
+from game.lab.session.share import SharedScene, share_line
 
 PACES = (1 / 64, 1 / 32, 1 / 16, 1 / 8, 1 / 4, 1 / 2, 1.0)
 """How much slower than real time a scene may run."""
@@ -46,10 +46,10 @@ class Session(NamedTuple):
     @property
     def line(self) -> str:
         """The share line that opens it as it stands."""
-        return share_line(Shared(self.scene, self.given, self.tick))
+        return share_line(SharedScene(self.scene, self.given, self.tick))
 
 
-def opened(shared: Shared) -> Session:
+def opened(shared: SharedScene) -> Session:
     """A scene as a share line has it; one that runs, and is at its start, runs at once."""
     new = Session(shared.scene, shared.given, (started(shared.scene, shared.given),))
     return at_tick(new, shared.tick) if shared.tick else new._replace(playing=new.runs)
@@ -57,15 +57,15 @@ def opened(shared: Shared) -> Session:
 
 def fresh(scene: Scene, engine: Engine | None) -> Session:
     """A scene at its defaults."""
-    return opened(Shared(scene, defaults(scene.parameters, engine)))
+    return opened(SharedScene(scene, defaults(scene.parameters, engine)))
 
 
-def changed(session: Session, settled: Settled) -> Session:
+def changed(session: Session, clamped: Clamped) -> Session:
     """After a change of values: a scene that runs begins anew."""
-    if settled.given.values == session.given.values:
-        return session._replace(notes=settled.notes)
-    start = (started(session.scene, settled.given),)
-    return session._replace(given=settled.given, states=start, tick=0, rest=0.0, notes=settled.notes)
+    if clamped.given.values == session.given.values:
+        return session._replace(notes=clamped.notes)
+    start = (started(session.scene, clamped.given),)
+    return session._replace(given=clamped.given, states=start, tick=0, rest=0.0, notes=clamped.notes)
 
 
 def restarted(session: Session) -> Session:
@@ -75,7 +75,7 @@ def restarted(session: Session) -> Session:
 
 def reset(session: Session) -> Session:
     """At the scene's defaults."""
-    return changed(session, Settled(defaults(session.scene.parameters, session.given.engine), ()))
+    return changed(session, Clamped(defaults(session.scene.parameters, session.given.engine), ()))
 
 
 def toggled(session: Session) -> Session:

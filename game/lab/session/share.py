@@ -3,7 +3,7 @@
 import math
 from typing import NamedTuple
 
-from game.lab.kit.parameters import Count, Given, Parameter, Point, defaults, plain, settled, written
+from game.lab.kit.parameters import Count, Given, Parameter, Point, clamped, defaults, plain, written
 from game.lab.kit.scene import Motion, Scene
 from game.lab.kit.second_engine import Engine
 from game.lab.registry import scene_named
@@ -13,7 +13,7 @@ _TICK = "tick"
 _LONGEST = 4096
 
 
-class Shared(NamedTuple):
+class SharedScene(NamedTuple):
     """A scene and how it stands."""
 
     scene: Scene
@@ -21,7 +21,7 @@ class Shared(NamedTuple):
     tick: int = 0
 
 
-def share_line(shared: Shared) -> str:
+def share_line(shared: SharedScene) -> str:
     """The line that opens a scene as it stands: every value, exactly."""
     parts = [
         f"{parameter.name}={_printed(shared.given.values[parameter.name], parameter)}" for parameter in shared.scene.parameters
@@ -31,7 +31,7 @@ def share_line(shared: Shared) -> str:
     return f"{shared.scene.name}?{'&'.join(parts)}"
 
 
-def parsed(line: str, engine: Engine | None = None) -> Shared:
+def parsed(line: str, engine: Engine | None = None) -> SharedScene:
     """The scene and the values that a line names; what it does not name has its default.
 
     BadInputError names the part that cannot be used: an unknown scene or value, a value given twice, no number, a number out
@@ -42,7 +42,7 @@ def parsed(line: str, engine: Engine | None = None) -> Shared:
     name, mark, rest = line.strip().partition("?")
     scene = scene_named(name)
     given, tick = _read(scene, rest, engine) if mark and rest else (defaults(scene.parameters, engine), 0)
-    return Shared(scene, given, tick)
+    return SharedScene(scene, given, tick)
 
 
 def preset(scene: Scene, line: str, engine: Engine | None = None) -> Given:
@@ -68,7 +68,7 @@ def _read(scene: Scene, rest: str, engine: Engine | None) -> tuple[Given, int]:
         else:
             names = ", ".join([*parameters, *([_TICK] if isinstance(scene.shows, Motion) else [])])
             raise BadInputError(f"lab: part {part!r} of the share line: {scene.name} has no {name!r}; expected {names}")
-    return settled(scene.parameters, defaults(scene.parameters, engine), values).given, tick or 0
+    return clamped(scene.parameters, defaults(scene.parameters, engine), values).given, tick or 0
 
 
 def _tick(part: str, text: str, motion: Motion) -> int:

@@ -10,7 +10,7 @@ from game.screens.panels import dim, draw_panel
 
 
 def draw_help(surface: pygame.Surface, theme: Theme, type_: Type) -> None:
-    """A panel over what is drawn already."""
+    """A panel with the keys over what is drawn already."""
     size = surface.get_size()
     unit = unit_of(size)
     lines = [*MOUSE_HELP, *[(key.written, key.meaning) for key in KEYS]]

@@ -6,8 +6,8 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import angle_arc, degrees, ray
 from game.lab.kit.parameters import Given, Number
-from game.lab.kit.picture import Circle, Dot, Line, Mark, Picture, Stroke, Tone, Words, single
-from game.lab.kit.scene import Claim, Preset, Scene, View
+from game.lab.kit.picture import Circle, Line, Mark, Picture, PointMark, Role, Stroke, Words, single
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import add_angles, min_difference, normalize_angle, on_left, signed_difference, subtract_angles, to_cartesian
 
 _RADIUS = 4.0
@@ -23,17 +23,17 @@ def _picture(given: Given) -> Picture:
     a, b = _angles(given)
     shorter = signed_difference(a, b)
     marks: list[Mark] = [
-        Line((0j, 8 + 0j), Tone.FAINT, None, Stroke.DASHED),
-        Words(5.0 - 0.3j, "polar axis", Tone.FAINT),
-        Circle(0j, _RADIUS, Tone.FAINT),
-        ray(a, _RADIUS, Tone.PLAIN),
-        ray(b, _RADIUS, Tone.TWO),
-        Dot(to_cartesian(_RADIUS, a), Tone.PLAIN, label="a"),
-        Dot(to_cartesian(_RADIUS, b), Tone.TWO, label="b"),
-        angle_arc(2.2, b, shorter, Tone.OURS, "shorter way"),
+        Line((0j, 8 + 0j), Role.FAINT, None, Stroke.DASHED),
+        Words(5.0 - 0.3j, "polar axis", Role.FAINT),
+        Circle(0j, _RADIUS, Role.FAINT),
+        ray(a, _RADIUS, Role.PLAIN),
+        ray(b, _RADIUS, Role.TWO),
+        PointMark(to_cartesian(_RADIUS, a), Role.PLAIN, label="a"),
+        PointMark(to_cartesian(_RADIUS, b), Role.TWO, label="b"),
+        angle_arc(2.2, b, shorter, Role.OURS, "shorter way"),
     ]
     if abs(a - b) > math.pi:
-        marks.append(angle_arc(1.2, b, a - b, Tone.SOURCE, "a - b"))
+        marks.append(angle_arc(1.2, b, a - b, Role.SOURCE, "a - b"))
     formula = (
         f"a - b = {degrees(a)} - {degrees(b)} = {degrees(a - b)}",
         f"counter-clockwise from b to a:   {degrees(subtract_angles(a, b))}",
@@ -111,7 +111,7 @@ SCENE = Scene(
         handles.on_circle("a", lambda _: _RADIUS, "a"),
         handles.on_circle("b", lambda _: _RADIUS, "b"),
     ),
-    view=View(0.6 + 0j, 5.4 + 4.5j),
+    view_box=ViewBox(0.6 + 0j, 5.4 + 4.5j),
     shows=_picture,
     check=_check,
     rows=(1,),

@@ -8,8 +8,8 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import degrees, ray
 from game.lab.kit.parameters import Given, Number
-from game.lab.kit.picture import Arrow, Disc, Dot, Line, Mark, Pane, Picture, Sector, Stroke, Toggle, Tone
-from game.lab.kit.scene import Claim, Preset, Scene, View
+from game.lab.kit.picture import AnnularSector, Arrow, Disc, Line, Mark, Pane, Picture, PointMark, Role, Stroke, Toggle
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import (
     closest_point_on_line,
     length,
@@ -23,7 +23,7 @@ from physics import (
 _RADIUS, _HALF_WIDTH = 6.0, 1.0
 
 
-class _Look(NamedTuple):
+class _ChosenEnd(NamedTuple):
     """What one rule makes of the ball."""
 
     sign: int
@@ -33,7 +33,7 @@ class _Look(NamedTuple):
     normal: complex | None
 
 
-class _Both(NamedTuple):
+class _BothRulesForEnd(NamedTuple):
     """The ball, the sector, and both rules."""
 
     p: complex
@@ -41,8 +41,8 @@ class _Both(NamedTuple):
     theta: float
     angle: float
     half_angle: float
-    theirs: _Look
-    ours: _Look
+    theirs: _ChosenEnd
+    ours: _ChosenEnd
 
     @property
     def applies(self) -> bool:
@@ -50,28 +50,28 @@ class _Both(NamedTuple):
         return min_difference(self.theta, self.angle) > self.half_angle
 
 
-def _both(given: Given) -> _Both:
+def _both(given: Given) -> _BothRulesForEnd:
     """Both rules at the same ball."""
     r, theta, angle = given.number("r"), normalize_angle(given.angle("theta")), normalize_angle(given.angle("angle"))
     half_angle = given.angle("half_angle")
     p = to_cartesian(_RADIUS, theta)
-    theirs = _look(p, r, angle, half_angle, source.end_sign(theta, angle, half_angle))
-    ours = _look(p, r, angle, half_angle, 1 if on_left(theta, angle) else -1)
-    return _Both(p, r, theta, angle, half_angle, theirs, ours)
+    theirs = _chosen_end(p, r, angle, half_angle, source.end_sign(theta, angle, half_angle))
+    ours = _chosen_end(p, r, angle, half_angle, 1 if on_left(theta, angle) else -1)
+    return _BothRulesForEnd(p, r, theta, angle, half_angle, theirs, ours)
 
 
-def _look(p: complex, r: float, angle: float, half_angle: float, sign: int) -> _Look:
+def _chosen_end(p: complex, r: float, angle: float, half_angle: float, sign: int) -> _ChosenEnd:
     """The normal of the end on one side."""
     a, b = source.end_points(_RADIUS, _HALF_WIDTH, angle + sign * half_angle)
-    return _Look(sign, a, b, closest_point_on_line(a, b, p), source.end_normal(p, r, a, b))
+    return _ChosenEnd(sign, a, b, closest_point_on_line(a, b, p), source.end_normal(p, r, a, b))
 
 
 def _picture(given: Given) -> Picture:
     """The source's choice at the left, ours at the right."""
     both = _both(given)
     panes = (
-        Pane(_marks(both, both.theirs, Tone.SOURCE), "the source: on_left(θ, θ_p + φ_p)"),
-        Pane(_marks(both, both.ours, Tone.OURS), "here: on_left(θ, θ_p)"),
+        Pane(_marks(both, both.theirs, Role.SOURCE), "the source: on_left(θ, θ_p + φ_p)"),
+        Pane(_marks(both, both.ours, Role.OURS), "here: on_left(θ, θ_p)"),
     )
     far = normalize_angle(both.angle + both.half_angle)
     formula = (
@@ -83,29 +83,29 @@ def _picture(given: Given) -> Picture:
     return Picture(panes, formula, _cited(both), _note(both))
 
 
-def _marks(both: _Both, look: _Look, tone: Tone) -> tuple[Mark, ...]:
+def _marks(both: _BothRulesForEnd, end: _ChosenEnd, role: Role) -> tuple[Mark, ...]:
     """The ball, the sector, and the end that a rule looks at."""
     marks: list[Mark] = [
-        Sector(_RADIUS, _HALF_WIDTH, both.angle, both.half_angle, Tone.SECTOR),
-        ray(both.angle, 8.0, Tone.FAINT, "θ_p"),
+        AnnularSector(_RADIUS, _HALF_WIDTH, both.angle, both.half_angle, Role.SECTOR),
+        ray(both.angle, 8.0, Role.FAINT, "θ_p"),
         ray(both.theta, 8.0),
-        Disc(both.p, both.r, Tone.BALL),
+        Disc(both.p, both.r, Role.BALL),
     ]
     if both.applies:
-        marks += [Line((look.a, look.b), tone, Toggle.CLOSEST, Stroke.THICK), Dot(look.q, tone, Toggle.CLOSEST, "q")]
-    if both.applies and look.normal is not None:
-        marks.append(Arrow(look.q, look.normal * 2.0, tone, Toggle.NORMALS, label="n"))
+        marks += [Line((end.a, end.b), role, Toggle.CLOSEST, Stroke.THICK), PointMark(end.q, role, Toggle.CLOSEST, "q")]
+    if both.applies and end.normal is not None:
+        marks.append(Arrow(end.q, end.normal * 2.0, role, Toggle.NORMALS, label="n"))
     return tuple(marks)
 
 
-def _cited(both: _Both) -> CitedLine:
+def _cited(both: _BothRulesForEnd) -> CitedLine:
     """The line that picks the end."""
     if both.theirs.sign != both.ours.sign:
         return source_line("Narrow phase, case 2", "sign = 1 if on_left(θ, θ_p + φ_p) else -1")
     return code_line(narrow_phase_case_2, "sign = 1.0 if on_left(theta, angle) else -1.0")
 
 
-def _note(both: _Both) -> str:
+def _note(both: _BothRulesForEnd) -> str:
     """Who errs, and why."""
     if not both.applies:
         return "θ lies within the sector: this is case 1, and neither rule is asked."
@@ -157,7 +157,7 @@ SCENE = Scene(
         handles.half_angle("half_angle", "angle", lambda _: _RADIUS + 0.6 * _HALF_WIDTH, 1.0),
         handles.half_angle("half_angle", "angle", lambda _: _RADIUS + 0.6 * _HALF_WIDTH, -1.0),
     ),
-    view=View(0j, 8.4 + 8.4j),
+    view_box=ViewBox(0j, 8.4 + 8.4j),
     shows=_picture,
     check=_check,
     rows=(2,),

@@ -7,8 +7,8 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import angle_arc, degrees, ray, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arrow, Circle, Dot, Line, Mark, Picture, Stroke, Tone, Words, single
-from game.lab.kit.scene import Claim, Preset, Scene, View
+from game.lab.kit.picture import Arrow, Circle, Line, Mark, Picture, PointMark, Role, Stroke, Words, single
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import length, normalize_angle, to_cartesian, to_polar
 
 _TINY = 1e-15
@@ -26,16 +26,16 @@ def _picture(given: Given) -> Picture:
     radius, theta = to_polar(p)
     folded, plain = normalize_angle(turn), source.normalize_angle(turn)
     marks: list[Mark] = [
-        Line((0j, 12 + 0j), Tone.FAINT, None, Stroke.DASHED, "polar axis"),
-        Circle(0j, radius, Tone.FAINT, None, Stroke.DASHED),
-        Line((0j, complex(p.real, 0.0), p), Tone.FAINT),
-        Arrow(0j, p, Tone.PLAIN, None, Stroke.THICK, "p"),
-        angle_arc(1.2, 0.0, theta, Tone.PLAIN, "θ"),
-        ray(folded, 5.0, Tone.OURS),
-        angle_arc(2.4, 0.0, folded, Tone.OURS, "a, normalised"),
-        Line(_spiral(turn), Tone.TWO),
-        Words(_spiral(turn)[-1] * 1.08 + 0.3j, "a" if abs(turn) > 0.1 else "", Tone.TWO),
-        Dot(to_cartesian(5.0, folded), Tone.OURS),
+        Line((0j, 12 + 0j), Role.FAINT, None, Stroke.DASHED, "polar axis"),
+        Circle(0j, radius, Role.FAINT, None, Stroke.DASHED),
+        Line((0j, complex(p.real, 0.0), p), Role.FAINT),
+        Arrow(0j, p, Role.PLAIN, None, Stroke.THICK, "p"),
+        angle_arc(1.2, 0.0, theta, Role.PLAIN, "θ"),
+        ray(folded, 5.0, Role.OURS),
+        angle_arc(2.4, 0.0, folded, Role.OURS, "a, normalised"),
+        Line(_spiral(turn), Role.TWO),
+        Words(_spiral(turn)[-1] * 1.08 + 0.3j, "a" if abs(turn) > 0.1 else "", Role.TWO),
+        PointMark(to_cartesian(5.0, folded), Role.OURS),
     ]
     formula = (
         f"p = {two_decimals(p)}:   |p| = √(x² + y²) = {radius:.3f},   θ = {degrees(theta)}",
@@ -107,10 +107,10 @@ SCENE = Scene(
         handles.Handle(
             "a",
             lambda given: to_cartesian(5.0, given.angle("turn")),
-            lambda given, place: {"turn": _nearest_turn(given.number("turn"), place)},
+            lambda given, position: {"turn": _nearest_turn(given.number("turn"), position)},
         ),
     ),
-    view=View(0.5 + 0.3j, 7.5 + 6.0j),
+    view_box=ViewBox(0.5 + 0.3j, 7.5 + 6.0j),
     shows=_picture,
     check=_check,
     rows=(1,),
@@ -124,7 +124,7 @@ SCENE = Scene(
 )
 
 
-def _nearest_turn(before: float, place: complex) -> float:
-    """The angle of a place, in degrees, of all its turns the one nearest to the angle before."""
-    angle = math.degrees(to_polar(place)[1])
+def _nearest_turn(before: float, position: complex) -> float:
+    """The angle of a position, in degrees, of all its turns the one nearest to the angle before."""
+    angle = math.degrees(to_polar(position)[1])
     return angle + 360.0 * round((before - angle) / 360.0)

@@ -5,8 +5,8 @@ from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.handles import Handle
 from game.lab.kit.marks import ball_marks, ray
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Band, Circle, Line, Mark, Picture, Stroke, Toggle, Tone, Words, single
-from game.lab.kit.scene import Claim, Preset, Scene, View
+from game.lab.kit.picture import Annulus, Circle, Line, Mark, Picture, Role, Stroke, Toggle, Words, single
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import (
     Ball,
     Outcome,
@@ -21,11 +21,11 @@ from physics import (
     to_polar,
 )
 
-_TONES = {
-    Outcome.GAME_OVER: Tone.SOURCE,
-    Outcome.PADDLES: Tone.GOOD,
-    Outcome.BRICKS: Tone.ONE,
-    Outcome.NO_COLLISION: Tone.FAINT,
+_ROLES = {
+    Outcome.GAME_OVER: Role.SOURCE,
+    Outcome.PADDLES: Role.GOOD,
+    Outcome.BRICKS: Role.ONE,
+    Outcome.NO_COLLISION: Role.FAINT,
 }
 _FAR = 25.0
 _CLOSED = 3.141592653589793
@@ -48,23 +48,23 @@ def _picture(given: Given) -> Picture:
     paddles, bricks = _rings(given)
     distance, theta = to_polar(p)
     outcome = _outcome(given)
-    tone = _TONES[outcome] if outcome is not Outcome.NO_COLLISION else Tone.PLAIN
+    role = _ROLES[outcome] if outcome is not Outcome.NO_COLLISION else Role.PLAIN
     marks: list[Mark] = [
-        Band(r_g + r, _FAR, Tone.SOURCE, Toggle.BANDS, 0.16),
-        Band(max(bricks.inner_radius - r, 0.0), bricks.outer_radius + r, Tone.ONE, Toggle.BANDS, 0.3),
-        Band(max(paddles.inner_radius - r, 0.0), paddles.outer_radius + r, Tone.GOOD, Toggle.BANDS, 0.3),
-        Circle(0j, r_g, Tone.PLAIN),
+        Annulus(r_g + r, _FAR, Role.SOURCE, Toggle.BANDS, 0.16),
+        Annulus(max(bricks.inner_radius - r, 0.0), bricks.outer_radius + r, Role.ONE, Toggle.BANDS, 0.3),
+        Annulus(max(paddles.inner_radius - r, 0.0), paddles.outer_radius + r, Role.GOOD, Toggle.BANDS, 0.3),
+        Circle(0j, r_g, Role.PLAIN),
         *[
-            Circle(0j, radius, Tone.GHOST, None, Stroke.DASHED)
+            Circle(0j, radius, Role.GHOST, None, Stroke.DASHED)
             for ring in (paddles, bricks)
             for radius in (ring.inner_radius, ring.outer_radius)
         ],
         ray(theta, distance),
         *ball_marks(p, r),
-        Line((to_cartesian(max(distance - r, 0.0), theta), to_cartesian(distance + r, theta)), tone, None, Stroke.THICK),
-        Words(to_cartesian(r_g, 2.0) + 0.6j, "ground: r_g", Tone.PLAIN),
-        Words(to_cartesian(paddles.radius, 2.5), "paddles", Tone.PLAIN, Toggle.BANDS),
-        Words(to_cartesian(bricks.radius, 2.5), "bricks", Tone.PLAIN, Toggle.BANDS),
+        Line((to_cartesian(max(distance - r, 0.0), theta), to_cartesian(distance + r, theta)), role, None, Stroke.THICK),
+        Words(to_cartesian(r_g, 2.0) + 0.6j, "ground: r_g", Role.PLAIN),
+        Words(to_cartesian(paddles.radius, 2.5), "paddles", Role.PLAIN, Toggle.BANDS),
+        Words(to_cartesian(bricks.radius, 2.5), "bricks", Role.PLAIN, Toggle.BANDS),
     ]
     return single(tuple(marks), _formula(given), _cited(outcome), _note(outcome, distance))
 
@@ -135,7 +135,9 @@ def _check(given: Given) -> tuple[Claim, ...]:
 
 def _on_axis(name: str, label: str, turn: float) -> Handle:
     """A radius, taken hold of on a bearing."""
-    return Handle(label, lambda given: to_cartesian(given.number(name), turn), lambda _given, place: {name: length(place)})
+    return Handle(
+        label, lambda given: to_cartesian(given.number(name), turn), lambda _given, position: {name: length(position)}
+    )
 
 
 SCENE = Scene(
@@ -158,7 +160,7 @@ SCENE = Scene(
         _on_axis("r_p", "r_p", 0.0),
         _on_axis("r_b", "r_b", 0.0),
     ),
-    view=View(0j, 14.8 + 13.4j),
+    view_box=ViewBox(0j, 14.8 + 13.4j),
     shows=_picture,
     check=_check,
     rows=(9,),

@@ -6,8 +6,8 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import ball_marks, contact_marks, degrees, ray, ring_marks, second_opinion
 from game.lab.kit.parameters import Count, Given, Number, Point
-from game.lab.kit.picture import Line, Mark, Picture, Stroke, Tone, Words, single
-from game.lab.kit.scene import Claim, Preset, Scene, View
+from game.lab.kit.picture import Line, Mark, Picture, Role, Stroke, Words, single
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import (
     Ball,
     Ring,
@@ -45,7 +45,7 @@ def _picture(given: Given) -> Picture:
     found = contact(ball, ring, slot)
     marks: list[Mark] = [*_borders(ring), *ring_marks(ring, None, slot)]
     if ring.count <= _NUMBERED:
-        marks += [Words(to_cartesian(_RADIUS, ring.angle(k)), str(k), Tone.PLAIN) for k in range(ring.count)]
+        marks += [Words(to_cartesian(_RADIUS, ring.angle(k)), str(k), Role.PLAIN) for k in range(ring.count)]
     marks += [ray(theta, 11.0), *ball_marks(ball.position, ball.radius), *contact_marks(ball, found, 2.0)]
     neighbours = tuple({(slot + step) % ring.count: None for step in (-1, 0, 1)})
     marks += second_opinion(given, ball, ring, neighbours, found)
@@ -63,7 +63,7 @@ def _picture(given: Given) -> Picture:
 def _borders(ring: Ring) -> list[Mark]:
     """Where one sector's neighbourhood ends and the next one's begins."""
     angles = [ring.angle(k) + math.pi / ring.count for k in range(ring.count)] if ring.count > 1 else []
-    return [Line((to_cartesian(5.0, angle), to_cartesian(14.0, angle)), Tone.FAINT, None, Stroke.DASHED) for angle in angles]
+    return [Line((to_cartesian(5.0, angle), to_cartesian(14.0, angle)), Role.FAINT, None, Stroke.DASHED) for angle in angles]
 
 
 def _turned(theta: float, ring: Ring) -> float:
@@ -142,7 +142,7 @@ SCENE = Scene(
         handles.point("ball", "ball", "r"),
         handles.on_circle("phase", lambda _: _RADIUS + _HALF_WIDTH, "θ_0: turn the ring"),
     ),
-    view=View(0j, 11.8 + 11.2j),
+    view_box=ViewBox(0j, 11.8 + 11.2j),
     shows=_picture,
     check=_check,
     rows=(8,),

@@ -7,8 +7,8 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import ball_marks, contact_marks, degrees, is_unit, ray, ring_marks, second_opinion, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arrow, Circle, Mark, Picture, Stroke, Toggle, Tone, single
-from game.lab.kit.scene import Claim, Preset, Scene, View
+from game.lab.kit.picture import Arrow, Circle, Mark, Picture, Role, Stroke, Toggle, single
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import (
     Ball,
     Contact,
@@ -29,7 +29,7 @@ from physics.narrow_phase import sector_contact
 _SAMPLES = 200
 
 
-class _Case(NamedTuple):
+class _FaceCase(NamedTuple):
     """A ball and a sector, case 1's normal, and where the two are nearest."""
 
     ball: Ball
@@ -49,28 +49,28 @@ class _Case(NamedTuple):
         return self.applies and self.ring.inner_radius < length(self.ball.position) < self.ring.outer_radius
 
 
-def _case(given: Given) -> _Case:
+def _case(given: Given) -> _FaceCase:
     """What the values make."""
     ball = Ball(given.point("ball"), 0j, given.number("r"))
     ring = Ring(given.number("radius"), given.number("half_width"), given.angle("half_angle"), 1, given.angle("angle"))
     normal = narrow_phase_case_1(ball.position, ring.radius)
-    return _Case(ball, ring, angle_of(ball.position), normal, contact(ball, ring, 0))
+    return _FaceCase(ball, ring, angle_of(ball.position), normal, contact(ball, ring, 0))
 
 
 def _picture(given: Given) -> Picture:
     """The sector, its middle radius where the sign turns, and the normal."""
     case = _case(given)
     ball, ring = case.ball, case.ring
-    marks: list[Mark] = [*ring_marks(ring), Circle(0j, ring.radius, Tone.FAINT, None, Stroke.DASHED)]
+    marks: list[Mark] = [*ring_marks(ring), Circle(0j, ring.radius, Role.FAINT, None, Stroke.DASHED)]
     marks += [ray(case.theta, 15.0), *ball_marks(ball.position, ball.radius)]
     if case.inside and dot(case.normal, case.found.normal) < 1.0 - 1e-9:
-        marks.append(Arrow(ball.position, case.normal * 1.5, Tone.SOURCE, Toggle.NORMALS, label="case 1"))
+        marks.append(Arrow(ball.position, case.normal * 1.5, Role.SOURCE, Toggle.NORMALS, label="case 1"))
     marks += contact_marks(ball, case.found)
     marks += second_opinion(given, ball, ring, (0,), case.found)
     return single(tuple(marks), _formula(case), _cited(case), _note(case))
 
 
-def _formula(case: _Case) -> tuple[str, ...]:
+def _formula(case: _FaceCase) -> tuple[str, ...]:
     """Which case, and the normal."""
     p, ring = case.ball.position, case.ring
     difference, distance = min_difference(case.theta, ring.angle(0)), length(p)
@@ -86,7 +86,7 @@ def _formula(case: _Case) -> tuple[str, ...]:
     )
 
 
-def _cited(case: _Case) -> CitedLine:
+def _cited(case: _FaceCase) -> CitedLine:
     """The sign; inside of the material, the comparison of the ways out."""
     if case.inside:
         return code_line(sector_contact, "if half_angle < math.pi and inner < distance < outer:")
@@ -95,7 +95,7 @@ def _cited(case: _Case) -> CitedLine:
     return code_line(sector_contact, "if abs(offset) <= half_angle:")
 
 
-def _note(case: _Case) -> str:
+def _note(case: _FaceCase) -> str:
     """What is special."""
     if case.ball.position == 0.0:
         return "The ball is on the centre: p / |p| is 0 / 0. By convention its angle is 0 and its normal points inwards."
@@ -158,7 +158,7 @@ SCENE = Scene(
         handles.point("ball", "ball", "r"),
         *handles.sector_handles("radius", "half_width", "angle", "half_angle"),
     ),
-    view=View(8.2 + 0j, 6.6 + 5.2j),
+    view_box=ViewBox(8.2 + 0j, 6.6 + 5.2j),
     shows=_picture,
     check=_check,
     rows=(7,),

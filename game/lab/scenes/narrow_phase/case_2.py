@@ -7,8 +7,8 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import ball_marks, contact_marks, degrees, is_unit, ray, second_opinion
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Dot, Line, Mark, Picture, Sector, Stroke, Toggle, Tone, single
-from game.lab.kit.scene import Claim, Preset, Scene, View
+from game.lab.kit.picture import AnnularSector, Line, Mark, Picture, PointMark, Role, Stroke, Toggle, single
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import (
     Ball,
     Contact,
@@ -35,7 +35,7 @@ _WORDS = {
 }
 
 
-class _Case(NamedTuple):
+class _EndCase(NamedTuple):
     """The numbers of the source's call, and the end it looks at."""
 
     ball: Ball
@@ -63,17 +63,17 @@ class _Case(NamedTuple):
         )
 
 
-def _case(given: Given) -> _Case:
+def _case(given: Given) -> _EndCase:
     """The call that the values make."""
     ball = Ball(given.point("ball"), 0j, given.number("r"))
     theta, angle, half_angle = angle_of(ball.position), given.angle("angle"), given.angle("half_angle")
     radius, half_width = given.number("radius"), given.number("half_width")
     sign = 1 if on_left(theta, angle) else -1
     a, b = source.end_points(radius, half_width, angle + sign * half_angle)
-    return _Case(ball, theta, radius, angle, half_width, half_angle, sign, a, b)
+    return _EndCase(ball, theta, radius, angle, half_width, half_angle, sign, a, b)
 
 
-def _ring(case: _Case) -> Ring | None:
+def _ring(case: _EndCase) -> Ring | None:
     """The sector as a ring; None where it has no width, which a ring must have."""
     return Ring(case.radius, case.half_width, case.half_angle, 1, case.angle) if case.half_angle > 0.0 else None
 
@@ -83,18 +83,18 @@ def _picture(given: Given) -> Picture:
     case = _case(given)
     ball, ring = case.ball, _ring(case)
     found = _found(case, ring)
-    marks: list[Mark] = [Sector(case.radius, case.half_width, case.angle, case.half_angle, Tone.SECTOR)]
+    marks: list[Mark] = [AnnularSector(case.radius, case.half_width, case.angle, case.half_angle, Role.SECTOR)]
     marks += [ray(case.theta, 15.0), *ball_marks(ball.position, ball.radius)]
     if case.applies:
-        marks.append(Line((case.a, case.b), Tone.PLAIN, Toggle.CLOSEST, Stroke.THICK))
-        marks += [Dot(case.a, Tone.PLAIN, Toggle.CLOSEST, "A"), Dot(case.b, Tone.PLAIN, Toggle.CLOSEST, "B")]
+        marks.append(Line((case.a, case.b), Role.PLAIN, Toggle.CLOSEST, Stroke.THICK))
+        marks += [PointMark(case.a, Role.PLAIN, Toggle.CLOSEST, "A"), PointMark(case.b, Role.PLAIN, Toggle.CLOSEST, "B")]
     marks += contact_marks(ball, found)
     if ring is not None:
         marks += second_opinion(given, ball, ring, (0,), found)
     return single(tuple(marks), _formula(case, found), _cited(case, found), _note(case, found))
 
 
-def _found(case: _Case, ring: Ring | None) -> Contact:
+def _found(case: _EndCase, ring: Ring | None) -> Contact:
     """Where the ball and the sector are nearest."""
     if ring is not None and not case.applies:
         return contact(case.ball, ring, 0)
@@ -102,7 +102,7 @@ def _found(case: _Case, ring: Ring | None) -> Contact:
     return end_contact(case.ball.position, case.ball.radius, along, case.sign, length(case.a), length(case.b))
 
 
-def _formula(case: _Case, found: Contact) -> tuple[str, ...]:
+def _formula(case: _EndCase, found: Contact) -> tuple[str, ...]:
     """Which case, which end, and the distance."""
     difference = min_difference(case.theta, case.angle)
     compared = f"min_difference(θ, θ_p) = {degrees(difference)} {'>' if case.applies else '≤'} φ_p = {degrees(case.half_angle)}"
@@ -119,7 +119,7 @@ def _formula(case: _Case, found: Contact) -> tuple[str, ...]:
     )
 
 
-def _cited(case: _Case, found: Contact) -> CitedLine:
+def _cited(case: _EndCase, found: Contact) -> CitedLine:
     """The line that says what the normal is."""
     if not case.applies:
         return code_line(narrow_phase_case_1, "return -n if length(p) < radius else n")
@@ -130,7 +130,7 @@ def _cited(case: _Case, found: Contact) -> CitedLine:
     )
 
 
-def _note(case: _Case, found: Contact) -> str:
+def _note(case: _EndCase, found: Contact) -> str:
     """What is nearest, or what is degenerate."""
     if case.ball.position == 0.0:
         return "The ball is on the centre: it has no angle, and θ = 0 by convention."
@@ -177,7 +177,7 @@ SCENE = Scene(
         Number("half_angle", "φ_p", "°", 0.0, 180.0, 20.0, 0.5, "its half angle"),
     ),
     handles=(handles.point("ball", "ball", "r"), *handles.sector_handles("radius", "half_width", "angle", "half_angle")),
-    view=View(9.4 + 2.5j, 4.0 + 2.9j),
+    view_box=ViewBox(9.4 + 2.5j, 4.0 + 2.9j),
     shows=_picture,
     check=_check,
     rows=(3,),

@@ -5,8 +5,8 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import two_decimals
 from game.lab.kit.parameters import Given, Point
-from game.lab.kit.picture import Dot, Line, Mark, Picture, Stroke, Toggle, Tone, single
-from game.lab.kit.scene import Claim, Preset, Scene, View
+from game.lab.kit.picture import Line, Mark, Picture, PointMark, Role, Stroke, Toggle, single
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import closest_point_on_line, dot, length
 
 _SAMPLES = 64
@@ -19,14 +19,14 @@ def _picture(given: Given) -> Picture:
     marks: list[Mark] = []
     if foot is not None:
         far = (b - a) * (100.0 / length(b - a))
-        marks.append(Line((a - far, b + far), Tone.FAINT, None, Stroke.DASHED))
+        marks.append(Line((a - far, b + far), Role.FAINT, None, Stroke.DASHED))
         if foot != q:
-            marks.append(Line((p, foot), Tone.SOURCE, Toggle.CLOSEST, Stroke.DASHED))
-            marks.append(Dot(foot, Tone.SOURCE, Toggle.CLOSEST, "on the line"))
-    marks.append(Line((a, b), Tone.SECTOR, None, Stroke.THICK))
-    marks.append(Line((p, q), Tone.OURS, Toggle.GAP))
-    marks += [Dot(a, Tone.PLAIN, label="A"), Dot(b, Tone.PLAIN, label="B"), Dot(p, Tone.BALL, label="p")]
-    marks.append(Dot(q, Tone.OURS, Toggle.CLOSEST, "q"))
+            marks.append(Line((p, foot), Role.SOURCE, Toggle.CLOSEST, Stroke.DASHED))
+            marks.append(PointMark(foot, Role.SOURCE, Toggle.CLOSEST, "on the line"))
+    marks.append(Line((a, b), Role.SECTOR, None, Stroke.THICK))
+    marks.append(Line((p, q), Role.OURS, Toggle.GAP))
+    marks += [PointMark(a, Role.PLAIN, label="A"), PointMark(b, Role.PLAIN, label="B"), PointMark(p, Role.BALL, label="p")]
+    marks.append(PointMark(q, Role.OURS, Toggle.CLOSEST, "q"))
     along, square = dot(p - a, b - a), dot(b - a, b - a)
     formula = (
         "q = A + t (B - A),   t = (p - A) · (B - A) / |B - A|²",
@@ -52,7 +52,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
     return (
         Claim("q lies on the segment", abs(length(a - q) + length(q - b) - length(b - a)) < 1e-9),
         Claim("no point of the segment is nearer to p than q", length(p - q) <= nearest + 1e-12),
-        Claim("A and B may change places", length(q - closest_point_on_line(b, a, p)) < 1e-9),
+        Claim("A and B may change positions", length(q - closest_point_on_line(b, a, p)) < 1e-9),
         Claim("q is the foot on the line if that lies on the segment", not inside or foot is None or length(q - foot) < 1e-9),
         Claim("else q is A or B", inside or length(q - a) < 1e-9 or length(q - b) < 1e-9),
     )
@@ -76,7 +76,7 @@ SCENE = Scene(
         Point("P", "p", -10.0, 10.0, 4 + 3.5j, meaning="the ball's centre"),
     ),
     handles=(handles.point("P", "p"), handles.point("A", "A"), handles.point("B", "B")),
-    view=View(0.5 + 1j, 5.5 + 4.5j),
+    view_box=ViewBox(0.5 + 1j, 5.5 + 4.5j),
     shows=_picture,
     check=_check,
     rows=(3,),

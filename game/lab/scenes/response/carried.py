@@ -8,7 +8,7 @@ from game.lab.kit.end_bounce import NORMAL, REACH, EndBounce, EndFlight, end_bou
 from game.lab.kit.marks import two_decimals
 from game.lab.kit.parameters import Given, Number
 from game.lab.kit.picture import Picture
-from game.lab.kit.scene import Claim, Motion, Preset, Scene, View
+from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
 from physics import cross, dot, length, to_cartesian
 
 _DIRECTIONS, _RUN = 72, 30
@@ -96,7 +96,7 @@ SCENE = Scene(
         Number("mu", "μ_p", "", 0.0, 1.0, 0.0, 0.01, "friction"),
     ),
     handles=ends.handles(),
-    view=View(6.6 + 1.4j, 3.2 + 3.2j),
+    view_box=ViewBox(6.6 + 1.4j, 3.2 + 3.2j),
     shows=Motion(ends.start, ends.step, _picture, ticks=240),
     check=_check,
     rows=(5,),

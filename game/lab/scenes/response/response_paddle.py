@@ -7,8 +7,8 @@ from game.lab.kit import handles
 from game.lab.kit.bounce import Bounce, bounce, response_line
 from game.lab.kit.marks import VELOCITY_SCALE, ball_marks, contact_marks, ring_marks, second_opinion, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arrow, Mark, Picture, Stroke, Tone, single
-from game.lab.kit.scene import Claim, Preset, Scene, View
+from game.lab.kit.picture import Arrow, Mark, Picture, Role, Stroke, single
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import Ball, Contact, Ring, collision_response, contact, dot, length, to_cartesian
 
 _RADIUS, _HALF_WIDTH, _HALF_ANGLE = 9.0, 0.5, 0.35
@@ -52,19 +52,19 @@ def _picture(given: Given) -> Picture:
     p, steps = ball.position, found.steps
     marks: list[Mark] = [*ring_marks(ring), *ball_marks(p, _BALL_RADIUS), *contact_marks(ball, touch)]
     marks += [
-        _arrow(touch.point, found.surface_velocity, Tone.TWO, "v_p"),
-        _arrow(p, steps.normal_part, Tone.THREE, "Δv_n", Stroke.DASHED),
-        _arrow(p, steps.tangential_part, Tone.FOUR, "Δv_t", Stroke.DASHED),
-        _arrow(p, found.v, Tone.PLAIN, "v before"),
-        _arrow(p, steps.result, Tone.GOOD, "v after"),
+        _arrow(touch.point, found.surface_velocity, Role.TWO, "v_p"),
+        _arrow(p, steps.normal_part, Role.THREE, "Δv_n", Stroke.DASHED),
+        _arrow(p, steps.tangential_part, Role.FOUR, "Δv_t", Stroke.DASHED),
+        _arrow(p, found.v, Role.PLAIN, "v before"),
+        _arrow(p, steps.result, Role.GOOD, "v after"),
     ]
     marks += second_opinion(given, ball, ring, (0,), touch)
     return single(tuple(marks), _formula(found), response_line(found), _note(found))
 
 
-def _arrow(start: complex, velocity: complex, tone: Tone, label: str, stroke: Stroke = Stroke.THICK) -> Arrow:
+def _arrow(start: complex, velocity: complex, role: Role, label: str, stroke: Stroke = Stroke.THICK) -> Arrow:
     """A velocity."""
-    return Arrow(start, velocity * VELOCITY_SCALE, tone, None, stroke, label)
+    return Arrow(start, velocity * VELOCITY_SCALE, role, None, stroke, label)
 
 
 def _formula(found: Bounce) -> tuple[str, ...]:
@@ -136,9 +136,9 @@ SCENE = Scene(
     ),
     handles=(
         handles.polar_vector("speed", "heading", _start, VELOCITY_SCALE, "velocity"),
-        handles.Handle("ball", _start, lambda _given, place: {"ball": place}, lambda _given: _BALL_RADIUS),
+        handles.Handle("ball", _start, lambda _given, position: {"ball": position}, lambda _given: _BALL_RADIUS),
     ),
-    view=View(0.0 + 7.6j, 5.2 + 3.6j),
+    view_box=ViewBox(0.0 + 7.6j, 5.2 + 3.6j),
     shows=_picture,
     check=_check,
     rows=(4, 5, 10),

@@ -16,8 +16,8 @@ from game.lab.kit.marks import (
     two_decimals,
 )
 from game.lab.kit.parameters import Given, Number
-from game.lab.kit.picture import Arrow, Line, Mark, Picture, Stroke, Toggle, Tone, single
-from game.lab.kit.scene import Claim, Preset, Scene, View
+from game.lab.kit.picture import Arrow, Line, Mark, Picture, Role, Stroke, Toggle, single
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import Ball, Contact, Ring, collision_response, contact, cross, dot, length, to_cartesian, to_polar
 
 _RADIUS, _HALF_WIDTH, _HALF_ANGLE = 6.0, 0.6, 0.7
@@ -53,12 +53,12 @@ def _picture(given: Given) -> Picture:
     ball, ring, touch, found = _wall_bounce(given)
     p, v = ball.position, ball.velocity
     marks: list[Mark] = [*ring_marks(ring), *ball_marks(p, _BALL_RADIUS), *contact_marks(ball, touch)]
-    marks.append(Line((p - v * VELOCITY_SCALE, p), Tone.PLAIN, Toggle.SWEPT, Stroke.DASHED))
+    marks.append(Line((p - v * VELOCITY_SCALE, p), Role.PLAIN, Toggle.SWEPT, Stroke.DASHED))
     if not found.separates:
         mirrored = v + found.steps.normal_change
-        marks.append(Arrow(p, mirrored * VELOCITY_SCALE, Tone.FAINT, None, Stroke.DASHED, "mirrored"))
-    marks.append(Arrow(p, v * VELOCITY_SCALE, Tone.PLAIN, None, Stroke.THICK, "v before"))
-    marks.append(Arrow(p, found.steps.result * VELOCITY_SCALE, Tone.GOOD, None, Stroke.THICK, "v after"))
+        marks.append(Arrow(p, mirrored * VELOCITY_SCALE, Role.FAINT, None, Stroke.DASHED, "mirrored"))
+    marks.append(Arrow(p, v * VELOCITY_SCALE, Role.PLAIN, None, Stroke.THICK, "v before"))
+    marks.append(Arrow(p, found.steps.result * VELOCITY_SCALE, Role.GOOD, None, Stroke.THICK, "v after"))
     marks += second_opinion(given, ball, ring, (0,), touch)
     return single(tuple(marks), _formula(found), _cited(found), _note(found))
 
@@ -131,11 +131,11 @@ SCENE = Scene(
         handles.Handle(
             "ball",
             _start,
-            lambda _, place: {"theta": math.degrees(to_polar(place)[1])},
+            lambda _, position: {"theta": math.degrees(to_polar(position)[1])},
             lambda _: _BALL_RADIUS,
         ),
     ),
-    view=View(0.4 + 7.2j, 5.4 + 3.4j),
+    view_box=ViewBox(0.4 + 7.2j, 5.4 + 3.4j),
     shows=_picture,
     check=_check,
     presets=(

@@ -9,7 +9,7 @@ from game.lab.kit.end_bounce import NORMAL, EndBounce, EndFlight, end_bounce, le
 from game.lab.kit.marks import two_decimals
 from game.lab.kit.parameters import Given, Number
 from game.lab.kit.picture import Picture
-from game.lab.kit.scene import Claim, Motion, Preset, Scene, View
+from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
 from physics import dot, length
 
 _RUN = 30
@@ -105,7 +105,7 @@ SCENE = Scene(
         Number("mu", "μ_p", "", 0.0, 1.0, 0.5, 0.01, "friction"),
     ),
     handles=ends.handles(),
-    view=View(5.9 + 0.2j, 2.6 + 3.0j),
+    view_box=ViewBox(5.9 + 0.2j, 2.6 + 3.0j),
     shows=Motion(ends.start, ends.step, _picture, ticks=240),
     check=_check,
     rows=(4,),

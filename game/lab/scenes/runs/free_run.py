@@ -8,8 +8,8 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import VELOCITY_SCALE, ring_marks
 from game.lab.kit.parameters import Count, Given, Number, Point
-from game.lab.kit.picture import Arrow, Circle, Disc, Dot, Line, Mark, Picture, Stroke, Toggle, Tone, Words, single
-from game.lab.kit.scene import Claim, Motion, Preset, Scene, View
+from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Picture, PointMark, Role, Stroke, Toggle, Words, single
+from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
 from physics import PERMANENT, Arena, Ball, Ring, advance, contact, length, time_of_impact, to_cartesian
 
 _TICK = 1.0 / 240.0
@@ -22,7 +22,7 @@ _MOST = 4
 _RUN = 120
 
 
-class _State(NamedTuple):
+class _BothEngines(NamedTuple):
     """Our arena, the other engine's whole flight, and how far apart the two were after each bounce."""
 
     tick: int
@@ -38,9 +38,9 @@ def _ball(given: Given) -> Ball:
     return Ball(given.point("ball"), to_cartesian(given.number("speed"), given.angle("heading")), _RADIUS)
 
 
-def _start(given: Given) -> _State:
-    """Both engines at the same place; the other's flight is asked for at once."""
-    return _State(0, _start_arena(given), _flight(given, _TICKS), (given.point("ball"),), 0, ())
+def _start(given: Given) -> _BothEngines:
+    """Both engines at the same position; the other's flight is asked for at once."""
+    return _BothEngines(0, _start_arena(given), _flight(given, _TICKS), (given.point("ball"),), 0, ())
 
 
 def _start_arena(given: Given) -> Arena:
@@ -53,11 +53,11 @@ def _flight(given: Given, ticks: int) -> tuple[complex, ...]:
     if given.engine is None:
         return ()
     steps = given.count("steps")
-    places = given.engine.flight(_ball(given), _RINGS, _TICK / steps, ticks * steps, given.count("chords"))
-    return places[::steps]
+    positions = given.engine.flight(_ball(given), _RINGS, _TICK / steps, ticks * steps, given.count("chords"))
+    return positions[::steps]
 
 
-def _step(given: Given, state: _State) -> _State:
+def _step(given: Given, state: _BothEngines) -> _BothEngines:
     """A tick later."""
     step = advance(state.arena, _TICK, given.number("speed"))
     ball, tick = step.arena.balls[0], state.tick + 1
@@ -66,29 +66,29 @@ def _step(given: Given, state: _State) -> _State:
     if step.hits and state.theirs:
         apart = (*apart, length(state.theirs[tick] - ball.position))
     trail = (*state.trail, *bounced, ball.position)[-_TRAIL:]
-    return _State(tick, step.arena, state.theirs, trail, state.bounces + len(step.hits), apart)
+    return _BothEngines(tick, step.arena, state.theirs, trail, state.bounces + len(step.hits), apart)
 
 
-def _picture(given: Given, state: _State) -> Picture:
+def _picture(given: Given, state: _BothEngines) -> Picture:
     """Both balls and their ways."""
     ball = state.arena.balls[0]
     marks: list[Mark] = [*ring_marks(_RINGS[0], nearest=-1), *ring_marks(_RINGS[1])]
-    marks.append(Circle(given.point("ball"), _RADIUS, Tone.GHOST, None, Stroke.DASHED))
+    marks.append(Circle(given.point("ball"), _RADIUS, Role.GHOST, None, Stroke.DASHED))
     if state.theirs:
         there = state.theirs[state.tick]
-        marks.append(Line(state.theirs[max(0, state.tick - _TRAIL) : state.tick + 1], Tone.PYMUNK, Toggle.SWEPT, Stroke.DASHED))
-        marks += [Circle(there, _RADIUS, Tone.PYMUNK, None, Stroke.THICK)]
-    marks.append(Line(state.trail, Tone.OURS, Toggle.SWEPT))
-    marks += [Disc(ball.position, _RADIUS, Tone.BALL), Dot(ball.position, Tone.OURS)]
+        marks.append(Line(state.theirs[max(0, state.tick - _TRAIL) : state.tick + 1], Role.PYMUNK, Toggle.SWEPT, Stroke.DASHED))
+        marks += [Circle(there, _RADIUS, Role.PYMUNK, None, Stroke.THICK)]
+    marks.append(Line(state.trail, Role.OURS, Toggle.SWEPT))
+    marks += [Disc(ball.position, _RADIUS, Role.BALL), PointMark(ball.position, Role.OURS)]
     if state.theirs and length(state.theirs[state.tick] - ball.position) > 2.0 * _RADIUS:
-        marks.append(Words(state.theirs[state.tick] + 0.8j, given.engine.name if given.engine else "", Tone.PYMUNK))
-        marks.append(Words(ball.position + 0.8j, "ours", Tone.OURS))
+        marks.append(Words(state.theirs[state.tick] + 0.8j, given.engine.name if given.engine else "", Role.PYMUNK))
+        marks.append(Words(ball.position + 0.8j, "ours", Role.OURS))
     if state.tick == 0:
-        marks.append(Arrow(ball.position, ball.velocity * VELOCITY_SCALE, Tone.PLAIN, label="v"))
+        marks.append(Arrow(ball.position, ball.velocity * VELOCITY_SCALE, Role.PLAIN, label="v"))
     return single(tuple(marks), _formula(given, state), _cited(), _note(given, state))
 
 
-def _formula(given: Given, state: _State) -> tuple[str, ...]:
+def _formula(given: Given, state: _BothEngines) -> tuple[str, ...]:
     """How far they are apart, and what a step of the other engine misses."""
     if given.engine is None or not state.theirs:
         return (f"tick {state.tick},   bounces {state.bounces}", "no second engine here: ours flies alone")
@@ -110,7 +110,7 @@ def _cited() -> CitedLine:
     return code_line(time_of_impact, "impact = _first_touch(ball, ring, stretch, alive)")
 
 
-def _note(given: Given, state: _State) -> str:
+def _note(given: Given, state: _BothEngines) -> str:
     """Where and why they part."""
     if given.engine is None:
         return "There is no second engine in this lab, so there is nothing to compare with."
@@ -172,7 +172,7 @@ SCENE = Scene(
         handles.polar_vector("speed", "heading", lambda given: given.point("ball"), VELOCITY_SCALE, "velocity"),
         handles.point("ball", "ball"),
     ),
-    view=View(0j, 10.6 + 10.6j),
+    view_box=ViewBox(0j, 10.6 + 10.6j),
     shows=Motion(_start, _step, _picture, ticks=_TICKS),
     check=_check,
     rows=(6,),

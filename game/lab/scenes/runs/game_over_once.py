@@ -6,8 +6,8 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import VELOCITY_SCALE, ring_marks
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arrow, Circle, Disc, Dot, Line, Mark, Pane, Picture, Stroke, Toggle, Tone
-from game.lab.kit.scene import Claim, Motion, Preset, Scene, View
+from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, PointMark, Role, Stroke, Toggle
+from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
 from game.levels import BallSpec, Level, PaddleSpec, RingSpec
 from game.rules import LIVES, PADDLES, TICK, Controls, EventKind, Game, Phase, new_game, tick
 from physics import Ball, has_left, length, to_cartesian
@@ -18,7 +18,7 @@ _TRAIL = 240
 _RUN = 400
 
 
-class _State(NamedTuple):
+class _BothRules(NamedTuple):
     """The source's ball, our game, and what was counted."""
 
     theirs: complex
@@ -45,14 +45,14 @@ def _ball(given: Given) -> Ball:
     return Ball(given.point("ball"), to_cartesian(given.number("speed"), given.angle("heading")), given.number("r"))
 
 
-def _start(given: Given) -> _State:
+def _start(given: Given) -> _BothRules:
     """A game with its first ball in flight."""
     game, ball = new_game((_level(given),), _SEED), _ball(given)
     game = game._replace(phase=Phase.PLAYING, arena=game.arena._replace(balls=(ball,)))
-    return _State(ball.position, 0, game, 0, 0, (ball.position,))
+    return _BothRules(ball.position, 0, game, 0, 0, (ball.position,))
 
 
-def _step(given: Given, state: _State) -> _State:
+def _step(given: Given, state: _BothRules) -> _BothRules:
     """A tick later; a lost ball is followed by the next at once."""
     theirs = state.theirs + _ball(given).velocity * TICK
     before = state.game
@@ -60,7 +60,7 @@ def _step(given: Given, state: _State) -> _State:
     kinds = [event.kind for event in done.events]
     balls = done.game.arena.balls
     trail = (*state.trail, *[ball.position for ball in balls])[-_TRAIL:] if done.game.phase == Phase.PLAYING else ()
-    return _State(
+    return _BothRules(
         theirs,
         state.over + has_left(theirs, given.number("r"), _GROUND),
         done.game,
@@ -70,21 +70,23 @@ def _step(given: Given, state: _State) -> _State:
     )
 
 
-def _picture(given: Given, state: _State) -> Picture:
+def _picture(given: Given, state: _BothRules) -> Picture:
     """The source's ball flies on; ours is replaced, as long as there are lives."""
     r, ball = given.number("r"), _ball(given)
-    ground = Circle(0j, _GROUND, Tone.PLAIN, None, Stroke.THICK)
+    ground = Circle(0j, _GROUND, Role.PLAIN, None, Stroke.THICK)
     first = (
-        Circle(ball.position, r, Tone.GHOST, None, Stroke.DASHED),
-        Arrow(ball.position, ball.velocity * VELOCITY_SCALE, Tone.PLAIN, label="v"),
+        Circle(ball.position, r, Role.GHOST, None, Stroke.DASHED),
+        Arrow(ball.position, ball.velocity * VELOCITY_SCALE, Role.PLAIN, label="v"),
     )
-    theirs: list[Mark] = [ground, *first, Line((ball.position, state.theirs), Tone.SOURCE, Toggle.SWEPT, Stroke.DASHED)]
-    theirs += [Disc(state.theirs, r, Tone.BALL), Dot(state.theirs, Tone.SOURCE)]
+    theirs: list[Mark] = [ground, *first, Line((ball.position, state.theirs), Role.SOURCE, Toggle.SWEPT, Stroke.DASHED)]
+    theirs += [Disc(state.theirs, r, Role.BALL), PointMark(state.theirs, Role.SOURCE)]
     rings, layers = state.game.arena.rings, state.game.arena.layers
     ours: list[Mark] = [ground, *ring_marks(rings[PADDLES]), *ring_marks(rings[1], layers[1])]
-    ours += [*first, Line(state.trail, Tone.OURS, Toggle.SWEPT)]
+    ours += [*first, Line(state.trail, Role.OURS, Toggle.SWEPT)]
     ours += [
-        mark for one in state.game.arena.balls for mark in (Disc(one.position, r, Tone.BALL), Dot(one.position, Tone.OURS))
+        mark
+        for one in state.game.arena.balls
+        for mark in (Disc(one.position, r, Role.BALL), PointMark(one.position, Role.OURS))
     ]
     panes = (
         Pane(tuple(theirs), f"the source:   game over {state.over} times"),
@@ -93,7 +95,7 @@ def _picture(given: Given, state: _State) -> Picture:
     return Picture(panes, _formula(given, state), _cited(state), _note(state))
 
 
-def _formula(given: Given, state: _State) -> tuple[str, ...]:
+def _formula(given: Given, state: _BothRules) -> tuple[str, ...]:
     """The rule with its numbers, and the counts."""
     distance, r = length(state.theirs), given.number("r")
     left, phase = distance - r > _GROUND, state.game.phase.name.lower()
@@ -103,14 +105,14 @@ def _formula(given: Given, state: _State) -> tuple[str, ...]:
     )
 
 
-def _cited(state: _State) -> CitedLine:
+def _cited(state: _BothRules) -> CitedLine:
     """The rule."""
     if state.lost:
         return code_line(has_left, "return length(p) - ball_radius > ground_radius")
     return source_line("Broad phase", "if |p| - r > r_g then GAME OVER")
 
 
-def _note(state: _State) -> str:
+def _note(state: _BothRules) -> str:
     """What is to be seen."""
     if state.ended:
         return "The last life is gone: the game has ended, once, and nothing can be lost any more."
@@ -164,7 +166,7 @@ SCENE = Scene(
         handles.polar_vector("speed", "heading", lambda given: given.point("ball"), VELOCITY_SCALE, "velocity"),
         handles.point("ball", "ball", "r"),
     ),
-    view=View(0j, 6.8 + 6.8j),
+    view_box=ViewBox(0j, 6.8 + 6.8j),
     shows=Motion(_start, _step, _picture, ticks=480),
     check=_check,
     rows=(9,),

@@ -7,8 +7,8 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import ring_marks
 from game.lab.kit.parameters import Count, Given, Number
-from game.lab.kit.picture import Arrow, Circle, Disc, Dot, Line, Mark, Pane, Picture, Stroke, Toggle, Tone
-from game.lab.kit.scene import Claim, Motion, Preset, Scene, View
+from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, PointMark, Role, Stroke, Toggle
+from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
 from game.levels import BallSpec, Level, PaddleSpec, RingSpec
 from game.rules import TICK, Controls, EventKind, Game, Phase, new_game, tick
 from physics import Arena, Ball, advance, cross, dot, length, to_cartesian
@@ -19,7 +19,7 @@ _TRAIL = 480
 _RUN = 700
 
 
-class _State(NamedTuple):
+class _NudgedGame(NamedTuple):
     """The source's arena, our game, and what was counted."""
 
     theirs: Arena
@@ -32,7 +32,7 @@ class _State(NamedTuple):
     their_trail: tuple[complex, ...]
 
 
-def _start(given: Given) -> _State:
+def _start(given: Given) -> _NudgedGame:
     """Two paddles opposite each other, and a brick that the loop between them does not meet."""
     level = Level(
         "loop",
@@ -44,10 +44,10 @@ def _start(given: Given) -> _State:
     game = new_game((level,), given.count("seed"))
     ball = Ball(complex(given.number("x"), 0.0), to_cartesian(given.number("speed"), given.angle("heading")), _RADIUS)
     game = game._replace(phase=Phase.PLAYING, arena=game.arena._replace(balls=(ball,)))
-    return _State(game.arena, game, 0, 0, 0, 0.0, (ball.position,), (ball.position,))
+    return _NudgedGame(game.arena, game, 0, 0, 0, 0.0, (ball.position,), (ball.position,))
 
 
-def _step(given: Given, state: _State) -> _State:
+def _step(given: Given, state: _NudgedGame) -> _NudgedGame:
     """A tick later."""
     step = advance(state.theirs, TICK, given.number("speed"))
     done = tick(state.game, Controls())
@@ -55,7 +55,7 @@ def _step(given: Given, state: _State) -> _State:
     nudged = [event.kind for event in done.events].count(EventKind.NUDGED)
     turn = _angle(done.step.arena.balls[0].velocity, balls[0].velocity) if nudged and balls else state.turn
     playing = done.game.phase == Phase.PLAYING
-    return _State(
+    return _NudgedGame(
         step.arena,
         done.game,
         state.bounces + len(step.hits),
@@ -72,10 +72,10 @@ def _angle(before: complex, after: complex) -> float:
     return abs(math.atan2(cross(before, after), dot(before, after)))
 
 
-def _picture(given: Given, state: _State) -> Picture:
+def _picture(given: Given, state: _NudgedGame) -> Picture:
     """The ball without nudges at the left, the game at the right."""
-    theirs = _marks(state.theirs, state.their_trail, Tone.SOURCE)
-    ours = _marks(state.game.arena, state.trail, Tone.OURS)
+    theirs = _marks(state.theirs, state.their_trail, Role.SOURCE)
+    ours = _marks(state.game.arena, state.trail, Role.OURS)
     panes = (
         Pane(theirs, f"without a nudge:   {state.bounces} bounces"),
         Pane(ours, f"here:   nudged {state.nudges} times"),
@@ -83,18 +83,18 @@ def _picture(given: Given, state: _State) -> Picture:
     return Picture(panes, _formula(given, state), _cited(state), _note(state))
 
 
-def _marks(arena: Arena, trail: tuple[complex, ...], tone: Tone) -> tuple[Mark, ...]:
+def _marks(arena: Arena, trail: tuple[complex, ...], role: Role) -> tuple[Mark, ...]:
     """The ground, the rings, the ball and its way."""
-    marks: list[Mark] = [Circle(0j, _GROUND, Tone.FAINT), *ring_marks(arena.rings[0])]
+    marks: list[Mark] = [Circle(0j, _GROUND, Role.FAINT), *ring_marks(arena.rings[0])]
     marks += ring_marks(arena.rings[1], arena.layers[1], nearest=-1)
-    marks.append(Line(trail, tone, Toggle.SWEPT))
+    marks.append(Line(trail, role, Toggle.SWEPT))
     for ball in arena.balls:
-        marks += [Disc(ball.position, ball.radius, Tone.BALL), Dot(ball.position, tone)]
-        marks.append(Arrow(ball.position, ball.velocity * _SCALE, Tone.PLAIN, None, Stroke.SOLID))
+        marks += [Disc(ball.position, ball.radius, Role.BALL), PointMark(ball.position, role)]
+        marks.append(Arrow(ball.position, ball.velocity * _SCALE, Role.PLAIN, None, Stroke.SOLID))
     return tuple(marks)
 
 
-def _formula(given: Given, state: _State) -> tuple[str, ...]:
+def _formula(given: Given, state: _NudgedGame) -> tuple[str, ...]:
     """The count that decides, and the chance."""
     turned = f"{math.degrees(state.turn):.2f}°" if state.nudges else "not yet"
     return (
@@ -104,14 +104,14 @@ def _formula(given: Given, state: _State) -> tuple[str, ...]:
     )
 
 
-def _cited(state: _State) -> CitedLine:
+def _cited(state: _NudgedGame) -> CitedLine:
     """The count, or the source's friction, which alone changes nothing here."""
     if state.nudges:
         return code_line(tick, "return _played(game, arena)")
     return source_line("Collision response", "Δv'_t = -μ_p min{|Δv_n|, |Δv_t|} Δv_t / |Δv_t|")
 
 
-def _note(state: _State) -> str:
+def _note(state: _NudgedGame) -> str:
     """What is to be seen."""
     if state.game.phase != Phase.PLAYING:
         return "The ball has left the ground between the paddles; the loop is over in any case."
@@ -134,14 +134,14 @@ def _check(given: Given) -> tuple[Claim, ...]:
     speed = given.number("speed")
     met = any([layers not in {0, 9, -1} for ring in state.game.arena.layers for layers in ring])
     straight = given.number("x") == 0.0 and given.number("heading") in {90.0, 270.0}
-    place = state.theirs.balls[0].position
+    position = state.theirs.balls[0].position
     return (
         Claim("the first nudge comes with the twelfth contact", met or not state.nudges or state.contacts == _BEFORE),
         Claim("it turns the ball by 5° to 20°", in_range),
         Claim("and leaves its speed alone", all([abs(length(b.velocity) - speed) < 1e-9 for b in state.game.arena.balls])),
         Claim("the same seed gives the same game to the last bit", state == again),
         Claim(
-            "straight through the centre, the ball without a nudge stays on its line", not straight or abs(place.real) < 1e-9
+            "straight through the centre, the ball without a nudge stays on its line", not straight or abs(position.real) < 1e-9
         ),
     )
 
@@ -162,11 +162,11 @@ SCENE = Scene(
         handles.Handle(
             "velocity",
             lambda given: given.number("x") + to_cartesian(given.number("speed") * _SCALE, given.angle("heading")),
-            lambda given, place: {"heading": math.degrees(math.atan2(place.imag, place.real - given.number("x")))},
+            lambda given, position: {"heading": math.degrees(math.atan2(position.imag, position.real - given.number("x")))},
         ),
-        handles.Handle("ball", lambda given: complex(given.number("x"), 0.0), lambda _, place: {"x": place.real}),
+        handles.Handle("ball", lambda given: complex(given.number("x"), 0.0), lambda _, position: {"x": position.real}),
     ),
-    view=View(0j, 5.6 + 5.6j),
+    view_box=ViewBox(0j, 5.6 + 5.6j),
     shows=Motion(_start, _step, _picture, ticks=960),
     check=_check,
     rows=(10,),

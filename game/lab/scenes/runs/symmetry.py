@@ -8,8 +8,8 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import code_line
 from game.lab.kit.marks import VELOCITY_SCALE, degrees, ray, ring_marks
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, Stroke, Toggle, Tone
-from game.lab.kit.scene import Claim, Motion, Preset, Scene, View
+from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, Role, Stroke, Toggle
+from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
 from physics import PERMANENT, Arena, Ball, Hit, Ring, advance, contact, direction, dot, length, to_cartesian
 
 _TICK = 1.0 / 240.0
@@ -20,7 +20,7 @@ _RUN = 72
 _SCALE = VELOCITY_SCALE
 
 
-class _State(NamedTuple):
+class _ThreeGames(NamedTuple):
     """One game three times, and what is left of each way."""
 
     plain: Arena
@@ -30,7 +30,7 @@ class _State(NamedTuple):
     trails: tuple[tuple[complex, ...], ...]
 
 
-def _start(given: Given) -> _State:
+def _start(given: Given) -> _ThreeGames:
     """Turning paddles, a ring of bricks, a wall; then the same turned by alpha, and in a mirror along the x axis."""
     ball = Ball(given.point("ball"), to_cartesian(given.number("speed"), given.angle("heading")), _RADIUS)
     rings = (
@@ -40,7 +40,7 @@ def _start(given: Given) -> _State:
     )
     plain = Arena((ball,), rings, ((PERMANENT,) * _PADDLES, (2,) * _BRICKS, (PERMANENT,)))
     turned, mirrored = _turned(plain, given.angle("alpha")), _mirrored(plain)
-    return _State(plain, turned, mirrored, 0, tuple([(arena.balls[0].position,) for arena in (plain, turned, mirrored)]))
+    return _ThreeGames(plain, turned, mirrored, 0, tuple([(arena.balls[0].position,) for arena in (plain, turned, mirrored)]))
 
 
 def _turned(arena: Arena, alpha: float) -> Arena:
@@ -58,20 +58,20 @@ def _mirrored(arena: Arena) -> Arena:
     return Arena((Ball(ball.position.conjugate(), ball.velocity.conjugate(), ball.radius),), rings, layers)
 
 
-def _step(given: Given, state: _State) -> _State:
+def _step(given: Given, state: _ThreeGames) -> _ThreeGames:
     """A tick later, three times."""
     speed = given.number("speed")
     steps = [advance(arena, _TICK, speed) for arena in state[:3]]
     plain, turned, mirrored = [step.arena for step in steps]
     trails = [(*trail, step.arena.balls[0].position)[-_TRAIL:] for trail, step in zip(state.trails, steps, strict=True)]
-    return _State(plain, turned, mirrored, state.hits + len(steps[0].hits), tuple(trails))
+    return _ThreeGames(plain, turned, mirrored, state.hits + len(steps[0].hits), tuple(trails))
 
 
-def _picture(given: Given, state: _State) -> Picture:
+def _picture(given: Given, state: _ThreeGames) -> Picture:
     """Three games side by side."""
     alpha = given.angle("alpha")
     titles = ("a game", f"turned by {degrees(alpha)}", "in a mirror")
-    axes = (ray(0.0, 11.0), ray(alpha, 11.0), Line((-11 + 0j, 11 + 0j), Tone.FAINT, None, Stroke.DASHED))
+    axes = (ray(0.0, 11.0), ray(alpha, 11.0), Line((-11 + 0j, 11 + 0j), Role.FAINT, None, Stroke.DASHED))
     panes = [
         Pane((axis, *_marks(arena, trail)), title)
         for title, axis, arena, trail in zip(titles, axes, state[:3], state.trails, strict=True)
@@ -83,8 +83,8 @@ def _picture(given: Given, state: _State) -> Picture:
 
 def _first(given: Given) -> tuple[Mark, ...]:
     """Where the ball began, and its velocity there."""
-    place, velocity = given.point("ball"), to_cartesian(given.number("speed"), given.angle("heading"))
-    return Circle(place, _RADIUS, Tone.GHOST, None, Stroke.DASHED), Arrow(place, velocity * _SCALE, Tone.PLAIN, label="v")
+    position, velocity = given.point("ball"), to_cartesian(given.number("speed"), given.angle("heading"))
+    return Circle(position, _RADIUS, Role.GHOST, None, Stroke.DASHED), Arrow(position, velocity * _SCALE, Role.PLAIN, label="v")
 
 
 def _marks(arena: Arena, trail: tuple[complex, ...]) -> tuple[Mark, ...]:
@@ -94,19 +94,19 @@ def _marks(arena: Arena, trail: tuple[complex, ...]) -> tuple[Mark, ...]:
         *ring_marks(wall, nearest=-1),
         *ring_marks(paddles),
         *ring_marks(bricks, arena.layers[1], nearest=0),
-        Line(trail, Tone.OURS, Toggle.SWEPT),
-        Disc(arena.balls[0].position, _RADIUS, Tone.BALL),
+        Line(trail, Role.OURS, Toggle.SWEPT),
+        Disc(arena.balls[0].position, _RADIUS, Role.BALL),
     )
 
 
-def _differences(given: Given, state: _State) -> tuple[float, float]:
+def _differences(given: Given, state: _ThreeGames) -> tuple[float, float]:
     """Between the plain ball and the other two, brought back."""
     p = state.plain.balls[0].position
     back = state.turned.balls[0].position * direction(-given.angle("alpha"))
     return length(back - p), length(state.mirrored.balls[0].position.conjugate() - p)
 
 
-def _formula(given: Given, state: _State) -> tuple[str, ...]:
+def _formula(given: Given, state: _ThreeGames) -> tuple[str, ...]:
     """Both differences."""
     turned, mirrored = _differences(given, state)
     same = [state.plain.layers == state.turned.layers, state.plain.layers == _mirrored(state.mirrored).layers]
@@ -117,7 +117,7 @@ def _formula(given: Given, state: _State) -> tuple[str, ...]:
     )
 
 
-def _note(given: Given, state: _State) -> str:
+def _note(given: Given, state: _ThreeGames) -> str:
     """What is to be seen."""
     start = _start(given).plain
     if min([contact(start.balls[0], ring, slot).gap for ring in start.rings for slot in range(ring.count)]) < 0.0:
@@ -172,7 +172,7 @@ SCENE = Scene(
         handles.polar_vector("speed", "heading", lambda given: given.point("ball"), _SCALE, "velocity"),
         handles.point("ball", "ball"),
     ),
-    view=View(0j, 11.2 + 11.2j),
+    view_box=ViewBox(0j, 11.2 + 11.2j),
     shows=Motion(_start, _step, _picture, ticks=960),
     check=_check,
     presets=(

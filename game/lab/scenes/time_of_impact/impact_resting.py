@@ -8,8 +8,8 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import ball_marks, contact_marks, ring_marks, second_opinion
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arc, Arrow, Circle, Dot, Line, Mark, Picture, Stroke, Toggle, Tone, single
-from game.lab.kit.scene import Claim, Preset, Scene, View
+from game.lab.kit.picture import Arc, Arrow, Circle, Line, Mark, Picture, PointMark, Role, Stroke, Toggle, single
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import Ball, Contact, Feature, Impact, Ring, contact, cross, dot, length, time_of_impact, to_cartesian
 
 _SCALE = 0.2
@@ -26,7 +26,7 @@ class _Root(NamedTuple):
     """A time at which the ball's centre is as far from a line or a circle as a touch would have it."""
 
     time: float
-    place: complex
+    position: complex
     found: Contact  # of the ball there
 
     @property
@@ -35,7 +35,7 @@ class _Root(NamedTuple):
         return abs(self.found.gap) < 1e-7
 
 
-class _Flight(NamedTuple):
+class _FlightPast(NamedTuple):
     """The flight, its roots in the order of time, and the impact."""
 
     ball: Ball
@@ -46,15 +46,15 @@ class _Flight(NamedTuple):
     impact: Impact | None
 
 
-def _flight(given: Given) -> _Flight:
+def _flight_past(given: Given) -> _FlightPast:
     """What the values make."""
     ball = Ball(given.point("ball"), given.point("v"), given.number("r"))
     ring = Ring(given.number("radius"), given.number("half_width"), given.angle("half_angle"), 1, given.angle("angle"))
     dt = given.number("dt")
     times = sorted([time for time in _times(ball, ring) if 0.0 <= time <= dt])
-    places = [ball.moved(time) for time in times]
-    roots = tuple([_Root(time, at.position, contact(at, ring, 0)) for time, at in zip(times, places, strict=True)])
-    return _Flight(ball, ring, dt, roots, contact(ball, ring, 0), time_of_impact(ball, ring, dt))
+    positions = [ball.moved(time) for time in times]
+    roots = tuple([_Root(time, at.position, contact(at, ring, 0)) for time, at in zip(times, positions, strict=True)])
+    return _FlightPast(ball, ring, dt, roots, contact(ball, ring, 0), time_of_impact(ball, ring, dt))
 
 
 def _times(ball: Ball, ring: Ring) -> list[float]:
@@ -83,19 +83,21 @@ def _circle_times(p: complex, v: complex, radius: float) -> list[float]:
 
 def _picture(given: Given) -> Picture:
     """The path, what it crosses, the roots on it, and the ball at the first touch."""
-    flight = _flight(given)
+    flight = _flight_past(given)
     ball, ring, impact = flight.ball, flight.ring, flight.impact
     marks: list[Mark] = [*ring_marks(ring), *_grown(ball.radius, ring)]
-    marks.append(Line((ball.position, ball.moved(flight.dt).position), Tone.PLAIN, Toggle.SWEPT, Stroke.DASHED))
+    marks.append(Line((ball.position, ball.moved(flight.dt).position), Role.PLAIN, Toggle.SWEPT, Stroke.DASHED))
     for root in flight.roots:
         first = impact is not None and abs(root.time - impact.time) < 1e-9
-        tone = Tone.FAINT if not root.touches else Tone.TWO
-        marks.append(Dot(root.place, Tone.OURS if first else tone, Toggle.SWEPT, f"{root.time:.3f}" if root.touches else ""))
+        role = Role.FAINT if not root.touches else Role.TWO
+        marks.append(
+            PointMark(root.position, Role.OURS if first else role, Toggle.SWEPT, f"{root.time:.3f}" if root.touches else "")
+        )
     marks += ball_marks(ball.position, ball.radius)
-    marks.append(Arrow(ball.position, ball.velocity * _SCALE, Tone.PLAIN, label="v"))
+    marks.append(Arrow(ball.position, ball.velocity * _SCALE, Role.PLAIN, label="v"))
     if impact is not None:
         there = ball.moved(impact.time)
-        marks += [Circle(there.position, ball.radius, Tone.OURS, None, Stroke.THICK), *contact_marks(there, impact.contact)]
+        marks += [Circle(there.position, ball.radius, Role.OURS, None, Stroke.THICK), *contact_marks(there, impact.contact)]
         marks += second_opinion(given, there, ring, (0,), impact.contact)
     return single(tuple(marks), _formula(flight), _cited(flight), _note(flight))
 
@@ -104,7 +106,7 @@ def _grown(r: float, ring: Ring) -> list[Mark]:
     """The sector grown by the ball's radius: what the ball's centre, a mere point, runs into."""
     start, sweep = ring.angle(0) - ring.half_angle, 2.0 * ring.half_angle
     marks: list[Mark] = [
-        Arc(0j, radius, start, sweep, Tone.GHOST, Toggle.BANDS, Stroke.DASHED)
+        Arc(0j, radius, start, sweep, Role.GHOST, Toggle.BANDS, Stroke.DASHED)
         for radius in (ring.outer_radius + r, ring.inner_radius - r)
         if radius > 0.0
     ]
@@ -114,15 +116,15 @@ def _grown(r: float, ring: Ring) -> list[Mark]:
         angle = ring.angle(0) + side * ring.half_angle
         ends = source.end_points(ring.radius, ring.half_width, angle)
         aside = to_cartesian(r, angle + side * math.pi / 2.0)
-        marks.append(Line((ends[0] + aside, ends[1] + aside), Tone.GHOST, Toggle.BANDS, Stroke.DASHED))
+        marks.append(Line((ends[0] + aside, ends[1] + aside), Role.GHOST, Toggle.BANDS, Stroke.DASHED))
         marks += [
-            Arc(corner, r, turn, side * math.pi / 2.0, Tone.GHOST, Toggle.BANDS, Stroke.DASHED)
+            Arc(corner, r, turn, side * math.pi / 2.0, Role.GHOST, Toggle.BANDS, Stroke.DASHED)
             for corner, turn in ((ends[1], angle), (ends[0], angle + side * math.pi / 2.0))
         ]
     return marks
 
 
-def _formula(flight: _Flight) -> tuple[str, ...]:
+def _formula(flight: _FlightPast) -> tuple[str, ...]:
     """The equation of what is touched first, with its root."""
     p, v, r = flight.ball
     ring, impact = flight.ring, flight.impact
@@ -147,7 +149,7 @@ def _formula(flight: _Flight) -> tuple[str, ...]:
     )
 
 
-def _cited(flight: _Flight) -> CitedLine:
+def _cited(flight: _FlightPast) -> CitedLine:
     """Where the time comes from."""
     if flight.impact is None:
         return code_line(time_of_impact, "return None")
@@ -156,7 +158,7 @@ def _cited(flight: _Flight) -> CitedLine:
     return code_line(time_of_impact, "for stretch in stretches(ball, ring, dt):")
 
 
-def _note(flight: _Flight) -> str:
+def _note(flight: _FlightPast) -> str:
     """What is special."""
     if length(flight.ball.velocity) == 0.0:
         return "v = 0: the ball stays where it is, and a sector at rest does not come to it."
@@ -169,7 +171,7 @@ def _note(flight: _Flight) -> str:
 
 def _check(given: Given) -> tuple[Claim, ...]:
     """The first of the roots, no overlap before it, the same backwards and in a mirror."""
-    flight = _flight(given)
+    flight = _flight_past(given)
     ball, ring, impact = flight.ball, flight.ring, flight.impact
     apart = flight.now.gap > 1e-7
     speed = length(ball.velocity)
@@ -218,7 +220,7 @@ SCENE = Scene(
         handles.point("ball", "ball", "r"),
         *handles.sector_handles("radius", "half_width", "angle", "half_angle"),
     ),
-    view=View(3.6 + 1.4j, 9.4 + 6.0j),
+    view_box=ViewBox(3.6 + 1.4j, 9.4 + 6.0j),
     shows=_picture,
     check=_check,
     rows=(6,),

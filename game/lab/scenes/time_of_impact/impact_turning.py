@@ -7,8 +7,8 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import ball_marks, contact_marks, ghost_marks
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arrow, Circle, Dot, Line, Mark, Picture, Sector, Stroke, Toggle, Tone, single
-from game.lab.kit.scene import Claim, Preset, Scene, View
+from game.lab.kit.picture import AnnularSector, Arrow, Circle, Line, Mark, Picture, PointMark, Role, Stroke, Toggle, single
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import Ball, Contact, Impact, Ring, closest_point_on_line, contact, dot, length, time_of_impact, to_cartesian
 from physics.narrow_phase import end_contact
 from physics.time_of_impact import safe_step
@@ -83,20 +83,20 @@ def _picture(given: Given) -> Picture:
     """The ball and the end at every step of the search."""
     search = _search(given)
     ball, ring = search.ball, search.ring
-    marks: list[Mark] = [Sector(ring.radius, ring.half_width, ring.phase, ring.half_angle, Tone.OTHER, None, 0.5)]
-    marks.append(Line((ball.position, ball.moved(search.dt).position), Tone.FAINT, Toggle.SWEPT, Stroke.DASHED))
+    marks: list[Mark] = [AnnularSector(ring.radius, ring.half_width, ring.phase, ring.half_angle, Role.OTHER, None, 0.5)]
+    marks.append(Line((ball.position, ball.moved(search.dt).position), Role.FAINT, Toggle.SWEPT, Stroke.DASHED))
     for number, time in enumerate(search.times):
-        place = ball.moved(time).position
-        marks.append(Line(search.end(time), Tone.SECTOR, Toggle.SWEPT, Stroke.THICK if number == 0 else Stroke.SOLID))
+        position = ball.moved(time).position
+        marks.append(Line(search.end(time), Role.SECTOR, Toggle.SWEPT, Stroke.THICK if number == 0 else Stroke.SOLID))
         if number:
-            marks += ghost_marks(place, ball.radius, Toggle.SWEPT)
-            marks.append(Dot(place, Tone.PLAIN, Toggle.SWEPT, str(number) if number <= _NUMBERED else ""))
+            marks += ghost_marks(position, ball.radius, Toggle.SWEPT)
+            marks.append(PointMark(position, Role.PLAIN, Toggle.SWEPT, str(number) if number <= _NUMBERED else ""))
     marks += ball_marks(ball.position, ball.radius)
-    marks.append(Arrow(ball.position, ball.velocity * _SCALE, Tone.PLAIN, label="v"))
+    marks.append(Arrow(ball.position, ball.velocity * _SCALE, Role.PLAIN, label="v"))
     marks.append(_spin_arrow(ring))
     if search.touch is not None:
         there = ball.moved(search.touch)
-        marks.append(Circle(there.position, ball.radius, Tone.OURS, None, Stroke.THICK))
+        marks.append(Circle(there.position, ball.radius, Role.OURS, None, Stroke.THICK))
         marks += contact_marks(there, search.contact(search.touch))
     return single(tuple(marks), _formula(search), _cited(search), _note(search))
 
@@ -104,7 +104,7 @@ def _picture(given: Given) -> Picture:
 def _spin_arrow(ring: Ring) -> Arrow:
     """The velocity of the end's outer corner."""
     corner = to_cartesian(ring.outer_radius, ring.phase + ring.half_angle)
-    return Arrow(corner, ring.surface_velocity(corner) * _SCALE, Tone.ONE, label="ω × q" if ring.spin else "")
+    return Arrow(corner, ring.surface_velocity(corner) * _SCALE, Role.ONE, label="ω × q" if ring.spin else "")
 
 
 def _formula(search: _Search) -> tuple[str, ...]:
@@ -209,7 +209,7 @@ SCENE = Scene(
         handles.point("ball", "ball", "r"),
         handles.on_circle("angle", lambda given: given.number("radius"), "end"),
     ),
-    view=View(2.4 + 2.6j, 9.8 + 5.6j),
+    view_box=ViewBox(2.4 + 2.6j, 9.8 + 5.6j),
     shows=_picture,
     check=_check,
     rows=(6,),

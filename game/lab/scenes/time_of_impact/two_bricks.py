@@ -9,8 +9,8 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import ring_marks, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arrow, Circle, Disc, Dot, Line, Mark, Pane, Picture, Stroke, Toggle, Tone
-from game.lab.kit.scene import Claim, Preset, Scene, View
+from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, PointMark, Role, Stroke, Toggle
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import PERMANENT, Arena, Ball, Hit, Ring, Step, advance, contact, dot, length, time_of_impact
 
 _RADIUS, _COUNT = 8.0, 4
@@ -64,40 +64,40 @@ def _picture(given: Given) -> Picture:
 def _theirs(notch: _Notch) -> tuple[Mark, ...]:
     """The source's ball, frame by frame."""
     ball, speed = notch.ball, length(notch.ball.velocity)
-    flight, places = source.Flight(ball.position, ball.velocity), [ball.position]
+    flight, positions = source.Flight(ball.position, ball.velocity), [ball.position]
     marks: list[Mark] = list(ring_marks(notch.ring))
     for _ in range(round(notch.dt * _RATE)):
         flight = source.frame(flight, ball.radius, (notch.ring,), 1.0 / _RATE, speed)
-        places.append(flight.position)
+        positions.append(flight.position)
         normal = source.normal_at(flight.position, ball.radius, notch.ring)
         overlap = min([contact(Ball(flight.position, 0j, ball.radius), notch.ring, slot).gap for slot in range(_COUNT)]) < 0.0
         if normal is not None and overlap:
-            marks.append(Circle(flight.position, ball.radius, Tone.SOURCE, Toggle.CONTACTS))
-            marks.append(Arrow(flight.position, normal * 1.2, Tone.SOURCE, Toggle.NORMALS, Stroke.SOLID))
-    return (*marks, *_flown(ball, tuple(places)))
+            marks.append(Circle(flight.position, ball.radius, Role.SOURCE, Toggle.CONTACTS))
+            marks.append(Arrow(flight.position, normal * 1.2, Role.SOURCE, Toggle.NORMALS, Stroke.SOLID))
+    return (*marks, *_flown(ball, tuple(positions)))
 
 
 def _ours(notch: _Notch) -> tuple[Mark, ...]:
     """Our ball, bounce by bounce, the bounces numbered."""
     ball = notch.ball
     marks: list[Mark] = list(ring_marks(notch.ring))
-    places = [ball.position]
+    positions = [ball.position]
     for number, hit in enumerate(notch.hits, 1):
-        place = hit.contact.point + hit.contact.normal * ball.radius
-        places.append(place)
-        marks.append(Circle(place, ball.radius, Tone.OURS, Toggle.CONTACTS))
-        marks.append(Arrow(hit.contact.point, hit.contact.normal * 1.2, Tone.OURS, Toggle.NORMALS, Stroke.SOLID))
-        marks.append(Dot(hit.contact.point, Tone.OURS, Toggle.CONTACTS, str(number)))
-    return (*marks, *_flown(ball, (*places, notch.step.arena.balls[0].position)))
+        position = hit.contact.point + hit.contact.normal * ball.radius
+        positions.append(position)
+        marks.append(Circle(position, ball.radius, Role.OURS, Toggle.CONTACTS))
+        marks.append(Arrow(hit.contact.point, hit.contact.normal * 1.2, Role.OURS, Toggle.NORMALS, Stroke.SOLID))
+        marks.append(PointMark(hit.contact.point, Role.OURS, Toggle.CONTACTS, str(number)))
+    return (*marks, *_flown(ball, (*positions, notch.step.arena.balls[0].position)))
 
 
-def _flown(ball: Ball, places: tuple[complex, ...]) -> tuple[Mark, ...]:
+def _flown(ball: Ball, positions: tuple[complex, ...]) -> tuple[Mark, ...]:
     """A path, the ball at its beginning with its velocity, and at its end."""
     return (
-        Line(places, Tone.PLAIN, Toggle.SWEPT),
-        Disc(places[0], ball.radius, Tone.BALL),
-        Arrow(places[0], ball.velocity * _SCALE, Tone.PLAIN, label="v"),
-        Circle(places[-1], ball.radius, Tone.GHOST, Toggle.SWEPT, Stroke.DASHED),
+        Line(positions, Role.PLAIN, Toggle.SWEPT),
+        Disc(positions[0], ball.radius, Role.BALL),
+        Arrow(positions[0], ball.velocity * _SCALE, Role.PLAIN, label="v"),
+        Circle(positions[-1], ball.radius, Role.GHOST, Toggle.SWEPT, Stroke.DASHED),
     )
 
 
@@ -217,7 +217,7 @@ SCENE = Scene(
         handles.vector("v", lambda given: given.point("ball"), _SCALE, "velocity"),
         handles.point("ball", "ball", "r"),
     ),
-    view=View(10.0 + 0j, 4.6 + 4.6j),
+    view_box=ViewBox(10.0 + 0j, 4.6 + 4.6j),
     shows=_picture,
     check=_check,
     rows=(8,),
