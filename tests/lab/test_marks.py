@@ -2,6 +2,7 @@
 
 import cmath
 import math
+from itertools import combinations
 
 import numpy as np
 import pygame
@@ -30,7 +31,7 @@ from game.lab.kit.picture import (
 )
 from game.lab.kit.scene import ViewBox
 from game.lab.kit.second_engine import EngineContact
-from game.lab.window.canvas import PaneCanvas, camera_for
+from game.lab.window.canvas import PaneCanvas, camera_for, write_words
 from game.lab.window.colours import role_colour, text_colour
 from game.lab.window.marks import draw_marks
 from physics import Ball, Ring, contact
@@ -235,6 +236,16 @@ def test_nothing_is_drawn_outside_of_the_area(canvas):
     outside = pygame.mask.from_threshold(canvas.surface, canvas.theme.ground, (1, 1, 1, 255))
     outside.draw(pygame.mask.Mask(AREA.size, fill=True), AREA.topleft)
     assert outside.count() == 400 * 300
+
+
+def test_words_at_the_same_point_do_not_cover_each_other(canvas):
+    """The second of them stands beside the first; so does the third, in the corner of the pane, too."""
+    for corner in (AREA.center, AREA.topleft, AREA.bottomright):
+        boxes = []
+        for text in ("first", "second", "third"):
+            boxes.append(write_words(canvas, complex(*corner), text, (255, 255, 255), "center", boxes))
+        assert all([AREA.contains(box) for box in boxes])
+        assert all([not one.colliderect(other) for one, other in combinations(boxes, 2)])
 
 
 @pytest.mark.parametrize("scale", [1e-3, 1.0, 1e4, 1e7])

@@ -28,7 +28,7 @@ def test_the_ball_is_stopped_dead(label):
     assert end_bounce(values(stopped_dead.SCENE, "a little more")).found.overtaken
 
 
-@pytest.mark.parametrize("label", ["carried", "the other way", "a retreating end"])
+@pytest.mark.parametrize("label", ["carried", "inward along", "a retreating end"])
 def test_the_ball_is_carried(label):
     """The end would overtake the source's ball, and the two balls part at once."""
     given = values(carried.SCENE, label)
@@ -69,7 +69,7 @@ def test_the_search_for_the_turning_end_is_one_to_be_seen():
         one.label: len(impact_turning._search(preset(impact_turning.SCENE, one.line)).times) - 1
         for one in impact_turning.SCENE.presets
     }
-    assert steps["across the end's way"] >= 8
+    assert steps["across the end's path"] >= 8
     assert steps["the end at rest"] == 1
     assert steps["touching at t = 0"] == 0
 
@@ -120,7 +120,7 @@ def test_the_game_ends_once_while_the_source_ends_it_again_and_again():
     end = state_at(scene, values(scene, "out at once"), 480)
     assert (end.lost, end.ended, end.game.lives) == (3, 1, 0)
     assert end.over > 400
-    assert state_at(scene, values(scene, "kept by"), 240).lost == 0
+    assert state_at(scene, values(scene, "hit by the"), 240).lost == 0
 
 
 def test_the_nudge_comes():

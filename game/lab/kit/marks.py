@@ -15,7 +15,7 @@ _TOUCH = 1e-9
 
 def ball_marks(position: complex, radius: float, role: Role = Role.BALL) -> tuple[Mark, ...]:
     """A ball and its centre p."""
-    return Disc(position, radius, role), PointMark(position, Role.FAINT, label="p" if role is Role.BALL else "")
+    return Disc(position, radius, role), PointMark(position, Role.PLAIN, label="p" if role is Role.BALL else "")
 
 
 def ghost_marks(position: complex, radius: float, toggle: Toggle | None = None) -> tuple[Mark, ...]:

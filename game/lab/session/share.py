@@ -1,4 +1,4 @@
-"""The state of a scene as one line: case-2?ball=9.9,0.3&half_angle=25. The line of a running scene ends in its tick."""
+"""A scene as it stands, written as one line: case-2?ball=9.9,0.3&half_angle=25. For a running scene it ends with the tick."""
 
 import math
 from typing import NamedTuple
@@ -14,7 +14,7 @@ _LONGEST = 4096
 
 
 class SharedScene(NamedTuple):
-    """A scene and how it stands."""
+    """A scene with its values, at a tick."""
 
     scene: Scene
     given: Given
@@ -22,7 +22,7 @@ class SharedScene(NamedTuple):
 
 
 def share_line(shared: SharedScene) -> str:
-    """The line that opens a scene as it stands: every value, exactly."""
+    """The line that opens a scene as it stands. Every value is written exactly."""
     parts = [
         f"{parameter.name}={_printed(shared.given.values[parameter.name], parameter)}" for parameter in shared.scene.parameters
     ]
@@ -34,8 +34,8 @@ def share_line(shared: SharedScene) -> str:
 def parsed(line: str, engine: Engine | None = None) -> SharedScene:
     """The scene and the values that a line names; what it does not name has its default.
 
-    BadInputError names the part that cannot be used: an unknown scene or value, a value given twice, no number, a number out
-    of range.
+    BadInputError names the part that cannot be used: an unknown scene or value, a value given twice, something that is not a
+    number, or a number out of range.
     """
     if len(line) > _LONGEST:
         raise BadInputError(f"lab: a share line of {len(line)} characters; expected at most {_LONGEST}")
@@ -72,14 +72,14 @@ def _read(scene: Scene, rest: str, engine: Engine | None) -> tuple[Given, int]:
 
 
 def _tick(part: str, text: str, motion: Motion) -> int:
-    """The tick to go to."""
+    """The tick that a part names."""
     if not text.isdecimal() or not text.isascii() or len(text) > 9 or int(text) > motion.ticks:
         raise BadInputError(f"lab: part {part!r} of the share line: expected a whole number from 0 to {motion.ticks}")
     return int(text)
 
 
 def _value(part: str, text: str, parameter: Parameter) -> complex:
-    """One value, in its range."""
+    """The value that a part gives to a parameter, inside its range."""
     texts = text.split(",")
     if len(texts) != (2 if isinstance(parameter, Point) else 1):
         expected = "two numbers X,Y" if isinstance(parameter, Point) else "one number"
@@ -113,5 +113,5 @@ def _number(part: str, text: str) -> float:
 
 
 def _printed(value: complex, parameter: Parameter) -> str:
-    """A value as it stands in a line."""
+    """A value as a share line has it."""
     return f"{plain(value.real)},{plain(value.imag)}" if isinstance(parameter, Point) else plain(value.real)

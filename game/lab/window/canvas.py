@@ -20,6 +20,8 @@ _WIDTHS = {Stroke.SOLID: 0.1, Stroke.THICK: 0.2, Stroke.DASHED: 0.1}
 """Of lines, in units."""
 _DASH = 0.5
 """Length of a dash, in units."""
+_LETTERS = 0.95
+"""Size of words in the world, in units."""
 _LARGE = 8e3
 """Pixels: of a circle with a larger radius only the part in sight is drawn, as an arc."""
 
@@ -70,18 +72,30 @@ def arc_pixels(camera: Camera, centre: complex, radius: float, start: float, swe
     return [camera.project(centre + cmath.rect(radius, start + sweep * k / chords)) for k in range(chords + 1)]
 
 
-def write_words(canvas: PaneCanvas, pixel: complex, text: str, colour: Colour, anchor: str = "center") -> None:
+def write_words(
+    canvas: PaneCanvas, pixel: complex, text: str, colour: Colour, anchor: str = "center", taken: Sequence[pygame.Rect] = ()
+) -> pygame.Rect | None:
     """Words with a seam in the ground's colour, moved into the pane where they stand out of it; none far outside of it.
 
-    anchor: the point of the words' box that is at the pixel, as in pygame.Rect.
+    anchor: the point of the words' box that is at the pixel, as in pygame.Rect. taken: boxes of other words, which are not
+    covered if there is room beside them. Returns the words' own box.
     """
-    size = canvas.unit * 0.95
+    size = canvas.unit * _LETTERS
     if not canvas.area.inflate(4 * canvas.unit, 4 * canvas.unit).collidepoint(pixel.real, pixel.imag):
-        return
+        return None
     line = canvas.type.rendered(text, size, colour)
-    box = line.get_rect(**{anchor: rounded(pixel)}).clamp(canvas.area.inflate(-4, -4))
+    box = _free_box(line.get_rect(**{anchor: rounded(pixel)}), canvas.area.inflate(-4, -4), taken)
     seam = canvas.type.rendered(text, size, canvas.theme.ground)
     width = max(1, round(canvas.unit * 0.09))
     for dx, dy in ((-1, 0), (1, 0), (0, -1), (0, 1), (-1, -1), (1, 1), (-1, 1), (1, -1)):
         canvas.surface.blit(seam, box.move(dx * width, dy * width))
     canvas.surface.blit(line, box)
+    return box
+
+
+def _free_box(box: pygame.Rect, area: pygame.Rect, taken: Sequence[pygame.Rect]) -> pygame.Rect:
+    """The box inside the area, moved up, down or aside to where it covers no other, if there is such a position near."""
+    high, wide = box.height, box.width
+    moves = [(dx * wide, dy * high) for dx, dy in ((0, 0), (0, -1), (0, 1), (1, 0), (-1, 0), (0, -2), (0, 2), (2, 0), (-2, 0))]
+    boxes = [box.move(move).clamp(area) for move in moves]
+    return next((one for one in boxes if one.collidelist(list(taken)) == -1), boxes[0])

@@ -1,8 +1,9 @@
-"""Every kind of mark on a pane: first the marks from back to front, then the labels, so that nothing covers them."""
+"""Every kind of mark on a pane: first the marks from back to front, then the labels, so that no mark covers them."""
 
 import cmath
 import math
 from collections.abc import Sequence
+from typing import NamedTuple
 
 import numpy as np
 import pygame
@@ -39,6 +40,15 @@ _MOST_CELLS = 16384
 """Pixels: a field drawn wider or higher is left out."""
 
 
+class _Label(NamedTuple):
+    """Words beside a mark. anchor: the point of their box that is at the pixel, as in pygame.Rect."""
+
+    pixel: complex
+    text: str
+    role: Role
+    anchor: str = "center"
+
+
 def draw_marks(canvas: PaneCanvas, marks: Sequence[Mark]) -> None:
     """Every mark whose toggle is on."""
     seen = [mark for mark in marks if mark.toggle is None or mark.toggle in canvas.shown]
@@ -46,8 +56,13 @@ def draw_marks(canvas: PaneCanvas, marks: Sequence[Mark]) -> None:
     canvas.surface.set_clip(canvas.area)
     for mark in seen:
         _draw(canvas, mark)
+    taken: list[pygame.Rect] = []
     for mark in seen:
-        _label(canvas, mark)
+        label = _label(canvas, mark)
+        if label is not None:
+            colour = text_colour(canvas.theme, label.role)
+            box = write_words(canvas, label.pixel, label.text, colour, label.anchor, taken)
+            taken += [] if box is None else [box]
     canvas.surface.set_clip(before)
 
 
@@ -76,27 +91,24 @@ def _draw(canvas: PaneCanvas, mark: Mark) -> None:
             _draw_field(canvas, mark)
 
 
-def _label(canvas: PaneCanvas, mark: Mark) -> None:
-    """The words of a mark, beside it."""
+def _label(canvas: PaneCanvas, mark: Mark) -> _Label | None:
+    """The words of a mark, beside it; None for a mark without words."""
     project, unit = canvas.camera.project, canvas.unit
     match mark:
         case PointMark(position, label=text) if text:
-            _write(canvas, project(position) + complex(0.8, -0.8) * unit, text, mark.role)
+            return _Label(project(position) + complex(0.8, -0.8) * unit, text, mark.role)
         case Arrow(start, vector, label=text) if text and vector:
             on_screen = vector.conjugate() / abs(vector)
-            _write(canvas, project(start + vector) + on_screen * unit * 0.8, text, mark.role, _anchor(on_screen))
+            return _Label(project(start + vector) + on_screen * unit * 0.8, text, mark.role, _anchor(on_screen))
         case Line(points, label=text) if text:
-            _write(canvas, (project(points[0]) + project(points[-1])) / 2.0 - 0.9j * unit, text, mark.role)
+            return _Label((project(points[0]) + project(points[-1])) / 2.0 - 0.9j * unit, text, mark.role)
         case Arc(centre, radius, start, sweep, label=text) if text and abs(sweep) * radius * canvas.camera.scale > unit:
             middle = start + sweep / 2.0
-            _write(canvas, project(centre + cmath.rect(radius, middle)) + cmath.rect(1.26 * unit, -middle), text, mark.role)
-        case Words(position, text):
-            _write(canvas, project(position), text, mark.role)
-
-
-def _write(canvas: PaneCanvas, pixel: complex, text: str, role: Role, anchor: str = "center") -> None:
-    """Words in the colour of a role."""
-    write_words(canvas, pixel, text, text_colour(canvas.theme, role), anchor)
+            pixel = project(centre + cmath.rect(radius, middle)) + cmath.rect(1.26 * unit, -middle)
+            return _Label(pixel, text, mark.role)
+        case Words(position, text) if text:
+            return _Label(project(position), text, mark.role)
+    return None
 
 
 def _anchor(direction: complex) -> str:

@@ -19,7 +19,7 @@ def _angles(given: Given) -> tuple[float, float]:
 
 
 def _picture(given: Given) -> Picture:
-    """Two directions, the shorter way between them, and what a plain subtraction says."""
+    """Two directions, the smaller angle between them, and the plain difference a - b."""
     a, b = _angles(given)
     shorter = signed_difference(a, b)
     marks: list[Mark] = [
@@ -30,7 +30,7 @@ def _picture(given: Given) -> Picture:
         ray(b, _RADIUS, Role.TWO),
         PointMark(to_cartesian(_RADIUS, a), Role.PLAIN, label="a"),
         PointMark(to_cartesian(_RADIUS, b), Role.TWO, label="b"),
-        angle_arc(2.2, b, shorter, Role.OURS, "shorter way"),
+        angle_arc(2.2, b, shorter, Role.OURS, "smaller angle"),
     ]
     if abs(a - b) > math.pi:
         marks.append(angle_arc(1.2, b, a - b, Role.SOURCE, "a - b"))
@@ -53,7 +53,7 @@ def _side(shorter: float) -> str:
 
 
 def _cited(a: float, b: float) -> CitedLine:
-    """The line that finds the shorter way."""
+    """The line that returns the smaller angle."""
     if -math.pi < a - b <= math.pi:
         return code_line(signed_difference, "if -math.pi < difference <= math.pi:")
     return code_line(signed_difference, "return difference - math.tau if difference > math.pi else difference")
@@ -64,9 +64,9 @@ def _note(a: float, b: float) -> str:
     if a == b:
         return "The same direction: neither is on the left of the other."
     if abs(abs(a - b) - math.pi) < 1e-12:
-        return "Opposite directions: both ways are half a turn, and neither is on the left of the other."
+        return "Opposite directions: both angles are half a turn, and neither is on the left of the other."
     if abs(a - b) > math.pi:
-        return "The shorter way passes the polar axis. A plain subtraction goes the long way round."
+        return "The smaller angle lies across the polar axis. The plain difference a - b is the larger angle."
     return ""
 
 
@@ -80,10 +80,12 @@ def _check(given: Given) -> tuple[Claim, ...]:
     return (
         Claim("the difference is in [0, π]", 0.0 <= difference <= math.pi),
         Claim("it is the same from b to a", abs(min_difference(b, a) - difference) < 1e-12),
-        Claim("from b by the signed difference one comes to a", abs(there) < 1e-12),
-        Claim("it does not depend on where zero is", all([_same(x, y, difference) for x, y in zip(*turns, strict=True)])),
+        Claim("b turned by the signed difference is a", abs(there) < 1e-12),
+        Claim(
+            "it does not depend on where the polar axis is", all([_same(x, y, difference) for x, y in zip(*turns, strict=True)])
+        ),
         Claim("exactly one of two is on the left of the other", not inside or on_left(a, b) != on_left(b, a)),
-        Claim("the angle between the directions is this", abs(_between(a, b) - difference) < 1e-7),
+        Claim("it is the angle between the two unit vectors", abs(_between(a, b) - difference) < 1e-7),
     )
 
 
@@ -101,11 +103,11 @@ def _between(a: float, b: float) -> float:
 SCENE = Scene(
     name="angle-difference",
     title="The difference of two angles, across the polar axis",
-    idea="Between two directions there are two ways round; the shorter one counts, also where it passes the polar axis.",
+    idea="Two directions enclose two angles. The smaller one counts, also where it lies across the polar axis.",
     functions=("min_difference", "on_left", "normalize_angle"),
     parameters=(
-        Number("a", "a", "°", 0.0, 360.0, 25.0, 0.5, "the ball's angle, say"),
-        Number("b", "b", "°", 0.0, 360.0, 340.0, 0.5, "a paddle's"),
+        Number("a", "a", "°", 0.0, 360.0, 25.0, 0.5, "such as the ball's angle"),
+        Number("b", "b", "°", 0.0, 360.0, 340.0, 0.5, "such as a paddle's angle"),
     ),
     handles=(
         handles.on_circle("a", lambda _: _RADIUS, "a"),
@@ -117,7 +119,7 @@ SCENE = Scene(
     rows=(1,),
     presets=(
         Preset("across the polar axis", "a=25&b=340"),
-        Preset("across it the other way", "a=340&b=25"),
+        Preset("across it, clockwise", "a=340&b=25"),
         Preset("not across it", "a=100&b=40"),
         Preset("opposite", "a=200&b=20"),
         Preset("the same", "a=30&b=30"),

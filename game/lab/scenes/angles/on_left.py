@@ -24,17 +24,17 @@ _RADIUS, _HALF_WIDTH = 6.0, 1.0
 
 
 class _ChosenEnd(NamedTuple):
-    """What one rule makes of the ball."""
+    """The end that one rule chooses: its sign, its corners A and B, the closest point q, and the normal, if they touch."""
 
     sign: int
     a: complex
     b: complex
-    q: complex  # of the end it looks at, the point nearest to the ball
+    q: complex
     normal: complex | None
 
 
 class _BothRulesForEnd(NamedTuple):
-    """The ball, the sector, and both rules."""
+    """The ball, the sector, and the ends that both rules choose. Angles are radians."""
 
     p: complex
     r: float
@@ -51,7 +51,7 @@ class _BothRulesForEnd(NamedTuple):
 
 
 def _both(given: Given) -> _BothRulesForEnd:
-    """Both rules at the same ball."""
+    """The ends that both rules choose for the same ball."""
     r, theta, angle = given.number("r"), normalize_angle(given.angle("theta")), normalize_angle(given.angle("angle"))
     half_angle = given.angle("half_angle")
     p = to_cartesian(_RADIUS, theta)
@@ -61,7 +61,7 @@ def _both(given: Given) -> _BothRulesForEnd:
 
 
 def _chosen_end(p: complex, r: float, angle: float, half_angle: float, sign: int) -> _ChosenEnd:
-    """The normal of the end on one side."""
+    """The end on one side. sign: 1 the counter-clockwise one."""
     a, b = source.end_points(_RADIUS, _HALF_WIDTH, angle + sign * half_angle)
     return _ChosenEnd(sign, a, b, closest_point_on_line(a, b, p), source.end_normal(p, r, a, b))
 
@@ -84,7 +84,7 @@ def _picture(given: Given) -> Picture:
 
 
 def _marks(both: _BothRulesForEnd, end: _ChosenEnd, role: Role) -> tuple[Mark, ...]:
-    """The ball, the sector, and the end that a rule looks at."""
+    """The ball, the sector, and the end that a rule chooses."""
     marks: list[Mark] = [
         AnnularSector(_RADIUS, _HALF_WIDTH, both.angle, both.half_angle, Role.SECTOR),
         ray(both.angle, 8.0, Role.FAINT, "θ_p"),
@@ -99,28 +99,28 @@ def _marks(both: _BothRulesForEnd, end: _ChosenEnd, role: Role) -> tuple[Mark, .
 
 
 def _cited(both: _BothRulesForEnd) -> CitedLine:
-    """The line that picks the end."""
+    """The line that chooses the end."""
     if both.theirs.sign != both.ours.sign:
         return source_line("Narrow phase, case 2", "sign = 1 if on_left(θ, θ_p + φ_p) else -1")
     return code_line(narrow_phase_case_2, "sign = 1.0 if on_left(theta, angle) else -1.0")
 
 
 def _note(both: _BothRulesForEnd) -> str:
-    """Who errs, and why."""
+    """Which rule is wrong, and why."""
     if not both.applies:
         return "θ lies within the sector: this is case 1, and neither rule is asked."
     if both.theirs.sign == both.ours.sign:
-        return "Both rules pick the same end."
+        return "Both rules choose the same end."
     if abs(min_difference(both.theta, both.angle) - math.pi) < 1e-9:
         return "The ball is exactly opposite: both ends are equally near."
     return (
-        "From θ_p + φ_p to θ it is less than half a turn, though the other end is nearer: offset + φ_p > π. "
-        "The source looks at the wrong end."
+        "offset + φ_p > π: θ is on the left of the end at θ_p + φ_p, yet the other end is nearer. "
+        "The source chooses the wrong end."
     )
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
-    """Exactly when the source errs."""
+    """Exactly where the source chooses the wrong end."""
     both = _both(given)
     offset = min_difference(both.theta, both.angle)
     ours, theirs = length(both.p - both.ours.q), length(both.p - both.theirs.q)
@@ -132,18 +132,18 @@ def _check(given: Given) -> tuple[Claim, ...]:
     return (
         Claim("our end is the nearer one", not both.applies or ours <= theirs + 1e-9),
         Claim(
-            "the source picks the other end exactly when offset + φ_p > π and the ball is clockwise of θ_p",
+            "the source chooses the other end exactly when offset + φ_p > π and the ball is clockwise of θ_p",
             not clear or (both.theirs.sign != both.ours.sign) == (wide and both.ours.sign < 0),
         ),
-        Claim("narrow_phase_case_2 looks at our end", (normal is not None) == (both.applies and ours < both.r)),
-        Claim("two narrow sectors are treated alike", not both.applies or wide or not clear or theirs == ours),
+        Claim("narrow_phase_case_2 chooses our end", (normal is not None) == (both.applies and ours < both.r)),
+        Claim("for a narrow sector both rules agree", not both.applies or wide or not clear or theirs == ours),
     )
 
 
 SCENE = Scene(
     name="on-left",
     title="Which end? on_left and the wide sector",
-    idea="Measured from a wide sector's own end, a ball on the other side is still on the left: the sector's middle decides.",
+    idea="Seen from an end of a wide sector, a ball beyond the other end is still on the left. The sector's middle decides.",
     functions=("on_left", "narrow_phase_case_2"),
     parameters=(
         Number("theta", "θ", "°", 0.0, 360.0, 200.0, 0.5, "the ball's angle"),

@@ -1,4 +1,4 @@
-"""The broad phase: what the ball's distance from the centre says."""
+"""The broad phase: the outcome that follows from the ball's distance from the centre alone."""
 
 from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line
@@ -43,7 +43,7 @@ def _outcome(given: Given) -> Outcome:
 
 
 def _picture(given: Given) -> Picture:
-    """Where a centre may be for each outcome, and the ball's reach from the centre."""
+    """For each outcome the distances of the ball's centre that lead to it, and the distances that the ball covers."""
     p, r, r_g = given.point("ball"), given.number("r"), given.number("r_g")
     paddles, bricks = _rings(given)
     distance, theta = to_polar(p)
@@ -63,8 +63,8 @@ def _picture(given: Given) -> Picture:
         *ball_marks(p, r),
         Line((to_cartesian(max(distance - r, 0.0), theta), to_cartesian(distance + r, theta)), role, None, Stroke.THICK),
         Words(to_cartesian(r_g, 2.0) + 0.6j, "ground: r_g", Role.PLAIN),
-        Words(to_cartesian(paddles.radius, 2.5), "paddles", Role.PLAIN, Toggle.BANDS),
-        Words(to_cartesian(bricks.radius, 2.5), "bricks", Role.PLAIN, Toggle.BANDS),
+        Words(to_cartesian(paddles.radius, 2.5), "band of the paddles", Role.PLAIN, Toggle.BANDS),
+        Words(to_cartesian(bricks.radius, 2.5), "band of the bricks", Role.PLAIN, Toggle.BANDS),
     ]
     return single(tuple(marks), _formula(given), _cited(outcome), _note(outcome, distance))
 
@@ -96,19 +96,19 @@ def _cited(outcome: Outcome) -> CitedLine:
 
 
 def _note(outcome: Outcome, distance: float) -> str:
-    """What follows."""
+    """What the bands mean, and what follows."""
     if distance == 0.0:
-        return "The ball is on the centre: it has no angle, but the broad phase asks only for its distance."
+        return "The ball is on the centre: it has no angle there, but the broad phase asks only for its distance."
     if outcome is Outcome.GAME_OVER:
         return "The source's game is over. Here the ball costs one life, once, and the game ends with the last."
     if outcome is Outcome.NO_COLLISION:
-        return "Nothing of either ring is as far from the centre as any part of the ball."
+        return "The ball's centre is in no coloured band. A band is a ring, dashed, grown by r on both sides."
     ring = "paddles" if outcome is Outcome.PADDLES else "bricks"
-    return f"The ball reaches into the band of the {ring}. Which of its sectors is nearest is the next question."
+    return f"p is in the band of the {ring}: the ring, dashed, grown by r on both sides. Next: which of its sectors is nearest?"
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
-    """By the distances themselves, and by what the narrow phase would find."""
+    """The outcome is what the narrow phase finds for closed rings, and does not depend on the ball's angle."""
     p, r, r_g = given.point("ball"), given.number("r"), given.number("r_g")
     paddles, bricks = _rings(given)
     outcome, distance = _outcome(given), length(p)
@@ -134,7 +134,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
 
 
 def _on_axis(name: str, label: str, turn: float) -> Handle:
-    """A radius, taken hold of on a bearing."""
+    """A radius, dragged along a bearing."""
     return Handle(
         label, lambda given: to_cartesian(given.number(name), turn), lambda _given, position: {name: length(position)}
     )
@@ -143,10 +143,10 @@ def _on_axis(name: str, label: str, turn: float) -> Handle:
 SCENE = Scene(
     name="broad-phase",
     title="Broad phase: four outcomes",
-    idea="The distance from the centre alone says which ring a ball can touch at all: most balls touch none.",
+    idea="The distance from the centre alone says which ring a ball can touch; most of the time it can touch none.",
     functions=("broad_phase",),
     parameters=(
-        Point("ball", "p", -20.0, 20.0, 6 + 5j, meaning="the ball's centre"),
+        Point("ball", "p", -20.0, 20.0, 4 + 8.2j, meaning="the ball's centre"),
         Number("r", "r", "", 0.1, 3.0, 0.8, 0.05, "the ball's radius"),
         Number("r_g", "r_g", "", 5.0, 15.0, 12.0, 0.1, "the ground's radius"),
         Number("r_p", "r_p", "", 2.1, 14.0, 10.0, 0.1, "the paddles' middle radius"),

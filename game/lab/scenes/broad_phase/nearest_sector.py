@@ -1,4 +1,4 @@
-"""Which of many sectors is nearest: the source's search, and arithmetic."""
+"""Which of many sectors is nearest: the source's search beside the arithmetic for evenly spaced slots."""
 
 import math
 
@@ -38,7 +38,7 @@ def _ball(given: Given) -> Ball:
 
 
 def _picture(given: Given) -> Picture:
-    """The sectors, the nearest one bright, and the borders between their neighbourhoods."""
+    """The sectors, the nearest one bright, and the bearings halfway between neighbours."""
     ring, ball = _ring(given), _ball(given)
     theta = angle_of(ball.position)
     slot = nearest_slot(ring, theta)
@@ -52,7 +52,7 @@ def _picture(given: Given) -> Picture:
     difference = min_difference(theta, ring.angle(slot))
     pitch, face = math.tau / ring.count, difference <= ring.half_angle
     formula = (
-        f"the source looks at all {ring.count}:   the least min_difference(θ, θ_p) is {degrees(difference)}, of sector {slot}",
+        f"the source searches all {ring.count}:   the least min_difference(θ, θ_p) is {degrees(difference)}, of sector {slot}",
         f"here:   round((θ - θ_0) / (2π / n)) mod n = round({_turned(theta, ring) / pitch:.2f}) mod {ring.count} = {slot}",
         f"min_difference {'≤' if face else '>'} φ_p = {degrees(ring.half_angle)}:   case {1 if face else 2}",
         f"gap = {found.gap:.3f}",
@@ -61,7 +61,7 @@ def _picture(given: Given) -> Picture:
 
 
 def _borders(ring: Ring) -> list[Mark]:
-    """Where one sector's neighbourhood ends and the next one's begins."""
+    """The bearings at which two neighbours are equally near."""
     angles = [ring.angle(k) + math.pi / ring.count for k in range(ring.count)] if ring.count > 1 else []
     return [Line((to_cartesian(5.0, angle), to_cartesian(14.0, angle)), Role.FAINT, None, Stroke.DASHED) for angle in angles]
 
@@ -73,7 +73,7 @@ def _turned(theta: float, ring: Ring) -> float:
 
 
 def _cited() -> CitedLine:
-    """The arithmetic."""
+    """The arithmetic that replaces the search."""
     return code_line(nearest_slot, "return round(signed_difference(angle, ring.phase) / pitch) % ring.count")
 
 
@@ -112,7 +112,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
             "at an end, broad_phase has a normal exactly where they touch",
             not asked or _has(normal) == (gaps[slot] < 0.0),
         ),
-        Claim("over a face, it always has one", ends or normal is not None),
+        Claim("over a face, broad_phase always has a normal", ends or normal is not None),
     )
 
 
@@ -122,7 +122,7 @@ def _has(normal: complex | None) -> bool:
 
 
 def _inside(ring: Ring, ball: Ball) -> bool:
-    """Whether the ball's centre is in the band, where the way out of a sector may lead past another's end."""
+    """Whether the ball's centre is between the two radii, where the sector nearest in angle need not be the nearest."""
     return ring.inner_radius < length(ball.position) < ring.outer_radius
 
 

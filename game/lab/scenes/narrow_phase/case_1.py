@@ -50,7 +50,7 @@ class _FaceCase(NamedTuple):
 
 
 def _case(given: Given) -> _FaceCase:
-    """What the values make."""
+    """The ball and the sector that the values make."""
     ball = Ball(given.point("ball"), 0j, given.number("r"))
     ring = Ring(given.number("radius"), given.number("half_width"), given.angle("half_angle"), 1, given.angle("angle"))
     normal = narrow_phase_case_1(ball.position, ring.radius)
@@ -87,7 +87,7 @@ def _formula(case: _FaceCase) -> tuple[str, ...]:
 
 
 def _cited(case: _FaceCase) -> CitedLine:
-    """The sign; inside of the material, the comparison of the ways out."""
+    """The line that gives the sign; inside the material, the line that compares the depths."""
     if case.inside:
         return code_line(sector_contact, "if half_angle < math.pi and inner < distance < outer:")
     if case.applies:
@@ -96,15 +96,15 @@ def _cited(case: _FaceCase) -> CitedLine:
 
 
 def _note(case: _FaceCase) -> str:
-    """What is special."""
+    """What is special about these values."""
     if case.ball.position == 0.0:
         return "The ball is on the centre: p / |p| is 0 / 0. By convention its angle is 0 and its normal points inwards."
     if not case.applies:
         return ""
     if case.inside and case.found.feature is Feature.END:
-        return "The centre is inside the material, and an end is the shortest way out: the face's normal would push it through."
+        return "The centre is inside the material, and an end is nearest: the face's normal would push it through the sector."
     if case.inside:
-        return "The centre is inside the material: it leaves by the shortest way, a face. The sweep never lets it get there."
+        return "The centre is inside the material: it leaves through the nearest side, a face. In the game no ball gets there."
     return (
         "Inside of r_p: the inner face, the normal points to the centre."
         if length(case.ball.position) < case.ring.radius
@@ -144,7 +144,7 @@ def _distance_to_outline(ring: Ring, p: complex) -> float:
 SCENE = Scene(
     name="case-1",
     title="Narrow phase, case 1: a face",
-    idea="Within the sector's angle a face is nearest, so the normal is radial; the middle radius says which way it points.",
+    idea="Within the sector's angle a face is nearest, so the normal is radial; the middle radius decides its sign.",
     functions=("narrow_phase_case_1",),
     parameters=(
         Point("ball", "p", -15.0, 15.0, 7.6 + 1.6j, meaning="the ball's centre"),

@@ -28,15 +28,18 @@ from physics.narrow_phase import end_contact
 
 _SAMPLES = 64
 _WORDS = {
-    Feature.END: "the end itself: the normal is square to it",
-    Feature.CORNER: "a corner, the clamped foot: the normal points from it to p",
+    Feature.END: "the end itself: the normal is perpendicular to it",
+    Feature.CORNER: "a corner, to which the foot is clamped: the normal points from it to p",
     Feature.OUTER_FACE: "the outer face",
     Feature.INNER_FACE: "the inner face",
 }
 
 
 class _EndCase(NamedTuple):
-    """The numbers of the source's call, and the end it looks at."""
+    """The arguments of narrow_phase_case_2, and the end that it chooses.
+
+    sign: 1 the counter-clockwise end, -1 the clockwise one. a, b: the end's inner and outer corner.
+    """
 
     ball: Ball
     theta: float
@@ -44,7 +47,7 @@ class _EndCase(NamedTuple):
     angle: float
     half_width: float
     half_angle: float
-    sign: int  # 1 the counter-clockwise end, -1 the clockwise one
+    sign: int
     a: complex
     b: complex
 
@@ -135,7 +138,7 @@ def _note(case: _EndCase, found: Contact) -> str:
     if case.ball.position == 0.0:
         return "The ball is on the centre: it has no angle, and θ = 0 by convention."
     if case.half_angle == 0.0:
-        return "φ_p = 0: the sector is a mere segment. The game refuses such a ring; case 2 answers all the same."
+        return "φ_p = 0: the sector is only a segment. A ring of the game cannot have it; case 2 answers all the same."
     if not case.applies and case.half_angle >= 3.1415926:
         return "φ_p = 180°: the ring is closed. It has no ends, so every ball is case 1."
     if length(case.ball.position - found.point) == 0.0:
@@ -144,7 +147,7 @@ def _note(case: _EndCase, found: Contact) -> str:
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
-    """The end by brute force, the normal by its definition."""
+    """The closest point against many points of the end, the normal against its definition."""
     case = _case(given)
     p, r = case.ball.position, case.ball.radius
     q = closest_point_on_line(case.a, case.b, p)
@@ -158,7 +161,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
         Claim("the other end is no nearer", not case.applies or distance <= length(p - other) + 1e-9),
         Claim("there is a normal exactly where |p - q| < r", (normal is not None) == (case.applies and distance < r)),
         Claim("the normal has length 1", normal is None or is_unit(normal)),
-        Claim("and points from q to p", normal is None or abs(dot(normal, p - q) - distance) < 1e-9),
+        Claim("the normal points from q to p", normal is None or abs(dot(normal, p - q) - distance) < 1e-9),
         Claim("contact() agrees on the gap", gap is None or abs(gap - (distance - r)) < 1e-9),
     )
 

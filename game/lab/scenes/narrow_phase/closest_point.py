@@ -13,7 +13,7 @@ _SAMPLES = 64
 
 
 def _picture(given: Given) -> Picture:
-    """The segment, the endless line, and the two answers."""
+    """The segment, the endless line through A and B, and the closest point of each."""
     a, b, p = given.point("A"), given.point("B"), given.point("P")
     q, foot = closest_point_on_line(a, b, p), source.foot_on_line(a, b, p)
     marks: list[Mark] = []
@@ -30,20 +30,20 @@ def _picture(given: Given) -> Picture:
     along, square = dot(p - a, b - a), dot(b - a, b - a)
     formula = (
         "q = A + t (B - A),   t = (p - A) · (B - A) / |B - A|²",
-        f"t = {along:.2f} / {square:.2f}" + (f" = {along / square:.3f}" if square else ", which is no number"),
+        f"t = {along:.2f} / {square:.2f}" + (f" = {along / square:.3f}" if square else ", which is undefined"),
         f"q = {two_decimals(q)},   |p - q| = {length(p - q):.3f}",
     )
     if foot is None:
         note = "A = B: there is no line, and the source's formula divides by zero. The segment is a point, and q is that point."
     elif foot != q:
-        note = f"The foot on the endless line is {two_decimals(foot)}: no point of the segment. q is clamped to the end."
+        note = f"The foot on the endless line, {two_decimals(foot)}, is not on the segment: q is clamped to the end."
     else:
         note = ""
     return single(tuple(marks), formula, _cited(along, square), note)
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
-    """By the definition of a closest point, and by symmetry."""
+    """q is closest by definition, and does not depend on the order of A and B."""
     a, b, p = given.point("A"), given.point("B"), given.point("P")
     q = closest_point_on_line(a, b, p)
     nearest = min([length(p - (a + (b - a) * (k / _SAMPLES))) for k in range(_SAMPLES + 1)])
@@ -52,9 +52,9 @@ def _check(given: Given) -> tuple[Claim, ...]:
     return (
         Claim("q lies on the segment", abs(length(a - q) + length(q - b) - length(b - a)) < 1e-9),
         Claim("no point of the segment is nearer to p than q", length(p - q) <= nearest + 1e-12),
-        Claim("A and B may change positions", length(q - closest_point_on_line(b, a, p)) < 1e-9),
+        Claim("exchanging A and B changes nothing", length(q - closest_point_on_line(b, a, p)) < 1e-9),
         Claim("q is the foot on the line if that lies on the segment", not inside or foot is None or length(q - foot) < 1e-9),
-        Claim("else q is A or B", inside or length(q - a) < 1e-9 or length(q - b) < 1e-9),
+        Claim("if the foot is not on the segment, q is A or B", inside or length(q - a) < 1e-9 or length(q - b) < 1e-9),
     )
 
 

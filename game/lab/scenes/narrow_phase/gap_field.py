@@ -1,4 +1,4 @@
-"""The gap between a ball and a sector, and the normal, wherever the ball may be."""
+"""The gap between a ball and a sector, and the normal, at every position of the ball."""
 
 import math
 from typing import NamedTuple
@@ -16,7 +16,7 @@ from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import Ball, Contact, Feature, Ring, contact, length, to_cartesian
 from physics.narrow_phase import end_contact, face_contact
 
-_VIEW = ViewBox(1.5 + 1.6j, 10.2 + 6.2j)
+_BOX = ViewBox(1.5 + 1.6j, 10.2 + 6.2j)
 _HALF = 15 + 8j
 """Half of what the field covers, around the view's centre."""
 _CELLS = (150, 80)
@@ -42,21 +42,21 @@ class _BallAndSector(NamedTuple):
 
 
 def _ball_and_sector(given: Given) -> _BallAndSector:
-    """What the values make."""
+    """The ball and the sector that the values make."""
     ring = Ring(given.number("radius"), given.number("half_width"), given.angle("half_angle"), 1, given.angle("angle"))
     ball = Ball(given.point("ball"), 0j, given.number("r"))
     return _BallAndSector(ball, ring, contact(ball, ring, 0))
 
 
 def _picture(given: Given) -> Picture:
-    """Bands of equal gap, a normal here and there, the borders between what is nearest, and the ball."""
+    """Bands of equal gap, normals on a coarse grid, the borders between faces, ends and corners, and the ball."""
     ball, ring, found = _ball_and_sector(given)
     columns, rows = _CELLS
-    x = np.linspace(-_HALF.real, _HALF.real, columns) + _VIEW.centre.real
-    y = np.linspace(-_HALF.imag, _HALF.imag, rows) + _VIEW.centre.imag
+    x = np.linspace(-_HALF.real, _HALF.real, columns) + _BOX.centre.real
+    y = np.linspace(-_HALF.imag, _HALF.imag, rows) + _BOX.centre.imag
     gaps = _gaps(x[:, None], y[None, :], ring) - ball.radius
     bands = gaps * np.where(np.floor(gaps / _BAND) % 2.0 == 0.0, 1.0, 0.7)
-    marks: list[Mark] = [Field(_VIEW.centre - _HALF, _VIEW.centre + _HALF, bands, _SPAN, Toggle.BANDS)]
+    marks: list[Mark] = [Field(_BOX.centre - _HALF, _BOX.centre + _HALF, bands, _SPAN, Toggle.BANDS)]
     marks += [*_sides(ring), *[Line(points, Role.PLAIN, None, Stroke.DASHED) for points in _borders(ring)]]
     marks += [*_normals(ball.radius, ring), *_legend(ring)]
     marks += [*ball_marks(ball.position, ball.radius), *contact_marks(ball, found)]
@@ -73,7 +73,7 @@ def _picture(given: Given) -> Picture:
 
 
 def _gaps(x: NDArray[np.float64], y: NDArray[np.float64], ring: Ring) -> NDArray[np.float64]:
-    """Distances of positions from a sector, below 0 inside, by its definition and not by the code that the scene shows."""
+    """Distances of points from a sector, below 0 inside, computed independently of the code that the scene shows."""
     turn = to_cartesian(1.0, -ring.phase)
     x, y = turn.real * x - turn.imag * y, np.abs(turn.real * y + turn.imag * x)
     face = np.abs(np.hypot(x, y) - ring.radius) - ring.half_width
@@ -86,7 +86,7 @@ def _gaps(x: NDArray[np.float64], y: NDArray[np.float64], ring: Ring) -> NDArray
 
 
 def _sides(ring: Ring) -> list[Mark]:
-    """The sector's outline: what is inside of it has a colour, too."""
+    """The sector's outline only, since the field colours its inside."""
     start, sweep = ring.phase - ring.half_angle, 2.0 * ring.half_angle
     marks: list[Mark] = [
         Arc(0j, radius, start, sweep, Role.SECTOR, None, Stroke.THICK) for radius in (ring.inner_radius, ring.outer_radius)
@@ -136,14 +136,14 @@ def _borders(ring: Ring) -> list[tuple[complex, ...]]:
 
 
 def _normals(ball_radius: float, ring: Ring) -> list[Mark]:
-    """A normal at every position of a coarse grid, in the colour of what is nearest there."""
+    """A normal at every point of a coarse grid, in the colour of the feature that is nearest there."""
     across, up = round(_HALF.real / _SPACING), round(_HALF.imag / _SPACING)
-    positions = [_VIEW.centre + complex(i, j) * _SPACING for i in range(-across, across + 1) for j in range(-up, up + 1)]
+    positions = [_BOX.centre + complex(i, j) * _SPACING for i in range(-across, across + 1) for j in range(-up, up + 1)]
     marks: list[Mark] = []
     for position in positions:
         found = contact(Ball(position, 0j, ball_radius), ring, 0)
-        way = found.normal * _ARROW
-        marks.append(Arrow(position - way / 2.0, way, _ROLES[found.feature], Toggle.NORMALS, Stroke.SOLID))
+        vector = found.normal * _ARROW
+        marks.append(Arrow(position - vector / 2.0, vector, _ROLES[found.feature], Toggle.NORMALS, Stroke.SOLID))
     return marks
 
 
@@ -169,18 +169,18 @@ def _cited(found: Contact) -> CitedLine:
 
 
 def _note(ball: Ball, ring: Ring) -> str:
-    """What is special about this position."""
+    """What is special at this position."""
     if ball.position == 0.0:
         return "The centre: every point of the inner face is equally near. By convention the ball's angle is 0 there."
     if _is_inside(ball.position, ring):
-        return "Inside of the material the gap is minus the least depth: it leads out by the shortest way."
+        return "Inside the material |p - q| is the distance to the nearest side, and n points out through that side."
     if ring.half_angle >= math.pi:
         return "φ_p = 180°: a closed ring has no ends and no corners."
-    return "On a dashed border two parts of the sector are equally near: there the normal turns, or jumps; the gap never does."
+    return "On a dashed border two parts of the sector are equally near. The normal may jump there; the gap never does."
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
-    """The gap is a distance: by its definition, by its slope, and along the way to q."""
+    """The gap is a distance: by its definition, by its slope, and on the line to q."""
     ball, ring, found = _ball_and_sector(given)
     p, r = ball.position, ball.radius
     there = _distance(p, ring)
@@ -191,11 +191,11 @@ def _check(given: Given) -> tuple[Claim, ...]:
     return (
         Claim("contact() measures the distance that the field shows", abs(found.gap - (there - r)) < 1e-9),
         Claim("no point of the outline is nearer than q", abs(there) <= nearest + 1e-9),
-        Claim("half way to q, half of the distance is left", abs(half_way + r - (found.gap + r) / 2.0) < 1e-9),
+        Claim("halfway to q, half of the distance is left", abs(half_way + r - (found.gap + r) / 2.0) < 1e-9),
         Claim("the gap changes no faster than the ball moves", abs(gap - found.gap) <= length(other - p) + 1e-9),
         Claim("the normal has length 1", is_unit(found.normal)),
         Claim(
-            "and points from q to p, inside from p to q",
+            "the normal points from q to p, inside the material from p to q",
             length(p - found.point - found.normal * (found.gap + r)) < 1e-9,
         ),
     )
@@ -215,7 +215,7 @@ def _outline(ring: Ring) -> list[complex]:
 SCENE = Scene(
     name="gap-field",
     title="The field of the gap and of its normals",
-    idea="Around a sector the gap is a landscape without a step; its slope is the normal; faces, ends and corners share it.",
+    idea="The gap has no jumps anywhere around a sector, and the normal is its gradient: at faces, ends and corners alike.",
     functions=("narrow_phase_case_1", "narrow_phase_case_2"),
     parameters=(
         Point("ball", "p", -15.0, 15.0, 8.4 + 6.3j, meaning="the ball's centre"),
@@ -226,7 +226,7 @@ SCENE = Scene(
         Number("half_angle", "φ_p", "°", 0.5, 180.0, 40.0, 0.5, "its half angle"),
     ),
     handles=(handles.point("ball", "ball", "r"), *handles.sector_handles("radius", "half_width", "angle", "half_angle")),
-    view_box=_VIEW,
+    view_box=_BOX,
     shows=_picture,
     check=_check,
     rows=(3, 7),

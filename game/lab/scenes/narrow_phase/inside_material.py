@@ -1,4 +1,4 @@
-"""A ball that starts inside the material: which way out?"""
+"""A ball that starts inside the material: through which side does it leave?"""
 
 import math
 from typing import NamedTuple
@@ -39,12 +39,15 @@ _WORDS = {
 
 
 class _BallInside(NamedTuple):
-    """A ball put somewhere, both ways out, and the tick that follows."""
+    """A ball put somewhere, the contacts through which it could leave, and the tick that follows.
+
+    face: the source's contact, a face wherever the centre is. found: ours, with the nearest side.
+    """
 
     ball: Ball
     ring: Ring
-    face: Contact  # the source's: a face, wherever the centre is
-    found: Contact  # ours
+    face: Contact
+    found: Contact
     step: Step
 
     @property
@@ -59,7 +62,7 @@ class _BallInside(NamedTuple):
 
 
 def _ball_inside(given: Given) -> _BallInside:
-    """What the values make."""
+    """The ball and the sector that the values make."""
     ring = Ring(given.number("radius"), given.number("half_width"), given.angle("half_angle"), 1, given.angle("angle"))
     ball = Ball(given.point("ball"), 0j, given.number("r"))
     face = face_contact(ball.position, ball.radius, ring.radius, ring.half_width)
@@ -68,16 +71,16 @@ def _ball_inside(given: Given) -> _BallInside:
 
 
 def _picture(given: Given) -> Picture:
-    """The ball, the source's way out and ours."""
+    """The ball, and where it is put by the source and by the physics."""
     start = _ball_inside(given)
     ball, ring = start.ball, start.ring
     marks: list[Mark] = [*ring_marks(ring), *ball_marks(ball.position, ball.radius)]
     if start.over and start.face.gap < 0.0:
-        marks += _way(ball, start.face, Role.SOURCE, "the source: a face")
+        marks += _push(ball, start.face, Role.SOURCE, "the source: a face")
     if start.step.freed:
         position = start.step.arena.balls[0].position
         if length(position - ball.position + start.found.normal * start.found.gap) < 1e-9:
-            marks += _way(ball, start.found, Role.OURS, "here: the least depth")
+            marks += _push(ball, start.found, Role.OURS, "here: the nearest side")
         else:
             marks += [
                 Circle(position, ball.radius, Role.OURS, Toggle.SWEPT, Stroke.THICK),
@@ -88,18 +91,18 @@ def _picture(given: Given) -> Picture:
     return single(tuple(marks), _formula(start), _cited(start), _note(start))
 
 
-def _way(ball: Ball, way: Contact, role: Role, words: str) -> list[Mark]:
-    """Where a ball is put that leaves through one side."""
-    there = ball.position - way.normal * way.gap
+def _push(ball: Ball, side: Contact, role: Role, words: str) -> list[Mark]:
+    """The ball after it was pushed out through one side, and how far."""
+    there = ball.position - side.normal * side.gap
     return [
         Circle(there, ball.radius, role, Toggle.SWEPT, Stroke.THICK),
         Arrow(ball.position, there - ball.position, role, Toggle.NORMALS),
-        Words(there + way.normal * (ball.radius + 0.7), words, role, Toggle.NORMALS),
+        Words(there + side.normal * (ball.radius + 0.7), words, role, Toggle.NORMALS),
     ]
 
 
 def _formula(start: _BallInside) -> tuple[str, ...]:
-    """The ways out, and the shortest."""
+    """The depths, and the least of them."""
     ring, p, r = start.ring, start.ball.position, start.ball.radius
     if not start.inside:
         return ("the centre is not in the material:", f"gap = {start.found.gap:.3f},   n = {two_decimals(start.found.normal)}")
@@ -109,13 +112,13 @@ def _formula(start: _BallInside) -> tuple[str, ...]:
         f"to the outer face:   r_p + w_p - |p| = {ring.outer_radius - length(p):.3f}",
         f"to the inner face:   |p| - (r_p - w_p) = {length(p) - ring.inner_radius:.3f}",
         f"to the nearer end:   |p| sin(φ_p - |θ - θ_p|) = {end}",
-        f"the least: {_WORDS[start.found.feature]}, and r = {r:g} on top: the ball is moved by {-start.found.gap:.3f}",
+        f"the least: {_WORDS[start.found.feature]}, plus r = {r:g}: the ball is moved by {-start.found.gap:.3f}",
         f"the tick that follows:   freed = {start.step.freed}",
     )
 
 
 def _cited(start: _BallInside) -> CitedLine:
-    """The source's reason, or ours."""
+    """The source's line where it is wrong, else the line of the physics."""
     if start.inside and start.found.feature is Feature.END:
         return source_line("Broad phase", "if min_difference(θ, θ_p) ≤ φ_p: return narrow_phase_case_1(p, r_p)")
     return code_line(sector_contact, "if half_angle < math.pi and inner < distance < outer:")
@@ -124,16 +127,16 @@ def _cited(start: _BallInside) -> CitedLine:
 def _note(start: _BallInside) -> str:
     """What is special."""
     if start.ring.half_angle >= math.pi:
-        return "φ_p = 180°: a closed ring has no ends, and every way out is through a face."
+        return "φ_p = 180°: a closed ring has no ends, so the ball leaves through a face."
     if not start.inside:
-        return "The centre is outside of the material, where the sweep keeps it. Put it inside, as a spawn would."
+        return "The centre is outside the material, as always in a game that has begun. Drag the ball into the sector."
     if start.found.feature is Feature.END:
-        return "Its angle lies within the sector's, so the source sees a face and sends it the long way; an end is nearer."
-    return "A face is the shortest way out: here the source is right."
+        return "θ lies within the sector, so the source pushes the ball out through a face. The end is nearer."
+    return "A face is the nearest side: here the source is right."
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
-    """The way out is the shortest, and it leads out."""
+    """The ball leaves through the nearest side, and then overlaps nothing."""
     start = _ball_inside(given)
     ball, ring, found = start.ball, start.ring, start.found
     depth = -found.gap - ball.radius
@@ -144,13 +147,15 @@ def _check(given: Given) -> tuple[Claim, ...]:
     overlaps = found.gap < -OVERLAP * ball.radius
     clear = abs(found.gap + OVERLAP * ball.radius) > 1e-12
     return (
-        Claim("no point of the outline is nearer than the way out", not start.inside or depth <= nearest + 1e-9),
-        Claim("ours is no longer than the source's", not start.inside or found.gap >= start.face.gap - 1e-12),
-        Claim("it leads to where the ball touches", not simple or abs(contact(pushed, ring, 0).gap) < 1e-9),
+        Claim("no point of the outline is nearer than the chosen side", not start.inside or depth <= nearest + 1e-9),
+        Claim("our push is no longer than the source's", not start.inside or found.gap >= start.face.gap - 1e-12),
+        Claim("after the push the ball touches the sector", not simple or abs(contact(pushed, ring, 0).gap) < 1e-9),
         Claim("the next tick frees a ball that overlaps, and no other", not clear or start.step.freed == int(overlaps)),
-        Claim("then nothing overlaps", contact(after, ring, 0).gap > -1e-9),
-        Claim("no bounce is made of it", start.step.hits == ()),
-        Claim("the normal leads out, not in", not start.inside or dot(found.normal, found.point - ball.position) > -1e-12),
+        Claim("after that tick nothing overlaps", contact(after, ring, 0).gap > -1e-9),
+        Claim("the push is not counted as a bounce", start.step.hits == ()),
+        Claim(
+            "the normal points out of the sector", not start.inside or dot(found.normal, found.point - ball.position) > -1e-12
+        ),
     )
 
 
@@ -171,7 +176,7 @@ def _outline(ring: Ring) -> list[complex]:
 SCENE = Scene(
     name="inside-material",
     title="A ball inside the material",
-    idea="An angle within the sector's means a face only for a ball outside; one put inside leaves by the shortest way.",
+    idea="That θ within the sector means a face is true only for a ball outside. One inside leaves through the nearest side.",
     functions=("narrow_phase_case_1", "broad_phase"),
     parameters=(
         Point("ball", "p", -15.0, 15.0, 4.6 + 5.2j, meaning="where the ball is put"),

@@ -87,7 +87,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
 SCENE = Scene(
     name="carried",
     title="Response: the carried ball",
-    idea="A fast end makes the ball faster than v_0; reset to v_0, it would be overtaken, so it is carried at the end's pace.",
+    idea="Reset to v_0, the ball would be slower than the end that hit it. It is carried: its speed along n is the end's.",
     functions=("collision_response",),
     parameters=(
         Number("u", "u", "", -8.0, 8.0, 4.5, 0.1, "v_p · n: above 0 the end comes after the ball"),
@@ -102,9 +102,9 @@ SCENE = Scene(
     rows=(5,),
     presets=(
         Preset("carried", "u=4.5&heading=10"),
-        Preset("hit from behind: away it goes", "u=2&heading=15"),
-        Preset("met head-on: away it goes", "u=2&heading=290"),
-        Preset("the other way along the end", "u=4.5&heading=170"),
+        Preset("hit from behind: the ball gets away", "u=2&heading=15"),
+        Preset("met head-on: the ball gets away", "u=2&heading=290"),
+        Preset("inward along the end", "u=4.5&heading=170"),
         Preset("a retreating end carries, too", "u=-3&heading=280"),
         Preset("faster than v_0", "u=6&heading=60"),
     ),

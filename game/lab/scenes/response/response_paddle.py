@@ -116,19 +116,19 @@ def _check(given: Given) -> tuple[Claim, ...]:
         Claim("after a bounce the speed is v_0", not met or abs(length(after) - speed) < 1e-9),
         Claim("it leaves no slower than the surface, if v_0 allows", not met or leaves > -1e-9 or found.surface_speed > speed),
         Claim("its direction is that of v_res", not ordinary or abs(aligned) < 1e-6),
-        Claim("friction never turns the sliding round", not met or dot(sliding, tangential) >= -1e-9),
-        Claim("it takes μ min(|Δv_n|, |Δv_t|) of it", not met or abs(taken - mu * least) < 1e-9),
-        Claim("in a mirror it looks the same", mirrored == after.conjugate()),
+        Claim("friction never reverses the sliding", not met or dot(sliding, tangential) >= -1e-9),
+        Claim("friction takes μ min(|Δv_n|, |Δv_t|) of the sliding", not met or abs(taken - mu * least) < 1e-9),
+        Claim("a mirrored bounce has the mirrored result", mirrored == after.conjugate()),
     )
 
 
 SCENE = Scene(
     name="response-paddle",
     title="Response: a moving paddle with friction",
-    idea="The bounce happens in the frame of the surface that is touched: its motion, and its roughness, aim the ball.",
+    idea="The bounce is computed relative to the touched surface, so the paddle's motion and its friction aim the ball.",
     functions=("collision_response",),
     parameters=(
-        Point("ball", "p", -15.0, 15.0, 0.8 + 7j, meaning="pulled to where it touches"),
+        Point("ball", "p", -15.0, 15.0, 0.8 + 7j, meaning="moved to where it touches"),
         Number("heading", "ψ", "°", 0.0, 360.0, 60.0, 0.5, "direction of v"),
         Number("speed", "v_0", "", 0.5, 20.0, 10.0, 0.1, "the ball's fixed speed"),
         Number("spin", "ω", "rad/s", -3.0, 3.0, 0.6, 0.01, "the paddle's spin; v_p = ω × q"),

@@ -118,7 +118,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
 SCENE = Scene(
     name="response-wall",
     title="Response: a wall at rest",
-    idea="A smooth wall is a mirror; friction takes from what slides, and the fixed speed turns the rest towards the normal.",
+    idea="A smooth wall is a mirror. Friction slows the sliding, and the reset to v_0 turns the ball towards the normal.",
     functions=("collision_response",),
     parameters=(
         Number("theta", "θ", "°", 50.0, 130.0, 80.0, 0.5, "where the ball touches"),
@@ -140,7 +140,7 @@ SCENE = Scene(
     check=_check,
     presets=(
         Preset("smooth", "mu=0"),
-        Preset("as rough as can be", "mu=1"),
+        Preset("full friction", "mu=1"),
         Preset("straight on", "theta=90&heading=270"),
         Preset("grazing", "theta=90&heading=359&mu=1"),
         Preset("separating", "heading=60"),

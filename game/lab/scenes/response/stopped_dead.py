@@ -96,7 +96,7 @@ def _same(one: float, other: float) -> bool:
 SCENE = Scene(
     name="stopped-dead",
     title="Response: v_res = 0",
-    idea="An end that retreats at half the ball's speed stops it dead: the source's v_res / |v_res| is then 0 / 0.",
+    idea="An end that retreats at half the ball's speed takes all of it: the source's v_res / |v_res| is then 0 / 0.",
     functions=("collision_response",),
     parameters=(
         Number("u", "u", "", -8.0, 8.0, -2.0, 0.1, "v_p · n: below 0 the end retreats"),
@@ -114,7 +114,7 @@ SCENE = Scene(
         Preset("a little less", "u=-1.9"),
         Preset("a little more", "u=-2.1"),
         Preset("at rest", "u=0"),
-        Preset("rough and slanting: stopped, too", "heading=290&mu=1&u=-1.8793852415718166"),
+        Preset("rough and slanting: stopped as well", "heading=290&mu=1&u=-1.8793852415718166"),
         Preset("as fast as the ball: separating", "u=-4"),
     ),
 )

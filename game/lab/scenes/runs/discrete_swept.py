@@ -20,12 +20,12 @@ _SCALE = VELOCITY_SCALE / 2.0
 
 
 class _BallAndWall(NamedTuple):
-    """What the values make."""
+    """The ball and the wall that the values make. rate: frames per second."""
 
     ball: Ball
     wall: Ring
     speed: float
-    rate: int  # frames per second
+    rate: int
 
     @property
     def inside(self) -> bool:
@@ -34,22 +34,26 @@ class _BallAndWall(NamedTuple):
 
     @property
     def grazes(self) -> bool:
-        """Whether the ball all but rolls along the wall."""
+        """Whether the ball flies nearly along the wall."""
         lever = abs(cross(self.ball.position, self.ball.velocity)) / self.speed
         return lever > _GRAZING * (self.wall.inner_radius - self.ball.radius)
 
 
 class _BothLoops(NamedTuple):
-    """Both balls as the last frame left them."""
+    """Both balls after the last frame.
+
+    theirs: the source's ball. seen: frames in which its test found an overlap. trail: its positions, frame by frame.
+    ours: the swept ball. path: where it started and where it bounced.
+    """
 
     tick: int
     frames: int
     theirs: source.Flight
-    seen: int  # frames whose test found an overlap
-    trail: tuple[complex, ...]  # of the source's ball, frame by frame
+    seen: int
+    trail: tuple[complex, ...]
     ours: Ball
     hits: int
-    path: tuple[complex, ...]  # of our ball: where it started and where it bounced
+    path: tuple[complex, ...]
 
 
 def _ball_and_wall(given: Given) -> _BallAndWall:
@@ -114,7 +118,7 @@ def _picture(given: Given, state: _BothLoops) -> Picture:
 
 
 def _formula(setup: _BallAndWall, state: _BothLoops) -> tuple[str, ...]:
-    """How far the ball flies in a frame, and what the last test saw."""
+    """How far the ball flies in a frame, and what the last test found."""
     r, w = setup.ball.radius, setup.wall.half_width
     distance = length(state.theirs.position)
     overlap = "yes" if in_band(state.theirs.position, r, setup.wall) else "no"
@@ -127,12 +131,12 @@ def _formula(setup: _BallAndWall, state: _BothLoops) -> tuple[str, ...]:
 
 
 def _is_out(setup: _BallAndWall, state: _BothLoops) -> bool:
-    """Whether the source's ball has got out of the ring."""
+    """Whether the source's ball is outside the wall."""
     return setup.inside and length(state.theirs.position) - setup.ball.radius > setup.wall.outer_radius
 
 
 def _cited(setup: _BallAndWall, state: _BothLoops) -> CitedLine:
-    """The test that saw nothing, or the sweep."""
+    """The test that found nothing, or the sweep."""
     if _is_out(setup, state):
         return source_line("Broad phase", "|p| + r ≥ r_p - w_p and |p| - r ≤ r_p + w_p")
     return code_line(time_of_impact, "impact = _first_touch(ball, ring, stretch, alive)")
@@ -141,18 +145,20 @@ def _cited(setup: _BallAndWall, state: _BothLoops) -> CitedLine:
 def _note(setup: _BallAndWall, state: _BothLoops) -> str:
     """What has happened."""
     if not setup.inside:
-        return "The ball does not start in the hole of the ring. Put it there."
+        return "The ball does not start inside the wall. Drag it there."
     if _is_out(setup, state) and state.seen == 0:
-        return "Through the wall: before it in one frame, behind it in the next, and no test ever saw an overlap."
+        return "Through the wall: before it in one frame, behind it in the next, and no test found an overlap."
     if _is_out(setup, state):
-        return "Through the wall: one test found the ball's centre beyond r_p, and case 1 sent it on outward."
+        return "Through the wall: a test found the ball's centre beyond r_p, where case 1 takes the outer face."
     if setup.speed / setup.rate > 2.0 * (setup.ball.radius + setup.wall.half_width):
-        return "A frame's flight is longer than the wall and the ball together: the source's ball can pass between two tests."
-    return "Slower than that, every crossing is seen; but up to a frame late, so the source's ball bounces at another position."
+        return (
+            "A frame's flight is longer than the wall and the ball together, so the ball can pass the wall between two tests."
+        )
+    return "No crossing is missed at this speed, but each is found up to a frame late: the source's ball bounces too late."
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
-    """A second of flight: what is kept, frame rates, and backwards in time."""
+    """A second of flight: what is conserved, independence of the frame rate, and the flight backwards in time."""
     setup = _ball_and_wall(given)
     smooth = setup.inside and not setup.grazes
     states, out = [_start(given)], False
@@ -165,11 +171,11 @@ def _check(given: Given) -> tuple[Claim, ...]:
     fine = _flown(setup, setup.ball, 2 * setup.rate)
     home = _flown(setup, Ball(end.position, -end.velocity, end.radius), setup.rate)
     return (
-        Claim("our ball stays inside of the ring", not setup.inside or farthest < setup.wall.inner_radius + 1e-9),
-        Claim("at the speed v_0", abs(length(end.velocity) - setup.speed) < 1e-9),
-        Claim("with the same angular momentum", not smooth or max(spins) - min(spins) < 1e-9 * _RADIUS * setup.speed),
+        Claim("our ball stays inside the wall", not setup.inside or farthest < setup.wall.inner_radius + 1e-9),
+        Claim("our ball has the speed v_0", abs(length(end.velocity) - setup.speed) < 1e-9),
+        Claim("its angular momentum does not change", not smooth or max(spins) - min(spins) < 1e-9 * _RADIUS * setup.speed),
         Claim("twice as many frames lead to the same position", not smooth or length(fine.position - end.position) < 1e-6),
-        Claim("and backwards in time home", not smooth or length(home.position - setup.ball.position) < 1e-6),
+        Claim("flown backwards, it comes back to its start", not smooth or length(home.position - setup.ball.position) < 1e-6),
         Claim(
             "the source's ball passes unseen only where a frame's flight is longer than 2 (w_p + r)",
             not out or setup.speed / setup.rate > 2.0 * (setup.wall.half_width + setup.ball.radius),
@@ -188,7 +194,7 @@ def _flown(setup: _BallAndWall, ball: Ball, frames: int) -> Ball:
 SCENE = Scene(
     name="discrete-swept",
     title="Discrete against swept",
-    idea="Tested once a frame, a fast ball is before the wall, then behind it, never in it; the time of impact misses nothing.",
+    idea="Tested once a frame, a fast ball is before the wall and then behind it. The time of impact misses nothing.",
     functions=("narrow_phase_case_1", "collision_response"),
     parameters=(
         Count("rate", "f", 5, 240, 20, "frames per second"),
@@ -211,7 +217,7 @@ SCENE = Scene(
         Preset("60 tests a second: late, but not through", "rate=60"),
         Preset("240 tests a second", "rate=240"),
         Preset("a thin wall, a small fast ball", "rate=60&speed=60&r=0.1&half_width=0.02"),
-        Preset("head-on, seen too late", "rate=25&speed=22&ball=-6,0&heading=0&half_width=0.3"),
+        Preset("head-on, found too late", "rate=25&speed=22&ball=-6,0&heading=0&half_width=0.3"),
         Preset("grazing", "ball=-7,0&heading=95&rate=30"),
     ),
 )

@@ -1,4 +1,4 @@
-"""Game over: the source's rule is true from then on in every frame; here it counts once."""
+"""Game over: the source's rule holds in every frame after the ball has left; here it counts once."""
 
 from typing import NamedTuple
 
@@ -19,18 +19,22 @@ _RUN = 400
 
 
 class _BothRules(NamedTuple):
-    """The source's ball, our game, and what was counted."""
+    """The source's ball, our game, and what was counted.
+
+    theirs: position of the source's ball. over: ticks in which the source's rule holds. lost: balls lost in our game.
+    ended: times our game ended. trail: the last positions of our ball in this life.
+    """
 
     theirs: complex
-    over: int  # ticks at which the source says "game over"
+    over: int
     game: Game
-    lost: int  # times a ball was lost
-    ended: int  # times the game ended
-    trail: tuple[complex, ...]  # of our ball in this life
+    lost: int
+    ended: int
+    trail: tuple[complex, ...]
 
 
 def _level(given: Given) -> Level:
-    """One short paddle and one brick out of the way: every ball is lost in the end."""
+    """One short paddle, and one brick that the ball hardly meets: every ball is lost in the end."""
     return Level(
         "lost",
         _GROUND,
@@ -53,7 +57,7 @@ def _start(given: Given) -> _BothRules:
 
 
 def _step(given: Given, state: _BothRules) -> _BothRules:
-    """A tick later; a lost ball is followed by the next at once."""
+    """A tick later. After a lost ball the next one is served at once."""
     theirs = state.theirs + _ball(given).velocity * TICK
     before = state.game
     done = tick(before, Controls(serve=before.phase == Phase.SERVING))
@@ -113,18 +117,18 @@ def _cited(state: _BothRules) -> CitedLine:
 
 
 def _note(state: _BothRules) -> str:
-    """What is to be seen."""
+    """What is happening."""
     if state.ended:
-        return "The last life is gone: the game has ended, once, and nothing can be lost any more."
+        return "The last life is gone: the game has ended once, and no ball is left that could be lost."
     if state.over and not state.lost:
-        return "The source's game is over, while ours goes on: its paddle has kept the ball."
+        return "The source's game is over. Ours goes on, since its paddle has hit the ball."
     if state.lost:
-        return "A ball that has left is taken out and costs one life. The source's rule is true again in every frame."
+        return "A ball that has left is removed and costs one life. The source's rule holds again in every frame."
     return "Nothing has left the ground yet."
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
-    """Five thirds of a second of the game, tick by tick."""
+    """Five thirds of a second of the game."""
     state = _start(given)
     counted, lower, ends, moment = True, True, True, True
     for _ in range(_RUN):
@@ -153,7 +157,7 @@ def _is_out(ball: Ball) -> bool:
 SCENE = Scene(
     name="game-over-once",
     title="Game over, once",
-    idea="The source's rule is true in every frame after the ball has left; here it costs one life, and the last ends it.",
+    idea="The source's rule holds in every frame after the ball has left. Here it costs one life; the last one ends the game.",
     functions=("has_left",),
     parameters=(
         Point("ball", "p", -4.0, 4.0, 1.5 + 1.0j, meaning="the first ball's centre"),
@@ -172,7 +176,7 @@ SCENE = Scene(
     rows=(9,),
     presets=(
         Preset("out at once", "heading=40"),
-        Preset("kept by the paddle", "ball=0.5,0&heading=268&half_angle=30"),
+        Preset("hit by the paddle", "ball=0.5,0&heading=268&half_angle=30"),
         Preset("a small fast ball", "speed=30&r=0.1"),
     ),
 )

@@ -1,4 +1,4 @@
-"""A ball caught in a loop that meets no brick is nudged."""
+"""The nudge: a ball that repeats a path without a brick is turned a little."""
 
 import math
 from typing import NamedTuple
@@ -20,20 +20,24 @@ _RUN = 700
 
 
 class _NudgedGame(NamedTuple):
-    """The source's arena, our game, and what was counted."""
+    """An arena without nudges, our game, and what was counted.
+
+    bounces: of the ball without nudges. contacts: of ours before the first nudge. nudges: so far.
+    turn: radians, by the last nudge. trail, their_trail: the last positions of our ball and of the other one.
+    """
 
     theirs: Arena
     game: Game
-    bounces: int  # of the source's ball
-    contacts: int  # of ours before the first nudge
+    bounces: int
+    contacts: int
     nudges: int
-    turn: float  # radians, by the last nudge
-    trail: tuple[complex, ...]  # of our ball
+    turn: float
+    trail: tuple[complex, ...]
     their_trail: tuple[complex, ...]
 
 
 def _start(given: Given) -> _NudgedGame:
-    """Two paddles opposite each other, and a brick that the loop between them does not meet."""
+    """Two paddles opposite each other, and bricks that the path between them does not meet."""
     level = Level(
         "loop",
         _GROUND,
@@ -68,7 +72,7 @@ def _step(given: Given, state: _NudgedGame) -> _NudgedGame:
 
 
 def _angle(before: complex, after: complex) -> float:
-    """By how much a velocity was turned, radians."""
+    """The angle between two velocities, radians."""
     return abs(math.atan2(cross(before, after), dot(before, after)))
 
 
@@ -84,7 +88,7 @@ def _picture(given: Given, state: _NudgedGame) -> Picture:
 
 
 def _marks(arena: Arena, trail: tuple[complex, ...], role: Role) -> tuple[Mark, ...]:
-    """The ground, the rings, the ball and its way."""
+    """The ground, the rings, the ball and its path."""
     marks: list[Mark] = [Circle(0j, _GROUND, Role.FAINT), *ring_marks(arena.rings[0])]
     marks += ring_marks(arena.rings[1], arena.layers[1], nearest=-1)
     marks.append(Line(trail, role, Toggle.SWEPT))
@@ -95,33 +99,38 @@ def _marks(arena: Arena, trail: tuple[complex, ...], role: Role) -> tuple[Mark, 
 
 
 def _formula(given: Given, state: _NudgedGame) -> tuple[str, ...]:
-    """The count that decides, and the chance."""
-    turned = f"{math.degrees(state.turn):.2f}°" if state.nudges else "not yet"
+    """The count that decides, and the random numbers."""
     return (
         f"contacts since a brick was hit:   {state.game.idle} of {_BEFORE}",
         f"seed {given.count('seed')},   random numbers used: {state.game.draws}",
-        f"the last nudge turned v by {turned},   always from 5° to 20°, to a side that chance decides",
+        _last_nudge(state),
     )
 
 
+def _last_nudge(state: _NudgedGame) -> str:
+    """By how much the last nudge turned the ball, and between which bounds."""
+    bounds = "a nudge turns v by 5° to 20°, to a random side"
+    return f"{bounds};   the last one by {math.degrees(state.turn):.2f}°" if state.nudges else f"{bounds};   none so far"
+
+
 def _cited(state: _NudgedGame) -> CitedLine:
-    """The count, or the source's friction, which alone changes nothing here."""
+    """The line that nudges; before the first nudge, the source's friction, which changes nothing here."""
     if state.nudges:
         return code_line(tick, "return _played(game, arena)")
     return source_line("Collision response", "Δv'_t = -μ_p min{|Δv_n|, |Δv_t|} Δv_t / |Δv_t|")
 
 
 def _note(state: _NudgedGame) -> str:
-    """What is to be seen."""
+    """What is happening."""
     if state.game.phase != Phase.PLAYING:
-        return "The ball has left the ground between the paddles; the loop is over in any case."
+        return "The ball has left the ground between the paddles, so the loop is over."
     if state.nudges:
-        return "Twelve contacts without a brick: the ball is turned a little, by the game's own seed; a replay does the same."
-    return "To and fro for ever: nothing slides, so friction does nothing, and the ball meets no brick."
+        return "After twelve contacts without a brick the ball is turned a little. The seed decides, so a replay does the same."
+    return "The ball repeats this path for ever: nothing slides, so friction does nothing, and there is no brick on the path."
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
-    """Three seconds of the game, twice."""
+    """About three seconds of the game, played twice."""
     state, again = _start(given), _start(given)
     in_range = True
     for _ in range(_RUN):
@@ -137,8 +146,10 @@ def _check(given: Given) -> tuple[Claim, ...]:
     position = state.theirs.balls[0].position
     return (
         Claim("the first nudge comes with the twelfth contact", met or not state.nudges or state.contacts == _BEFORE),
-        Claim("it turns the ball by 5° to 20°", in_range),
-        Claim("and leaves its speed alone", all([abs(length(b.velocity) - speed) < 1e-9 for b in state.game.arena.balls])),
+        Claim("a nudge turns the ball by 5° to 20°", in_range),
+        Claim(
+            "the nudge does not change the speed", all([abs(length(b.velocity) - speed) < 1e-9 for b in state.game.arena.balls])
+        ),
         Claim("the same seed gives the same game to the last bit", state == again),
         Claim(
             "straight through the centre, the ball without a nudge stays on its line", not straight or abs(position.real) < 1e-9
@@ -149,10 +160,10 @@ def _check(given: Given) -> tuple[Claim, ...]:
 SCENE = Scene(
     name="nudge",
     title="The nudge",
-    idea="Friction is the source's; but a ball that bounces on without meeting a brick is turned a little, by a seeded chance.",
+    idea="A ball that bounces on without meeting a brick is turned a little, by the game's seeded random numbers.",
     functions=("collision_response",),
     parameters=(
-        Count("seed", "seed", 0, 999, 1, "of the game's chance"),
+        Count("seed", "seed", 0, 999, 1, "of the random numbers"),
         Number("x", "p_x", "", -1.5, 1.5, 0.0, 0.05, "where the ball starts"),
         Number("heading", "ψ", "°", 60.0, 120.0, 90.0, 0.5, "direction of v"),
         Number("speed", "v_0", "", 5.0, 60.0, 40.0, 1.0, "the ball's fixed speed"),
@@ -171,7 +182,7 @@ SCENE = Scene(
     check=_check,
     rows=(10,),
     presets=(
-        Preset("on one line for ever", "x=0"),
+        Preset("through the centre for ever", "x=0"),
         Preset("another seed", "seed=2"),
         Preset("slanting, rough paddles", "heading=80&mu=1"),
         Preset("slower", "speed=30"),

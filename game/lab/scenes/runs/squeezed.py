@@ -33,14 +33,18 @@ _TRAIL = 64
 
 
 class _Squeeze(NamedTuple):
-    """The arena, and what has happened to the ball."""
+    """The arena, and what has happened to the ball.
+
+    hits: in the last tick. most: in any tick. dropped: ticks whose rest was dropped. freed: times the ball was put outside.
+    trail: the ball's centre at its last bounces and ends of ticks.
+    """
 
     arena: Arena
-    hits: int  # in the last tick
-    most: int  # in any tick
-    dropped: int  # ticks whose rest was dropped
-    freed: int  # times it was put outside
-    trail: tuple[complex, ...]  # of the ball's centre: its bounces, and the ends of ticks
+    hits: int
+    most: int
+    dropped: int
+    freed: int
+    trail: tuple[complex, ...]
 
 
 def _start(given: Given) -> _Squeeze:
@@ -70,7 +74,7 @@ def _step(given: Given, state: _Squeeze) -> _Squeeze:
 
 
 def _picture(given: Given, state: _Squeeze) -> Picture:
-    """Both paddles, the ball, its way, and the bearing on which it may have been put outward."""
+    """Both paddles, the ball, its path, and the bearing on which it was put outward."""
     ball, (upper, lower) = state.arena.balls[0], state.arena.rings
     marks: list[Mark] = [
         AnnularSector(upper.radius, upper.half_width, upper.phase, upper.half_angle, Role.SECTOR),
@@ -88,14 +92,14 @@ def _picture(given: Given, state: _Squeeze) -> Picture:
 
 
 def _spin_arrow(ring: Ring) -> Arrow:
-    """Where a paddle's end goes."""
+    """The velocity of a paddle's end."""
     side = -1.0 if ring.spin < 0.0 else 1.0
     middle = to_cartesian(_RADIUS, ring.phase + side * (_HALF_ANGLE - 0.03))
     return Arrow(middle, ring.surface_velocity(middle) * _SCALE, Role.ONE, label="")
 
 
 def _formula(state: _Squeeze) -> tuple[str, ...]:
-    """How wide it still is, and the counts."""
+    """The distance between the ends, and the counts."""
     ball, (upper, lower) = state.arena.balls[0], state.arena.rings
     between = upper.phase - upper.half_angle - (lower.phase + lower.half_angle)
     between = math.remainder(between, math.tau)
@@ -109,7 +113,7 @@ def _formula(state: _Squeeze) -> tuple[str, ...]:
 
 
 def _cited(state: _Squeeze) -> CitedLine:
-    """The bound, or the way out."""
+    """The line that puts the ball outward, or the one that flies it."""
     if state.freed:
         return code_line(freed, "return _outward(ball, rings, layers)")
     return code_line(advance, "return _flown(_all_freed(arena) if last is None else Step(arena, (), 0, 0), dt, speed)")
@@ -124,12 +128,12 @@ def _note(given: Given, state: _Squeeze) -> str:
     if state.freed:
         return "No motion at v_0 could free it: after 32 bounces it is put at the nearest free position outward, and counted."
     if state.hits:
-        return "The narrower it gets, the more bounces in a tick: v_0 is too slow to get away from both ends."
+        return "The nearer the ends, the more bounces in a tick: v_0 is too slow to get away from both."
     return "The two rings turn against each other: their ends close on the ball."
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
-    """A third of a second: nothing is ever overlapped, nothing hangs, everything is counted."""
+    """A third of a second: no overlap at the end of any tick, a bounded number of bounces, and every push counted."""
     state, speed = _start(given), given.number("speed")
     least, most, put, unexplained = math.inf, 0, 0, 0
     touching = True
@@ -144,12 +148,12 @@ def _check(given: Given) -> tuple[Claim, ...]:
         unexplained += state.freed > before.freed and min(_gaps(before.arena)) > -1e-12 and state.dropped == before.dropped
     ball = state.arena.balls[0]
     return (
-        Claim("at the end of no tick the ball overlaps anything", least > -1e-9),
+        Claim("the ball overlaps nothing at the end of any tick", least > -1e-9),
         Claim("no tick has more than 32 bounces", most <= MAX_IMPACTS),
         Claim("a ball that is put outside after its tick touches what it was put away from", touching),
-        Claim("no ball is put anywhere without a reason", unexplained == 0),
+        Claim("the ball is put elsewhere only after an overlap or a dropped tick", unexplained == 0),
         Claim("a tick with 32 bounces is counted as dropped", state.dropped > 0 or most < MAX_IMPACTS),
-        Claim("the speed is v_0 to the end", abs(length(ball.velocity) - speed) < 1e-9),
+        Claim("the speed is v_0 at the end", abs(length(ball.velocity) - speed) < 1e-9),
     )
 
 
@@ -161,7 +165,7 @@ def _gaps(arena: Arena) -> list[float]:
 SCENE = Scene(
     name="squeezed",
     title="The squeezed ball",
-    idea="Where two ends close on the ball, no motion at v_0 can free it: 32 bounces, then it is put outward, and counted.",
+    idea="Two ends close on the ball, and no motion at v_0 can free it: after 32 bounces in a tick it is put outward.",
     functions=("advance",),
     parameters=(
         Number("spin", "ω", "rad/s", 0.0, 3.0, 0.2, 0.05, "of both rings, against each other"),

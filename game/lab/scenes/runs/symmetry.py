@@ -1,4 +1,4 @@
-"""The same game turned by any angle, and in a mirror."""
+"""The same game turned by any angle, and mirrored."""
 
 import math
 from itertools import pairwise
@@ -21,7 +21,7 @@ _SCALE = VELOCITY_SCALE
 
 
 class _ThreeGames(NamedTuple):
-    """One game three times, and what is left of each way."""
+    """One game three times. trails: the last positions of the ball in each."""
 
     plain: Arena
     turned: Arena
@@ -31,7 +31,7 @@ class _ThreeGames(NamedTuple):
 
 
 def _start(given: Given) -> _ThreeGames:
-    """Turning paddles, a ring of bricks, a wall; then the same turned by alpha, and in a mirror along the x axis."""
+    """Turning paddles, a ring of bricks, a wall; then the same turned by alpha, and mirrored at the x axis."""
     ball = Ball(given.point("ball"), to_cartesian(given.number("speed"), given.angle("heading")), _RADIUS)
     rings = (
         Ring(8.0, 0.4, 0.5, _PADDLES, 0.7, given.number("spin"), 0.5),
@@ -51,7 +51,7 @@ def _turned(arena: Arena, alpha: float) -> Arena:
 
 
 def _mirrored(arena: Arena) -> Arena:
-    """An arena in a mirror along the x axis: slot k becomes slot -k."""
+    """An arena mirrored at the x axis: slot k becomes slot -k."""
     ball = arena.balls[0]
     rings = tuple([Ring(*ring[:4], -ring.phase, -ring.spin, ring.friction) for ring in arena.rings])
     layers = tuple([(row[0], *row[:0:-1]) for row in arena.layers])
@@ -70,7 +70,7 @@ def _step(given: Given, state: _ThreeGames) -> _ThreeGames:
 def _picture(given: Given, state: _ThreeGames) -> Picture:
     """Three games side by side."""
     alpha = given.angle("alpha")
-    titles = ("a game", f"turned by {degrees(alpha)}", "in a mirror")
+    titles = ("a game", f"turned by {degrees(alpha)}", "mirrored")
     axes = (ray(0.0, 11.0), ray(alpha, 11.0), Line((-11 + 0j, 11 + 0j), Role.FAINT, None, Stroke.DASHED))
     panes = [
         Pane((axis, *_marks(arena, trail)), title)
@@ -88,7 +88,7 @@ def _first(given: Given) -> tuple[Mark, ...]:
 
 
 def _marks(arena: Arena, trail: tuple[complex, ...]) -> tuple[Mark, ...]:
-    """The rings, the ball, and its way."""
+    """The rings, the ball, and its path."""
     paddles, bricks, wall = arena.rings
     return (
         *ring_marks(wall, nearest=-1),
@@ -100,7 +100,7 @@ def _marks(arena: Arena, trail: tuple[complex, ...]) -> tuple[Mark, ...]:
 
 
 def _differences(given: Given, state: _ThreeGames) -> tuple[float, float]:
-    """Between the plain ball and the other two, brought back."""
+    """Distances of the plain ball from the turned one, turned back, and from the mirrored one, mirrored back."""
     p = state.plain.balls[0].position
     back = state.turned.balls[0].position * direction(-given.angle("alpha"))
     return length(back - p), length(state.mirrored.balls[0].position.conjugate() - p)
@@ -112,19 +112,19 @@ def _formula(given: Given, state: _ThreeGames) -> tuple[str, ...]:
     same = [state.plain.layers == state.turned.layers, state.plain.layers == _mirrored(state.mirrored).layers]
     return (
         f"|p_turned turned back - p| = {turned:.1e}",
-        "|p_mirrored mirrored back - p| = " + (f"{mirrored:.1e}" if mirrored else "0:   not a bit differs"),
+        "|p_mirrored mirrored back - p| = " + (f"{mirrored:.1e}" if mirrored else "0:   equal to the last bit"),
         f"bounces: {state.hits};   the same bricks hit: {'yes' if all(same) else 'no'}",
     )
 
 
 def _note(given: Given, state: _ThreeGames) -> str:
-    """What is to be seen."""
+    """What is happening."""
     start = _start(given).plain
     if min([contact(start.balls[0], ring, slot).gap for ring in start.rings for slot in range(ring.count)]) < 0.0:
         return "The ball starts in the material: it is pushed out before it flies, in all three games."
     if _differences(given, state)[0] > 1e-6:
-        return "Turned, the last bits round differently, and every round thing makes that larger. Chaos, not error."
-    return "No direction is special, not even the polar axis. Phases lie on a grid on which -θ is exact: so is the mirror."
+        return "The turned game rounds differently in the last bits, and every bounce off a round surface multiplies that."
+    return "No direction is special, not even the polar axis. The mirrored game is exact, since -θ is exact for every phase θ."
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
@@ -144,22 +144,22 @@ def _check(given: Given) -> tuple[Claim, ...]:
     plain = freed == 0 and not tie
     return (
         Claim("the mirrored game is the same to the last bit", not plain or mirrored == 0.0),
-        Claim("and so are its rings and its bricks", not plain or _mirrored(end.mirrored).layers == end.plain.layers),
+        Claim("its bricks are the same", not plain or _mirrored(end.mirrored).layers == end.plain.layers),
         Claim("the turned game is the same but for rounding", not (plain and sharp) or turned < 1e-7),
-        Claim("turned by nothing, it is the same to the last bit", given.angle("alpha") > 0.0 or turned == 0.0),
+        Claim("turned by 0°, it is the same to the last bit", given.angle("alpha") > 0.0 or turned == 0.0),
         Claim("the speed is v_0 in all three", all([_keeps(arena, speed) for arena in end[:3]])),
     )
 
 
 def _keeps(arena: Arena, speed: float) -> bool:
-    """Whether the ball still has its speed."""
+    """Whether the ball has the speed v_0."""
     return abs(length(arena.balls[0].velocity) - speed) < 1e-9
 
 
 SCENE = Scene(
     name="symmetry",
-    title="Turned, and in a mirror",
-    idea="A game does not care where zero is, nor which hand is left: turned and mirrored games are the same games.",
+    title="Turned and mirrored",
+    idea="The physics knows no special direction and no preferred sense of turning: turned or mirrored, a game is the same.",
     functions=("advance", "normalize_angle"),
     parameters=(
         Number("alpha", "β", "°", 0.0, 360.0, 137.5, 0.5, "the angle by which the second is turned"),

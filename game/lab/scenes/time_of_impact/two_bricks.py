@@ -22,13 +22,16 @@ _SAME = 1e-9
 
 
 class _Notch(NamedTuple):
-    """The ball, the bricks on both sides of the notch, and what becomes of it."""
+    """The ball, the bricks on both sides of the notch, and the step of the physics.
+
+    apart: whether the ball touches nothing at first.
+    """
 
     ball: Ball
     ring: Ring
     dt: float
     step: Step
-    apart: bool  # whether the ball touches nothing at first
+    apart: bool
 
     @property
     def hits(self) -> tuple[Hit, ...]:
@@ -42,7 +45,7 @@ class _Notch(NamedTuple):
 
 
 def _notch(given: Given) -> _Notch:
-    """What the values make."""
+    """The ball and the bricks that the values make."""
     ball = Ball(given.point("ball"), given.point("v"), given.number("r"))
     half = math.pi / _COUNT - given.angle("notch")
     ring = Ring(_RADIUS, given.number("half_width"), half, _COUNT, math.pi / _COUNT)
@@ -52,7 +55,7 @@ def _notch(given: Given) -> _Notch:
 
 
 def _picture(given: Given) -> Picture:
-    """The source's way at the left, ours at the right."""
+    """The source's path at the left, ours at the right."""
     notch = _notch(given)
     panes = (
         Pane(_theirs(notch), f"the source: the nearest brick, {_RATE} tests a second"),
@@ -102,7 +105,7 @@ def _flown(ball: Ball, positions: tuple[complex, ...]) -> tuple[Mark, ...]:
 
 
 def _formula(notch: _Notch) -> tuple[str, ...]:
-    """Our bounces, and what the source's one answer leaves."""
+    """Our bounces, and what is wrong after the single one of the source."""
     if not notch.hits:
         return (f"no brick is touched within {notch.dt:g} s",)
     lines = [
@@ -119,12 +122,12 @@ def _formula(notch: _Notch) -> tuple[str, ...]:
         first, other = notch.hits[0].contact.normal, notch.hits[1].contact.normal
         velocity = notch.ball.velocity
         after = source.response_steps(velocity, first, 0j, 0.0, length(velocity)).before_reset
-        lines.append(f"the source answers the first alone:   then v · n of the other = {dot(after, other):.2f}")
+        lines.append(f"the source answers only the first:   afterwards v · n of the other = {dot(after, other):.2f}")
     return tuple(lines)
 
 
 def _cited(notch: _Notch) -> CitedLine:
-    """The search for one, or the order of all."""
+    """The source's search for the nearest one, or our search in the order of time."""
     if notch.tie:
         return source_line("Broad phase", "if min_difference(θ, θ'_p) < min_difference(θ, θ_p): r_p, θ_p = r'_p, θ'_p")
     return code_line(time_of_impact, "impact = _first_touch(ball, ring, stretch, alive)")
@@ -133,18 +136,18 @@ def _cited(notch: _Notch) -> CitedLine:
 def _note(notch: _Notch) -> str:
     """What is special."""
     if not notch.apart:
-        return "The ball overlaps a brick at first: it is pushed out before it flies."
+        return "The ball overlaps a brick at the start: it is pushed out before it flies."
     if notch.step.dropped:
-        return "After 32 bounces the rest of the tick is dropped, and counted: no wedge can hang the game."
+        return "After 32 bounces the rest of the tick is dropped and counted, so that no wedge can stop the game."
     if notch.tie:
-        return "Both are touched at the very same time: the lower slot answers first, then the other, if still approached."
+        return "Both are touched at the same time: the lower slot is answered first, then the other if it is still approached."
     if len({hit.slot for hit in notch.hits}) > 1:
-        return "One after the other: each bounce starts from the velocity that the one before has left."
-    return "One brick only. Send the ball into the notch."
+        return "One after the other: each bounce starts from the velocity after the one before."
+    return "One brick only. Aim the ball at the notch."
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
-    """Order, energy, free flight, and the same in a world turned by a quarter."""
+    """Order in time, speed, no overlap, and the same in a world turned by a quarter."""
     notch = _notch(given)
     hits, speed = notch.hits, length(notch.ball.velocity)
     times = [hit.time for hit in hits]
@@ -158,12 +161,16 @@ def _check(given: Given) -> tuple[Claim, ...]:
     return (
         Claim("the bounces are in the order of time", times == sorted(times)),
         Claim(
-            "the brick that alone would be touched first comes first, of equals the lower slot",
+            "the brick that would be touched first without the others is touched first, of equals the lower slot",
             not notch.apart or [(hit.time, hit.slot) for hit in hits[:1]] == alone[:1],
         ),
-        Claim("each was flown into", all([dot(hit.before, hit.contact.normal) < 1e-9 for hit in hits])),
-        Claim("and is left at v_0", all([_leaves(hit, speed) for hit in hits])),
-        Claim("each starts from what the one before has left", all([a.after == b.before for a, b in pairwise(hits)])),
+        Claim(
+            "the ball approaches each brick that it touches", all([dot(hit.before, hit.contact.normal) < 1e-9 for hit in hits])
+        ),
+        Claim("it leaves each at the speed v_0", all([_leaves(hit, speed) for hit in hits])),
+        Claim(
+            "each bounce starts from the velocity after the one before", all([a.after == b.before for a, b in pairwise(hits)])
+        ),
         Claim("in the end the ball overlaps nothing", not notch.apart or min(_gaps(notch.ring, end)) > -1e-8),
         Claim("there are no more than 32", len(hits) <= 32),
         Claim(
@@ -189,7 +196,7 @@ def _alone(notch: _Notch) -> list[tuple[float, int]]:
 
 
 def _leaves(hit: Hit, speed: float) -> bool:
-    """Whether the ball flies off with its speed."""
+    """Whether the ball leaves the brick, with its speed."""
     return dot(hit.after, hit.contact.normal) > 0.0 and abs(length(hit.after) - speed) < 1e-9 * max(speed, 1.0)
 
 
@@ -203,7 +210,7 @@ def _first_is_one_on(hits: tuple[Hit, ...], turned: tuple[Hit, ...]) -> bool:
 SCENE = Scene(
     name="two-bricks",
     title="Two bricks at once",
-    idea="A ball in a notch touches both of its sides: all contacts are answered, in the order of time, ties by the slot.",
+    idea="A ball in a notch touches both of its sides. All contacts are answered in the order of time, ties by the slot.",
     functions=("broad_phase", "collision_response"),
     parameters=(
         Point("ball", "p", -15.0, 15.0, 12.8 + 0.0j, meaning="the ball's centre"),
