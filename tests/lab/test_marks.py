@@ -55,7 +55,7 @@ def test_a_contacts_marks_are_the_contact(ball, ring):
 
 @given(rings())
 def test_a_rings_marks_are_its_living_sectors(ring):
-    """One for each slot that is not empty, at its place."""
+    """There is one mark for each slot that is not empty, at the slot's angle."""
     alive = [slot % 2 for slot in range(ring.count)]
     marks = ring_marks(ring, alive, 1)
     assert [mark.angle for mark in marks] == [ring.angle(slot) for slot in range(ring.count) if slot % 2]
@@ -64,7 +64,7 @@ def test_a_rings_marks_are_its_living_sectors(ring):
 
 @given(balls_beside_an_end())
 def test_pymunk_sees_the_same_end(beside):
-    """Its normal and its distance, where it looks that far: within two radii."""
+    """Within two radii of an end, pymunk's normal and distance are ours."""
     touch = Pymunk().touch(beside.ball, beside.ring, (beside.slot,))
     assume(abs(beside.across - 2.0 * beside.ball.radius) > 1e-9)
     assert (touch is None) == (beside.across >= 2.0 * beside.ball.radius)
@@ -76,7 +76,7 @@ def test_pymunk_sees_the_same_end(beside):
 
 @given(rings(), reals(-0.99, 0.99), reals(0.05, 0.5))
 def test_pymunk_sees_the_same_outer_face(ring, share, radius):
-    """A circle, exactly."""
+    """Over an outer face, which is a circle in pymunk, too, its normal and distance are exact."""
     bearing = ring.angle(0) + share * ring.half_angle
     ball = Ball(cmath.rect(ring.outer_radius + 0.9 * radius, bearing), 0j, radius)
     touch = Pymunk().touch(ball, ring, (0,))
@@ -87,7 +87,7 @@ def test_pymunk_sees_the_same_outer_face(ring, share, radius):
 
 @given(rings())
 def test_pymunks_pieces_are_where_the_sector_is(ring):
-    """Their ends lie on its outline."""
+    """The end points of pymunk's shapes lie on the sector's outline."""
     for piece in Pymunk().shapes(ring, (0,)):
         for end in (piece.a, piece.b):
             assert abs(abs(abs(end) - ring.radius) - ring.half_width) < 1e-9
@@ -96,13 +96,13 @@ def test_pymunks_pieces_are_where_the_sector_is(ring):
 
 
 def test_a_flight_in_pymunk_bounces():
-    """Straight to a closed ring's inner face and straight back, at its own speed."""
+    """A ball flies straight to a closed ring's inner face and straight back at the same speed."""
     ring = Ring(8.0, 1.0, math.pi, 1)
-    places = Pymunk().flight(Ball(0j, 10 + 0j, 0.5), (ring,), 1.0 / 240.0, 240)
-    assert places[0] == 0j
-    assert len(places) == 241
-    assert max([place.real for place in places]) < 6.6
-    assert abs(places[240].real - (6.5 - 3.5)) < 0.3
+    positions = Pymunk().flight(Ball(0j, 10 + 0j, 0.5), (ring,), 1.0 / 240.0, 240)
+    assert positions[0] == 0j
+    assert len(positions) == 241
+    assert max([point.real for point in positions]) < 6.6
+    assert abs(positions[240].real - (6.5 - 3.5)) < 0.3
 
 
 class Crooked:
@@ -118,7 +118,7 @@ class Crooked:
 
 
 def test_the_angle_between_two_opinions_is_written_beside_them():
-    """And without another engine there is nothing to show."""
+    """The angle between the two normals is written beside the second engine's. Without such an engine there are no marks."""
     ball, ring = Ball(9.5 + 0j, 0j, 0.6), Ring(8.0, 1.0, 0.5, 1)
     found = contact(ball, ring, 0)._replace(normal=1 + 0j)
     marks = second_opinion(Given({}, Crooked()), ball, ring, (0,), found)
@@ -128,7 +128,7 @@ def test_the_angle_between_two_opinions_is_written_beside_them():
 
 
 def test_angles_are_written_as_people_read_them():
-    """Two decimals, or the power of ten of what is smaller."""
+    """Angles have two decimals, or the power of ten of what is smaller."""
     assert angle_between(1j, 1 + 0j) == "90.00°"
     assert angle_between(1 + 0j, 1 + 0j) == "0.00°"
     assert angle_between(cmath.rect(1.0, 1e-9), 1 + 0j) == "6e-08°"
@@ -152,7 +152,7 @@ def canvas(request):
 
 
 def test_the_view_is_in_the_middle_of_its_area_and_fits():
-    """Its corners are inside, one pair of them on the edge."""
+    """The centre of the view box is in the middle of the area, and its corners are inside."""
     assert CAMERA.project(1 + 1j) == complex(*AREA.center)
     corners = [CAMERA.project(1 + 1j + corner) for corner in (3 + 2j, -3 - 2j)]
     assert all([AREA.left <= corner.real <= AREA.right and AREA.top <= corner.imag <= AREA.bottom for corner in corners])
@@ -160,7 +160,7 @@ def test_the_view_is_in_the_middle_of_its_area_and_fits():
 
 @pytest.mark.parametrize("theme", [DARK, LIGHT], ids=["dark", "light"])
 def test_words_of_every_role_can_be_read(theme):
-    """On the ground, by the rule of the palette; marks themselves stand out, too."""
+    """Words of every role have the contrast that WCAG asks for; marks have less, but stand out."""
     for role in Role:
         assert contrast(text_colour(theme, role), theme.ground) >= 4.5
         assert contrast(role_colour(theme, role), theme.ground) >= (1.5 if role in {Role.OTHER, Role.FAINT} else 2.5), role
@@ -178,11 +178,11 @@ MARKS = [
 ]
 
 
-@pytest.mark.parametrize(("mark", "place"), MARKS, ids=lambda value: type(value).__name__)
-def test_a_mark_is_where_it_should_be_in_its_colour(canvas, mark, place):
-    """And it is not there when its toggle is off."""
-    spot = canvas.camera.project(place)
-    pixels = [(math.floor(spot.real) + dx, math.floor(spot.imag) + dy) for dx in (-1, 0, 1) for dy in (-1, 0, 1)]
+@pytest.mark.parametrize(("mark", "point"), MARKS, ids=lambda value: type(value).__name__)
+def test_a_mark_is_where_it_should_be_in_its_colour(canvas, mark, point):
+    """A mark is drawn in its role's colour where it should be, and not at all while its toggle is off."""
+    pixel = canvas.camera.project(point)
+    pixels = [(math.floor(pixel.real) + dx, math.floor(pixel.imag) + dy) for dx in (-1, 0, 1) for dy in (-1, 0, 1)]
     colour = role_colour(canvas.theme, mark.role)
     draw_marks(canvas, [mark._replace(toggle=Toggle.BANDS)])
     assert all([canvas.surface.get_at(pixel)[:3] == canvas.theme.ground for pixel in pixels])
@@ -192,45 +192,45 @@ def test_a_mark_is_where_it_should_be_in_its_colour(canvas, mark, place):
 
 
 def test_a_band_is_coloured_between_its_radii_only(canvas):
-    """Its hole is not."""
+    """An annulus colours what is between its radii, and nothing else."""
     draw_marks(canvas, [Annulus(1.0, 2.0, Role.ONE)])
 
-    def at(place):
-        spot = canvas.camera.project(place)
-        return canvas.surface.get_at((round(spot.real), round(spot.imag)))[:3]
+    def at(point):
+        pixel = canvas.camera.project(point)
+        return canvas.surface.get_at((round(pixel.real), round(pixel.imag)))[:3]
 
     assert at(1.5 + 0j) != canvas.theme.ground
     assert at(0.5 + 0j) == at(2.5 + 0j) == canvas.theme.ground
 
 
 def test_a_sector_is_coloured_between_its_ends_and_faces_only(canvas):
-    """From the clockwise end to the other, from the inner face to the outer one."""
+    """A sector colours what is between its ends and its faces, and nothing else."""
     draw_marks(canvas, [AnnularSector(2.0, 0.5, 0.5, 0.4, Role.SECTOR)])
     colour = role_colour(canvas.theme, Role.SECTOR)
     inside = [(2.0, 0.14), (2.0, 0.86), (1.6, 0.5), (2.4, 0.5)]
     outside = [(2.0, 0.04), (2.0, 0.96), (1.4, 0.5), (2.6, 0.5)]
     for radius, angle in [*inside, *outside]:
-        spot = canvas.camera.project(cmath.rect(radius, angle))
-        pixel = canvas.surface.get_at((round(spot.real), round(spot.imag)))[:3]
-        assert pixel == (colour if (radius, angle) in inside else canvas.theme.ground)
+        pixel = canvas.camera.project(cmath.rect(radius, angle))
+        colour_there = canvas.surface.get_at((round(pixel.real), round(pixel.imag)))[:3]
+        assert colour_there == (colour if (radius, angle) in inside else canvas.theme.ground)
 
 
 def test_a_field_is_coloured_by_its_sign(canvas):
-    """Positive, negative, and the ground's colour where there is no number; the right way up."""
+    """Cells above 0, below 0 and without a number have three colours, and the first row is the lowest."""
     values = np.kron([[1.0, -1.0], [np.nan, 1.0]], np.ones((9, 9)))  # left column from below, then right column
     draw_marks(canvas, [Field(-1 - 1j, 3 + 3j, values, 1.0)])
 
-    def at(place):
-        spot = canvas.camera.project(place)
-        return canvas.surface.get_at((round(spot.real), round(spot.imag)))[:3]
+    def at(point):
+        pixel = canvas.camera.project(point)
+        return canvas.surface.get_at((round(pixel.real), round(pixel.imag)))[:3]
 
-    low_left, high_left, low_right, high_right = (at(place) for place in (-0.8 - 0.8j, -0.8 + 2.8j, 2.8 - 0.8j, 2.8 + 2.8j))
+    low_left, high_left, low_right, high_right = (at(point) for point in (-0.8 - 0.8j, -0.8 + 2.8j, 2.8 - 0.8j, 2.8 + 2.8j))
     assert low_left == high_right
     assert len({low_left, high_left, low_right}) == 3
 
 
 def test_nothing_is_drawn_outside_of_the_area(canvas):
-    """However far the marks reach."""
+    """Marks that reach beyond the pane change no pixel outside of it."""
     words = [Words(9 + 9j, "far away", Role.PLAIN), PointMark(6 + 1j, Role.PLAIN, None, "label"), Annulus(0.0, 50.0, Role.ONE)]
     draw_marks(canvas, [*[mark for mark, _ in MARKS], *words, Line((-99 + 0j, 99 + 1j), Role.PLAIN, None, Stroke.DASHED)])
     outside = pygame.mask.from_threshold(canvas.surface, canvas.theme.ground, (1, 1, 1, 255))
@@ -239,7 +239,7 @@ def test_nothing_is_drawn_outside_of_the_area(canvas):
 
 
 def test_words_at_the_same_point_do_not_cover_each_other(canvas):
-    """The second of them stands beside the first; so does the third, in the corner of the pane, too."""
+    """Three words at one point are placed beside each other, also in a corner of the pane."""
     for corner in (AREA.center, AREA.topleft, AREA.bottomright):
         boxes = []
         for text in ("first", "second", "third"):
@@ -250,7 +250,7 @@ def test_words_at_the_same_point_do_not_cover_each_other(canvas):
 
 @pytest.mark.parametrize("scale", [1e-3, 1.0, 1e4, 1e7])
 def test_any_zoom_can_be_drawn(canvas, scale):
-    """What is too large for the surface is left out or cut, in bounded time."""
+    """At every zoom all marks can be drawn; what is too large is left out or cut off."""
     camera = Camera(canvas.camera.centre, scale)
     degenerate = [
         Arrow(0j, 0j, Role.OURS, label="n"),

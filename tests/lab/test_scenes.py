@@ -71,7 +71,7 @@ def test_without_files_and_source_text_every_scene_is_shown_with_its_cited_line(
 
 @SCENES
 def test_the_claims_hold_at_the_defaults_and_the_presets(scene):
-    """With pymunk beside, and without."""
+    """With and without a second engine every claim holds at the defaults and at the presets."""
     for engine in (Pymunk(), None):
         for given in lines(scene, engine):
             assert failures(scene, given) == ()
@@ -79,7 +79,7 @@ def test_the_claims_hold_at_the_defaults_and_the_presets(scene):
 
 @SCENES
 def test_the_claims_hold_after_a_thousand_drags(scene):
-    """No exception, nothing that is not finite, and every fact still a fact; other drags every time."""
+    """After each of a thousand random drags every claim holds and every number of the picture is finite."""
     seed = 1 if os.environ.get("CI") else random.randrange(2**32)
     for given in after_drags(scene, 1000, seed):
         assert failures(scene, given) == (), f"seed {seed}"
@@ -87,14 +87,14 @@ def test_the_claims_hold_after_a_thousand_drags(scene):
 
 @SCENES
 def test_pymunk_may_be_asked_anywhere(scene):
-    """A hundred drags with the second engine in the picture."""
+    """With the second engine in the picture, every claim holds after a hundred random drags."""
     for given in after_drags(scene, 100, 2, Pymunk()):
         assert failures(scene, given) == ()
 
 
 @SCENES
 def test_a_claim_that_fails_is_reported(scene):
-    """The report is no rubber stamp."""
+    """A false claim is reported at every setting, with the line that opens it."""
     lying = scene._replace(check=lambda given: (*scene.check(given), Claim("the moon is a cheese", holds=False)))
     found = report(lying, 5, 1)
     assert len(found.failures) == found.settings
@@ -104,7 +104,7 @@ def test_a_claim_that_fails_is_reported(scene):
 
 @SCENES
 def test_a_scene_says_what_it_is(scene):
-    """A sentence, functions that exist, rows that exist, presets that differ, defaults in range."""
+    """The idea is a sentence; functions and rows exist; labels and names are unique; defaults are in range."""
     assert re.fullmatch(r"[A-Z].*\.", scene.idea)
     assert all([callable(getattr(physics, name)) for name in scene.functions])
     assert set(scene.rows) <= set(DIFFERENCES)
@@ -117,19 +117,19 @@ def test_a_scene_says_what_it_is(scene):
 
 
 def test_every_function_of_the_source_has_a_scene():
-    """By its name."""
+    """Each function named after the source is shown by a scene."""
     words = "normalize_angle min_difference on_left to_polar to_cartesian closest_point_on_line broad_phase narrow_phase_case_1"
     shown = {name for scene in scenes() for name in scene.functions}
     assert {*words.split(), "narrow_phase_case_2", "collision_response"} <= shown
 
 
 def test_every_row_beyond_the_source_has_a_scene():
-    """So that each can be seen."""
+    """Each row of the table of differences is shown by a scene."""
     assert {row for scene in scenes() for row in scene.rows} == set(DIFFERENCES)
 
 
 def test_the_rows_are_those_of_the_readme():
-    """As many as its table has, under the same numbers."""
+    """The rows have the numbers of the README's table."""
     readme = (Path(physics.__file__).parent.parent / "README.md").read_text(encoding="utf-8")
     rows = re.findall(r"^\| (\d+) \|", readme.partition("### Beyond the source")[2], re.MULTILINE)
     assert [int(row) for row in rows] == list(DIFFERENCES)
@@ -137,17 +137,17 @@ def test_the_rows_are_those_of_the_readme():
 
 @SCENES
 def test_every_handle_can_be_taken_hold_of_and_does_something(scene):
-    """Dragged to where it is, it changes nothing but by rounding to its step; dragged elsewhere, something."""
+    """A drag of a handle changes a value."""
     given = defaults(scene.parameters)
     for handle in scene.handles:
-        place = handle.position(given)
-        elsewhere = dragged(scene.parameters, given, handle, place + (0.9 - 0.7j)).given
+        position = handle.position(given)
+        elsewhere = dragged(scene.parameters, given, handle, position + (0.9 - 0.7j)).given
         assert elsewhere.values != given.values, handle.label
 
 
 @SCENES
 def test_a_handle_follows_the_hand(scene):
-    """Dragged a little way, it comes nearer to where it is wanted, or its value is at a border or a step short."""
+    """A dragged handle comes nearer to the pointer, unless its value is at a border or a step short."""
     chance = random.Random(3)
     for given in after_drags(scene, 300, 4):
         for handle in scene.handles:
@@ -159,7 +159,7 @@ def test_a_handle_follows_the_hand(scene):
 
 @SCENES
 def test_words_and_formula_fit_the_font(scene):
-    """Every letter has a glyph, on the screen's font: none is drawn as an empty box."""
+    """Every letter that a scene writes has a glyph in pygame's font."""
     pygame.font.init()
     font = pygame.font.Font(None, 40)
     missing = pygame.image.tobytes(font.render("\u2220", True, (255, 255, 255)), "RGBA")
@@ -176,7 +176,7 @@ def test_words_and_formula_fit_the_font(scene):
 
 
 def test_a_cited_line_stands_where_it_says():
-    """In the file, at the number; a citation that is in no line of the function, or in several, is an error."""
+    """A cited line is in the file, at the number. A citation found in no line of the function, or in several, is an error."""
     found = code_line(physics.closest_point_on_line, "if along >= square:")
     file, number = re.fullmatch(r"(.+):(\d+) closest_point_on_line", found.where).groups()
     root = Path(physics.__file__).parent.parent
@@ -187,7 +187,7 @@ def test_a_cited_line_stands_where_it_says():
 
 
 def test_a_scene_that_runs_is_a_function_of_its_tick():
-    """The state at a tick is that many steps from the start."""
+    """The state at tick 7 is seven steps from the start."""
     scene = counting_scene()
     given = defaults(scene.parameters)
     assert state_at(scene, given, 7) == 7
@@ -195,6 +195,6 @@ def test_a_scene_that_runs_is_a_function_of_its_tick():
 
 
 def test_scenes_are_values():
-    """Nothing of a scene changes: it is a tuple of values and functions."""
+    """A scene is a tuple of values and functions."""
     assert all([isinstance(scene, Scene) for scene in scenes()])
     assert all([not inspect.isgeneratorfunction(scene.check) for scene in scenes()])

@@ -12,20 +12,20 @@ from tests.support.strategies import angles, points, reals, units
 
 @given(reals(-1e6, 1e6))
 def test_a_plain_remainder(angle):
-    """Also where it leaves its own range."""
+    """The lab's plain remainder is the source's; for -1e-17 it is 2π itself."""
     assert source.normalize_angle(angle) == source_oracle.normalize_angle(angle)
     assert source.normalize_angle(-1e-17) == math.tau
 
 
 @given(angles(), angles())
 def test_on_the_left(a, b):
-    """By the same arithmetic."""
+    """The lab's `on_left` is the source's."""
     assert source.on_left(a, b) == source_oracle.on_left(a, b)
 
 
 @given(points(), points(), points())
 def test_the_foot_on_the_endless_line(a, b, p):
-    """Wherever A and B are two points."""
+    """Wherever A and B differ, the foot on the line is the source's closest point; where A = B there is none."""
     assume(abs(b - a) > 1e-3)
     expected = source_oracle.closest_point_on_line(a, b, p)
     assert abs(source.foot_on_line(a, b, p) - expected) < 1e-6
@@ -34,7 +34,7 @@ def test_the_foot_on_the_endless_line(a, b, p):
 
 @given(points(), reals(0.1, 5.0), reals(2.0, 12.0), angles(), reals(0.1, 1.5), reals(0.01, 3.1))
 def test_the_normal_of_the_end_that_the_source_looks_at(p, ball_radius, radius, angle, half_width, half_angle):
-    """Sign, corners, foot and normal together are the source's case 2."""
+    """Sign, corners, foot and normal in a row are the source's case 2."""
     assume(p != 0.0)
     theta = source_oracle.to_polar(p)[1]
     sign = source.end_sign(theta, angle, half_angle)

@@ -58,13 +58,13 @@ def test_the_ball_gets_away(label):
     ],
 )
 def test_what_the_resting_sector_is_touched_with(label, feature):
-    """Each preset touches what it names."""
+    """The ball of each preset first touches the feature that the preset names."""
     impact = impact_resting._flight_past(values(impact_resting.SCENE, label)).impact
     assert (None if impact is None else impact.contact.feature) == feature
 
 
 def test_the_search_for_the_turning_end_is_one_to_be_seen():
-    """Eight steps and more at the defaults, one for an end at rest, none where they touch."""
+    """The search takes at least eight steps at the defaults, one for an end at rest, none for a touch at time 0."""
     steps = {
         one.label: len(impact_turning._search(preset(impact_turning.SCENE, one.line)).times) - 1
         for one in impact_turning.SCENE.presets
@@ -75,7 +75,7 @@ def test_the_search_for_the_turning_end_is_one_to_be_seen():
 
 
 def test_the_ball_tunnels_before_ones_eyes():
-    """At 20 tests a second; not at 60, and not at 240."""
+    """The source's ball passes the wall at 20 tests a second, but not at 60 or 240."""
     scene = discrete_swept.SCENE
     for label, through in (("20 tests", True), ("60 tests", False), ("240 tests", False), ("a thin wall", True)):
         given = values(scene, label)
@@ -85,7 +85,7 @@ def test_the_ball_tunnels_before_ones_eyes():
 
 
 def test_both_bricks_are_touched():
-    """At the same time, and one after the other."""
+    """Both bricks are touched, at the same time in one preset and one after the other in another."""
     scene = two_bricks.SCENE
     tie, later = (two_bricks._notch(values(scene, label)) for label in ("both at the same", "one after"))
     assert (tie.tie, later.tie) == (True, False)
@@ -94,7 +94,7 @@ def test_both_bricks_are_touched():
 
 
 def test_which_way_is_out():
-    """An end, the outer face, the inner face."""
+    """The ball leaves through the side that the preset names."""
     labels = {"near an end": Feature.END, "near the outer": Feature.OUTER_FACE, "near the inner": Feature.INNER_FACE}
     for label, feature in labels.items():
         start = inside_material._ball_inside(values(inside_material.SCENE, label))
@@ -102,7 +102,7 @@ def test_which_way_is_out():
 
 
 def test_the_ball_is_squeezed_and_put_outward():
-    """After a tick of 32 bounces; not where it gets out in time."""
+    """Where the ends close on the ball there is a tick of 32 bounces, and the ball is put outward; elsewhere there is not."""
     scene = scene_named("squeezed")
     for label, squeezed in (
         ("closing slowly", True),
@@ -115,7 +115,7 @@ def test_the_ball_is_squeezed_and_put_outward():
 
 
 def test_the_game_ends_once_while_the_source_ends_it_again_and_again():
-    """Three balls lost, one end; a paddle in the way keeps the ball."""
+    """Three balls are lost and the game ends once, while the source's rule holds in hundreds of ticks."""
     scene = scene_named("game-over-once")
     end = state_at(scene, values(scene, "out at once"), 480)
     assert (end.lost, end.ended, end.game.lives) == (3, 1, 0)
@@ -124,7 +124,7 @@ def test_the_game_ends_once_while_the_source_ends_it_again_and_again():
 
 
 def test_the_nudge_comes():
-    """With the twelfth contact, in every preset; the ball without it goes on."""
+    """In every preset the first nudge comes with the twelfth contact; the ball without nudges goes on bouncing."""
     scene = scene_named("nudge")
     for one in scene.presets:
         end = state_at(scene, preset(scene, one.line), 960)
@@ -134,7 +134,7 @@ def test_the_nudge_comes():
 
 
 def test_the_two_engines_part_at_the_first_bounce():
-    """Not before it; and more steps of the other one make the first difference smaller."""
+    """Both paths differ from the first bounce on, and by less if the second engine takes more steps in a tick."""
     scene = free_run.SCENE
     apart = []
     for label in ("one step", "eight steps"):

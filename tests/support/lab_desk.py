@@ -17,9 +17,9 @@ class LabDesk(Desk):
     """A desk with the lab on it."""
 
     def __init__(self, line="case-2", size=SIZE):
-        kept = shared()
-        super().__init__(kept, None, size)
-        self.screen = Lab(kept, session.opened(parsed(line, Pymunk())))
+        app = shared()
+        super().__init__(app, None, size)
+        self.screen = Lab(app, session.opened(parsed(line, Pymunk())))
         self.size = size
         self.wait(FRAME)
 
