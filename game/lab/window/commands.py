@@ -60,11 +60,12 @@ KEYS = (
 
 TOGGLE_KEYS = {pygame.K_1 + number: toggle for number, toggle in enumerate(Toggle)}
 
-MOUSE_HELP = (
+MORE_HELP = (
     ("Drag a ring", "move what it stands on"),
     ("Drag elsewhere", "move the world"),
     ("Wheel", "zoom about the pointer"),
     ("1 to 7", "show or hide what is listed at the right"),
+    ("F11", "full screen"),
 )
 
 
