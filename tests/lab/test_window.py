@@ -52,6 +52,21 @@ def test_a_drag_on_nothing_moves_the_view_and_home_brings_it_back(desk):
     assert desk.pixel(7 + 4j) == start
 
 
+def test_handles_are_dragged_only_in_panes_that_have_them():
+    """In the turned game of `symmetry` a drag at the ball's position in the first game moves the world."""
+    desk = LabDesk("symmetry")
+    desk.press(pygame.K_SPACE)
+    before = desk.values.point("ball")
+    start = desk.pixel(before, pane=1)
+    desk.drag(start, (start[0] + 20, start[1] + 10))
+    assert desk.values.point("ball") == before
+    desk.press(pygame.K_HOME)
+    start = desk.pixel(before)
+    desk.drag(start, (start[0] + 20, start[1] + 10))
+    assert desk.values.point("ball") != before
+    desk.close()
+
+
 def test_the_wheel_zooms_about_the_pointer(desk):
     """The wheel zooms; the point under the pointer stays there."""
     pixel = desk.pixel(10 + 4j)

@@ -171,10 +171,14 @@ Mark = Disc | Circle | AnnularSector | Annulus | Line | Arrow | PointMark | Arc 
 
 
 class Pane(NamedTuple):
-    """One world. Several stand side by side, each seen through the same camera. marks: from back to front."""
+    """One world. Several stand side by side, each seen through the same camera.
+
+    marks: from back to front. has_handles: whether the scene's handles are in it, too.
+    """
 
     marks: tuple[Mark, ...]
     title: str = ""
+    has_handles: bool = True
 
 
 class Picture(NamedTuple):

@@ -16,10 +16,11 @@ _RADIUS, _CATCH, _WIDTH = 0.42, 1.0, 0.14
 
 
 class PaneView(NamedTuple):
-    """One pane on the screen. area: pixels."""
+    """One pane on the screen. area: pixels. handles: those that are drawn and can be dragged in it."""
 
     area: pygame.Rect
     camera: Camera
+    handles: tuple[Handle, ...]
 
 
 class Drag(NamedTuple):
@@ -34,12 +35,12 @@ class Drag(NamedTuple):
     offset: complex
 
 
-def drag_at(pixel: complex, panes: Sequence[PaneView], given: Given, handles: Sequence[Handle], unit: float) -> Drag | None:
+def drag_at(pixel: complex, panes: Sequence[PaneView], given: Given, unit: float) -> Drag | None:
     """What a press at a pixel takes hold of; None outside of the panes. unit: size of body text, pixels."""
     for index, pane in enumerate(panes):
         if pane.area.collidepoint(pixel.real, pixel.imag):
             point = pane.camera.unproject(pixel)
-            handle = _nearest(point, given, handles, _CATCH * unit / pane.camera.scale)
+            handle = _nearest(point, given, pane.handles, _CATCH * unit / pane.camera.scale)
             return Drag(index, handle, 0j if handle is None else handle.position(given) - point)
     return None
 

@@ -38,6 +38,8 @@ _LARGEST = 1e6
 """Pixels: a filled circle of a larger radius is not drawn."""
 _MOST_CELLS = 16384
 """Pixels: a field drawn wider or higher is left out."""
+_SHORTEST = 1.0
+"""Pixels: a shorter arrow is left out, and so is its label."""
 
 
 class _Label(NamedTuple):
@@ -97,7 +99,7 @@ def _label(canvas: PaneCanvas, mark: Mark) -> _Label | None:
     match mark:
         case PointMark(position, label=text) if text:
             return _Label(project(position) + complex(0.8, -0.8) * unit, text, mark.role)
-        case Arrow(start, vector, label=text) if text and vector:
+        case Arrow(start, vector, label=text) if text and abs(vector) * canvas.camera.scale >= _SHORTEST:
             on_screen = vector.conjugate() / abs(vector)
             return _Label(project(start + vector) + on_screen * unit * 0.8, text, mark.role, _anchor(on_screen))
         case Line(points, label=text) if text:
@@ -173,7 +175,7 @@ def _draw_arrow(canvas: PaneCanvas, mark: Arrow, colour: Colour) -> None:
     """A vector with its head; nothing for the vector 0."""
     start, tip = canvas.camera.project(mark.start), canvas.camera.project(mark.start + mark.vector)
     length = abs(tip - start)
-    if length < 1.0 or not (is_near(start) and is_near(tip)):
+    if length < _SHORTEST or not (is_near(start) and is_near(tip)):
         return
     along = (tip - start) / length
     head = min(canvas.unit * (0.75 if mark.stroke is Stroke.SOLID else 0.95), length * 0.7)

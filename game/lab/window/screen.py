@@ -121,18 +121,18 @@ class Lab:
 
     def _draw_world(self, sheet: Sheet) -> None:
         """Every pane with its title and the handles."""
-        session, views = self._session, self._pane_views(sheet.surface.get_size())
+        given, views = self._session.given, self._pane_views(sheet.surface.get_size())
         hovered = self._hovered(views, sheet.unit)
         for pane, view in zip(self._picture().panes, views, strict=True):
             pygame.draw.rect(sheet.surface, sheet.theme.ground, view.area)
-            canvas = PaneCanvas(sheet.surface, *view, sheet.theme, sheet.type, sheet.unit, self._shown)
+            canvas = PaneCanvas(sheet.surface, view.area, view.camera, sheet.theme, sheet.type, sheet.unit, self._shown)
             draw_marks(canvas, pane.marks)
             if pane.title:
                 top = complex(view.area.centerx, view.area.top + sheet.unit * 0.4)
                 write_words(canvas, top, pane.title, sheet.theme.text, "midtop")
             if view.area.left > sheet.layout.world.left:
                 pygame.draw.line(sheet.surface, sheet.theme.panel_edge, view.area.topleft, view.area.bottomleft)
-            draw_handles(canvas, session.given, session.scene.handles, hovered)
+            draw_handles(canvas, given, view.handles, hovered if hovered in view.handles else None)
 
     def _release(self, event: pygame.Event) -> None:
         """Forget the held key when it comes up, or when another window has the keyboard."""
@@ -167,13 +167,13 @@ class Lab:
                     self._move(self._drag, views, self._pointer - before)
             case pygame.MOUSEBUTTONDOWN if event.button in (1, 2, 3):
                 self._pointer = self._pixel(event.pos)
-                handles = self._session.scene.handles if event.button == 1 else ()
-                self._drag = drag_at(self._pointer, views, self._session.given, handles, unit)
+                pressed = views if event.button == 1 else [view._replace(handles=()) for view in views]
+                self._drag = drag_at(self._pointer, pressed, self._session.given, unit)
                 self._widgets(size).release_focus()
             case pygame.MOUSEBUTTONUP | pygame.WINDOWFOCUSLOST:
                 self._drag = None
             case pygame.MOUSEWHEEL:
-                for area, camera in views:
+                for area, camera, _ in views:
                     if area.collidepoint(self._pointer.real, self._pointer.imag):
                         box, steps = self._session.scene.view_box, float(event.precise_y)
                         self._pan_zoom = self._pan_zoom.zoomed(camera, box, area, self._pointer, steps)
@@ -262,16 +262,19 @@ class Lab:
         return self._side[1]
 
     def _pane_views(self, size: tuple[int, int]) -> list[PaneView]:
-        """Area and camera of each pane; all of them show the same part of the world."""
-        box = self._session.scene.view_box
-        areas = pane_areas(layout_of(size), len(self._picture().panes))
-        return [PaneView(area, self._pan_zoom.camera(box, area)) for area in areas]
+        """Area, camera and handles of each pane; all of them show the same part of the world."""
+        scene, panes = self._session.scene, self._picture().panes
+        areas = pane_areas(layout_of(size), len(panes))
+        return [
+            PaneView(area, self._pan_zoom.camera(scene.view_box, area), scene.handles if pane.has_handles else ())
+            for area, pane in zip(areas, panes, strict=True)
+        ]
 
     def _hovered(self, views: list[PaneView], unit: float) -> Handle | None:
         """The handle that is held, or that a press would take hold of."""
         if self._drag is not None:
             return self._drag.handle
-        found = drag_at(self._pointer, views, self._session.given, self._session.scene.handles, unit)
+        found = drag_at(self._pointer, views, self._session.given, unit)
         return None if found is None else found.handle
 
     def _pixel(self, point: tuple[int, int]) -> complex:

@@ -1,10 +1,12 @@
 """Collision response: the velocity after a bounce."""
 
-from game.lab.scenes.response import carried, response_paddle, response_wall, stopped_dead
+from game.lab.scenes.response import axis_slip, carried, friction, response_paddle, response_wall, stopped_dead
 
 SCENES = (
     response_wall.SCENE,
     response_paddle.SCENE,
+    friction.SCENE,
+    axis_slip.SCENE,
     stopped_dead.SCENE,
     carried.SCENE,
 )

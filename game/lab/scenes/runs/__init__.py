@@ -1,9 +1,10 @@
 """Scenes that run: whole flights, tick by tick."""
 
-from game.lab.scenes.runs import discrete_swept, free_run, game_over_once, nudge, squeezed, symmetry
+from game.lab.scenes.runs import discrete_swept, falling_stack, free_run, game_over_once, nudge, squeezed, symmetry
 
 SCENES = (
     discrete_swept.SCENE,
+    falling_stack.SCENE,
     squeezed.SCENE,
     symmetry.SCENE,
     free_run.SCENE,

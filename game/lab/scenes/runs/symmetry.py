@@ -73,7 +73,7 @@ def _picture(given: Given, state: _ThreeGames) -> Picture:
     titles = ("a game", f"turned by {degrees(alpha)}", "mirrored")
     axes = (ray(0.0, 11.0), ray(alpha, 11.0), Line((-11 + 0j, 11 + 0j), Role.FAINT, None, Stroke.DASHED))
     panes = [
-        Pane((axis, *_marks(arena, trail)), title)
+        Pane((axis, *_marks(arena, trail)), title, has_handles=arena is state.plain)
         for title, axis, arena, trail in zip(titles, axes, state[:3], state.trails, strict=True)
     ]
     panes[0] = panes[0]._replace(marks=(*panes[0].marks, *_first(given)))
