@@ -6,7 +6,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from game.lab.source import Flight, frame, normal_at, reset, response_steps
+from game.lab.source import Flight, SourceGame, frame, game_frame, normal_at, reset, response_steps
 from physics import Ball, Ring, min_difference
 from tests.support import source_oracle
 from tests.support.strategies import balls, points, reals, rings
@@ -83,3 +83,42 @@ def test_the_nearest_of_many_sectors_is_found(count):
     for slot in range(count):
         position = 6.6 * complex(math.cos(ring.angle(slot)), math.sin(ring.angle(slot)))
         assert abs(normal_at(Ball(position, 0j, 0.3).position, 0.3, ring) - position / 6.6) < 1e-12
+
+
+PADDLES, BRICKS = Ring(9.0, 0.3, 0.5, 2, 0.0, 0.4), Ring(4.0, 0.5, 0.3, 8)
+
+
+def game_at(position, velocity, layers=(2,) * 8):
+    """The source's game with the ball where the next frame finds it after 0.1 s."""
+    return game_frame(SourceGame(Flight(position - velocity * 0.1, velocity), PADDLES, BRICKS, layers), 0.5, 12.0, 0.1, 5.0)
+
+
+def test_a_brick_that_is_hit_loses_a_layer():
+    """The nearest one, and only if the ball approaches it; the bounce is the mirrored velocity."""
+    hit = game_at(4.8 + 0j, -5 + 0j)
+    assert (hit.layers, hit.flight.velocity) == ((1, *(2,) * 7), 5 + 0j)
+    left = game_at(4.8 + 0j, 5 + 0j)
+    assert (left.layers, left.flight.velocity) == ((2,) * 8, 5 + 0j)
+
+
+def test_an_empty_slot_is_not_hit():
+    """The search goes over the bricks that are left: a ball in an empty slot meets neither neighbour."""
+    through = game_at(4.0 + 0j, -5 + 0j, (0, *(2,) * 7))
+    assert (through.layers, through.flight.velocity) == ((0, *(2,) * 7), -5 + 0j)
+    assert game_at(4.0 + 0j, -5 + 0j, (0,) * 8).flight.velocity == -5 + 0j
+
+
+def test_a_paddle_is_hit_where_it_has_turned_to():
+    """Rings turn before the test, as the source's frame does; no layer is lost."""
+    hit = game_at(8.4 + 0j, 5 + 0j)
+    assert hit.paddles.phase == PADDLES.turned(0.1).phase
+    assert hit.layers == (2,) * 8
+    assert hit.flight.velocity.real < 0.0
+
+
+def test_a_ball_off_the_ground_ends_the_game():
+    """The game is over from then on, and the ball does not move any more."""
+    over = game_at(12.6 + 0j, 5 + 0j)
+    assert over.over
+    assert game_frame(over, 0.5, 12.0, 0.1, 5.0).flight == over.flight
+    assert not game_at(12.4 + 0j, 5 + 0j).over

@@ -5,10 +5,10 @@ import pytest
 from game.lab.kit.end_bounce import end_bounce
 from game.lab.registry import scene_named
 from game.lab.scenes.narrow_phase import inside_material
-from game.lab.scenes.response import carried, stopped_dead
-from game.lab.scenes.runs import discrete_swept, free_run
+from game.lab.scenes.response import axis_slip, carried, friction, stopped_dead
+from game.lab.scenes.runs import discrete_swept, falling_stack, free_run, source_game
 from game.lab.scenes.time_of_impact import impact_resting, impact_turning, two_bricks
-from game.lab.session.share import preset
+from game.lab.session.share import parsed, preset
 from physics import Feature
 from tests.support.lab_scenes import state_at
 from tools.crosscheck.second_engine import Pymunk
@@ -143,3 +143,44 @@ def test_the_two_engines_part_at_the_first_bounce():
         assert end.bounces == len(end.apart) >= 2
         apart.append(end.apart[0])
     assert apart[0] > 2.0 * apart[1] > 1e-3
+
+
+def test_friction_bends_the_path():
+    """At the defaults all three bounces differ; straight on a paddle at rest they are the same."""
+    for label, different in (("against", True), ("straight on", False)):
+        presets = [one for one in friction.SCENE.presets if one.label.startswith(label)]
+        bounces = friction._friction_bounces(preset(friction.SCENE, presets[0].line)).bounces
+        angles = [friction._angle_to_normal(found.steps.result) for found in bounces]
+        assert (len(set(angles)) == 3) is different
+
+
+def test_the_axes_of_the_slides_do_not_fit():
+    """Read literally, the ball leaves the ground, flies into the wall, or bounces off a wall that it leaves."""
+    scene = axis_slip.SCENE
+    assert axis_slip._two_readings(values(scene, "off the ground")).three.y > 5.0
+    same = axis_slip._two_readings(values(scene, "n along x"))
+    assert abs(complex(same.three.x, same.three.z) - same.found.steps.result) < 1e-9
+    for label, literally in (("n along the other", False), ("approaching", False), ("leaving", True)):
+        both = axis_slip._two_readings(values(scene, label))
+        assert (both.literal_approach < 0.0, both.found.approach < 0.0) == (literally, not literally)
+
+
+def test_the_stack_falls_layer_by_layer():
+    """Each hit takes one layer until the slot is empty. The rest falls from one layer high, from higher if hit again."""
+    scene = falling_stack.SCENE
+    given = values(scene, "four layers")
+    states = [state_at(scene, given, tick) for tick in range(0, 721, 8)]
+    assert [falling_stack._layers(state) for state in (states[0], states[-1])] == [4, 0]
+    slow, fast = (parsed(f"falling-stack?layers=8&speed={speed}").given for speed in (5, 40))
+    heights = [max([falling_stack._height(state_at(scene, one, tick)) for tick in range(0, 361, 8)]) for one in (slow, fast)]
+    assert 0.5 < heights[0] <= 1.0 < heights[1]
+
+
+@pytest.mark.parametrize("rate", [20, 60, 240])
+def test_the_sources_game_overlaps_before_it_answers(rate):
+    """At every rate its ball overlaps something at a test, and two seconds later it is elsewhere than ours."""
+    scene = source_game.SCENE
+    given = parsed(f"source-game?rate={rate}").given
+    end = state_at(scene, given, 480)
+    assert end.deepest > 0.01
+    assert end.theirs.flight.position != end.ours.balls[0].position

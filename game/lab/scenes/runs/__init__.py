@@ -1,9 +1,10 @@
 """Scenes that run: whole flights, tick by tick."""
 
-from game.lab.scenes.runs import discrete_swept, falling_stack, free_run, game_over_once, nudge, squeezed, symmetry
+from game.lab.scenes.runs import discrete_swept, falling_stack, free_run, game_over_once, nudge, source_game, squeezed, symmetry
 
 SCENES = (
     discrete_swept.SCENE,
+    source_game.SCENE,
     falling_stack.SCENE,
     squeezed.SCENE,
     symmetry.SCENE,
