@@ -12,12 +12,12 @@ from game.lab.kit.handles import Handle, polar_vector
 from game.lab.kit.marks import ring_marks
 from game.lab.kit.parameters import Given
 from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Role, Stroke, Toggle, Words
+from game.rules import TICK
 from physics import PERMANENT, Arena, Ball, Ring, advance, contact, to_cartesian
 
 REACH, RADIUS = 6.0, 0.5
 """Distance of the touched point from the centre, and the ball's radius."""
 NORMAL = 1j
-TICK = 1.0 / 240.0
 _HALF_WIDTH, _HALF_ANGLE = 1.0, 0.4
 _AT = complex(REACH - _HALF_WIDTH, 0.0)
 """The inner corner, where one takes hold of the end's velocity."""

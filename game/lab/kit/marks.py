@@ -5,10 +5,17 @@ from collections.abc import Sequence
 
 from game.lab.kit.parameters import Given
 from game.lab.kit.picture import AnnularSector, Arc, Arrow, Circle, Disc, Line, Mark, PointMark, Role, Stroke, Toggle
-from physics import Ball, Contact, Ring, dot, to_cartesian
+from physics import Ball, Contact, Feature, Ring, dot, to_cartesian
 
 VELOCITY_SCALE = 0.2
 """World units drawn per unit of speed."""
+FEATURE_WORDS = {
+    Feature.OUTER_FACE: "the outer face",
+    Feature.INNER_FACE: "the inner face",
+    Feature.END: "an end",
+    Feature.CORNER: "a corner",
+}
+"""What of a sector is nearest or touched, in words."""
 _TOUCH = 1e-9
 """World units. A ball nearer to a surface than this is drawn as touching it."""
 
@@ -56,6 +63,17 @@ def contact_marks(ball: Ball, found: Contact, length: float = 1.0) -> tuple[Mark
     if found.gap <= _TOUCH:
         marks.append(Circle(found.point, 0.12 * length, Role.OURS, Toggle.CONTACTS, Stroke.THICK))
     return tuple(marks)
+
+
+def outline_points(ring: Ring, samples: int) -> list[complex]:
+    """Points of the outline of sector 0: so many more than one on each face and, unless the ring is closed, on each end."""
+    shares = [2.0 * k / samples - 1.0 for k in range(samples + 1)]
+    radii = (ring.inner_radius, ring.outer_radius)
+    faces = [to_cartesian(radius, ring.phase + share * ring.half_angle) for radius in radii for share in shares]
+    if ring.half_angle >= math.pi:
+        return faces
+    ends = [to_cartesian(1.0, ring.phase + side * ring.half_angle) for side in (-1.0, 1.0)]
+    return faces + [end * (ring.radius + share * ring.half_width) for end in ends for share in shares]
 
 
 def second_opinion(given: Given, ball: Ball, ring: Ring, slots: Sequence[int], ours: Contact | None) -> tuple[Mark, ...]:

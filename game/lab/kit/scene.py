@@ -28,6 +28,7 @@ from typing import Any, NamedTuple
 from game.lab.kit.handles import Handle
 from game.lab.kit.parameters import Given, Parameter
 from game.lab.kit.picture import Picture
+from game.rules import TICK
 
 
 class ViewBox(NamedTuple):
@@ -67,7 +68,7 @@ class Motion(NamedTuple):
     start: Callable[[Given], Any]
     step: Callable[[Given, Any], Any]
     picture: Callable[[Given, Any], Picture]
-    tick: float = 1.0 / 240.0
+    tick: float = TICK
     ticks: int = 480
 
 

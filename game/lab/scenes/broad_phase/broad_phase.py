@@ -1,5 +1,7 @@
 """The broad phase: the outcome that follows from the ball's distance from the centre alone."""
 
+import math
+
 from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.handles import Handle
@@ -28,13 +30,12 @@ _ROLES = {
     Outcome.NO_COLLISION: Role.FAINT,
 }
 _FAR = 25.0
-_CLOSED = 3.141592653589793
 
 
 def _rings(given: Given) -> tuple[Ring, Ring]:
     """The paddles' ring and the bricks', closed: the broad phase does not look at angles."""
-    paddles = Ring(given.number("r_p"), given.number("w_p"), _CLOSED, 1)
-    return paddles, Ring(given.number("r_b"), given.number("w_b"), _CLOSED, 1)
+    paddles = Ring(given.number("r_p"), given.number("w_p"), math.pi, 1)
+    return paddles, Ring(given.number("r_b"), given.number("w_b"), math.pi, 1)
 
 
 def _outcome(given: Given) -> Outcome:

@@ -1,5 +1,6 @@
 """Case 1: the ball's angle lies within the sector's."""
 
+import math
 from typing import NamedTuple
 
 from game.lab import source
@@ -135,7 +136,7 @@ def _distance_to_outline(ring: Ring, p: complex) -> float:
     """From a point to the nearest of many points of the two arcs, or to the two ends, where there are ends."""
     angles = [ring.angle(0) + ring.half_angle * (2.0 * k / _SAMPLES - 1.0) for k in range(_SAMPLES + 1)]
     arcs = [length(p - to_cartesian(radius, a)) for a in angles for radius in (ring.inner_radius, ring.outer_radius)]
-    if ring.half_angle >= 3.141592653589793:
+    if ring.half_angle >= math.pi:
         return min(arcs)
     ends = [source.end_points(ring.radius, ring.half_width, angle) for angle in (angles[0], angles[-1])]
     return min([*arcs, *[length(p - closest_point_on_line(a, b, p)) for a, b in ends]])

@@ -1,5 +1,6 @@
 """Case 2: the ball's angle lies outside of the sector's."""
 
+import math
 from typing import NamedTuple
 
 from game.lab import source
@@ -139,7 +140,7 @@ def _note(case: _EndCase, found: Contact) -> str:
         return "The ball is on the centre: it has no angle, and θ = 0 by convention."
     if case.half_angle == 0.0:
         return "φ_p = 0: the sector is only a segment. A ring of the game cannot have it; case 2 answers all the same."
-    if not case.applies and case.half_angle >= 3.1415926:
+    if not case.applies and case.half_angle >= math.pi:
         return "φ_p = 180°: the ring is closed. It has no ends, so every ball is case 1."
     if length(case.ball.position - found.point) == 0.0:
         return "p = q: the source leaves out the distance 0. The normal is the end's own."

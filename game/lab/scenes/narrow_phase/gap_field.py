@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 from game.lab import source
 from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line
-from game.lab.kit.marks import ball_marks, contact_marks, is_unit, second_opinion, two_decimals
+from game.lab.kit.marks import FEATURE_WORDS, ball_marks, contact_marks, is_unit, outline_points, second_opinion, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arc, Arrow, Field, Line, Mark, Picture, Role, Stroke, Toggle, Words, single
 from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
@@ -25,12 +25,6 @@ _SPACING, _ARROW = 1.7, 0.65
 _SAMPLES = 32
 _FAR = 40.0
 _ROLES = {Feature.OUTER_FACE: Role.GOOD, Feature.INNER_FACE: Role.TWO, Feature.END: Role.THREE, Feature.CORNER: Role.FOUR}
-_WORDS = {
-    Feature.OUTER_FACE: "the outer face",
-    Feature.INNER_FACE: "the inner face",
-    Feature.END: "an end",
-    Feature.CORNER: "a corner",
-}
 
 
 class _BallAndSector(NamedTuple):
@@ -67,7 +61,7 @@ def _picture(given: Given) -> Picture:
         if not _is_inside(p, ring)
         else f"gap = -|p - q| - r = -{length(p - q):.3f} - {ball.radius:g} = {found.gap:.3f}",
         f"p = {two_decimals(p)},   q = {two_decimals(q)},   n = {two_decimals(found.normal)}",
-        f"nearest: {_WORDS[found.feature]};   a band of colour is {_BAND:g} wide, blue for a gap above 0, red for an overlap",
+        f"nearest: {FEATURE_WORDS[found.feature]};   bands of colour, {_BAND:g} wide: blue for gaps above 0, red for overlaps",
     )
     return single(tuple(marks), formula, _cited(found), _note(ball, ring))
 
@@ -108,7 +102,10 @@ def _legend(ring: Ring) -> list[Mark]:
         end = to_cartesian(1.0, -ring.half_angle)
         positions[Feature.END] = end * complex(ring.radius, -1.4)
         positions[Feature.CORNER] = end * complex(ring.outer_radius + 1.5, -1.2)
-    return [Words(turn * position, _WORDS[feature], _ROLES[feature], Toggle.NORMALS) for feature, position in positions.items()]
+    return [
+        Words(turn * position, FEATURE_WORDS[feature], _ROLES[feature], Toggle.NORMALS)
+        for feature, position in positions.items()
+    ]
 
 
 def _borders(ring: Ring) -> list[tuple[complex, ...]]:
@@ -187,7 +184,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
     other = p + to_cartesian(0.3 + 0.5 * r, 7.0 * (p.real + p.imag))
     gap = contact(Ball(other, 0j, r), ring, 0).gap
     half_way = contact(Ball((p + found.point) / 2.0, 0j, r), ring, 0).gap
-    nearest = min([length(p - point) for point in _outline(ring)])
+    nearest = min([length(p - point) for point in outline_points(ring, _SAMPLES)])
     return (
         Claim("contact() measures the distance that the field shows", abs(found.gap - (there - r)) < 1e-9),
         Claim("no point of the outline is nearer than q", abs(there) <= nearest + 1e-9),
@@ -199,17 +196,6 @@ def _check(given: Given) -> tuple[Claim, ...]:
             length(p - found.point - found.normal * (found.gap + r)) < 1e-9,
         ),
     )
-
-
-def _outline(ring: Ring) -> list[complex]:
-    """Points of the sector's outline."""
-    inner, outer = ring.inner_radius, ring.outer_radius
-    angles = [ring.phase + ring.half_angle * (2.0 * k / _SAMPLES - 1.0) for k in range(_SAMPLES + 1)]
-    points = [to_cartesian(radius, angle) for radius in (inner, outer) for angle in angles]
-    if ring.half_angle < math.pi:
-        radii = [inner + (outer - inner) * k / _SAMPLES for k in range(_SAMPLES + 1)]
-        points += [to_cartesian(radius, angle) for radius in radii for angle in (angles[0], angles[-1])]
-    return points
 
 
 SCENE = Scene(

@@ -5,10 +5,11 @@ from typing import NamedTuple
 
 from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line, source_line
-from game.lab.kit.marks import ball_marks, contact_marks, ring_marks, two_decimals
+from game.lab.kit.marks import FEATURE_WORDS, ball_marks, contact_marks, outline_points, ring_marks, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Line, Mark, Picture, Role, Stroke, Toggle, Words, single
 from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
+from game.rules import TICK
 from physics import (
     PERMANENT,
     Arena,
@@ -23,19 +24,11 @@ from physics import (
     dot,
     length,
     min_difference,
-    to_cartesian,
 )
 from physics.narrow_phase import face_contact, sector_contact
 from physics.tolerances import OVERLAP
 
-_TICK = 1.0 / 240.0
 _SAMPLES = 200
-_WORDS = {
-    Feature.OUTER_FACE: "the outer face",
-    Feature.INNER_FACE: "the inner face",
-    Feature.END: "an end",
-    Feature.CORNER: "a corner",
-}
 
 
 class _BallInside(NamedTuple):
@@ -66,7 +59,7 @@ def _ball_inside(given: Given) -> _BallInside:
     ring = Ring(given.number("radius"), given.number("half_width"), given.angle("half_angle"), 1, given.angle("angle"))
     ball = Ball(given.point("ball"), 0j, given.number("r"))
     face = face_contact(ball.position, ball.radius, ring.radius, ring.half_width)
-    step = advance(Arena((ball,), (ring,), ((PERMANENT,),)), _TICK, 1.0)
+    step = advance(Arena((ball,), (ring,), ((PERMANENT,),)), TICK, 1.0)
     return _BallInside(ball, ring, face, contact(ball, ring, 0), step)
 
 
@@ -112,7 +105,7 @@ def _formula(start: _BallInside) -> tuple[str, ...]:
         f"to the outer face:   r_p + w_p - |p| = {ring.outer_radius - length(p):.3f}",
         f"to the inner face:   |p| - (r_p - w_p) = {length(p) - ring.inner_radius:.3f}",
         f"to the nearer end:   |p| sin(φ_p - |θ - θ_p|) = {end}",
-        f"the least: {_WORDS[start.found.feature]}, plus r = {r:g}: the ball is moved by {-start.found.gap:.3f}",
+        f"the least: {FEATURE_WORDS[start.found.feature]}, plus r = {r:g}: the ball is moved by {-start.found.gap:.3f}",
         f"the tick that follows:   freed = {start.step.freed}",
     )
 
@@ -140,7 +133,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
     start = _ball_inside(given)
     ball, ring, found = start.ball, start.ring, start.found
     depth = -found.gap - ball.radius
-    nearest = min([length(ball.position - point) for point in _outline(ring)])
+    nearest = min([length(ball.position - point) for point in outline_points(ring, _SAMPLES)])
     pushed = Ball(ball.position - found.normal * found.gap, 0j, ball.radius)
     simple = start.inside and ring.half_angle <= math.pi / 2.0 and ball.radius < ring.inner_radius
     after = start.step.arena.balls[0]
@@ -157,20 +150,6 @@ def _check(given: Given) -> tuple[Claim, ...]:
             "the normal points out of the sector", not start.inside or dot(found.normal, found.point - ball.position) > -1e-12
         ),
     )
-
-
-def _outline(ring: Ring) -> list[complex]:
-    """Points of the faces and of the ends."""
-    shares = [2.0 * k / _SAMPLES - 1.0 for k in range(_SAMPLES + 1)]
-    faces = [
-        to_cartesian(radius, ring.phase + share * ring.half_angle)
-        for radius in (ring.inner_radius, ring.outer_radius)
-        for share in shares
-    ]
-    if ring.half_angle >= math.pi:
-        return faces
-    ends = [to_cartesian(1.0, ring.phase + side * ring.half_angle) for side in (-1.0, 1.0)]
-    return faces + [end * (ring.radius + share * ring.half_width) for end in ends for share in shares]
 
 
 SCENE = Scene(

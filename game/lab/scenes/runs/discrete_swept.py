@@ -10,10 +10,11 @@ from game.lab.kit.marks import VELOCITY_SCALE, ring_marks
 from game.lab.kit.parameters import Count, Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, PointMark, Role, Stroke, Toggle
 from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
+from game.rules import TICK
 from physics import PERMANENT, Arena, Ball, Ring, advance, cross, in_band, length, time_of_impact, to_cartesian
 
 _RADIUS = 8.0
-_TICKS_PER_SECOND = 240
+_TICKS_PER_SECOND = round(1.0 / TICK)
 _TRAIL = 24
 _GRAZING = 0.99
 _SCALE = VELOCITY_SCALE / 2.0

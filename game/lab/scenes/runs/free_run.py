@@ -10,9 +10,9 @@ from game.lab.kit.marks import VELOCITY_SCALE, ring_marks
 from game.lab.kit.parameters import Count, Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Picture, PointMark, Role, Stroke, Toggle, Words, single
 from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
+from game.rules import TICK
 from physics import PERMANENT, Arena, Ball, Ring, advance, contact, length, time_of_impact, to_cartesian
 
-_TICK = 1.0 / 240.0
 _TICKS = 480
 _RADIUS = 0.4
 _RINGS = (Ring(10.0, 0.3, math.pi, 1), Ring(4.5, 0.7, 0.6, 3, 0.5))
@@ -57,13 +57,13 @@ def _flight(given: Given, ticks: int) -> tuple[complex, ...]:
     if given.engine is None:
         return ()
     steps = given.count("steps")
-    positions = given.engine.flight(_ball(given), _RINGS, _TICK / steps, ticks * steps, given.count("chords"))
+    positions = given.engine.flight(_ball(given), _RINGS, TICK / steps, ticks * steps, given.count("chords"))
     return positions[::steps]
 
 
 def _step(given: Given, state: _BothEngines) -> _BothEngines:
     """A tick later."""
-    step = advance(state.arena, _TICK, given.number("speed"))
+    step = advance(state.arena, TICK, given.number("speed"))
     ball, tick = step.arena.balls[0], state.tick + 1
     bounced = [hit.contact.point + hit.contact.normal * _RADIUS for hit in step.hits]
     apart = state.apart
@@ -97,7 +97,7 @@ def _formula(given: Given, state: _BothEngines) -> tuple[str, ...]:
     if given.engine is None or not state.theirs:
         return (f"tick {state.tick},   bounces {state.bounces}", "no second engine here: only our ball flies")
     name, steps, chords = given.engine.name, given.count("steps"), given.count("chords")
-    deep = given.number("speed") * _TICK / steps
+    deep = given.number("speed") * TICK / steps
     sagitta = _RINGS[0].inner_radius * (1.0 - math.cos(math.pi / chords))
     apart = length(state.theirs[state.tick] - state.arena.balls[0].position)
     after = ",   ".join([f"{one:.4f}" for one in state.apart[:_MOST]])
@@ -147,11 +147,11 @@ def _check(given: Given) -> tuple[Claim, ...]:
     path = sum([abs(there - here) for here, there in pairwise(state.trail)])
     whole = clear and len(state.trail) < _TRAIL
     return (
-        Claim("our path is v_0 dt long in every tick, bounces included", not whole or abs(path - speed * _RUN * _TICK) < 1e-9),
+        Claim("our path is v_0 dt long in every tick, bounces included", not whole or abs(path - speed * _RUN * TICK) < 1e-9),
         Claim("ours overlaps nothing at the end of any tick", least > -1e-9),
         Claim("our ball has the speed v_0", abs(length(state.arena.balls[0].velocity) - speed) < 1e-9),
         Claim("until the first bounce both paths are the same", not clear or before < 1e-9),
-        Claim("in the tick of that bounce they differ by less than 2 v_0 dt", not clear or first < 2.0 * speed * _TICK + 1e-6),
+        Claim("in the tick of that bounce they differ by less than 2 v_0 dt", not clear or first < 2.0 * speed * TICK + 1e-6),
     )
 
 

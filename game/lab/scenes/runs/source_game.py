@@ -10,10 +10,10 @@ from game.lab.kit.marks import VELOCITY_SCALE, ring_marks
 from game.lab.kit.parameters import Count, Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, Role, Stroke, Toggle
 from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
+from game.rules import TICK
 from physics import PERMANENT, Arena, Ball, Ring, advance, contact, has_left, length, time_of_impact, to_cartesian
 
-_TICKS_PER_SECOND = 240
-_TICK = 1.0 / _TICKS_PER_SECOND
+_TICKS_PER_SECOND = round(1.0 / TICK)
 _GROUND = 10.0
 _LAYERS = 2
 _BRICKS = Ring(4.0, 0.4, 0.26, 10, 0.15)
@@ -62,7 +62,7 @@ def _our_tick(given: Given, state: _BothGames) -> _BothGames:
     """Our game one tick later; it stands still once the ball has left."""
     if state.over:
         return state
-    step = advance(state.ours, _TICK, given.number("speed"))
+    step = advance(state.ours, TICK, given.number("speed"))
     ball = step.arena.balls[0]
     bounces = [hit.contact.point + hit.contact.normal * ball.radius for hit in step.hits]
     return state._replace(

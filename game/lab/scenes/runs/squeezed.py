@@ -21,11 +21,11 @@ from game.lab.kit.picture import (
     single,
 )
 from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
+from game.rules import TICK
 from physics import PERMANENT, Arena, Ball, Ring, advance, contact, length, to_cartesian
 from physics.escape import freed
 from physics.tolerances import MAX_IMPACTS
 
-_TICK = 1.0 / 240.0
 _RADIUS, _HALF_WIDTH, _HALF_ANGLE = 10.0, 0.6, 0.3
 _SCALE = 0.08
 _RUN = 90
@@ -59,7 +59,7 @@ def _start(given: Given) -> _Squeeze:
 
 def _step(given: Given, state: _Squeeze) -> _Squeeze:
     """A tick later."""
-    step = advance(state.arena, _TICK, given.number("speed"))
+    step = advance(state.arena, TICK, given.number("speed"))
     r = step.arena.balls[0].radius
     bounces = [hit.contact.point + hit.contact.normal * r for hit in step.hits]
     trail = (*state.trail, *bounces, step.arena.balls[0].position)[-_TRAIL:]

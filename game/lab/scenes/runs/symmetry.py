@@ -10,9 +10,9 @@ from game.lab.kit.marks import VELOCITY_SCALE, degrees, ray, ring_marks
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, Role, Stroke, Toggle
 from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
+from game.rules import TICK
 from physics import PERMANENT, Arena, Ball, Hit, Ring, advance, contact, direction, dot, length, to_cartesian
 
-_TICK = 1.0 / 240.0
 _RADIUS = 0.4
 _BRICKS, _PADDLES = 9, 3
 _TRAIL = 96
@@ -61,7 +61,7 @@ def _mirrored(arena: Arena) -> Arena:
 def _step(given: Given, state: _ThreeGames) -> _ThreeGames:
     """A tick later, three times."""
     speed = given.number("speed")
-    steps = [advance(arena, _TICK, speed) for arena in state[:3]]
+    steps = [advance(arena, TICK, speed) for arena in state[:3]]
     plain, turned, mirrored = [step.arena for step in steps]
     trails = [(*trail, step.arena.balls[0].position)[-_TRAIL:] for trail, step in zip(state.trails, steps, strict=True)]
     return _ThreeGames(plain, turned, mirrored, state.hits + len(steps[0].hits), tuple(trails))
@@ -133,7 +133,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
     speed = given.number("speed")
     freed = 0
     for _ in range(_RUN):
-        step = advance(states[-1].plain, _TICK, speed)
+        step = advance(states[-1].plain, TICK, speed)
         freed += step.freed
         hits += step.hits
         states.append(_step(given, states[-1]))

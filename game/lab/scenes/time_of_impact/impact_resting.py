@@ -6,7 +6,7 @@ from typing import NamedTuple
 from game.lab import source
 from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line
-from game.lab.kit.marks import ball_marks, contact_marks, ring_marks, second_opinion
+from game.lab.kit.marks import FEATURE_WORDS, ball_marks, contact_marks, ring_marks, second_opinion
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arc, Arrow, Circle, Line, Mark, Picture, PointMark, Role, Stroke, Toggle, single
 from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
@@ -14,12 +14,6 @@ from physics import Ball, Contact, Feature, Impact, Ring, contact, cross, dot, l
 
 _SCALE = 0.2
 _SAMPLES = 48
-_WORDS = {
-    Feature.OUTER_FACE: "the outer face",
-    Feature.INNER_FACE: "the inner face",
-    Feature.END: "an end",
-    Feature.CORNER: "a corner",
-}
 
 
 class _Root(NamedTuple):
@@ -135,7 +129,7 @@ def _formula(flight: _FlightPast) -> tuple[str, ...]:
     if impact is None:
         return (count, "at none of them the ball flies into the sector: time_of_impact(...) = None")
     found = impact.contact
-    last = f"t = {impact.time:.6f} s: {_WORDS[found.feature]}"
+    last = f"t = {impact.time:.6f} s: {FEATURE_WORDS[found.feature]}"
     if found.feature is Feature.END:
         along = found.point / length(found.point)
         height, climb = abs(cross(along, p)), -abs(cross(along, v))
