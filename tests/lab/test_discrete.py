@@ -6,7 +6,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from game.lab.source import Flight, SourceGame, frame, game_frame, normal_at, reset, response_steps
+from game.lab.source import SourceBall, SourceGame, frame, game_frame, normal_at, reset, response_steps
 from physics import Ball, Ring, min_difference
 from tests.support import source_oracle
 from tests.support.strategies import balls, points, reals, rings
@@ -63,14 +63,14 @@ def test_zero_by_zero_has_no_velocity_and_the_ball_stands_still():
     """v_res = 0 leaves the source's ball without a velocity: it stays where it is."""
     assert reset(-4j, 0j, 4.0) is None
     assert reset(-4j, 1e-15 + 0j, 4.0) is None
-    still = Flight(3 + 1j, None)
+    still = SourceBall(3 + 1j, None)
     assert frame(still, 0.5, (), FRAME, 4.0) is still
 
 
 @pytest.mark.parametrize(("speed", "through"), [(3.0, False), (30.0, True)])
 def test_a_fast_ball_tunnels_and_a_slow_one_does_not(speed, through):
     """With one test a frame, a ball passes a wall that is thinner than its flight in a frame."""
-    wall, flight = Ring(8.0, 0.05, math.pi, 1), Flight(0j, complex(speed, 0.0))
+    wall, flight = Ring(8.0, 0.05, math.pi, 1), SourceBall(0j, complex(speed, 0.0))
     for _ in range(round(12.0 / speed / FRAME)):
         flight = frame(flight, 0.1, (wall,), FRAME, speed)
     assert (abs(flight.position) > 8.5) == through
@@ -90,22 +90,22 @@ PADDLES, BRICKS = Ring(9.0, 0.3, 0.5, 2, 0.0, 0.4), Ring(4.0, 0.5, 0.3, 8)
 
 def game_at(position, velocity, layers=(2,) * 8):
     """The source's game with the ball where the next frame finds it after 0.1 s."""
-    return game_frame(SourceGame(Flight(position - velocity * 0.1, velocity), PADDLES, BRICKS, layers), 0.5, 12.0, 0.1, 5.0)
+    return game_frame(SourceGame(SourceBall(position - velocity * 0.1, velocity), PADDLES, BRICKS, layers), 0.5, 12.0, 0.1, 5.0)
 
 
 def test_a_brick_that_is_hit_loses_a_layer():
     """The nearest one, and only if the ball approaches it; the bounce is the mirrored velocity."""
     hit = game_at(4.8 + 0j, -5 + 0j)
-    assert (hit.layers, hit.flight.velocity) == ((1, *(2,) * 7), 5 + 0j)
+    assert (hit.layers, hit.ball.velocity) == ((1, *(2,) * 7), 5 + 0j)
     left = game_at(4.8 + 0j, 5 + 0j)
-    assert (left.layers, left.flight.velocity) == ((2,) * 8, 5 + 0j)
+    assert (left.layers, left.ball.velocity) == ((2,) * 8, 5 + 0j)
 
 
 def test_an_empty_slot_is_not_hit():
     """The search goes over the bricks that are left: a ball in an empty slot meets neither neighbour."""
     through = game_at(4.0 + 0j, -5 + 0j, (0, *(2,) * 7))
-    assert (through.layers, through.flight.velocity) == ((0, *(2,) * 7), -5 + 0j)
-    assert game_at(4.0 + 0j, -5 + 0j, (0,) * 8).flight.velocity == -5 + 0j
+    assert (through.layers, through.ball.velocity) == ((0, *(2,) * 7), -5 + 0j)
+    assert game_at(4.0 + 0j, -5 + 0j, (0,) * 8).ball.velocity == -5 + 0j
 
 
 def test_a_paddle_is_hit_where_it_has_turned_to():
@@ -113,12 +113,12 @@ def test_a_paddle_is_hit_where_it_has_turned_to():
     hit = game_at(8.4 + 0j, 5 + 0j)
     assert hit.paddles.phase == PADDLES.turned(0.1).phase
     assert hit.layers == (2,) * 8
-    assert hit.flight.velocity.real < 0.0
+    assert hit.ball.velocity.real < 0.0
 
 
 def test_a_ball_off_the_ground_ends_the_game():
     """The game is over from then on, and the ball does not move any more."""
     over = game_at(12.6 + 0j, 5 + 0j)
     assert over.over
-    assert game_frame(over, 0.5, 12.0, 0.1, 5.0).flight == over.flight
+    assert game_frame(over, 0.5, 12.0, 0.1, 5.0).ball == over.ball
     assert not game_at(12.4 + 0j, 5 + 0j).over

@@ -183,4 +183,4 @@ def test_the_sources_game_overlaps_before_it_answers(rate):
     given = parsed(f"source-game?rate={rate}").given
     end = state_at(scene, given, 480)
     assert end.deepest > 0.01
-    assert end.theirs.flight.position != end.ours.balls[0].position
+    assert end.theirs.ball.position != end.ours.balls[0].position

@@ -21,7 +21,7 @@ from game.lab.window.layout import layout_of
 from game.lab.window.pan_zoom import PanZoom
 from game.lab.window.screen import Lab
 from game.lab.window.screenshot import save_screenshot
-from game.lab.window.words import Sheet, draw_head, draw_words
+from game.lab.window.words import TextSheet, draw_head, draw_words
 from game.screens.panels import Menu
 from game.screens.play import Play
 from game.screens.title import Title
@@ -219,7 +219,7 @@ def test_every_command_has_a_key_and_no_key_two():
 def test_the_words_fit_their_places(scene, size):
     """At every preset, title, idea, formula and note end inside their parts of the window."""
     layout = layout_of(size)
-    sheet = Sheet(pygame.Surface(size), layout, DARK, Type())
+    sheet = TextSheet(pygame.Surface(size), layout, DARK, Type())
     assert draw_head(sheet, scene) <= layout.head.bottom
     for given in lines(scene, Pymunk()):
         ends = [state_at(scene, given, tick) for tick in ((0, scene.shows.ticks) if isinstance(scene.shows, Motion) else (0,))]

@@ -49,7 +49,7 @@ class EndFlight(NamedTuple):
     """
 
     ring: Ring
-    by_source: source.Flight
+    by_source: source.SourceBall
     by_physics: Ball
 
 
@@ -66,7 +66,7 @@ def start(given: Given) -> EndFlight:
     """Right after the bounce."""
     after = end_bounce(given)
     ball = Ball(after.ball.position, after.found.steps.result, after.ball.radius)
-    return EndFlight(after.ring, source.Flight(ball.position, after.by_source), ball)
+    return EndFlight(after.ring, source.SourceBall(ball.position, after.by_source), ball)
 
 
 def step(given: Given, state: EndFlight) -> EndFlight:
@@ -82,7 +82,7 @@ def panes(after: EndBounce, state: EndFlight) -> tuple[Pane, Pane]:
     left, right = state.by_source, state.by_physics
     return (
         _pane(after, state.ring, left, Role.SOURCE, "the source"),
-        _pane(after, state.ring, source.Flight(right.position, right.velocity), Role.GOOD, "here"),
+        _pane(after, state.ring, source.SourceBall(right.position, right.velocity), Role.GOOD, "here"),
     )
 
 
@@ -108,7 +108,7 @@ def least_gap(given: Given, ticks: int) -> float:
     return least
 
 
-def _pane(after: EndBounce, ring: Ring, flight: source.Flight, role: Role, title: str) -> Pane:
+def _pane(after: EndBounce, ring: Ring, flight: source.SourceBall, role: Role, title: str) -> Pane:
     """The paddle and one ball as they are now, and where the ball came from."""
     touched, now = after.ball.position, flight.position
     marks: list[Mark] = [

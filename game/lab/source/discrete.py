@@ -9,7 +9,7 @@ from physics import Outcome, Ring, broad_phase_outcome, in_band, length, min_dif
 from physics.tolerances import STOPPED
 
 
-class Flight(NamedTuple):
+class SourceBall(NamedTuple):
     """A ball between two frames.
 
     velocity: None once the response has divided 0 by 0.
@@ -25,47 +25,40 @@ class SourceGame(NamedTuple):
     layers: left in each slot of the bricks, 0 for an empty one. over: whether the ball has left the ground.
     """
 
-    flight: Flight
+    ball: SourceBall
     paddles: Ring
     bricks: Ring
     layers: tuple[int, ...]
     over: bool = False
 
 
-def frame(flight: Flight, ball_radius: float, rings: Sequence[Ring], dt: float, speed: float) -> Flight:
+def frame(ball: SourceBall, ball_radius: float, rings: Sequence[Ring], dt: float, speed: float) -> SourceBall:
     """The ball one frame later. rings: as they stand at the end of the frame. dt: seconds. speed: the ball's fixed speed."""
-    if flight.velocity is None:
-        return flight
-    p, v = flight.position + flight.velocity * dt, flight.velocity
+    if ball.velocity is None:
+        return ball
+    p, v = ball.position + ball.velocity * dt, ball.velocity
     for ring in rings:
         n = normal_at(p, ball_radius, ring)
         if n is not None:
-            return _answered(Flight(p, v), n, ring, speed)
-    return Flight(p, v)
+            return _answered(SourceBall(p, v), n, ring, speed)
+    return SourceBall(p, v)
 
 
 def game_frame(game: SourceGame, ball_radius: float, ground_radius: float, dt: float, speed: float) -> SourceGame:
     """The whole game one frame later, by the outcome of the broad phase at the end of the frame."""
-    paddles, bricks, (p, v) = game.paddles.turned(dt), game.bricks.turned(dt), game.flight
+    paddles, bricks, (p, v) = game.paddles.turned(dt), game.bricks.turned(dt), game.ball
     if v is None or game.over:
         return game._replace(paddles=paddles, bricks=bricks)
     p = p + v * dt
-    moved = game._replace(flight=Flight(p, v), paddles=paddles, bricks=bricks)
+    moved = game._replace(ball=SourceBall(p, v), paddles=paddles, bricks=bricks)
     match broad_phase_outcome(p, ball_radius, ground_radius, paddles, bricks):
         case Outcome.GAME_OVER:
             return moved._replace(over=True)
         case Outcome.PADDLES:
             n = normal_at(p, ball_radius, paddles)
-            return moved if n is None else moved._replace(flight=_answered(moved.flight, n, paddles, speed))
+            return moved if n is None else moved._replace(ball=_answered(moved.ball, n, paddles, speed))
         case Outcome.BRICKS if p != 0.0 and any(game.layers):
-            slot = _nearest(p, bricks, [slot for slot in range(bricks.count) if game.layers[slot]])
-            n = _sector_normal(p, ball_radius, bricks, slot)
-            if n is None:
-                return moved
-            after = _answered(moved.flight, n, bricks, speed)
-            hit = after.velocity != v and game.layers[slot] > 0
-            left = tuple([layers - (hit and index == slot) for index, layers in enumerate(game.layers)])
-            return moved._replace(flight=after, layers=left)
+            return _after_bricks(moved, ball_radius, speed)
     return moved
 
 
@@ -74,6 +67,19 @@ def normal_at(p: complex, ball_radius: float, ring: Ring) -> complex | None:
     if p == 0.0 or not in_band(p, ball_radius, ring):
         return None
     return _sector_normal(p, ball_radius, ring, _nearest(p, ring, range(ring.count)))
+
+
+def _after_bricks(game: SourceGame, ball_radius: float, speed: float) -> SourceGame:
+    """The game after the brick nearest in angle, of those that are left, was tested: one that is hit loses a layer."""
+    p, v = game.ball
+    slot = _nearest(p, game.bricks, [slot for slot in range(game.bricks.count) if game.layers[slot]])
+    n = _sector_normal(p, ball_radius, game.bricks, slot)
+    if n is None:
+        return game
+    after = _answered(game.ball, n, game.bricks, speed)
+    hit = after.velocity != v and game.layers[slot] > 0
+    layers = tuple([count - (hit and index == slot) for index, count in enumerate(game.layers)])
+    return game._replace(ball=after, layers=layers)
 
 
 def _nearest(p: complex, ring: Ring, slots: Sequence[int]) -> int:
@@ -91,13 +97,13 @@ def _sector_normal(p: complex, ball_radius: float, ring: Ring, slot: int) -> com
     return functions.end_normal(p, ball_radius, *functions.end_points(ring.radius, ring.half_width, end))
 
 
-def _answered(flight: Flight, n: complex, ring: Ring, speed: float) -> Flight:
+def _answered(ball: SourceBall, n: complex, ring: Ring, speed: float) -> SourceBall:
     """The ball after the collision response to a contact with a ring."""
-    p, v = flight
+    p, v = ball
     if v is None:
-        return flight
+        return ball
     steps = response_steps(v, n, ring.surface_velocity(p), ring.friction, speed)
-    return Flight(p, reset(v, steps.before_reset, speed))
+    return SourceBall(p, reset(v, steps.before_reset, speed))
 
 
 def reset(v: complex, before_reset: complex, speed: float) -> complex | None:

@@ -20,7 +20,7 @@ _LINE = 1.25
 """Height of a line of text, in units."""
 
 
-class Layout(NamedTuple):
+class WindowLayout(NamedTuple):
     """Where everything is, pixels.
 
     unit: size of body text, the measure of all spacing. head: title and idea. world: the picture, all its panes.
@@ -35,7 +35,7 @@ class Layout(NamedTuple):
     side: pygame.Rect
 
 
-def layout_of(size: tuple[int, int]) -> Layout:
+def layout_of(size: tuple[int, int]) -> WindowLayout:
     """The division of a surface of that size, pixels."""
     width, height = max(size[0], _SMALLEST[0]), max(size[1], _SMALLEST[1])
     unit = max(unit_of((width, height)) * _BODY, _LEAST)
@@ -43,7 +43,7 @@ def layout_of(size: tuple[int, int]) -> Layout:
     left = width - side
     head_units, lines = (_HEAD, _LINES) if left > _NARROW * unit else (_TALL_HEAD, _MORE_LINES)
     head, words = round(unit * head_units), round(unit * (_LINE * lines + 1.0))
-    return Layout(
+    return WindowLayout(
         (width, height),
         unit,
         pygame.Rect(0, 0, left, head),
@@ -53,7 +53,7 @@ def layout_of(size: tuple[int, int]) -> Layout:
     )
 
 
-def pane_areas(layout: Layout, count: int) -> list[pygame.Rect]:
+def pane_areas(layout: WindowLayout, count: int) -> list[pygame.Rect]:
     """The world's area in so many equal parts, side by side."""
     width = layout.world.width / count
     return [

@@ -24,7 +24,7 @@ from game.lab.window.layout import layout_of, pane_areas
 from game.lab.window.marks import draw_marks
 from game.lab.window.pan_zoom import PanZoom
 from game.lab.window.widgets import PresetChosen, Refused, Request, SceneChosen, Side, ValueRequested
-from game.lab.window.words import Sheet, draw_head, draw_notice, draw_small_print, draw_words
+from game.lab.window.words import TextSheet, draw_head, draw_notice, draw_small_print, draw_words
 from game.screens.base import Screen, Shared
 from game.system.errors import BadInputError
 
@@ -103,7 +103,7 @@ class Lab:
     def draw(self, surface: pygame.Surface) -> None:
         """The world, the words, the widgets."""
         theme, type_, size = self._shared.theme, self._shared.type, surface.get_size()
-        sheet = Sheet(surface, layout_of(size), theme, type_)
+        sheet = TextSheet(surface, layout_of(size), theme, type_)
         surface.fill(theme.background)
         self._draw_world(sheet)
         bottom = float(sheet.layout.world.bottom)
@@ -119,7 +119,7 @@ class Lab:
         if self._help:
             draw_help(surface, theme, type_)
 
-    def _draw_world(self, sheet: Sheet) -> None:
+    def _draw_world(self, sheet: TextSheet) -> None:
         """Every pane with its title and the handles."""
         given, views = self._session.given, self._pane_views(sheet.surface.get_size())
         hovered = self._hovered(views, sheet.unit)

@@ -13,7 +13,7 @@ from game.lab.kit.picture import Toggle
 from game.lab.registry import scenes
 from game.lab.session.session import PACES, Session
 from game.lab.window.commands import KEYS, TOGGLE_KEYS, Command
-from game.lab.window.layout import Layout
+from game.lab.window.layout import WindowLayout
 from game.lab.window.widget_theme import widget_theme
 
 _PRESETS = "presets"
@@ -70,7 +70,7 @@ class _Row(NamedTuple):
 class Side:
     """The widgets of one scene, for one size and theme of the window."""
 
-    def __init__(self, layout: Layout, theme: Theme, type_: Type, session: Session) -> None:
+    def __init__(self, layout: WindowLayout, theme: Theme, type_: Type, session: Session) -> None:
         """Build them for a division of the window."""
         area, unit = layout.side, layout.unit
         self._area, self._unit, self._theme, self._type = area, unit, theme, type_

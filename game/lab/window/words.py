@@ -9,17 +9,17 @@ from game.drawing.text import Type
 from game.lab.kit.differences import differences_line
 from game.lab.kit.picture import Picture
 from game.lab.kit.scene import Scene
-from game.lab.window.layout import Layout
+from game.lab.window.layout import WindowLayout
 
 _LINE = 1.25
 """Height of a line of text in the size of its letters."""
 
 
-class Sheet(NamedTuple):
+class TextSheet(NamedTuple):
     """What words are written on and with: a surface, its division, colours and letters."""
 
     surface: pygame.Surface
-    layout: Layout
+    layout: WindowLayout
     theme: Theme
     type: Type
 
@@ -29,7 +29,7 @@ class Sheet(NamedTuple):
         return self.layout.unit
 
 
-def draw_head(sheet: Sheet, scene: Scene) -> float:
+def draw_head(sheet: TextSheet, scene: Scene) -> float:
     """The title, the idea, and where the scene goes beyond the source; returns where they end, pixels."""
     unit, theme, head = sheet.unit, sheet.theme, sheet.layout.head
     pygame.draw.rect(sheet.surface, theme.background, head)
@@ -40,7 +40,7 @@ def draw_head(sheet: Sheet, scene: Scene) -> float:
     return top
 
 
-def draw_words(sheet: Sheet, picture: Picture) -> float:
+def draw_words(sheet: TextSheet, picture: Picture) -> float:
     """The formula, the cited line, and the note; returns where they end, pixels."""
     unit, theme, area = sheet.unit, sheet.theme, sheet.layout.words
     pygame.draw.rect(sheet.surface, theme.background, area)
@@ -52,7 +52,7 @@ def draw_words(sheet: Sheet, picture: Picture) -> float:
     return _write_lines(sheet, picture.note, theme.accent, top, unit)
 
 
-def draw_small_print(sheet: Sheet, top: float, lines: tuple[str, ...]) -> None:
+def draw_small_print(sheet: TextSheet, top: float, lines: tuple[str, ...]) -> None:
     """Small lines below the widgets, which end at `top`: at the bottom of the side, as far as there is room."""
     unit, side = sheet.unit, sheet.layout.side
     size, left, width = unit * 0.85, side.left + unit * 0.8, side.width - unit * 1.6
@@ -62,7 +62,7 @@ def draw_small_print(sheet: Sheet, top: float, lines: tuple[str, ...]) -> None:
         sheet.type.write(sheet.surface, part, size, sheet.theme.faint, complex(left, start + _LINE * size * number))
 
 
-def draw_notice(sheet: Sheet, text: str, bottom: float) -> float:
+def draw_notice(sheet: TextSheet, text: str, bottom: float) -> float:
     """A notice on a plate over the world that ends at `bottom`; returns where the plate begins, pixels."""
     unit, theme, area = sheet.unit, sheet.theme, sheet.layout.world
     lines = sheet.type.wrapped(text, unit, area.width - 4.0 * unit)
@@ -78,7 +78,7 @@ def draw_notice(sheet: Sheet, text: str, bottom: float) -> float:
     return float(plate.top)
 
 
-def _write_lines(sheet: Sheet, text: str, colour: Colour, top: float, size: float) -> float:
+def _write_lines(sheet: TextSheet, text: str, colour: Colour, top: float, size: float) -> float:
     """A text in as many lines as it needs beside the widgets; returns where the next line begins. size: of letters, pixels."""
     edge = sheet.unit * 0.9
     for line in sheet.type.wrapped(text, size, sheet.layout.side.left - 2.0 * edge):

@@ -60,7 +60,7 @@ def _cited(a: float, b: float) -> CitedLine:
 
 
 def _note(a: float, b: float) -> str:
-    """What is special."""
+    """What is special about these values."""
     if a == b:
         return "The same direction: neither is on the left of the other."
     if abs(abs(a - b) - math.pi) < 1e-12:

@@ -64,7 +64,7 @@ def _cited(plain: float) -> CitedLine:
 
 
 def _note(p: complex, turn: float, plain: float) -> str:
-    """What is special."""
+    """What is special about these values."""
     if p == 0.0:
         return "p is the origin: it has no angle. 0 is a convention, and nothing may depend on it."
     if plain >= math.tau:

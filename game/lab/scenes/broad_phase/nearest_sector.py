@@ -78,7 +78,7 @@ def _cited() -> CitedLine:
 
 
 def _note(given: Given, ring: Ring, ball: Ball) -> str:
-    """What is special."""
+    """What is special about these values."""
     if ball.position == 0.0:
         return "The ball is on the centre: every sector is equally near, and by convention its angle is 0."
     touched = _touched(ring, ball)

@@ -118,7 +118,7 @@ def _cited(start: _BallInside) -> CitedLine:
 
 
 def _note(start: _BallInside) -> str:
-    """What is special."""
+    """What is special about these values."""
     if start.ring.half_angle >= math.pi:
         return "φ_p = 180°: a closed ring has no ends, so the ball leaves through a face."
     if not start.inside:

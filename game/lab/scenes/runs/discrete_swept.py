@@ -49,7 +49,7 @@ class _BothLoops(NamedTuple):
 
     tick: int
     frames: int
-    theirs: source.Flight
+    theirs: source.SourceBall
     seen: int
     trail: tuple[complex, ...]
     ours: Ball
@@ -68,7 +68,7 @@ def _start(given: Given) -> _BothLoops:
     """The first frame."""
     ball = _ball_and_wall(given).ball
     here = (ball.position,)
-    return _BothLoops(0, 0, source.Flight(ball.position, ball.velocity), 0, here, ball, 0, here)
+    return _BothLoops(0, 0, source.SourceBall(ball.position, ball.velocity), 0, here, ball, 0, here)
 
 
 def _step(given: Given, state: _BothLoops) -> _BothLoops:

@@ -46,7 +46,7 @@ def _start(given: Given) -> _BothGames:
     ball = Ball(given.point("ball"), to_cartesian(given.number("speed"), given.angle("heading")), given.number("r"))
     paddles = Ring(8.6, 0.3, given.angle("half_angle"), 3, 0.4, given.number("spin"), given.number("mu"))
     layers, here = (_LAYERS,) * _BRICKS.count, (ball.position,)
-    theirs = source.SourceGame(source.Flight(ball.position, ball.velocity), paddles, _BRICKS, layers)
+    theirs = source.SourceGame(source.SourceBall(ball.position, ball.velocity), paddles, _BRICKS, layers)
     ours = Arena((ball,), (paddles, _BRICKS), ((PERMANENT,) * paddles.count, layers))
     return _BothGames(0, 0, theirs, 0.0, here, ours, False, 0, here)
 
@@ -80,8 +80,8 @@ def _their_frame(given: Given, state: _BothGames) -> _BothGames:
     return state._replace(
         frames=state.frames + 1,
         theirs=after,
-        deepest=max(state.deepest, -_least_gap(after.flight.position, r, after.paddles, after.layers)),
-        trail=(*state.trail, after.flight.position)[-_TRAIL:],
+        deepest=max(state.deepest, -_least_gap(after.ball.position, r, after.paddles, after.layers)),
+        trail=(*state.trail, after.ball.position)[-_TRAIL:],
     )
 
 
@@ -96,7 +96,7 @@ def _picture(given: Given, state: _BothGames) -> Picture:
     """The source's game at the left, ours at the right."""
     theirs, ours = state.theirs, state.ours
     their_path = Line(state.trail, Role.SOURCE, Toggle.SWEPT, Stroke.DASHED)
-    left = _marks(theirs.paddles, theirs.layers, Ball(theirs.flight.position, 0j, given.number("r")), their_path)
+    left = _marks(theirs.paddles, theirs.layers, Ball(theirs.ball.position, 0j, given.number("r")), their_path)
     right = _marks(ours.rings[0], ours.layers[1], ours.balls[0], Line(state.path, Role.OURS, Toggle.SWEPT))
     if state.tick == 0:
         start = Arrow(ours.balls[0].position, ours.balls[0].velocity * _SCALE, Role.PLAIN, label="v")
@@ -144,7 +144,7 @@ def _cited(state: _BothGames) -> CitedLine:
 
 def _note(given: Given, state: _BothGames) -> str:
     """What is happening."""
-    if state.theirs.flight.velocity is None:
+    if state.theirs.ball.velocity is None:
         return "The source's response has divided 0 by 0: its ball has no velocity any more."
     if state.theirs.over and not state.over:
         return "The source's game is over, ours goes on: the same start, but late bounces lead elsewhere."
@@ -166,10 +166,10 @@ def _check(given: Given) -> tuple[Claim, ...]:
             ball = after.ours.balls[0]
             apart = min(apart, _least_gap(ball.position, ball.radius, after.ours.rings[0], after.ours.layers[1]))
         single &= 0 <= sum(state.theirs.layers) - sum(after.theirs.layers) <= 1
-        still &= not state.theirs.over or after.theirs.flight == state.theirs.flight
+        still &= not state.theirs.over or after.theirs.ball == state.theirs.ball
         state = after
     speed = given.number("speed")
-    velocity = state.theirs.flight.velocity
+    velocity = state.theirs.ball.velocity
     return (
         Claim("our ball overlaps nothing at the end of any tick", not free or apart > -1e-9),
         Claim("our ball has the speed v_0", abs(length(state.ours.balls[0].velocity) - speed) < 1e-9),

@@ -161,7 +161,7 @@ def _cited(flight: _FlightPast) -> CitedLine:
 
 
 def _note(flight: _FlightPast) -> str:
-    """What is special."""
+    """What is special about these values."""
     if length(flight.ball.velocity) == 0.0:
         return "v = 0: the ball stays where it is, and a sector at rest does not come to it."
     if flight.now.gap < 0.0:

@@ -67,7 +67,7 @@ def _picture(given: Given) -> Picture:
 def _theirs(notch: _Notch) -> tuple[Mark, ...]:
     """The source's ball, frame by frame."""
     ball, speed = notch.ball, length(notch.ball.velocity)
-    flight, positions = source.Flight(ball.position, ball.velocity), [ball.position]
+    flight, positions = source.SourceBall(ball.position, ball.velocity), [ball.position]
     marks: list[Mark] = list(ring_marks(notch.ring))
     for _ in range(round(notch.dt * _RATE)):
         flight = source.frame(flight, ball.radius, (notch.ring,), 1.0 / _RATE, speed)
@@ -134,7 +134,7 @@ def _cited(notch: _Notch) -> CitedLine:
 
 
 def _note(notch: _Notch) -> str:
-    """What is special."""
+    """What is special about these values."""
     if not notch.apart:
         return "The ball overlaps a brick at the start: it is pushed out before it flies."
     if notch.step.dropped:
