@@ -16,7 +16,7 @@ _SEED = 1
 
 
 def list_scenes() -> None:
-    """Print every scene's name, title, and the rows of the README's table "Beyond the source" that it shows."""
+    """Print every scene's name, title, and the rows of the documentation's table "Beyond the source" that it shows."""
     table = Table(box=None, pad_edge=False)
     for heading in ("scene", "title", "beyond"):
         table.add_column(heading, no_wrap=heading == "scene")

@@ -1,4 +1,4 @@
-"""Where the physics goes beyond the source: the rows of the README's table, each in a few words."""
+"""Where the physics goes beyond the source: the rows of the documentation's table, each in a few words."""
 
 DIFFERENCES = {
     1: "angles are in [0, 2π), also for -1e-17",

@@ -11,7 +11,7 @@
    pytest asserts them at the defaults, at the presets, at saved cases and after a thousand random drags.
 5. Say what can be dragged, the most important first: `handles.point`, `vector`, `polar_vector`, `sector_handles`, or a
    `Handle` of your own.
-6. `SCENE = Scene(...)` with title, idea, and the rows of the README's table "Beyond the source" that it shows.
+6. `SCENE = Scene(...)` with title, idea, and the rows of the documentation's table "Beyond the source" that it shows.
 
 A scene that runs gives `Motion(start, step, picture)` instead of `_picture`: `start(given)` is the state at tick 0,
 `step(given, state)` the state one tick later, `picture(given, state)` what it looks like. All three are pure, and the state
@@ -84,7 +84,7 @@ class Scene(NamedTuple):
     view_box: the part of the world that is shown at first.
     shows: the picture of given values, or how the scene runs.
     check: the facts that hold at given values.
-    rows: of the README's table "Beyond the source" that it shows.
+    rows: of the documentation's table "Beyond the source" that it shows.
     presets: values worth looking at.
     """
 

@@ -104,8 +104,9 @@ def _formula(state: _Squeeze) -> tuple[str, ...]:
     between = upper.phase - upper.half_angle - (lower.phase + lower.half_angle)
     between = math.remainder(between, math.tau)
     width = 2.0 * length(ball.position) * math.sin(between / 2.0)
+    gap = f"2 |p| sin(φ) = {width:.4f}" if width >= 0.0 else f"no gap, the ends overlap by {-width:.4f}"
     return (
-        f"between the ends, at the ball's distance:   2 |p| sin(φ) = {width:.4f},   2 r = {2.0 * ball.radius:g}",
+        f"between the ends, at the ball's distance:   {gap},   2 r = {2.0 * ball.radius:g}",
         f"bounces in this tick:   {state.hits} of at most {MAX_IMPACTS},   most in a tick so far {state.most}",
         f"ticks whose rest was dropped: {state.dropped}",
         f"times put at the nearest free position outward: {state.freed}",
