@@ -18,7 +18,7 @@ _RATE = 60
 """Frames per second of the source's loop."""
 _SCALE = 0.12
 _SAME = 1e-9
-"""Seconds: two touches nearer than that are drawn as one."""
+"""Seconds between touches that count as simultaneous."""
 
 
 class _Notch(NamedTuple):
@@ -140,7 +140,7 @@ def _note(notch: _Notch) -> str:
     if notch.step.dropped:
         return "After 32 bounces the rest of the tick is dropped and counted, so that no wedge can stop the game."
     if notch.tie:
-        return "Both are touched at the same time: the lower slot is answered first, then the other if it is still approached."
+        return "Both are touched at the same time, and both are answered. The source answers one of them only."
     if len({hit.slot for hit in notch.hits}) > 1:
         return "One after the other: each bounce starts from the velocity after the one before."
     return "One brick only. Aim the ball at the notch."
@@ -210,7 +210,7 @@ def _first_is_one_on(hits: tuple[Hit, ...], turned: tuple[Hit, ...]) -> bool:
 SCENE = Scene(
     name="two-bricks",
     title="Two bricks at once",
-    idea="A ball in a notch touches both of its sides. All contacts are answered in the order of time, ties by the slot.",
+    idea="A ball in a notch touches both of its sides. Every contact is answered, in the order of time.",
     functions=("broad_phase", "collision_response"),
     parameters=(
         Point("ball", "p", -15.0, 15.0, 12.8 + 0.0j, meaning="the ball's centre"),
