@@ -86,10 +86,15 @@ WRONG = {
     ),
     "lab_scene_through_the_registry": (
         {
-            "game/lab/registry.py": "import importlib\nimportlib.import_module(name)",
+            "game/lab/registry.py": "def f():\n    from game.lab.scenes import SCENES",
+            "game/lab/scenes/__init__.py": "from game.lab.scenes import a",
             "game/lab/scenes/a.py": "import pygame",
         },
-        "game.lab.registry -> game.lab.scenes.a -> pygame",
+        "game.lab.registry -> game.lab.scenes -> game.lab.scenes.a -> pygame",
+    ),
+    "lab_registry_by_name": (
+        {"game/lab/registry.py": "import importlib\nimportlib.import_module(name)"},
+        "an import must be readable",
     ),
     "lab_command_pygame": ({"game/lab/command.py": "import pygame"}, "game.lab.command -> pygame"),
     "drawing_up": ({"game/drawing/painter.py": "from game.overlay import hud"}, "drawing knows nothing of what draws with it"),
@@ -122,7 +127,6 @@ RIGHT = {
         "game/lab/window/x.py": "import pygame, pygame_gui",
         "game/lab/command.py": "def f():\n    from game.lab.window import x",
     },
-    "lab_registry": {"game/lab/registry.py": "import importlib\nimportlib.import_module(name)", "game/lab/scenes/a.py": ""},
     "tests": {"tests/test_a.py": "import pygame, tools.bench, numba\nfrom tests import b\n__import__(name)"},
 }
 
