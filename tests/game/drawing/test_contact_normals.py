@@ -25,13 +25,12 @@ def hits():
 
 
 def test_pymunk_agrees_on_every_contact(hits):
-    """On exact shapes the two normals agree to rounding; on inner faces, which pymunk has as facets, to half a facet."""
+    """The two normals are the same to rounding, on every feature: pymunk has an exact shape for each."""
     assert len(hits) > 20
-    for hit, pair in hits:
-        assert pair.ours == hit.contact.normal
-        assert pair.point == hit.contact.point
-        bound = math.radians(24.0) / overlay.FACETS if hit.contact.feature == Feature.INNER_FACE else 1e-12
-        assert pair.angle <= bound, hit
+    for hit, opinion in hits:
+        assert opinion.ours == hit.contact.normal
+        assert opinion.point == hit.contact.point
+        assert opinion.angle <= 1e-12, hit
 
 
 def test_a_wrong_normal_is_seen(hits):

@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tools.crosscheck.results.cases import Samples
+from tools.crosscheck.results.measurements import Samples
 
 ERRORS = st.lists(st.floats(1e-18, 10.0), min_size=1, max_size=60)
 
@@ -43,16 +43,22 @@ def test_the_share_is_the_worst_of_all_not_that_of_the_largest_error():
     assert (summary.maximum, summary.bound, summary.share) == (0.5, 1.0, 2.0)
 
 
+def test_an_error_without_a_bound_is_over_it():
+    """What must be exactly right has the bound 0: any error is more than all of it, and none is none of it."""
+    assert row([1.0], [0.0]).summary().share == math.inf
+    assert row([0.0], [0.0]).summary().share == 0.0
+
+
 @given(ERRORS, ERRORS)
 def test_rows_of_two_games_merge_to_the_row_of_both(one, two):
-    """Merging is adding."""
+    """Its numbers are those of one row with the errors of both."""
     merged = row(one, zeros=3)
     merged.merge(row(two, zeros=4))
     assert merged.summary() == pytest.approx(row([*one, *two], zeros=7).summary())
 
 
 def test_an_empty_row_has_no_summary():
-    """And one of zeros only has no bound to be held to."""
+    """A row of zeros only has numbers, but no bound to be held to."""
     assert row([]).summary() is None
     summary = row([], zeros=5).summary()
     assert summary[:4] == (5, 0.0, 0.0, 0.0)
