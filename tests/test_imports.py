@@ -86,12 +86,26 @@ WRONG = {
     ),
     "lab_scene_through_the_registry": (
         {
-            "game/lab/registry.py": "import importlib\nimportlib.import_module(name)",
+            "game/lab/registry.py": "def f():\n    from game.lab.scenes import SCENES",
+            "game/lab/scenes/__init__.py": "from game.lab.scenes import a",
             "game/lab/scenes/a.py": "import pygame",
         },
-        "game.lab.registry -> game.lab.scenes.a -> pygame",
+        "game.lab.registry -> game.lab.scenes -> game.lab.scenes.a -> pygame",
+    ),
+    "lab_registry_by_name": (
+        {"game/lab/registry.py": "import importlib\nimportlib.import_module(name)"},
+        "an import must be readable",
     ),
     "lab_command_pygame": ({"game/lab/command.py": "import pygame"}, "game.lab.command -> pygame"),
+    "drawing_up": ({"game/drawing/painter.py": "from game.overlay import hud"}, "drawing knows nothing of what draws with it"),
+    "flat_solid": (
+        {"game/drawing/flat/recoil.py": "from game.drawing.solid import prisms"},
+        "the flat and the solid view know nothing of each other",
+    ),
+    "solid_flat": (
+        {"game/drawing/solid/faces.py": "from game.drawing.flat.ring import packed"},
+        "the flat and the solid view know nothing of each other",
+    ),
     "lab_tools": ({"game/lab/share.py": "from tools.crosscheck.second_engine import x"}, "nothing imports tools but tests"),
     "tools_pygame": ({"tools/bench.py": "import pygame"}, "tools.bench -> pygame"),
     "tools_through_game": (
@@ -108,11 +122,11 @@ RIGHT = {
     "tools": {"tools/crosscheck/run.py": "import pymunk\nfrom tools import x\nfrom game.rules import y", "game/rules.py": ""},
     "second_opinion": {"game/__main__.py": "def f():\n    from tools.crosscheck.overlay import opinions"},
     "second_engine": {"game/__main__.py": "def f():\n    from tools.crosscheck.second_engine import Pymunk"},
+    "drawing": {"game/drawing/debris.py": "from game.drawing.solid import debris_occlusion\nfrom game.effects import Burst"},
     "lab_window": {
         "game/lab/window/x.py": "import pygame, pygame_gui",
         "game/lab/command.py": "def f():\n    from game.lab.window import x",
     },
-    "lab_registry": {"game/lab/registry.py": "import importlib\nimportlib.import_module(name)", "game/lab/scenes/a.py": ""},
     "tests": {"tests/test_a.py": "import pygame, tools.bench, numba\nfrom tests import b\n__import__(name)"},
 }
 
