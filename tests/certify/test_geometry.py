@@ -40,6 +40,7 @@ def flights(draw):
     ring = draw(wide_rings())
     ball_radius = draw(reals(0.05, 1.0))
     v = draw(points(1.0)) * draw(st.sampled_from([1.0, 30.0, 1000.0]))
+    v = v if abs(v) > 1e-30 else 0j
     p = draw(points(10.0))
     layers = ((1,) * ring.count,)
     return ring, StraightFlight(0, p, v, ball_radius, 0.0, 1.0 / 240.0, None, layers, {})
