@@ -64,7 +64,7 @@ def test_a_root_and_a_product_over_a_box_hold_for_its_floats(middle, half, share
     try:
         found = box.sqrt()
     except BranchBorderError:
-        assert half >= middle
+        assert half >= middle * (1.0 - 1e-8)  # a radius is kept with 30 bits, rounded up
         return
     assert found.exact.overlaps(arb(x).sqrt())
     assert abs(arb(root) - arb(x).sqrt()) <= found.error
