@@ -10,7 +10,7 @@ from game.drawing.camera import Camera, Points
 from game.drawing.canvas import Canvas
 from game.drawing.light import ScreenLight, ball_light
 from game.drawing.palette import Theme, mixed
-from game.drawing.solid.ball_occlusion import hiding
+from game.drawing.solid.ball_occlusion import occluding_quads
 from game.drawing.solid.faces import ProjectedBlocks
 from game.scene import Scene
 from physics import Ball
@@ -68,7 +68,7 @@ class BallPictures:
         picture = self._picture(_BallLook(canvas.theme, ball_light(camera), round(radius * _SIZES), across, down))
         corner = complex(left - picture.get_width() // 2, top - picture.get_height() // 2)
         if blocks is not None:
-            hidden = hiding(blocks, camera, ball.position, centre, radius + _MARGIN)
+            hidden = occluding_quads(blocks, camera, ball.position, centre, radius + _MARGIN)
             if len(hidden):
                 picture = _without(picture, hidden - corner)
         canvas.surface.blit(picture, (corner.real, corner.imag))

@@ -11,7 +11,7 @@ from game.drawing.light import LIGHT
 from game.drawing.palette import Colour, Theme, layer_colour
 from game.drawing.raster.pixels import pairs
 from game.drawing.raster.primitives import HALF_PIXEL
-from game.drawing.solid.debris_occlusion import covered
+from game.drawing.solid.debris_occlusion import occluded
 from game.drawing.solid.prisms import Flags
 from game.effects.bursts import Burst, Matter
 from game.effects.debris import Pieces, pieces
@@ -58,7 +58,7 @@ def draw(canvas: Canvas, scene: Scene) -> None:
 def _shown(flying: Pieces, scene: Scene, camera: Camera) -> Flags:
     """Which pieces are large enough to see and not behind anything."""
     large = flying.size * camera.scale > _LEAST_SIZE
-    return large if camera.flat else large & ~covered(flying.position, flying.height, scene, camera)
+    return large if camera.flat else large & ~occluded(flying.position, flying.height, scene, camera)
 
 
 def _some(flying: Pieces, which: Flags) -> Pieces:
