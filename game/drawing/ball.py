@@ -18,11 +18,11 @@ from physics import Ball
 _OFFSETS = 4
 """Positions within a pixel, across and down each, that a ball has a picture for."""
 _SIZES = 4
-"""Radii per pixel that a ball has a picture for."""
+"""Radii within a pixel that a ball has a picture for."""
 _MOST_PICTURES = 512
-"""Pictures cached: a ball grows from the arena's far side to the near one, at all its positions within a pixel."""
+"""Pictures cached: of every radius from the arena's far side to the near one, at every position within a pixel."""
 _MARGIN = 2.0
-"""Pixels around a ball within which blocks are looked for that may hide it."""
+"""Blocks this many pixels around a ball are looked at, for they may hide it."""
 _FINER = 4
 """Rows and columns per pixel of the drawing that tells how much of a pixel is hidden."""
 _DARK = (20, 30, 70)

@@ -27,7 +27,7 @@ _DIMMEST = 0.72
 _GLITTER, _WHITEST = 6.0, 0.6
 """How suddenly a plate glitters as it turns towards the light, and how far towards white."""
 _STREAK_TICKS = 9
-"""A streak reaches back to where its spark was so long ago."""
+"""A streak reaches from where its spark is to where it was this many ticks ago."""
 _STREAK_WIDTH = 0.35
 """Half the width of a streak, in its spark's sizes."""
 _LEAST_SIZE = 0.35
