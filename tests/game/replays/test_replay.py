@@ -19,20 +19,9 @@ from game.rules import POINTER_STEPS, Controls, new_game, tick
 from game.system.errors import BadInputError
 from physics import PHYSICS_VERSION
 from tests.support.players import KeyPlayer, MousePlayer
+from tests.support.recordings import TICKS, recorded
 
-TICKS = 1500
 HEADER = b"polar-breakout replay 1\n"
-
-
-def recorded(player, ticks=TICKS):
-    """A short recorded game, and the game at its end."""
-    levels = built_in()[3:]
-    game, recorder = new_game(levels, 11), Recorder(levels, 11)
-    for _ in range(ticks):
-        controls = player.controls(game)
-        game = tick(game, controls).game
-        recorder.add(controls, game)
-    return recorder.recording(), game
 
 
 @pytest.fixture(scope="module")

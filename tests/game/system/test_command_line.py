@@ -8,23 +8,15 @@ from pathlib import Path
 
 import pytest
 
-from game.__main__ import app
 from game.autopilot import Autopilot
 from game.drawing.painter import save_screenshot
 from game.input.view import FROM_ABOVE, TIPPED
 from game.levels import built_in
 from game.rules import EventKind, new_game, tick
-from game.system.command_line import run
+from tests.support.command_line import polar
 from tests.support.paths import ROOT
 
 HEADLESS = ["--headless", "--autopilot", "--seed", "7", "--ticks", "500"]
-
-
-def polar(capsys, *arguments):
-    """Exit code, stdout and stderr of one run of the command line."""
-    code = run(app, "polar-breakout", [str(argument) for argument in arguments])
-    out, err = capsys.readouterr()
-    return code, out, err
 
 
 def test_a_headless_game_prints_one_line(capsys):
