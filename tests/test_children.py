@@ -1,6 +1,8 @@
 """What a test starts is ended with it."""
 
 import os
+import signal
+import subprocess
 import sys
 
 import pytest
@@ -24,6 +26,20 @@ def test_a_child_and_its_own_children_are_killed():
         started.end()
         assert child.returncode is not None
         assert told.read() == ""
+
+
+@pytest.mark.parametrize("name", ["SIGINT", "SIGHUP"])
+def test_a_child_ignores_no_signal(children, name):
+    """Not even if this process does, as it does in the background of a shell or under nohup."""
+    number = getattr(signal, name)
+    before = signal.signal(number, signal.SIG_IGN)
+    try:
+        child = children.start(
+            [sys.executable, "-c", f"import signal; signal.raise_signal(signal.{name})"], stderr=subprocess.DEVNULL
+        )
+    finally:
+        signal.signal(number, before)
+    assert child.wait() == -number
 
 
 def test_a_child_that_has_ended_is_no_error():

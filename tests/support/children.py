@@ -19,8 +19,14 @@ class Children:
         self._started = []
 
     def start(self, command, **options):
-        """A new child; the options are those of `subprocess.Popen`. On Windows only the child itself is ended."""
-        child = subprocess.Popen(command, start_new_session=sys.platform != "win32", **options)
+        """A new child; the options are those of `subprocess.Popen`. On Windows only the child itself is ended.
+
+        Its signals are what they are for a program started at a terminal. A shell's background commands ignore Ctrl-C,
+        those of nohup a closed terminal, and without this the child would, too.
+        """
+        if sys.platform != "win32":
+            options |= {"start_new_session": True, "preexec_fn": _default_signals}
+        child = subprocess.Popen(command, **options)
         self._started.append(child)
         return child
 
@@ -36,6 +42,12 @@ class Children:
                 if stream is not None:
                     stream.close()
             child.wait()
+
+
+def _default_signals():
+    """Nothing is ignored."""
+    for number in (signal.SIGHUP, signal.SIGINT, signal.SIGQUIT, signal.SIGTERM):
+        signal.signal(number, signal.SIG_DFL)
 
 
 class Terminal:
