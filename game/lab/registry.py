@@ -16,7 +16,7 @@ def scenes() -> tuple[Scene, ...]:
     names = sorted(
         [module.name for module in pkgutil.walk_packages(folder.__path__, f"{folder.__name__}.") if not module.ispkg]
     )
-    modules = [importlib.import_module(name) for name in names]
+    modules = [importlib.import_module(name) for name in names]  # noqa: TID251
     found: list[Scene] = [module.SCENE for module in modules]
     chapters = list(Chapter)
     return tuple(sorted(found, key=lambda scene: (chapters.index(scene.chapter), scene.place, scene.name)))
