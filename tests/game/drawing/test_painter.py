@@ -22,20 +22,17 @@ from game.effects import Effects
 from game.levels import built_in
 from game.replays.state_hash import state_hash
 from game.rules import PADDLES, new_game, tick
-from game.scene import scene_at, still
+from game.scene import scene_at
 from physics import PERMANENT
+from tests.support import games
 
 SIZE = (900, 700)
 UNIT = 20.0
 
 
 def game_after(level, ticks, seed=3):
-    """An autopilot's game and its last tick."""
-    game, pilot = new_game(built_in()[level:], seed), Autopilot()
-    done = still(game)
-    for _ in range(ticks):
-        done = tick(done.game, pilot.controls(done.game))
-    return done
+    """The last tick of an autopilot's game."""
+    return games.game_after(level, ticks, seed)[0]
 
 
 def painted(scene, size=SIZE, theme=DARK, painter=None):

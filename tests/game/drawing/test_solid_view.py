@@ -31,21 +31,16 @@ from game.input.view import FROM_ABOVE, TIPPED, View
 from game.levels import built_in
 from game.replays.state_hash import state_hash
 from game.rules import new_game, tick
-from game.scene import scene_at, still
+from game.scene import scene_at
 from physics import Ball, contact
+from tests.support.games import game_after
 from tests.support.paths import REFERENCE
 
 SIZE = (480, 360)
-
-
-def game_after(level, ticks, seed=3):
-    """The last tick of an autopilot's game, and its effects."""
-    game, pilot, effects = new_game(built_in()[level:], seed), Autopilot(), Effects()
-    done = still(game)
-    for _ in range(ticks):
-        done = tick(done.game, pilot.controls(done.game))
-        effects = after(effects, done)
-    return done, effects
+HIGHEST = 0.45 * 8
+"""As high as the highest stack."""
+STEP = 7.5e-5
+"""Of a line of sight, as a part of its length: how finely it is marched along."""
 
 
 def seen_from(view, scene, size=SIZE):
@@ -65,23 +60,29 @@ def first_met(scene, eye, way, reach):
 
     Found by marching along the line: no order, no projection, no polygons.
     """
-    steps = np.linspace(reach[0], reach[1], 8000)
+    steps = np.arange(*reach, STEP * reach[1])
     x, y, z = (eye[k] + way[k] * steps for k in range(3))
     radius, angle = np.hypot(x, y), np.arctan2(y, x)
     best, found = math.inf, None
     for k, ring in enumerate(scene.rings):
-        pitch = math.tau / ring.count
-        slot = np.rint((angle - ring.phase) / pitch).astype(int) % ring.count
-        off = (angle - ring.phase - slot * pitch + math.pi) % math.tau - math.pi
+        near = np.flatnonzero(np.abs(radius - ring.radius) < ring.half_width)
+        slot, off = slots_at(ring, angle[near])
         top = np.array([heights(k, layers) for layers in scene.layers[k]])[slot]
-        inside = (np.abs(radius - ring.radius) < ring.half_width) & (np.abs(off) < ring.half_angle) & (z < top) & (top > 0.0)
-        if inside.any() and steps[inside.argmax()] < best:
-            best, found = steps[inside.argmax()], k
+        inside = near[(np.abs(off) < ring.half_angle) & (z[near] < top) & (top > 0.0)]
+        if len(inside) and steps[inside[0]] < best:
+            best, found = steps[inside[0]], k
     for ball in scene.balls:
         inside = np.sqrt((x - ball.position.real) ** 2 + (y - ball.position.imag) ** 2 + (z - ball.radius) ** 2) < ball.radius
         if inside.any() and steps[inside.argmax()] < best:
             best, found = steps[inside.argmax()], "ball"
     return found
+
+
+def slots_at(ring, angle):
+    """The nearest slots to some angles, and how far from their middles these are."""
+    pitch = math.tau / ring.count
+    slot = np.rint((angle - ring.phase) / pitch).astype(int) % ring.count
+    return slot, (angle - ring.phase - slot * pitch + math.pi) % math.tau - math.pi
 
 
 def heights(k, layers):
@@ -90,7 +91,7 @@ def heights(k, layers):
 
 
 def sight(camera, pixel):
-    """The line of sight through a pixel: the eye, a unit way, and the part of it where things may be."""
+    """The line of sight through a pixel: the eye, a unit way, and the part of it that is low enough for things to be there."""
     ground = camera.unproject(pixel)
     bearing = camera.azimuth - math.pi / 2.0
     towards = np.array(
@@ -99,7 +100,7 @@ def sight(camera, pixel):
     eye = towards / camera.closeness
     way = np.array([ground.real, ground.imag, 0.0]) - eye
     length = float(np.linalg.norm(way))
-    return eye, way / length, (0.4 * length, length)
+    return eye, way / length, ((1.0 - HIGHEST / eye[2]) * length, length)
 
 
 VIEWS = [
@@ -215,13 +216,11 @@ def in_shadow(scene, spot, tilt):
     way = spot + solids.LIGHT * solids.SLANT * math.sin(tilt) * z
     radius, angle = np.abs(way), np.angle(way)
     for k, ring in enumerate(scene.rings):
-        pitch = math.tau / ring.count
-        slot = np.rint((angle - ring.phase) / pitch).astype(int) % ring.count
-        off = (angle - ring.phase - slot * pitch + math.pi) % math.tau - math.pi
+        near = np.flatnonzero(np.abs(radius - ring.radius) < ring.half_width)
+        slot, off = slots_at(ring, angle[near])
         top = np.array([heights(k, layers) for layers in scene.layers[k]])[slot]
         foot = np.array([lifted.get((k, number), 0.0) for number in range(ring.count)])[slot]
-        within = (np.abs(radius - ring.radius) < ring.half_width) & (np.abs(off) < ring.half_angle)
-        if (within & (z > foot) & (z < foot + top)).any():
+        if ((np.abs(off) < ring.half_angle) & (z[near] > foot) & (z[near] < foot + top)).any():
             return True
     return False
 

@@ -9,7 +9,6 @@ import numpy as np
 import pygame
 import pytest
 
-from game.autopilot import Autopilot
 from game.drawing import debris as debris_picture
 from game.drawing.camera import layout
 from game.drawing.palette import DARK, layer_colour
@@ -18,9 +17,8 @@ from game.effects import Effects
 from game.effects.bursts import Burst, Matter, Place, lasting
 from game.effects.debris import THROWS, pieces
 from game.input.view import FROM_ABOVE, TIPPED, View
-from game.levels import built_in
-from game.rules import new_game, tick
-from game.scene import scene_at, still
+from game.scene import scene_at
+from tests.support.games import game_after
 
 RADIUS = 10.0
 SECTOR = Place(4.0, 0.2, 1.0, 0.1)
@@ -34,11 +32,7 @@ def burst(matter=Matter.BRICK, age=0, seed=77, place=SECTOR, way=1j):
 
 def scene_of(level, ticks=0):
     """A level, played for a while."""
-    game, pilot = new_game(built_in()[level:], 3), Autopilot()
-    done = still(game)
-    for _ in range(ticks):
-        done = tick(done.game, pilot.controls(done.game))
-    return scene_at(done, 1.0, Effects())
+    return scene_at(game_after(level, ticks)[0], 1.0, Effects())
 
 
 def camera_of(view, scene, size=(480, 360)):

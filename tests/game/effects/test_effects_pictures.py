@@ -27,8 +27,9 @@ from game.effects.waves import WAVE_TICKS, Tone
 from game.input.view import FROM_ABOVE, TIPPED, View
 from game.levels import built_in
 from game.rules import PADDLES, EventKind, new_game, tick
-from game.scene import scene_at, still
+from game.scene import scene_at
 from tests.support.dummy_window import shared
+from tests.support.games import game_after
 
 SIZE = (900, 700)
 VIEWS = pytest.mark.parametrize("view", [FROM_ABOVE, TIPPED], ids=["flat", "tipped"])
@@ -36,11 +37,7 @@ VIEWS = pytest.mark.parametrize("view", [FROM_ABOVE, TIPPED], ids=["flat", "tipp
 
 def scene_of(level=4, ticks=0):
     """A level, played for a while, without anything that fades."""
-    game, pilot = new_game(built_in()[level:], 3), Autopilot()
-    done = still(game)
-    for _ in range(ticks):
-        done = tick(done.game, pilot.controls(done.game))
-    return scene_at(done, 1.0, Effects())._replace(aim=None, balls=())
+    return scene_at(game_after(level, ticks)[0], 1.0, Effects())._replace(aim=None, balls=())
 
 
 def painted(scene, view=FROM_ABOVE):

@@ -252,9 +252,8 @@ def test_full_screen_and_back(playing):
 def test_any_window_size_in_play(desk, size):
     """Title, help, game and pause survive being resized, and go on."""
     desk.window.size = size
-    desk.wait(2 * FRAME)
     desk.press(pygame.K_h, pygame.K_h, pygame.K_RETURN, pygame.K_SPACE)
-    desk.wait(2 * FRAME)
+    desk.wait(FRAME)
     desk.press(pygame.K_p)
     desk.window.size = SIZE
     desk.press(pygame.K_p)
