@@ -18,9 +18,10 @@ def play() -> None:
     _own_game_first()
     try:
         from game.__main__ import main  # noqa: PLC0415  # only now is it certain which game that is
+
+        main()
     except ImportError as error:
         _give_up("polar-breakout", error)
-    main()
 
 
 def crosscheck() -> None:
@@ -28,9 +29,10 @@ def crosscheck() -> None:
     _own_game_first()
     try:
         from tools.crosscheck.__main__ import main  # noqa: PLC0415  # only now is it certain which tools those are
+
+        main()
     except ImportError as error:
         _give_up("polar-crosscheck", error)
-    main()
 
 
 def _own_game_first() -> None:
