@@ -4,7 +4,10 @@ import itertools
 import multiprocessing
 import os
 import signal
+import sys
 import threading
+
+import pytest
 
 from tools.crosscheck.workers import Lost, results_of
 
@@ -28,6 +31,7 @@ def test_every_job_is_answered():
     assert sorted(results_of(job, words, 2)) == list(enumerate("ABCDE"))
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no SIGKILL to send")
 def test_a_death_loses_one_job():
     """Killed, gone or raised: that job is lost with its reason, the others come back."""
     results = dict(results_of(job, ["a", "die", "b", "leave", "raise", "c"], 1))

@@ -105,6 +105,7 @@ def test_help_needs_no_display():
         assert (done.returncode, done.stderr) == (0, b"")
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such shell")
 def test_a_closed_pipe_is_no_error():
     """Output into a pipe that nobody reads ends quietly."""
     command = f"{sys.executable} -m game levels | true"
@@ -122,6 +123,7 @@ def test_ctrl_c_is_one_line(capsys, monkeypatch):
     assert polar(capsys, *HEADLESS) == (130, "", "polar-breakout: interrupted\n")
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="on Windows every path is UTF-16")
 def test_odd_characters_in_a_path_can_be_named(capsys):
     """A path that is not UTF-8 is named in the error, not the cause of another."""
     code, _, err = polar(capsys, "replay", os.fsdecode(b"no\xffne.polar"))
