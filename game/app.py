@@ -209,7 +209,7 @@ def _following(
     pixels_per_point = _pixels_per_point(window, size)
     signal = translated(event, pixels_per_point)
     if isinstance(screen, Listener):
-        if signal == Pressed(Action.FULL_SCREEN):
+        if isinstance(signal, Pressed) and signal.action is Action.FULL_SCREEN:
             _toggle_full_screen(window, shared)
             return screen
         return screen.hear(event, size, pixels_per_point)

@@ -1,6 +1,6 @@
-"""The rows of the README's table "Beyond the source", each in a few words, for the scenes that explain them."""
+"""Where the physics goes beyond the source: the rows of the README's table, each in a few words."""
 
-BEYOND = {
+DIFFERENCES = {
     1: "angles are in [0, 2π), also for -1e-17",
     2: "the sector's middle picks the end, not on_left(θ, θ_p + φ_p)",
     3: "the segment, not the line: the clamp makes the corners",
@@ -14,6 +14,6 @@ BEYOND = {
 }
 
 
-def rows_line(rows: tuple[int, ...]) -> str:
-    """The rows as one line; empty for none."""
-    return f"Beyond the source:  {';  '.join([f'{row}  {BEYOND[row]}' for row in rows])}" if rows else ""
+def differences_line(rows: tuple[int, ...]) -> str:
+    """Some rows as one line of text; empty for none."""
+    return f"Beyond the source:  {';  '.join([f'{row}  {DIFFERENCES[row]}' for row in rows])}" if rows else ""

@@ -1,4 +1,4 @@
-"""The look of the widgets: the game's colours and font, as pygame_gui takes them."""
+"""The theme of the widgets: the game's colours and font, in the form that pygame_gui takes."""
 
 from pathlib import Path
 from typing import Any
@@ -9,16 +9,16 @@ from game.drawing.palette import Colour, Theme, mixed
 
 _FONT = "lab"
 _LETTER, _SYMBOL = 0.69, 0.9
-"""Sizes of the fonts in text's: pygame's own font is drawn smaller by this share when it is named by None."""
+"""Sizes of the widgets' fonts in that of the lab's text: it draws larger than `pygame.font.Font(None)` does."""
 
 
-def skin(theme: Theme, pixels: int) -> dict[str, Any]:
-    """A theme for pygame_gui. pixels: size of the letters."""
+def widget_theme(theme: Theme, pixels: int) -> dict[str, Any]:
+    """A theme for pygame_gui. pixels: size of body text."""
     colours = _colours(theme)
     font = str(Path(pygame.__file__).parent / pygame.font.get_default_font())
 
-    def share(of: float) -> str:
-        return str(max(round(pixels * of), 1))
+    def share(units: float) -> str:
+        return str(max(round(pixels * units), 1))
 
     flat = {
         "shape": "rounded_rectangle",
@@ -79,5 +79,5 @@ def _colours(theme: Theme) -> dict[str, str]:
 
 
 def _hex(colour: Colour) -> str:
-    """#rrggbb."""
+    """A colour as #rrggbb."""
     return "#{:02x}{:02x}{:02x}".format(*colour)
