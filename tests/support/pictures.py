@@ -6,25 +6,11 @@ os.environ["SDL_VIDEODRIVER"] = "dummy"
 
 import pygame
 
-from game.autopilot import Autopilot
 from game.drawing.camera import layout
 from game.drawing.canvas import Canvas
 from game.drawing.palette import DARK
 from game.drawing.text import Type
-from game.effects import Effects, after
 from game.input.view import FROM_ABOVE
-from game.levels import built_in
-from game.rules import new_game, tick
-from game.scene import still
-
-
-def game_after(level, ticks, seed=3):
-    """The last tick of an autopilot's game, and its effects. level: counted from 0."""
-    pilot, effects, done = Autopilot(), Effects(), still(new_game(built_in()[level:], seed))
-    for _ in range(ticks):
-        done = tick(done.game, pilot.controls(done.game))
-        effects = after(effects, done)
-    return done, effects
 
 
 def camera_of(view, scene, size):

@@ -32,10 +32,15 @@ from game.rules import new_game, tick
 from game.scene import scene_at
 from game.screenshot import save_screenshot
 from physics import Ball, contact
+from tests.support.games import game_after
 from tests.support.paths import REFERENCE
-from tests.support.pictures import camera_of, canvas_of, game_after
+from tests.support.pictures import camera_of, canvas_of
 
 SIZE = (480, 360)
+HIGHEST = 0.45 * 8
+"""World units: as high as the highest stack."""
+STEP = 7.5e-5
+"""Of a line of sight, as a part of its length: how finely it is marched along."""
 
 
 def seen_from(view, scene, size=SIZE):
@@ -55,23 +60,29 @@ def first_met(scene, eye, ray, reach):
 
     Found by marching along the line: no order, no projection, no polygons.
     """
-    steps = np.linspace(reach[0], reach[1], 8000)
+    steps = np.arange(*reach, STEP * reach[1])
     x, y, z = (eye[k] + ray[k] * steps for k in range(3))
     radius, angle = np.hypot(x, y), np.arctan2(y, x)
     best, found, standing = math.inf, None, standing_heights(scene)
     for k, ring in enumerate(scene.rings):
-        pitch = math.tau / ring.count
-        slot = np.rint((angle - ring.phase) / pitch).astype(int) % ring.count
-        off = (angle - ring.phase - slot * pitch + math.pi) % math.tau - math.pi
+        near = np.flatnonzero(np.abs(radius - ring.radius) < ring.half_width)
+        slot, off = slots_at(ring, angle[near])
         top = standing[k][slot]
-        inside = (np.abs(radius - ring.radius) < ring.half_width) & (np.abs(off) < ring.half_angle) & (z < top) & (top > 0.0)
-        if inside.any() and steps[inside.argmax()] < best:
-            best, found = steps[inside.argmax()], k
+        inside = near[(np.abs(off) < ring.half_angle) & (z[near] < top) & (top > 0.0)]
+        if len(inside) and steps[inside[0]] < best:
+            best, found = steps[inside[0]], k
     for ball in scene.balls:
         inside = np.sqrt((x - ball.position.real) ** 2 + (y - ball.position.imag) ** 2 + (z - ball.radius) ** 2) < ball.radius
         if inside.any() and steps[inside.argmax()] < best:
             best, found = steps[inside.argmax()], "ball"
     return found
+
+
+def slots_at(ring, angle):
+    """The nearest slots to some angles, and how far from their middles these are."""
+    pitch = math.tau / ring.count
+    slot = np.rint((angle - ring.phase) / pitch).astype(int) % ring.count
+    return slot, (angle - ring.phase - slot * pitch + math.pi) % math.tau - math.pi
 
 
 def standing_heights(scene):
@@ -81,7 +92,7 @@ def standing_heights(scene):
 
 
 def sight(camera, pixel):
-    """The line of sight through a pixel: the eye, its unit direction, and the part of it where things may be."""
+    """The line of sight through a pixel: the eye, its unit direction, and the part of it low enough for things to be there."""
     ground = camera.unproject(pixel)
     bearing = camera.azimuth - math.pi / 2.0
     towards = np.array(
@@ -90,7 +101,7 @@ def sight(camera, pixel):
     eye = towards / camera.closeness
     ray = np.array([ground.real, ground.imag, 0.0]) - eye
     length = float(np.linalg.norm(ray))
-    return eye, ray / length, (0.4 * length, length)
+    return eye, ray / length, ((1.0 - HIGHEST / eye[2]) * length, length)
 
 
 VIEWS = [
@@ -204,13 +215,11 @@ def in_shadow(scene, spot, tilt):
     ray = spot + LIGHT * SHADOW_SLANT * math.sin(tilt) * z
     radius, angle = np.abs(ray), np.angle(ray)
     for k, ring in enumerate(scene.rings):
-        pitch = math.tau / ring.count
-        slot = np.rint((angle - ring.phase) / pitch).astype(int) % ring.count
-        off = (angle - ring.phase - slot * pitch + math.pi) % math.tau - math.pi
+        near = np.flatnonzero(np.abs(radius - ring.radius) < ring.half_width)
+        slot, off = slots_at(ring, angle[near])
         top = standing[k][slot]
         foot = np.array([lifted.get((k, number), 0.0) for number in range(ring.count)])[slot]
-        within = (np.abs(radius - ring.radius) < ring.half_width) & (np.abs(off) < ring.half_angle)
-        if (within & (z > foot) & (z < foot + top)).any():
+        if ((np.abs(off) < ring.half_angle) & (z[near] > foot) & (z[near] < foot + top)).any():
             return True
     return False
 

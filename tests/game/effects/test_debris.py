@@ -19,7 +19,8 @@ from game.effects.bursts import Burst, BurstOrigin, Matter, lifetime
 from game.effects.debris import THROWS, pieces
 from game.input.view import FROM_ABOVE, TIPPED, View
 from game.scene import scene_at
-from tests.support.pictures import camera_of, canvas_of, game_after
+from tests.support.games import game_after
+from tests.support.pictures import camera_of, canvas_of
 
 RADIUS = 10.0
 SIZE = (480, 360)

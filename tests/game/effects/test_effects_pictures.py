@@ -26,7 +26,8 @@ from game.levels import built_in
 from game.rules import PADDLES, EventKind, new_game, tick
 from game.scene import scene_at
 from tests.support.dummy_window import shared
-from tests.support.pictures import canvas_of, game_after
+from tests.support.games import game_after
+from tests.support.pictures import canvas_of
 
 SIZE = (900, 700)
 VIEWS = pytest.mark.parametrize("view", [FROM_ABOVE, TIPPED], ids=["flat", "tipped"])
