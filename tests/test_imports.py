@@ -97,6 +97,15 @@ WRONG = {
         "an import must be readable",
     ),
     "lab_command_pygame": ({"game/lab/command.py": "import pygame"}, "game.lab.command -> pygame"),
+    "drawing_up": ({"game/drawing/painter.py": "from game.overlay import hud"}, "drawing knows nothing of what draws with it"),
+    "flat_solid": (
+        {"game/drawing/flat/recoil.py": "from game.drawing.solid import prisms"},
+        "the flat and the solid view know nothing of each other",
+    ),
+    "solid_flat": (
+        {"game/drawing/solid/faces.py": "from game.drawing.flat.ring import packed"},
+        "the flat and the solid view know nothing of each other",
+    ),
     "lab_tools": ({"game/lab/share.py": "from tools.crosscheck.second_engine import x"}, "nothing imports tools but tests"),
     "tools_pygame": ({"tools/bench.py": "import pygame"}, "tools.bench -> pygame"),
     "tools_through_game": (
@@ -113,6 +122,7 @@ RIGHT = {
     "tools": {"tools/crosscheck/run.py": "import pymunk\nfrom tools import x\nfrom game.rules import y", "game/rules.py": ""},
     "second_opinion": {"game/__main__.py": "def f():\n    from tools.crosscheck.overlay import opinions"},
     "second_engine": {"game/__main__.py": "def f():\n    from tools.crosscheck.second_engine import Pymunk"},
+    "drawing": {"game/drawing/debris.py": "from game.drawing.solid import debris_occlusion\nfrom game.effects import Burst"},
     "lab_window": {
         "game/lab/window/x.py": "import pygame, pygame_gui",
         "game/lab/command.py": "def f():\n    from game.lab.window import x",

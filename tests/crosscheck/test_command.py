@@ -20,14 +20,14 @@ from game.rules import new_game, tick
 from game.system.command_line import run
 from tests.support.paths import ROOT
 from tools.crosscheck import cli
-from tools.crosscheck.__main__ import _CLASSES, _SABOTAGES, app
+from tools.crosscheck.__main__ import _PLAYERS, _VERDICTS, app
 from tools.crosscheck.comparisons.convergence import FACETS, Curve
-from tools.crosscheck.games.sabotage import SABOTAGES
-from tools.crosscheck.games.sources import RANDOM, Source
+from tools.crosscheck.games.sources import PLAYERS, RANDOM, Source
 from tools.crosscheck.report.terminal import print_findings
-from tools.crosscheck.results.cases import Class
 from tools.crosscheck.results.findings import Findings
-from tools.crosscheck.run import Job, Outcome, check_game
+from tools.crosscheck.results.measurements import Verdict
+from tools.crosscheck.run import Job, RunResult, check_game, default_sources
+from tools.crosscheck.sabotage.suite import suite_jobs
 from tools.crosscheck.workers import Lost
 
 SHORT = ["--games", "1", "--level", "6", "--ticks", "1500"]
@@ -35,9 +35,13 @@ SHORT = ["--games", "1", "--level", "6", "--ticks", "1500"]
 
 @pytest.fixture(autouse=True)
 def _in_this_process(monkeypatch):
-    """Worker processes take a second to start; `test_crosscheck_workers` is about them."""
-    answers = lambda function, jobs, _: enumerate(map(function, jobs))  # noqa: E731
-    monkeypatch.setattr("tools.crosscheck.run.results_of", answers)
+    """Worker processes take a second to start; `test_workers` is about them."""
+
+    def answers(function, jobs, _):
+        yield from enumerate(map(function, jobs))
+
+    for module in ("run", "sabotage.suite", "corpus.build"):
+        monkeypatch.setattr(f"tools.crosscheck.{module}.results_of", answers)
 
 
 def crosscheck(capsys, *arguments):
@@ -68,7 +72,8 @@ def test_agreement_is_exit_code_0_and_one_verdict_line(capsys):
     assert re.fullmatch(r"AGREE: 0 unexplained in \d+ contacts, [\d,]+ poses in 1 game", out.splitlines()[-1])
     assert max(len(line) for line in out.splitlines()) <= 80
     assert "…" not in out
-    for word in ("normal, exact shape", "presence every tick", "time of first touch", "bounce, no friction", "sagitta"):
+    words = ("what was hit", "normal, exact shape", "presence every tick", "time of first touch", "bounce, no friction")
+    for word in (*words, "phase, rebuilt", "contacts by kind", "cells with a contact:", "Not compared:"):
         assert word in out
 
 
@@ -94,7 +99,7 @@ def test_a_replay_is_checked(capsys, replay):
     assert f"AGREE: 0 unexplained in {played.contacts} contacts" in out
 
 
-def test_cases_of_a_class_can_be_listed(capsys):
+def test_measurements_of_a_verdict_can_be_listed(capsys):
     """Each in a line, with its command."""
     _, out, _ = crosscheck(capsys, "--games", 1, "--level", RANDOM, "--seed", 2, "--ticks", 1500, "--list", "rule")
     listed = [line for line in out.splitlines() if line.startswith("source rule: ")]
@@ -103,8 +108,8 @@ def test_cases_of_a_class_can_be_listed(capsys):
 
 
 KEYS = {
-    "format", "verdict", "agrees", "partial", "versions", "options", "games", "totals", "seconds", "classes", "rows", "cases",
-    "convergence", "free_run",
+    "format", "verdict", "agrees", "partial", "versions", "options", "games", "totals", "seconds", "verdicts", "rows",
+    "measurements", "contacts", "coverage", "convergence", "free_run", "sabotage",
 }  # fmt: skip
 ROW_KEYS = {
     "comparison", "feature", "unit", "count", "median", "p99", "maximum", "bound", "share", "bound_source", "worst",
@@ -117,14 +122,18 @@ def test_the_json_file_keeps_its_format(capsys, tmp_path: Path):
     code, out, _ = crosscheck(capsys, *SHORT, "--json", file)
     result = json.loads(file.read_text(), parse_constant=lambda word: pytest.fail(f"{word} is no JSON"))
     assert code == 0
-    assert result["format"] == "polar-breakout crosscheck 1"
+    assert result["format"] == "polar-breakout crosscheck 2"
     assert set(result) == KEYS
     assert all(set(row) == ROW_KEYS for row in result["rows"])
     assert result["verdict"] == out.splitlines()[-1]
-    assert sum(result["classes"].values()) == result["totals"]["contacts"]
+    assert sum(result["verdicts"].values()) == result["totals"]["contacts"]
     assert result["games"] == [{"options": "--level 6 --seed 1 --games 1 --ticks 1500", "lost": None}]
+    assert len(result["contacts"]) == result["totals"]["contacts"] == sum(cell[-1] for cell in result["coverage"]["cells"])
+    assert all(contact["errors"]["normal_exact"][0] < 1e-12 for contact in result["contacts"])
     documented = __import__("tools.crosscheck.report.json_file", fromlist=["_"]).__doc__
-    for key in KEYS | ROW_KEYS | set(result["rows"][0]["worst"]) | set(result["totals"]) | set(result["seconds"]):
+    worst = next(row["worst"] for row in result["rows"] if row["worst"] is not None)
+    found = set(worst) | set(result["contacts"][0]) | set(result["totals"]) | set(result["seconds"]) | set(result["coverage"])
+    for key in KEYS | ROW_KEYS | found:
         assert re.search(rf"\b{key}\b", documented), f"{key} is not documented"
 
 
@@ -147,14 +156,15 @@ def test_the_extras_are_shown(capsys, tmp_path: Path, monkeypatch):
     """Convergence and free run, on the terminal, in the page and in the JSON file."""
     monkeypatch.setattr(cli, "_FREE_RUNS", 1)
     errors = tuple(1.0 / n for n in FACETS)
-    monkeypatch.setattr(cli, "converged", lambda *_: [Curve("normal, outer face", "rad", -1.0, FACETS, errors, 100)])
+    curve = Curve("normal, outer face", "rad", -1.0, FACETS, errors, errors, (1e-13,) * len(FACETS), 100)
+    monkeypatch.setattr(cli, "converged", lambda *_: [curve])
     page, numbers = tmp_path / "page.html", tmp_path / "numbers.json"
     code, out, _ = crosscheck(capsys, *SHORT, "--convergence", "--free-run", "--report", page, "--json", numbers)
     result = json.loads(numbers.read_text())
     assert code == 0
     assert [(curve["slope"], curve["holds"]) for curve in result["convergence"]] == [(pytest.approx(-1.0), True)]
     assert result["free_run"][0]["together"] >= 1
-    assert "normal, outer face: falls as N^-1.000, expected N^-1, over 100 contacts" in out
+    assert "normal, outer face: falls as N^-1.000, expected N^-1 within 0.060, over 100" in out
     assert "free run 1: together for" in out
     assert "More facets, smaller difference" in page.read_text()
     assert "Left alone" in page.read_text()
@@ -173,7 +183,9 @@ def test_the_extras_are_shown(capsys, tmp_path: Path, monkeypatch):
         (["--tick", "-1"], "'--tick'"),
         (["--level", "nowhere"], "--level nowhere: no such level"),
         (["--list", "everything"], "--list everything: expected one of"),
-        (["--sabotage", "sand"], "--sabotage sand: expected one of"),
+        (["--sabotage", "sand"], "--sabotage sand: expected one of all, rotated-normal"),
+        (["--player", "nobody"], "--player nobody: expected one of autopilot, mouse, keys"),
+        (["--corpus", "README.md"], "--corpus README.md: cannot write there"),
         (["no such.polar"], "no such.polar: cannot read replay"),
         (["."], "cannot read replay; expected a file, not a folder"),
         (["--report", "no/such/folder/page.html"], "the folder no/such/folder does not exist"),
@@ -183,7 +195,8 @@ def test_the_extras_are_shown(capsys, tmp_path: Path, monkeypatch):
 )
 def test_bad_input_is_one_line_and_exit_code_2(capsys, monkeypatch, arguments, reason):
     """Before any work starts."""
-    monkeypatch.setattr(cli, "checked_games", lambda *_: pytest.fail("work has started"))
+    for module in ("cli.checked_games", "corpus.build.results_of"):
+        monkeypatch.setattr(f"tools.crosscheck.{module}", lambda *_: pytest.fail("work has started"))
     code, out, err = crosscheck(capsys, *arguments)
     assert (code, out) == (2, "")
     assert reason in err
@@ -240,23 +253,26 @@ def test_without_assertions_it_refuses_to_run():
     assert "without -O" in done.stderr
 
 
-def test_ctrl_c_leaves_a_partial_summary_and_no_file(capsys, monkeypatch, tmp_path: Path):
-    """What was checked until then is shown as partial, whatever it found; files of an earlier run stay as they are."""
+def test_ctrl_c_leaves_a_partial_result(capsys, monkeypatch, tmp_path: Path):
+    """What was checked until then is shown, and written beside the file of an earlier run, which stays as it is."""
 
     def interrupted(function, jobs, _):
         yield 0, function(jobs[0])
         raise KeyboardInterrupt
 
     monkeypatch.setattr("tools.crosscheck.run.results_of", interrupted)
-    file = tmp_path / "result.json"
+    file, page = tmp_path / "result.json", tmp_path / "page.html"
     file.write_text("earlier")
-    code, out, err = crosscheck(capsys, *SHORT, "--games", 3, "--json", file)
+    code, out, err = crosscheck(capsys, *SHORT, "--games", 3, "--json", file, "--report", page)
     assert code == 128 + signal.SIGINT
     assert re.search(r"^PARTIAL \(1 of 3 games\): AGREE: 0 unexplained in \d+ contacts", out, re.MULTILINE)
-    assert out.endswith("no file was written\n")
+    assert f"partial result: {tmp_path / 'result.partial.json'}" in out
     assert err == "polar-crosscheck: interrupted\n"
     assert file.read_text() == "earlier"
-    assert [*tmp_path.iterdir()] == [file]
+    partial = json.loads((tmp_path / "result.partial.json").read_text())
+    assert (partial["partial"], partial["agrees"], len(partial["contacts"])) == (True, False, partial["totals"]["contacts"])
+    assert "PARTIAL (1 of 3 games)" in (tmp_path / "page.partial.html").read_text()
+    assert len([*tmp_path.iterdir()]) == 3
 
 
 def test_a_lost_game_is_reported_and_no_agreement(capsys, monkeypatch):
@@ -275,11 +291,11 @@ def test_a_lost_game_is_reported_and_no_agreement(capsys, monkeypatch):
 
 def test_the_table_fits_80_columns_with_the_counts_of_a_long_run(capsys):
     """Twelve million poses and every row: no number is cut."""
-    outcome = Outcome([Job(Source(None, "6", 1, 1500), 64)])
-    outcome.take(outcome.jobs[0].source, check_game(outcome.jobs[0]))
-    for samples in outcome.rows.samples.values():
+    result = RunResult([Job(Source(None, "6", 1, 1500), 64)])
+    result.take(result.jobs[0].source, check_game(result.jobs[0]))
+    for samples in result.rows.samples.values():
         samples.zeros += 12_345_678
-    print_findings(Console(width=80), Findings(outcome), None)
+    print_findings(Console(width=80), Findings(result), None)
     out = capsys.readouterr().out
     assert "12,34" in out
     assert "…" not in out
@@ -287,12 +303,53 @@ def test_the_table_fits_80_columns_with_the_counts_of_a_long_run(capsys):
 
 def test_nothing_compared_is_no_agreement():
     """A game without a contact proves nothing."""
-    outcome = Outcome([Job(Source(None, "1", 1, 10), 64)])
-    outcome.take(outcome.jobs[0].source, check_game(outcome.jobs[0]))
-    assert (outcome.rows.contacts, outcome.agrees) == (0, False)
+    result = RunResult([Job(Source(None, "1", 1, 10), 64)])
+    result.take(result.jobs[0].source, check_game(result.jobs[0]))
+    assert (result.rows.contacts, result.agrees) == (0, False)
 
 
-def test_the_command_line_knows_every_sabotage_and_class():
-    """It names them without importing pymunk; here the two lists are held together."""
-    assert set(_SABOTAGES) == set(SABOTAGES)
-    assert {name.upper() for name in _CLASSES} == {kind.name for kind in Class if kind > Class.FACETS}
+def test_the_command_line_knows_every_player_and_verdict():
+    """It names them without importing pymunk; here the lists are held together."""
+    assert _PLAYERS == PLAYERS
+    assert {name.upper() for name in _VERDICTS} == {verdict.name for verdict in Verdict if verdict > Verdict.EXACT}
+
+
+def test_by_default_all_kinds_of_games_are_checked():
+    """Every level by the autopilot and by a player who is less good, random arenas, and aimed contacts."""
+    sources = default_sources(1, 14_400)
+    kinds = {(source.level if source.level.isalpha() else "level", source.player) for source in sources}
+    assert kinds == {
+        ("level", "autopilot"),
+        ("level", "mouse"),
+        ("level", "keys"),
+        ("random", "autopilot"),
+        ("aimed", "autopilot"),
+    }
+    assert len(set(sources)) == len(sources) == 21
+
+
+def test_the_suite_of_mistakes_is_a_table(capsys, monkeypatch, tmp_path: Path):
+    """After the games: each mistake with what caught it; what is missed makes the exit code 1 and is named."""
+    few = {name: cli.MISTAKES[name] for name in ("two-layers", "still-surface", "early-stop")}
+    monkeypatch.setattr(cli, "MISTAKES", few)
+    short = lambda names, seed, facets: [job for job in suite_jobs(names, seed, facets) if job.source.level in {"4", "aimed"}]  # noqa: E731
+    monkeypatch.setattr(cli, "suite_jobs", short)
+    numbers, page = tmp_path / "numbers.json", tmp_path / "page.html"
+    code, out, _ = crosscheck(capsys, *SHORT, "--sabotage", "all", "--json", numbers, "--report", page)
+    assert code == 0
+    assert re.search(r"^ *two-layers +what was hit +\d+", out, re.MULTILINE)
+    assert "early-stop: a resulting velocity of" in out
+    assert out.splitlines()[-1].endswith("2 of 3 mistakes caught, 1 cannot show in a game")
+    result = json.loads(numbers.read_text())
+    assert [(one["name"], one["caught"], one["holds"]) for one in result["sabotage"]] == [
+        ("two-layers", True, True),
+        ("still-surface", True, True),
+        ("early-stop", False, True),
+    ]
+    assert "Mistakes made on purpose" in page.read_text()
+
+    monkeypatch.setattr(cli, "MISTAKES", {"early-stop": few["early-stop"]})
+    monkeypatch.setattr("tools.crosscheck.sabotage.suite.MISTAKES", {"early-stop": few["early-stop"]._replace(invisible="")})
+    code, out, _ = crosscheck(capsys, *SHORT, "--sabotage", "all")
+    assert code == 1
+    assert out.splitlines()[-1].startswith("NOT CAUGHT: early-stop;")

@@ -1,5 +1,6 @@
 """Work in other processes: what kills one of them costs one job."""
 
+import multiprocessing
 import os
 import signal
 import time
@@ -45,3 +46,13 @@ def test_a_job_that_hangs_is_given_up():
     results = dict(results_of(job, ["sleep", "a"], 1, time_limit=2.0))
     assert results == {0: Lost("no answer within 2 s"), 1: "A"}
     assert time.monotonic() - before < 30.0
+
+
+def test_closing_ends_all_processes_at_once():
+    """In the middle of a job, without waiting for it."""
+    results = results_of(job, ["a", "sleep", "sleep"], 2)
+    assert next(results) == (0, "A")
+    before = time.monotonic()
+    results.close()
+    assert time.monotonic() - before < 30.0
+    assert multiprocessing.active_children() == []

@@ -22,7 +22,7 @@ from game.lab.window.pan_zoom import PanZoom
 from game.lab.window.screen import Lab
 from game.lab.window.screenshot import save_screenshot
 from game.lab.window.words import TextSheet, draw_head, draw_words
-from game.screens.panels import Menu
+from game.screens.menu import Menu
 from game.screens.play import Play
 from game.screens.title import Title
 from game.settings.values import THEMES
@@ -278,7 +278,7 @@ def test_no_hands_break_it(scene, tmp_path, monkeypatch):
 def test_l_opens_the_lab_over_the_game_and_esc_comes_back():
     """L opens the lab over a game, which is paused; Esc comes back to its menu."""
     app = shared()
-    app.lab = _lab_opener(Pymunk)
+    app.open_lab = _lab_opener(Pymunk)
     assert "L" in [keys for keys, _ in PLAY_HELP]
     desk = Desk(app, Title(app))
     desk.press(pygame.K_RETURN)

@@ -12,11 +12,12 @@ import pytest
 
 from game.autopilot import Autopilot
 from game.drawing.camera import layout
+from game.drawing.canvas import Canvas
 from game.drawing.painter import Painter
 from game.drawing.palette import DARK
+from game.drawing.raster.quads import QuadRaster
 from game.drawing.solid import faces as solids
 from game.drawing.solid.painters_order import back_to_front
-from game.drawing.solid.quad_raster import Mosaic
 from game.drawing.text import Type
 from game.effects import Effects, after
 from game.input.view import TIPPED, View
@@ -43,10 +44,10 @@ def scene_after(level, ticks, seed=3):
 
 def frames(scene, views):
     """The scene from one place after the other."""
-    painter, type_ = Painter(DARK), Type()
+    painter, type_ = Painter(), Type()
     for view in views:
         surface = pygame.Surface(SIZE, 0, 32)
-        painter.paint(surface, scene, view.seen(layout(SIZE, scene.ground_radius)).camera, type_, 10.0)
+        painter.paint(Canvas(surface, view.seen(layout(SIZE, scene.ground_radius)).camera, DARK, type_, 10.0), scene)
         yield pygame.surfarray.array3d(surface).astype(np.float32)
 
 
@@ -105,7 +106,7 @@ def test_a_remembered_picture_equals_a_fresh_one():
         camera = view.seen(layout(size, scene.ground_radius)).camera
         pictures = [pygame.Surface(size, 0, 32) for _ in range(2)]
         for picture, used in zip(pictures, (painter, Painter()), strict=True):
-            used.paint(picture, scene, camera, Type(), 8.0)
+            used.paint(Canvas(picture, camera, DARK, Type(), 8.0), scene)
         assert pygame.image.tobytes(pictures[0], "RGB") == pygame.image.tobytes(pictures[1], "RGB")
         compared, fell = compared + 1, fell + bool(scene.drops)
     assert min(compared, fell) > 50
@@ -121,7 +122,7 @@ def test_a_mosaic_looks_as_if_drawn_in_one_piece(size, finer):
     colours = [pygame.Color(*chance.integers(0, 255, 3).tolist(), 255) for _ in corners]
     canvas = pygame.Surface((size[0] * finer, size[1] * finer), pygame.SRCALPHA, 32)
     mapped = np.array([canvas.map_rgb(colour) & 0xFFFFFFFF for colour in colours], dtype=np.uint32)
-    mosaic, whole, tiled = Mosaic(), pygame.Surface(size, 0, 32), pygame.Surface(size, 0, 32)
+    mosaic, whole, tiled = QuadRaster(), pygame.Surface(size, 0, 32), pygame.Surface(size, 0, 32)
     whole.fill((40, 90, 20))
     mosaic.draw(tiled, pixels(corners[:9]), mapped[:9], finer)
     tiled.fill((40, 90, 20))
@@ -145,15 +146,15 @@ def test_a_tile_that_shows_the_same_is_not_drawn_again(monkeypatch):
     """Of a resting scene nothing is drawn twice; of one in which a paddle moves, only what is near it."""
     scene = scene_after(0, 700)._replace(balls=(), trails=(), flashes=(), aim=None)
     drawn = []
-    fill = Mosaic._fill
-    monkeypatch.setattr(Mosaic, "_fill", lambda self, part, *rest: drawn.append(part.box) or fill(self, part, *rest))
-    painter, type_ = Painter(DARK), Type()
+    fill = QuadRaster._fill
+    monkeypatch.setattr(QuadRaster, "_fill", lambda self, quads, *rest: drawn.append(quads.box) or fill(self, quads, *rest))
+    painter, type_ = Painter(), Type()
     place = TIPPED.seen(layout((1280, 800), scene.ground_radius))
     turned = scene._replace(rings=(scene.rings[0]._replace(phase=0.3), *scene.rings[1:]))
     counts = []
     for seen in (scene, scene, turned):
         drawn.clear()
-        painter.paint(pygame.Surface((1280, 800), 0, 32), seen, place.camera, type_, 10.0)
+        painter.paint(Canvas(pygame.Surface((1280, 800), 0, 32), place.camera, DARK, type_, 10.0), seen)
         counts.append(len(drawn))
     assert counts[0] > 10
     assert counts[1] == 0
@@ -165,5 +166,5 @@ def test_a_mosaic_of_nothing_changes_nothing():
     surface = pygame.Surface((40, 30), 0, 32)
     beside = np.array([[[90, 10], [99, 10], [99, 20], [90, 20]]], dtype=np.int32)
     for corners in (beside[:0], beside):
-        Mosaic().draw(surface, pixels(corners), np.full(len(corners), 0xFFFFFFFF, dtype=np.uint32), 2)
+        QuadRaster().draw(surface, pixels(corners), np.full(len(corners), 0xFFFFFFFF, dtype=np.uint32), 2)
     assert not pygame.surfarray.array3d(surface).any()

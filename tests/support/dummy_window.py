@@ -9,7 +9,7 @@ import pygame
 
 from game.app import frame
 from game.levels import built_in
-from game.screens.base import Shared
+from game.screens.app_state import AppState
 from game.screens.title import Title
 from game.system import window as display
 
@@ -19,7 +19,7 @@ SIZE = (640, 400)
 
 def shared(level=0, seed=7, recorder=None, *, autopilot=False):
     """What outlives a screen, before anything has happened."""
-    return Shared(built_in(), level, seed, Title, recorder, autopilot)
+    return AppState(built_in(), level, seed, Title, recorder, autopilot)
 
 
 class Desk:

@@ -6,6 +6,8 @@ game      physics, but not its batch; never tools, tests, numba, pymunk
 game's rules, levels, replays, autopilot and what plays without a window: pygame neither directly nor through others;
 game/__main__.py not before it knows that a window is wanted
 game/lab  as the game; all but its window: no pygame, neither directly nor through others
+game/drawing  nothing of what draws with it: screens, overlay, input, settings, lab; its flat and its solid view know nothing
+of each other
 tools     physics, game's part without pygame; what draws or times pictures: all of the game
 tools is imported by nothing but itself and tests, but for game/__main__.py, which hands the game a second opinion on
 contacts and the lab a second engine; tests by nothing
@@ -16,10 +18,15 @@ from typing import NamedTuple
 
 PACKAGES = ("game", "physics", "tools", "tests")
 PURE_STDLIB = {"__future__", "collections", "dataclasses", "enum", "functools", "itertools", "math", "typing"}
-WITHOUT_WINDOW = {"rules", "levels", "replays", "autopilot", "headless", "system.errors", "system.files"}
+WITHOUT_WINDOW = {
+    *("rules", "levels", "replays", "autopilot", "headless", "scene", "effects", "second_opinion", "fixed_step"),
+    *("system.errors", "system.files"),
+}
 DRAWING_TOOLS = {"tools.measure.frame", "tools.measure.memory", "tools.measure.tipping_gif"}
 UNKNOWN = "a name made at run time"
 LAB_WINDOW = "game.lab.window"
+ABOVE_DRAWING = ("game.app", "game.input", "game.lab", "game.overlay", "game.screens", "game.screenshot", "game.settings")
+FLAT, SOLID = "game.drawing.flat", "game.drawing.solid"
 SECOND_OPINIONS = ("tools.crosscheck.overlay", "tools.crosscheck.second_engine")
 
 
@@ -164,6 +171,16 @@ RULES = [
     (
         lambda module, target: _top(module) == "game" and (_top(target) == "numba" or _is_batch(target)),
         "the game does not need numba",
+    ),
+    (
+        lambda module, target: module.startswith("game.drawing") and target.startswith(ABOVE_DRAWING),
+        "drawing knows nothing of what draws with it",
+    ),
+    (
+        lambda module, target: (
+            (module.startswith(FLAT) and target.startswith(SOLID)) or (module.startswith(SOLID) and target.startswith(FLAT))
+        ),
+        "the flat and the solid view know nothing of each other",
     ),
 ]
 

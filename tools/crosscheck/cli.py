@@ -1,7 +1,10 @@
 """The command's work, once the options are read and the machine is known to have pymunk."""
 
+import os
 import signal
-from contextlib import nullcontext
+import sys
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager, nullcontext
 from pathlib import Path
 from typing import NamedTuple
 
@@ -10,29 +13,34 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 from tools.crosscheck.comparisons.convergence import converged
 from tools.crosscheck.comparisons.free_run import free_run
+from tools.crosscheck.corpus.build import built_corpus, corpus_sources
 from tools.crosscheck.files import check_writable, write_whole
 from tools.crosscheck.games.sources import Source
+from tools.crosscheck.output import emit, text_console
 from tools.crosscheck.report.json_file import json_text
-from tools.crosscheck.report.terminal import print_findings
-from tools.crosscheck.results.cases import Class
+from tools.crosscheck.report.terminal import print_corpus, print_findings
 from tools.crosscheck.results.findings import Findings
-from tools.crosscheck.run import Job, Outcome, checked_games, chosen_sources
+from tools.crosscheck.results.measurements import Verdict
+from tools.crosscheck.run import Choice, Job, checked_games, chosen_sources
+from tools.crosscheck.sabotage.catalogue import MISTAKES
+from tools.crosscheck.sabotage.suite import sabotage_results, suite_jobs
 
 _RESTING = ("1", "2", "3")
 _MORE_GAMES = 10
 _MORE_TICKS = 30_000
 """Levels whose bricks rest, for the convergence, after the games of the run: enough contacts for every curve."""
 _FREE_RUNS = 4
+_ALL = "all"
 
 
-class Wishes(NamedTuple):
-    """What the command line asks for."""
+class Options(NamedTuple):
+    """What the command line asks for.
 
-    replays: tuple[str, ...]
-    games: int | None
-    seed: int
-    level: str | None
-    ticks: int
+    choice: the games. only: the one tick to compare. listed: the verdict to list. sabotage: a mistake, or "all". corpus: its
+    folder.
+    """
+
+    choice: Choice
     facets: int
     workers: int
     only: int | None
@@ -42,62 +50,129 @@ class Wishes(NamedTuple):
     json: Path | None
     convergence: bool
     free_run: bool
+    corpus: Path | None
 
 
-def crosscheck(wishes: Wishes) -> int:
+Tell = Callable[[int, int], None]
+"""Called with the games done, and the contacts or mistakes so far."""
+
+
+def crosscheck(options: Options) -> int:
     """Run the harness; the exit code."""
-    check_writable(wishes.report, "--report")
-    check_writable(wishes.json, "--json")
-    sources = chosen_sources(wishes.replays, wishes.games, wishes.seed, wishes.level, wishes.ticks)
-    jobs = [Job(source, wishes.facets, wishes.only, wishes.sabotage) for source in sources]
-    console = Console()
-    outcome = _checked_with_progress(jobs, wishes.workers)
-    findings = Findings(outcome)
-    if not outcome.partial:
-        findings = _with_extras(findings, sources, wishes)
-    print_findings(console, findings, Class[wishes.listed.upper()] if wishes.listed else None)
-    if outcome.partial:
-        if wishes.report is not None or wishes.json is not None:
-            console.print("no file was written")
-        return 128 + signal.SIGINT
-    if wishes.report is not None:
-        from tools.crosscheck.report.html_page import html_text  # noqa: PLC0415  # matplotlib takes a second to load
+    check_writable(options.report, "--report")
+    check_writable(options.json, "--json")
+    with _ended_by_a_signal():
+        if options.corpus is not None:
+            return _corpus(options, options.corpus)
+        return _games(options)
 
-        write_whole(wishes.report, html_text(findings))
-    if wishes.json is not None:
-        write_whole(wishes.json, json_text(findings))
+
+def _games(options: Options) -> int:
+    """Check the games of the run, and what else is asked for."""
+    sources = chosen_sources(options.choice)
+    recorded = options.json is not None
+    mistake = None if options.sabotage == _ALL else options.sabotage
+    jobs = [Job(source, options.facets, options.only, mistake, recorded) for source in sources]
+    with _progress("games, {task.fields[count]:,} contacts,", len(jobs)) as tell:
+        result = checked_games(jobs, options.workers, lambda done: tell(done.games + len(done.lost), done.rows.contacts))
+    findings = Findings(result)
+    if not result.partial:
+        findings = _with_extras(findings, sources, options)
+    console, text = text_console()
+    print_findings(console, findings, Verdict[options.listed.upper()] if options.listed else None)
+    for path in _written(findings, options):
+        if result.partial:
+            console.print(f"partial result: {path}", soft_wrap=True, highlight=False)
+    emit(text.getvalue())
+    if result.partial:
+        return 128 + signal.SIGINT
     return 0 if findings.agrees else 1
 
 
-def _with_extras(findings: Findings, sources: list[Source], wishes: Wishes) -> Findings:
-    """The convergence and the free run, where they are asked for."""
+def _corpus(options: Options, folder: Path) -> int:
+    """The fixed list of games."""
+    most = options.choice.games
+    total = len(corpus_sources()[:most])
+    with _progress("games of the corpus, {task.fields[count]:,} contacts,", total) as tell:
+        corpus = built_corpus(folder, most, options.facets, options.workers, tell)
+    console, text = text_console()
+    print_corpus(console, corpus, folder)
+    emit(text.getvalue())
+    if not corpus.complete and not corpus.lost:
+        return 128 + signal.SIGINT
+    return 0 if corpus.agrees else 1
+
+
+def _written(findings: Findings, options: Options) -> list[Path]:
+    """The files that were asked for, written; those of an interrupted run get names of their own."""
+    written = []
+    if options.report is not None:
+        from tools.crosscheck.report.html_page import html_text  # noqa: PLC0415  # matplotlib takes a second to load
+
+        written.append(_named(options.report, findings))
+        write_whole(written[-1], html_text(findings))
+    if options.json is not None:
+        written.append(_named(options.json, findings))
+        write_whole(written[-1], json_text(findings))
+    return written
+
+
+def _named(path: Path, findings: Findings) -> Path:
+    """The file itself, or beside it one for a part of the result: an earlier, whole result stays as it is."""
+    return path.with_name(f"{path.stem}.partial{path.suffix}") if findings.result.partial else path
+
+
+def _with_extras(findings: Findings, sources: list[Source], options: Options) -> Findings:
+    """The mistakes, the convergence and the free run, where they are asked for."""
     status = Console(stderr=True)
-    if wishes.convergence:
-        more = [Source(None, level, wishes.seed + number, _MORE_TICKS) for number in range(_MORE_GAMES) for level in _RESTING]
-        with status.status("more facets") if status.is_terminal else nullcontext():
-            findings = findings._replace(curves=converged([*sources, *more], wishes.sabotage))
-    if wishes.free_run:
+    choice = options.choice
+    if options.sabotage == _ALL:
+        suite = suite_jobs(list(MISTAKES), choice.seed, options.facets)
+        with _progress("games with mistakes,", len(suite)) as tell:
+            findings = findings._replace(sabotage=sabotage_results(suite, options.workers, lambda done: tell(done, 0)))
+    mistake = MISTAKES[options.sabotage].change() if options.sabotage in MISTAKES else nullcontext()
+    if options.convergence:
+        more = [Source(None, level, choice.seed + number, _MORE_TICKS) for number in range(_MORE_GAMES) for level in _RESTING]
+        with mistake, status.status("more facets") if status.is_terminal else nullcontext():
+            findings = findings._replace(curves=converged([*sources, *more]))
+    if options.free_run:
         with status.status("left alone") if status.is_terminal else nullcontext():
-            runs = [free_run(wishes.level, wishes.seed + number, wishes.facets) for number in range(_FREE_RUNS)]
+            runs = [free_run(choice.level, choice.seed + number, options.facets) for number in range(_FREE_RUNS)]
             findings = findings._replace(free_runs=runs)
     return findings
 
 
-def _checked_with_progress(jobs: list[Job], workers: int) -> Outcome:
-    """Check all games; where somebody watches, a bar shows how many are done and how many contacts they had."""
+@contextmanager
+def _progress(what: str, total: int) -> Iterator[Tell]:
+    """Where somebody watches, a bar that shows how many games are done."""
     console = Console(stderr=True)
     columns = (
         TextColumn("checking"),
         BarColumn(),
         MofNCompleteColumn(),
-        TextColumn("games, {task.fields[contacts]:,} contacts,"),
+        TextColumn(what),
         TimeRemainingColumn(),
         TextColumn("left"),
     )
     with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as progress:
-        task = progress.add_task("", total=len(jobs), contacts=0)
+        task = progress.add_task("", total=total, count=0)
+        yield lambda done, count: progress.update(task, completed=done, count=count)
 
-        def tell(outcome: Outcome) -> None:
-            progress.update(task, completed=outcome.games + len(outcome.lost), contacts=outcome.rows.contacts)
 
-        return checked_games(jobs, workers, tell)
+@contextmanager
+def _ended_by_a_signal() -> Iterator[None]:
+    """While the block runs, SIGTERM ends the program, and its worker processes, at once and with one line."""
+
+    def end(number: int, _: object) -> None:
+        os.write(sys.stderr.fileno(), f"polar-crosscheck: ended by {signal.Signals(number).name}\n".encode())
+        sys.exit(128 + number)
+
+    try:
+        before = signal.signal(signal.SIGTERM, end)
+    except ValueError:  # not in the main thread
+        yield
+        return
+    try:
+        yield
+    finally:
+        signal.signal(signal.SIGTERM, before)

@@ -1,7 +1,8 @@
 """A whole run: many games, checked in worker processes, gathered into one result."""
 
 import platform
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Sequence
+from contextlib import closing, nullcontext
 from typing import NamedTuple
 
 import pymunk
@@ -9,24 +10,41 @@ import pymunk
 from game import VERSION
 from game.levels import built_in
 from game.system.errors import BadInputError
-from tools.crosscheck.comparisons.game import Checked, checked_ticks
-from tools.crosscheck.games.sabotage import SABOTAGES
-from tools.crosscheck.games.sources import Source, ticks_of
+from physics import PHYSICS_VERSION
+from tools.crosscheck.comparisons.game import Checked, Wanted, checked_ticks
+from tools.crosscheck.games.sources import AIMED, AUTOPILOT, PLAYERS, RANDOM, Source, ticks_of
+from tools.crosscheck.results.coverage import ALL_CELLS
 from tools.crosscheck.results.rows import Rows
+from tools.crosscheck.sabotage.catalogue import MISTAKES
 from tools.crosscheck.workers import Lost, results_of
+
+_ARENAS = 6
+"""Random arenas of the default run."""
+_AIMED_TICKS = len(ALL_CELLS) * 41 // 40
+"""One contact for every cell, and the arenas whose ball is put inside material."""
 
 
 class Job(NamedTuple):
-    """One game to check, as a worker gets it."""
+    """One game to check, as a worker gets it.
+
+    facets: of each arc in the chain. only: the one tick to compare. sabotage: a mistake's name. recorded: whether every
+    contact gets a record of its own. enough: unexplained measurements after which the rest of the game says nothing new.
+    """
 
     source: Source
     facets: int
-    only: int | None = None  # the one tick to compare
+    only: int | None = None
     sabotage: str | None = None
+    recorded: bool = False
+    enough: int | None = None
 
 
-class Outcome:
-    """What a run gave, complete or not."""
+class RunResult:
+    """What a run gave, complete or not.
+
+    playing, checking, building: seconds of the processor for the games, the comparisons and pymunk's models. lost: games
+    whose process died, with the reason. partial: whether the run was interrupted.
+    """
 
     def __init__(self, jobs: Sequence[Job]) -> None:
         """Before the first game."""
@@ -61,35 +79,63 @@ class Outcome:
 def check_game(job: Job) -> Checked:
     """One game, checked in this process."""
     options = f"{job.source.options()} --facets {job.facets}"
-    ticks = ticks_of(job.source)
     if job.sabotage is not None:
         options += f" --sabotage {job.sabotage}"
-        ticks = ticks_of(job.source, SABOTAGES[job.sabotage]())
-    return checked_ticks(ticks, job.facets, options, job.only)
+    with nullcontext() if job.sabotage is None else MISTAKES[job.sabotage].change():
+        return checked_ticks(ticks_of(job.source), Wanted(job.facets, options, job.only, job.recorded, job.enough))
 
 
-def checked_games(jobs: Sequence[Job], workers: int, tell: Callable[[Outcome], None]) -> Outcome:
+def checked_games(jobs: Sequence[Job], workers: int, tell: Callable[[RunResult], None]) -> RunResult:
     """All games, each by a worker process; after Ctrl-C what there is until then, marked as partial.
 
     tell: called after each game.
     """
-    outcome = Outcome(jobs)
+    result = RunResult(jobs)
     try:
-        for number, result in results_of(check_game, jobs, workers):
-            outcome.take(jobs[number].source, result)
-            tell(outcome)
+        with closing(results_of(check_game, jobs, workers)) as results:  # type: ignore[type-var]
+            for number, checked in results:
+                result.take(jobs[number].source, checked)
+                tell(result)
     except KeyboardInterrupt:
-        outcome.partial = True
-    return outcome
+        result.partial = True
+    return result
 
 
-def chosen_sources(replays: Iterable[str], games: int | None, seed: int, level: str | None, ticks: int) -> list[Source]:
+def default_sources(seed: int, ticks: int) -> list[Source]:
+    """What is checked where nothing is named.
+
+    A game of each level by the autopilot, one by a player that meets the ball with any part of a paddle, some random arenas,
+    and a contact of every kind.
+    """
+    levels = [str(number + 1) for number in range(len(built_in()))]
+    sources = [Source(None, level, seed + k, ticks) for k, level in enumerate(levels)]
+    sources += [Source(None, level, seed + k, ticks, PLAYERS[1 + k % 2]) for k, level in enumerate(levels)]
+    sources += [Source(None, RANDOM, seed + k, ticks // 4 + 1) for k in range(_ARENAS)]
+    return [*sources, Source(None, AIMED, seed, min(ticks, _AIMED_TICKS))]
+
+
+class Choice(NamedTuple):
+    """The games that the command line asks for. None: not said."""
+
+    replays: tuple[str, ...] = ()
+    games: int | None = None
+    seed: int = 1
+    level: str | None = None
+    ticks: int = 14_400
+    player: str | None = None
+
+
+def chosen_sources(choice: Choice) -> list[Source]:
     """The games of a run: the replay files, and as many games as asked for, in turn from each level where none is named."""
-    sources = [Source(path, "", 0, 0) for path in replays]
-    every = [str(number + 1) for number in range(len(built_in()))]
-    levels = every if level is None else [level]
-    count = games if games is not None else (0 if sources else len(levels))
-    sources += [Source(None, levels[number % len(levels)], seed + number, ticks) for number in range(count)]
+    sources = [Source(path, "", 0, 0) for path in choice.replays]
+    if not sources and choice.games is None and choice.level is None and choice.player is None:
+        sources = default_sources(choice.seed, choice.ticks)
+    else:
+        every = [str(number + 1) for number in range(len(built_in()))]
+        levels = every if choice.level is None else [choice.level]
+        count = choice.games if choice.games is not None else (0 if sources else len(levels))
+        player = choice.player or AUTOPILOT
+        sources += [Source(None, levels[k % len(levels)], choice.seed + k, choice.ticks, player) for k in range(count)]
     if not sources:
         raise BadInputError("nothing to check; name a replay or give --games")
     return [source.checked() for source in dict.fromkeys(sources)]
@@ -99,6 +145,7 @@ def versions() -> dict[str, str]:
     """What was run on what."""
     return {
         "game": VERSION,
+        "physics": str(PHYSICS_VERSION),
         "pymunk": pymunk.version,
         "Chipmunk": pymunk.chipmunk_version,
         "Python": platform.python_version(),

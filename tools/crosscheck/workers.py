@@ -16,13 +16,19 @@ TIME_LIMIT = 1800.0
 
 
 class Lost(NamedTuple):
-    """A job whose process died, or gave up, or took too long."""
+    """A job whose process died, or gave up, or took too long.
+
+    why: in words.
+    """
 
     why: str
 
 
 class _Worker:
-    """One process and the job it has."""
+    """One process and the job it has.
+
+    job: its number; None while it has none. since: when it was given.
+    """
 
     def __init__(self, function: Callable[[Job], Result]) -> None:
         context = multiprocessing.get_context("spawn")
@@ -41,9 +47,9 @@ class _Worker:
 
     def stop(self) -> None:
         """End the process, whatever it does."""
-        self.pipe.close()
         self.process.terminate()
         self.process.join()
+        self.pipe.close()
 
 
 def results_of(
@@ -51,7 +57,8 @@ def results_of(
 ) -> Iterator[tuple[int, Result | Lost]]:
     """(number of the job, its result) as they come; `Lost` for those whose process did not live to answer.
 
-    function: importable by its name; what it raises is its job's loss. A new process takes a dead one's place.
+    function: importable by its name; what it raises is its job's loss. A new process takes a dead one's place. Close the
+    iterator to end all processes at once.
     """
     waiting = list(range(len(jobs)))[::-1]
     crew: list[_Worker] = []
@@ -74,6 +81,8 @@ def results_of(
                     worker.stop()
                 yield number, answer[0]
     finally:
+        for worker in crew:
+            worker.process.terminate()
         for worker in crew:
             worker.stop()
 
@@ -99,14 +108,15 @@ def _death(exit_code: int | None) -> str:
 
 
 def _serve(pipe: Connection, function: Callable[[Job], Result]) -> None:
-    """The life of a worker: a job in, a result out. Ctrl-C is the parent's business."""
+    """The life of a worker: a job in, a result out. Ctrl-C is the parent's business; without a parent there is no work."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)
-    while True:
-        try:
+    signal.signal(signal.SIGTERM, signal.SIG_DFL)
+    with contextlib.suppress(EOFError, OSError):
+        while True:
             job = pipe.recv()
-        except EOFError:
-            return
-        try:
-            pipe.send(function(job))
-        except Exception as error:  # noqa: BLE001  # the job is lost, the run goes on
-            pipe.send(Lost(f"{type(error).__name__}: {error}"))
+            result: Result | Lost
+            try:
+                result = function(job)
+            except Exception as error:  # noqa: BLE001  # the job is lost, the run goes on
+                result = Lost(f"{type(error).__name__}: {error}")
+            pipe.send(result)

@@ -11,6 +11,8 @@ DIFFERENCES = {
     8: "two sectors at once, in the order of time",
     9: "leaving the ground costs one life, once",
     10: "friction is the source's; endless loops are nudged",
+    11: "case 2 touches at a distance in [0, r): at 0 the normal is the end's own",
+    12: "v and n lie in the ground, which is two-dimensional",
 }
 
 

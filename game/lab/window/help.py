@@ -6,7 +6,7 @@ from game.drawing.camera import unit_of
 from game.drawing.palette import Theme
 from game.drawing.text import Type
 from game.lab.window.commands import KEYS, MORE_HELP
-from game.screens.panels import dim, draw_panel
+from game.screens.panel import dim, draw_panel
 
 
 def draw_help(surface: pygame.Surface, theme: Theme, type_: Type) -> None:

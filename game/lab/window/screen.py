@@ -25,7 +25,8 @@ from game.lab.window.marks import draw_marks
 from game.lab.window.pan_zoom import PanZoom
 from game.lab.window.widgets import PresetChosen, Refused, Request, SceneChosen, Side, ValueRequested
 from game.lab.window.words import TextSheet, draw_head, draw_notice, draw_small_print, draw_words
-from game.screens.base import Screen, Shared
+from game.screens.app_state import AppState
+from game.screens.base import Screen
 from game.system.errors import BadInputError
 
 SHOWN = frozenset(Toggle) - {Toggle.PYMUNK}
@@ -49,7 +50,7 @@ _CHANGES: dict[Command, Callable[[Session], Session]] = {
 class Lab:
     """One scene at a time, and everything that can be done to it."""
 
-    def __init__(self, shared: Shared, session: Session, under: Screen | None = None) -> None:
+    def __init__(self, shared: AppState, session: Session, under: Screen | None = None) -> None:
         """Open with a session. under: the screen to go back to; None leaves the program."""
         self._shared, self._session, self._under = shared, session, under
         self._shown = SHOWN

@@ -10,7 +10,7 @@ from game.lab.session import session
 from game.lab.session.share import SharedScene
 from game.lab.window.screen import Lab
 from game.levels import built_in
-from game.screens.base import Shared
+from game.screens.app_state import AppState
 from game.screens.title import Title
 from game.settings.values import Settings
 from game.system.window import open_window
@@ -26,8 +26,8 @@ def save_screenshot(scene: SharedScene, path: Path, size: tuple[int, int], colou
     window = open_window("lab", (16, 16))
     try:
         surface = pygame.Surface(size, 0, 32)
-        shared = Shared(built_in(), 0, 0, Title, settings=Settings(colours=colours))
-        Lab(shared, session.opened(scene)).draw(surface)
+        state = AppState(built_in(), 0, 0, Title, settings=Settings(colours=colours))
+        Lab(state, session.opened(scene)).draw(surface)
     finally:
         window.destroy()
     picture = io.BytesIO()

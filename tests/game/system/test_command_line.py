@@ -10,10 +10,10 @@ import pytest
 
 from game.__main__ import app
 from game.autopilot import Autopilot
-from game.drawing.painter import save_screenshot
 from game.input.view import FROM_ABOVE, TIPPED
 from game.levels import built_in
 from game.rules import EventKind, new_game, tick
+from game.screenshot import save_screenshot
 from game.system.command_line import run
 from tests.support.paths import ROOT
 

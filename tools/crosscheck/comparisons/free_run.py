@@ -13,11 +13,11 @@ from typing import NamedTuple
 import pymunk
 
 from game.levels import chosen
-from physics import Arena, Ball, Ring, Step, advance, to_cartesian
+from physics import Arena, Ball, Ring, advance, to_cartesian
 from tools.crosscheck.comparisons.hit_frame import geometry_of
 from tools.crosscheck.games.sources import RANDOM
 from tools.crosscheck.pymunk_model.one_bounce import ITERATIONS
-from tools.crosscheck.pymunk_model.ring_model import Geometry, Part, sector
+from tools.crosscheck.pymunk_model.ring_model import Geometry, Part, chord_shapes, pointed_shapes
 
 STEPS_PER_TICK = 64
 """pymunk finds a contact only after the ball has flown into it: it needs steps of a fraction of the ball's radius."""
@@ -32,12 +32,16 @@ Bounce = tuple[int, int]
 
 
 class FreeRun(NamedTuple):
-    """One start, run by both engines."""
+    """One start, run by both engines.
+
+    together: bounces off the same sectors in the same order. seconds: until the first bounce that differs, or the end.
+    differences: world units between the two balls after bounce 1, 2, ... while they are together.
+    """
 
     seed: int
-    together: int  # bounces off the same sectors in the same order
-    seconds: float  # until the first bounce that differs, or the end
-    differences: tuple[float, ...]  # world units between the two balls after bounce 1, 2, ... while they are together
+    together: int
+    seconds: float
+    differences: tuple[float, ...]
 
     @property
     def growth(self) -> float:
@@ -51,15 +55,15 @@ class FreeRun(NamedTuple):
 def free_run(level: str | None, seed: int, facets: int) -> FreeRun:
     """A level's bricks, unbreakable and at rest, in a closed wall; one ball, served by the seed."""
     arena, speed = _still_arena(level, seed)
-    ours, places = _ours(arena, speed)
-    theirs, other_places = _pymunks(arena, speed, facets)
+    ours, positions = _ours(arena, speed)
+    theirs, other_positions = _pymunks(arena, speed, facets)
     together = next(
         (k for k, (a, b) in enumerate(zip(ours, theirs, strict=False)) if a[1] != b[1]), min(len(ours), len(theirs))
     )
     differences = []
     for tick, _ in [max(pair) for pair in zip(ours[:together], theirs[:together], strict=True)]:
-        after = min(tick + 1, len(places) - 1)  # the tick at whose end both have bounced
-        differences.append(abs(places[after] - other_places[after]))
+        after = min(tick + 1, len(positions) - 1)  # the tick at whose end both have bounced
+        differences.append(abs(positions[after] - other_positions[after]))
     end = min([run[together][0] for run in (ours, theirs) if len(run) > together], default=_LONGEST)
     return FreeRun(seed, together, end * _TICK, tuple(differences))
 
@@ -71,22 +75,21 @@ def _still_arena(level: str | None, seed: int) -> tuple[Arena, float]:
     rings[0] = Ring(spec.paddles.radius, spec.paddles.half_width, math.pi, 1)
     chance = random.Random(seed)
     angle = chance.random() * math.tau
-    place = to_cartesian(rings[0].inner_radius - 2.0 * spec.ball.radius, angle)
+    position = to_cartesian(rings[0].inner_radius - 2.0 * spec.ball.radius, angle)
     velocity = to_cartesian(spec.ball.speed, angle + math.pi + 0.8 * (chance.random() - 0.5))
     layers = tuple((-1,) * ring.count for ring in rings)
-    return Arena((Ball(place, velocity, spec.ball.radius),), tuple(rings), layers), spec.ball.speed
+    return Arena((Ball(position, velocity, spec.ball.radius),), tuple(rings), layers), spec.ball.speed
 
 
 def _ours(arena: Arena, speed: float) -> tuple[list[tuple[int, Bounce]], list[complex]]:
-    """Bounces with their ticks, and the ball's place at the end of every tick."""
-    bounces, places = [], []
-    step: Step | None = None
+    """Bounces with their ticks, and the ball's position at the end of every tick."""
+    bounces, positions = [], []
     for tick in range(_LONGEST):
-        step = advance(arena, _TICK, speed, step)
+        step = advance(arena, _TICK, speed)
         bounces += [(tick, (hit.ring, hit.slot)) for hit in step.hits]
         arena = step.arena
-        places.append(arena.balls[0].position)
-    return bounces, places
+        positions.append(arena.balls[0].position)
+    return bounces, positions
 
 
 def _pymunks(arena: Arena, speed: float, facets: int) -> tuple[list[tuple[int, Bounce]], list[complex]]:
@@ -109,7 +112,7 @@ def _pymunks(arena: Arena, speed: float, facets: int) -> tuple[list[tuple[int, B
     touched: list[Bounce] = []
     space.on_collision(0, 0, begin=lambda arbiter, *_: touched.extend(owners[s] for s in arbiter.shapes if s in owners))
     bounces: list[tuple[int, Bounce]] = []
-    places = []
+    positions = []
     for tick in range(_LONGEST):
         for _ in range(STEPS_PER_TICK):
             before = body.velocity
@@ -117,18 +120,19 @@ def _pymunks(arena: Arena, speed: float, facets: int) -> tuple[list[tuple[int, B
             if touched and body.velocity != before:
                 bounces.append((tick, touched[0]))
             touched.clear()
-        places.append(complex(*body.position))
+        positions.append(complex(*body.position))
         body.velocity = body.velocity.normalized() * speed
-    return bounces, places
+    return bounces, positions
 
 
 def _placed(body: pymunk.Body, geometry: Geometry, angle: float, facets: int) -> list[tuple[pymunk.Shape, int]]:
-    """A ring's facets and ends, turned to where the ring stands, with their slots."""
-    turn = cmath.rect(1.0, angle)
+    """A ring's chords and ends, turned to where the ring stands, with their slots."""
     shapes: list[tuple[pymunk.Shape, int]] = []
+    of_one = [*chord_shapes(body, geometry, facets), *pointed_shapes(body, geometry, 0)]
     for slot in range(geometry.count):
-        for piece in sector(body, geometry, slot, facets):
-            if piece.part in Part.FACETED and isinstance(piece.shape, pymunk.Segment):
-                a, b = complex(*piece.shape.a) * turn, complex(*piece.shape.b) * turn
+        turn = cmath.rect(1.0, angle + slot * math.tau / geometry.count)
+        for found in of_one:
+            if found.part in Part.FACETED and isinstance(found.shape, pymunk.Segment):
+                a, b = complex(*found.shape.a) * turn, complex(*found.shape.b) * turn
                 shapes.append((pymunk.Segment(body, (a.real, a.imag), (b.real, b.imag), 0.0), slot))
     return shapes

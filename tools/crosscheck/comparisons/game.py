@@ -7,16 +7,23 @@ from collections.abc import Iterable
 from itertools import islice
 from typing import NamedTuple
 
-from physics import Arena, Ball, Hit, Ring
-from tools.crosscheck.comparisons.bounce import checked_bounce
-from tools.crosscheck.comparisons.contact import checked_contact
-from tools.crosscheck.comparisons.hit_frame import Scene, geometry_of, moment_of
-from tools.crosscheck.comparisons.presence import UNKNOWN, Pose, room_around
-from tools.crosscheck.comparisons.touch_time import checked_time
-from tools.crosscheck.games.trajectory import Leg, Tick, layers_before, paths
-from tools.crosscheck.pymunk_model import facets
-from tools.crosscheck.pymunk_model.ring_model import Part, RingModel, ring_model
-from tools.crosscheck.results.cases import ANYWHERE, Class, Comparison
+from physics import Ball, Hit
+from tools.crosscheck.comparisons.bounce import compare_bounce
+from tools.crosscheck.comparisons.contact_check import ContactCheck
+from tools.crosscheck.comparisons.hit_frame import CheckedTick, geometry_of, moment_of
+from tools.crosscheck.comparisons.normals import across, compare_normals
+from tools.crosscheck.comparisons.phases import PhaseBook
+from tools.crosscheck.comparisons.rules import MOST_BOUNCES
+from tools.crosscheck.comparisons.set_free import compare_numbers, compare_set_free
+from tools.crosscheck.comparisons.target import LayerBook, compare_target
+from tools.crosscheck.comparisons.touch_time import compare_time, missed_touch
+from tools.crosscheck.games.level_numbers import LevelNumbers
+from tools.crosscheck.games.trajectory import Leg, Tick, flight_paths
+from tools.crosscheck.pymunk_model import rounding
+from tools.crosscheck.pymunk_model.presence import UNKNOWN, Room, room_around
+from tools.crosscheck.pymunk_model.ring_model import RingModel, ring_model
+from tools.crosscheck.results.coverage import Cell, Judged, cell_of
+from tools.crosscheck.results.measurements import ANYWHERE, Compared, Comparison, Measurement, Situation, Verdict
 from tools.crosscheck.results.rows import Rows
 
 _BLOCK = 240
@@ -24,21 +31,40 @@ _BLOCK = 240
 _NOWHERE = (0j, 0.0)
 _STRAIGHT = 2.0**-50
 """Fraction of a coordinate: a few roundings."""
+_SPARE = 1e-9
+"""World units added to how far a ball moves in a tick: far above the noise of a contact, far below any distance that counts."""
 
 
 class Checked(NamedTuple):
-    """What checking one game gave."""
+    """What checking one game gave.
+
+    playing, checking, building: seconds of the processor for the game, for the comparisons, and for pymunk's models.
+    """
 
     rows: Rows
     ticks: int
-    playing: float  # seconds of the processor that the game took
-    checking: float  # those that the comparisons took
-    building: float  # those that pymunk's models took
+    playing: float
+    checking: float
+    building: float
 
 
-def checked_ticks(ticks: Iterable[Tick], facet_count: int, options: str, only: int | None = None) -> Checked:
-    """Compare a whole game. options: of the command that repeats it. only: the one tick to compare."""
-    checker = _Checker(facet_count, options)
+class Wanted(NamedTuple):
+    """What to do with a game.
+
+    facets: of each arc in the chain. options: of the command that repeats the game. only: the one tick to compare, or None.
+    recorded: whether every contact gets a record of its own. enough: unexplained measurements after which to stop, or None.
+    """
+
+    facets: int
+    options: str
+    only: int | None = None
+    recorded: bool = False
+    enough: int | None = None
+
+
+def checked_ticks(ticks: Iterable[Tick], wanted: Wanted) -> Checked:
+    """Compare a whole game."""
+    checker = _Checker(wanted)
     playing = checking = 0.0
     count = 0
     source = iter(ticks)
@@ -47,102 +73,132 @@ def checked_ticks(ticks: Iterable[Tick], facet_count: int, options: str, only: i
         block = list(islice(source, _BLOCK))
         between = time.process_time()
         for tick in block:
-            if only is None or tick.number == only:
+            if wanted.only is None or tick.number == wanted.only:
                 checker.check(tick)
                 count += 1
+            else:
+                checker.pass_by(tick)
         playing += between - before
         checking += time.process_time() - between
-        if not block:
+        if not block or (wanted.enough is not None and checker.rows.unexplained >= wanted.enough):
             return Checked(checker.rows, count, playing, checking - checker.building, checker.building)
 
 
 class _Checker:
     """Both engines side by side through one game."""
 
-    def __init__(self, facet_count: int, options: str) -> None:
+    def __init__(self, wanted: Wanted) -> None:
         self.rows = Rows()
-        self._poses_checked = self.rows.row(Comparison.PRESENCE_TICK, ANYWHERE)
         self.building = 0.0
-        self._facets, self._options = facet_count, options
+        self._poses_checked = self.rows.row(Comparison.PRESENCE_TICK, ANYWHERE)
+        self._wanted = wanted
+        self._level: LevelNumbers | None = None
         self._models: list[RingModel] = []
-        self._rings: tuple[Ring, ...] = ()
-        self._all_layers: tuple[tuple[int, ...], ...] = ()
-        self._layers: list[object] = []
-        self._poses: dict[tuple[int, int], Pose] = {}
+        self._book: LayerBook
+        self._phases: PhaseBook
+        self._layers: object = None  # of the game, as the models and the book have them
+        self._rooms: dict[tuple[int, int], Room] = {}
         self._free: dict[int, tuple[complex, float]] = {}  # per ball: nothing reaches into this circle
-        self._end: Arena | None = None
+        self._balls: object = None  # of the game, after the last tick
+        self._straight = 0.0  # world units: the rounding of a ball's position after a tick
 
     def check(self, tick: Tick) -> None:
         """Compare one tick."""
-        unchanged = tick.arena is self._end  # nothing but the physics has acted since the last tick
-        self._end = tick.step.arena
-        if not tick.arena.balls:
+        if tick.level is not self._level:
+            self._start(tick)
+        self._phases.turn(tick.arena.rings)
+        balls = tick.arena.balls
+        if not balls:
             return
-        if unchanged and not tick.step.hits and self._far_from_all(tick):
-            self._poses_checked.zeros += len(tick.arena.balls)
+        undisturbed = balls is self._balls and tick.arena.layers is self._layers  # since the last tick, but by the physics
+        self._balls = tick.step.arena.balls
+        if undisturbed and not tick.step.hits and self._far_from_all(tick):
+            self._poses_checked.zeros += len(balls)
             return
-        self._take_rings(tick)
-        self._take_layers(tick.step.arena.layers)
-        suspect = bool(tick.step.hits)
+        followed = bool(tick.step.hits) or tick.step.freed > 0 or tick.step.dropped > 0
+        if followed:
+            self._check_flights(tick)
+        self._compare_layers(tick)
+        suspect = False
         for i, ball in enumerate(tick.step.arena.balls):
             near = self._near(tick, i, ball)
-            if near or not _flies_straight(tick.arena.balls[i], ball, tick.dt):
+            if near or not self._flies_straight(balls[i], ball, tick.dt):
                 suspect = True
-            overlaps = [k for k in near if self._poses[i, k].room < 0.0]
+            overlaps = [k for k in near if self._rooms[i, k].room < 0.0]
             self._poses_checked.zeros += not overlaps
             for k in overlaps:
-                self._overlap(tick, (i, k), self._poses[i, k])
-        if suspect:
-            self._check_paths(self._scene(tick))
+                self._overlap(tick, i, k)
+        if suspect and not followed:
+            self._check_flights(tick)
 
-    def _scene(self, tick: Tick) -> Scene:
-        return Scene(tick, self._models, self._options)
+    def pass_by(self, tick: Tick) -> None:
+        """A tick that is not compared: its hits take layers, its rings turn."""
+        if tick.level is not self._level:
+            self._start(tick)
+        self._phases.turn(tick.arena.rings)
+        if tick.step.arena.layers is not self._layers:
+            self._layers = tick.step.arena.layers
+            self._book.take_over(tick.step.arena.layers)
+            self._show_layers()
 
-    def _take_rings(self, tick: Tick) -> None:
-        """The models of this tick's rings: the same as in the last tick unless a level began or a paddle was resized."""
-        rings, known = tick.arena.rings, self._rings
-        self._rings = rings
-        if len(rings) == len(known) and all([new is old or new[:4] == old[:4] for new, old in zip(rings, known, strict=True)]):
-            return
+    def _start(self, tick: Tick) -> None:
+        """The models and the books of a level."""
+        self._level = tick.level
         before = time.process_time()
-        self._models = [ring_model(geometry_of(ring), self._facets) for ring in rings]
+        self._models = [ring_model(ring.geometry, self._wanted.facets) for ring in tick.level.rings]
         self.building += time.process_time() - before
-        self._all_layers, self._layers = (), [None] * len(self._models)
-        self._poses.clear()
+        self._book, self._phases = LayerBook(tick.level), PhaseBook(tick.level, tick.dt)
+        self._layers = None
+        farthest = max([ring.geometry.outer for ring in tick.level.rings])
+        self._straight = 2.0 * _STRAIGHT * (farthest + tick.level.speed)
+        self._rooms.clear()
+        self._free.clear()
+        self._show_layers()
+        for k, (ring, model) in enumerate(zip(tick.arena.rings, self._models, strict=True)):
+            if geometry_of(ring) != model.geometry:
+                self._report_ring(tick, k, "a ring of the game has not the level's sizes")
+
+    def _show_layers(self) -> None:
+        """Show the book's layers to pymunk."""
+        for model, layers in zip(self._models, self._book.layers, strict=True):
+            if model.set_alive(layers):
+                self._rooms.clear()
         self._free.clear()
 
-    def _take_layers(self, layers: tuple[tuple[int, ...], ...]) -> None:
-        """Which sectors pymunk's rings hold."""
-        if layers is self._all_layers:
+    def _compare_layers(self, tick: Tick) -> None:
+        """Whether the game's layers are those that its hits left."""
+        layers = tick.step.arena.layers
+        if layers is self._layers:
             return
-        self._all_layers = layers
-        for k, slots in enumerate(layers):
-            if slots is not self._layers[k]:
-                self._layers[k] = slots
-                if self._models[k].set_alive(slots):
-                    self._poses.clear()
-        self._free.clear()
+        difference = self._book.differs_from(layers)
+        if difference is not None:
+            compared = Compared(Comparison.TARGET, Verdict.UNEXPLAINED, f"at the tick's end {difference}", 1.0, 0.0)
+            self.rows.report(Measurement(compared, self._situation(tick, 0, 0)))
+            self._book.take_over(layers)
+            self._show_layers()
+        self._layers = layers
 
     def _near(self, tick: Tick, index: int, ball: Ball) -> list[int]:
         """The rings that the ball may have touched during this tick, by its room at the end."""
-        position, velocity, ball_radius = ball
+        position, velocity, _ = ball
+        ball_radius = tick.level.ball_radius
         distance = abs(position)
-        way = abs(velocity) * tick.dt
+        way = abs(velocity) * tick.dt + _SPARE
         near = []
         free = math.inf
         for k, (ring, model) in enumerate(zip(tick.arena.rings, self._models, strict=True)):
             if not model.living:
                 continue
             radius, half_width, _, _, phase, spin, _ = ring
-            wanted = way + model.sagitta
-            above = abs(distance - radius) - half_width - ball_radius - wanted
+            above = abs(distance - radius) - half_width - ball_radius - way
             if above > 0.0:
                 free = min(free, above)
                 continue
-            place = position * cmath.rect(1.0, -(phase + spin * tick.dt))
-            pose = room_around(model, place, ball_radius, self._poses.get((index, k), UNKNOWN), wanted)
-            self._poses[index, k] = pose
-            spare = pose.room - abs(place - pose.place) - wanted
+            wanted = way + abs(spin) * distance * tick.dt  # seen from the turning ring
+            local = position * cmath.rect(1.0, -(phase + spin * tick.dt))
+            room = room_around(model, local, ball_radius, self._rooms.get((index, k), UNKNOWN), wanted)
+            self._rooms[index, k] = room
+            spare = room.room - abs(local - room.position) - wanted
             free = min(free, spare if spin == 0.0 else 0.0)  # a ring that turns comes nearer by itself
             if spare < 0.0:
                 near.append(k)
@@ -151,65 +207,121 @@ class _Checker:
 
     def _far_from_all(self, tick: Tick) -> bool:
         """Whether every ball flies straight on in the free space between the rings' bands in which it was last seen."""
+        dt, noise = tick.dt, self._straight
         for i, (start, end) in enumerate(zip(tick.arena.balls, tick.step.arena.balls, strict=True)):
             center, radius = self._free.get(i, _NOWHERE)
-            if abs(end.position - center) >= radius or not _flies_straight(start, end, tick.dt):
+            p, v, _ = start
+            q, w, _ = end
+            if v != w or abs(q - center) >= radius or abs(p + v * dt - q) > noise:
                 return False
         return True
 
-    def _check_paths(self, scene: Scene) -> None:
-        """The hits of a tick, and the flights between them."""
-        tick = scene.tick
-        legs: dict[int, Leg] = {}
-        last: list[Leg] = []
-        for index, path in enumerate(paths(tick)):
+    def _flies_straight(self, start: Ball, end: Ball, dt: float) -> bool:
+        """Whether a ball is where its velocity takes it, as far as the comparison of floats can say."""
+        there = start.position + start.velocity * dt
+        return start.velocity == end.velocity and abs(there - end.position) <= self._straight
+
+    def _check_flights(self, tick: Tick) -> None:
+        """The hits of a tick in the order of time, and the flights between them."""
+        checked = CheckedTick(tick, self._models, self._wanted.options)
+        current: dict[int, list[Leg]] = {}
+        freed = dropped = 0
+        for index, path in enumerate(flight_paths(tick, MOST_BOUNCES)):
             if path.fits:
-                legs.update({id(leg.hit): leg for leg in path.legs[:-1]})
-                last.append(path.legs[-1])
-            elif tick.step.freed or tick.step.dropped:
-                self.rows.set_free += len(path.legs) - 1
+                current[index] = list(path.legs)
+                compare_set_free(checked, index, path, self.rows)
+                freed += (path.freed is not None) + path.freed_after
+                dropped += path.dropped
             else:
-                self._report_path(scene, index)
+                self._report_path(checked, index)
+        compare_numbers(checked, freed, dropped, self.rows)
         for hit in tick.step.hits:
-            if id(hit) in legs:
-                self._take_layers(layers_before(tick, hit))
-                self._check_hit(scene, hit, legs[id(hit)])
-        self._take_layers(tick.step.arena.layers)
-        for leg in last:
-            checked_time(scene, leg, self.rows, None)
+            if hit.ball not in current:  # its flight is no proof of where it hit; it has been reported
+                self._book.take_one(hit.ring, hit.slot)
+                continue
+            leg = current[hit.ball].pop(0)
+            if self._check_hit(checked, hit, leg):
+                self._break(checked, hit, current)
+        for legs in current.values():
+            self._check_no_touch(checked, legs[0])
+        self._compare_phases(tick)
 
-    def _check_hit(self, scene: Scene, hit: Hit, leg: Leg) -> None:
-        """All comparisons of one hit."""
-        moment = moment_of(scene, hit, leg.end)
-        seen = checked_contact(moment, self.rows)
-        kind = max(seen.kind, checked_time(scene, leg, self.rows, moment))
-        if seen.touch is not None:
-            answer = checked_bounce(moment, self.rows, seen.touch)
-            kind = max(kind, answer) if answer > Class.FACETS else kind
-        self.rows.contacts += 1
-        self.rows.classes[kind] += 1
+    def _check_hit(self, checked: CheckedTick, hit: Hit, leg: Leg) -> bool:
+        """All comparisons of one hit; whether it emptied its slot."""
+        moment = moment_of(checked, hit, leg.end)
+        check = ContactCheck(moment)
+        compare_normals(check)
+        compare_time(check, checked, leg)
+        cell: Cell | None = None
+        if check.touched is None:
+            self._book.take_one(hit.ring, hit.slot)  # that there is nothing has been reported
+        else:
+            touched = check.touched
+            compare_target(check, checked, self._book)
+            compare_bounce(check)
+            part, width = touched.shape.part, across(touched, moment)
+            velocities = moment.world(touched.normal), moment.pushed(touched), hit.before
+            sector = moment.numbers.friction, moment.model.geometry.half_angle
+            cell = cell_of(Judged(part, width, *velocities, *sector, len(checked.tick.arena.balls)))
+        check.add_to(self.rows, cell, recorded=self._wanted.recorded)
+        layers = self._book.layers[hit.ring]
+        return any(alive and not left for alive, left in zip(moment.model.alive, layers, strict=True))
 
-    def _overlap(self, tick: Tick, place: tuple[int, int], pose: Pose) -> None:
+    def _break(self, checked: CheckedTick, hit: Hit, current: dict[int, list[Leg]]) -> None:
+        """A brick is gone: up to that moment it stood in the other balls' way, from then on it does not."""
+        for ball, legs in current.items():
+            if ball != hit.ball and legs[0].start < hit.time:
+                self._check_no_touch(checked, legs[0]._replace(stop=hit.time))
+                legs[0] = legs[0].without(hit.time)
+        self._show_layers()
+
+    def _check_no_touch(self, checked: CheckedTick, leg: Leg) -> None:
+        """A leg that no hit ended."""
+        missed = missed_touch(checked, leg)
+        if missed is not None:
+            self.rows.report(missed)
+
+    def _compare_phases(self, tick: Tick) -> None:
+        """The recorded phases at a tick's end beside the rebuilt ones."""
+        row = self.rows.row(Comparison.PHASE, ANYWHERE)
+        for k, ring in enumerate(tick.step.arena.rings):
+            if not self._phases.is_the_levels(k, ring.spin):
+                self._report_ring(tick, k, "a ring of the game turns as no ring of the level does")
+            error, bound = self._phases.difference(k, ring.phase)
+            if error <= bound and row.worst is not None and error <= row.worst.compared.error:
+                row.add(error, bound)
+                continue
+            fine = error <= bound
+            what = "the phase, rebuilt" if fine else "the ring does not stand where its spins have turned it"
+            verdict = Verdict.EXACT if fine else Verdict.UNEXPLAINED
+            self.rows.report(Measurement(Compared(Comparison.PHASE, verdict, what, error, bound), self._situation(tick, 0, k)))
+
+    def _overlap(self, tick: Tick, index: int, ring: int) -> None:
         """A ball that pymunk finds in material."""
-        model = self._models[place[1]]
-        bound = facets.contact_noise(model.geometry.outer) + (model.inner_sagitta if pose.part == Part.INNER_FACET else 0.0)
-        what = "overlap at a tick's end" if -pose.room <= bound else "the ball is in material: the game missed a bounce"
-        position = tick.step.arena.balls[place[0]].position
-        case = self._scene(tick).case(Comparison.PRESENCE_TICK, what, (-pose.room, bound), place, position, tick.dt)
-        if self._poses_checked.add(-pose.room, bound):
-            self._poses_checked.worst = case
-        if case.kind == Class.UNEXPLAINED:
-            self.rows.report(case)
+        depth = -self._rooms[index, ring].room
+        bound = rounding.contact_noise(self._models[ring].geometry.outer)
+        fine = depth <= bound
+        what = "overlap at a tick's end" if fine else "the ball is in material: the game missed a bounce"
+        verdict = Verdict.EXACT if fine else Verdict.UNEXPLAINED
+        compared = Compared(Comparison.PRESENCE_TICK, verdict, what, depth, bound)
+        self.rows.report(Measurement(compared, self._situation(tick, index, ring)))
 
-    def _report_path(self, scene: Scene, index: int) -> None:
-        """A ball whose velocity or place no recorded hit explains."""
-        start, end = scene.tick.arena.balls[index], scene.tick.step.arena.balls[index]
+    def _report_path(self, checked: CheckedTick, index: int) -> None:
+        """A ball whose velocity or position no recorded hit explains."""
+        tick = checked.tick
+        start, end = tick.arena.balls[index], tick.step.arena.balls[index]
         what = "the ball's flight does not follow from the recorded bounces (missed bounce)"
-        error = max(abs(start.velocity - end.velocity), abs(start.position + start.velocity * scene.tick.dt - end.position))
-        self.rows.report(scene.case(Comparison.VELOCITY, what, (error, 0.0), (index, 0), end.position, scene.tick.dt))
+        error = max(abs(start.velocity - end.velocity), abs(start.position + start.velocity * tick.dt - end.position))
+        compared = Compared(Comparison.VELOCITY, Verdict.UNEXPLAINED, what, error, 0.0)
+        self.rows.report(Measurement(compared, self._situation(tick, index, 0)))
 
+    def _report_ring(self, tick: Tick, ring: int, what: str) -> None:
+        """A ring that is not the level's."""
+        compared = Compared(Comparison.PHASE, Verdict.UNEXPLAINED, what, math.inf, 0.0)
+        self.rows.report(Measurement(compared, self._situation(tick, 0, ring)))
 
-def _flies_straight(start: Ball, end: Ball, dt: float) -> bool:
-    """Whether a ball is where its velocity takes it, as far as the comparison of floats can say."""
-    there = start.position + start.velocity * dt
-    return start.velocity == end.velocity and abs(there - end.position) <= _STRAIGHT * (abs(there) + abs(start.velocity))
+    def _situation(self, tick: Tick, ball: int, ring: int) -> Situation:
+        """A ball at a tick's end, beside a ring."""
+        balls = tick.step.arena.balls
+        position = balls[ball].position if ball < len(balls) else 0j
+        return CheckedTick(tick, self._models, self._wanted.options).situation(ball, ring, position, tick.dt)

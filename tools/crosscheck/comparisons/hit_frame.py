@@ -4,70 +4,75 @@ import cmath
 import math
 from typing import NamedTuple
 
-from physics import Feature, Hit, Ring
+from physics import Hit, Ring
+from tools.crosscheck.games.level_numbers import RingNumbers
 from tools.crosscheck.games.trajectory import Tick
-from tools.crosscheck.pymunk_model import facets
-from tools.crosscheck.pymunk_model.ring_model import Geometry, Part, RingModel, Touch
-from tools.crosscheck.results.cases import ANYWHERE, FEATURES, Case, Class, Comparison
+from tools.crosscheck.pymunk_model import facets, rounding
+from tools.crosscheck.pymunk_model.one_bounce import Surface
+from tools.crosscheck.pymunk_model.ring_model import Geometry, Part, RingModel, ShapeContact
+from tools.crosscheck.results.measurements import ANYWHERE, FEATURE_OF_PART, FEATURES, Situation
 
 
-class Scene(NamedTuple):
-    """A tick with the rings' models."""
+class CheckedTick(NamedTuple):
+    """A tick with pymunk's models of its rings.
+
+    options: of the command that shows this game again.
+    """
 
     tick: Tick
     models: list[RingModel]
-    options: str  # of the command that shows this game again
+    options: str
 
-    def case(
-        self,
-        comparison: Comparison,
-        what: str,
-        measured: tuple[float, float],
-        place: tuple[int, int],
-        position: complex,
-        time: float,
-    ) -> Case:
-        """A ball away from any hit, as a case to show. measured: error and bound; place: ball and ring."""
-        kind = Class.UNEXPLAINED if measured[0] > measured[1] else Class.FACETS
-        ring = self.tick.arena.rings[place[1]]
-        return Case(
-            kind=kind,
-            comparison=comparison,
-            feature=ANYWHERE,
-            what=what,
-            options=self.options,
-            tick=self.tick.number,
-            time=time,
-            ball=place[0],
-            ring=place[1],
-            slot=-1,
-            error=measured[0],
-            bound=measured[1],
-            ours=0j,
-            pymunks=0j,
-            position=position,
-            ball_radius=self.tick.arena.balls[place[0]].radius,
-            geometry=self.models[place[1]].geometry,
-            angle=ring.phase + ring.spin * time,
-            alive=tuple(self.models[place[1]].alive),
+    def situation(self, ball: int, ring: int, position: complex, time: float) -> Situation:
+        """A ball away from any hit, beside a ring, some seconds after the tick's start."""
+        model, turning = self.models[ring], self.tick.arena.rings[ring]
+        angle = turning.phase + turning.spin * time
+        radius = self.tick.level.ball_radius
+        return Situation(
+            ANYWHERE,
+            self.options,
+            self.tick.number,
+            time,
+            ball,
+            ring,
+            -1,
+            position,
+            radius,
+            model.geometry,
+            angle,
+            tuple(model.alive),
         )
 
 
 class Moment(NamedTuple):
-    """A hit as both engines have to answer it."""
+    """A hit as both engines have to answer it.
+
+    numbers: the level's, of the ring. position: of the ball's centre. ball_radius, speed: the level's. angle: of the ring's
+    frame, radians. spin: rad/s. local: the ball's centre in the ring's frame.
+    """
 
     tick: Tick
     hit: Hit
     model: RingModel
-    ring: Ring
-    position: complex  # of the ball's centre
-    ball_radius: float
-    angle: float  # of the ring's frame
-    local: complex  # the ball's centre in the ring's frame
+    numbers: RingNumbers
+    position: complex
+    angle: float
+    spin: float
+    local: complex
     options: str
 
     @property
-    def feature(self) -> str:
+    def ball_radius(self) -> float:
+        """World units."""
+        return self.tick.level.ball_radius
+
+    @property
+    def speed(self) -> float:
+        """The fixed speed of the balls."""
+        return self.tick.level.speed
+
+    @property
+    def claimed_feature(self) -> str:
         """The feature that the game names."""
         return FEATURES[self.hit.contact.feature]
 
@@ -79,72 +84,66 @@ class Moment(NamedTuple):
     @property
     def normal_noise(self) -> float:
         """Radians: the bound for exact shapes."""
-        return facets.normal_noise(self.ring.outer_radius, self.ball_radius)
+        return rounding.normal_noise(self.model.geometry.outer, self.ball_radius)
 
     @property
     def contact_noise(self) -> float:
         """World units: the bound for the gap at exact shapes."""
-        return facets.contact_noise(self.ring.outer_radius)
+        return rounding.contact_noise(self.model.geometry.outer)
 
-    @property
-    def half_facet(self) -> float:
-        """Radians: half a facet's angle."""
-        return facets.half_facet(self.ring.half_angle, self.model.facets)
-
-    def facet_bound(self) -> float:
-        """Radians: the bound for the faceted ring's normal."""
-        feature = self.hit.contact.feature
-        if feature == Feature.END:
+    def facet_bound(self, part: Part) -> float:
+        """Radians: the bound for the chain's normal where the exact shape is this part."""
+        geometry, count = self.model.geometry, self.model.facets
+        if part == Part.END:
             return self.normal_noise
-        if feature == Feature.OUTER_FACE:
-            arguments = (self.ring.outer_radius, self.ball_radius, self.ring.half_angle, self.model.facets)
-            return facets.outer_facet_bound(*arguments) + self.normal_noise
-        return self.half_facet + self.normal_noise
+        if part == Part.OUTER_CIRCLE:
+            bound = facets.outer_facet_bound(geometry.outer, self.ball_radius, geometry.half_angle, count)
+            return bound + self.normal_noise
+        return facets.half_facet(geometry.half_angle, count) + self.normal_noise
 
     def world(self, vector: complex) -> complex:
         """A vector of the ring's frame in the world's."""
         return vector * cmath.rect(1.0, self.angle)
 
-    def case(
-        self, kind: Class, comparison: Comparison, what: str, measured: tuple[float, float], answers: tuple[complex, complex]
-    ) -> Case:
-        """This hit as a case to show. measured: error and bound; answers: ours and pymunk's."""
+    def surface(self, contact: ShapeContact) -> Surface:
+        """What the ball bounces off."""
+        return Surface(contact.shape, self.model.geometry, self.angle, self.spin)
+
+    def pushed(self, contact: ShapeContact) -> complex:
+        """The surface's velocity at the point that pymunk touches."""
+        return 1j * self.spin * (self.position - self.world(contact.normal) * contact.distance)
+
+    def situation(self, part: Part | None) -> Situation:
+        """This hit, with the feature that pymunk names; None where it touches nothing."""
         hit = self.hit
-        return Case(
-            kind=kind,
-            comparison=comparison,
-            feature=self.feature,
-            what=what,
-            options=self.options,
-            tick=self.tick.number,
-            time=hit.time,
-            ball=hit.ball,
-            ring=hit.ring,
-            slot=hit.slot,
-            error=measured[0],
-            bound=measured[1],
-            ours=answers[0],
-            pymunks=answers[1],
-            position=self.position,
-            ball_radius=self.ball_radius,
-            geometry=self.model.geometry,
-            angle=self.angle,
-            alive=tuple(self.model.alive),
+        return Situation(
+            self.claimed_feature if part is None else FEATURE_OF_PART[part],
+            self.options,
+            self.tick.number,
+            hit.time,
+            hit.ball,
+            hit.ring,
+            hit.slot,
+            self.position,
+            self.ball_radius,
+            self.model.geometry,
+            self.angle,
+            tuple(self.model.alive),
         )
 
 
-def moment_of(scene: Scene, hit: Hit, position: complex) -> Moment:
+def moment_of(checked: CheckedTick, hit: Hit, position: complex) -> Moment:
     """The moment of a hit at which the ball's centre is at `position`."""
-    arena = scene.tick.arena
-    ring = arena.rings[hit.ring]
-    angle = ring.phase + ring.spin * hit.time
+    tick = checked.tick
+    ring, numbers = tick.arena.rings[hit.ring], tick.level.rings[hit.ring]
+    spin = ring.spin if numbers.spin is None else numbers.spin
+    angle = ring.phase + spin * hit.time
     local = position * cmath.rect(1.0, -angle)
-    model, radius = scene.models[hit.ring], arena.balls[hit.ball].radius
-    return Moment(scene.tick, hit, model, ring, position, radius, angle, local, scene.options)
+    return Moment(tick, hit, checked.models[hit.ring], numbers, position, angle, spin, local, checked.options)
 
 
 def geometry_of(ring: Ring) -> Geometry:
-    """The level's numbers of a ring."""
+    """The numbers of a ring in the game."""
     return Geometry(ring.radius, ring.half_width, ring.half_angle, ring.count)
 
 
@@ -154,13 +153,6 @@ def angle_between(a: complex, b: complex) -> float:
     return abs(math.atan2(product.imag, product.real))
 
 
-def tie(moment: Moment, bound: float) -> Touch | None:
-    """Another shape as near as the nearest, to within the chords' sagitta, whose normal agrees with the game's."""
-    ours = moment.hit.contact.normal
-    slack = moment.model.sagitta + moment.contact_noise
-    near = moment.model.all_near(moment.local, moment.ball_radius + slack, Part.FACETED | Part.CORNER)
-    for piece, distance in near:
-        touch = moment.model.touch(moment.local, distance, piece)
-        if distance >= moment.ball_radius - slack and angle_between(ours, moment.world(touch.normal)) <= bound:
-            return touch
-    return None
+def dot(a: complex, b: complex) -> float:
+    """Scalar product, with Python's own complex numbers: the harness shares no arithmetic with the game."""
+    return (a.conjugate() * b).real

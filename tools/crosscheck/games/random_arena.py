@@ -5,6 +5,7 @@ import random
 from collections.abc import Iterator
 
 from physics import PERMANENT, Arena, Ball, Ring, to_cartesian
+from tools.crosscheck.games.level_numbers import numbers_of_arena
 from tools.crosscheck.games.trajectory import Advance, Tick
 
 TICK = 1.0 / 240.0
@@ -20,11 +21,12 @@ def random_ticks(seed: int, ticks: int, physics: Advance) -> Iterator[Tick]:
     speed = chance.uniform(6.0, 14.0)
     ball_radius = chance.uniform(0.1, 0.35)
     arena, fresh = _arena(chance, speed, ball_radius)
+    level = numbers_of_arena(arena, speed)
     for number in range(ticks):
         if number % 60 == 0:
             arena = _steered(arena, chance, speed)
         step = physics(arena, TICK, speed)
-        yield Tick(number, arena, TICK, speed, step)
+        yield Tick(number, arena, TICK, step, level)
         arena = step.arena
         if any(abs(ball.position) > _TRACK + 2.0 for ball in arena.balls):
             balls = tuple(_served(chance, speed, ball_radius) if abs(b.position) > _TRACK + 2.0 else b for b in arena.balls)
@@ -32,6 +34,7 @@ def random_ticks(seed: int, ticks: int, physics: Advance) -> Iterator[Tick]:
         if not any(layers > 0 for ring in arena.layers for layers in ring):
             balls = tuple(_served(chance, speed, ball_radius) for _ in arena.balls)
             arena = arena._replace(layers=fresh, balls=balls)
+            level = numbers_of_arena(arena, speed)
 
 
 def _arena(chance: random.Random, speed: float, ball_radius: float) -> tuple[Arena, tuple[tuple[int, ...], ...]]:
@@ -77,6 +80,6 @@ def _free_radius(ball_radius: float) -> float:
 
 
 def _served(chance: random.Random, speed: float, ball_radius: float) -> Ball:
-    """A ball at the centre's free place, flying anywhere."""
-    place = to_cartesian(chance.uniform(0.0, 0.9 * _LEAST_ROOM), chance.uniform(0.0, math.tau))
-    return Ball(place, to_cartesian(speed, chance.uniform(0.0, math.tau)), ball_radius)
+    """A ball at the free disc around the centre, flying anywhere."""
+    position = to_cartesian(chance.uniform(0.0, 0.9 * _LEAST_ROOM), chance.uniform(0.0, math.tau))
+    return Ball(position, to_cartesian(speed, chance.uniform(0.0, math.tau)), ball_radius)

@@ -4,78 +4,111 @@ from collections.abc import Callable, Iterator
 from typing import NamedTuple
 
 from physics import Arena, Hit, Step
+from tools.crosscheck.games.level_numbers import LevelNumbers
 
-Advance = Callable[[Arena, float, float], Step]
-"""`physics.advance`, or a sabotaged copy of it."""
+Advance = Callable[..., Step]
+"""`physics.advance`, or a sabotaged copy of it: called with an arena, seconds, and the balls' speed."""
 
 _PATH_NOISE = 2.0**-50
-"""Fraction of a coordinate: places rebuilt from the hits agree with the recorded ones to a few roundings."""
+"""Fraction of a coordinate: positions rebuilt from the hits agree with the recorded ones to a few roundings."""
 
 
 class Tick(NamedTuple):
-    """One tick: the arena that the physics advanced, and what became of it."""
+    """One tick: the arena that the physics advanced, and what became of it.
+
+    dt: seconds. level: what was known before the game; another object whenever a level starts anew.
+    """
 
     number: int
     arena: Arena
     dt: float
-    speed: float
     step: Step
+    level: LevelNumbers
 
 
 class Leg(NamedTuple):
-    """One straight flight of one ball within a tick."""
+    """One straight flight of one ball within a tick.
+
+    start, stop: seconds after the tick's start. position: of the centre at `start`. hit: what ended it; None at the tick's end.
+    """
 
     ball: int
-    start: float  # seconds after the tick's start
-    position: complex  # at `start`
+    start: float
+    position: complex
     velocity: complex
     stop: float
-    hit: Hit | None  # what ended it; None at the tick's end
+    hit: Hit | None
 
     @property
     def end(self) -> complex:
         """The ball's centre at the leg's stop."""
         return self.position + self.velocity * (self.stop - self.start)
 
+    def without(self, seconds: float) -> "Leg":
+        """What is left of the leg from some moment of the tick on."""
+        return self._replace(start=seconds, position=self.position + self.velocity * (seconds - self.start))
 
-class Path(NamedTuple):
-    """The flight of one ball through one tick."""
+
+class FlightPath(NamedTuple):
+    """The flight of one ball through one tick.
+
+    legs: those that end with a hit, then the last. fits: whether they lead from the recorded start to the recorded end.
+    freed: the position from which they lead there, where the physics has put the ball elsewhere before its flight. dropped:
+    whether the ball used up its bounces and rested for what was left of the tick. freed_after: whether it was then put
+    elsewhere.
+    """
 
     legs: tuple[Leg, ...]
-    fits: bool  # whether the legs lead from the recorded start to the recorded end
+    fits: bool
+    freed: complex | None = None
+    dropped: bool = False
+    freed_after: bool = False
 
 
-def paths(tick: Tick) -> Iterator[Path]:
+def flight_paths(tick: Tick, most_bounces: int) -> Iterator[FlightPath]:
     """The flight of every ball, rebuilt from its start, its hits' times and velocities, and nothing else.
 
-    No hit's normal or point enters: the place of a contact follows from the flight.
+    No hit's normal or point enters: the position of a contact follows from the flight. most_bounces: after which a ball rests
+    until the tick's end. A ball that the physics put outside material first is followed from its end backwards.
     """
     hits: dict[int, list[Hit]] = {}
     for hit in tick.step.hits:
         hits.setdefault(hit.ball, []).append(hit)
     for index, (ball, end) in enumerate(zip(tick.arena.balls, tick.step.arena.balls, strict=True)):
-        position, velocity, clock, fits = ball.position, ball.velocity, 0.0, True
-        legs = []
-        for hit in hits.get(index, ()):
-            fits = fits and hit.before == velocity
-            leg = Leg(index, clock, position, velocity, hit.time, hit)
-            legs.append(leg)
-            position, velocity, clock = leg.end, hit.after, hit.time
-        last = Leg(index, clock, position, velocity, tick.dt, None)
-        legs.append(last)
-        size = abs(last.end) + abs(velocity) * tick.dt
-        fits = fits and velocity == end.velocity and abs(last.end - end.position) <= size * _PATH_NOISE
-        yield Path(tuple(legs), fits)
+        own = hits.get(index, [])
+        dropped = len(own) >= most_bounces
+        path = _followed(tick, index, own, ball.position, dropped=dropped)
+        if not path.fits and tick.step.freed:
+            start = _backwards(tick, own, end.position, end.velocity, dropped=dropped)
+            back = _followed(tick, index, own, start, dropped=dropped)
+            if back.fits:
+                path = back._replace(freed=start)
+        yield path
 
 
-def layers_before(tick: Tick, hit: Hit | None) -> tuple[tuple[int, ...], ...]:
-    """The layers of every ring just before a hit of the tick, or at the tick's end: what the hits until then have left."""
-    if hit is None:
-        return tick.step.arena.layers
-    layers = list(tick.arena.layers)
-    for earlier in tick.step.hits:
-        if earlier is hit:
-            break
-        ring = layers[earlier.ring]
-        layers[earlier.ring] = (*ring[: earlier.slot], earlier.layers, *ring[earlier.slot + 1 :])
-    return tuple(layers)
+def _followed(tick: Tick, index: int, hits: list[Hit], start: complex, *, dropped: bool) -> FlightPath:
+    """A ball's flight from a position."""
+    ball, end = tick.arena.balls[index], tick.step.arena.balls[index]
+    position, velocity, clock, fits = start, ball.velocity, 0.0, True
+    legs = []
+    for hit in hits:
+        fits = fits and hit.before == velocity and clock <= hit.time <= tick.dt
+        leg = Leg(index, clock, position, velocity, hit.time, hit)
+        legs.append(leg)
+        position, velocity, clock = leg.end, hit.after, hit.time
+    last = Leg(index, clock, position, velocity, clock if dropped else tick.dt, None)
+    legs.append(last)
+    size = abs(last.end) + abs(velocity) * tick.dt
+    arrives = abs(last.end - end.position) <= size * _PATH_NOISE
+    freed_after = dropped and not arrives and tick.step.freed > 0
+    fits = fits and velocity == end.velocity and (arrives or freed_after)
+    return FlightPath(tuple(legs), fits, None, dropped, freed_after)
+
+
+def _backwards(tick: Tick, hits: list[Hit], position: complex, velocity: complex, *, dropped: bool) -> complex:
+    """The position from which a ball's hits lead to its end."""
+    clock = hits[-1].time if dropped else tick.dt
+    for hit in reversed(hits):
+        position -= velocity * (clock - hit.time)
+        velocity, clock = hit.before, hit.time
+    return position - velocity * clock

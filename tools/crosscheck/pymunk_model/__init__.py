@@ -1,1 +1,1 @@
-"""Rings and bounces in pymunk, made from numbers alone: imports nothing of the project."""
+"""Rings and bounces in pymunk, built from numbers alone: nothing here imports the project's own code."""

@@ -1,19 +1,7 @@
-"""What replacing an arc by N chords costs: every bound of the harness, derived."""
+"""What replacing an arc by N chords costs: how far normals and positions may then differ, derived."""
 
 import cmath
 import math
-
-ANGLE_NOISE = 2.0**-47
-"""Radians, or a fraction of a radius: 7.1e-15. The rounding between two honest computations of one place on a ring.
-
-An angle in [4, 8) is rounded by at most 2^-51. The game rounds five times on the way to the angle of a sector's end (slot times
-pitch, plus phase, the phase's grid, the turning, the half angle) and once more, by at most 2e-15, in its own sine and cosine;
-pymunk's side rounds three times and uses the C library's, good to 2^-53. Eight times 2^-51 and 2e-15 and the rounding of both
-coordinates on both sides, 4 times 2^-53, make 6.0e-15.
-"""
-
-TOUCH = 1e-13
-"""World units. The game's search for a turning end stops at a gap this small (its documented accuracy)."""
 
 FEWEST = 3
 """Facets of an arc: an arc may be a whole circle, and two chords enclose nothing."""
@@ -53,21 +41,3 @@ def outer_facet_bound(outer: float, ball_radius: float, half_angle: float, facet
 def sagitta(radius: float, half_angle: float, facets: int) -> float:
     """How far a chord's middle lies inside its arc: what separates the polygon from the circle at most."""
     return radius * (1.0 - math.cos(half_facet(half_angle, facets)))
-
-
-def place_noise(outer: float) -> float:
-    """World units: the rounding of one place on a ring."""
-    return outer * ANGLE_NOISE
-
-
-def normal_noise(outer: float, ball_radius: float) -> float:
-    """Radians: the rounding of a normal, which is a difference of places divided by the ball's radius.
-
-    Above 2 pi / 2^53 times the lever outer / ball_radius, and far below the 1e-9 that the harness promises.
-    """
-    return (outer + ball_radius) / ball_radius * ANGLE_NOISE
-
-
-def contact_noise(outer: float) -> float:
-    """World units: how far from exact touch a ball may be at the moment the game says it touches."""
-    return place_noise(outer) + TOUCH

@@ -6,10 +6,11 @@ from html import escape
 
 from tools.crosscheck.comparisons.convergence import Curve
 from tools.crosscheck.report.page_style import STYLE
-from tools.crosscheck.report.plots import case_picture, convergence_plot, error_histogram
-from tools.crosscheck.report.terminal import (
+from tools.crosscheck.report.plots import convergence_plot, coverage_chart, error_histogram, situation_picture
+from tools.crosscheck.report.words import (
     BOUNDS,
     COMPARISON_NAMES,
+    NOT_COMPARED,
     UNITS,
     bound_source,
     number,
@@ -18,12 +19,20 @@ from tools.crosscheck.report.terminal import (
     summaries,
     verdict,
 )
-from tools.crosscheck.results.cases import CLASS_MEANINGS, CLASS_NAMES, FEATURES, Case, Class, Comparison
+from tools.crosscheck.results.coverage import ALL_CELLS, empty_cells, margins
 from tools.crosscheck.results.findings import Findings
-from tools.crosscheck.run import Outcome, versions
+from tools.crosscheck.results.measurements import (
+    FEATURES,
+    VERDICT_MEANINGS,
+    VERDICT_NAMES,
+    Comparison,
+    Measurement,
+    Verdict,
+)
+from tools.crosscheck.run import RunResult, versions
 
 _DRAWN = 4
-"""Cases drawn of each class; all are in the JSON file."""
+"""Measurements drawn of each verdict; all are in the JSON file."""
 _LISTED = 200
 
 
@@ -41,16 +50,17 @@ def html_text(findings: Findings) -> str:
 
 def _verdict(findings: Findings) -> Iterator[str]:
     """Do they agree, and over how much?"""
-    outcome = findings.outcome
+    result = findings.result
     yield f'<p class="verdict {"good" if findings.agrees else "bad"}">{escape(verdict(findings))}</p>'
     yield (
         "<p>The game flew its balls with its own collision code, in polar coordinates. pymunk (Chipmunk2D) was shown the same "
-        "flights among circles and segments built from the level's numbers alone, and asked four questions: which "
-        "<em>normal</em> has this contact, does the ball <em>touch</em> anything at this tick, <em>when</em> does it first "
-        f"touch, and with what <em>velocity</em> does it leave? An arc is {outcome.jobs[0].facets} chords in pymunk, and an "
-        "exact circle where that exists.</p>"
+        "flights among circles and segments built from the level's numbers alone, and asked: <em>what</em> was hit, and how "
+        "many layers are left; which <em>normal</em> has this contact; does the ball <em>touch</em> anything at this tick; "
+        "<em>when</em> does it first touch; with what <em>velocity</em> does it leave? Every face, end and corner has an exact "
+        f"shape in pymunk; beside them stands a chain of {result.jobs[0].facets} chords for each arc.</p>"
     )
-    for source, why in outcome.lost:
+    yield f'<p class="note">{escape(NOT_COMPARED)}</p>'
+    for source, why in result.lost:
         yield f'<p class="bad">Lost: {escape(source.name)}: {escape(why)}</p>'
 
 
@@ -62,7 +72,7 @@ def _measured(findings: Findings) -> Iterator[str]:
         "<th>from</th></tr></thead>"
     )
     last = None
-    for key, summary in summaries(findings.outcome):
+    for key, summary in summaries(findings.result):
         if key[0] != last:
             yield "</tbody>" if last is not None else ""
             title = f"{COMPARISON_NAMES[key[0]]}, in {_UNIT_WORDS[UNITS[key[0]]]}"
@@ -81,26 +91,63 @@ def _measured(findings: Findings) -> Iterator[str]:
     yield "<dl>" + "".join(f"<dt>{word}</dt><dd>{escape(meaning)}</dd>" for word, meaning in BOUNDS.items()) + "</dl>"
 
 
-_UNIT_WORDS = {"rad": "radians", "length": "world units", "s": "seconds", "speed": "world units per second"}
+_UNIT_WORDS = {
+    "wrong": "wrong answers",
+    "rad": "radians",
+    "length": "world units",
+    "s": "seconds",
+    "speed": "world units per second",
+}
 
 
-def _by_class(findings: Findings) -> Iterator[str]:
-    """How many contacts of each class."""
-    rows = findings.outcome.rows
-    yield "<h2>Why they differ</h2>\n<table><thead><tr><th>class</th><th>contacts</th><th>meaning</th></tr></thead><tbody>"
-    for kind, count in rows.classes.items():
-        style = ' class="bad"' if kind == Class.UNEXPLAINED and count else ""
-        yield f'<tr{style}><th>{CLASS_NAMES[kind]}</th><td>{count:,}</td><td class="word">{CLASS_MEANINGS[kind]}</td></tr>'
+def _by_verdict(findings: Findings) -> Iterator[str]:
+    """How many contacts of each verdict."""
+    rows = findings.result.rows
+    yield "<h2>Why they differ</h2>\n<table><thead><tr><th>verdict</th><th>contacts</th><th>meaning</th></tr></thead><tbody>"
+    for kind, count in rows.verdicts.items():
+        style = ' class="bad"' if kind == Verdict.UNEXPLAINED and count else ""
+        meaning = VERDICT_MEANINGS[kind]
+        yield f'<tr{style}><th>{VERDICT_NAMES[kind]}</th><td>{count:,}</td><td class="word">{meaning}</td></tr>'
     yield "</tbody></table>"
     if rows.elsewhere:
         yield f'<p class="bad">Unexplained away from contacts: {rows.elsewhere:,}</p>'
-    if rows.set_free:
-        yield f"<p>Not compared: {rows.set_free:,} hits of balls that the physics had put outside material.</p>"
+
+
+def _coverage(findings: Findings) -> Iterator[str]:
+    """Which kinds of contact were compared."""
+    cells = findings.result.rows.cells
+    empty = empty_cells(cells)
+    yield f"<h2>Coverage</h2><p>{len(ALL_CELLS) - len(empty):,} of {len(ALL_CELLS):,} kinds of contact were met: every "
+    yield "feature, the surface at rest, moving with the ball or against it, in every fifth of the width, head-on to glancing, "
+    yield "with friction 0, between and 1, on narrow and wide sectors, with one ball and several.</p>"
+    yield f'<div class="wide"><figure class="chart">{coverage_chart(list(margins(cells)))}</figure></div>'
+    if empty:
+        yield f"<details><summary>{len(empty):,} kinds without a contact</summary><ol>"
+        yield from [f"<li>{escape(cell.words)}</li>" for cell in empty[:_LISTED]]
+        yield f"</ol>{'' if len(empty) <= _LISTED else f'<p>and {len(empty) - _LISTED:,} more</p>'}</details>"
+
+
+def _sabotage(findings: Findings) -> Iterator[str]:
+    """The mistakes, and what caught them."""
+    if findings.sabotage is None:
+        return
+    yield "<h2>Mistakes made on purpose</h2><p>Each was put into the game's own code, and the game went on with it.</p>"
+    yield '<div class="wide"><table class="mistakes"><thead><tr><th>mistake</th><th>caught by</th><th>contacts before</th><th>'
+    yield "unexplained</th></tr></thead><tbody>"
+    for one in findings.sabotage:
+        by = ", ".join([COMPARISON_NAMES[comparison] for comparison in one.unexplained]) or one.mistake.invisible or "nothing"
+        first = "-" if one.first is None else f"{one.first:,}"
+        style = "" if one.holds else ' class="bad"'
+        name = f"<b>{one.mistake.name}</b><br>{escape(one.mistake.sentence)}"
+        total = f"{sum(one.unexplained.values()):,} in {one.contacts:,}"
+        yield f'<tr{style}><th class="word">{name}</th><td class="word">{escape(one.lost or by)}</td>'
+        yield f"<td>{first}</td><td>{total}</td></tr>"
+    yield "</tbody></table></div>"
 
 
 def _histograms(findings: Findings) -> Iterator[str]:
     """The distribution of every feature's errors."""
-    samples = findings.outcome.rows.samples
+    samples = findings.result.rows.samples
     yield '<h2>Errors of the normals</h2>\n<div class="grid">'
     for feature in FEATURES:
         exact, faceted = samples.get((Comparison.NORMAL_EXACT, feature)), samples.get((Comparison.NORMAL_FACETS, feature))
@@ -117,7 +164,8 @@ def _convergence(findings: Findings) -> Iterator[str]:
     if findings.curves:
         yield f"<h2>More facets, smaller difference</h2>\n<figure class='narrow'>{convergence_plot(findings.curves)}</figure>"
         yield (
-            "<p>If our arcs were wrong, these lines would level off. Normals must fall as 1/N, times as 1/N² (dotted). "
+            "<p>If our arcs were wrong, these lines would level off. Normals must fall as 1/N, times as 1/N² (dotted), and at "
+            "every N the error must be the one that the contacts' positions on their chords give. "
             + "; ".join(_curve_words(curve) for curve in findings.curves)
             + ".</p>"
         )
@@ -125,7 +173,10 @@ def _convergence(findings: Findings) -> Iterator[str]:
 
 def _curve_words(curve: Curve) -> str:
     verb = "as it must" if curve.holds else "<b class='bad'>not as it must</b>"
-    return f"{curve.name}: slope {curve.slope:.3f} over {curve.contacts} contacts, {verb}"
+    return (
+        f"{curve.name}: slope {curve.slope:.3f} within {curve.slack:.3f} over {curve.contacts} contacts; "
+        f"{number(curve.errors[-1])} at {curve.facets[-1]} facets where {number(curve.derived[-1])} is derived, {verb}"
+    )
 
 
 def _free_runs(findings: Findings) -> Iterator[str]:
@@ -143,56 +194,71 @@ def _free_runs(findings: Findings) -> Iterator[str]:
 
 def _worst(findings: Findings) -> Iterator[str]:
     """The largest error of each feature's normal, drawn."""
-    rows = findings.outcome.rows
+    rows = findings.result.rows
     yield "<h2>The worst normals</h2>"
     yield '<p class="note"><b class="ours">Thick</b>: ours. <b class="theirs">Thin</b>: pymunk\'s. Dotted: an empty slot.</p>'
     yield '<div class="grid">'
-    for key, _ in summaries(findings.outcome):
-        case = rows.samples[key].worst
+    for key, _ in summaries(findings.result):
+        worst = rows.samples[key].worst
         arcs = key[0] == Comparison.NORMAL_FACETS and key[1] in FEATURES[:2]  # the rest is as in the exact model
-        if (arcs or key[0] == Comparison.NORMAL_EXACT) and case is not None:
-            yield _drawn(f"worst {COMPARISON_NAMES[key[0]]} {key[1]}", case, findings.outcome)
+        if (arcs or key[0] == Comparison.NORMAL_EXACT) and worst is not None:
+            yield _drawn(f"worst {COMPARISON_NAMES[key[0]]} {key[1]}", worst, findings.result)
     yield "</div>"
 
 
 def _disagreements(findings: Findings) -> Iterator[str]:
-    """Cases of the classes that need a word: some drawn, more listed."""
-    for kind in (Class.UNEXPLAINED, Class.TIE, Class.GRAZING, Class.RULE):
-        cases = [case for case in findings.outcome.rows.cases if case.kind == kind]
-        if not cases:
+    """Measurements of the verdicts that need a word: some drawn, more listed."""
+    for kind in (Verdict.UNEXPLAINED, Verdict.TIE, Verdict.GRAZING, Verdict.RULE):
+        found = [one for one in findings.result.rows.measurements if one.compared.verdict == kind]
+        if not found:
             continue
-        yield f'<h2>Cases: {CLASS_NAMES[kind]}</h2><p>{CLASS_MEANINGS[kind]}.</p>\n<div class="grid">'
-        for index, case in enumerate(sorted(cases, key=lambda case: -case.error)[:_DRAWN]):
-            yield _drawn(f"{CLASS_NAMES[kind]} {index}", case, findings.outcome)
-        yield f"</div><details><summary>{min(len(cases), _LISTED):,} of {len(cases):,} listed</summary><ol>"
-        for case in cases[:_LISTED]:
-            line = f"{escape(case.feature)}: {escape(case.what)}; {number(case.error)}"
-            yield f"<li>{line}<br><code>{escape(repeat_command(case))}</code></li>"
+        yield f'<h2>{VERDICT_NAMES[kind].capitalize()}</h2><p>{VERDICT_MEANINGS[kind]}.</p>\n<div class="grid">'
+        for index, one in enumerate(sorted(found, key=lambda one: -one.compared.error)[:_DRAWN]):
+            yield _drawn(f"{VERDICT_NAMES[kind]} {index}", one, findings.result)
+        yield f"</div><details><summary>{min(len(found), _LISTED):,} of {len(found):,} listed</summary><ol>"
+        for one in found[:_LISTED]:
+            line = f"{escape(one.situation.feature)}: {escape(one.compared.what)}; {number(one.compared.error)}"
+            yield f"<li>{line}<br><code>{escape(repeat_command(one))}</code></li>"
         yield "</ol></details>"
 
 
-def _drawn(name: str, case: Case, outcome: Outcome) -> str:
-    """One case as a picture with its numbers and its command. name: unique on the page."""
-    picture = case_picture(name, case, outcome.jobs[0].facets)
-    caption = f"{COMPARISON_NAMES[case.comparison]}, {case.feature}: {case.what}"
-    numbers = f"{number(case.error)} {UNITS[case.comparison]}, bound {number(case.bound)}"
+def _drawn(name: str, measurement: Measurement, result: RunResult) -> str:
+    """One measurement as a picture with its numbers and its command. name: unique on the page."""
+    picture = situation_picture(name, measurement, result.jobs[0].facets)
+    compared = measurement.compared
+    caption = f"{COMPARISON_NAMES[compared.comparison]}, {measurement.situation.feature}: {compared.what}"
+    numbers = f"{number(compared.error)} {UNITS[compared.comparison]}, bound {number(compared.bound)}"
     return (
         f"<figure><figcaption>{escape(caption)}<br><b>{numbers}</b></figcaption>{picture}"
-        f"<code>{escape(repeat_command(case))}</code></figure>"
+        f"<code>{escape(repeat_command(measurement))}</code></figure>"
     )
 
 
 def _repeat(findings: Findings) -> Iterator[str]:
     """How to get this page again, and what made it."""
-    outcome = findings.outcome
+    result = findings.result
     yield "<h2>To repeat it</h2>"
-    yield f"<details><summary>{len(outcome.jobs):,} games and their commands</summary><ol>"
-    for job in outcome.jobs:
+    yield f"<details><summary>{len(result.jobs):,} games and their commands</summary><ol>"
+    for job in result.jobs:
         yield f"<li><code>python -m tools.crosscheck {escape(job.source.options())} --facets {job.facets}</code></li>"
     yield "</ol></details>"
-    seconds = (outcome.playing, outcome.checking, outcome.building)
-    yield "<p>Seconds of the processor: {:.1f} playing, {:.1f} comparing, {:.1f} building pymunk's models.</p>".format(*seconds)
+    yield (
+        f"<p>Seconds of the processor: {result.playing:.1f} playing, {result.checking:.1f} comparing, {result.building:.1f} "
+        "building pymunk's models.</p>"
+    )
     yield "<p>" + ", ".join(f"{escape(name)} {escape(version)}" for name, version in versions().items()) + "</p>"
 
 
-_SECTIONS = (_verdict, _measured, _by_class, _histograms, _convergence, _worst, _disagreements, _free_runs, _repeat)
+_SECTIONS = (
+    _verdict,
+    _measured,
+    _by_verdict,
+    _coverage,
+    _sabotage,
+    _histograms,
+    _convergence,
+    _worst,
+    _disagreements,
+    _free_runs,
+    _repeat,
+)

@@ -15,7 +15,8 @@ from matplotlib.patches import Circle, Polygon
 
 from tools.crosscheck.comparisons.convergence import Curve
 from tools.crosscheck.pymunk_model.facets import arc_points
-from tools.crosscheck.results.cases import Case, Samples
+from tools.crosscheck.results.coverage import NAMES, Margin
+from tools.crosscheck.results.measurements import FEATURES, Measurement, Samples
 
 _COLOURS = {"ink": "#010101", "muted": "#020202", "ours": "#030303", "theirs": "#040404", "fill": "#050505", "paper": "#060606"}
 """Stand-ins that no picture uses otherwise; in the page each becomes a CSS variable of that name."""
@@ -44,7 +45,7 @@ def error_histogram(name: str, exact: Samples | None, faceted: Samples | None) -
     with mpl.rc_context(_STYLE):
         figure = Figure(figsize=(4.4, 2.7), layout="constrained")
         axes = figure.add_subplot()
-        for samples, colour, label in ((exact, "ours", "exact shape"), (faceted, "theirs", "facets")):
+        for samples, colour, label in ((exact, "ours", "exact shape"), (faceted, "theirs", "chain of chords")):
             if samples is None or not samples.errors:
                 continue
             logs = [max(math.log10(error), _SMALLEST) if error > 0.0 else _SMALLEST for error in samples.errors]
@@ -86,36 +87,63 @@ def convergence_plot(curves: Sequence[Curve]) -> str:
         return _svg(figure, "convergence")
 
 
-def case_picture(name: str, case: Case, facets: int) -> str:
+def coverage_chart(found: Sequence[Margin]) -> str:
+    """Contacts by feature and by the value of every dimension, as bars on a logarithmic scale."""
+    rows = [(dimension, value) for dimension, values in list(NAMES.items())[1:] for value in values]
+    counts = {(margin.feature, margin.dimension, margin.value): margin.contacts for margin in found}
+    longest = max([*counts.values(), 10])
+    with mpl.rc_context(_STYLE):
+        figure = Figure(figsize=(8.6, 5.2), layout="constrained")
+        panels = figure.subplots(1, len(FEATURES), sharey=True)
+        for axes, feature in zip(panels, FEATURES, strict=True):
+            for index, (dimension, value) in enumerate(rows):
+                count = counts[feature, dimension, value]
+                axes.barh(index, max(count, 0.5), color=_COLOURS["ours" if count else "theirs"], height=0.7)
+                axes.text(max(count, 0.5) * 1.15, index, f"{count:,}", va="center", fontsize=8)
+            axes.set_xscale("log")
+            axes.set_xlim(0.5, longest * 12.0)
+            axes.set_title(feature, fontsize=10)
+            axes.set_xticks([])
+            axes.minorticks_off()
+            axes.spines["bottom"].set_visible(False)
+            axes.tick_params(left=False)
+        panels[0].set_yticks(range(len(rows)), [f"{dimension}: {value}" for dimension, value in rows], fontsize=9)
+        panels[0].invert_yaxis()
+        return _svg(figure, "coverage")
+
+
+def situation_picture(name: str, measurement: Measurement, facets: int) -> str:
     """The ring with the ball, and the contact enlarged with both engines' normals (or velocities). name: unique on the page."""
+    where = measurement.situation
     with mpl.rc_context(_STYLE):
         figure = Figure(figsize=(4.6, 2.3), layout="constrained")
         whole, close = figure.subplots(1, 2)
         for axes in (whole, close):
-            _draw_ring(axes, case, facets if axes is close else 64)
+            _draw_ring(axes, measurement, facets if axes is close else 64)
             axes.set_aspect("equal")
             axes.axis("off")
-        outer = case.geometry.radius + case.geometry.half_width
-        reach = max(outer, abs(case.position) + case.ball_radius) * 1.08
+        outer = where.geometry.radius + where.geometry.half_width
+        reach = max(outer, abs(where.position) + where.ball_radius) * 1.08
         whole.set(xlim=(-reach, reach), ylim=(-reach, reach))
-        whole.add_patch(Circle((case.position.real, case.position.imag), case.ball_radius, color=_COLOURS["ours"]))
-        view = 2.6 * case.ball_radius
-        x, y = case.position.real, case.position.imag
+        whole.add_patch(Circle((where.position.real, where.position.imag), where.ball_radius, color=_COLOURS["ours"]))
+        view = 2.6 * where.ball_radius
+        x, y = where.position.real, where.position.imag
         close.set(xlim=(x - view, x + view), ylim=(y - view, y + view))
-        close.add_patch(Circle((x, y), case.ball_radius, fill=False, edgecolor=_COLOURS["ink"], linewidth=1.2))
+        close.add_patch(Circle((x, y), where.ball_radius, fill=False, edgecolor=_COLOURS["ink"], linewidth=1.2))
         whole.add_patch(Polygon(_box(x, y, view), closed=True, fill=False, edgecolor=_COLOURS["muted"], linewidth=0.8))
-        _draw_arrows(close, case)
+        _draw_arrows(close, measurement)
         return _svg(figure, name)
 
 
-def _draw_arrows(axes: Axes, case: Case) -> None:
+def _draw_arrows(axes: Axes, measurement: Measurement) -> None:
     """Both engines' answers, from the ball's centre."""
-    longest = max(abs(case.ours), abs(case.pymunks))
+    compared, where = measurement
+    longest = max(abs(compared.ours), abs(compared.pymunks))
     if not longest:
         return
-    scale = 1.9 * case.ball_radius / longest
-    for vector, colour, width in ((case.ours, "ours", 5.0), (case.pymunks, "theirs", 1.8)):
-        tip = case.position + vector * scale
+    scale = 1.9 * where.ball_radius / longest
+    for vector, colour, width in ((compared.ours, "ours", 5.0), (compared.pymunks, "theirs", 1.8)):
+        tip = where.position + vector * scale
         arrow = {
             "arrowstyle": "-|>",
             "color": _COLOURS[colour],
@@ -124,20 +152,21 @@ def _draw_arrows(axes: Axes, case: Case) -> None:
             "shrinkB": 0,
             "mutation_scale": 13,
         }
-        start = (case.position.real, case.position.imag)
+        start = (where.position.real, where.position.imag)
         axes.annotate("", xy=(tip.real, tip.imag), xytext=start, arrowprops=arrow)
 
 
-def _draw_ring(axes: Axes, case: Case, facets: int) -> None:
+def _draw_ring(axes: Axes, measurement: Measurement, facets: int) -> None:
     """Every sector of the ring, as the facets that pymunk has of it; dotted, where the slot is empty."""
-    geometry = case.geometry
+    where = measurement.situation
+    geometry = where.geometry
     for slot in range(geometry.count):
-        middle = case.angle + slot * math.tau / geometry.count
+        middle = where.angle + slot * math.tau / geometry.count
         inner = arc_points(geometry.radius - geometry.half_width, middle, geometry.half_angle, facets)
         outer = arc_points(geometry.radius + geometry.half_width, middle, geometry.half_angle, facets)
-        hit = slot == case.slot
+        hit = slot == where.slot
         look: dict[str, Any] = {"edgecolor": _COLOURS["ink" if hit else "muted"], "linewidth": 1.2 if hit else 0.6}
-        look |= {"facecolor": _COLOURS["fill"]} if case.alive[slot] else {"facecolor": "none", "linestyle": ":"}
+        look |= {"facecolor": _COLOURS["fill"]} if where.alive[slot] else {"facecolor": "none", "linestyle": ":"}
         axes.add_patch(Polygon([*inner, *reversed(outer)], closed=True, **look))
     axes.plot(0.0, 0.0, marker="+", color=_COLOURS["muted"])
 

@@ -1,1 +1,1 @@
-"""What was found: rows, cases, findings."""
+"""What was found: measurements, the rows of the table, coverage, and the whole result of a run."""

@@ -1,24 +1,49 @@
 """What one game's comparisons gave, or those of many games together."""
 
-from tools.crosscheck.comparisons.hit_frame import Moment
-from tools.crosscheck.results.cases import Case, Class, Comparison, Key, Samples
+from collections import Counter
+from typing import NamedTuple
+
+from tools.crosscheck.results.coverage import Cell
+from tools.crosscheck.results.measurements import ANYWHERE, Compared, Comparison, Key, Measurement, Samples, Situation, Verdict
+
+
+class ContactRecord(NamedTuple):
+    """One contact: where it was, what the game did, and every error.
+
+    point, normal, before, after: the game's. layers: left in the slot, by the game. compared: in the order of comparison.
+    """
+
+    situation: Situation
+    point: complex
+    normal: complex
+    before: complex
+    after: complex
+    layers: int
+    verdict: Verdict
+    cell: Cell
+    compared: tuple[Compared, ...]
 
 
 class Rows:
-    """The table's rows, the contacts by class, and the cases that need a word."""
+    """The table's rows, the contacts by verdict and by cell, and the measurements that need a word.
+
+    contacts: hits compared. elsewhere: unexplained measurements away from hits. freed, dropped: balls that the physics put
+    outside material, or stopped for the rest of a tick, confirmed by pymunk. records: one per contact, if they are asked for.
+    before_first: contacts compared before the first unexplained measurement; None where there is none.
+    """
 
     def __init__(self) -> None:
-        """Start with nothing.
-
-        contacts: hits compared; elsewhere: unexplained places that are no hits; set_free: hits of ticks in which the
-        physics put an overlapping ball outside, so that its flight cannot be rebuilt.
-        """
+        """Start with nothing."""
         self.samples: dict[Key, Samples] = {}
-        self.classes = dict.fromkeys(Class, 0)
-        self.cases: list[Case] = []
+        self.verdicts = dict.fromkeys(Verdict, 0)
+        self.cells: Counter[Cell] = Counter()
+        self.measurements: list[Measurement] = []
+        self.records: list[ContactRecord] = []
         self.contacts = 0
         self.elsewhere = 0
-        self.set_free = 0
+        self.freed = 0
+        self.dropped = 0
+        self.before_first: int | None = None
 
     def row(self, comparison: Comparison, feature: str) -> Samples:
         """The samples of one row."""
@@ -27,43 +52,44 @@ class Rows:
             samples = self.samples[comparison, feature] = Samples()
         return samples
 
-    def measure(
-        self,
-        moment: Moment,
-        kind: Class,
-        comparison: Comparison,
-        what: str,
-        measured: tuple[float, float],
-        answers: tuple[complex, complex],
-    ) -> None:
-        """Add one error with its bound to its row, and to the cases if it is unexplained."""
-        row = self.row(comparison, moment.feature)
-        if row.add(*measured):
-            row.worst = moment.case(kind, comparison, what, measured, answers)
-        if kind == Class.UNEXPLAINED:
-            self.disagree(moment.case(kind, comparison, what, measured, answers))
-
     @property
     def unexplained(self) -> int:
-        """Contacts and other places at which one of the two engines must be wrong."""
-        return self.classes[Class.UNEXPLAINED] + self.elsewhere
+        """Contacts and other moments at which one of the two engines must be wrong."""
+        return self.verdicts[Verdict.UNEXPLAINED] + self.elsewhere
 
-    def report(self, case: Case) -> None:
-        """Keep an unexplained case that is not at a hit."""
-        self.elsewhere += 1
-        self.disagree(case)
+    @property
+    def poses(self) -> int:
+        """Balls at the end of a tick whose presence was compared."""
+        return len(self.row(Comparison.PRESENCE_TICK, ANYWHERE))
 
-    def disagree(self, case: Case) -> None:
-        """Keep a case to list."""
-        self.cases.append(case)
+    def report(self, measurement: Measurement) -> None:
+        """Take a measurement away from hits; it counts as unexplained where its verdict says so."""
+        compared = measurement.compared
+        row = self.row(compared.comparison, measurement.situation.feature)
+        if row.add(compared.error, compared.bound):
+            row.worst = measurement
+        if compared.verdict == Verdict.UNEXPLAINED:
+            self.elsewhere += 1
+            self.measurements.append(measurement)
+            self.notice()
+
+    def notice(self) -> None:
+        """Remember how many contacts there were before something unexplained."""
+        if self.before_first is None:
+            self.before_first = self.contacts
 
     def merge(self, other: "Rows") -> None:
         """Take all that another game gave."""
+        if self.before_first is None and other.before_first is not None:
+            self.before_first = self.contacts + other.before_first
         for key, samples in other.samples.items():
             self.row(*key).merge(samples)
-        for kind, count in other.classes.items():
-            self.classes[kind] += count
-        self.cases.extend(other.cases)
+        for verdict, count in other.verdicts.items():
+            self.verdicts[verdict] += count
+        self.cells.update(other.cells)
+        self.measurements.extend(other.measurements)
+        self.records.extend(other.records)
         self.contacts += other.contacts
         self.elsewhere += other.elsewhere
-        self.set_free += other.set_free
+        self.freed += other.freed
+        self.dropped += other.dropped

@@ -1,0 +1,13 @@
+"""What the game adds to a mirror, as its description says it. Stated here once more, so that a change there is noticed."""
+
+MOST_BOUNCES = 32
+"""Bounces of one ball in one tick; what is left of the tick after them is dropped."""
+
+LEAST_SEPARATION = 1e-3
+"""Fraction of the ball's speed by which it leaves an inner face, or a turning end, faster than the surface."""
+
+LEAST_GRAZE = 1e-9
+"""The same for outer faces and ends at rest, which cannot meet the ball again."""
+
+STOPPED = 1e-12
+"""Fraction of the ball's speed. A shorter velocity has no direction: the ball leaves along the normal."""

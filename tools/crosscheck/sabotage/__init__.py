@@ -1,0 +1,1 @@
+"""Deliberate mistakes in the game's own code. A harness that cannot find them finds nothing."""
