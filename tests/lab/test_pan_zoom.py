@@ -28,7 +28,7 @@ def pixels():
 def test_what_is_under_the_pointer_stays_there(pan_zoom, pixel, steps):
     """The point of the world under the pointer stays there while the wheel zooms."""
     camera = pan_zoom.camera(BOX, AREA)
-    after = pan_zoom.zoomed(camera, BOX, AREA, pixel, steps)
+    after = pan_zoom.zoomed(BOX, AREA, pixel, steps)
     assert abs(after.camera(BOX, AREA).project(camera.unproject(pixel)) - pixel) < 1e-6
 
 
@@ -46,7 +46,7 @@ def test_the_world_stays_in_reach(moves):
     """After any drags and turns of the wheel the pan is bounded and the zoom is finite."""
     pan_zoom = PanZoom()
     for pixel, steps, offset in moves:
-        pan_zoom = pan_zoom.zoomed(pan_zoom.camera(BOX, AREA), BOX, AREA, pixel, steps)
+        pan_zoom = pan_zoom.zoomed(BOX, AREA, pixel, steps)
         pan_zoom = pan_zoom.dragged(pan_zoom.camera(BOX, AREA), offset)
         assert abs(pan_zoom.pan) <= 50.0 * (1.0 + 1e-12)
         assert 0.0 < pan_zoom.zoom < math.inf

@@ -43,11 +43,11 @@ class PanZoom(NamedTuple):
         """After the world was dragged by so many pixels."""
         return self._panned_to(self.pan - pixels.conjugate() / camera.scale)
 
-    def zoomed(self, camera: Camera, box: ViewBox, area: pygame.Rect, pixel: complex, steps: float) -> "PanZoom":
+    def zoomed(self, box: ViewBox, area: pygame.Rect, pixel: complex, steps: float) -> "PanZoom":
         """After some steps of the wheel; what is under the pixel stays there."""
         zoom = min(max(self.zoom * _STEP ** min(max(steps, -20.0), 20.0), _LEAST), _MOST)
         nearer = PanZoom(self.pan, zoom)
-        slipped = camera.unproject(pixel) - nearer.camera(box, area).unproject(pixel)
+        slipped = self.camera(box, area).unproject(pixel) - nearer.camera(box, area).unproject(pixel)
         return nearer._panned_to(self.pan + slipped)
 
     def _panned_to(self, pan: complex) -> "PanZoom":

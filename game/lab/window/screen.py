@@ -174,10 +174,10 @@ class Lab:
             case pygame.MOUSEBUTTONUP | pygame.WINDOWFOCUSLOST:
                 self._drag = None
             case pygame.MOUSEWHEEL:
-                for area, camera, _ in views:
-                    if area.collidepoint(self._pointer.real, self._pointer.imag):
+                for view in views:
+                    if view.area.collidepoint(self._pointer.real, self._pointer.imag):
                         box, steps = self._session.scene.view_box, float(event.precise_y)
-                        self._pan_zoom = self._pan_zoom.zoomed(camera, box, area, self._pointer, steps)
+                        self._pan_zoom = self._pan_zoom.zoomed(box, view.area, self._pointer, steps)
 
     def _move(self, drag: Drag, views: list[PaneView], pixels: complex) -> None:
         """Move what is held by so many pixels."""
