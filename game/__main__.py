@@ -24,6 +24,7 @@ from game.second_opinion import Compare, NormalPair
 from game.settings.file import SettingsFile, place
 from game.system.command_line import run, say
 from game.system.errors import BadInputError, CheckFailedError, EnvironmentMissingError
+from game.system.pygame_ce import check_pygame
 
 app = typer.Typer(
     help="A circular Breakout.",
@@ -117,6 +118,7 @@ def watch_replay(
     if len(files) > 1:
         raise BadInputError(f"replay: {len(files)} files to watch; expected one")
     recording = replay.load(files[0])
+    check_pygame()
     from game.app import Services, watch  # noqa: PLC0415  # pygame, only where it is needed
 
     with _settings() as settings:
@@ -148,8 +150,10 @@ def open_lab(
     elif headless:
         command.check_scenes(scene, drags, _second_engine())
     elif screenshot is not None:
+        check_pygame()
         command.save_picture(scene, screenshot, pixels, theme, _second_engine())
     else:
+        check_pygame()
         from game.app import Services, lab  # noqa: PLC0415  # pygame, only where it is needed
 
         with _settings() as settings:
@@ -189,6 +193,7 @@ def _play_headless(levels: tuple[Level, ...], seed: int, ticks: int, record: Pat
 
 def _play_in_window(levels: tuple[Level, ...], seed: int, record: Path | None, *, autopilot: bool) -> None:
     """The game in its window; without a display, a short demonstration and a picture of it instead."""
+    check_pygame()
     from game.app import Services  # noqa: PLC0415  # pygame, only where it is needed
     from game.app import play as play_in_window  # noqa: PLC0415
 
@@ -267,6 +272,7 @@ def _demonstrate(levels: tuple[Level, ...], seed: int, record: Path | None) -> N
 
 def _save_screenshot(last: _Last, path: Path, size: tuple[int, int], *, tipped: bool = False) -> None:
     """Draw a game into a PNG file; BadInputError where it cannot be written."""
+    check_pygame()
     from game.input.view import FROM_ABOVE, TIPPED  # noqa: PLC0415
     from game.screenshot import save_screenshot  # noqa: PLC0415  # pygame, only where it is needed
 

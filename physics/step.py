@@ -4,10 +4,10 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from physics.bounce import bounce, bounce_off_two
 from physics.broad_phase import in_band
 from physics.escape import all_freed
 from physics.free_flight import FreeFlight, free_flight, still_known
-from physics.response import bounce, bounce_off_two
 from physics.shapes import Arena, Ball, Contact, Ring, unchecked
 from physics.time_of_impact import Impact, first_impact, touched_now
 from physics.tolerances import MAX_IMPACTS, OVERLAP

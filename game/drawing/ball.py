@@ -10,7 +10,7 @@ from game.drawing.camera import Camera, Points
 from game.drawing.canvas import Canvas
 from game.drawing.light import ScreenLight, ball_light
 from game.drawing.palette import Theme, mixed
-from game.drawing.solid.ball_occlusion import hiding
+from game.drawing.solid.ball_occlusion import occluding_quads
 from game.drawing.solid.faces import ProjectedBlocks
 from game.scene import Scene
 from physics import Ball
@@ -18,11 +18,11 @@ from physics import Ball
 _OFFSETS = 4
 """Positions within a pixel, across and down each, that a ball has a picture for."""
 _SIZES = 4
-"""Radii per pixel that a ball has a picture for."""
+"""Radii within a pixel that a ball has a picture for."""
 _MOST_PICTURES = 512
-"""Pictures cached: a ball grows from the arena's far side to the near one, at all its positions within a pixel."""
+"""Pictures cached: of every radius from the arena's far side to the near one, at every position within a pixel."""
 _MARGIN = 2.0
-"""Pixels around a ball within which blocks are looked for that may hide it."""
+"""Blocks this many pixels around a ball are looked at, for they may hide it."""
 _FINER = 4
 """Rows and columns per pixel of the drawing that tells how much of a pixel is hidden."""
 _DARK = (20, 30, 70)
@@ -31,7 +31,7 @@ _DARK_SHARE = 0.55
 _WHITE = np.array((255.0, 255.0, 255.0))
 
 
-class _Look(NamedTuple):
+class _BallLook(NamedTuple):
     """What a ball's picture depends on.
 
     theme, light: as everywhere.
@@ -51,7 +51,7 @@ class BallPictures:
 
     def __init__(self) -> None:
         """Start with nothing cached."""
-        self._pictures: dict[_Look, pygame.Surface] = {}
+        self._pictures: dict[_BallLook, pygame.Surface] = {}
 
     def draw(self, canvas: Canvas, scene: Scene, blocks: ProjectedBlocks | None = None) -> None:
         """All balls of a scene, from back to front. blocks: what may hide them."""
@@ -65,15 +65,15 @@ class BallPictures:
         centre, radius = _on_screen(ball, camera)
         left, top = math.floor(centre.real), math.floor(centre.imag)
         across, down = int((centre.real - left) * _OFFSETS), int((centre.imag - top) * _OFFSETS)
-        picture = self._picture(_Look(canvas.theme, ball_light(camera), round(radius * _SIZES), across, down))
+        picture = self._picture(_BallLook(canvas.theme, ball_light(camera), round(radius * _SIZES), across, down))
         corner = complex(left - picture.get_width() // 2, top - picture.get_height() // 2)
         if blocks is not None:
-            hidden = hiding(blocks, camera, ball.position, centre, radius + _MARGIN)
+            hidden = occluding_quads(blocks, camera, ball.position, centre, radius + _MARGIN)
             if len(hidden):
                 picture = _without(picture, hidden - corner)
         canvas.surface.blit(picture, (corner.real, corner.imag))
 
-    def _picture(self, look: _Look) -> pygame.Surface:
+    def _picture(self, look: _BallLook) -> pygame.Surface:
         """The picture of a ball, drawn once."""
         if look not in self._pictures:
             if len(self._pictures) >= _MOST_PICTURES:
@@ -87,7 +87,7 @@ def _on_screen(ball: Ball, camera: Camera) -> tuple[complex, float]:
     return camera.project(ball.position, ball.radius), ball.radius * camera.scale_at(ball.position, ball.radius)
 
 
-def _ball_picture(look: _Look) -> pygame.Surface:
+def _ball_picture(look: _BallLook) -> pygame.Surface:
     """A shaded ball on a transparent square with an odd side, its centre in the middle pixel."""
     theme, light, radius = look.theme, look.light, look.size / _SIZES
     reach = math.ceil(radius) + 2

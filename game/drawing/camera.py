@@ -28,7 +28,8 @@ _BAND = 0.11
 _CENTRE = 4.0
 """Pixels; nearer to the arena's centre there is no bearing."""
 _HORIZON = 1e-4
-"""A pixel on the horizon or beyond it means a far point in its direction: the larger this, the less far."""
+"""Lines of sight are taken to be at least as steep as this share of the one straight ahead: pixels on the horizon and above it
+then mean far points."""
 
 
 class Camera(NamedTuple):

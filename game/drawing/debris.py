@@ -11,7 +11,7 @@ from game.drawing.light import LIGHT
 from game.drawing.palette import Colour, Theme, layer_colour
 from game.drawing.raster.pixels import pairs
 from game.drawing.raster.primitives import HALF_PIXEL
-from game.drawing.solid.debris_occlusion import covered
+from game.drawing.solid.debris_occlusion import occluded
 from game.drawing.solid.prisms import Flags
 from game.effects.bursts import Burst, Matter
 from game.effects.debris import Pieces, pieces
@@ -27,7 +27,7 @@ _DIMMEST = 0.72
 _GLITTER, _WHITEST = 6.0, 0.6
 """How suddenly a plate glitters as it turns towards the light, and how far towards white."""
 _STREAK_TICKS = 9
-"""A streak reaches back to where its spark was so long ago."""
+"""A streak reaches from where its spark is to where it was this many ticks ago."""
 _STREAK_WIDTH = 0.35
 """Half the width of a streak, in its spark's sizes."""
 _LEAST_SIZE = 0.35
@@ -58,7 +58,7 @@ def draw(canvas: Canvas, scene: Scene) -> None:
 def _shown(flying: Pieces, scene: Scene, camera: Camera) -> Flags:
     """Which pieces are large enough to see and not behind anything."""
     large = flying.size * camera.scale > _LEAST_SIZE
-    return large if camera.flat else large & ~covered(flying.position, flying.height, scene, camera)
+    return large if camera.flat else large & ~occluded(flying.position, flying.height, scene, camera)
 
 
 def _some(flying: Pieces, which: Flags) -> Pieces:

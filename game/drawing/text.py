@@ -9,9 +9,9 @@ from game.drawing.palette import Colour
 _SMALLEST, _LARGEST = 6, 400
 """Sizes of letters, pixels."""
 _MOST_LINES, _MOST_FONTS = 256, 32
-"""Lines and fonts cached."""
+"""Lines and fonts cached, at most."""
 _FINER = 3
-"""Letters are drawn this much larger and scaled down: they stand where they belong, not on whole pixels."""
+"""Letters are drawn this much larger and scaled down: gaps between them are then right to a fraction of a pixel."""
 
 
 class Type:
@@ -98,7 +98,7 @@ def stepped(size: float) -> float:
 
 
 def _ink(letter: pygame.Surface) -> pygame.Rect:
-    """The columns that a letter covers, at full height; of a space, which covers none, all."""
+    """The columns that a letter covers, at full height; for a space, which covers none, all of its columns."""
     ink = letter.get_bounding_rect()
     if ink.width == 0:
         return pygame.Rect(0, 0, letter.get_width(), letter.get_height())

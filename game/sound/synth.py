@@ -49,7 +49,6 @@ class Patch(Enum):
     CLEARED = auto()
     WON = auto()
     OVER = auto()
-    POWER_UP = auto()
 
 
 class Note(NamedTuple):
@@ -189,11 +188,6 @@ def _over(rate: int) -> Waveform:
     return _finished(_sequence(notes, rate), 1.1, rate)
 
 
-def _power_up(rate: int) -> Waveform:
-    """Three quick steps up an octave, like a coin."""
-    return _finished(_melody((3, 5, 8), 0.055, 0.12, rate), 0.9, rate)
-
-
 _VOICES: dict[Patch, Callable[[int], Waveform]] = {
     Patch.SERVE: _serve,
     Patch.PADDLE: _paddle,
@@ -203,7 +197,6 @@ _VOICES: dict[Patch, Callable[[int], Waveform]] = {
     Patch.CLEARED: _cleared,
     Patch.WON: _won,
     Patch.OVER: _over,
-    Patch.POWER_UP: _power_up,
 }
 
 

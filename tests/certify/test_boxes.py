@@ -64,7 +64,7 @@ def test_a_root_and_a_product_over_a_box_hold_for_its_floats(middle, half, share
     try:
         found = box.sqrt()
     except BranchBorderError:
-        assert half >= middle
+        assert half >= middle * (1.0 - 1e-8)  # a radius is kept with 30 bits, rounded up
         return
     assert found.exact.overlaps(arb(x).sqrt())
     assert abs(arb(root) - arb(x).sqrt()) <= found.error
@@ -120,7 +120,7 @@ def test_every_box_is_proved(box):
 
 PLAIN = {
     "direction": physics.direction,
-    "min_difference": lambda a, b=0.0: [physics.min_difference(a, b)],
+    "min_difference": lambda *angles: [physics.min_difference(*angles)],
     "closest_point_on_line": lambda *x: physics.closest_point_on_line(complex(*x[:2]), complex(*x[2:4]), complex(*x[4:])),
     "narrow_phase_case_1": lambda x, y, radius: physics.narrow_phase_case_1(complex(x, y), radius),
     "narrow_phase_case_2": lambda x, y, *more: physics.narrow_phase_case_2(complex(x, y), *more),
@@ -133,7 +133,9 @@ def test_floats_of_a_box_are_within_its_bound(box):
     chance = Random(5)
     for _ in range(200):
         inputs = [chance.uniform(*side) for side in box.ranges]
-        found = PLAIN[box.name.partition(",")[0]](*inputs)
+        function, _, which = box.name.partition(", ")
+        before, after = [0.0] * which.startswith("0 and"), [0.0] * which.endswith("and 0")
+        found = PLAIN[function](*before, *inputs, *after)
         try:
             expected = box.formula([arb(x) for x in inputs])
         except ValueError:

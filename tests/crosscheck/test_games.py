@@ -281,3 +281,13 @@ def test_a_squeezed_ball_that_used_up_its_bounces_is_confirmed():
     rows = checked_ticks([Tick(0, arena, dt, step, numbers_of_arena(arena, 8.0))], WANTED).rows
     assert rows.dropped == 1
     assert what(rows, Comparison.SET_FREE) == set()
+
+
+@pytest.mark.parametrize("facets", [3, 8, 4096])
+def test_the_bounds_hold_for_any_number_of_facets(facets):
+    """Also where a chord is so coarse that it lies behind the ball's centre, and its normal says nothing."""
+    rows = check_game(Job(Source(None, AIMED, 4, 600), facets)).rows
+    assert (rows.unexplained, rows.contacts > 1000) == (0, True)
+    assert all(
+        error <= bound for samples in rows.samples.values() for error, bound in zip(samples.errors, samples.bounds, strict=True)
+    )

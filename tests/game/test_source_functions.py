@@ -85,7 +85,7 @@ STAND_INS = {
     "physics.step.in_band": lambda *_: False,
     "physics.narrow_phase.min_difference": lambda *_: 0.0,
     "physics.narrow_phase.narrow_phase_case_1": lambda *_: 1 + 0j,
-    "physics.response.collision_response": lambda v, *_: -v,
+    "physics.bounce.collision_response": lambda v, *_: -v,
     "game.rules.broad_phase_outcome": lambda *_: physics.Outcome.GAME_OVER,
 }
 

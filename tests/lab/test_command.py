@@ -12,7 +12,7 @@ from game.lab import command
 from game.lab.kit.scene import Claim
 from game.lab.registry import scenes
 from game.lab.session.share import parsed
-from tests.game.system.test_command_line import polar
+from tests.support.command_line import polar
 
 
 def test_the_list_names_every_scene(capsys):

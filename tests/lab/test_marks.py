@@ -31,6 +31,7 @@ from game.lab.kit.picture import (
 )
 from game.lab.kit.scene import ViewBox
 from game.lab.kit.second_engine import EngineContact
+from game.lab.window import strokes
 from game.lab.window.canvas import PaneCanvas, camera_for, write_words
 from game.lab.window.colours import role_colour, text_colour
 from game.lab.window.marks import draw_marks
@@ -261,3 +262,29 @@ def test_any_zoom_can_be_drawn(canvas, scale):
         Arc(0j, 1.0, 0.0, 0.0, Role.PLAIN, label="0"),
     ]
     draw_marks(canvas._replace(camera=camera), [*[mark for mark, _ in MARKS], *degenerate, Annulus(0.0, 2.0, Role.ONE)])
+
+
+@pytest.mark.parametrize("reach", [30.0, 900.0, 9e5])
+def test_a_polygon_that_leaves_the_surface_looks_as_if_all_of_it_was_drawn(reach):
+    """What is seen of a slanted bar is right however far it reaches, to a pixel and a half: corners lie on whole pixels."""
+    surface = pygame.Surface((100, 60), 0, 32)
+    along, aside = 0.6 + 0.8j, 0.8 - 0.6j
+    corners = [50 + 30j + s * reach * along + t * 10.0 * aside for s, t in ((-1, -1), (1, -1), (1, 1), (-1, 1))]
+    strokes.draw_polygon(surface, (255, 255, 255), [(corner.real, corner.imag) for corner in corners])
+    columns, rows = np.indices(surface.get_size())
+    offset = (columns - 50) + 1j * (rows - 30)
+    length, width = (np.abs((offset * part.conjugate()).real) for part in (along, aside))
+    lit = pygame.surfarray.array3d(surface)[:, :, 0] > 0
+    assert lit[(width < 8.5) & (length < reach - 1.5)].all()
+    assert not lit[(width > 11.5) | (length > reach + 1.5)].any()
+
+
+def test_the_rows_of_a_polygon_that_are_not_seen_are_cut_off(monkeypatch):
+    """Pygame is given no more rows than the surface has, and two on either side; none at all where nothing is seen."""
+    given = []
+    monkeypatch.setattr(pygame.draw, "polygon", lambda _surface, _colour, corners: given.append(corners))
+    surface = pygame.Surface((100, 60), 0, 32)
+    strokes.draw_polygon(surface, (255, 255, 255), [(50.0, -9e5), (9e5, 30.0), (50.0, 9e5)])
+    assert all(-2 <= y <= 62 for _, y in given[0])
+    strokes.draw_polygon(surface, (255, 255, 255), [(50.0, -9e5), (90.0, -500.0), (50.0, -400.0)])
+    assert len(given) == 1

@@ -1,6 +1,7 @@
 """The lab's window, worked by posted events on the dummy driver."""
 
 import random
+from functools import cache
 
 import pygame
 import pytest
@@ -11,7 +12,7 @@ from game.drawing.text import Type
 from game.input.signals import PLAY_HELP
 from game.lab.kit.parameters import defaults
 from game.lab.kit.scene import Motion, picture_of
-from game.lab.registry import scenes
+from game.lab.registry import scene_named, scenes
 from game.lab.session import session
 from game.lab.session.checks import lines
 from game.lab.session.share import SharedScene, parsed
@@ -214,6 +215,15 @@ def test_every_command_has_a_key_and_no_key_two():
     assert command_of(pygame.K_F12) is None
 
 
+@cache
+def preset_pictures(name):
+    """What a scene shows at every preset, of one that runs the first picture and the last."""
+    scene = scene_named(name)
+    ticks = (0, scene.shows.ticks) if isinstance(scene.shows, Motion) else (0,)
+    every = [(given, state_at(scene, given, tick)) for given in lines(scene, Pymunk()) for tick in ticks]
+    return [picture_of(scene, given, state) for given, state in every]
+
+
 @pytest.mark.parametrize("scene", scenes(), ids=lambda scene: scene.name)
 @pytest.mark.parametrize("size", [(800, 600), (1280, 800), (3840, 2160), (900, 1600)])
 def test_the_words_fit_their_places(scene, size):
@@ -221,10 +231,8 @@ def test_the_words_fit_their_places(scene, size):
     layout = layout_of(size)
     sheet = TextSheet(pygame.Surface(size), layout, DARK, Type())
     assert draw_head(sheet, scene) <= layout.head.bottom
-    for given in lines(scene, Pymunk()):
-        ends = [state_at(scene, given, tick) for tick in ((0, scene.shows.ticks) if isinstance(scene.shows, Motion) else (0,))]
-        for state in ends:
-            assert draw_words(sheet, picture_of(scene, given, state)) <= layout.words.bottom
+    for picture in preset_pictures(scene.name):
+        assert draw_words(sheet, picture) <= layout.words.bottom
 
 
 @pytest.mark.parametrize("scene", scenes(), ids=lambda scene: scene.name)

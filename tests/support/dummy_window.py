@@ -25,8 +25,8 @@ def shared(level=0, seed=7, recorder=None, *, autopilot=False):
 class Desk:
     """Runs the app frame by frame and posts what a player does as events."""
 
-    def __init__(self, kept, screen, size=SIZE):
-        self.shared, self.screen = kept, screen
+    def __init__(self, state, screen, size=SIZE):
+        self.shared, self.screen = state, screen
         self.window = display.open_window("test", size)
         pygame.event.clear()
 

@@ -12,6 +12,7 @@ from game.levels import built_in
 from game.system.errors import BadInputError
 from physics import PHYSICS_VERSION
 from tools.crosscheck.comparisons.game import Checked, Wanted, checked_ticks
+from tools.crosscheck.games.aimed import SPECIAL
 from tools.crosscheck.games.sources import AIMED, AUTOPILOT, PLAYERS, RANDOM, Source, ticks_of
 from tools.crosscheck.results.coverage import ALL_CELLS
 from tools.crosscheck.results.rows import Rows
@@ -20,8 +21,8 @@ from tools.crosscheck.workers import Lost, results_of
 
 _ARENAS = 6
 """Random arenas of the default run."""
-_AIMED_TICKS = len(ALL_CELLS) * 41 // 40
-"""One contact for every cell, and the arenas whose ball is put inside material."""
+AIMED_TICKS = len(ALL_CELLS) * SPECIAL // (SPECIAL - 1)
+"""One contact for every cell, and the arenas of the other kinds."""
 
 
 class Job(NamedTuple):
@@ -111,7 +112,7 @@ def default_sources(seed: int, ticks: int) -> list[Source]:
     sources = [Source(None, level, seed + k, ticks) for k, level in enumerate(levels)]
     sources += [Source(None, level, seed + k, ticks, PLAYERS[1 + k % 2]) for k, level in enumerate(levels)]
     sources += [Source(None, RANDOM, seed + k, ticks // 4 + 1) for k in range(_ARENAS)]
-    return [*sources, Source(None, AIMED, seed, min(ticks, _AIMED_TICKS))]
+    return [*sources, Source(None, AIMED, seed, min(ticks, AIMED_TICKS))]
 
 
 class Choice(NamedTuple):

@@ -22,7 +22,7 @@ from game.drawing.slots.parts import Bar, SlotShape, parts, slot_shape
 from physics import Ring
 
 _FINE = 4
-"""Rows and columns of a slot's picture per pixel of the screen; half as many in large rings, where pixels are small."""
+"""Rows and columns of a slot's picture per pixel of the screen; in large rings half as many are enough."""
 _LARGE = 500.0
 """Pixels; outer radius from which a ring is large."""
 _MOST_COLUMNS = 1 << 16
@@ -101,7 +101,7 @@ class RingPicture:
         pixels_of(surface)[self._pixel_index] = self._atlas.ravel().take(index)
 
     def _arrange(self, surface: pygame.Surface, contents: tuple[SlotContent, ...]) -> None:
-        """Note where in the atlas each angle from slot 0 finds its column, twice around to save a modulo."""
+        """Note where in the atlas each column around the ring begins, from slot 0 on; twice around, which saves a modulo."""
         for content in dict.fromkeys(contents):
             if content not in self._columns_of:
                 self._columns_of[content] = self._added(surface, content)
@@ -110,7 +110,7 @@ class RingPicture:
         self._contents = contents
 
     def _added(self, surface: pygame.Surface, content: SlotContent) -> NDArray[np.int32]:
-        """Paint one more content into the atlas; where in it each column of a slot is."""
+        """Paint one more content into the atlas, and return where in it each column of a slot begins."""
         pile = parts(content, self._slot, 0.0, self._theme)
         marked = any([isinstance(part, Bar) for part in pile])
         angles = self._angles if marked else _grouped(self._angles, self._slot, self._scale)
@@ -127,7 +127,7 @@ class RingPicture:
 
 
 def _grouped(angles: Floats, slot: SlotShape, scale: float) -> Floats:
-    """The angles, with one in place of all that look alike: far from a sector's ends only the radius counts."""
+    """The angles, those at which a slot looks the same replaced by one: far from a sector's ends only the radius counts."""
     inner = slot.inner_radius * scale
     middle = slot.half_width * scale + 1.0
     flat = slot.half_angle - math.asin(min(middle / max(inner, 1e-9), 1.0))

@@ -13,7 +13,7 @@ from physics import PERMANENT
 GLOW_STEPS = 6
 """Steps from no glow to the full one: pictures of slots are cached, and every step is another picture."""
 _ECHO_GLOW = 2
-"""Glow of a slot that the front of a ring's light is just passing."""
+"""Glow of a slot while the front of the light that runs around its ring is passing."""
 
 
 class ContentKind(IntEnum):
@@ -26,7 +26,7 @@ class ContentKind(IntEnum):
     BRICKS = auto()
     STEEL = auto()
     GHOST = auto()
-    """The light of a brick that has just gone."""
+    """An empty slot whose last brick has just gone: its light is left for a moment."""
 
 
 class SlotContent(NamedTuple):

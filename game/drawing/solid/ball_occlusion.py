@@ -11,7 +11,7 @@ from game.drawing.solid.faces import ProjectedBlocks
 from game.drawing.solid.prisms import Flags, Points, Reals
 
 
-def hiding(blocks: ProjectedBlocks, camera: Camera, position: complex, pixel: complex, reach: float) -> Points:
+def occluding_quads(blocks: ProjectedBlocks, camera: Camera, position: complex, pixel: complex, reach: float) -> Points:
     """Quadrilaterals, one a row, in pixels, that cover every part of a block in front of a ball and near it on the screen.
 
     position: where the ball touches the ground; pixel, reach: centre and radius of a circle around the ball on the screen.

@@ -19,7 +19,7 @@ _STEPS = 12
 """Positions looked at on each line of sight."""
 
 
-def covered(points: Points, heights: Reals, scene: Scene, camera: Camera) -> Flags:
+def occluded(points: Points, heights: Reals, scene: Scene, camera: Camera) -> Flags:
     """Whether each point, at its height, world units, is behind something for a tipped camera."""
     walls = LAYER_HEIGHT * scene.ground_radius * _layers(scene.layers)
     sine, cosine = math.sin(camera.tilt), math.cos(camera.tilt)

@@ -26,7 +26,7 @@ from game.lab.kit.picture import (
 )
 from game.lab.window.canvas import PaneCanvas, arc_pixels, draw_circle, draw_stroke, write_words
 from game.lab.window.colours import role_colour, text_colour
-from game.lab.window.strokes import draw_disc, draw_path, draw_segment, is_near, rounded
+from game.lab.window.strokes import draw_disc, draw_path, draw_polygon, draw_segment, is_near, rounded
 
 _BALL_OPACITY = 60
 """Of 255: what a ball overlaps can be seen through it."""
@@ -146,7 +146,7 @@ def _draw_sector(canvas: PaneCanvas, mark: AnnularSector, colour: Colour) -> Non
     outline = [pixel for pixel in outer_arc + inner_arc if is_near(pixel)]
     if len(outline) < 3:
         return
-    pygame.draw.polygon(canvas.surface, fill, [(pixel.real, pixel.imag) for pixel in outline])
+    draw_polygon(canvas.surface, fill, [(pixel.real, pixel.imag) for pixel in outline])
     width = max(canvas.unit * _EDGE, 2.0)
     if mark.half_angle >= math.pi:
         for radius in (inner, outer):
@@ -181,7 +181,7 @@ def _draw_arrow(canvas: PaneCanvas, mark: Arrow, colour: Colour) -> None:
     head = min(canvas.unit * (0.75 if mark.stroke is Stroke.SOLID else 0.95), length * 0.7)
     draw_stroke(canvas, [start, tip - along * head * 0.8], colour, mark.stroke)
     corners = [tip, tip - along * head + along * 0.38j * head, tip - along * head - along * 0.38j * head]
-    pygame.draw.polygon(canvas.surface, colour, [(corner.real, corner.imag) for corner in corners])
+    draw_polygon(canvas.surface, colour, [(corner.real, corner.imag) for corner in corners])
     pygame.draw.aalines(canvas.surface, colour, True, [(corner.real - 0.5, corner.imag - 0.5) for corner in corners])
 
 

@@ -32,6 +32,18 @@ def draw_disc(surface: pygame.Surface, centre: complex, radius: float, colour: C
         pygame.draw.aacircle(surface, colour, (centre.real - 0.5, centre.imag - 0.5), max(radius, 0.5))
 
 
+def draw_polygon(surface: pygame.Surface, colour: Colour, corners: Sequence[Sequence[float]]) -> None:
+    """A filled polygon. Far above and below what is seen it is cut off first: pygame goes through every row of a polygon."""
+    seen = surface.get_clip().inflate(0, 2)
+    rows = [corner[1] for corner in corners]
+    if min(rows) < seen.top:
+        corners = _cut(corners, seen.top, 1)
+    if max(rows) > seen.bottom:
+        corners = _cut(corners, seen.bottom, -1)
+    if len(corners) > 2:
+        pygame.draw.polygon(surface, colour, corners)
+
+
 def draw_path(surface: pygame.Surface, pixels: Sequence[complex], colour: Colour, width: float) -> None:
     """A solid line through points: a smooth curve where they are many, else straight pieces."""
     if len(pixels) >= _CURVE:
@@ -58,7 +70,7 @@ def draw_segment(surface: pygame.Surface, start: complex, end: complex, colour: 
         return
     side = (end - start) / abs(end - start) * 1j * (width - 1.0) / 2.0
     corners = [start + side, end + side, end - side, start - side]
-    pygame.draw.polygon(surface, colour, [(corner.real + 0.5, corner.imag + 0.5) for corner in corners])
+    draw_polygon(surface, colour, [(corner.real + 0.5, corner.imag + 0.5) for corner in corners])
     pygame.draw.aalines(surface, colour, True, [(corner.real, corner.imag) for corner in corners])
 
 
@@ -71,9 +83,20 @@ def _draw_curve(surface: pygame.Surface, pixels: Sequence[complex], colour: Colo
     side = 1j * along / np.maximum(np.abs(along), 1e-9) * max(width - 1.0, 0.0) / 2.0
     left, right = (_pairs(line) for line in (points + side, points - side))
     if width > 1.5:
-        pygame.draw.polygon(surface, colour, left + right[::-1])
+        draw_polygon(surface, colour, left + right[::-1])
         pygame.draw.aalines(surface, colour, False, right)
     pygame.draw.aalines(surface, colour, False, left)
+
+
+def _cut(corners: Sequence[Sequence[float]], row: int, sign: int) -> list[Sequence[float]]:
+    """The part of a polygon below a row, with sign 1, or above it, with sign -1."""
+    kept: list[Sequence[float]] = []
+    for (x, y), (next_x, next_y) in pairwise([*corners, *corners[:1]]):
+        if sign * (y - row) >= 0.0:
+            kept.append((x, y))
+        if (y < row < next_y) or (next_y < row < y):
+            kept.append((x + (next_x - x) * (row - y) / (next_y - y), row))
+    return kept
 
 
 def _pairs(points: NDArray[np.complex128]) -> list[list[float]]:

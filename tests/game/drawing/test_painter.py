@@ -1,4 +1,4 @@
-"""The top-down picture shows what the geometry says, and drawing changes nothing."""
+"""The flat view shows what the geometry says, and drawing changes nothing."""
 
 import cmath
 import itertools
@@ -12,42 +12,35 @@ import pygame
 import pytest
 
 from game.autopilot import Autopilot
-from game.drawing.camera import layout
-from game.drawing.canvas import Canvas
 from game.drawing.flat.sector_colours import paint_parts
 from game.drawing.painter import Painter
 from game.drawing.palette import DARK, LIGHT, contrast, layer_colour, mixed
 from game.drawing.raster.annulus import annulus_pixels
 from game.drawing.slots.contents import ContentKind, SlotContent
 from game.drawing.slots.parts import DOT_SHADE, SlotShape, dots, parts
-from game.drawing.text import Type
 from game.effects import Effects
 from game.levels import built_in
 from game.replays.state_hash import state_hash
 from game.rules import PADDLES, new_game, tick
-from game.scene import scene_at, still
+from game.scene import scene_at
 from game.screenshot import save_screenshot
 from physics import PERMANENT
+from tests.support.games import game_after
+from tests.support.pictures import canvas_of
 
 SIZE = (900, 700)
-UNIT = 20.0
 
 
-def game_after(level, ticks, seed=3):
-    """An autopilot's game and its last tick."""
-    game, pilot = new_game(built_in()[level:], seed), Autopilot()
-    done = still(game)
-    for _ in range(ticks):
-        done = tick(done.game, pilot.controls(done.game))
-    return done
+def tick_after(level, ticks, seed=3):
+    """The last tick of an autopilot's game."""
+    return game_after(level, ticks, seed)[0]
 
 
 def painted(scene, size=SIZE, theme=DARK, painter=None):
     """A scene on a new surface, and the camera that saw it."""
-    surface = pygame.Surface(size, 0, 32)
-    camera = layout(size, scene.ground_radius).camera
-    (painter or Painter()).paint(Canvas(surface, camera, theme, Type(), UNIT), scene)
-    return surface, camera
+    canvas = canvas_of(scene, size, theme=theme)
+    (painter or Painter()).paint(canvas, scene)
+    return canvas.surface, canvas.camera
 
 
 def colour_at(surface, camera, point):
@@ -71,7 +64,7 @@ def top_colour(theme, layers):
 @pytest.mark.parametrize("level", range(7))
 def test_sectors_are_where_the_geometry_says(level, theme):
     """In the middle of every slot is the colour of what stands in it; half way to the next slot is the ground's."""
-    scene = bare(game_after(level, 1500))
+    scene = bare(tick_after(level, 1500))
     surface, camera = painted(scene, theme=theme)
     checked = 0
     for k, (ring, layers) in enumerate(zip(scene.rings, scene.layers, strict=True)):
@@ -94,7 +87,7 @@ def test_sectors_are_where_the_geometry_says(level, theme):
 @pytest.mark.parametrize("phase", [0.0, 0.001, 0.37, 3.0])
 def test_edges_lie_where_they_belong_to_a_fraction_of_a_pixel(phase):
     """At any angle the cover of all pixels of a ring adds up to the area of its sectors."""
-    scene = bare(game_after(0, 0))
+    scene = bare(tick_after(0, 0))
     ring = scene.rings[1]._replace(phase=phase, spin=0.1)
     scene = scene._replace(rings=(scene.rings[0], ring), layers=(scene.layers[0], (1,) * ring.count))
     surface, camera = painted(scene)
@@ -110,7 +103,7 @@ def test_edges_lie_where_they_belong_to_a_fraction_of_a_pixel(phase):
 
 def test_every_layer_of_a_stack_can_be_seen():
     """From a stack's face to its middle the colours of all its terraces come in order."""
-    scene = bare(game_after(4, 0))
+    scene = bare(tick_after(4, 0))
     surface, camera = painted(scene, (1800, 1400))
     ring, layers = scene.rings[1], scene.layers[1]
     assert max(layers) == 6
@@ -150,7 +143,7 @@ def test_a_dot_is_where_it_is_said_to_be():
 
 def test_what_cannot_break_differs_in_shape_too():
     """A steel sector is crossed by lines; a stack's top is plain."""
-    scene = bare(game_after(5, 0))
+    scene = bare(tick_after(5, 0))
     surface, camera = painted(scene)
     ring, layers = scene.rings[2], scene.layers[2]
 
@@ -164,7 +157,7 @@ def test_what_cannot_break_differs_in_shape_too():
 
 def test_the_ball_is_drawn_at_its_place():
     """The pixel under the ball's middle is bright; 2.5 radii away from it is the ground."""
-    done = game_after(0, 400)
+    done = tick_after(0, 400)
     scene = scene_at(done, 0.5, Effects())
     surface, camera = painted(scene)
     ball = scene.balls[0]
@@ -172,8 +165,8 @@ def test_the_ball_is_drawn_at_its_place():
     assert colour_at(surface, camera, ball.position * (1.0 - 2.5 * ball.radius / abs(ball.position))) == DARK.ground
 
 
-def test_a_remembered_picture_equals_a_fresh_one():
-    """Over thousands of ticks and a change of level, a painter that remembers draws what a new one draws."""
+def test_a_cached_picture_equals_a_fresh_one():
+    """Over thousands of ticks and a change of level, a used painter draws what a new one draws."""
     game, pilot, painter = new_game(built_in()[:3], 5), Autopilot(), Painter()
     compared = 0
     levels = set()
@@ -198,20 +191,20 @@ def test_drawing_leaves_the_game_alone():
         done = tick(game, pilot.controls(game))
         painted(scene_at(done, 0.3, Effects()), (120, 90), painter=painter)
         game = done.game
-    assert state_hash(game) == state_hash(game_after(3, 500, seed=11).game)
+    assert state_hash(game) == state_hash(tick_after(3, 500, seed=11).game)
 
 
 @pytest.mark.parametrize("size", [(1, 1), (2, 300), (300, 2), (17, 17), (7680, 40), (800, 600)])
 def test_any_size_can_be_drawn(size, tmp_path):
     """Pictures of one pixel, very wide and very high ones have the size that was asked for."""
     path = tmp_path / "picture.png"
-    save_screenshot(game_after(5, 300).game, path, size)
+    save_screenshot(tick_after(5, 300).game, path, size)
     assert pygame.image.load(path).get_size() == size
 
 
 def test_a_screenshot_is_a_full_picture(tmp_path):
     """A screenshot has many colours, the figures in its corner, and the same bytes every time."""
-    game = game_after(4, 700).game
+    game = tick_after(4, 700).game
     for name in ("one.png", "two.png"):
         save_screenshot(game, tmp_path / name, (800, 600))
     assert (tmp_path / "one.png").read_bytes() == (tmp_path / "two.png").read_bytes()
@@ -224,7 +217,7 @@ def test_a_screenshot_is_a_full_picture(tmp_path):
 def test_a_screenshot_that_cannot_be_written_says_so(tmp_path):
     """Writing into a folder that does not exist raises the system's error, with the path in it."""
     with pytest.raises(OSError, match="nowhere"):
-        save_screenshot(game_after(0, 0).game, tmp_path / "nowhere" / "picture.png", (64, 64))
+        save_screenshot(tick_after(0, 0).game, tmp_path / "nowhere" / "picture.png", (64, 64))
 
 
 @pytest.mark.parametrize("centre", [50 + 40j, 0j, -30 + 20j, 50.5 + 40.25j])

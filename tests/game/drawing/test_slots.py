@@ -1,5 +1,6 @@
 """What stands in a slot has one description, and both views keep to it."""
 
+import math
 import os
 
 os.environ["SDL_VIDEODRIVER"] = "dummy"
@@ -11,6 +12,7 @@ import pygame
 import pytest
 
 from game.drawing.flat.sample import brick_sample
+from game.drawing.flat.sector_colours import paint_parts
 from game.drawing.palette import DARK, LIGHT, layer_colour
 from game.drawing.slots.contents import (
     GLOW_STEPS,
@@ -106,3 +108,28 @@ def test_a_sample_is_a_brick_on_a_card(layers, size):
         assert tuple(card.get_at((0, size[1] - 1)))[:3] == LIGHT.panel
         if layers == 1:
             assert tuple(card.get_at((size[0] // 2, size[1] // 2)))[:3] == layer_colour(LIGHT, 1)
+
+
+@pytest.mark.parametrize("lean", [0.02, 0.05, 0.12])
+def test_a_bar_covers_its_area_with_smooth_edges(lean):
+    """However much it leans, its cover adds up to its area, and the pixels that it covers in part are those of its edges."""
+    scale, bar = 100.0, Bar(1.0, (4.8, -lean), (5.2, lean), 0.06, (255, 255, 255))
+    x, y = np.meshgrid(np.arange(200) + 0.5 - 100.0, np.arange(100) + 0.5 + 450.0)
+    radius, angle = np.hypot(x, y).astype(np.float32).ravel(), np.arctan2(x, y).astype(np.float32).ravel()
+    picture = np.zeros((radius.size, 3), dtype=np.float32)
+    paint_parts(picture, (bar,), SHAPE, scale, radius, angle)
+    cover = picture[:, 0] / 255.0
+    assert cover.sum() == pytest.approx(0.12 * 0.4 * scale**2, rel=0.02)
+    edges = 2.0 * (math.hypot(0.4, 2.0 * lean * 5.0) + 0.12) * scale
+    assert 0.8 * edges < ((cover > 0.01) & (cover < 0.99)).sum() < 1.6 * edges
+
+
+def test_bars_on_steel_are_equally_thick_on_every_slot():
+    """Measured across a bar, not along the arc: however flat the zigzag is, its lines are as thick."""
+    thick = []
+    for shape in (SHAPE, SHAPE._replace(half_angle=0.15), SHAPE._replace(half_width=0.2), SHAPE._replace(radius=3.0)):
+        for bar in [part for part in parts(SlotContent(ContentKind.STEEL), shape, 0.0, DARK) if isinstance(part, Bar)]:
+            lean = (bar.outer[1] - bar.inner[1]) * shape.radius / (bar.outer[0] - bar.inner[0])
+            thick.append(2.0 * bar.half_width / math.hypot(1.0, lean))
+    assert len(thick) > 8
+    assert thick == pytest.approx([thick[0]] * len(thick))

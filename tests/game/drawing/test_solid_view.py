@@ -1,4 +1,4 @@
-"""The tipped camera: what stands in front hides what is behind, from every angle, and tipping changes nothing else."""
+"""The solid view: what stands in front hides what is behind, from every angle, and tipping changes nothing else."""
 
 import itertools
 import math
@@ -13,52 +13,46 @@ import pytest
 
 from game.autopilot import Autopilot
 from game.drawing.camera import layout
-from game.drawing.canvas import Canvas
 from game.drawing.light import LIGHT, SHADOW_SLANT
 from game.drawing.painter import Painter
 from game.drawing.palette import DARK, layer_colour
 from game.drawing.slots.contents import ContentKind, SlotContent, resting_contents, slot_contents
 from game.drawing.slots.parts import LAYER_HEIGHT, Bar, Slab, SlotShape, height, parts
 from game.drawing.solid import faces, picture
-from game.drawing.solid.ball_occlusion import hiding
+from game.drawing.solid.ball_occlusion import occluding_quads
 from game.drawing.solid.painters_order import back_to_front
 from game.drawing.solid.picture import SolidPicture
 from game.drawing.solid.prisms import Cut, ring_blocks, wedges_of
-from game.drawing.text import Type
 from game.effects import Effects, after
 from game.effects.drops import Drop
 from game.input.view import FROM_ABOVE, TIPPED, View
 from game.levels import built_in
 from game.replays.state_hash import state_hash
 from game.rules import new_game, tick
-from game.scene import scene_at, still
+from game.scene import scene_at
 from game.screenshot import save_screenshot
 from physics import Ball, contact
+from tests.support.games import game_after
 from tests.support.paths import REFERENCE
+from tests.support.pictures import camera_of, canvas_of
 
 SIZE = (480, 360)
-
-
-def game_after(level, ticks, seed=3):
-    """The last tick of an autopilot's game, and its effects."""
-    game, pilot, effects = new_game(built_in()[level:], seed), Autopilot(), Effects()
-    done = still(game)
-    for _ in range(ticks):
-        done = tick(done.game, pilot.controls(done.game))
-        effects = after(effects, done)
-    return done, effects
+HIGHEST = 0.45 * 8
+"""World units: as high as the highest stack."""
+STEP = 7.5e-5
+"""Of a line of sight, as a part of its length: how finely it is marched along."""
 
 
 def seen_from(view, scene, size=SIZE):
     """The camera of a view."""
-    return view.seen(layout(size, scene.ground_radius)).camera
+    return camera_of(view, scene, size)
 
 
 def painted(scene, camera, size=SIZE):
     """A scene on a new surface."""
-    surface = pygame.Surface(size, 0, 32)
-    Painter().paint(Canvas(surface, camera, DARK, Type(), 10.0), scene)
-    return surface
+    canvas = canvas_of(scene, size, camera=camera)
+    Painter().paint(canvas, scene)
+    return canvas.surface
 
 
 def first_met(scene, eye, ray, reach):
@@ -66,23 +60,29 @@ def first_met(scene, eye, ray, reach):
 
     Found by marching along the line: no order, no projection, no polygons.
     """
-    steps = np.linspace(reach[0], reach[1], 8000)
+    steps = np.arange(*reach, STEP * reach[1])
     x, y, z = (eye[k] + ray[k] * steps for k in range(3))
     radius, angle = np.hypot(x, y), np.arctan2(y, x)
     best, found, standing = math.inf, None, standing_heights(scene)
     for k, ring in enumerate(scene.rings):
-        pitch = math.tau / ring.count
-        slot = np.rint((angle - ring.phase) / pitch).astype(int) % ring.count
-        off = (angle - ring.phase - slot * pitch + math.pi) % math.tau - math.pi
+        near = np.flatnonzero(np.abs(radius - ring.radius) < ring.half_width)
+        slot, off = slots_at(ring, angle[near])
         top = standing[k][slot]
-        inside = (np.abs(radius - ring.radius) < ring.half_width) & (np.abs(off) < ring.half_angle) & (z < top) & (top > 0.0)
-        if inside.any() and steps[inside.argmax()] < best:
-            best, found = steps[inside.argmax()], k
+        inside = near[(np.abs(off) < ring.half_angle) & (z[near] < top) & (top > 0.0)]
+        if len(inside) and steps[inside[0]] < best:
+            best, found = steps[inside[0]], k
     for ball in scene.balls:
         inside = np.sqrt((x - ball.position.real) ** 2 + (y - ball.position.imag) ** 2 + (z - ball.radius) ** 2) < ball.radius
         if inside.any() and steps[inside.argmax()] < best:
             best, found = steps[inside.argmax()], "ball"
     return found
+
+
+def slots_at(ring, angle):
+    """The nearest slots to some angles, and how far from their middles these are."""
+    pitch = math.tau / ring.count
+    slot = np.rint((angle - ring.phase) / pitch).astype(int) % ring.count
+    return slot, (angle - ring.phase - slot * pitch + math.pi) % math.tau - math.pi
 
 
 def standing_heights(scene):
@@ -92,7 +92,7 @@ def standing_heights(scene):
 
 
 def sight(camera, pixel):
-    """The line of sight through a pixel: the eye, its unit direction, and the part of it where things may be."""
+    """The line of sight through a pixel: the eye, its unit direction, and the part of it low enough for things to be there."""
     ground = camera.unproject(pixel)
     bearing = camera.azimuth - math.pi / 2.0
     towards = np.array(
@@ -101,7 +101,7 @@ def sight(camera, pixel):
     eye = towards / camera.closeness
     ray = np.array([ground.real, ground.imag, 0.0]) - eye
     length = float(np.linalg.norm(ray))
-    return eye, ray / length, (0.4 * length, length)
+    return eye, ray / length, ((1.0 - HIGHEST / eye[2]) * length, length)
 
 
 VIEWS = [
@@ -196,12 +196,12 @@ def test_what_is_far_on_the_screen_hides_no_ball(level):
     hidden = 0
     for view in VIEWS:
         camera = seen_from(view, base)
-        canvas = Canvas(pygame.Surface(SIZE, 0, 32), camera, DARK, Type(), 10.0)
+        canvas = canvas_of(base, SIZE, camera=camera)
         blocks = SolidPicture().draw_blocks(canvas, base, slot_contents(base))
         for _ in range(4):
             ball = free_ball(base, chance)
             pixel, reach = camera.project(ball.position, ball.radius), 8.0
-            near, every = (mask_of(hiding(blocks, camera, ball.position, pixel, wide)) for wide in (reach, 1e6))
+            near, every = (mask_of(occluding_quads(blocks, camera, ball.position, pixel, wide)) for wide in (reach, 1e6))
             around = np.hypot(x - pixel.real, y - pixel.imag) < reach - 1.5
             assert np.array_equal(near[around], every[around])
             hidden += every[around].any()
@@ -215,13 +215,11 @@ def in_shadow(scene, spot, tilt):
     ray = spot + LIGHT * SHADOW_SLANT * math.sin(tilt) * z
     radius, angle = np.abs(ray), np.angle(ray)
     for k, ring in enumerate(scene.rings):
-        pitch = math.tau / ring.count
-        slot = np.rint((angle - ring.phase) / pitch).astype(int) % ring.count
-        off = (angle - ring.phase - slot * pitch + math.pi) % math.tau - math.pi
+        near = np.flatnonzero(np.abs(radius - ring.radius) < ring.half_width)
+        slot, off = slots_at(ring, angle[near])
         top = standing[k][slot]
         foot = np.array([lifted.get((k, number), 0.0) for number in range(ring.count)])[slot]
-        within = (np.abs(radius - ring.radius) < ring.half_width) & (np.abs(off) < ring.half_angle)
-        if (within & (z > foot) & (z < foot + top)).any():
+        if ((np.abs(off) < ring.half_angle) & (z[near] > foot) & (z[near] < foot + top)).any():
             return True
     return False
 
@@ -301,9 +299,9 @@ def test_eight_thousand_pixels_can_be_drawn():
     scene = scene_at(game_after(4, 300)[0], 0.5, Effects())
     painter = Painter()
     for size in ((7680, 4320), (320, 200)):
-        surface = pygame.Surface(size, 0, 32)
-        painter.paint(Canvas(surface, seen_from(TIPPED, scene, size), DARK, Type(), 20.0), scene)
-        middle = pygame.surfarray.array3d(surface)[size[0] // 3 : size[0] * 2 // 3, size[1] // 4 : size[1] * 2 // 3]
+        canvas = canvas_of(scene, size, TIPPED)
+        painter.paint(canvas, scene)
+        middle = pygame.surfarray.array3d(canvas.surface)[size[0] // 3 : size[0] * 2 // 3, size[1] // 4 : size[1] * 2 // 3]
         assert len(np.unique(middle[::8, ::8].reshape(-1, 3), axis=0)) > 20
 
 
@@ -316,8 +314,7 @@ def test_tipping_leaves_the_game_alone():
         game, effects = done.game, after(effects, done)
         scene = scene_at(done, 0.3, effects)
         fell += bool(scene.drops)
-        camera = seen_from(VIEWS[number % 20], scene, (80, 60))
-        painter.paint(Canvas(pygame.Surface((80, 60), 0, 32), camera, DARK, Type(), 4.0), scene)
+        painter.paint(canvas_of(scene, (80, 60), VIEWS[number % 20]), scene)
     assert state_hash(game) == state_hash(game_after(4, 900)[0].game)
 
 

@@ -9,24 +9,21 @@ import numpy as np
 import pygame
 import pytest
 
-from game.autopilot import Autopilot
 from game.drawing import debris as debris_picture
-from game.drawing.camera import layout
-from game.drawing.canvas import Canvas
 from game.drawing.palette import DARK, layer_colour
 from game.drawing.slots.contents import resting_contents
 from game.drawing.slots.parts import LAYER_HEIGHT, height
-from game.drawing.solid.debris_occlusion import covered
-from game.drawing.text import Type
-from game.effects import Effects
+from game.drawing.solid.debris_occlusion import occluded
+from game.effects import NOTHING
 from game.effects.bursts import Burst, BurstOrigin, Matter, lifetime
 from game.effects.debris import THROWS, pieces
 from game.input.view import FROM_ABOVE, TIPPED, View
-from game.levels import built_in
-from game.rules import new_game, tick
-from game.scene import scene_at, still
+from game.scene import scene_at
+from tests.support.games import game_after
+from tests.support.pictures import camera_of, canvas_of
 
 RADIUS = 10.0
+SIZE = (480, 360)
 SECTOR = BurstOrigin(4.0, 0.2, 1.0, 0.1)
 MATTERS = pytest.mark.parametrize("matter", Matter)
 
@@ -38,16 +35,7 @@ def burst(matter=Matter.BRICK, age=0, seed=77, origin=SECTOR, direction=1j):
 
 def scene_of(level, ticks=0):
     """A level, played for a while."""
-    game, pilot = new_game(built_in()[level:], 3), Autopilot()
-    done = still(game)
-    for _ in range(ticks):
-        done = tick(done.game, pilot.controls(done.game))
-    return scene_at(done, 1.0, Effects())
-
-
-def camera_of(view, scene, size=(480, 360)):
-    """The camera of a view."""
-    return view.seen(layout(size, scene.ground_radius)).camera
+    return scene_at(game_after(level, ticks)[0], 1.0, NOTHING)
 
 
 @MATTERS
@@ -130,8 +118,8 @@ def test_what_hides_a_point_is_found_as_by_marching(level):
     points = np.sqrt(chance.random(300)) * 9.0 * np.exp(1j * chance.random(300) * math.tau)
     heights = chance.random(300) * 1.5
     for view in (TIPPED, View(1.0, 1.0, 2.0, 1.2), View(1.0, 0.5, -1.0, 0.9)):
-        camera = camera_of(view, scene)
-        found = covered(points, heights, scene, camera)
+        camera = camera_of(view, scene, SIZE)
+        found = occluded(points, heights, scene, camera)
         marched = np.array([blocked(scene, camera, point, above) for point, above in zip(points, heights, strict=True)])
         assert (found == marched).mean() > 0.95
         assert 0.03 < marched.mean() < 0.9
@@ -143,7 +131,7 @@ def test_a_gap_hides_nothing():
     paddles, pitch = scene.rings[0], math.tau / scene.rings[0].count
     within = paddles.radius * np.exp(1j * (paddles.phase + pitch * np.arange(paddles.count)))
     between = within * np.exp(0.5j * pitch)
-    found = covered(np.concatenate([within, between]), np.zeros(2 * paddles.count), scene, camera_of(TIPPED, scene))
+    found = occluded(np.concatenate([within, between]), np.zeros(2 * paddles.count), scene, camera_of(TIPPED, scene, SIZE))
     assert found.tolist() == [True] * paddles.count + [False] * paddles.count
 
 
@@ -169,11 +157,10 @@ def blocked(scene, camera, point, above):
 def test_shards_have_the_colour_of_their_layer(view):
     """On an empty surface every pixel that changes is a shade of it, or of it and white light."""
     scene = scene_of(0)._replace(layers=tuple([(0,) * len(ring) for ring in scene_of(0).layers]))
-    surface = pygame.Surface((480, 360), 0, 32)
-    surface.fill(DARK.ground)
-    canvas = Canvas(surface, camera_of(view, scene), DARK, Type(), 10.0)
+    canvas = canvas_of(scene, SIZE, view)
+    canvas.surface.fill(DARK.ground)
     debris_picture.draw(canvas, scene._replace(bursts=(burst(age=20),)))
-    pixels = pygame.surfarray.array3d(surface).reshape(-1, 3).astype(float)
+    pixels = pygame.surfarray.array3d(canvas.surface).reshape(-1, 3).astype(float)
     drawn = pixels[np.abs(pixels - DARK.ground).max(axis=1) > 60]
     assert len(drawn) > 30
     own = np.array(layer_colour(DARK, 2), dtype=float)
@@ -184,10 +171,9 @@ def test_shards_have_the_colour_of_their_layer(view):
 def test_nothing_to_draw_draws_nothing():
     """Without bursts the surface stays as it is, and with pieces that a wall hides, too."""
     scene = scene_of(4)
-    surface = pygame.Surface((480, 360), 0, 32)
-    canvas = Canvas(surface, camera_of(TIPPED, scene), DARK, Type(), 10.0)
+    canvas = canvas_of(scene, SIZE, TIPPED)
     debris_picture.draw(canvas, scene._replace(bursts=()))
     tower = scene.rings[1]
     inside = BurstOrigin(tower.radius, 0.0, tower.angle(0), 0.0)
     debris_picture.draw(canvas, scene._replace(bursts=(burst(origin=inside, direction=0j),)))
-    assert not pygame.surfarray.array3d(surface).any()
+    assert not pygame.surfarray.array3d(canvas.surface).any()

@@ -14,20 +14,20 @@ import pytest
 from game.autopilot import Autopilot
 from game.drawing import waves as wave_picture
 from game.drawing.camera import layout
-from game.drawing.canvas import Canvas
 from game.drawing.painter import Painter
 from game.drawing.palette import DARK
 from game.drawing.slots.contents import ContentKind, wall_contents
 from game.drawing.slots.parts import LAYER_HEIGHT, PADDLE_HEIGHT, Slab
 from game.drawing.solid.prisms import Cut, pushed, ring_blocks
-from game.drawing.text import Type
-from game.effects import ALL, FLASH_TICKS, Effects, Flash, Recoil, Wave, bursts
+from game.effects import ALL, FLASH_TICKS, NOTHING, Flash, Recoil, Wave, bursts
 from game.effects.waves import WAVE_TICKS, WaveTone
 from game.input.view import FROM_ABOVE, TIPPED, View
 from game.levels import built_in
 from game.rules import PADDLES, EventKind, new_game, tick
-from game.scene import scene_at, still
+from game.scene import scene_at
 from tests.support.dummy_window import shared
+from tests.support.games import game_after
+from tests.support.pictures import canvas_of
 
 SIZE = (900, 700)
 VIEWS = pytest.mark.parametrize("view", [FROM_ABOVE, TIPPED], ids=["flat", "tipped"])
@@ -35,19 +35,14 @@ VIEWS = pytest.mark.parametrize("view", [FROM_ABOVE, TIPPED], ids=["flat", "tipp
 
 def scene_of(level=4, ticks=0):
     """A level, played for a while, without anything that fades."""
-    game, pilot = new_game(built_in()[level:], 3), Autopilot()
-    done = still(game)
-    for _ in range(ticks):
-        done = tick(done.game, pilot.controls(done.game))
-    return scene_at(done, 1.0, Effects())._replace(aim=None, balls=())
+    return scene_at(game_after(level, ticks)[0], 1.0, NOTHING)._replace(aim=None, balls=())
 
 
 def painted(scene, view=FROM_ABOVE):
     """A scene as an array of colours, and the camera that saw it."""
-    surface = pygame.Surface(SIZE, 0, 32)
-    camera = view.seen(layout(SIZE, scene.ground_radius)).camera
-    Painter().paint(Canvas(surface, camera, DARK, Type(), 20.0), scene)
-    return pygame.surfarray.array3d(surface).astype(int), camera
+    canvas = canvas_of(scene, SIZE, view)
+    Painter().paint(canvas, scene)
+    return pygame.surfarray.array3d(canvas.surface).astype(int), canvas.camera
 
 
 def at(picture, camera, point, height=0.0):
@@ -154,10 +149,9 @@ def test_light_leaves_gaps_dark_and_flashes_alone():
 def test_a_wave_is_a_circle_on_the_ground(view):
     """It is drawn at its radius all around and nowhere else; before it begins and after it ends nothing is drawn."""
     scene = scene_of()
-    camera = view.seen(layout(SIZE, scene.ground_radius)).camera
-    surface = pygame.Surface(SIZE, 0, 32)
+    canvas = canvas_of(scene, SIZE, view)
+    surface, camera = canvas.surface, canvas.camera
     surface.fill(DARK.ground)
-    canvas = Canvas(surface, camera, DARK, Type(), 20.0)
     unseen = Wave(WaveTone.BAD, 2.0, 9.0, -1), Wave(WaveTone.BAD, 2.0, 9.0, WAVE_TICKS)
     wave_picture.draw(canvas, scene._replace(waves=unseen))
     assert len(np.unique(pygame.surfarray.array3d(surface).reshape(-1, 3), axis=0)) == 1

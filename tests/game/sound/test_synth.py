@@ -162,3 +162,10 @@ def test_a_rate_too_low_for_a_partial_leaves_it_out():
 def test_a_sound_is_the_same_every_time(note):
     """Computed again, a sound has the same samples, noise included."""
     assert np.array_equal(waveform(note, RATE), WAVES[note])
+
+
+def test_the_sounds_of_a_game_are_soon_drawn():
+    """The work is bounded by what there is to draw: no sound above 2 s, and all but the bricks' below 7 s together."""
+    seconds = [len(WAVES[note]) / RATE for note in NOTES if note.patch is not Patch.BRICK]
+    assert max(seconds) < 2.0
+    assert sum(seconds) < 7.0

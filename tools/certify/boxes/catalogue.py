@@ -19,7 +19,8 @@ DIRECTION = 2e-15
 LARGEST_ANGLE = 8.0
 """Radians: how far the first box reaches."""
 
-_TURN = (0.0, math.tau)
+_TURN = (0.0, math.nextafter(math.tau, 0.0))
+_ANGLES = (0.015625, 6.28125)
 _PADDLE = (0.2, 0.57, 5.0, 0.2, 0.4, 0.3)
 """A ball's radius and angle beside the counter-clockwise end of a sector: radius, middle angle, half width, half angle."""
 
@@ -46,15 +47,31 @@ def _directions() -> list[Box]:
 
 
 def _angles() -> list[Box]:
-    """`min_difference`: of any two normalised angles; and of any difference of two, down to the last bits."""
+    """`min_difference`: of two normalised angles; and of one and 0, either way round, down to the last bits.
+
+    The function depends on the difference of its arguments, rounded, alone: the last two boxes hold every difference.
+    """
     code = _code(physics.min_difference)
     return [
-        Box("min_difference, two angles in [0, 2 pi]", (_TURN, _TURN), lambda x: code(*x), formulas.min_difference, 2e-15),
         Box(
-            "min_difference, a difference in [-2 pi, 2 pi]",
-            ((-math.tau, math.tau),),
+            "min_difference, two angles in [1/64, 6 + 9/32]",
+            (_ANGLES, _ANGLES),
+            lambda x: code(*x),
+            formulas.min_difference,
+            2e-15,
+        ),
+        Box(
+            "min_difference, an angle in [0, 2 pi) and 0",
+            (_TURN,),
             lambda x: code(x[0], number(0.0)),
             lambda x: formulas.min_difference([x[0], arb(0)]),
+            2e-15,
+        ),
+        Box(
+            "min_difference, 0 and an angle in [0, 2 pi)",
+            (_TURN,),
+            lambda x: code(number(0.0), x[0]),
+            lambda x: formulas.min_difference([arb(0), x[0]]),
             2e-15,
         ),
     ]
@@ -113,10 +130,10 @@ def _ends() -> list[Box]:
     wide, narrow = (tuple([(value, value + size) for value in _PADDLE]) for size in (2.0**-10, 2.0**-24))
     return [
         box("beside the end", 1e-14, *near(5.0, 0.1, 0.03), *wide),
-        box("outer corner", 5e-13, *near(5.5, 0.1, 0.03), *wide),
-        box("inner corner", 5e-13, *near(4.5, 0.1, 0.03), *wide),
-        box("out of reach", 5e-13, *near(5.0, 0.5, 0.1), *wide),
-        box("all around the end", 5e-13, *near(5.0, 0.3, 0.25), *narrow),
+        box("outer corner", 1e-12, *near(5.5, 0.1, 0.03), *wide),
+        box("inner corner", 1e-12, *near(4.5, 0.1, 0.03), *wide),
+        box("out of reach", 1e-12, *near(5.0, 0.5, 0.1), *wide),
+        box("all around the end", 1e-12, *near(5.0, 0.3, 0.25), *narrow),
     ]
 
 

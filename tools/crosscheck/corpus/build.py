@@ -15,7 +15,7 @@ from tools.crosscheck.corpus.part import PartJob, finished_part, made_part
 from tools.crosscheck.files import write_whole
 from tools.crosscheck.games.sources import AIMED, AUTOPILOT, RANDOM, Source
 from tools.crosscheck.results.coverage import ALL_CELLS
-from tools.crosscheck.run import versions
+from tools.crosscheck.run import AIMED_TICKS, versions
 from tools.crosscheck.workers import Lost, results_of
 
 FORMAT = "polar-breakout corpus 1"
@@ -24,7 +24,7 @@ MANIFEST = "manifest.json"
 _AUTOPILOT_SEEDS, _AUTOPILOT_TICKS = 36, 36_000
 _HUMAN_SEEDS, _HUMAN_TICKS = 10, 14_400
 _RANDOM_SEEDS, _RANDOM_TICKS = 160, 6_000
-_AIMED_SEEDS, _AIMED_TICKS = 8, len(ALL_CELLS) * 41 // 40
+_AIMED_SEEDS = 8
 _ROOT = Path(__file__).resolve().parents[3]
 _CODE = ("physics", "game", "tools/crosscheck")
 
@@ -33,7 +33,7 @@ def corpus_sources() -> list[Source]:
     """The games of the corpus, always the same, the kinds mixed so that a part of the list is like the whole."""
     levels = [str(number + 1) for number in range(len(built_in()))]
     kinds = [
-        [Source(None, AIMED, seed, _AIMED_TICKS) for seed in range(1, _AIMED_SEEDS + 1)],
+        [Source(None, AIMED, seed, AIMED_TICKS) for seed in range(1, _AIMED_SEEDS + 1)],
         [Source(None, level, seed, _HUMAN_TICKS, "mouse") for seed in range(1, _HUMAN_SEEDS + 1) for level in levels],
         [Source(None, level, seed, _HUMAN_TICKS, "keys") for seed in range(1, _HUMAN_SEEDS + 1) for level in levels],
         [Source(None, RANDOM, seed, _RANDOM_TICKS) for seed in range(1, _RANDOM_SEEDS + 1)],

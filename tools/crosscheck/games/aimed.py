@@ -10,7 +10,7 @@ import random
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from physics import Arena, Ball, Ring
+from physics import Arena, Ball, Ring, contact
 from tools.crosscheck.games.level_numbers import UNBREAKABLE, numbers_of_arena
 from tools.crosscheck.games.trajectory import Advance, Tick
 from tools.crosscheck.results.coverage import ALL_CELLS, WIDTHS, Cell
@@ -29,8 +29,9 @@ _HALF_ANGLES = ((5.0, 19.0), (22.0, 85.0), (95.0, 165.0))
 """Degrees, by the cell's sector."""
 _STRIDE = 1009
 """Prime to the number of cells: any few cells in a row are of all kinds."""
-_PUT_INSIDE = 41
-"""One arena in so many has its first ball inside the material, for the physics to put it outside."""
+SPECIAL = 41
+"""One arena in so many is of another kind. In turn, its first ball lies inside material, for the physics to put it outside; or
+a ball is squeezed between two ends that close in on it, until it has used up its bounces."""
 
 
 class _Aim(NamedTuple):
@@ -46,10 +47,11 @@ def aimed_ticks(seed: int, ticks: int, physics: Advance) -> Iterator[Tick]:
     chance = random.Random(seed)
     sizes = [[_ring_sizes(chance, sector) for _ in range(_SIZES)] for sector in range(len(_HALF_ANGLES))]
     for number in range(ticks):
-        cell = ALL_CELLS[number * _STRIDE % len(ALL_CELLS)]
+        special, rest = divmod(number, SPECIAL)
+        cell = ALL_CELLS[(number - special) * _STRIDE % len(ALL_CELLS)]
         arena = _aimed_arena(chance, cell, chance.choice(sizes[cell.sector]))
-        if number % _PUT_INSIDE == _PUT_INSIDE - 1:
-            arena = _with_first_ball_inside(arena)
+        if rest == SPECIAL - 1:
+            arena = _squeezing_arena(chance) if special % 2 else _with_first_ball_inside(arena)
         yield Tick(number, arena, TICK, physics(arena, TICK, _SPEED), numbers_of_arena(arena, _SPEED))
 
 
@@ -62,7 +64,7 @@ def _ring_sizes(chance: random.Random, sector: int) -> Ring:
 
 
 def _aimed_arena(chance: random.Random, cell: Cell, sizes: Ring) -> Arena:
-    """A ring, and balls that touch it within a tick; the first of them as the cell says."""
+    """A ring, and balls that touch it within a tick; the first of them as the cell says, and outside material until then."""
     friction = (0.0, chance.uniform(0.1, 0.9), 1.0)[cell.friction]
     ball_radius = chance.uniform(0.1, 0.35)
     while True:
@@ -70,18 +72,20 @@ def _aimed_arena(chance: random.Random, cell: Cell, sizes: Ring) -> Arena:
         spin = 0.0 if cell.motion == 0 else chance.choice((-1.0, 1.0)) * chance.uniform(0.02, 0.3) * _SPEED / abs(aim.point)
         velocity = _velocity(aim, spin)
         along = (velocity.conjugate() * 1j * spin * aim.point).real
-        if cell.motion == 0 or (along > 0.0) == (cell.motion == 1):
+        if cell.motion != 0 and (along > 0.0) != (cell.motion == 1):
+            continue
+        moment, angle = chance.uniform(0.1, 0.9) * TICK, chance.uniform(0.0, math.tau)
+        ring = Ring(*sizes[:4], angle - spin * moment, spin, friction)
+        first = _ball(aim, velocity, ball_radius, (angle, moment))
+        if all(contact(first, ring, slot).gap > 0.0 for slot in range(ring.count)):
             break
-    moment = chance.uniform(0.1, 0.9) * TICK
-    angle = chance.uniform(0.0, math.tau)
-    ring = sizes._replace(spin=spin, friction=friction)
-    ring = Ring(*ring[:4], angle - spin * moment, spin, friction)
-    balls = [_ball(aim, velocity, ball_radius, (angle, moment))]
+    balls = [first]
     if cell.balls:
         for _ in range(2):
             aim = _aim(chance, sizes, chance.randrange(4), chance.randrange(5), chance.randrange(3))
             balls.append(_ball(aim, _velocity(aim, spin), ball_radius, (angle, moment)))
-    layers = tuple([chance.choice((UNBREAKABLE, 1, 2, 3)) for _ in range(ring.count)])
+    lasting = len(balls) - 1  # no other ball breaks the brick that the first is aimed at
+    layers = tuple([chance.choice((UNBREAKABLE, lasting + 1, lasting + 2, lasting + 3)) for _ in range(ring.count)])
     return Arena(tuple(balls), (ring,), (layers,))
 
 
@@ -130,3 +134,15 @@ def _with_first_ball_inside(arena: Arena) -> Arena:
     first = arena.balls[0]
     moved = Ball(first.position + first.velocity * (TICK + 0.6 * first.radius / _SPEED), first.velocity, first.radius)
     return arena._replace(balls=(moved, *arena.balls[1:]))
+
+
+def _squeezing_arena(chance: random.Random) -> Arena:
+    """A ball between the ends of two rings that turn towards each other, with hardly any room on either side."""
+    radius, ball_radius = chance.uniform(4.0, 8.0), chance.uniform(0.1, 0.3)
+    angle, spin = chance.uniform(0.0, math.tau), chance.uniform(0.3, 0.6) * _SPEED / radius
+    half_angle = chance.uniform(0.5, 1.5)
+    away = half_angle + math.asin(ball_radius * (1.0 + 1e-3) / radius)
+    rings = [Ring(radius, 0.4, half_angle, 1, angle + side * away, -side * spin) for side in (-1.0, 1.0)]
+    outward = cmath.rect(1.0, angle)
+    ball = Ball(outward * radius, outward * 1j * chance.choice((-_SPEED, _SPEED)), ball_radius)
+    return Arena((ball,), tuple(rings), ((UNBREAKABLE,), (UNBREAKABLE,)))

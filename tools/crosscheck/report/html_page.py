@@ -6,7 +6,7 @@ from html import escape
 
 from tools.crosscheck.comparisons.convergence import Curve
 from tools.crosscheck.report.page_style import STYLE
-from tools.crosscheck.report.plots import convergence_plot, coverage_chart, error_histogram, situation_picture
+from tools.crosscheck.report.plots import convergence_plot, error_histogram, situation_picture
 from tools.crosscheck.report.words import (
     BOUNDS,
     COMPARISON_NAMES,
@@ -19,7 +19,7 @@ from tools.crosscheck.report.words import (
     summaries,
     verdict,
 )
-from tools.crosscheck.results.coverage import ALL_CELLS, empty_cells, margins
+from tools.crosscheck.results.coverage import ALL_CELLS, NAMES, Margin, empty_cells, margins
 from tools.crosscheck.results.findings import Findings
 from tools.crosscheck.results.measurements import (
     FEATURES,
@@ -34,6 +34,8 @@ from tools.crosscheck.run import RunResult, versions
 _DRAWN = 4
 """Measurements drawn of each verdict; all are in the JSON file."""
 _LISTED = 200
+_CATCHERS = 3
+"""Comparisons named beside a mistake: those that noticed it most often."""
 
 
 def html_text(findings: Findings) -> str:
@@ -120,11 +122,27 @@ def _coverage(findings: Findings) -> Iterator[str]:
     yield f"<h2>Coverage</h2><p>{len(ALL_CELLS) - len(empty):,} of {len(ALL_CELLS):,} kinds of contact were met: every "
     yield "feature, the surface at rest, moving with the ball or against it, in every fifth of the width, head-on to glancing, "
     yield "with friction 0, between and 1, on narrow and wide sectors, with one ball and several.</p>"
-    yield f'<div class="wide"><figure class="chart">{coverage_chart(list(margins(cells)))}</figure></div>'
+    yield from _coverage_chart(list(margins(cells)))
     if empty:
         yield f"<details><summary>{len(empty):,} kinds without a contact</summary><ol>"
         yield from [f"<li>{escape(cell.words)}</li>" for cell in empty[:_LISTED]]
         yield f"</ol>{'' if len(empty) <= _LISTED else f'<p>and {len(empty) - _LISTED:,} more</p>'}</details>"
+
+
+def _coverage_chart(found: list[Margin]) -> Iterator[str]:
+    """Contacts by feature and by the value of every other dimension: numbers on bars, the longest for the most contacts."""
+    counts = {(margin.dimension, margin.value, margin.feature): margin.contacts for margin in found}
+    most = max([*counts.values(), 1])
+    heads = "".join([f"<th>{feature}</th>" for feature in FEATURES])
+    yield f'<table class="chart"><thead><tr><th>contacts</th>{heads}</tr></thead>'
+    for dimension, values in list(NAMES.items())[1:]:
+        yield f'<tbody><tr class="group"><th colspan="{len(FEATURES) + 1}">{dimension}</th></tr>'
+        for value in values:
+            numbers = [counts[dimension, value, feature] for feature in FEATURES]
+            cells = [f'<td style="--share: {100.0 * count / most:.1f}%">{count:,}</td>' for count in numbers]
+            yield f"<tr><th>{value}</th>{''.join(cells)}</tr>"
+        yield "</tbody>"
+    yield "</table>"
 
 
 def _sabotage(findings: Findings) -> Iterator[str]:
@@ -132,17 +150,20 @@ def _sabotage(findings: Findings) -> Iterator[str]:
     if findings.sabotage is None:
         return
     yield "<h2>Mistakes made on purpose</h2><p>Each was put into the game's own code, and the game went on with it.</p>"
-    yield '<div class="wide"><table class="mistakes"><thead><tr><th>mistake</th><th>caught by</th><th>contacts before</th><th>'
-    yield "unexplained</th></tr></thead><tbody>"
+    yield '<table class="mistakes"><thead><tr><th class="word">mistake</th><th class="word">caught by</th>'
+    yield "<th>contacts before</th><th>unexplained</th></tr></thead><tbody>"
     for one in findings.sabotage:
-        by = ", ".join([COMPARISON_NAMES[comparison] for comparison in one.unexplained]) or one.mistake.invisible or "nothing"
+        names = [COMPARISON_NAMES[comparison] for comparison in one.unexplained]
+        by = ", ".join(names[:_CATCHERS]) + (f" and {len(names) - _CATCHERS} more" if len(names) > _CATCHERS else "")
         first = "-" if one.first is None else f"{one.first:,}"
         style = "" if one.holds else ' class="bad"'
-        name = f"<b>{one.mistake.name}</b><br>{escape(one.mistake.sentence)}"
-        total = f"{sum(one.unexplained.values()):,} in {one.contacts:,}"
-        yield f'<tr{style}><th class="word">{name}</th><td class="word">{escape(one.lost or by)}</td>'
-        yield f"<td>{first}</td><td>{total}</td></tr>"
-    yield "</tbody></table></div>"
+        total = f"{sum(one.unexplained.values()):,} in {one.contacts:,} contacts"
+        yield f'<tr{style}><th class="word"><b>{one.mistake.name}</b> {escape(one.mistake.sentence)}</th>'
+        label = "caught by" if one.caught else "not caught"
+        words = one.lost or by or one.mistake.invisible or "no comparison noticed it"
+        yield f'<td class="word" data-label="{label}">{escape(words)}</td>'
+        yield f'<td data-label="contacts before">{first}</td><td data-label="unexplained">{total}</td></tr>'
+    yield "</tbody></table>"
 
 
 def _histograms(findings: Findings) -> Iterator[str]:
@@ -166,8 +187,7 @@ def _convergence(findings: Findings) -> Iterator[str]:
         yield (
             "<p>If our arcs were wrong, these lines would level off. Normals must fall as 1/N, times as 1/N² (dotted), and at "
             "every N the error must be the one that the contacts' positions on their chords give. "
-            + "; ".join(_curve_words(curve) for curve in findings.curves)
-            + ".</p>"
+            "</p><ul>" + "".join(f"<li>{_curve_words(curve)}</li>" for curve in findings.curves) + "</ul>"
         )
 
 

@@ -15,8 +15,7 @@ from matplotlib.patches import Circle, Polygon
 
 from tools.crosscheck.comparisons.convergence import Curve
 from tools.crosscheck.pymunk_model.facets import arc_points
-from tools.crosscheck.results.coverage import NAMES, Margin
-from tools.crosscheck.results.measurements import FEATURES, Measurement, Samples
+from tools.crosscheck.results.measurements import Measurement, Samples
 
 _COLOURS = {"ink": "#010101", "muted": "#020202", "ours": "#030303", "theirs": "#040404", "fill": "#050505", "paper": "#060606"}
 """Stand-ins that no picture uses otherwise; in the page each becomes a CSS variable of that name."""
@@ -85,31 +84,6 @@ def convergence_plot(curves: Sequence[Curve]) -> str:
         axes.set_ylabel("difference between the engines")
         axes.legend(loc="lower left", fontsize=9)
         return _svg(figure, "convergence")
-
-
-def coverage_chart(found: Sequence[Margin]) -> str:
-    """Contacts by feature and by the value of every dimension, as bars on a logarithmic scale."""
-    rows = [(dimension, value) for dimension, values in list(NAMES.items())[1:] for value in values]
-    counts = {(margin.feature, margin.dimension, margin.value): margin.contacts for margin in found}
-    longest = max([*counts.values(), 10])
-    with mpl.rc_context(_STYLE):
-        figure = Figure(figsize=(8.6, 5.2), layout="constrained")
-        panels = figure.subplots(1, len(FEATURES), sharey=True)
-        for axes, feature in zip(panels, FEATURES, strict=True):
-            for index, (dimension, value) in enumerate(rows):
-                count = counts[feature, dimension, value]
-                axes.barh(index, max(count, 0.5), color=_COLOURS["ours" if count else "theirs"], height=0.7)
-                axes.text(max(count, 0.5) * 1.15, index, f"{count:,}", va="center", fontsize=8)
-            axes.set_xscale("log")
-            axes.set_xlim(0.5, longest * 12.0)
-            axes.set_title(feature, fontsize=10)
-            axes.set_xticks([])
-            axes.minorticks_off()
-            axes.spines["bottom"].set_visible(False)
-            axes.tick_params(left=False)
-        panels[0].set_yticks(range(len(rows)), [f"{dimension}: {value}" for dimension, value in rows], fontsize=9)
-        panels[0].invert_yaxis()
-        return _svg(figure, "coverage")
 
 
 def situation_picture(name: str, measurement: Measurement, facets: int) -> str:

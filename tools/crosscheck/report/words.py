@@ -32,7 +32,7 @@ UNITS = {
     Comparison.SET_FREE: "length",
 }
 BOUNDS = {
-    "none": "ring, slot, feature and layers are the same or not",
+    "same": "ring, slot, feature and layers must be the same",
     "noise": "rounding: 7e-15 R, for normals 7e-15 (R + r)/r (derived in rounding.py)",
     "facet": "half a facet's angle, d/2; outside asin(R/(R + r) sin d/2)",
     "window": "touch of a ball larger and of one smaller by the noise",
@@ -57,7 +57,7 @@ def bound_source(key: Key) -> str:
 
 
 _SOURCES = {
-    Comparison.TARGET: "none",
+    Comparison.TARGET: "same",
     Comparison.TIME: "window",
     Comparison.BOUNCE: "mirror",
     Comparison.VELOCITY: "mirror",

@@ -1,4 +1,4 @@
-"""The tipped picture from frame to frame: nothing flickers while the camera moves, and memory changes nothing."""
+"""The solid view from frame to frame: nothing flickers while the camera moves, and what is cached changes nothing."""
 
 import math
 import os
@@ -11,58 +11,54 @@ import pygame
 import pytest
 
 from game.autopilot import Autopilot
-from game.drawing.camera import layout
-from game.drawing.canvas import Canvas
 from game.drawing.painter import Painter
-from game.drawing.palette import DARK
 from game.drawing.raster.quads import QuadRaster
-from game.drawing.solid import faces as solids
+from game.drawing.solid import faces
 from game.drawing.solid.painters_order import back_to_front
-from game.drawing.text import Type
 from game.effects import Effects, after
 from game.input.view import TIPPED, View
 from game.levels import built_in
 from game.rules import new_game, tick
-from game.scene import scene_at, still
+from game.scene import scene_at
+from tests.support.games import game_after
+from tests.support.pictures import canvas_of
 
 SIZE = (480, 360)
 BLOCK = 6
-"""Pixels each way; what pops in or out fills at least so many, the fringe of a moving edge does not."""
+"""Pixels across and down: what appears or vanishes fills at least a block, the fringe of a moving edge does not."""
 MOST = 30.0
-"""Shades of 255. Frames that only move stay below 22, because corners lie on half pixels; a wrong order makes 45 to 130."""
+"""Shades of 255. Even movement stays below 22, for corners lie on half pixels; a wrong order makes 45 to 130."""
 
 
 def scene_after(level, ticks, seed=3):
-    """What there is to see in an autopilot's game, without words."""
-    game, pilot, effects = new_game(built_in()[level:], seed), Autopilot(), Effects()
-    done = still(game)
-    for _ in range(ticks):
-        done = tick(done.game, pilot.controls(done.game))
-        effects = after(effects, done)
+    """The scene of an autopilot's game, without words."""
+    done, effects = game_after(level, ticks, seed)
     return scene_at(done, 0.4, effects)._replace(pops=())
 
 
 def frames(scene, views):
-    """The scene from one place after the other."""
-    painter, type_ = Painter(), Type()
+    """Pictures of a scene from one view after the other."""
+    painter = Painter()
     for view in views:
-        surface = pygame.Surface(SIZE, 0, 32)
-        painter.paint(Canvas(surface, view.seen(layout(SIZE, scene.ground_radius)).camera, DARK, type_, 10.0), scene)
-        yield pygame.surfarray.array3d(surface).astype(np.float32)
+        canvas = canvas_of(scene, SIZE, view)
+        painter.paint(canvas, scene)
+        yield pygame.surfarray.array3d(canvas.surface).astype(np.int16)
 
 
 def flicker(pictures):
-    """How far a frame is from half way between the one before and the one after, in its worst block of pixels.
+    """The largest distance of a block of pixels from the mean of the frames before and after, in shades of 255.
 
-    What moves evenly is half way; what is there in one frame and gone in the next is not.
+    What moves evenly is near that mean; what is there in one frame and gone in the next is not.
     """
     worst, pairs = 0.0, pairwise(pictures)
     before, _ = next(pairs)
     for picture, following in pairs:
-        off = np.abs(picture - (before + following) / 2.0).max(axis=2)
+        red, green, blue = np.moveaxis(np.abs(2 * picture - before - following), 2, 0)
+        off = np.maximum(np.maximum(red, green), blue)
         width, height = (length // BLOCK for length in off.shape)
-        blocks = off[: width * BLOCK, : height * BLOCK].reshape(width, BLOCK, height, BLOCK).mean(axis=(1, 3))
-        worst, before = max(worst, float(blocks.max())), picture
+        columns = off[: width * BLOCK, : height * BLOCK].reshape(width, BLOCK, -1).sum(axis=1)
+        blocks = columns.reshape(width, height, BLOCK).sum(axis=2)
+        worst, before = max(worst, float(blocks.max()) / (2 * BLOCK * BLOCK)), picture
     return worst
 
 
@@ -79,54 +75,55 @@ MOVES = {
 @pytest.mark.parametrize("level", [3, 4, 5, 6])
 @pytest.mark.parametrize("move", MOVES)
 def test_nothing_flickers_while_the_camera_moves(level, move):
-    """Every frame of a slow motion is half way between its neighbours but for the fringes of edges, ball and stacks too."""
+    """While the camera moves slowly, every frame is near the mean of its neighbours."""
     assert flicker(frames(scene_after(level, 1800), MOVES[move])) < MOST
 
 
 @pytest.mark.parametrize("level", [3, 4, 5, 6])
 def test_a_wrong_order_flickers(level, monkeypatch):
-    """An order for another angle in every frame is noticed: the measure measures."""
-    monkeypatch.setattr(solids, "back_to_front", lambda blocks, turn, *rest: back_to_front(blocks, 997.0 * turn, *rest))
+    """With blocks drawn in an order for another angle in every frame, the bound is exceeded."""
+    monkeypatch.setattr(faces, "back_to_front", lambda blocks, turn, *rest: back_to_front(blocks, 997.0 * turn, *rest))
     assert flicker(frames(scene_after(level, 1800), MOVES["orbit"][:12])) > MOST
 
 
-def test_a_remembered_picture_equals_a_fresh_one():
-    """Through hits, falls, a moving camera and a change of size, a painter that remembers draws what a new one draws."""
+def test_a_cached_picture_equals_a_fresh_one():
+    """Through hits, falls, a moving camera and a change of size, a used painter draws what a new one draws."""
     game, pilot, effects, painter, view = new_game(built_in()[4:], 3), Autopilot(), Effects(), Painter(), TIPPED
     compared = fell = 0
     for number in range(3000):
         done = tick(game, pilot.controls(game))
         game, effects = done.game, after(effects, done)
         scene = scene_at(done, 0.5, effects)
-        if number % 60 and not (scene.drops and number % 4 == 0):
+        if number % 60 and not (scene.drops and number % 8 == 0):
             continue
         if number > 1500:
             view = view._replace(azimuth=view.azimuth + 0.1, zoom=1.0 + number / 3000.0)
         size = (240, 180) if number % 1000 < 800 else (300, 260)
-        camera = view.seen(layout(size, scene.ground_radius)).camera
-        pictures = [pygame.Surface(size, 0, 32) for _ in range(2)]
-        for picture, used in zip(pictures, (painter, Painter()), strict=True):
-            used.paint(Canvas(picture, camera, DARK, Type(), 8.0), scene)
-        assert pygame.image.tobytes(pictures[0], "RGB") == pygame.image.tobytes(pictures[1], "RGB")
+        pictures = []
+        for one in (painter, Painter()):
+            canvas = canvas_of(scene, size, view)
+            one.paint(canvas, scene)
+            pictures.append(pygame.image.tobytes(canvas.surface, "RGB"))
+        assert pictures[0] == pictures[1]
         compared, fell = compared + 1, fell + bool(scene.drops)
     assert min(compared, fell) > 50
 
 
 @pytest.mark.parametrize("finer", [1, 2, 3])
 @pytest.mark.parametrize("size", [(700, 300), (97, 250), (1, 1)])
-def test_a_mosaic_looks_as_if_drawn_in_one_piece(size, finer):
-    """Tiles show what one large drawing scaled down shows, at and beyond the surface's borders, too, and what is below it."""
+def test_a_raster_looks_as_if_drawn_in_one_piece(size, finer):
+    """Tiles show what one large drawing scaled down would show, also where it leaves the surface."""
     chance = np.random.default_rng(5)
     low = chance.integers(-100, np.array(size) * finer + 60, (120, 1, 2))
     corners = (low + np.array([[0, 0], [60, 9], [66, 70], [-9, 80]])).astype(np.int32)
     colours = [pygame.Color(*chance.integers(0, 255, 3).tolist(), 255) for _ in corners]
     canvas = pygame.Surface((size[0] * finer, size[1] * finer), pygame.SRCALPHA, 32)
     mapped = np.array([canvas.map_rgb(colour) & 0xFFFFFFFF for colour in colours], dtype=np.uint32)
-    mosaic, whole, tiled = QuadRaster(), pygame.Surface(size, 0, 32), pygame.Surface(size, 0, 32)
+    raster, whole, tiled = QuadRaster(), pygame.Surface(size, 0, 32), pygame.Surface(size, 0, 32)
     whole.fill((40, 90, 20))
-    mosaic.draw(tiled, pixels(corners[:9]), mapped[:9], finer)
+    raster.draw(tiled, pixels(corners[:9]), mapped[:9], finer)
     tiled.fill((40, 90, 20))
-    mosaic.draw(tiled, pixels(corners), mapped, finer)
+    raster.draw(tiled, pixels(corners), mapped, finer)
     for colour, (a, b, c, d) in zip(colours, corners.tolist(), strict=True):
         first, second = ((a, b, c), (a, c, d)) if abs(a[1] - c[1]) <= abs(b[1] - d[1]) else ((b, c, d), (b, d, a))
         pygame.draw.polygon(canvas, colour, first)
@@ -138,31 +135,30 @@ def test_a_mosaic_looks_as_if_drawn_in_one_piece(size, finer):
 
 
 def pixels(corners):
-    """Columns and rows, along the last axis, as a mosaic takes them."""
+    """Columns and rows, along the last axis, as `QuadRaster` takes them."""
     return np.ascontiguousarray(corners, dtype=np.float32).view(np.complex64)[..., 0]
 
 
 def test_a_tile_that_shows_the_same_is_not_drawn_again(monkeypatch):
-    """Of a resting scene nothing is drawn twice; of one in which a paddle moves, only what is near it."""
+    """Of a scene at rest no tile is drawn twice; of one in which the paddles move, only some are."""
     scene = scene_after(0, 700)._replace(balls=(), trails=(), flashes=(), aim=None)
     drawn = []
     fill = QuadRaster._fill
     monkeypatch.setattr(QuadRaster, "_fill", lambda self, quads, *rest: drawn.append(quads.box) or fill(self, quads, *rest))
-    painter, type_ = Painter(), Type()
-    place = TIPPED.seen(layout((1280, 800), scene.ground_radius))
+    painter = Painter()
     turned = scene._replace(rings=(scene.rings[0]._replace(phase=0.3), *scene.rings[1:]))
     counts = []
     for seen in (scene, scene, turned):
         drawn.clear()
-        painter.paint(Canvas(pygame.Surface((1280, 800), 0, 32), place.camera, DARK, type_, 10.0), seen)
+        painter.paint(canvas_of(seen, (1280, 800), TIPPED), seen)
         counts.append(len(drawn))
     assert counts[0] > 10
     assert counts[1] == 0
     assert 0 < counts[2] < counts[0]
 
 
-def test_a_mosaic_of_nothing_changes_nothing():
-    """Neither no quadrilateral nor one beside the surface leaves a trace."""
+def test_a_raster_of_nothing_changes_nothing():
+    """No quadrilateral at all, or one beside the surface, changes no pixel."""
     surface = pygame.Surface((40, 30), 0, 32)
     beside = np.array([[[90, 10], [99, 10], [99, 20], [90, 20]]], dtype=np.int32)
     for corners in (beside[:0], beside):

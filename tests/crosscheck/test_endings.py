@@ -1,0 +1,111 @@
+"""How the command ends when it is stopped, or when nobody takes its output: one line, the right exit code, no process left."""
+
+import contextlib
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import pytest
+
+from tests.support.paths import ROOT
+
+pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="looks at /proc and /dev/full")
+SHORT = ("--games", "1", "--level", "6", "--ticks", "600")
+PATIENCE = 120.0
+"""Seconds after which a test gives up: far more than a busy machine needs."""
+
+
+@contextlib.contextmanager
+def started(*arguments, **options):
+    """The command, running; ended when the block is left, whatever happened."""
+    command = [sys.executable, "-m", "tools.crosscheck", *arguments]
+    process = subprocess.Popen(command, cwd=ROOT, stderr=subprocess.PIPE, text=True, start_new_session=True, **options)
+    try:
+        yield process
+    finally:
+        with contextlib.suppress(ProcessLookupError):
+            os.killpg(process.pid, signal.SIGKILL)
+        process.wait()
+        process.stderr.close()
+
+
+def children(pid):
+    """The processes that a process has started and that live."""
+    try:
+        return [int(word) for word in Path(f"/proc/{pid}/task/{pid}/children").read_text().split()]
+    except FileNotFoundError:
+        return []
+
+
+def wait_for(condition):
+    """Until a condition holds."""
+    end = time.monotonic() + PATIENCE
+    while not condition():
+        assert time.monotonic() < end, "waited in vain"
+        time.sleep(0.05)
+
+
+def gone(pid):
+    """Whether a process has ended: it is not there, or only its exit code is."""
+    try:
+        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] == "Z"
+    except FileNotFoundError:
+        return True
+
+
+def working(process):
+    """The worker processes that have loaded the harness and are at work."""
+    return [pid for pid in children(process.pid) if "chipmunk" in Path(f"/proc/{pid}/maps").read_text()]
+
+
+def test_sigterm_ends_the_workers_at_once():
+    """In the middle of long games: exit code 143, one line, and no worker is left."""
+    with started("--workers", "2", "--ticks", "200000", stdout=subprocess.DEVNULL) as process:
+        wait_for(lambda: len(working(process)) == 2)
+        workers = children(process.pid)
+        process.terminate()
+        _, err = process.communicate(timeout=PATIENCE)
+        assert (process.returncode, err) == (128 + signal.SIGTERM, "polar-crosscheck: ended by SIGTERM\n")
+        wait_for(lambda: all(gone(pid) for pid in workers))
+
+
+def test_workers_end_without_their_parent():
+    """A parent that is killed cannot end them: they notice, and say nothing."""
+    with started("--workers", "2", "--ticks", "3000", stdout=subprocess.DEVNULL) as process:
+        wait_for(lambda: len(working(process)) == 2)
+        workers = children(process.pid)
+        process.kill()
+        wait_for(lambda: all(gone(pid) for pid in workers))
+        assert process.stderr.read() == ""
+
+
+def test_a_full_output_is_one_line():
+    """What was checked is lost, and the exit code says that the machine could not take it."""
+    with Path("/dev/full").open("w") as full, started(*SHORT, stdout=full) as process:
+        _, err = process.communicate(timeout=PATIENCE)
+    assert (process.returncode, err) == (
+        3,
+        "polar-crosscheck: cannot write to the standard output; No space left on device\n",
+    )
+
+
+def test_a_closed_output_is_one_line_before_any_work():
+    """There is no standard output at all."""
+    with started(*SHORT, "--ticks", "200000", stdout=None, preexec_fn=lambda: os.close(1)) as process:
+        _, err = process.communicate(timeout=PATIENCE)
+    assert (process.returncode, err.count("\n")) == (3, 1)
+    assert "the standard output is closed" in err
+
+
+@pytest.mark.parametrize(("more", "code"), [((), 0), (("--sabotage", "weak-mirror"), 1)])
+def test_a_reader_that_has_gone_away_changes_no_exit_code(more, code):
+    """As in a pipe to `head`: nothing is said, and the exit code is that of the check."""
+    reader, writer = os.pipe()
+    os.close(reader)
+    with started(*SHORT, *more, stdout=writer) as process:
+        os.close(writer)
+        _, err = process.communicate(timeout=PATIENCE)
+    assert (process.returncode, err) == (code, "")
