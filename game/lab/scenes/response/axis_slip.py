@@ -153,6 +153,7 @@ SCENE = Scene(
     view_box=ViewBox(0j, 5.4 + 5.4j),
     shows=_picture,
     check=_check,
+    rows=(12,),
     presets=(
         Preset("off the ground", "theta=50&heading=200"),
         Preset("n along x: no difference", "theta=0&heading=160"),

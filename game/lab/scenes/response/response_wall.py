@@ -138,7 +138,6 @@ SCENE = Scene(
     view_box=ViewBox(0.4 + 7.2j, 5.4 + 3.4j),
     shows=_picture,
     check=_check,
-    rows=(12,),
     presets=(
         Preset("smooth", "mu=0"),
         Preset("full friction", "mu=1"),
