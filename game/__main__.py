@@ -20,10 +20,11 @@ from game.replays import file as replay
 from game.replays import history as kept
 from game.replays.verify import verified
 from game.rules import Game, Ticked
-from game.second_opinion import Compare, Opinions
+from game.second_opinion import Compare, NormalPair
 from game.settings.file import SettingsFile, place
 from game.system.command_line import run, say
 from game.system.errors import BadInputError, CheckFailedError, EnvironmentMissingError
+from game.system.pygame_ce import check_pygame
 
 app = typer.Typer(
     help="A circular Breakout.",
@@ -117,10 +118,11 @@ def watch_replay(
     if len(files) > 1:
         raise BadInputError(f"replay: {len(files)} files to watch; expected one")
     recording = replay.load(files[0])
-    from game.app import watch  # noqa: PLC0415  # pygame, only where it is needed
+    check_pygame()
+    from game.app import Services, watch  # noqa: PLC0415  # pygame, only where it is needed
 
     with _settings() as settings:
-        watch(recording, compare=_second_opinion(), engine=_second_engine, kept=settings, lost=_say_lost)
+        watch(recording, Services(_second_opinion(), _second_engine, settings, _say_lost))
 
 
 @app.command("lab")
@@ -148,12 +150,14 @@ def open_lab(
     elif headless:
         command.check_scenes(scene, drags, _second_engine())
     elif screenshot is not None:
+        check_pygame()
         command.save_picture(scene, screenshot, pixels, theme, _second_engine())
     else:
-        from game.app import lab  # noqa: PLC0415  # pygame, only where it is needed
+        check_pygame()
+        from game.app import Services, lab  # noqa: PLC0415  # pygame, only where it is needed
 
         with _settings() as settings:
-            lab(scene, _second_engine, kept=settings, lost=_say_lost)
+            lab(scene, Services(None, _second_engine, settings, _say_lost))
 
 
 def _verify(files: list[Path]) -> None:
@@ -189,7 +193,9 @@ def _play_headless(levels: tuple[Level, ...], seed: int, ticks: int, record: Pat
 
 def _play_in_window(levels: tuple[Level, ...], seed: int, record: Path | None, *, autopilot: bool) -> None:
     """The game in its window; without a display, a short demonstration and a picture of it instead."""
-    from game.app import play as play_in_window  # noqa: PLC0415  # pygame, only where it is needed
+    check_pygame()
+    from game.app import Services  # noqa: PLC0415  # pygame, only where it is needed
+    from game.app import play as play_in_window  # noqa: PLC0415
 
     keeper = kept.Keeper(record)
 
@@ -200,16 +206,8 @@ def _play_in_window(levels: tuple[Level, ...], seed: int, record: Path | None, *
 
     try:
         with _settings() as settings:
-            play_in_window(
-                levels,
-                seed,
-                keeper,
-                autopilot=autopilot,
-                compare=_second_opinion(),
-                engine=_second_engine,
-                kept=settings,
-                lost=lost,
-            )
+            services = Services(_second_opinion(), _second_engine, settings, lost)
+            play_in_window(levels, seed, services, recorder=keeper, autopilot=autopilot)
     except EnvironmentMissingError as error:
         say(f"polar-breakout: {error}; playing 20 s without a window instead")
         _demonstrate(levels, seed, record)
@@ -238,7 +236,7 @@ def _settings() -> Iterator[SettingsFile]:
 def _second_opinion() -> Compare:
     """Asks pymunk about contacts; it is loaded with the first of them."""
 
-    def compare(ticked: Ticked) -> tuple[Opinions, ...]:
+    def compare(ticked: Ticked) -> tuple[NormalPair, ...]:
         from tools.crosscheck.overlay import opinions  # noqa: PLC0415  # pymunk, only where it is needed
 
         return opinions(ticked)
@@ -274,8 +272,9 @@ def _demonstrate(levels: tuple[Level, ...], seed: int, record: Path | None) -> N
 
 def _save_screenshot(last: _Last, path: Path, size: tuple[int, int], *, tipped: bool = False) -> None:
     """Draw a game into a PNG file; BadInputError where it cannot be written."""
-    from game.drawing.painter import save_screenshot  # noqa: PLC0415  # pygame, only where it is needed
+    check_pygame()
     from game.input.view import FROM_ABOVE, TIPPED  # noqa: PLC0415
+    from game.screenshot import save_screenshot  # noqa: PLC0415  # pygame, only where it is needed
 
     try:
         save_screenshot(last.game, path, size, view=TIPPED if tipped else FROM_ABOVE, effects=after_all(last.passed))

@@ -5,6 +5,7 @@ import time
 from collections.abc import Callable
 from signal import SIGTERM, default_int_handler
 from signal import signal as on_signal
+from typing import NamedTuple
 
 import pygame
 
@@ -17,7 +18,8 @@ from game.levels import Level, built_in
 from game.overlay import toast
 from game.replays.file import Recording
 from game.replays.playback import Playback
-from game.screens.base import Listener, Recorder, Screen, Shared
+from game.screens.app_state import AppState, Recorder
+from game.screens.base import Listener, Screen
 from game.screens.play import Play
 from game.screens.title import Title
 from game.screens.watch import Watch
@@ -29,152 +31,151 @@ from game.system import window as display
 from game.system.display_lost import on_display_lost
 from game.system.errors import DisplayLostError
 
-_TITLE = "Polar Breakout"
 LOST = "the display is gone"
+_TITLE = "Polar Breakout"
 _IDLE_RATE = 20
-"""Pictures per second while nobody looks."""
+"""Frames per second while the window has no focus."""
+
+
+class Services(NamedTuple):
+    """What the program that opens a window gives it; each may be missing.
+
+    compare: asks another engine about a tick's contacts.
+    engine: makes the engine that the lab compares with.
+    settings: the file of the player's settings.
+    lost: told when the display is gone and the program is about to end without returning from here.
+    """
+
+    compare: Compare | None = None
+    engine: Callable[[], Engine] | None = None
+    settings: SettingsFile | None = None
+    lost: Callable[[], None] | None = None
+
+
+NO_SERVICES = Services()
 
 
 def play(
     levels: tuple[Level, ...],
     seed: int,
-    recorder: Recorder | None = None,
+    services: Services = NO_SERVICES,
     *,
+    recorder: Recorder | None = None,
     autopilot: bool = False,
-    compare: Compare | None = None,
-    kept: SettingsFile | None = None,
-    lost: Callable[[], None] | None = None,
-    engine: Callable[[], Engine] | None = None,
 ) -> int:
     """Open a window with the title, the first of the levels chosen, and play until it is closed; the exit code.
 
     recorder: told every tick of every game played. autopilot: it plays, from the first serve on, without a title.
-    compare: another engine to ask about contacts; engine: the lab's. kept: the player's settings.
-    lost: told when the display is gone and the program is about to end, with no way back to here.
     Raises EnvironmentMissingError without a display, DisplayLostError when it goes away.
     """
     catalogue = built_in() if levels[0] in built_in() else levels
-    lab = _lab_opener(engine)
-    shared = Shared(
-        catalogue, catalogue.index(levels[0]), seed, Title, recorder, autopilot, compare=compare, lab=lab, kept=kept
-    )
-    return _shown(shared, lambda: Play(shared, levels) if autopilot else Title(shared), lost, Audio)
+    state = _state(catalogue, services, catalogue.index(levels[0]), seed)
+    state.recorder, state.autopilot = recorder, autopilot
+    return _shown(state, lambda: Play(state, levels) if autopilot else Title(state), services, Audio)
 
 
-def watch(
-    recording: Recording,
-    *,
-    compare: Compare | None = None,
-    engine: Callable[[], Engine] | None = None,
-    kept: SettingsFile | None = None,
-    lost: Callable[[], None] | None = None,
-) -> int:
-    """Open a window that shows a recorded game until it is closed; the exit code. Options and errors are those of `play`."""
-    levels = tuple(recording.levels)
-    shared = Shared(levels, 0, recording.seed, Title, compare=compare, kept=kept)
-    shared.lab = _lab_opener(engine)
-    return _shown(shared, lambda: Watch(shared, Playback(recording)), lost, Audio)
+def watch(recording: Recording, services: Services = NO_SERVICES) -> int:
+    """Open a window that shows a recorded game until it is closed; the exit code. Errors are those of `play`."""
+    state = _state(tuple(recording.levels), services, 0, recording.seed)
+    return _shown(state, lambda: Watch(state, Playback(recording)), services, Audio)
 
 
-def lab(
-    line: str | None,
-    engine: Callable[[], Engine] | None = None,
-    *,
-    kept: SettingsFile | None = None,
-    lost: Callable[[], None] | None = None,
-) -> int:
+def lab(line: str | None, services: Services = NO_SERVICES) -> int:
     """Open a window with the lab until it is closed; the exit code. line: a share line, None for the first scene.
 
-    Raises BadInputError for a line that names no scene as it may stand. Options and other errors are those of `play`.
+    Raises BadInputError for a line that names no scene as it may stand. Other errors are those of `play`.
     """
-    opened = parsed(scenes()[0].name if line is None else line, None if engine is None else engine())
-    shared = Shared(built_in(), 0, 0, Title, kept=kept)
+    engine = None if services.engine is None else services.engine()
+    opened = parsed(scenes()[0].name if line is None else line, engine)
+    state = _state(built_in(), services, 0, 0)
 
     def first() -> Screen:
         from game.lab.window.screen import Lab  # noqa: PLC0415  # its widgets, only where they are needed
 
-        return Lab(shared, session.opened(opened))
+        return Lab(state, session.opened(opened))
 
-    return _shown(shared, first, lost)
+    return _shown(state, first, services)
 
 
-def _lab_opener(engine: Callable[[], Engine] | None) -> Callable[[Shared, Screen], Screen]:
+def _state(catalogue: tuple[Level, ...], services: Services, chosen: int, seed: int) -> AppState:
+    """The state that a window begins with."""
+    state = AppState(catalogue, chosen, seed, Title, compare=services.compare, settings_file=services.settings)
+    state.open_lab = _lab_opener(services.engine)
+    return state
+
+
+def _lab_opener(engine: Callable[[], Engine] | None) -> Callable[[AppState, Screen], Screen]:
     """What opens the lab over a screen of the game."""
 
-    def opened(shared: Shared, under: Screen) -> Screen:
+    def opened(state: AppState, under: Screen) -> Screen:
         from game.lab.window.screen import Lab  # noqa: PLC0415  # its widgets, only where they are needed
 
         other = None if engine is None else engine()
-        return Lab(shared, session.fresh(scenes()[0], other), under)
+        return Lab(state, session.fresh(scenes()[0], other), under)
 
     return opened
 
 
-def _shown(
-    shared: Shared,
-    opened: Callable[[], Screen],
-    lost: Callable[[], None] | None,
-    audio: Callable[[], Audio] | None = None,
-) -> int:
+def _shown(state: AppState, opened: Callable[[], Screen], services: Services, audio: Callable[[], Audio] | None = None) -> int:
     """Show screens in a window until the last one is left; the exit code. audio: opens the sound, where there is some."""
     window = display.open_window(_TITLE)
-    handler = on_display_lost(lambda: _last_words(shared, lost))  # noqa: F841  # must live as long as the window
+    handler = on_display_lost(lambda: _save(state, services.lost))  # noqa: F841  # must live as long as the window
     before = on_signal(SIGTERM, default_int_handler)  # to be ended is to be closed: nothing is lost
     try:
-        shared.audio = None if audio is None else audio()
-        shared.change(shared.settings if shared.kept is None else shared.kept.load())
-        run(window, shared, opened())
+        state.audio = None if audio is None else audio()
+        state.change(state.settings if state.settings_file is None else state.settings_file.load())
+        run(window, state, opened())
     except KeyboardInterrupt:
         pass
     finally:
         on_signal(SIGTERM, before)
-        shared.keep()
-        if shared.audio is not None:
-            shared.audio.close()
+        state.save_settings()
+        if state.audio is not None:
+            state.audio.close()
         pygame.quit()
     return 0
 
 
-def _last_words(shared: Shared, lost: Callable[[], None] | None) -> None:
+def _save(state: AppState, lost: Callable[[], None] | None) -> None:
     """Save what can be saved before the program ends."""
-    shared.keep()
+    state.save_settings()
     if lost is not None:
         lost()
 
 
-def run(window: pygame.Window, shared: Shared, first: Screen) -> None:
-    """The loop."""
-    gc.freeze()  # what was made until now stays: looking through it again and again would cost whole frames
+def run(window: pygame.Window, state: AppState, first: Screen) -> None:
+    """Draw frame after frame until the last screen is left or the window closed."""
+    gc.freeze()  # what was made until now stays: to search it for garbage again and again would cost whole frames
     clock, rate = pygame.time.Clock(), display.refresh_rate()
     screen: Screen | None = first
     before = time.perf_counter()
     while screen is not None:
         now = time.perf_counter()
-        screen = frame(window, shared, screen, now - before)
+        screen = frame(window, state, screen, now - before)
         before = now
         clock.tick(rate if window.focused else _IDLE_RATE)
 
 
-def frame(window: pygame.Window, shared: Shared, screen: Screen, seconds: float) -> Screen | None:
+def frame(window: pygame.Window, state: AppState, screen: Screen, seconds: float) -> Screen | None:
     """One turn of the loop: the screen to go on with, None once the window is closed or the last screen left."""
-    answered = _answered(window, shared, screen)
+    answered = _answered(window, state, screen)
     if answered is None:
         return None
     surface = _surface(window)
     following = answered.advance(seconds, surface.get_size())
     if following is not None:
         following.draw(surface)
-        shared.toast = toast.later(shared.toast, seconds)
-        if shared.toast is not None:
-            toast.draw(surface, shared.toast, shared.theme, shared.type)
+        state.toast = toast.later(state.toast, seconds)
+        if state.toast is not None:
+            toast.draw(state.canvas(surface), state.toast)
         _flip(window)
-    if shared.audio is not None:
-        shared.audio.prepare()
+    if state.audio is not None:
+        state.audio.prepare()
     return following
 
 
 def _surface(window: pygame.Window) -> pygame.Surface:
-    """What to draw on; DisplayLostError where there is nothing any more."""
+    """The window's surface; DisplayLostError where there is none any more."""
     try:
         return window.get_surface()
     except pygame.error as error:
@@ -189,13 +190,13 @@ def _flip(window: pygame.Window) -> None:
         raise DisplayLostError(f"{LOST}: {error}") from None
 
 
-def _answered(window: pygame.Window, shared: Shared, screen: Screen) -> Screen | None:
+def _answered(window: pygame.Window, state: AppState, screen: Screen) -> Screen | None:
     """The screen after all that the player did since the last frame; None once the window is closed or left."""
     size = _surface(window).get_size()
     for event in pygame.event.get():
         if event.type in (pygame.QUIT, pygame.WINDOWCLOSE):
             return None
-        following = _following(event, size, window, shared, screen)
+        following = _following(event, size, window, state, screen)
         if following is None:
             return None
         screen = following
@@ -203,35 +204,35 @@ def _answered(window: pygame.Window, shared: Shared, screen: Screen) -> Screen |
 
 
 def _following(
-    event: pygame.Event, size: tuple[int, int], window: pygame.Window, shared: Shared, screen: Screen
+    event: pygame.Event, size: tuple[int, int], window: pygame.Window, state: AppState, screen: Screen
 ) -> Screen | None:
     """The screen after one event. size: of the surface, pixels."""
     pixels_per_point = _pixels_per_point(window, size)
     signal = translated(event, pixels_per_point)
     if isinstance(screen, Listener):
-        if signal == Pressed(Action.FULL_SCREEN):
-            _toggle_full_screen(window, shared)
+        if isinstance(signal, Pressed) and signal.action is Action.FULL_SCREEN:
+            _toggle_full_screen(window, state)
             return screen
         return screen.hear(event, size, pixels_per_point)
-    if signal is None or (not _means_speed(signal, screen) and _answered_here(signal, window, shared)):
+    if signal is None or (not _means_speed(signal, screen) and _answered_here(signal, window, state)):
         return screen
-    if signal == Pressed(Action.LAB) and shared.lab is not None:
+    if signal == Pressed(Action.LAB) and state.open_lab is not None:
         left = screen.answer(FocusLost(), size)  # a game in play pauses
-        return None if left is None else shared.lab(shared, left)
+        return None if left is None else state.open_lab(state, left)
     return screen.answer(signal, size)
 
 
-def _answered_here(signal: Signal, window: pygame.Window, shared: Shared) -> bool:
-    """Whether the signal is one that means the same on every screen; if so it is obeyed."""
+def _answered_here(signal: Signal, window: pygame.Window, state: AppState) -> bool:
+    """Obey a signal that means the same on every screen; whether it is one."""
     if isinstance(signal, Released):
         return False
     match signal:
         case Pressed(Action.FULL_SCREEN):
-            _toggle_full_screen(window, shared)
+            _toggle_full_screen(window, state)
         case Pressed(Action.NORMALS):
-            shared.normals = not shared.normals and shared.compare is not None
-        case Pressed(action) if (now := changed(shared.settings, action)) is not None:
-            shared.change(*now)
+            state.shows_normals = not state.shows_normals and state.compare is not None
+        case Pressed(action) if (now := changed(state.settings, action)) is not None:
+            state.change(*now)
         case _:
             return False
     return True
@@ -242,10 +243,10 @@ def _means_speed(signal: Signal, screen: Screen) -> bool:
     return isinstance(screen, Watch) and signal in (Pressed(Action.LESS), Pressed(Action.MORE))
 
 
-def _toggle_full_screen(window: pygame.Window, shared: Shared) -> None:
-    """To the whole desktop and back."""
-    shared.full_screen = not shared.full_screen
-    if shared.full_screen:
+def _toggle_full_screen(window: pygame.Window, state: AppState) -> None:
+    """Make the window as large as the desktop, or as it was before."""
+    state.full_screen = not state.full_screen
+    if state.full_screen:
         window.set_fullscreen(desktop=True)
     else:
         window.set_windowed()

@@ -7,7 +7,7 @@ from game.rules import PADDLES, POINTER_STEPS, TICK, Controls, Game, Phase, padd
 from physics import (
     Arena,
     Ball,
-    Step,
+    FreeFlight,
     advance,
     angle_of,
     collision_response,
@@ -112,17 +112,17 @@ def _without_paddles(arena: Arena, ball: Ball) -> Arena:
 def _crossing(arena: Arena, track: float, speed: float) -> tuple[float, Arena, int] | None:
     """Time, arena and bricks hit when the ball's centre comes to the track from inside; None beyond the horizon."""
     hits = 0
-    done: Step | None = None
+    flight: FreeFlight | None = None
     for step in range(_HORIZON):
         ball = arena.balls[0]
         left = _time_to_radius(ball, track)
         if left <= _LOOK:
-            reached = advance(arena, max(left, 0.0), speed, done)
+            reached = advance(arena, max(left, 0.0), speed, flight)
             if not reached.hits:
                 return step * _LOOK + left, reached.arena, hits
-        done = advance(arena, _LOOK, speed, done)
+        done = advance(arena, _LOOK, speed, flight)
         hits += len(done.hits)
-        arena = done.arena
+        arena, flight = done.arena, done.flight
     return None
 
 
@@ -138,7 +138,7 @@ def _reachable(game: Game, bearing: float, spin: float, top: float, time: float)
     """Whether a paddle can be where its steady motion towards the bearing has to start."""
     paddles = paddle_ring(game)
     lead = min(time, _CUT_TIME)
-    start = bearing - spin * lead
+    start = normalize_angle(bearing - spin * lead)
     away = min([abs(signed_difference(start, paddles.angle(slot))) for slot in range(paddles.count)])
     slack = _COVER * paddles.half_angle if spin == 0.0 else 0.0
     return away <= top * (time - lead) + slack
@@ -150,7 +150,7 @@ def _worth(game: Game, arena: Arena, spin: float, top: float) -> float:
     paddles = paddle_ring(game)
     ball = arena.balls[0]
     normal = direction(angle_of(ball.position) + math.pi)
-    surface = paddles._replace(spin=spin).surface_velocity(ball.position)
+    surface = paddles.steered(spin).surface_velocity(ball.position)
     velocity = collision_response(ball.velocity, normal, surface, paddles.friction, speed)
     inside = Ball(ball.position + normal * (_LOOK * speed * 0.01), velocity, ball.radius)
     track = paddles.inner_radius - ball.radius

@@ -7,6 +7,7 @@ import math
 import tomllib
 from collections.abc import Iterator
 from functools import cache
+from importlib.resources import files
 from pathlib import Path
 from typing import Annotated, Any
 
@@ -20,7 +21,8 @@ MAX_FILE_SIZE = 64 * 1024
 _MAX_LINE = 1000
 _MAX_KEY_DOTS = 8
 _MAX_BRICKS = 5000
-_FOLDER = Path(__file__).parent / "levels"
+_FOLDER = files("game") / "levels"
+"""Inside an archive or a frozen application this is no folder of the file system."""
 
 Size = Annotated[float, Meta(gt=0.0, le=1000.0)]
 Degrees = Annotated[float, Meta(gt=0.0, le=180.0)]
@@ -96,7 +98,8 @@ class Level(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
 @cache
 def built_in() -> tuple[Level, ...]:
     """The levels that come with the game, in order."""
-    return tuple([load_file(path) for path in sorted(_FOLDER.glob("*.toml"))])
+    found = sorted([file for file in _FOLDER.iterdir() if file.name.endswith(".toml")], key=lambda file: file.name)
+    return tuple([parse(file.read_bytes(), file.name) for file in found])
 
 
 def chosen(wanted: str) -> tuple[Level, ...]:

@@ -5,11 +5,26 @@ Pure: a game and the controls of one tick in, the next game and its events out. 
 
 import math
 import random
+from collections.abc import Callable
 from enum import IntEnum
 from typing import NamedTuple
 
+import physics
 from game.levels import Level
-from physics import PERMANENT, Arena, Ball, Hit, Ring, Step, advance, direction, dot, has_left, signed_difference
+from physics import (
+    PERMANENT,
+    Arena,
+    Ball,
+    FreeFlight,
+    Hit,
+    Outcome,
+    Ring,
+    Step,
+    broad_phase_outcome,
+    direction,
+    dot,
+    signed_difference,
+)
 
 TICK = 1.0 / 240.0
 """Seconds per tick."""
@@ -17,7 +32,7 @@ LIVES = 3
 POINTER_STEPS = 65536
 """Steps of a full turn in `Controls.pointer`."""
 PADDLES = 0
-"""The paddles' place in `Arena.rings`."""
+"""Index of the paddles in `Arena.rings`."""
 BEST_COMBO = 8
 """Bricks in a row that multiply the points the most."""
 
@@ -32,6 +47,10 @@ _IDLE_CONTACTS = 12
 _IDLE_STEP = 3
 _NUDGE_LEAST = math.radians(5.0)
 _NUDGE_MORE = math.radians(15.0)
+
+
+Advance = Callable[[Arena, float, float, FreeFlight | None], Step]
+"""A physics: the arena, seconds, the balls' speed, and what the step before said of this one, to a step."""
 
 
 class Controls(NamedTuple):
@@ -67,7 +86,7 @@ class Game(NamedTuple):
     lives: int
     combo: int  # bricks hit since a paddle was
     idle: int  # contacts since a brick was hit
-    step: Step | None = None  # of the physics, the last with balls in play; it spares the next one work and decides nothing
+    flight: FreeFlight | None = None  # of the physics' last step with balls in play; it spares the next one work
 
     @property
     def level(self) -> Level:
@@ -115,12 +134,12 @@ def new_game(levels: tuple[Level, ...], seed: int) -> Game:
     return game._replace(arena=_with_served_ball(game, arena))
 
 
-def tick(game: Game, controls: Controls) -> Ticked:
-    """The game one tick later."""
+def tick(game: Game, controls: Controls, advance: Advance = physics.advance) -> Ticked:
+    """The game one tick later. advance: the physics that is flown, any function of the shape of `physics.advance`."""
     arena = _steered(game, controls)
     if game.phase == Phase.PLAYING:
-        return _played(game, arena)
-    step = advance(arena._replace(balls=()), TICK, game.level.ball.speed)
+        return _played(game, arena, advance)
+    step = advance(arena._replace(balls=()), TICK, game.level.ball.speed, None)
     later = game._replace(tick=game.tick + 1, phase_tick=game.phase_tick + 1, arena=step.arena)
     if game.phase == Phase.SERVING:
         return _serving(later, controls, step, arena)
@@ -141,8 +160,8 @@ def paddle_ring(game: Game) -> Ring:
 
 def aim(game: Game) -> float:
     """Angle of the serve off the straight line to the centre, radians: swings to and fro, twice per 4 seconds."""
-    place = (game.phase_tick % _AIM_PERIOD) / _AIM_PERIOD
-    return _AIM_RANGE * (4.0 * abs(place - 0.5) - 1.0) * -1.0
+    cycle = (game.phase_tick % _AIM_PERIOD) / _AIM_PERIOD
+    return _AIM_RANGE * (4.0 * abs(cycle - 0.5) - 1.0) * -1.0
 
 
 def _steered(game: Game, controls: Controls) -> Arena:
@@ -157,15 +176,15 @@ def _steered(game: Game, controls: Controls) -> Arena:
         spin = min(max(wanted, paddles.spin - change), paddles.spin + change)
     if spin == paddles.spin:
         return game.arena
-    return game.arena._replace(rings=(paddles._replace(spin=spin), *game.arena.rings[1:]))
+    return game.arena._replace(rings=(paddles.steered(spin), *game.arena.rings[1:]))
 
 
 def _spin_to_pointer(paddles: Ring, pointer: int, top: float) -> float:
     """Spin that brings the nearest paddle to the pointer within one tick, no faster than the top speed."""
     wanted = pointer * (math.tau / POINTER_STEPS)
-    ways = [signed_difference(wanted, paddles.angle(slot)) for slot in range(paddles.count)]
-    way = min(ways, key=abs)
-    return min(max(way / TICK, -top), top)
+    offsets = [signed_difference(wanted, paddles.angle(slot)) for slot in range(paddles.count)]
+    offset = min(offsets, key=abs)
+    return min(max(offset / TICK, -top), top)
 
 
 def _with_served_ball(game: Game, arena: Arena) -> Arena:
@@ -194,10 +213,10 @@ def _next_level(game: Game, step: Step, moving: Arena) -> Ticked:
     return Ticked(game, (Event(EventKind.LEVEL_STARTED),), step, moving)
 
 
-def _played(game: Game, moving: Arena) -> Ticked:
+def _played(game: Game, moving: Arena, advance: Advance) -> Ticked:
     """A tick with balls in play: the physics, then what its hits mean, then who has left."""
-    step = advance(moving, TICK, game.level.ball.speed, game.step)
-    game = game._replace(tick=game.tick + 1, phase_tick=game.phase_tick + 1, arena=step.arena, step=step)
+    step = advance(moving, TICK, game.level.ball.speed, game.flight)
+    game = game._replace(tick=game.tick + 1, phase_tick=game.phase_tick + 1, arena=step.arena, flight=step.flight)
     events: list[Event] = []
     for hit in step.hits:
         game = _credited(game, hit, events)
@@ -258,8 +277,7 @@ def _level_cleared(game: Game, events: list[Event]) -> Game:
 
 def _without_lost_balls(game: Game, events: list[Event]) -> Game:
     """The game after every ball that left the ground is gone: the last one costs a life, the last life the game."""
-    ground = game.level.ground_radius
-    staying = tuple([ball for ball in game.arena.balls if not has_left(ball.position, ball.radius, ground)])
+    staying = tuple([ball for ball in game.arena.balls if _outcome(game, ball) is not Outcome.GAME_OVER])
     if len(staying) == len(game.arena.balls):
         return game
     lost = [ball for ball in game.arena.balls if ball not in staying]
@@ -273,6 +291,12 @@ def _without_lost_balls(game: Game, events: list[Event]) -> Game:
         return _in_phase(game, Phase.OVER)
     game = _in_phase(game, Phase.SERVING)
     return game._replace(arena=_with_served_ball(game, game.arena))
+
+
+def _outcome(game: Game, ball: Ball) -> Outcome:
+    """The source's broad phase: whether a ball has left the ground, and if not, what it may touch where it is."""
+    rings = game.arena.rings
+    return broad_phase_outcome(ball.position, ball.radius, game.level.ground_radius, rings[PADDLES], rings[PADDLES + 1 :])
 
 
 def _in_phase(game: Game, phase: Phase) -> Game:

@@ -1,7 +1,7 @@
 """What there is to see at a moment between two ticks, in world units, whatever the view.
 
-A tick's moment is `alpha`, 0 just before it to 1 just after. Rings are turned to it; a ball is followed along its very
-path, around the bounces of the tick. Nothing here knows pixels: one camera or another draws the same scene.
+`alpha` says when: 0 just before the tick to 1 just after. Rings are turned to that moment; a ball is followed along its
+path, around the bounces of the tick. Nothing here knows pixels: every camera draws the same scene.
 """
 
 from typing import NamedTuple
@@ -12,30 +12,44 @@ from physics import Ball, Ring, Step, direction, signed_difference
 
 
 class Aim(NamedTuple):
-    """Where the ball to be served will go."""
+    """Where the ball to be served will go.
+
+    origin: the ball's position. direction: unit.
+    """
 
     origin: complex
-    direction: complex  # unit
+    direction: complex
 
 
 class Scene(NamedTuple):
-    """Everything in the arena."""
+    """Everything in the arena.
+
+    ground_radius: world units.
+    rings: all of them; ring 0 is the paddles.
+    layers: per ring and slot, as in `physics.Arena`.
+    tallest: per ring, layers of its highest stack when the level began.
+    balls: those in play, or the one that waits for its serve.
+    aim: of the ball that waits for its serve; else None.
+    trails, flashes, pops, drops, bursts, recoils, waves: as in `Effects`.
+    shaken: how far the picture is off, in ground radii, y upwards.
+    heat: of the ball's trail: 0 to 1, by the bricks in a row.
+    """
 
     ground_radius: float
-    rings: tuple[Ring, ...]  # ring 0 is the paddles
-    layers: tuple[tuple[int, ...], ...]  # per ring and slot, as in `physics.Arena`
-    tallest: tuple[int, ...]  # per ring: layers of its highest stack when the level began
+    rings: tuple[Ring, ...]
+    layers: tuple[tuple[int, ...], ...]
+    tallest: tuple[int, ...]
     balls: tuple[Ball, ...]
-    trails: tuple[Trail, ...]  # from old to new; the ball itself is not part of it
+    trails: tuple[Trail, ...]
     aim: Aim | None
     flashes: tuple[Flash, ...]
     pops: tuple[Pop, ...]
-    drops: tuple[Drop, ...]  # stacks that are still falling
+    drops: tuple[Drop, ...]
     bursts: tuple[Burst, ...]
     recoils: tuple[Recoil, ...]
     waves: tuple[Wave, ...]
-    shaken: complex  # how far the picture is off, in ground radii, y upwards
-    heat: float  # of the ball's trail: 0 to 1, by the bricks in a row
+    shaken: complex
+    heat: float
 
 
 def still(game: Game) -> Ticked:
@@ -71,7 +85,7 @@ def scene_at(ticked: Ticked, alpha: float, effects: Effects) -> Scene:
 
 
 def _starts_afresh(ticked: Ticked) -> bool:
-    """Whether there is no tick to look into: the game's first moment, or another level's."""
+    """Whether the moment before the tick is not to be shown: there is none, or it belongs to another level."""
     if ticked.game.tick == 0:
         return True
     return any([event.kind == EventKind.LEVEL_STARTED for event in ticked.events])
@@ -83,11 +97,11 @@ def _turned(before: tuple[Ring, ...], after: tuple[Ring, ...], alpha: float) -> 
 
 
 def _balls_at(ticked: Ticked, paddles: Ring, alpha: float) -> tuple[Ball, ...]:
-    """The balls at a moment of the tick: on their paddle while they wait for the serve, else on their way."""
+    """The balls at a moment of the tick: on their paddle while they wait for the serve, else on their paths."""
     if _rests(ticked):
         angle = signed_difference(paddles.phase, ticked.game.arena.rings[PADDLES].phase)
         return tuple([_about_origin(ball, angle) for ball in ticked.game.arena.balls])
-    return tuple([_on_its_way(ball, index, ticked, alpha) for index, ball in enumerate(ticked.moving.balls)])
+    return tuple([_on_its_path(ball, index, ticked, alpha) for index, ball in enumerate(ticked.moving.balls)])
 
 
 def _rests(ticked: Ticked) -> bool:
@@ -103,8 +117,8 @@ def _about_origin(ball: Ball, angle: float) -> Ball:
     return Ball(ball.position * turn, ball.velocity * turn, ball.radius)
 
 
-def _on_its_way(ball: Ball, index: int, ticked: Ticked, alpha: float) -> Ball:
-    """A ball at a moment of the tick, bounces included."""
+def _on_its_path(ball: Ball, index: int, ticked: Ticked, alpha: float) -> Ball:
+    """A ball at a moment of the tick, after the bounces until then."""
     moment, clock = alpha * TICK, 0.0
     for hit in ticked.step.hits:
         if hit.ball != index or hit.time > moment:

@@ -7,21 +7,30 @@ from typing import NamedTuple
 from game.rules import Ticked
 
 SHOWN_TICKS = 480
-_MOST = 4
-"""Shown at once: more cover each other."""
+"""Ticks that a contact's normals are shown."""
+_MOST_SHOWN = 4
+"""Contacts shown at once: more would cover each other."""
+_LEAST_READABLE = 0.01
+"""Degrees; smaller angles are written with an exponent."""
 
 
-class Opinions(NamedTuple):
-    """What two engines say of one contact."""
+class NormalPair(NamedTuple):
+    """The normals that two engines find at one contact: both unit, from the obstacle to the ball.
 
-    point: complex  # on the surface
-    ours: complex  # unit, from the obstacle to the ball
-    theirs: complex | None  # None where the other engine sees no contact
-    age: float = 0.0  # 0 new to 1 gone
+    point: of the contact, on the obstacle's surface.
+    ours: the game's.
+    theirs: the other engine's; None where it sees no contact.
+    age: 0 new to 1 gone.
+    """
+
+    point: complex
+    ours: complex
+    theirs: complex | None
+    age: float = 0.0
 
     @property
     def angle(self) -> float:
-        """Angle between the two, radians."""
+        """Angle between the two, radians; nan where the other engine sees no contact."""
         if self.theirs is None:
             return math.nan
         turn = self.theirs * self.ours.conjugate()
@@ -29,18 +38,19 @@ class Opinions(NamedTuple):
 
     @property
     def text(self) -> str:
-        """The angle as people read it."""
+        """The angle in words."""
         if self.theirs is None:
             return "pymunk: no contact"
         degrees = math.degrees(self.angle)
-        return f"{degrees:.2f}°" if degrees >= 0.01 else f"{degrees:.0e}°"
+        return f"{degrees:.2f}°" if degrees >= _LEAST_READABLE else f"{degrees:.0e}°"
 
 
-Compare = Callable[[Ticked], tuple[Opinions, ...]]
+Compare = Callable[[Ticked], tuple[NormalPair, ...]]
 """Asks the other engine about every hit of a tick."""
 
 
-def after(shown: tuple[Opinions, ...], ticked: Ticked, compare: Compare) -> tuple[Opinions, ...]:
-    """The opinions to show one tick later."""
-    older = [one._replace(age=one.age + 1.0 / SHOWN_TICKS) for one in shown]
-    return (*[one for one in older if one.age < 1.0], *(compare(ticked) if ticked.step.hits else ()))[-_MOST:]
+def after(shown: tuple[NormalPair, ...], ticked: Ticked, compare: Compare) -> tuple[NormalPair, ...]:
+    """The normals to show one tick later."""
+    older = [pair._replace(age=pair.age + 1.0 / SHOWN_TICKS) for pair in shown]
+    new = compare(ticked) if ticked.step.hits else ()
+    return (*[pair for pair in older if pair.age < 1.0], *new)[-_MOST_SHOWN:]

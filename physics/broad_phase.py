@@ -1,7 +1,7 @@
 """Which obstacle can the ball touch at all? (the source: "Broad phase")."""
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from enum import Enum
 
 from physics.narrow_phase import narrow_phase_case_1, narrow_phase_case_2
@@ -11,7 +11,14 @@ from physics.vectors import length
 
 
 class Outcome(Enum):
-    """What the ball's distance from the centre says (the source's first page)."""
+    """What the ball's distance from the centre says (the source's first page).
+
+    Attributes:
+        GAME_OVER: the whole ball is outside the ground.
+        PADDLES: it reaches into the paddles' band.
+        BRICKS: it reaches into the band of a ring of bricks.
+        NO_COLLISION: none of these.
+    """
 
     GAME_OVER = "game over"
     PADDLES = "broad phase with paddles"
@@ -19,26 +26,36 @@ class Outcome(Enum):
     NO_COLLISION = "no collision"
 
 
-def broad_phase_outcome(p: complex, ball_radius: float, ground_radius: float, paddles: Ring, bricks: Ring) -> Outcome:
-    """The first of the source's four outcomes that holds, in the source's order."""
+def broad_phase_outcome(p: complex, ball_radius: float, ground_radius: float, paddles: Ring, bricks: Sequence[Ring]) -> Outcome:
+    """The first of the source's four outcomes that holds, in the source's order.
+
+    p: the ball's centre, world units. ball_radius, ground_radius (the source's r_g): world units. bricks: the rings of the
+    wall, any number.
+    The engine asks the same questions of every ring: a fast ball can meet paddles and bricks in one tick.
+    """
     if has_left(p, ball_radius, ground_radius):
         return Outcome.GAME_OVER
-    if in_band(p, ball_radius, paddles):
+    distance = length(p)
+    if in_band(distance, ball_radius, paddles):
         return Outcome.PADDLES
-    if in_band(p, ball_radius, bricks):
-        return Outcome.BRICKS
+    for ring in bricks:
+        if in_band(distance, ball_radius, ring):
+            return Outcome.BRICKS
     return Outcome.NO_COLLISION
 
 
 def has_left(p: complex, ball_radius: float, ground_radius: float) -> bool:
-    """Whether the whole ball is outside the ground: |p| - r > r_g."""
+    """Whether the whole ball is outside the ground: |p| - r > r_g. p: the ball's centre; all in world units."""
     return length(p) - ball_radius > ground_radius
 
 
-def in_band(p: complex, ball_radius: float, ring: Ring) -> bool:
-    """Whether the ball reaches into a ring's band: |p| + r >= r_p - w_p and |p| - r <= r_p + w_p."""
-    distance = length(p)
-    return distance + ball_radius >= ring.inner_radius and distance - ball_radius <= ring.outer_radius
+def in_band(distance: float, ball_radius: float, ring: Ring) -> bool:
+    """Whether the ball reaches into a ring's band: |p| + r >= r_p - w_p and |p| - r <= r_p + w_p.
+
+    distance: |p|, of the ball's centre from the origin; ball_radius: both in world units. A ball that flies some distance d
+    reaches no band that a ball at rest, larger by d, does not reach: so the sweep asks the same question.
+    """
+    return distance + ball_radius >= ring.radius - ring.half_width and distance - ball_radius <= ring.radius + ring.half_width
 
 
 def broad_phase(
@@ -48,11 +65,17 @@ def broad_phase(
     positions: Sequence[tuple[float, float]],
     half_width: float,
     half_angle: float,
+    case_2: Callable[[complex, float, float, float, float, float, float], complex | None] = narrow_phase_case_2,
 ) -> complex | None:
     """Normal of the sector nearest in angle, by the source's search over a list.
 
-    p, theta: the ball's centre and its angle. positions: (radius, angle) of each sector's middle, at least one.
-    Of equally near sectors the first is taken. Returns what the narrow phase of that sector returns.
+    p, theta: the ball's centre, world units, and its angle, radians, normalised. positions: (radius, angle) of each sector's
+    middle, at least one, the angles normalised. ball_radius, half_width: world units. half_angle: radians, in (0, pi].
+    case_2: what answers for an end; the source mode hands in the slides' own. Of equally near sectors the first is taken.
+    Returns what its narrow phase returns: a unit vector from the obstacle to the ball, or None.
+
+    The swept engine finds the same sector by arithmetic (`nearest_slot`), which costs the same for any number of sectors;
+    this search is what that arithmetic is tested against, and what `python -m game --physics source` flies on.
 
     >>> broad_phase(9.5 + 0j, 0.25, 0.0, [(10.0, 3.0), (10.0, 0.1)], 0.3, 0.2)
     (-1-0j)
@@ -63,10 +86,13 @@ def broad_phase(
             radius, angle = other_radius, other_angle
     if min_difference(theta, angle) <= half_angle:
         return narrow_phase_case_1(p, radius)
-    return narrow_phase_case_2(p, ball_radius, theta, radius, angle, half_width, half_angle)
+    return case_2(p, ball_radius, theta, radius, angle, half_width, half_angle)
 
 
-def nearest_slot(ring: Ring, angle: float) -> int:
-    """The slot whose middle is nearest to an angle: the source's search as arithmetic, at one price for any count."""
+def nearest_slot(ring: Ring, theta: float) -> int:
+    """The slot whose middle is nearest to an angle: the source's search as arithmetic, at one price for any count.
+
+    theta: radians, normalised. The result is from 0 to count - 1; of two equally near slots either may be taken.
+    """
     pitch = math.tau / ring.count
-    return round(signed_difference(angle, ring.phase) / pitch) % ring.count
+    return round(signed_difference(theta, ring.phase) / pitch) % ring.count

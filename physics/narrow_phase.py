@@ -1,18 +1,86 @@
 """Contact of the ball with one sector (the source: "Narrow phase", cases 1 and 2)."""
 
 import math
+from typing import NamedTuple
 
-from physics.polar import on_left
+from physics.polar import add_angles, min_difference, on_left, subtract_angles, to_cartesian, to_polar
 from physics.shapes import Ball, Contact, Feature, Ring
-from physics.trig import bearing_of, direction
-from physics.vectors import cross, dot, length, quarter_turn, unit
+from physics.tolerances import JOINT
+from physics.vectors import dot, length, quarter_turn, unit
+
+
+class _NearestEnd(NamedTuple):
+    """The end of a sector that a ball can touch, and its point q nearest to the ball (the slide's A, B and q)."""
+
+    a: complex
+    b: complex
+    q: complex
+    outward: complex  # unit, at a right angle to AB, out of the sector
+
+
+def contact(ball: Ball, ring: Ring, slot: int) -> Contact:
+    """The nearest point of one sector to the ball, with the gap between them. slot: 0 to ring.count - 1.
+
+    Case 1, face: the ball's angle lies within the sector, so an arc is nearest and the normal is radial.
+    Case 2, end: it lies outside, so the straight end nearer in angle is nearest; its two corners need no code
+    of their own, they are the clamped foot of the perpendicular.
+    A ball whose centre is inside the material is nearest to the side through which the way out is shortest. One at the
+    exact centre is equally near to a whole inner face: the point that it flies towards is taken.
+    """
+    theta = to_polar(ball.position)[1] if ball.position != 0.0 else ball.theta()
+    angle = ring.angle(slot)
+    if not is_over(ring, theta, angle):
+        return end_contact(ball, ring, slot, theta)
+    face = face_contact(ball, ring)
+    if face.gap > -ball.radius or ring.half_angle == math.pi:
+        return face
+    return _inside_contact(ball, ring, angle, theta, face)
+
+
+def is_over(ring: Ring, theta: float, angle: float) -> bool:
+    """Whether an angle theta lies within a sector with its middle at `angle`: the source's question, case 1 or case 2.
+
+    A closed ring has no gap, though rounding leaves one of a few grid lines where two of its sectors join.
+    """
+    closed = 2.0 * ring.half_angle * ring.count >= math.tau
+    return min_difference(theta, angle) <= (ring.half_angle + JOINT if closed else ring.half_angle)
+
+
+def narrow_phase_case_1(p: complex, radius: float) -> complex:
+    """Normal of a face, for a ball whose angle lies within the sector's: radial, away from the ring's middle radius.
+
+    p: the ball's centre; radius: of the ring's middle (the source's r_p); both in world units. The result is a unit vector
+    from the obstacle to the ball. For p = 0 the angle is 0 by convention.
+
+    >>> narrow_phase_case_1(3 + 4j, 6.0), narrow_phase_case_1(3 + 4j, 4.0)
+    ((-0.6-0.8j), (0.6+0.8j))
+    """
+    n = unit(p) if p != 0.0 else complex(1.0, 0.0)
+    return -n if length(p) < radius else n
+
+
+def narrow_phase_case_2(
+    p: complex, ball_radius: float, theta: float, radius: float, angle: float, half_width: float, half_angle: float
+) -> complex | None:
+    """Normal of an end, for a ball whose angle theta lies outside the sector's; None when it does not touch.
+
+    theta, angle: radians, normalised. half_angle: radians, in (0, pi]. p, ball_radius, radius, half_width: world units.
+    radius, angle: the sector's middle (the source's r_p, theta_p). The result is a unit vector from the obstacle to the ball.
+    Touching means a distance in [0, ball_radius): where the source leaves out the distance 0, the normal is the end's own.
+    Which end is decided by the side of the sector's middle on which theta lies; that is right however wide the sector is.
+    """
+    end = _nearest_end(p, theta, radius, angle, half_width, half_angle)
+    distance = length(p - end.q)
+    if distance >= ball_radius:
+        return None
+    return unit(p - end.q) if end.q in (end.a, end.b) and distance > 0.0 else end.outward
 
 
 def closest_point_on_line(a: complex, b: complex, p: complex) -> complex:
     """The point of the segment from a to b nearest to p.
 
-    The source's line AB, clamped to the segment: the clamp is what makes the corners. Returns a or b itself
-    beyond the ends, and a when a = b.
+    a, b, p: in any unit of length, all in the same. The source's line AB, clamped to the segment: the clamp is what makes
+    the corners. Returns a or b itself beyond the ends, and a when a = b.
 
     >>> closest_point_on_line(0j, 2 + 0j, 1 + 5j), closest_point_on_line(0j, 2 + 0j, 7 + 5j)
     ((1+0j), (2+0j))
@@ -27,90 +95,52 @@ def closest_point_on_line(a: complex, b: complex, p: complex) -> complex:
     return a + ab * (along / square)
 
 
-def narrow_phase_case_1(p: complex, radius: float) -> complex:
-    """Normal of a face, for a ball whose angle lies within the sector's: radial, away from the ring's middle radius.
-
-    p: the ball's centre. radius: of the ring's middle (the source's r_p). For p = 0 the bearing is 0 by convention.
-
-    >>> narrow_phase_case_1(3 + 4j, 6.0), narrow_phase_case_1(3 + 4j, 4.0)
-    ((-0.6-0.8j), (0.6+0.8j))
-    """
-    n = unit(p) if p != 0.0 else complex(1.0, 0.0)
-    return -n if length(p) < radius else n
-
-
-def narrow_phase_case_2(
-    p: complex, ball_radius: float, theta: float, radius: float, angle: float, half_width: float, half_angle: float
-) -> complex | None:
-    """Normal of an end, for a ball whose angle theta lies outside the sector's; None when it does not touch.
-
-    radius, angle: the sector's middle (the source's r_p, theta_p). Touching means a distance in [0, ball_radius): where
-    the source leaves out the distance 0, the normal is the end's own. The nearer end is found from the sector's middle,
-    which is right however wide the sector is.
-    """
-    sign = 1.0 if on_left(theta, angle) else -1.0
-    inner, outer = radius - half_width, radius + half_width
-    found = end_contact(p, ball_radius, direction(angle + sign * half_angle), sign, inner, outer)
-    return found.normal if found.gap < 0.0 else None
-
-
-def contact(ball: Ball, ring: Ring, slot: int) -> Contact:
-    """The nearest point of one sector to the ball, with the gap between them.
-
-    Case 1, face: the ball's bearing lies within the sector, so an arc is nearest and the normal is radial.
-    Case 2, end: it lies outside, so the straight end nearer in angle is nearest; its two corners need no code
-    of their own, they are the clamped foot of the perpendicular.
-    A ball whose centre is inside the material is nearest to the side through which the way out is shortest.
-    """
-    bearing = bearing_of(ball.position)
-    middle = ring.angle_near(slot, bearing)
-    return sector_contact(ball.position, ball.radius, ring, middle, bearing - middle)
-
-
-def sector_contact(p: complex, ball_radius: float, ring: Ring, middle: float, offset: float) -> Contact:
-    """`contact` for a sector whose middle angle, and the ball's signed offset from it, are known."""
-    radius, half_width, half_angle = ring.radius, ring.half_width, ring.half_angle
-    inner, outer = radius - half_width, radius + half_width
-    if abs(offset) <= half_angle:
-        distance = length(p)
-        if half_angle < math.pi and inner < distance < outer:
-            return _inside_contact(p, ball_radius, ring, middle, offset)
-        return face_contact(p, ball_radius, radius, half_width)
-    sign = 1.0 if offset > 0.0 else -1.0
-    return end_contact(p, ball_radius, direction(middle + sign * half_angle), sign, inner, outer)
-
-
-def face_contact(p: complex, ball_radius: float, radius: float, half_width: float) -> Contact:
+def face_contact(ball: Ball, ring: Ring) -> Contact:
     """Contact with the face on the ball's side of the middle radius (case 1)."""
-    normal = narrow_phase_case_1(p, radius)
+    p, v, ball_radius = ball
+    if p == 0.0 and v != 0.0:  # the point that it flies towards: its own normal, seen from a hair along its flight
+        normal = narrow_phase_case_1(unit(v) * (0.5 * ring.radius), ring.radius)
+    else:
+        normal = narrow_phase_case_1(p, ring.radius)
     distance = length(p)
-    if distance < radius:
-        inner = radius - half_width
+    if distance < ring.radius:
+        inner = ring.radius - ring.half_width
         return Contact(normal, -normal * inner, inner - distance - ball_radius, Feature.INNER_FACE)
-    outer = radius + half_width
+    outer = ring.radius + ring.half_width
     return Contact(normal, normal * outer, distance - outer - ball_radius, Feature.OUTER_FACE)
 
 
-def end_contact(p: complex, ball_radius: float, end: complex, sign: float, inner: float, outer: float) -> Contact:
-    """Contact with one straight end and its two corners (case 2).
+def end_angle(angle: float, half_angle: float, side: int) -> float:
+    """Angle of one end of a sector with its middle at an angle: side +1 the counter-clockwise end, -1 the clockwise one."""
+    return add_angles(angle, half_angle) if side > 0 else subtract_angles(angle, half_angle)
 
-    end: unit vector along the end, outwards. sign: +1 for the counter-clockwise end of a sector, -1 for the clockwise one.
+
+def end_contact(ball: Ball, ring: Ring, slot: int, theta: float) -> Contact:
+    """Contact with the straight end, and its two corners, on that side of a sector's middle where theta lies (case 2)."""
+    p, _, ball_radius = ball
+    radius, half_width, half_angle = ring.radius, ring.half_width, ring.half_angle
+    angle = ring.angle(slot)
+    normal = narrow_phase_case_2(p, math.inf, theta, radius, angle, half_width, half_angle)
+    assert normal is not None, "an infinite ball touches every end"
+    end = _nearest_end(p, theta, radius, angle, half_width, half_angle)
+    feature = Feature.CORNER if end.q in (end.a, end.b) else Feature.END
+    return Contact(complex(normal.real, normal.imag), end.q, length(p - end.q) - ball_radius, feature)
+
+
+def _nearest_end(p: complex, theta: float, radius: float, angle: float, half_width: float, half_angle: float) -> _NearestEnd:
+    """The end on theta's side of the sector's middle: A, B, and the point nearest to p."""
+    side = 1 if on_left(theta, angle) else -1
+    end = end_angle(angle, half_angle, side)
+    a, b = to_cartesian(radius - half_width, end), to_cartesian(radius + half_width, end)
+    return _NearestEnd(a, b, closest_point_on_line(a, b, p), quarter_turn(to_cartesian(1.0, end)) * side)
+
+
+def _inside_contact(ball: Ball, ring: Ring, angle: float, theta: float, face: Contact) -> Contact:
+    """The shortest way out for a centre inside the material: through the face, or straight through the nearer end.
+
+    Where a corner is the nearest point of that end, the face that ends there is nearer still.
     """
-    a, b = end * inner, end * outer
-    q = closest_point_on_line(a, b, p)
-    distance = length(p - q)
-    feature = Feature.CORNER if q in (a, b) else Feature.END
-    normal = quarter_turn(end) * sign if feature == Feature.END or distance == 0.0 else unit(p - q)
-    return Contact(normal, q, distance - ball_radius, feature)
-
-
-def _inside_contact(p: complex, ball_radius: float, ring: Ring, middle: float, offset: float) -> Contact:
-    """The shortest way out for a centre inside the material: through a face or through the nearer end."""
-    face = face_contact(p, ball_radius, ring.radius, ring.half_width)
-    sign = 1.0 if offset > 0.0 else -1.0
-    end = direction(middle + sign * ring.half_angle)
-    depth = abs(cross(end, p))
-    along = dot(end, p)
-    if along <= 0.0 or depth + ball_radius >= -face.gap:
-        return face
-    return Contact(quarter_turn(end) * sign, end * along, -depth - ball_radius, Feature.END)
+    p, _, ball_radius = ball
+    end = _nearest_end(p, theta, ring.radius, angle, ring.half_width, ring.half_angle)
+    gap = -length(p - end.q) - ball_radius
+    return face if end.q in (end.a, end.b) or gap <= face.gap else Contact(end.outward, end.q, gap, Feature.END)

@@ -34,7 +34,7 @@ def direction(angle: float) -> complex:
     (1+0j)
     """
     if not -_EXACT_RANGE <= angle <= _EXACT_RANGE:
-        angle = math.fmod(angle, math.tau)
+        angle = angle % math.tau if angle > 0.0 else -(-angle % math.tau)
     turns = angle * _QUADRANTS_PER_RADIAN
     quadrant = math.floor(turns + 0.5) if turns >= 0.0 else -math.floor(0.5 - turns)
     rest = ((angle - quadrant * _HALF_PI_HIGH) - quadrant * _HALF_PI_MIDDLE) - quadrant * _HALF_PI_LOW
@@ -49,30 +49,30 @@ def direction(angle: float) -> complex:
     return complex(sin, -cos)
 
 
-def bearing_of(point: complex) -> float:
-    """Signed angle of a point seen from the origin, in (-pi, pi]; 0 for the origin itself.
+def angle_of(point: complex) -> float:
+    """Angle of a point seen from the origin, radians in [0, 2 pi); 0 for the origin itself. point: in any unit of length.
 
-    >>> bearing_of(-1 - 0j) == bearing_of(-1 + 0j) == math.pi
+    The angle lies on the angle grid (`on_angle_grid`), so the mirrored point has exactly the negated angle, 2 pi - angle.
+
+    >>> angle_of(0 - 2j) == 1.5 * math.pi
     True
     """
     x, y = abs(point.real), abs(point.imag)
     angle = math.pi / 2.0 - _first_octant(x, y) if y > x else _first_octant(y, x)
     if point.real < 0.0:
         angle = math.pi - angle
-    return -angle if point.imag < 0.0 else angle
+    angle = on_angle_grid(angle)
+    return math.tau - angle if point.imag < 0.0 and angle > 0.0 else angle
 
 
-def angle_of(point: complex) -> float:
-    """Angle of a point seen from the origin, in [0, 2 pi); 0 for the origin itself.
+def on_angle_grid(angle: float) -> float:
+    """The multiple of 2**-50 nearest to an angle in [0, 8): moved by at most 4.5e-16.
 
-    >>> angle_of(0 - 2j) == 1.5 * math.pi
-    True
+    2 pi as a float is such a multiple, and so is every float from 4 to 8. Multiples of 2**-50 below 8 fit into a float, so
+    sums, differences and negations of angles on the grid, folded to [0, 2 pi), are exact: nothing is lost on passing the
+    polar axis, and a mirrored arena stays mirrored to the bit.
     """
-    bearing = bearing_of(point)
-    if bearing >= 0.0:
-        return bearing
-    angle = bearing + math.tau
-    return angle if angle < math.tau else 0.0
+    return (angle + 4.0) - 4.0 if angle < 4.0 else angle
 
 
 def _cos_sin(angle: float) -> tuple[float, float]:

@@ -13,7 +13,7 @@ _GROWTH = 2.0**600
 
 
 def dot(a: complex, b: complex) -> float:
-    """Scalar product of two vectors.
+    """Scalar product of two vectors, in the product of their units.
 
     >>> dot(3 + 4j, 2 + 1j)
     10.0
@@ -22,7 +22,7 @@ def dot(a: complex, b: complex) -> float:
 
 
 def cross(a: complex, b: complex) -> float:
-    """Third component of the vector product: > 0 when b points counter-clockwise of a.
+    """Third component of the vector product, in the product of the units: > 0 when b points counter-clockwise of a.
 
     >>> cross(1 + 0j, 0 + 2j)
     2.0

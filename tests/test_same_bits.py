@@ -9,8 +9,8 @@ RULES_OF_THE_GAME = ("rules", "autopilot")
 
 
 def simulation():
-    """The modules in which the state evolves: physics, but for its batch, which is compiled from it, and the game's rules."""
-    physics = [path for path in sorted((ROOT / "physics").rglob("*.py")) if path.name != "batch.py"]
+    """The modules in which the state evolves: the physics and the game's rules."""
+    physics = sorted((ROOT / "physics").rglob("*.py"))
     game = [
         path for name in RULES_OF_THE_GAME for path in [ROOT / "game" / f"{name}.py", *(ROOT / "game" / name).rglob("*.py")]
     ]

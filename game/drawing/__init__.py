@@ -1,1 +1,1 @@
-"""The picture of a scene: what both views share."""
+"""The picture of a scene, flat or solid; the modules here serve both views."""

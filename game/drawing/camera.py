@@ -20,21 +20,33 @@ Points = NDArray[np.complex128]
 Reals = NDArray[np.float64]
 
 _MARGIN = 0.035
+"""Around the arena, in shares of the room it has."""
 _SQUARE = 1.2
 """Aspect ratios up to this leave no room beside the arena: the head-up display gets bands above and below."""
 _BAND = 0.11
+"""Height of each band, in shares of the surface's."""
+_CENTRE = 4.0
+"""Pixels; nearer to the arena's centre there is no bearing."""
 _HORIZON = 1e-4
-"""A pixel nearer to the horizon than this share, or beyond it, means a place as far as this allows, in its direction."""
+"""Lines of sight are taken to be at least as steep as this share of the one straight ahead: pixels on the horizon and above it
+then mean far points."""
 
 
 class Camera(NamedTuple):
-    """Looks at the world's origin. Pixels are continuous: the first pixel's centre is at (0.5, 0.5)."""
+    """Looks at the world's origin. Pixels are continuous: the first pixel's centre is at (0.5, 0.5).
 
-    centre: complex  # pixels, of the world's origin; x to the right, y down
-    scale: float  # pixels per world unit, at the world's origin
-    azimuth: float = 0.0  # radians; this bearing of the world points right on the screen
-    tilt: float = 0.0  # radians from straight down, below pi/2
-    closeness: float = 0.0  # 1 / the eye's distance from the origin, in world units; 0 has parallel lines of sight
+    centre: pixel of the world's origin; x to the right, y down.
+    scale: pixels per world unit, at the world's origin.
+    azimuth: radians; this bearing of the world points right on the screen.
+    tilt: radians from straight down, below pi/2.
+    closeness: 1 / the eye's distance from the origin, in world units; 0 has parallel lines of sight.
+    """
+
+    centre: complex
+    scale: float
+    azimuth: float = 0.0
+    tilt: float = 0.0
+    closeness: float = 0.0
 
     @property
     def flat(self) -> bool:
@@ -93,13 +105,20 @@ class Camera(NamedTuple):
 
 
 class Layout(NamedTuple):
-    """How a surface is divided."""
+    """How a surface is divided.
+
+    size: of the part that the arena and the head-up display share, pixels.
+    camera: a flat one that shows the arena in the middle of it.
+    unit: pixels; text and spacing are multiples of it.
+    ground_radius: world units.
+    beside: whether the head-up display stands beside the arena, else above and below.
+    """
 
     size: tuple[int, int]
     camera: Camera
-    unit: float  # pixels; text and spacing are multiples of it
-    ground_radius: float  # world units
-    beside: bool  # the head-up display stands beside the arena, else above and below
+    unit: float
+    ground_radius: float
+    beside: bool
 
 
 def layout(size: tuple[int, int], ground_radius: float, below: float = 0.0) -> Layout:
@@ -121,8 +140,8 @@ def unit_of(size: tuple[int, int]) -> float:
 
 
 def bearing(camera: Camera, pixel: complex) -> float | None:
-    """Direction from the arena's centre to a pixel, radians; None too near to the centre to tell."""
+    """Angle of the direction from the arena's centre to a pixel, radians; None too near to the centre to tell."""
     point = camera.unproject(pixel)
-    if abs(point) * camera.scale < 4.0:
+    if abs(point) * camera.scale < _CENTRE:
         return None
     return math.atan2(point.imag, point.real)

@@ -1,33 +1,38 @@
-"""Two opinions on a contact, drawn side by side: the game's normal and that of another engine."""
+"""The game's normal of every contact beside another engine's, and the angle between them."""
 
 import pygame
 
-from game.drawing.camera import Camera
-from game.drawing.palette import Theme
-from game.drawing.text import Type
-from game.second_opinion import Opinions
+from game.drawing.canvas import Canvas
+from game.drawing.palette import Colour
+from game.second_opinion import NormalPair
 
 _LENGTH = 1.6
-"""World units, of the game's normal; the other's is drawn longer and thinner, so that both are seen when they agree."""
-_LONGER = 1.45
+"""World units; length of the game's normal."""
+_OTHER_LENGTH = 1.45 * _LENGTH
+"""The other engine's normal is longer and thinner than the game's, so that both are seen when they agree."""
+_WIDTH, _OTHER_WIDTH = 0.22, 0.07
+"""Widths of the two lines, in units."""
+_TEXT = 0.8
+"""Size of the words, in units."""
 
 
-def draw(surface: pygame.Surface, shown: tuple[Opinions, ...], camera: Camera, theme: Theme, type_: Type, unit: float) -> None:
-    """Both normals of every contact, and the angle between them: ours thick, pymunk's thin and longer."""
+def draw(canvas: Canvas, shown: tuple[NormalPair, ...]) -> None:
+    """Both normals of every contact, and the angle between them: the game's thick, pymunk's thin and longer."""
+    camera, theme, unit = canvas.camera, canvas.theme, canvas.unit
     caption = "normals: ours thick, pymunk's thin, and the angle between them"
-    type_.write(surface, caption, unit * 0.8, theme.faint, complex(surface.get_width() / 2.0, unit * 0.2), "midtop")
-    for one in shown:
-        start = camera.project(one.point)
-        _line(surface, start, camera.project(one.point + one.ours * _LENGTH), theme.accent, max(2, round(unit * 0.22)))
-        if one.theirs is not None:
-            end = camera.project(one.point + one.theirs * _LENGTH * _LONGER)
-            _line(surface, start, end, theme.text, max(1, round(unit * 0.07)))
-        label = camera.project(one.point + one.ours * _LENGTH * _LONGER) + 0.8j * unit
-        type_.write(surface, one.text, unit * 0.8, theme.text, label, "center")
+    canvas.write(caption, _TEXT, theme.faint, complex(canvas.size[0] / 2.0, unit * 0.2), "midtop")
+    for pair in shown:
+        start = camera.project(pair.point)
+        _draw_line(canvas.surface, start, camera.project(pair.point + pair.ours * _LENGTH), theme.accent, _WIDTH * unit, 2)
+        if pair.theirs is not None:
+            end = camera.project(pair.point + pair.theirs * _OTHER_LENGTH)
+            _draw_line(canvas.surface, start, end, theme.text, _OTHER_WIDTH * unit, 1)
+        label = camera.project(pair.point + pair.ours * _OTHER_LENGTH) + 0.8j * unit
+        canvas.write(pair.text, _TEXT, theme.text, label, "center")
 
 
-def _line(surface: pygame.Surface, start: complex, end: complex, colour: tuple[int, int, int], width: int) -> None:
-    """A straight line, anti-aliased."""
+def _draw_line(surface: pygame.Surface, start: complex, end: complex, colour: Colour, width: float, least: int) -> None:
+    """A straight line, anti-aliased. width: pixels, at least `least`."""
     ends = (start.real, start.imag), (end.real, end.imag)
-    pygame.draw.line(surface, colour, *ends, width)
+    pygame.draw.line(surface, colour, *ends, max(least, round(width)))
     pygame.draw.aaline(surface, colour, *ends)

@@ -5,55 +5,60 @@ from collections.abc import Sequence
 import numpy as np
 import pygame
 
-from game.drawing.camera import Camera, Points
+from game.drawing.camera import Camera, Points, Reals
+from game.drawing.canvas import Canvas
+from game.drawing.light import LIGHT
 from game.drawing.palette import Colour, Theme, layer_colour
-from game.drawing.solid.debris_occlusion import covered
-from game.drawing.solid.faces import LIGHT
+from game.drawing.raster.pixels import pairs
+from game.drawing.raster.primitives import HALF_PIXEL
+from game.drawing.solid.debris_occlusion import occluded
 from game.drawing.solid.prisms import Flags
 from game.effects.bursts import Burst, Matter
-from game.effects.debris import Pieces, Reals, pieces
+from game.effects.debris import Pieces, pieces
 from game.scene import Scene
 
 _PLATES = frozenset({Matter.BRICK, Matter.BALL})
 """What breaks into plates; all else gives off sparks."""
 _CORNERS = np.exp(0.5j * np.pi * np.arange(4))
 _LIGHT_ABOVE = 0.6
+"""Share of a plate's light that comes from above, the rest from the side."""
 _DIMMEST = 0.72
-_GLITTER = 6.0
+"""Share of its colour that a plate shows while it is edge-on to the light."""
+_GLITTER, _WHITEST = 6.0, 0.6
+"""How suddenly a plate glitters as it turns towards the light, and how far towards white."""
 _STREAK_TICKS = 9
-"""A streak reaches back to where its spark was then."""
-_LEAST = 0.35
+"""A streak reaches from where its spark is to where it was this many ticks ago."""
+_STREAK_WIDTH = 0.35
+"""Half the width of a streak, in its spark's sizes."""
+_LEAST_SIZE = 0.35
 """Pixels; what is smaller is not drawn."""
 
 
-def draw(surface: pygame.Surface, bursts: Sequence[Burst], scene: Scene, camera: Camera, theme: Theme) -> None:
-    """All pieces of some bursts that nothing hides."""
-    if not bursts:
+def draw(canvas: Canvas, scene: Scene) -> None:
+    """All pieces of a scene's bursts that nothing hides."""
+    if not scene.bursts:
         return
-    plates = [burst for burst in bursts if burst.matter in _PLATES]
-    streaks = [burst for burst in bursts if burst.matter not in _PLATES]
-    earlier = [burst._replace(age=max(burst.age - _STREAK_TICKS, 0)) for burst in streaks]
-    flying = pieces([*plates, *streaks, *earlier], scene.ground_radius)
+    camera, theme = canvas.camera, canvas.theme
+    plates = [burst for burst in scene.bursts if burst.matter in _PLATES]
+    sparks = [burst for burst in scene.bursts if burst.matter not in _PLATES]
+    earlier = [burst._replace(age=max(burst.age - _STREAK_TICKS, 0)) for burst in sparks]
+    bursts, shown_bursts = [*plates, *sparks, *earlier], len(scene.bursts)
+    flying = pieces(bursts, scene.ground_radius)
     shown = _shown(flying, scene, camera)
-    whole, heads = (flying.burst < len(plates)) & shown, (flying.burst >= len(plates)) & (flying.burst < len(bursts))
-    tails = flying.burst >= len(bursts)
-    shown_heads = shown[heads]
+    whole, heads = (flying.burst < len(plates)) & shown, (flying.burst >= len(plates)) & (flying.burst < shown_bursts)
+    tails, shown_heads = flying.burst >= shown_bursts, shown[heads]
     if whole.any():
         some = _some(flying, whole)
-        _fill(surface, _plates(some, camera), _glittering(some, plates, theme))
+        _fill(canvas.surface, _plates(some, camera), _glittering(some, bursts, theme))
     if shown_heads.any():
-        some = _some(_some(flying, heads), shown_heads)
-        _fill(
-            surface,
-            _streaks(some, _some(_some(flying, tails), shown_heads), camera),
-            _burning(some, [*plates, *streaks], theme),
-        )
+        ends = _some(_some(flying, heads), shown_heads), _some(_some(flying, tails), shown_heads)
+        _fill(canvas.surface, _streaks(*ends, camera), _burning(ends[0], bursts, theme))
 
 
 def _shown(flying: Pieces, scene: Scene, camera: Camera) -> Flags:
     """Which pieces are large enough to see and not behind anything."""
-    large = flying.size * camera.scale > _LEAST
-    return large if camera.flat else large & ~covered(flying.place, flying.height, scene, camera)
+    large = flying.size * camera.scale > _LEAST_SIZE
+    return large if camera.flat else large & ~occluded(flying.position, flying.height, scene, camera)
 
 
 def _some(flying: Pieces, which: Flags) -> Pieces:
@@ -65,9 +70,9 @@ def _plates(flying: Pieces, camera: Camera) -> Points:
     """The corners of plates, pixels, four a row: each turned about the vertical and about one of its own sides."""
     uneven = 0.65 + 0.35 * np.cos(7.0 * flying.shape[:, None] + np.arange(4) * 2.2)
     corners = _CORNERS * uneven * flying.size[:, None]
-    flat, high = corners.imag * np.cos(flying.tumble)[:, None], corners.imag * np.sin(flying.tumble)[:, None]
+    level, high = corners.imag * np.cos(flying.tumble)[:, None], corners.imag * np.sin(flying.tumble)[:, None]
     across = np.exp(1j * flying.turn)[:, None]
-    ground = flying.place[:, None] + (corners.real + 1j * flat) * across
+    ground = flying.position[:, None] + (corners.real + 1j * level) * across
     return camera.projected(ground * camera.turning, np.abs(flying.height[:, None] + high))
 
 
@@ -75,18 +80,19 @@ def _glittering(flying: Pieces, bursts: Sequence[Burst], theme: Theme) -> Reals:
     """The colour of each plate, red, green and blue: brighter, the more it is turned to the light."""
     own = np.array([_colour(burst, theme) for burst in bursts], dtype=np.float64)[flying.burst]
     normal = -1j * np.sin(flying.tumble) * np.exp(1j * flying.turn)
-    lit = np.abs((normal * LIGHT.conjugate()).real * (1.0 - _LIGHT_ABOVE) + np.cos(flying.tumble) * _LIGHT_ABOVE)[:, None]
+    from_the_side = (normal * LIGHT.conjugate()).real * (1.0 - _LIGHT_ABOVE)
+    lit = np.abs(from_the_side + np.cos(flying.tumble) * _LIGHT_ABOVE)[:, None]
     shade = own * (_DIMMEST + (1.0 - _DIMMEST) * np.minimum(1.4 * lit, 1.0))
-    return np.asarray(shade + (255.0 - shade) * 0.6 * np.clip(2.0 * lit - 1.0, 0.0, 1.0) ** _GLITTER)
+    return np.asarray(shade + (255.0 - shade) * _WHITEST * np.clip(2.0 * lit - 1.0, 0.0, 1.0) ** _GLITTER)
 
 
 def _streaks(heads: Pieces, tails: Pieces, camera: Camera) -> Points:
     """The corners of streaks, pixels, four a row: pointed behind, blunt in front."""
-    front = camera.projected(heads.place * camera.turning, heads.height)
-    back = camera.projected(tails.place * camera.turning, tails.height)
-    way = front - back
-    side = 1j * way / np.maximum(np.abs(way), 1e-9) * (0.35 * heads.size * camera.scale)
-    return np.stack([back, front + side, front + 0.15 * way, front - side], axis=1)
+    front = camera.projected(heads.position * camera.turning, heads.height)
+    back = camera.projected(tails.position * camera.turning, tails.height)
+    along = front - back
+    aside = 1j * along / np.maximum(np.abs(along), 1e-9) * (_STREAK_WIDTH * heads.size * camera.scale)
+    return np.stack([back, front + aside, front + 0.15 * along, front - aside], axis=1)
 
 
 def _burning(heads: Pieces, bursts: Sequence[Burst], theme: Theme) -> Reals:
@@ -99,7 +105,7 @@ def _burning(heads: Pieces, bursts: Sequence[Burst], theme: Theme) -> Reals:
 
 
 def _colour(burst: Burst, theme: Theme) -> Colour:
-    """What a burst is made of."""
+    """The colour of what a burst is made of."""
     match burst.matter:
         case Matter.BRICK:
             return layer_colour(theme, burst.layer)
@@ -116,14 +122,8 @@ def _fill(surface: pygame.Surface, outlines: Points, colours: Reals) -> None:
     middle = outlines.mean(axis=1, keepdims=True)
     out = outlines - middle
     size = np.maximum(np.abs(out), 1e-9)
-    corners = _pairs(middle + out * np.maximum(1.0 - 1.0 / size, 0.0))
-    edges = _pairs(middle + out * np.maximum(1.0 - 0.5 / size, 0.0) - (0.5 + 0.5j))
+    corners = pairs(middle + out * np.maximum(1.0 - 1.0 / size, 0.0))
+    edges = pairs(middle + out * np.maximum(1.0 - 0.5 / size, 0.0) - HALF_PIXEL)
     for corner, edge, colour in zip(corners, edges, np.rint(colours).astype(np.int64).tolist(), strict=True):
         pygame.draw.polygon(surface, colour, corner)
         pygame.draw.aalines(surface, colour, True, edge)
-
-
-def _pairs(outlines: Points) -> list[list[list[float]]]:
-    """Rows of points as pygame takes them."""
-    points: list[list[list[float]]] = np.ascontiguousarray(outlines).view(np.float64).reshape(*outlines.shape, 2).tolist()
-    return points

@@ -11,88 +11,113 @@ import pygame
 from numpy.typing import NDArray
 
 from game.drawing.camera import Camera
-from game.drawing.flat.annulus_pixels import Floats, between
-from game.drawing.flat.ring import packed, pixels_of, unpacked
+from game.drawing.canvas import Canvas
 from game.drawing.palette import Colour, Theme, mixed
-from game.drawing.solid.quad_raster import Mosaic, in_pixels
+from game.drawing.raster.annulus import Floats, columns_between
+from game.drawing.raster.pixels import packed, pairs, pixels_of, unpacked
+from game.drawing.raster.quads import QuadRaster, fine_pixels
 
 _FRINGE = 3.0
-"""Pixels around a line that are looked at."""
+"""Pixels on both sides of a line that are looked at."""
 _RIM, _LEAST_RIM = 0.07, 2.0
 """Width of the rim: world units, and pixels."""
-_THICKNESS, _EDGE_SHADE = 0.03, 0.6
-"""Of the disc, in shares of its radius; and how far the colour of its side is on its way from the rim's to the background's."""
-_SIDES, _FINER = 180, 2
-_TRACK, _LEAST_TRACK = 0.03, 1.0
+_THICKNESS = 0.03
+"""Of the disc that the ground is, in shares of its radius."""
+_EDGE_SHADE = 0.6
+"""The side of the disc has this share of the way from the rim's colour to the background's."""
+_EDGE_PIECES, _EDGE_FINER = 180, 2
+"""Quadrilaterals that the disc's side is cut into, and rows and columns of their drawing per pixel."""
+_DISC_CORNERS = 128
+_TRACK, _TRACK_PIXELS = 0.03, 1.0
+"""The paddles' track is so many world units wide, and so many pixels more."""
 
 
-class _Band(NamedTuple):
-    """The pixels around a circle of the ground."""
+class _CircleLine(NamedTuple):
+    """A circular line of the ground.
 
-    place: NDArray[np.int64]  # into the surface's pixels, row after row
-    radius: Floats  # of the ground's point at the pixel's middle, world units
-    scale: Floats  # pixels per world unit there, away from the circle's centre
+    inner, width: its inner radius and its width, world units.
+    within, colour, outside: colours inside of the circle, of the line, and outside; None leaves there what is drawn already.
+    """
+
+    inner: float
+    width: float
+    within: Colour
+    colour: Colour
+    outside: Colour | None
 
 
-def ground_picture(
-    surface: pygame.Surface, radius: float, camera: Camera, theme: Theme, track: float | None = None
-) -> pygame.Surface:
-    """A picture of the ground alone, as large as a 32-bit surface. track: radius of the circle that the paddles run on."""
-    picture = pygame.Surface(surface.get_size(), 0, surface)
+class _CirclePixels(NamedTuple):
+    """The pixels around a circle of the ground.
+
+    pixel: its index in the surface's memory, row after row.
+    radius: of the ground's point at the pixel's middle, world units.
+    scale: pixels per world unit there, away from the circle's centre.
+    """
+
+    pixel: NDArray[np.int64]
+    radius: Floats
+    scale: Floats
+
+
+def track_width(scale: float) -> float:
+    """Width of the paddles' track, world units. scale: pixels per world unit."""
+    return _TRACK + _TRACK_PIXELS / scale
+
+
+def ground_picture(canvas: Canvas, radius: float, track: float | None = None) -> pygame.Surface:
+    """A picture of the ground alone, as large as a canvas. track: radius of the circle that the paddles run on."""
+    camera, theme = canvas.camera, canvas.theme
+    picture = pygame.Surface(canvas.size, 0, canvas.surface)
     picture.fill(theme.background)
     rim = max(_LEAST_RIM / camera.scale, _RIM)
     _draw_edge(picture, camera, radius + rim, theme)
     fringe = _fringe(camera, radius)
-    around = np.exp(1j * np.linspace(0.0, math.tau, 128, endpoint=False))
+    around = np.exp(1j * np.linspace(0.0, math.tau, _DISC_CORNERS, endpoint=False))
     disc = camera.projected(around * max(radius - fringe / 2.0, 0.0), 0.0)
-    pygame.draw.polygon(picture, theme.ground, disc.view(np.float64).reshape(-1, 2).tolist())
-    _draw(picture, camera, (radius, rim, fringe), (theme.ground, theme.rim, None))
+    pygame.draw.polygon(picture, theme.ground, pairs(disc))
+    _draw_line(picture, camera, _CircleLine(radius, rim, theme.ground, theme.rim, None), fringe)
     if track is not None:
-        width = _TRACK + _LEAST_TRACK / camera.scale
-        _draw(picture, camera, (track - width / 2.0, width, fringe), (theme.ground, theme.ground_line, theme.ground))
+        width = track_width(camera.scale)
+        line = _CircleLine(track - width / 2.0, width, theme.ground, theme.ground_line, theme.ground)
+        _draw_line(picture, camera, line, fringe)
     return picture
 
 
 def _draw_edge(picture: pygame.Surface, camera: Camera, radius: float, theme: Theme) -> None:
     """The side of the disc that the ground is, where it is turned to the eye."""
-    around = np.exp(1j * np.linspace(0.0, math.tau, _SIDES + 1))
+    around = np.exp(1j * np.linspace(0.0, math.tau, _EDGE_PIECES + 1))
     shown = camera.nearer(around[:-1] * radius, around[:-1]) > -0.1
     top, bottom = (camera.projected(around * radius, height * radius) for height in (0.0, -_THICKNESS))
     strips = np.stack([top[:-1], top[1:], bottom[1:], bottom[:-1]], axis=1)[shown]
     colour = np.array(mixed(theme.rim, theme.background, _EDGE_SHADE), dtype=np.float32)
-    mosaic = Mosaic()
-    mosaic.draw(picture, in_pixels(strips, _FINER), packed(mosaic.canvas, np.repeat(colour[None], len(strips), axis=0)), _FINER)
+    raster = QuadRaster()
+    colours = packed(raster.canvas, np.repeat(colour[None], len(strips), axis=0))
+    raster.draw(picture, fine_pixels(strips, _EDGE_FINER), colours, _EDGE_FINER)
 
 
 def _fringe(camera: Camera, radius: float) -> float:
-    """World units that some pixels span where the ground's are flattest."""
+    """World units that _FRINGE pixels span where the ground is seen most aslant."""
     sine, cosine = math.sin(camera.tilt), math.cos(camera.tilt)
     return min(_FRINGE / camera.scale * (1.0 + camera.closeness * radius * sine) ** 2 / cosine, radius / 2.0)
 
 
-def _draw(
-    picture: pygame.Surface, camera: Camera, line: tuple[float, float, float], colours: tuple[Colour, Colour, Colour | None]
-) -> None:
-    """A circular line. line: its inner radius, width, fringe, world units; colours: within, of the line, outside.
-
-    Outside it may also leave what is there.
-    """
-    inner, width, fringe = line
-    pixels = _around(picture, camera, max(inner - fringe, 0.0), inner + width + fringe)
-    if not len(pixels.place):
+def _draw_line(picture: pygame.Surface, camera: Camera, line: _CircleLine, fringe: float) -> None:
+    """A circular line and what is near it. fringe: world units on both sides."""
+    pixels = _pixels_between(picture, camera, max(line.inner - fringe, 0.0), line.inner + line.width + fringe)
+    if not len(pixels.pixel):
         return
     there = pixels_of(picture)
-    within, drawn_line = (np.array(colour, dtype=np.float32) for colour in colours[:2])
-    outside = unpacked(picture, there[pixels.place]) if colours[2] is None else np.array(colours[2], dtype=np.float32)
-    past_inner = np.clip((pixels.radius - inner) * pixels.scale + 0.5, 0.0, 1.0)[:, None]
-    past_outer = np.clip((pixels.radius - inner - width) * pixels.scale + 0.5, 0.0, 1.0)[:, None]
-    drawn = within + (drawn_line - within) * past_inner
+    within, colour = (np.array(one, dtype=np.float32) for one in (line.within, line.colour))
+    outside = unpacked(picture, there[pixels.pixel]) if line.outside is None else np.array(line.outside, dtype=np.float32)
+    past_inner = np.clip((pixels.radius - line.inner) * pixels.scale + 0.5, 0.0, 1.0)[:, None]
+    past_outer = np.clip((pixels.radius - line.inner - line.width) * pixels.scale + 0.5, 0.0, 1.0)[:, None]
+    drawn = within + (colour - within) * past_inner
     drawn += (outside - drawn) * past_outer
-    there[pixels.place] = packed(picture, drawn)
+    there[pixels.pixel] = packed(picture, drawn)
 
 
-def _around(picture: pygame.Surface, camera: Camera, inner: float, outer: float) -> _Band:
-    """The pixels that see the ground between two radii."""
+def _pixels_between(picture: pygame.Surface, camera: Camera, inner: float, outer: float) -> _CirclePixels:
+    """The pixels that see the ground between two radii, world units."""
     width, height = picture.get_size()
     sine, cosine, near = math.sin(camera.tilt), math.cos(camera.tilt), camera.closeness
     rows = np.arange(height, dtype=np.int64)
@@ -103,16 +128,13 @@ def _around(picture: pygame.Surface, camera: Camera, inner: float, outer: float)
     away = up / slope
     wide = 1.0 + near * sine * away
     hole, reach = (np.sqrt(np.maximum(radius * radius - away * away, 0.0)) / wide * camera.scale for radius in (inner, outer))
-    xs, ys = between(rows, camera.centre.real, hole, reach, width)
+    xs, ys = columns_between(rows, camera.centre.real, hole, reach, width)
     index = ys - rows[0] if len(rows) else ys
-    right, away, wide, deep = (
-        (xs + 0.5 - camera.centre.real) / camera.scale,
-        away[index],
-        wide[index],
-        cosine / slope[index] ** 2,
-    )
+    right = (xs + 0.5 - camera.centre.real) / camera.scale
+    away, wide, deep = away[index], wide[index], cosine / slope[index] ** 2
     across = right * wide
     radius = np.maximum(np.hypot(across, away), 1e-9)
     steep = np.hypot(across * wide, across * right * near * sine * deep + away * deep) / radius
     stride = picture.get_pitch() // 4
-    return _Band(ys * stride + xs, radius.astype(np.float32), (camera.scale / np.maximum(steep, 1e-9)).astype(np.float32))
+    scale = camera.scale / np.maximum(steep, 1e-9)
+    return _CirclePixels(ys * stride + xs, radius.astype(np.float32), scale.astype(np.float32))

@@ -12,15 +12,24 @@ Colour = tuple[int, int, int]
 
 
 class Theme(NamedTuple):
-    """One set of colours, sRGB."""
+    """One set of colours, sRGB.
+
+    background: around the ground. ground, ground_line, rim: of the ground, the lines on it, and its edge.
+    text, faint: of main and of secondary text. accent: of what is chosen, and of the serve's aim.
+    panel, panel_edge: of plates with text.
+    paddle, paddle_top, ball, trail: of these. steel, steel_line: of what never breaks, and of the lines on it.
+    flash: the light of a hit. danger: bad news.
+    shadow: share of the ground's light that a shadow takes.
+    layers: of a stack's terraces, from the lowest, 1, to 9.
+    """
 
     background: Colour
     ground: Colour
     ground_line: Colour
     rim: Colour
     text: Colour
-    faint: Colour  # secondary text
-    accent: Colour  # what is chosen, the serve's aim
+    faint: Colour
+    accent: Colour
     panel: Colour
     panel_edge: Colour
     paddle: Colour
@@ -31,8 +40,8 @@ class Theme(NamedTuple):
     steel_line: Colour
     flash: Colour
     danger: Colour
-    shadow: float  # share of the ground's light that it takes
-    layers: tuple[Colour, ...]  # of terrace 1 (lowest) to 9
+    shadow: float
+    layers: tuple[Colour, ...]
 
 
 DARK = Theme(

@@ -1,4 +1,4 @@
-"""Text in pygame's own font, at any size, remembered so that a frame costs blits only."""
+"""Text in pygame's own font, at any size, cached so that a frame costs blits only."""
 
 from collections import OrderedDict
 
@@ -6,16 +6,16 @@ import pygame
 
 from game.drawing.palette import Colour
 
-_SMALLEST = 6
-_LARGEST = 400
-_REMEMBERED = 256
-_FONTS = 32
+_SMALLEST, _LARGEST = 6, 400
+"""Sizes of letters, pixels."""
+_MOST_LINES, _MOST_FONTS = 256, 32
+"""Lines and fonts cached, at most."""
 _FINER = 3
-"""Letters are drawn this much larger and scaled down: they stand where they belong, not on whole pixels."""
+"""Letters are drawn this much larger and scaled down: gaps between them are then right to a fraction of a pixel."""
 
 
 class Type:
-    """Renders lines of text; keeps the most recent ones."""
+    """Renders lines of text; caches the most recent ones."""
 
     def __init__(self) -> None:
         """Start with nothing rendered."""
@@ -33,7 +33,7 @@ class Type:
         large = self._spaced(text, pixels, colour, spacing) if spacing else self._font(pixels).render(text, True, colour)
         line = pygame.transform.smoothscale(large, (-(-large.get_width() // _FINER), -(-large.get_height() // _FINER)))
         self._lines[key] = line
-        if len(self._lines) > _REMEMBERED:
+        if len(self._lines) > _MOST_LINES:
             self._lines.popitem(last=False)
         return line
 
@@ -43,13 +43,17 @@ class Type:
         text: str,
         size: float,
         colour: Colour,
-        place: complex,
+        pixel: complex,
         anchor: str = "topleft",
         spacing: float = 0.0,
     ) -> pygame.Rect:
-        """Draw a line of text and return where. place: pixels, of the rectangle's point named by anchor, as in pygame.Rect."""
+        """Draw a line of text and return its box, pixels.
+
+        size: of the letters, pixels. pixel: where the box's point named by `anchor` is, as in pygame.Rect. spacing: between
+        letters, as a share of their size.
+        """
         line = self.rendered(text, size, colour, spacing)
-        box = line.get_rect(**{anchor: (round(place.real), round(place.imag))})
+        box = line.get_rect(**{anchor: (round(pixel.real), round(pixel.imag))})
         surface.blit(line, box)
         return box
 
@@ -67,13 +71,13 @@ class Type:
     def _font(self, pixels: int) -> pygame.font.Font:
         """pygame's own font at a size, larger by _FINER."""
         if pixels not in self._fonts:
-            if len(self._fonts) >= _FONTS:
+            if len(self._fonts) >= _MOST_FONTS:
                 self._fonts.clear()
             self._fonts[pixels] = pygame.font.Font(None, pixels * _FINER)
         return self._fonts[pixels]
 
     def _spaced(self, text: str, pixels: int, colour: Colour, spacing: float) -> pygame.Surface:
-        """A line with every gap between its letters alike, for large words."""
+        """A line in which all gaps between letters are the same, for large words."""
         letters = [self._font(pixels).render(letter, True, colour) for letter in text]
         inked = [letter.subsurface(_ink(letter)) for letter in letters]
         gap = round(spacing * pixels * _FINER)
@@ -89,12 +93,12 @@ class Type:
 
 
 def stepped(size: float) -> float:
-    """A size that changes from frame to frame, in quarters: every size has a font and every line its picture, in memory."""
+    """A size rounded to quarters, for words whose size changes from frame to frame: every size costs a font and a picture."""
     return round(4.0 * size) / 4.0
 
 
 def _ink(letter: pygame.Surface) -> pygame.Rect:
-    """The columns a letter covers, at full height; of a space a part, for it covers none."""
+    """The columns that a letter covers, at full height; for a space, which covers none, all of its columns."""
     ink = letter.get_bounding_rect()
     if ink.width == 0:
         return pygame.Rect(0, 0, letter.get_width(), letter.get_height())

@@ -1,4 +1,4 @@
-"""Circles that run over the ground."""
+"""Circles that run over the ground, as any camera sees them."""
 
 import math
 
@@ -6,47 +6,48 @@ import numpy as np
 import pygame
 
 from game.drawing.camera import Camera, Points
-from game.drawing.palette import Colour, Theme, mixed
-from game.effects import Wave
-from game.effects.waves import Tone
+from game.drawing.canvas import Canvas
+from game.drawing.palette import Colour, mixed
+from game.drawing.raster.pixels import pairs
+from game.drawing.raster.primitives import HALF_PIXEL
+from game.effects.waves import WaveTone
+from game.scene import Scene
 
-_POINTS = 121
 _WIDTH = 0.014
-"""Of the ground's radius."""
-_LEAST = 0.5
-"""Pixels, half of a circle's width."""
+"""Width of a new circle's line, in shares of the ground's radius."""
+_THINNING = 0.6
+"""Share of its width that the line loses by the end."""
+_LEAST_HALF_WIDTH = 0.5
+"""Pixels."""
 _FAINTEST = 0.06
-_AROUND = np.exp(1j * np.linspace(0.0, math.tau, _POINTS))
+"""Strength below which a circle is not drawn: 1 new to 0 gone."""
+_AROUND = np.exp(1j * np.linspace(0.0, math.tau, 121))
 
 
-def draw(surface: pygame.Surface, waves: tuple[Wave, ...], ground_radius: float, camera: Camera, theme: Theme) -> None:
-    """The circles that are on their way, fainter and fainter."""
-    colours = {Tone.START: theme.rim, Tone.GOOD: theme.accent, Tone.BAD: theme.danger}
-    for wave in waves:
+def draw(canvas: Canvas, scene: Scene) -> None:
+    """The circles that are running, fainter and fainter."""
+    theme, camera = canvas.theme, canvas.camera
+    colours = {WaveTone.START: theme.rim, WaveTone.GOOD: theme.accent, WaveTone.BAD: theme.danger}
+    for wave in scene.waves:
         strength = 1.0 - wave.share
         if wave.age < 0 or strength < _FAINTEST:
             continue
         colour = mixed(theme.ground, colours[wave.tone], strength)
-        half = max(0.5 * _WIDTH * ground_radius * (1.0 - 0.6 * wave.share), _LEAST / camera.scale)
-        _draw_circle(surface, wave.radius, half, colour, camera)
+        half_width = 0.5 * _WIDTH * scene.ground_radius * (1.0 - _THINNING * wave.share)
+        _draw_circle(canvas.surface, camera, wave.radius, max(half_width, _LEAST_HALF_WIDTH / camera.scale), colour)
 
 
-def _draw_circle(surface: pygame.Surface, radius: float, half: float, colour: Colour, camera: Camera) -> None:
+def _draw_circle(surface: pygame.Surface, camera: Camera, radius: float, half_width: float, colour: Colour) -> None:
     """A circle about the centre: filled up to a pixel from its edges, and lines from there to the edges, which smooth them."""
     pixel = 1.0 / camera.scale
-    if half > pixel:
-        outer, inner = _circle(radius + half - pixel, camera), _circle(radius - half + pixel, camera)
-        pygame.draw.polygon(surface, colour, _pairs(np.concatenate([outer, inner[::-1]])))
+    if half_width > pixel:
+        outer, inner = _circle(radius + half_width - pixel, camera), _circle(radius - half_width + pixel, camera)
+        pygame.draw.polygon(surface, colour, pairs(np.concatenate([outer, inner[::-1]])))
     for inset in (1.2 * pixel, 0.5 * pixel):
-        for edge in (radius + max(half - inset, 0.0), radius - max(half - inset, 0.0)):
-            pygame.draw.aalines(surface, colour, False, _pairs(_circle(edge, camera) - (0.5 + 0.5j)))
+        for edge in (radius + max(half_width - inset, 0.0), radius - max(half_width - inset, 0.0)):
+            pygame.draw.aalines(surface, colour, False, pairs(_circle(edge, camera) - HALF_PIXEL))
 
 
 def _circle(radius: float, camera: Camera) -> Points:
     """A circle of the ground, pixels."""
     return camera.projected(_AROUND * max(radius, 0.0), 0.0)
-
-
-def _pairs(points: Points) -> list[list[float]]:
-    """Points as pygame takes them."""
-    return points.view(np.float64).reshape(-1, 2).tolist()

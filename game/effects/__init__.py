@@ -7,16 +7,15 @@ a file of its own; all of them are fed by the rules' events.
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from game.effects import bursts, flashes, pops, recoils, shakes, streaks, trails, waves
-from game.effects import drops as falling
+from game.effects import bursts, drops, flashes, pops, recoils, shakes, streaks, trails, waves
 from game.effects.bursts import Burst
 from game.effects.drops import Drop
 from game.effects.flashes import FLASH_TICKS, Flash
-from game.effects.kinds import ALL, MOVING, PLAIN, Kind, Shown
+from game.effects.kinds import ALL, MOVING, PLAIN, EffectKind, Shown
 from game.effects.pops import POP_TICKS, Pop
 from game.effects.recoils import Recoil
 from game.effects.shakes import Shake
-from game.effects.streaks import NO_ROW, Streak
+from game.effects.streaks import NO_STREAK, Streak
 from game.effects.trails import Trail
 from game.effects.waves import Wave
 from game.rules import EventKind, Ticked
@@ -31,9 +30,9 @@ __all__ = [
     "POP_TICKS",
     "Burst",
     "Drop",
+    "EffectKind",
     "Effects",
     "Flash",
-    "Kind",
     "Pop",
     "Recoil",
     "Shake",
@@ -46,11 +45,17 @@ __all__ = [
 ]
 
 LONGEST = 240
-"""Ticks after which nothing of a moment is left to be seen, but for a row of bricks that goes on."""
+"""Ticks after which nothing of an event is left to be seen, but for a streak of bricks that goes on."""
 
 
 class Effects(NamedTuple):
-    """All that is fading."""
+    """All effects at a moment.
+
+    trails: one for each ball, see `trails`.
+    flashes, pops, drops, bursts, recoils, waves: those that have not faded, from old to new.
+    shake: of the whole picture; None while it rests.
+    streak: the bricks in a row.
+    """
 
     trails: tuple[Trail, ...] = ()
     flashes: tuple[Flash, ...] = ()
@@ -60,7 +65,7 @@ class Effects(NamedTuple):
     recoils: tuple[Recoil, ...] = ()
     waves: tuple[Wave, ...] = ()
     shake: Shake | None = None
-    streak: Streak = NO_ROW
+    streak: Streak = NO_STREAK
 
 
 NOTHING = Effects()
@@ -71,15 +76,15 @@ def after(effects: Effects, ticked: Ticked, shown: Shown = ALL) -> Effects:
     if any([event.kind == EventKind.LEVEL_STARTED for event in ticked.events]):
         effects = Effects()
     return Effects(
-        trails.after_tick(effects.trails, ticked) if Kind.TRAIL in shown else (),
+        trails.after_tick(effects.trails, ticked) if EffectKind.TRAIL in shown else (),
         flashes.after_tick(effects.flashes, ticked, shown),
-        pops.after_tick(effects.pops, ticked) if Kind.POINTS in shown else (),
-        _drops(effects.drops, ticked) if Kind.FALLING in shown else (),
+        pops.after_tick(effects.pops, ticked) if EffectKind.POINTS in shown else (),
+        drops.after_tick(effects.drops, ticked) if EffectKind.FALLING in shown else (),
         bursts.after_tick(effects.bursts, ticked, shown),
-        recoils.after_tick(effects.recoils, ticked) if Kind.RECOIL in shown else (),
-        waves.after_tick(effects.waves, ticked) if Kind.WAVES in shown else (),
-        shakes.after_tick(effects.shake, ticked) if Kind.SHAKE in shown else None,
-        streaks.after_tick(effects.streak, ticked) if Kind.COMBO in shown else NO_ROW,
+        recoils.after_tick(effects.recoils, ticked) if EffectKind.RECOIL in shown else (),
+        waves.after_tick(effects.waves, ticked) if EffectKind.WAVES in shown else (),
+        shakes.after_tick(effects.shake, ticked) if EffectKind.SHAKE in shown else None,
+        streaks.after_tick(effects.streak, ticked) if EffectKind.COMBO in shown else NO_STREAK,
     )
 
 
@@ -89,12 +94,3 @@ def after_all(passed: Iterable[Ticked], shown: Shown = ALL) -> Effects:
     for ticked in passed:
         effects = after(effects, ticked, shown)
     return effects
-
-
-def _drops(drops: tuple[Drop, ...], ticked: Ticked) -> tuple[Drop, ...]:
-    """The stacks that are still falling a tick later."""
-    drops = falling.after_tick(drops)
-    for event in ticked.events:
-        if event.kind == EventKind.BRICK_HIT and event.hit is not None:
-            drops = falling.after_hit(drops, event.hit.ring, event.hit.slot, event.hit.layers)
-    return drops

@@ -1,4 +1,4 @@
-"""Where the pieces of a burst are: thrown, slowed by the air, pulled down, bounced once, and at last too small to see.
+"""The pieces of a burst: thrown, slowed by the air, pulled down, bounced once, and at last too small to see.
 
 With k the air's drag and g the gravity, a piece thrown from p with velocity v is, after t seconds, over
 
@@ -12,7 +12,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.effects.bursts import Burst, Matter, lasting
+from game.effects.bursts import Burst, Matter, lifetime
 from game.rules import TICK
 
 Reals = NDArray[np.float64]
@@ -20,13 +20,21 @@ Points = NDArray[np.complex128]
 
 
 class Throw(NamedTuple):
-    """How pieces of one matter fly; lengths in hundredths of the ground's radius."""
+    """How pieces of one matter fly; lengths in hundredths of the ground's radius, speeds in those per second.
+
+    number: of pieces.
+    along: speed in the burst's direction, at most.
+    apart: speed in any direction that is added to it, at most.
+    up: speed upwards, at most.
+    drag: of the air, per second.
+    size: half a plate's diagonal, at most.
+    """
 
     number: int
-    along: float  # speed along the burst's way
-    apart: float  # and in any direction, at most
+    along: float
+    apart: float
     up: float
-    drag: float  # per second
+    drag: float
     size: float
 
 
@@ -37,24 +45,36 @@ THROWS = {
     Matter.PADDLE: Throw(9, 22.0, 80.0, 30.0, 4.5, 1.4),
 }
 _GRAVITY = 150.0
+"""Hundredths of the ground's radius per second, per second."""
 _BOUNCE = 0.35
+"""Share of its speed that a landing piece keeps."""
 _HEIGHT = 4.5
-"""Of what bursts: about a layer's."""
+"""Height of what bursts, in hundredths of the ground's radius: about a layer's."""
 _SHRINKING = 0.55
 """From this share of its life on a piece grows smaller."""
 
 
 class Pieces(NamedTuple):
-    """Every piece of some bursts, one a row; lengths in world units."""
+    """Every piece of some bursts, one a row; lengths in world units.
 
-    place: Points
+    position: on the ground, below the piece.
+    height: above the ground.
+    size: half a plate's diagonal; 0 once the piece is gone.
+    turn: angle about the vertical, radians.
+    tumble: angle about a horizontal axis, radians.
+    shape: a number from 0 to 1 that tells how uneven a plate is.
+    share: of its life that is over, 0 to 1.
+    burst: index of the burst that it is of.
+    """
+
+    position: Points
     height: Reals
-    size: Reals  # 0 once gone
-    turn: Reals  # angle about the vertical, radians
-    tumble: Reals  # angle about a horizontal axis, radians
-    shape: Reals  # 0 to 1, any
-    share: Reals  # of its life that is over
-    burst: NDArray[np.int64]  # which it is of
+    size: Reals
+    turn: Reals
+    tumble: Reals
+    shape: Reals
+    share: Reals
+    burst: NDArray[np.int64]
 
 
 def pieces(bursts: Sequence[Burst], ground_radius: float) -> Pieces:
@@ -65,7 +85,7 @@ def pieces(bursts: Sequence[Burst], ground_radius: float) -> Pieces:
     share = time / start.life
     shrunk = np.clip((1.0 - share) / (1.0 - _SHRINKING), 0.0, 1.0)
     return Pieces(
-        start.place + start.velocity * unit * (-np.expm1(-start.drag * time) / start.drag),
+        start.position + start.velocity * unit * (-np.expm1(-start.drag * time) / start.drag),
         _height(start.height, start.up, time) * unit,
         start.size * unit * shrunk,
         start.turn + start.spin * time,
@@ -77,9 +97,17 @@ def pieces(bursts: Sequence[Burst], ground_radius: float) -> Pieces:
 
 
 class _Thrown(NamedTuple):
-    """Every piece of some bursts as it begins, one a row; lengths but the place in hundredths of the ground's radius."""
+    """Every piece of some bursts as it begins, one a row; lengths but the position in hundredths of the ground's radius.
 
-    place: Points
+    position, height, size, turn, tumble, shape, burst: as in `Pieces`.
+    velocity: along the ground, per second.
+    up: speed upwards, per second.
+    drag: of the air, per second.
+    spin: radians per second.
+    life: seconds.
+    """
+
+    position: Points
     velocity: Points
     drag: Reals
     height: Reals
@@ -87,9 +115,9 @@ class _Thrown(NamedTuple):
     size: Reals
     turn: Reals
     tumble: Reals
-    spin: Reals  # radians per second
+    spin: Reals
     shape: Reals
-    life: Reals  # seconds
+    life: Reals
     burst: NDArray[np.int64]
 
 
@@ -101,12 +129,12 @@ def _thrown(bursts: tuple[Burst, ...]) -> _Thrown:
     whose = np.repeat(np.arange(len(bursts)), counts)
     number = np.concatenate([np.arange(count, dtype=np.uint64) for count in counts])  # of a piece in its burst
     chance = _chances(np.array([burst.seed for burst in bursts], dtype=np.uint64)[whose], number)
-    radius, half_width, angle, half_angle = np.array([burst.place for burst in bursts])[whose].T
+    radius, half_width, angle, half_angle = np.array([burst.origin for burst in bursts])[whose].T
     along, apart, up, drag, size = np.array([throw[1:] for throw in throws])[whose].T
-    way = np.array([burst.way for burst in bursts], dtype=np.complex128)[whose]
+    direction = np.array([burst.direction for burst in bursts], dtype=np.complex128)[whose]
     return _Thrown(
         (radius + half_width * chance[0]) * np.exp(1j * (angle + half_angle * chance[1])),
-        way * along * (0.6 + 0.4 * chance[2]) + np.exp(1j * np.pi * chance[3]) * apart * np.abs(chance[4]),
+        direction * along * (0.6 + 0.4 * chance[2]) + np.exp(1j * np.pi * chance[3]) * apart * np.abs(chance[4]),
         drag,
         0.5 * _HEIGHT * (1.0 + chance[5]),
         up * (0.65 + 0.35 * chance[6]),
@@ -115,7 +143,7 @@ def _thrown(bursts: tuple[Burst, ...]) -> _Thrown:
         np.pi * chance[3],
         14.0 * chance[1],
         0.5 + 0.5 * chance[5],
-        np.array([lasting(burst.matter) * TICK for burst in bursts])[whose] * (0.8 + 0.2 * chance[7]),
+        np.array([lifetime(burst.matter) * TICK for burst in bursts])[whose] * (0.8 + 0.2 * chance[7]),
         whose,
     )
 

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from game.effects.kinds import Kind, Shown
+from game.effects.kinds import EffectKind, Shown
 from game.rules import Event, EventKind, Ticked
 from physics import Hit
 
@@ -10,18 +10,25 @@ FLASH_TICKS = 40
 
 
 class Flash(NamedTuple):
-    """A sector that was just hit."""
+    """The light of a hit.
+
+    ring, slot: of the sector that was hit.
+    layers: left after the hit.
+    age: 0 new to 1 gone.
+    lit: whether the sector itself lights up.
+    echoed: whether light runs around the rest of its ring.
+    """
 
     ring: int
     slot: int
-    layers: int  # left after the hit
-    age: float  # 0 new to 1 gone
-    lit: bool = True  # it lights up itself
-    echoed: bool = False  # the rest of its ring answers
+    layers: int
+    age: float
+    lit: bool = True
+    echoed: bool = False
 
 
 def after_tick(flashes: tuple[Flash, ...], ticked: Ticked, shown: Shown) -> tuple[Flash, ...]:
-    """The flashes a tick later. shown: of flashes and answers of a ring whose brick goes, those the player wants."""
+    """The flashes a tick later. shown: of flashes and light around a ring, those the player wants."""
     if flashes:
         older = [flash._replace(age=flash.age + 1.0 / FLASH_TICKS) for flash in flashes]
         flashes = tuple([flash for flash in older if flash.age < 1.0])
@@ -31,5 +38,5 @@ def after_tick(flashes: tuple[Flash, ...], ticked: Ticked, shown: Shown) -> tupl
 
 def _flash(event: Event, hit: Hit, shown: Shown) -> Flash:
     """The light of a hit."""
-    echoed = Kind.RING in shown and event.kind == EventKind.BRICK_HIT
-    return Flash(hit.ring, hit.slot, hit.layers, 0.0, Kind.FLASH in shown, echoed)
+    echoed = EffectKind.RING in shown and event.kind == EventKind.BRICK_HIT
+    return Flash(hit.ring, hit.slot, hit.layers, 0.0, EffectKind.FLASH in shown, echoed)

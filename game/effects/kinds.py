@@ -1,9 +1,9 @@
-"""What the player can switch off, one by one."""
+"""The effects, each of which the player can switch off."""
 
 from enum import StrEnum
 
 
-class Kind(StrEnum):
+class EffectKind(StrEnum):
     """An effect; its value is its name in the settings file."""
 
     TRAIL = "trail"
@@ -20,10 +20,11 @@ class Kind(StrEnum):
     HIT_STOP = "hit_stop"
 
 
-Shown = frozenset[Kind]
+Shown = frozenset[EffectKind]
+"""The effects that the player wants to see."""
 
-ALL: Shown = frozenset(Kind)
-PLAIN: Shown = frozenset({Kind.TRAIL})
+ALL: Shown = frozenset(EffectKind)
+PLAIN: Shown = frozenset({EffectKind.TRAIL})
 """What is left for players who want no effects: the trail says where the ball goes."""
-MOVING: Shown = frozenset({Kind.FLASH, Kind.RING, Kind.WAVES, Kind.SHAKE, Kind.HIT_STOP})
+MOVING: Shown = frozenset({EffectKind.FLASH, EffectKind.RING, EffectKind.WAVES, EffectKind.SHAKE, EffectKind.HIT_STOP})
 """What reduced motion does without."""

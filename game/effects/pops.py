@@ -6,18 +6,25 @@ from game.rules import BEST_COMBO, Event, EventKind, Ticked
 
 POP_TICKS = 190
 _WORDS = {EventKind.NUDGED: "nudged", EventKind.BALL_LOST: "lost"}
-_ROOM = 1.8
-"""World units between two points that can be read together."""
+_CLOSEST = 1.8
+"""World units between the positions of two pops that can be read together."""
 
 
 class Pop(NamedTuple):
-    """A few words where something happened."""
+    """A few words where something happened.
+
+    position: world.
+    text: the words.
+    bad: whether they are bad news.
+    age: 0 new to 1 gone.
+    weight: of good news: 0 a single brick to 1 a brick of the best combo.
+    """
 
     position: complex
     text: str
-    bad: bool  # news
-    age: float  # 0 new to 1 gone
-    weight: float = 0.0  # of the news: 0 a single brick to 1 a brick of the best combo
+    bad: bool
+    age: float
+    weight: float = 0.0
 
 
 def after_tick(pops: tuple[Pop, ...], ticked: Ticked) -> tuple[Pop, ...]:
@@ -34,8 +41,8 @@ def after_tick(pops: tuple[Pop, ...], ticked: Ticked) -> tuple[Pop, ...]:
 
 
 def _covered(pop: Pop, new: list[Pop]) -> bool:
-    """Whether points have to make room for newer ones."""
-    return not pop.bad and any([abs(other.position - pop.position) < _ROOM for other in new])
+    """Whether words make room for newer ones that are close; bad news never does."""
+    return not pop.bad and any([abs(other.position - pop.position) < _CLOSEST for other in new])
 
 
 def _text(event: Event) -> str:
@@ -48,5 +55,5 @@ def _text(event: Event) -> str:
 
 
 def _weight(event: Event, combo: int) -> float:
-    """How much there is to be glad about."""
+    """How good the news is, 0 to 1."""
     return min(combo / BEST_COMBO, 1.0) if event.kind == EventKind.BRICK_HIT else float(event.points > 0)

@@ -1,25 +1,31 @@
-"""The bricks in a row, as the counter shows them: how fresh the last one is, and what is left of a row that ended."""
+"""The bricks in a row, as the counter shows them: how long ago the last one was, and what is left of a row that ended."""
 
 from typing import NamedTuple
 
 from game.rules import EventKind, Ticked
 
 BUMP_TICKS, ENDED_TICKS = 36, 130
+"""Ticks that the counter is larger after a brick, and that it is still shown after the row ended."""
 
 
 class Streak(NamedTuple):
-    """A row of bricks."""
+    """Bricks in a row.
+
+    bricks: how many.
+    age: ticks since the last one, or since the row ended.
+    ended: whether a paddle has ended it.
+    """
 
     bricks: int = 0
-    age: int = 0  # ticks since its last brick, or since it ended
+    age: int = 0
     ended: bool = False
 
 
-NO_ROW = Streak()
+NO_STREAK = Streak()
 
 
 def after_tick(streak: Streak, ticked: Ticked) -> Streak:
-    """The row a tick later."""
+    """The streak a tick later."""
     combo = ticked.game.combo
     if any([event.kind == EventKind.BRICK_HIT for event in ticked.events]) and combo:
         return Streak(combo)

@@ -3,15 +3,16 @@
 from game.rules import Phase, Ticked
 
 Trail = tuple[complex, ...]
-"""Places from old to new."""
+"""Positions of a ball, from old to new; the ball's own position is not part of it."""
 
 _LENGTH = 17
+"""Positions at most."""
 _EVERY = 4
-"""Ticks from one place to the next."""
+"""Ticks from one position to the next."""
 
 
 def after_tick(trails: tuple[Trail, ...], ticked: Ticked) -> tuple[Trail, ...]:
-    """A line of recent places behind each ball in play; it starts anew when the number of balls changes."""
+    """A trail for each ball in play; it begins anew when the number of balls changes."""
     game = ticked.game
     if game.phase != Phase.PLAYING:
         return ()

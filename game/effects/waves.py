@@ -6,12 +6,17 @@ from typing import NamedTuple
 from game.rules import PADDLES, Event, EventKind, Phase, Ticked
 
 WAVE_TICKS = 150
-_APART = 22
+_DELAY = 22
 """Ticks from one circle to the next."""
+_CLEARED, _CLEARED_RADII = 5, (0.02, 0.98)
+_LOST, _LOST_RADII = 2, (0.985, 0.9)
+"""Circles on a cleared level and on a lost ball, and their first and last radii, in shares of the ground's."""
+_STARTED = 3
+"""Circles at the start of a level, from the wall to the paddles."""
 
 
-class Tone(Enum):
-    """What the news is."""
+class WaveTone(Enum):
+    """What kind of news a circle is; it tells its colour."""
 
     START = auto()
     GOOD = auto()
@@ -19,16 +24,21 @@ class Tone(Enum):
 
 
 class Wave(NamedTuple):
-    """One circle."""
+    """One circle.
 
-    tone: Tone
-    start: float  # radius when new, world units
+    tone: the kind of news.
+    start, end: its radius when new and at last, world units.
+    age: ticks; below 0 it has yet to begin.
+    """
+
+    tone: WaveTone
+    start: float
     end: float
-    age: int = 0  # ticks; below 0 it waits
+    age: int = 0
 
     @property
     def share(self) -> float:
-        """How far on its way it is, 0 to 1: fast first."""
+        """Share of its path that the circle has run, 0 to 1: fast at first."""
         done = min(max(self.age / WAVE_TICKS, 0.0), 1.0)
         return 1.0 - (1.0 - done) ** 2
 
@@ -51,20 +61,25 @@ def after_tick(waves: tuple[Wave, ...], ticked: Ticked) -> tuple[Wave, ...]:
 
 
 def _waves(event: Event, ticked: Ticked) -> tuple[Wave, ...]:
-    """The circles of an event; none of most."""
+    """The circles of an event; most have none."""
     ground = ticked.game.level.ground_radius
     match event.kind:
         case EventKind.LEVEL_STARTED:
             return _started(ticked)
         case EventKind.LEVEL_CLEARED:
-            return tuple([Wave(Tone.GOOD, 0.02 * ground, 0.98 * ground, -_APART * k) for k in range(5)])
+            return _series(WaveTone.GOOD, _CLEARED, _CLEARED_RADII[0] * ground, _CLEARED_RADII[1] * ground)
         case EventKind.BALL_LOST:
-            return tuple([Wave(Tone.BAD, 0.985 * ground, 0.9 * ground, -_APART * k) for k in range(2)])
+            return _series(WaveTone.BAD, _LOST, _LOST_RADII[0] * ground, _LOST_RADII[1] * ground)
     return ()
 
 
 def _started(ticked: Ticked) -> tuple[Wave, ...]:
-    """From the wall to the paddles: here we are, there you are."""
+    """The circles of a level's start, from the wall to the paddles: they show the player both."""
     rings = ticked.game.arena.rings
     wall = max([ring.outer_radius for ring in rings[PADDLES + 1 :]], default=0.0)
-    return tuple([Wave(Tone.START, wall, rings[PADDLES].inner_radius, -_APART * k) for k in range(3)])
+    return _series(WaveTone.START, _STARTED, wall, rings[PADDLES].inner_radius)
+
+
+def _series(tone: WaveTone, count: int, start: float, end: float) -> tuple[Wave, ...]:
+    """Circles that run the same path, one after the other. start, end: radii, world units."""
+    return tuple([Wave(tone, start, end, -_DELAY * k) for k in range(count)])

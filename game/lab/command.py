@@ -16,7 +16,7 @@ _SEED = 1
 
 
 def list_scenes() -> None:
-    """Print every scene's name, title, and the rows of the README's table "Beyond the source" that it explains."""
+    """Print every scene's name, title, and the rows of the documentation's table "Beyond the source" that it shows."""
     table = Table(box=None, pad_edge=False)
     for heading in ("scene", "title", "beyond"):
         table.add_column(heading, no_wrap=heading == "scene")
@@ -26,11 +26,10 @@ def list_scenes() -> None:
 
 
 def check_scenes(line: str | None, drags: int, engine: Engine | None) -> None:
-    """Check every scene at its defaults, its presets and after random drags, and print how each did.
+    """Check the claims of every scene at its defaults, its presets and after random drags, and print a row for each scene.
 
-    line: a share line, to check that scene alone, and at those values, too. drags: random ones, of each scene.
-
-    CheckFailedError when a claim fails, after all have been looked at.
+    line: a share line, to check only that scene, at those values too. drags: how many random ones for each scene.
+    CheckFailedError after the last scene, when a claim has failed.
     """
     named = None if line is None else parsed(line, engine)
     chosen = [(scene, ()) for scene in scenes()] if named is None else [(named.scene, (named.given,))]

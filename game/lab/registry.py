@@ -1,25 +1,16 @@
-"""Every scene there is: the modules of `game/lab/scenes/` that have a `SCENE`."""
+"""Every scene there is, by name. `game/lab/scenes/__init__.py` lists them."""
 
 import difflib
-import importlib
-import pkgutil
-from functools import cache
 
-from game.lab import scenes as folder
-from game.lab.kit.scene import Chapter, Scene
+from game.lab.kit.scene import Scene
 from game.system.errors import BadInputError
 
 
-@cache
 def scenes() -> tuple[Scene, ...]:
-    """All scenes, in the order of their chapters."""
-    names = sorted(
-        [module.name for module in pkgutil.walk_packages(folder.__path__, f"{folder.__name__}.") if not module.ispkg]
-    )
-    modules = [importlib.import_module(name) for name in names]
-    found: list[Scene] = [module.SCENE for module in modules]
-    chapters = list(Chapter)
-    return tuple(sorted(found, key=lambda scene: (chapters.index(scene.chapter), scene.place, scene.name)))
+    """All scenes, chapter by chapter."""
+    from game.lab.scenes import SCENES  # noqa: PLC0415  # some thirty modules, which the game does not need before L is pressed
+
+    return SCENES
 
 
 def scene_named(name: str) -> Scene:

@@ -2,93 +2,112 @@
 
 from typing import NamedTuple
 
-import pygame
-
 from game.drawing.camera import Layout
-from game.drawing.palette import Theme, mixed
-from game.drawing.primitives import draw_dot
-from game.drawing.text import Type, stepped
+from game.drawing.canvas import Canvas
+from game.drawing.palette import mixed
+from game.drawing.raster.primitives import draw_dot
+from game.drawing.text import stepped
 from game.effects import Streak
-from game.effects.streaks import BUMP_TICKS, ENDED_TICKS, NO_ROW
+from game.effects.streaks import BUMP_TICKS, ENDED_TICKS, NO_STREAK
 from game.levels import built_in
 from game.rules import BEST_COMBO, LIVES, Game, bricks_left
 
+# Lengths are in units of text.
+_EDGE = 0.8
+"""From the figures to the surface's edges."""
+_CAPTION, _FIGURE, _LEVEL_NAME = 0.9, 2.0, 1.3
+"""Sizes of letters."""
+_LINE_GAP = 0.25
+"""Between lines of text in the lower corners."""
+_COMBO, _COMBO_PER_BRICK = 1.2, 0.12
+"""Size of the combo's letters for no brick, and how much larger with every brick up to the best combo."""
 _BUMP = 0.45
-"""How much larger the combo is when it has just risen."""
+"""Share by which the combo is larger when it has just risen."""
+_COMBO_HEIGHT, _COMBO_DOTS = 1.1, 2.6
+"""From the top of the combo's box to the middle of its words, and to its dots."""
+_COMBO_DOT, _COMBO_DOT_PITCH, _COMBO_DOT_LINE = 0.24, 0.72, 0.07
+"""Radius of a dot, from one to the next, and the line of an empty one."""
+_LIFE, _LIFE_PITCH, _LIFE_LINE = 0.42, 1.134, 0.08
+"""Radius of a ball that stands for a life, from one to the next, and the line of one that is lost."""
+_LIVES_BELOW_CAPTION = 0.75
 
 
 class Readings(NamedTuple):
-    """The figures, as they are shown."""
+    """The figures, as they are shown.
+
+    score, combo, lives: of the game.
+    level_number: from 1. level_count, level_name: of all levels, and of this one.
+    bricks: layers left.
+    muted: whether the sound is off.
+    badge: what kind of game this is, when it is not simply played.
+    streak: the bricks in a row with their effect; NO_STREAK for players who want none, who see the combo alone.
+    """
 
     score: int
     combo: int
     lives: int
-    level_number: int  # from 1
+    level_number: int
     level_count: int
     level_name: str
     bricks: int
     muted: bool = False
-    badge: str = ""  # what kind of game this is, when it is not simply played
-    streak: Streak = NO_ROW  # the bricks in a row as they are felt; the combo alone for players who want no effects
+    badge: str = ""
+    streak: Streak = NO_STREAK
 
 
-def readings(game: Game, streak: Streak = NO_ROW, *, muted: bool = False, badge: str = "") -> Readings:
-    """The figures of a game."""
+def readings(game: Game, streak: Streak = NO_STREAK, *, muted: bool = False, badge: str = "") -> Readings:
+    """The figures of a game. The other arguments are those of `Readings`."""
     levels = built_in() if game.level in built_in() else game.levels
     number = levels.index(game.level) + 1
     left = bricks_left(game)
     return Readings(game.score, game.combo, game.lives, number, len(levels), game.level.name, left, muted, badge, streak)
 
 
-def draw(surface: pygame.Surface, place: Layout, shown: Readings, theme: Theme, type_: Type) -> None:
-    """The figures in the surface's four corners."""
-    width, height = place.size
-    unit = place.unit
-    edge = unit * 0.8
-    box = type_.write(surface, "SCORE", unit * 0.9, theme.faint, complex(edge, edge))
-    box = type_.write(surface, f"{shown.score:,}", unit * 2.0, theme.text, complex(edge, box.bottom + unit * 0.1))
+def draw(canvas: Canvas, shown: Readings, layout: Layout) -> None:
+    """The figures in the four corners of a layout."""
+    theme, unit, (width, height) = canvas.theme, canvas.unit, layout.size
+    left, right, top, bottom = unit * _EDGE, width - unit * _EDGE, unit * _EDGE, height - unit * _EDGE
+    box = canvas.write("SCORE", _CAPTION, theme.faint, complex(left, top))
+    box = canvas.write(f"{shown.score:,}", _FIGURE, theme.text, complex(left, box.bottom + unit * 0.1))
     streak = shown.streak if shown.streak.bricks else Streak(shown.combo, BUMP_TICKS)
     if streak.bricks > 1:
-        _draw_combo(surface, place, streak, theme, type_, box)
-    right = width - edge
-    box = type_.write(surface, "LIVES", unit * 0.9, theme.faint, complex(right, edge), "topright")
-    _draw_lives(surface, complex(right, box.bottom + unit * 0.75), unit, shown.lives, theme)
-    low = height - edge
-    box = type_.write(surface, shown.level_name, unit * 1.3, theme.text, complex(edge, low), "bottomleft")
+        below = complex(box.left, box.bottom + unit * 0.3)
+        _draw_combo(canvas, streak, below if layout.beside else complex(box.right + unit, box.top))
+    box = canvas.write("LIVES", _CAPTION, theme.faint, complex(right, top), "topright")
+    _draw_lives(canvas, complex(right, box.bottom + unit * _LIVES_BELOW_CAPTION), shown.lives)
+    box = canvas.write(shown.level_name, _LEVEL_NAME, theme.text, complex(left, bottom), "bottomleft")
     number = f"LEVEL {shown.level_number} of {shown.level_count}"
-    type_.write(surface, number, unit * 0.9, theme.faint, complex(edge, box.top - unit * 0.2), "bottomleft")
-    box = type_.write(surface, "H  help", unit * 0.9, theme.faint, complex(right, low), "bottomright")
-    left = f"{shown.bricks} layers left"
-    box = type_.write(surface, left, unit * 0.9, theme.text, complex(right, box.top - unit * 0.25), "bottomright")
+    canvas.write(number, _CAPTION, theme.faint, complex(left, box.top - unit * 0.2), "bottomleft")
     state = "   ".join(filter(None, [shown.badge, "sound off (M)" if shown.muted else ""]))
-    type_.write(surface, state, unit * 0.9, theme.accent, complex(right, box.top - unit * 0.25), "bottomright")
+    lines = (("H  help", theme.faint), (f"{shown.bricks} layers left", theme.text), (state, theme.accent))
+    for text, colour in lines:
+        box = canvas.write(text, _CAPTION, colour, complex(right, bottom), "bottomright")
+        bottom = box.top - unit * _LINE_GAP
 
 
-def _draw_combo(surface: pygame.Surface, place: Layout, streak: Streak, theme: Theme, type_: Type, score: pygame.Rect) -> None:
-    """The bricks in a row and a dot for each that raises the points, below the score where there is room, else beside it."""
-    unit, best = place.unit, min(streak.bricks, BEST_COMBO)
-    corner = complex(score.left, score.bottom + unit * 0.3) if place.beside else complex(score.right + unit, score.top)
+def _draw_combo(canvas: Canvas, streak: Streak, corner: complex) -> None:
+    """The bricks in a row, and a dot for each that raises the points. corner: upper left, pixels."""
+    theme, unit, best = canvas.theme, canvas.unit, min(streak.bricks, BEST_COMBO)
     fade = streak.age / ENDED_TICKS if streak.ended else 0.0
     colour = mixed(theme.faint if streak.ended else theme.accent, theme.background, fade)
-    middle = corner + 1j * unit * 1.1
     bump = 0.0 if streak.ended else _BUMP * max(1.0 - streak.age / BUMP_TICKS, 0.0) ** 2
-    size = unit * stepped((1.2 + 0.12 * best) * (1.0 + bump))
-    type_.write(surface, f"combo x{streak.bricks}", size, colour, middle, "midleft")
-    radius = unit * 0.24
+    size = stepped((_COMBO + _COMBO_PER_BRICK * best) * (1.0 + bump))
+    canvas.write(f"combo x{streak.bricks}", size, colour, corner + 1j * unit * _COMBO_HEIGHT, "midleft")
+    radius = unit * _COMBO_DOT
     for index in range(BEST_COMBO):
-        spot = corner + complex(radius + index * unit * 0.72, unit * 2.6)
-        draw_dot(surface, spot, radius, colour if index < best else theme.panel_edge)
+        pixel = corner + complex(radius + index * unit * _COMBO_DOT_PITCH, unit * _COMBO_DOTS)
+        draw_dot(canvas.surface, pixel, radius, colour if index < best else theme.panel_edge)
         if index >= best:
-            draw_dot(surface, spot, radius - max(1.0, unit * 0.07), theme.background)
+            draw_dot(canvas.surface, pixel, radius - max(1.0, unit * _COMBO_DOT_LINE), theme.background)
 
 
-def _draw_lives(surface: pygame.Surface, place: complex, unit: float, lives: int, theme: Theme) -> None:
-    """A ball per life, from right to left; those lost are hollow."""
-    radius = unit * 0.42
+def _draw_lives(canvas: Canvas, right: complex, lives: int) -> None:
+    """A ball per life, from right to left; those lost are hollow. right: pixel at the right end of their row."""
+    theme, unit, radius = canvas.theme, canvas.unit, canvas.unit * _LIFE
     for index in range(max(LIVES, lives)):
-        spot = place - complex(radius + index * radius * 2.7, 0.0)
+        pixel = right - complex(radius + index * unit * _LIFE_PITCH, 0.0)
         if index < lives:
-            draw_dot(surface, spot, radius, theme.ball)
+            draw_dot(canvas.surface, pixel, radius, theme.ball)
         else:
-            draw_dot(surface, spot, radius, theme.faint)
-            draw_dot(surface, spot, radius - max(1.0, unit * 0.08), theme.background)
+            draw_dot(canvas.surface, pixel, radius, theme.faint)
+            draw_dot(canvas.surface, pixel, radius - max(1.0, unit * _LIFE_LINE), theme.background)

@@ -1,19 +1,32 @@
-"""The line that says what to do now, and where it stands in nobody's way."""
+"""The line that says what to do now, on a plate where it hides neither bricks nor the ball."""
 
 from typing import NamedTuple
 
 import pygame
 
-from game.drawing.camera import Layout
-from game.drawing.palette import Theme
-from game.drawing.primitives import draw_box
-from game.drawing.text import Type
+from game.drawing.canvas import Canvas
+from game.drawing.raster.primitives import draw_box
 from game.rules import LIVES, PADDLES, Game, Phase
 from game.scene import Scene
 
+# Lengths are in units of text.
+_TITLE, _HINT = 1.5, 1.0
+"""Sizes of letters."""
+_GAP = 0.25
+"""Between title and hint."""
+_MARGIN = complex(0.8, 0.5)
+"""From the words to the plate's edges, across and down."""
+_CORNER, _EDGE_LINE = 0.6, 0.06
+"""Radius of the plate's corners, and width of its edge."""
+# Radii are in shares of the inner radius of the paddles' track.
+_LOWEST, _HIGHEST = 0.62, 0.75
+"""The plate's middle is between these radii, above the centre or below it."""
+_BALL_ABOVE = 0.2
+"""A ball that is higher above the centre than this sends the plate below."""
+
 
 class Notice(NamedTuple):
-    """A few words, and what to do."""
+    """A few words, and what to do; the hint may be empty."""
 
     title: str
     hint: str
@@ -34,18 +47,20 @@ def notice(game: Game) -> Notice | None:
     return Notice("Game over", "") if game.phase == Phase.OVER else None
 
 
-def draw(surface: pygame.Surface, place: Layout, shown: Notice, scene: Scene, theme: Theme, type_: Type) -> None:
+def draw(canvas: Canvas, shown: Notice, scene: Scene) -> None:
     """The words on a plate between the bricks and the paddles, on the side where the ball is not."""
-    unit = place.unit
-    title = type_.rendered(shown.title, unit * 1.5, theme.text)
-    hint = type_.rendered(shown.hint, unit * 1.0, theme.faint)
-    gap = unit * 0.25 if shown.hint else 0.0
+    surface, theme, type_, unit = canvas.surface, canvas.theme, canvas.type, canvas.unit
+    title = type_.rendered(shown.title, unit * _TITLE, theme.text)
+    hint = type_.rendered(shown.hint, unit * _HINT, theme.faint)
+    gap = unit * _GAP if shown.hint else 0.0
     height = title.get_height() + (hint.get_height() + gap if shown.hint else 0.0)
-    plate = pygame.Rect(0, 0, round(max(title.get_width(), hint.get_width()) + unit * 1.6), round(height + unit * 1.0))
-    middle = place.camera.project(_free_spot(scene))
+    margin = _MARGIN * unit
+    width = max(title.get_width(), hint.get_width())
+    plate = pygame.Rect(0, 0, round(width + 2.0 * margin.real), round(height + 2.0 * margin.imag))
+    middle = canvas.camera.project(_free_position(scene))
     plate.center = (round(middle.real), round(middle.imag))
-    draw_box(surface, plate, unit * 0.6, theme.panel, theme.panel_edge, unit * 0.06)
-    top = plate.top + unit * 0.5
+    draw_box(surface, plate, unit * _CORNER, theme.panel, theme.panel_edge, unit * _EDGE_LINE)
+    top = plate.top + margin.imag
     surface.blit(title, title.get_rect(midtop=(plate.centerx, round(top))))
     if shown.hint:
         surface.blit(hint, hint.get_rect(midtop=(plate.centerx, round(top + title.get_height() + gap))))
@@ -58,9 +73,10 @@ def _serve_title(game: Game) -> str:
     return "Last life" if game.lives == 1 else f"{game.lives} lives left"
 
 
-def _free_spot(scene: Scene) -> complex:
-    """The middle of the free ring, above the centre unless a ball is there."""
+def _free_position(scene: Scene) -> complex:
+    """A position in the free ring between bricks and paddles: above the centre, unless a ball is there."""
     track = scene.rings[PADDLES].inner_radius
     wall = max([ring.outer_radius for ring in scene.rings[PADDLES + 1 :]], default=0.0)
-    height = min(max((track + wall) / 2.0, 0.62 * track), 0.75 * track)
-    return -1j * height if any([ball.position.imag > 0.2 * track for ball in scene.balls]) else 1j * height
+    radius = min(max((track + wall) / 2.0, _LOWEST * track), _HIGHEST * track)
+    ball_above = any([ball.position.imag > _BALL_ABOVE * track for ball in scene.balls])
+    return -1j * radius if ball_above else 1j * radius

@@ -2,15 +2,16 @@
 
 from game import effects
 from game.autopilot import Autopilot
-from game.effects import Effects, Kind, Shown
+from game.effects import EffectKind, Effects, Shown
 from game.fixed_step import Due, due
 from game.levels import Level
 from game.rules import Phase, new_game, tick
 from game.scene import Scene, scene_at, still
 
 _END_TICKS = 240
-_LOUD = frozenset({Kind.SHAKE, Kind.POINTS})
-"""Effects that would disturb who reads what is written over it."""
+"""From the end of its game to the end of the demonstration."""
+_DISTURBING = frozenset({EffectKind.SHAKE, EffectKind.POINTS})
+"""Effects that are left out, for somebody reads what is written over the demonstration."""
 
 
 class Demo:
@@ -25,17 +26,17 @@ class Demo:
 
     @property
     def ended(self) -> bool:
-        """Whether it has been won or lost, and that was to be seen for a moment."""
+        """Whether it has been won or lost, and its end was shown for a moment."""
         game = self._ticked.game
         return game.phase in (Phase.OVER, Phase.WON) and game.phase_tick > _END_TICKS
 
     def advance(self, seconds: float, shown: Shown) -> None:
-        """Let it play. shown: the effects."""
+        """Let it play. shown: the effects that the player wants."""
         self._due = due(self._due.rest, seconds)
         for _ in range(self._due.ticks):
             game = self._ticked.game
             self._ticked = tick(game, self._autopilot.controls(game))
-            self._effects = effects.after(self._effects, self._ticked, shown - _LOUD)
+            self._effects = effects.after(self._effects, self._ticked, shown - _DISTURBING)
 
     def scene(self) -> Scene:
         """What there is to see."""

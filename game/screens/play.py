@@ -4,93 +4,97 @@ import pygame
 
 from game import effects
 from game.autopilot import Autopilot
-from game.drawing import contact_normals as normals
+from game.drawing import contact_normals
 from game.drawing.camera import Camera, Layout, layout, unit_of
-from game.effects import Effects, Kind, hit_stop
+from game.effects import EffectKind, Effects
+from game.effects.hit_stop import hit_stop_seconds
 from game.fixed_step import Due, due
 from game.input.signals import Action, FocusLost, Hands, Pressed, Signal
 from game.levels import Level
 from game.overlay import hud, notice
 from game.rules import Phase, new_game, tick
 from game.scene import scene_at, still
-from game.screens.base import Screen, Shared
-from game.screens.panels import Entry, Help, Menu
+from game.screens.app_state import AppState
+from game.screens.base import Screen
+from game.screens.help import Help
+from game.screens.menu import Entry, Menu
 from game.screens.settings_panel import SettingsPanel
-from game.second_opinion import Opinions
+from game.second_opinion import NormalPair
 
 _READY_SECONDS = 0.6
-"""After a pause with a ball in play, before it flies on."""
+"""After a pause with a ball in play, until it flies on."""
 _END_TICKS = 200
-"""From the last ball's loss, or the last brick, to the panel that says so."""
+"""From the end of the game to the menu that says so: nobody who is still playing chooses an entry by accident."""
 
 
 class Play:
     """One game from its first serve on."""
 
-    def __init__(self, shared: Shared, levels: tuple[Level, ...]) -> None:
+    def __init__(self, state: AppState, levels: tuple[Level, ...]) -> None:
         """Start a new game at the first of the levels."""
-        self._shared, self._levels = shared, levels
-        self._ticked = still(new_game(levels, shared.seed))
+        self._state, self._levels = state, levels
+        self._ticked = still(new_game(levels, state.seed))
         self._effects = Effects()
-        self._opinions: tuple[Opinions, ...] = ()
+        self._normals: tuple[NormalPair, ...] = ()
         self._hands = Hands()
         self._due = Due(0, 0.0)
-        self._ready = 0.0
-        self._breath = 0.0  # seconds to hold it
-        self._pilot = Autopilot() if shared.autopilot else None
+        self._ready = 0.0  # seconds until play goes on after a pause
+        self._stop = 0.0  # seconds of hit-stop left
+        self._pilot = Autopilot() if state.autopilot else None
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
-        """Take the player's hands into account, or open a panel."""
+        """Take the player's controls into account, or open a panel."""
         match signal:
             case Pressed(Action.PAUSE | Action.BACK) | FocusLost():
-                return self._held(_pause_menu(self._shared, self))
+                return self._paused(_pause_menu(self._state, self))
             case Pressed(Action.RESTART):
-                return self._held(_restart_menu(self._shared, self))
+                return self._paused(_restart_menu(self._state, self))
             case Pressed(Action.HELP):
-                return self._held(Help(self._shared, self))
+                return self._paused(Help(self._state, self))
             case Pressed(Action.SETTINGS):
-                return self._held(SettingsPanel(self._shared, self))
+                return self._paused(SettingsPanel(self._state, self))
         self._hands = self._hands.after(signal)
-        self._shared.view = self._shared.view.after(signal, unit_of(size))
+        self._state.view = self._state.view.after(signal, unit_of(size))
         return self
 
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
         """Run the ticks that are due; a panel when the game has ended."""
-        self._shared.view = self._shared.view.later(seconds, smooth=not self._shared.settings.reduced_motion)
+        self._state.view = self._state.view.later(seconds, smooth=not self._state.settings.reduced_motion)
         if self._ready > 0.0:
             self._ready -= seconds
             return self
-        held = min(self._breath, max(seconds, 0.0))
-        self._breath -= held
-        self._due = due(self._due.rest, seconds - held)
+        stopped = min(self._stop, max(seconds, 0.0))
+        self._stop -= stopped
+        self._due = due(self._due.rest, seconds - stopped)
         camera = self._layout(size).camera
         for _ in range(self._due.ticks):
             self._tick(camera)
-            if Kind.HIT_STOP in self._shared.settings.shown and (breath := hit_stop.breath(self._ticked)):
-                self._breath, self._due = breath, Due(0, 0.0)
+            if EffectKind.HIT_STOP in self._state.settings.shown and (stop := hit_stop_seconds(self._ticked)):
+                self._stop, self._due = stop, Due(0, 0.0)
                 break
         game = self._ticked.game
         if game.phase in (Phase.OVER, Phase.WON) and game.phase_tick >= _END_TICKS:
-            return _end_menu(self._shared, self, won=game.phase == Phase.WON, score=game.score)
+            return _end_menu(self._state, self, won=game.phase == Phase.WON, score=game.score)
         return self
 
     def draw(self, surface: pygame.Surface) -> None:
         """The arena, the figures, and a line that says what to do."""
-        place, shared = self._layout(surface.get_size()), self._shared
+        state, seen = self._state, self._layout(surface.get_size())
+        canvas = state.canvas(surface, seen.camera)
         scene = scene_at(self._ticked, self._due.alpha, self._effects)
-        shared.painter.paint(surface, scene, place.camera, shared.type, place.unit)
-        if shared.normals:
-            normals.draw(surface, self._opinions, place.camera, shared.theme, shared.type, place.unit)
+        state.painter.paint(canvas, scene)
+        if state.shows_normals:
+            contact_normals.draw(canvas, self._normals)
         badge = "" if self._pilot is None else "autopilot"
-        shown = hud.readings(self._ticked.game, self._effects.streak, muted=not shared.settings.sound, badge=badge)
-        hud.draw(surface, place, shown, shared.theme, shared.type)
+        shown = hud.readings(self._ticked.game, self._effects.streak, muted=not state.settings.sound, badge=badge)
+        hud.draw(canvas, shown, seen)
         told = notice.READY if self._ready > 0.0 else notice.notice(self._ticked.game)
         if told is not None:
-            notice.draw(surface, place, told, scene, shared.theme, shared.type)
+            notice.draw(canvas, told, scene)
 
     def restarted(self) -> Screen:
         """The same levels from their first serve."""
-        return Play(self._shared, self._levels)
+        return Play(self._state, self._levels)
 
     def _tick(self, camera: Camera) -> None:
         """Run one tick and tell the recorder."""
@@ -98,14 +102,14 @@ class Play:
         controls = self._hands.controls(camera) if self._pilot is None else self._pilot.controls(game)
         self._hands = self._hands._replace(serve=False)
         self._ticked = tick(game, controls)
-        self._effects = effects.after(self._effects, self._ticked, self._shared.settings.shown)
-        self._opinions = self._shared.opinions(self._opinions, self._ticked)
-        self._shared.heard(self._ticked, camera)
-        if self._shared.recorder is not None:
-            self._shared.recorder(controls, self._ticked.game)
+        self._effects = effects.after(self._effects, self._ticked, self._state.settings.shown)
+        self._normals = self._state.normals_after(self._normals, self._ticked)
+        self._state.play_sounds(self._ticked, camera)
+        if self._state.recorder is not None:
+            self._state.recorder(controls, self._ticked.game)
 
-    def _held(self, panel: Screen) -> Screen:
-        """A panel over the game; what was held when it opened is let go."""
+    def _paused(self, panel: Screen) -> Screen:
+        """A panel over the game; keys that were held when it opened are let go."""
         self._hands = self._hands.after(FocusLost())
         if self._ticked.game.phase == Phase.PLAYING:
             self._ready = _READY_SECONDS
@@ -113,34 +117,34 @@ class Play:
 
     def _layout(self, size: tuple[int, int]) -> Layout:
         """Where everything is on a surface of some size."""
-        return self._shared.view.seen(layout(size, self._ticked.game.level.ground_radius))
+        return self._state.view.seen(layout(size, self._ticked.game.level.ground_radius))
 
 
-def _pause_menu(shared: Shared, play: Play) -> Menu:
+def _pause_menu(state: AppState, play: Play) -> Menu:
     """What to do with a game that was interrupted."""
     entries = (
         Entry("Go on", lambda: play, Action.PAUSE),
         Entry("Restart", play.restarted, Action.RESTART),
-        Entry("Settings", lambda: SettingsPanel(shared, menu), Action.SETTINGS),
-        Entry("All levels", lambda: shared.home(shared)),
+        Entry("Settings", lambda: SettingsPanel(state, menu), Action.SETTINGS),
+        Entry("All levels", lambda: state.open_title(state)),
         Entry("Quit", lambda: None),
     )
-    menu = Menu(shared, play, "Paused", (), entries, back=lambda: play)
+    menu = Menu(state, play, "Paused", (), entries, back=lambda: play)
     return menu
 
 
-def _restart_menu(shared: Shared, play: Play) -> Menu:
+def _restart_menu(state: AppState, play: Play) -> Menu:
     """The question before a game is thrown away."""
     entries = (Entry("Restart", play.restarted, Action.RESTART), Entry("Go on", lambda: play, Action.PAUSE))
-    return Menu(shared, play, "Restart?", ("This game ends; the score is lost.",), entries, back=lambda: play)
+    return Menu(state, play, "Restart?", ("This game ends; the score is lost.",), entries, back=lambda: play)
 
 
-def _end_menu(shared: Shared, play: Play, *, won: bool, score: int) -> Menu:
+def _end_menu(state: AppState, play: Play, *, won: bool, score: int) -> Menu:
     """The end of a game."""
     entries = (
         Entry("Play again", play.restarted, Action.RESTART),
-        Entry("All levels", lambda: shared.home(shared)),
+        Entry("All levels", lambda: state.open_title(state)),
         Entry("Quit", lambda: None),
     )
     title, line = ("You won", "Every level is cleared.") if won else ("Game over", "The last ball is gone.")
-    return Menu(shared, play, title, (line, f"Score {score:,}"), entries, back=lambda: shared.home(shared))
+    return Menu(state, play, title, (line, f"Score {score:,}"), entries, back=lambda: state.open_title(state))

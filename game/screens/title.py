@@ -2,127 +2,151 @@
 
 import pygame
 
-from game.drawing.camera import layout, unit_of
-from game.drawing.primitives import draw_box
+from game.drawing.camera import Camera, layout, unit_of
+from game.drawing.canvas import Canvas
+from game.drawing.raster.primitives import draw_box
 from game.input.signals import Action, Clicked, Moved, Pressed, Signal
-from game.screens.base import Screen, Shared
+from game.screens.app_state import AppState
+from game.screens.base import Screen
 from game.screens.demo import Demo
-from game.screens.panels import Help
+from game.screens.help import Help
+from game.screens.panel import index_at
 from game.screens.play import Play
 from game.screens.settings_panel import SettingsPanel
 from game.screens.thumbnail import thumbnail
 
 NAME = "POLAR BREAKOUT"
+_KEYS_HELP = "Enter or click: play     Arrows: choose     H: help     O: settings     F11: full screen     Esc: quit"
+# Lengths are in units of text.
+_NAME, _NAME_SHARE, _NAME_SPACING = 3.8, 1.0 / 11.0, 0.12
+"""Size of the name's letters, their largest share of the surface's width, and the gaps between them in shares of their size."""
+_NAME_TOP, _DEMO_TOP, _DEMO_GAP = 1.0, 5.0, 0.8
+"""From the surface's top to the name and to the demonstration, and from that to the cards."""
+_CARD, _CARD_GAP, _CARDS_MARGIN, _CARDS_BOTTOM = 5.6, 0.7, 1.0, 7.8
+"""Side of a card, between two, beside all of them, and from their pictures to the surface's lower edge."""
+_CARD_CORNER, _CARD_EDGE, _CHOSEN_EDGE, _CARD_MARGIN = 0.6, 0.06, 0.16, 0.4
+"""Radius of a card's corners, widths of its edge, and from the edge to the picture."""
+_NUMBER, _NUMBER_BOTTOM, _NUMBER_HEIGHT = 1.1, 0.3, 1.1
+"""Size of a level's number, from it to the card's lower edge, and how much a card is higher for it than wide."""
+_LEVEL_NAME, _DESCRIPTION, _KEYS = 1.5, 1.05, 0.95
+"""Sizes of letters."""
+_LEVEL_TOP, _LINE_GAP, _KEYS_BOTTOM = 0.5, 0.2, 0.8
+"""From the cards to the level's name, between the lines below, and from the keys to the surface's lower edge."""
+_DESCRIPTION_WIDTH = 0.9
+"""Share of the surface's width."""
+_MOST_PICTURES = 64
+"""Pictures of levels cached."""
 
 
 class Title:
     """Shows the levels over a demonstration of the chosen one."""
 
-    def __init__(self, shared: Shared) -> None:
+    def __init__(self, state: AppState) -> None:
         """Open with the level chosen last."""
-        self._shared = shared
+        self._state = state
         self._pictures: dict[tuple[int, int, int], pygame.Surface] = {}
         self._demo = self._new_demo()
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
         """Choose a level, start it, or leave."""
-        count = len(self._shared.catalogue)
+        count = len(self._state.catalogue)
         match signal:
             case Pressed(Action.LEFT | Action.UP):
-                self._choose((self._shared.chosen - 1) % count)
+                self._choose((self._state.chosen - 1) % count)
             case Pressed(Action.RIGHT | Action.DOWN):
-                self._choose((self._shared.chosen + 1) % count)
+                self._choose((self._state.chosen + 1) % count)
             case Pressed(Action.CONFIRM | Action.SERVE):
                 return self._started()
             case Pressed(Action.HELP):
-                return Help(self._shared, self)
+                return Help(self._state, self)
             case Pressed(Action.SETTINGS):
-                return SettingsPanel(self._shared, self)
+                return SettingsPanel(self._state, self)
             case Pressed(Action.BACK):
                 return None
-            case Moved(place) if (index := self._card_at(place, size)) is not None:
+            case Moved(pixel) if (index := index_at(self._cards(size), pixel)) is not None:
                 self._choose(index)
-            case Clicked(place) if (index := self._card_at(place, size)) is not None:
+            case Clicked(pixel) if (index := index_at(self._cards(size), pixel)) is not None:
                 self._choose(index)
                 return self._started()
         return self
 
     def advance(self, seconds: float, _size: tuple[int, int]) -> Screen | None:
         """Let the demonstration play."""
-        self._demo.advance(seconds, self._shared.settings.shown)
+        self._demo.advance(seconds, self._state.settings.shown)
         if self._demo.ended:
             self._demo = self._new_demo()
         return self
 
     def draw(self, surface: pygame.Surface) -> None:
         """The demonstration, the name, the levels, what the keys do."""
-        shared, size = self._shared, surface.get_size()
-        theme, type_, unit = shared.theme, shared.type, unit_of(size)
         scene = self._demo.scene()._replace(aim=None, pops=())
-        width, height = size
-        middle = width / 2.0
-        above, below = unit * 5.0, height - self._cards(size)[0].top + unit * 0.8
-        small = layout((width, max(round(height - above), 1)), scene.ground_radius, below).camera
-        camera = small._replace(centre=complex(middle, above + (height - above - below) / 2.0))
-        shared.painter.paint(surface, scene, camera, type_, unit)
-        type_.write(surface, NAME, min(unit * 3.8, width / 11.0), theme.text, complex(middle, unit * 1.0), "midtop", 0.12)
-        level = shared.catalogue[shared.chosen]
-        self._draw_cards(surface)
-        under = self._cards(size)[0].bottom + unit * 0.5
-        box = type_.write(surface, level.name, unit * 1.5, theme.accent, complex(middle, under), "midtop")
-        for line in type_.wrapped(level.description, unit * 1.05, width * 0.9):
-            box = type_.write(surface, line, unit * 1.05, theme.text, complex(middle, box.bottom + unit * 0.2), "midtop")
-        hint = "Enter or click: play     Arrows: choose     H: help     O: settings     F11: full screen     Esc: quit"
-        type_.write(surface, hint, unit * 0.95, theme.faint, complex(middle, height - unit * 0.8), "midbottom")
+        canvas = self._state.canvas(surface, self._demo_camera(surface.get_size(), scene.ground_radius))
+        self._state.painter.paint(canvas, scene)
+        theme, unit, (width, height) = canvas.theme, canvas.unit, canvas.size
+        middle, cards = width / 2.0, self._cards(canvas.size)
+        name = min(_NAME, width / unit * _NAME_SHARE)
+        canvas.write(NAME, name, theme.text, complex(middle, unit * _NAME_TOP), "midtop", _NAME_SPACING)
+        self._draw_cards(canvas, cards)
+        level = self._state.catalogue[self._state.chosen]
+        under = complex(middle, cards[0].bottom + unit * _LEVEL_TOP)
+        box = canvas.write(level.name, _LEVEL_NAME, theme.accent, under, "midtop")
+        for line in canvas.type.wrapped(level.description, unit * _DESCRIPTION, width * _DESCRIPTION_WIDTH):
+            under = complex(middle, box.bottom + unit * _LINE_GAP)
+            box = canvas.write(line, _DESCRIPTION, theme.text, under, "midtop")
+        canvas.write(_KEYS_HELP, _KEYS, theme.faint, complex(middle, height - unit * _KEYS_BOTTOM), "midbottom")
 
-    def _draw_cards(self, surface: pygame.Surface) -> None:
-        """A picture of every level, the chosen one framed."""
-        theme, type_, unit = self._shared.theme, self._shared.type, unit_of(surface.get_size())
-        for index, card in enumerate(self._cards(surface.get_size())):
-            chosen = index == self._shared.chosen
-            edge = theme.accent if chosen else theme.panel_edge
-            draw_box(surface, card, unit * 0.6, theme.panel, edge, unit * (0.16 if chosen else 0.06))
-            picture = self._picture(index, card.width - round(unit * 0.8))
-            surface.blit(picture, picture.get_rect(midtop=(card.centerx, card.top + round(unit * 0.4))))
-            colour = theme.accent if chosen else theme.faint
-            place = complex(card.centerx, card.bottom - unit * 0.3)
-            type_.write(surface, str(index + 1), unit * 1.1, colour, place, "midbottom")
+    def _demo_camera(self, size: tuple[int, int], ground_radius: float) -> Camera:
+        """The camera that shows the demonstration between the name and the cards."""
+        width, height = size
+        unit = unit_of(size)
+        above, below = unit * _DEMO_TOP, height - self._cards(size)[0].top + unit * _DEMO_GAP
+        fitted = layout((width, max(round(height - above), 1)), ground_radius, below).camera
+        return fitted._replace(centre=complex(width / 2.0, above + (height - above - below) / 2.0))
+
+    def _draw_cards(self, canvas: Canvas, cards: list[pygame.Rect]) -> None:
+        """A picture of every level, the chosen one framed. cards: their boxes, pixels."""
+        theme, unit = canvas.theme, canvas.unit
+        for index, card in enumerate(cards):
+            chosen = index == self._state.chosen
+            colour, edge = (theme.accent, theme.accent) if chosen else (theme.faint, theme.panel_edge)
+            line = _CHOSEN_EDGE if chosen else _CARD_EDGE
+            draw_box(canvas.surface, card, unit * _CARD_CORNER, theme.panel, edge, unit * line)
+            picture = self._picture(index, card.width - round(unit * 2.0 * _CARD_MARGIN))
+            corner = (card.centerx, card.top + round(unit * _CARD_MARGIN))
+            canvas.surface.blit(picture, picture.get_rect(midtop=corner))
+            pixel = complex(card.centerx, card.bottom - unit * _NUMBER_BOTTOM)
+            canvas.write(str(index + 1), _NUMBER, colour, pixel, "midbottom")
 
     def _cards(self, size: tuple[int, int]) -> list[pygame.Rect]:
         """Where the levels' cards are, pixels: a row in the lower half."""
-        unit, count = unit_of(size), len(self._shared.catalogue)
-        gap = unit * 0.7
-        side = min((size[0] - unit * 2.0 - gap * (count - 1)) / count, unit * 5.6)
+        unit, count = unit_of(size), len(self._state.catalogue)
+        gap = unit * _CARD_GAP
+        side = min((size[0] - unit * 2.0 * _CARDS_MARGIN - gap * (count - 1)) / count, unit * _CARD)
         side = max(side, 1.0)
-        top = size[1] - unit * 7.8 - side
+        top = size[1] - unit * _CARDS_BOTTOM - side
         left = (size[0] - side * count - gap * (count - 1)) / 2.0
-        tall = round(side + unit * 1.1)
+        tall = round(side + unit * _NUMBER_HEIGHT)
         return [pygame.Rect(round(left + index * (side + gap)), round(top), round(side), tall) for index in range(count)]
 
-    def _card_at(self, place: complex, size: tuple[int, int]) -> int | None:
-        """The card at a pixel."""
-        index = pygame.Rect(place.real, place.imag, 1, 1).collidelist(self._cards(size))
-        return None if index < 0 else index
-
     def _picture(self, index: int, side: int) -> pygame.Surface:
-        """A level's picture, drawn once per size and theme."""
-        key = (index, side, id(self._shared.theme))
+        """A level's picture, drawn once per size and theme. side: pixels."""
+        key = (index, side, id(self._state.theme))
         if key not in self._pictures:
-            if len(self._pictures) > 64:
+            if len(self._pictures) >= _MOST_PICTURES:
                 self._pictures.clear()
-            self._pictures[key] = thumbnail(self._shared.catalogue[index], side, self._shared.theme)
+            self._pictures[key] = thumbnail(self._state.catalogue[index], side, self._state.theme)
         return self._pictures[key]
 
     def _choose(self, index: int) -> None:
-        """Another level, and its demonstration."""
-        if index != self._shared.chosen:
-            self._shared.chosen = index
+        """Choose another level, and show its demonstration."""
+        if index != self._state.chosen:
+            self._state.chosen = index
             self._demo = self._new_demo()
 
     def _new_demo(self) -> Demo:
         """The chosen level, to be played from its beginning."""
-        return Demo(self._shared.catalogue[self._shared.chosen], self._shared.seed)
+        return Demo(self._state.catalogue[self._state.chosen], self._state.seed)
 
     def _started(self) -> Screen:
         """The game from the chosen level on."""
-        return Play(self._shared, self._shared.catalogue[self._shared.chosen :])
+        return Play(self._state, self._state.catalogue[self._state.chosen :])

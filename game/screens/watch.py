@@ -5,9 +5,10 @@ from typing import Protocol
 import pygame
 
 from game import effects
-from game.drawing import contact_normals as normals
+from game.drawing import contact_normals
 from game.drawing.camera import Layout, layout, unit_of
-from game.drawing.primitives import draw_dot
+from game.drawing.canvas import Canvas
+from game.drawing.raster.primitives import draw_dot
 from game.effects import LONGEST, Effects
 from game.fixed_step import LONGEST_FRAME
 from game.input.signals import WATCH_HELP, Action, Clicked, Dragged, Moved, Pressed, Signal, Zoomed
@@ -15,14 +16,25 @@ from game.overlay import hud
 from game.overlay.toast import draw_bar
 from game.rules import TICK, Game, Ticked
 from game.scene import scene_at, still
-from game.screens.base import Screen, Shared
-from game.screens.panels import Help
+from game.screens.app_state import AppState
+from game.screens.base import Screen
+from game.screens.help import Help
 from game.screens.settings_panel import SettingsPanel
-from game.second_opinion import Opinions
+from game.second_opinion import NormalPair
 
 SPEEDS = (0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0)
-_SKIP = 5 * 240
+_SKIPPED_TICKS = 5 * 240
 """Ticks that an arrow key skips."""
+# Lengths are in units of text.
+_ROOM = 3.6
+"""Height at the surface's lower edge that is left to the timeline and its words."""
+_BAR_LEFT, _BAR_RIGHT, _BAR_BOTTOM, _BAR_HEIGHT = 7.0, 13.0, 2.4, 0.6
+"""The timeline's bar: from the surface's edges, the last one to its top; and its height."""
+_GRIP = (0.5, 0.8)
+"""A click so far beside the bar, across and down, still means it."""
+_EDGE, _TEXT, _KEYS, _KEYS_TOP = 0.8, 1.0, 0.9, 0.6
+"""From the words to the surface's edges, sizes of letters, and from the bar to the keys below."""
+_KEYS_HELP = "Space: play / stop    , . : one tick    Left Right: 5 s    + -: speed    H: help"
 
 
 class Frames(Protocol):
@@ -40,28 +52,28 @@ class Frames(Protocol):
 
 
 class Watch:
-    """Shows a recorded game; its clock is a number of ticks, with a fraction to draw between them."""
+    """Shows a recorded game. Its clock counts ticks, with a fraction, to draw moments between two ticks."""
 
-    def __init__(self, shared: Shared, frames: Frames) -> None:
+    def __init__(self, state: AppState, frames: Frames) -> None:
         """Start at the beginning, playing."""
-        self._shared, self._frames = shared, frames
+        self._state, self._frames = state, frames
         self._playing = True
         self._speed = SPEEDS.index(1.0)
         self._effects = Effects()
-        self._opinions: tuple[Opinions, ...] = ()
+        self._normals: tuple[NormalPair, ...] = ()
         self._seek(0)
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
         """Play, stop, step, seek, or leave."""
-        shared = self._shared
+        state = self._state
         match signal:
             case Pressed(Action.BACK):
                 return None
             case Pressed(Action.HELP):
-                return Help(shared, self, "Watching a game", WATCH_HELP)
+                return Help(state, self, "Watching a game", WATCH_HELP)
             case Pressed(Action.SETTINGS):
                 self._playing = False
-                return SettingsPanel(shared, self)
+                return SettingsPanel(state, self)
             case Pressed(Action.SERVE | Action.PAUSE | Action.CONFIRM):
                 self._toggle()
             case Pressed(Action.LESS | Action.DOWN):
@@ -70,36 +82,36 @@ class Watch:
                 self._speed = min(self._speed + 1, len(SPEEDS) - 1)
             case Pressed(action):
                 self._go(action)
-                shared.view = shared.view.after(signal, unit_of(size))
+                state.view = state.view.after(signal, unit_of(size))
             case Dragged() | Zoomed():
-                shared.view = shared.view.after(signal, unit_of(size))
-            case Clicked(place) | Moved(place, True) if self._on_timeline(place, size):
+                state.view = state.view.after(signal, unit_of(size))
+            case Clicked(pixel) | Moved(pixel, True) if self._on_timeline(pixel, size):
                 bar = self._timeline(size)
-                share = (place.real - bar.left) / max(bar.width, 1)
+                share = (pixel.real - bar.left) / max(bar.width, 1)
                 self._seek(round(min(max(share, 0.0), 1.0) * self._frames.ticks))
         return self
 
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
         """Let the recording run at its speed."""
-        self._shared.view = self._shared.view.later(seconds, smooth=not self._shared.settings.reduced_motion)
+        self._state.view = self._state.view.later(seconds, smooth=not self._state.settings.reduced_motion)
         if self._playing:
             passed = self._run_to(self._at + min(max(seconds, 0.0), LONGEST_FRAME) / TICK * SPEEDS[self._speed])
             camera = self._layout(size).camera
             for ticked in passed:
-                self._shared.heard(ticked, camera)
+                self._state.play_sounds(ticked, camera)
             self._playing = self._at < self._frames.ticks
         return self
 
     def draw(self, surface: pygame.Surface) -> None:
         """The arena, the figures and the timeline."""
-        shared, place = self._shared, self._layout(surface.get_size())
-        scene = scene_at(self._shown, self._at - self._number, self._effects)
-        shared.painter.paint(surface, scene, place.camera, shared.type, place.unit)
-        if shared.normals:
-            normals.draw(surface, self._opinions, place.camera, shared.theme, shared.type, place.unit)
-        shown = hud.readings(self._shown.game, self._effects.streak, muted=not shared.settings.sound, badge="replay")
-        hud.draw(surface, place, shown, shared.theme, shared.type)
-        self._draw_timeline(surface)
+        state, seen = self._state, self._layout(surface.get_size())
+        canvas = state.canvas(surface, seen.camera)
+        state.painter.paint(canvas, scene_at(self._shown, self._at - self._number, self._effects))
+        if state.shows_normals:
+            contact_normals.draw(canvas, self._normals)
+        shown = hud.readings(self._shown.game, self._effects.streak, muted=not state.settings.sound, badge="replay")
+        hud.draw(canvas, shown, seen)
+        self._draw_timeline(canvas)
 
     def _toggle(self) -> None:
         """Play or stop; at the end, play from the beginning."""
@@ -115,9 +127,9 @@ class Watch:
                 self._playing = False
                 self._seek(whole + (1 if action is Action.STEP else -1))
             case Action.LEFT:
-                self._seek(whole - _SKIP)
+                self._seek(whole - _SKIPPED_TICKS)
             case Action.RIGHT:
-                self._seek(whole + _SKIP)
+                self._seek(whole + _SKIPPED_TICKS)
             case Action.START | Action.RESTART:
                 self._seek(0)
             case Action.END:
@@ -127,18 +139,18 @@ class Watch:
         """Show the moment after the given number of ticks, limited to those there are."""
         tick = min(max(tick, 0), self._frames.ticks)
         start = max(tick - LONGEST, 0)
-        self._effects, self._opinions = Effects(), ()
+        self._effects, self._normals = Effects(), ()
         self._at, self._number = float(start), start
         self._shown = self._tick_from(start)
         self._run_to(float(tick))
 
     def _run_to(self, moment: float) -> list[Ticked]:
-        """Play forward to a moment, in ticks; the ticks that were completed on the way."""
+        """Play forward to a moment, in ticks; the ticks that were completed meanwhile."""
         moment = min(moment, float(self._frames.ticks))
         passed = []
         while self._number < int(moment):
-            self._effects = effects.after(self._effects, self._shown, self._shared.settings.shown)
-            self._opinions = self._shared.opinions(self._opinions, self._shown)
+            self._effects = effects.after(self._effects, self._shown, self._state.settings.shown)
+            self._normals = self._state.normals_after(self._normals, self._shown)
             passed.append(self._shown)
             self._number += 1
             self._shown = self._tick_from(self._number)
@@ -146,41 +158,39 @@ class Watch:
         return passed
 
     def _tick_from(self, number: int) -> Ticked:
-        """The tick to look into after the first `number`; behind the last there is none."""
+        """The tick that follows the first `number`; after the last one, its game standing still."""
         return self._frames.ticked(number) if number < self._frames.ticks else still(self._frames.game(number))
 
     def _layout(self, size: tuple[int, int]) -> Layout:
-        """Where everything is, the timeline left out."""
-        flat = layout(size, self._shown.game.level.ground_radius, below=unit_of(size) * 3.6)
-        return self._shared.view.seen(flat)
+        """Where everything is, above the timeline."""
+        flat = layout(size, self._shown.game.level.ground_radius, below=unit_of(size) * _ROOM)
+        return self._state.view.seen(flat)
 
     def _timeline(self, size: tuple[int, int]) -> pygame.Rect:
         """The timeline's bar, pixels."""
         unit = unit_of(size)
-        return pygame.Rect(
-            round(unit * 7.0), round(size[1] - unit * 2.4), max(round(size[0] - unit * 20.0), 1), max(round(unit * 0.6), 1)
-        )
+        width = max(round(size[0] - unit * (_BAR_LEFT + _BAR_RIGHT)), 1)
+        corner = (round(unit * _BAR_LEFT), round(size[1] - unit * _BAR_BOTTOM))
+        return pygame.Rect(corner, (width, max(round(unit * _BAR_HEIGHT), 1)))
 
-    def _on_timeline(self, place: complex, size: tuple[int, int]) -> bool:
+    def _on_timeline(self, pixel: complex, size: tuple[int, int]) -> bool:
         """Whether a pixel is on the bar, or near enough to mean it."""
-        unit = unit_of(size)
-        return bool(self._timeline(size).inflate(round(unit), round(unit * 1.6)).collidepoint(place.real, place.imag))
+        across, down = (round(2.0 * unit_of(size) * reach) for reach in _GRIP)
+        return bool(self._timeline(size).inflate(across, down).collidepoint(pixel.real, pixel.imag))
 
-    def _draw_timeline(self, surface: pygame.Surface) -> None:
+    def _draw_timeline(self, canvas: Canvas) -> None:
         """How far the recording is, how fast it runs, and the main keys."""
-        theme, type_, size = self._shared.theme, self._shared.type, surface.get_size()
-        unit, bar = unit_of(size), self._timeline(size)
+        theme, unit, bar = canvas.theme, canvas.unit, self._timeline(canvas.size)
         share = self._at / max(self._frames.ticks, 1)
-        draw_bar(surface, bar, share, theme)
-        draw_dot(surface, complex(bar.left + bar.width * share, bar.centery), bar.height, theme.text)
-        state = "playing" if self._playing else "stopped"
-        type_.write(surface, state, unit, theme.text, complex(unit * 0.8, bar.centery), "midleft")
-        length = f"{self._at * TICK:.1f} / {self._frames.ticks * TICK:.1f} s    {_speed_text(SPEEDS[self._speed])}"
-        type_.write(surface, length, unit, theme.text, complex(size[0] - unit * 0.8, bar.centery), "midright")
-        keys = "Space: play / stop    , . : one tick    Left Right: 5 s    + -: speed    H: help"
-        type_.write(surface, keys, unit * 0.9, theme.faint, complex(bar.left, bar.bottom + unit * 0.6), "topleft")
+        draw_bar(canvas.surface, bar, share, theme)
+        draw_dot(canvas.surface, complex(bar.left + bar.width * share, bar.centery), bar.height, theme.text)
+        left, right = complex(unit * _EDGE, bar.centery), complex(canvas.size[0] - unit * _EDGE, bar.centery)
+        canvas.write("playing" if self._playing else "stopped", _TEXT, theme.text, left, "midleft")
+        seconds = f"{self._at * TICK:.1f} / {self._frames.ticks * TICK:.1f} s    {_speed_text(SPEEDS[self._speed])}"
+        canvas.write(seconds, _TEXT, theme.text, right, "midright")
+        canvas.write(_KEYS_HELP, _KEYS, theme.faint, complex(bar.left, bar.bottom + unit * _KEYS_TOP))
 
 
 def _speed_text(speed: float) -> str:
-    """A speed as people write it."""
+    """A speed, slow ones as a fraction."""
     return f"{speed:g}x" if speed >= 1.0 else f"1/{1.0 / speed:g}x"

@@ -11,7 +11,7 @@ from typing import Any
 import msgspec
 import platformdirs
 
-from game.effects import Kind
+from game.effects import EffectKind
 from game.settings.values import LOUDEST, THEMES, Settings
 from game.system.files import write_whole
 
@@ -104,7 +104,7 @@ def decoded(said: dict[str, Any]) -> Settings:
     if isinstance(volume := said.get("volume"), int | float) and not isinstance(volume, bool):
         settings = settings._replace(volume=round(min(max(volume, 0), LOUDEST)))
     if isinstance(off := said.get("off"), list):
-        settings = settings._replace(off=frozenset([kind for kind in Kind if kind in off]))
+        settings = settings._replace(off=frozenset([kind for kind in EffectKind if kind in off]))
     return settings
 
 

@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from game.drawing.palette import DARK, LIGHT, Theme
-from game.effects import ALL, MOVING, PLAIN, Kind, Shown
+from game.effects import ALL, MOVING, PLAIN, EffectKind, Shown
 
 LOUDEST = 100
 VOLUME_STEP = 10
@@ -18,7 +18,7 @@ class Settings(NamedTuple):
     volume: int = 80  # 0 to LOUDEST
     reduced_motion: bool = False
     effects: bool = True  # any but the trail
-    off: frozenset[Kind] = frozenset()  # effects that are not wanted
+    off: frozenset[EffectKind] = frozenset()  # effects that are not wanted
 
     @property
     def theme(self) -> Theme:
@@ -40,6 +40,6 @@ class Settings(NamedTuple):
         """Dark to light and back."""
         return self._replace(colours="light" if self.colours == "dark" else "dark")
 
-    def toggled(self, kind: Kind) -> "Settings":
+    def toggled(self, kind: EffectKind) -> "Settings":
         """An effect wanted or not wanted any more."""
         return self._replace(off=self.off ^ {kind})

@@ -1,4 +1,4 @@
-"""The sound card: plays what `voices` has chosen and `synth` has drawn; silent where there is none."""
+"""The sound card: plays the sounds that `voices` has chosen and `synth` has made; silent where there is no card."""
 
 import sys
 import time
@@ -8,28 +8,29 @@ import numpy as np
 import pygame
 
 from game.rules import Event
-from game.sound.synth import Note, Wave, every_note, waveform
+from game.sound.synth import Note, Waveform, every_note, waveform
 from game.sound.voices import SILENCE, VOICES, Side, Tail, Voice, chorus, cues, tail
 from game.system.quiet_stderr import quiet_libraries
 
 _BLOCK = 512
 """Samples the mixer makes at once: 12 ms, soon enough to be heard with the hit."""
-_HUSH = 30
-"""Milliseconds in which sounds fade when they are switched off: a cut would click."""
+_FADE_OUT = 30
+"""Milliseconds in which sounds fade out when they are switched off: a cut would click."""
 _FULL_SCALE = 32767.0
 
 
 class Audio:
     """The game's sounds; made once, after the window, and told the events of every frame.
 
-    Without a sound card one line on stderr says so, `problem` keeps it, and everything else does nothing. Nothing here
+    Without a sound card one line on stderr says so, `problem` holds it, and everything else does nothing. Nothing here
     raises, and nothing changes a game.
     """
 
-    problem: str | None  # why there is no sound
+    problem: str | None
+    """Why there is no sound; None if there is."""
 
     def __init__(self, sample_rate: int = 44100, clock: Callable[[], float] = time.perf_counter) -> None:
-        """Open the mixer. Sounds are drawn one by one by `prepare`, or when they are first heard.
+        """Open the mixer. Sounds are computed one by one by `prepare`, or when they are first heard.
 
         sample_rate: per second; the mixer converts if the card wants another. clock: seconds.
         """
@@ -45,48 +46,48 @@ class Audio:
 
     @property
     def volume(self) -> float:
-        """0 silent to 1; loudness as it is felt, so that half is about half as loud."""
+        """0 silent to 1; the amplitude is its square, so that half the volume sounds about half as loud."""
         return self._volume
 
     @volume.setter
     def volume(self, volume: float) -> None:
-        """Changes what sounds now, too."""
+        """Also changes the sounds that are being played."""
         self._volume = min(max(volume, 0.0), 1.0)
         if self._is_open():
-            for place in range(VOICES):
-                self._level(place)
+            for channel in range(VOICES):
+                self._set_volume(channel)
 
     @property
     def muted(self) -> bool:
-        """Whether there is no sound for now."""
+        """Whether sound is switched off."""
         return self._muted
 
     @muted.setter
     def muted(self, muted: bool) -> None:
-        """Fades what sounds now."""
+        """Also fades out the sounds that are being played."""
         if muted and not self._muted:
             self._voices = SILENCE
             if self._is_open():
-                pygame.mixer.fadeout(_HUSH)
+                pygame.mixer.fadeout(_FADE_OUT)
         self._muted = muted
 
     def prepare(self) -> None:
-        """Draw one more sound ahead of its use, until there are all: a frame has time for one."""
+        """Compute one more sound ahead of its use, until there are all: a frame has time for one."""
         if self._waiting and self._is_open():
-            self._draw([self._waiting.pop()])
+            self._compute([self._waiting.pop()])
 
     def play(self, events: Sequence[Event], side: Side, combo: int) -> None:
-        """Make the sounds of some events. side: where they are on the screen. combo: the game's, after the last of them."""
+        """Make the sounds of some events. side: where they are heard. combo: the game's, after the last of them."""
         if self._muted or not events or not self._is_open():
             return
         wanted = cues(events, side, combo)
-        self._draw([cue.note for cue in wanted])
+        self._compute([cue.note for cue in wanted])
         self._voices, new = chorus(self._voices, wanted, self._tails, self._clock())
-        for place in new:
-            voice = self._voices[place]
+        for channel in new:
+            voice = self._voices[channel]
             if voice is not None:
-                pygame.mixer.Channel(place).play(self._sounds[voice.note])
-                self._level(place)
+                pygame.mixer.Channel(channel).play(self._sounds[voice.note])
+                self._set_volume(channel)
 
     def close(self) -> None:
         """Give the sound card back; nothing is heard any more."""
@@ -97,23 +98,23 @@ class Audio:
         self._closed = True
 
     def _is_open(self) -> bool:
-        """Whether there is a mixer: pygame.quit() takes it away too."""
+        """Whether there is a mixer; pygame.quit() takes it away, too."""
         return self.problem is None and not self._closed and pygame.mixer.get_init() is not None
 
-    def _draw(self, notes: Sequence[Note]) -> None:
-        """Draw the sounds that are not there yet."""
+    def _compute(self, notes: Sequence[Note]) -> None:
+        """Compute the sounds that are not there yet."""
         for note in notes:
             if note not in self._sounds:
                 wave = waveform(note, self._rate)
                 self._sounds[note] = pygame.mixer.Sound(buffer=_stereo(wave))
                 self._tails[note] = tail(wave, self._rate)
 
-    def _level(self, place: int) -> None:
-        """Set how loud each ear hears one voice."""
-        voice: Voice | None = self._voices[place]
+    def _set_volume(self, channel: int) -> None:
+        """Set how loud each ear hears the voice on a channel."""
+        voice: Voice | None = self._voices[channel]
         if voice is not None:
             gain = self._volume**2
-            pygame.mixer.Channel(place).set_volume(voice.left * gain, voice.right * gain)
+            pygame.mixer.Channel(channel).set_volume(voice.left * gain, voice.right * gain)
 
 
 def _opened(sample_rate: int) -> str | None:
@@ -128,6 +129,6 @@ def _opened(sample_rate: int) -> str | None:
     return None
 
 
-def _stereo(wave: Wave) -> bytes:
-    """16-bit samples, the same for both ears."""
+def _stereo(wave: Waveform) -> bytes:
+    """16-bit samples, the same for both ears. wave: -1 to 1."""
     return np.repeat(np.rint(wave * _FULL_SCALE).astype(np.int16), 2).tobytes()

@@ -13,7 +13,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-Wave = NDArray[np.float64]
+Waveform = NDArray[np.float64]
+"""One-dimensional, mono, within -1 to 1."""
 
 STEPS = 13
 """Pitches a row of bricks climbs through; the last one stays."""
@@ -48,23 +49,32 @@ class Patch(Enum):
     CLEARED = auto()
     WON = auto()
     OVER = auto()
-    POWER_UP = auto()
 
 
 class Note(NamedTuple):
-    """One sound."""
+    """One sound.
+
+    patch: its kind.
+    step: of the scale, 0 to STEPS - 1, for a brick; else 0.
+    layers: left after the hit, 0 to MOST_LAYERS, for a brick; else 0.
+    """
 
     patch: Patch
-    step: int = 0  # of the scale, 0 to STEPS - 1; bricks alone differ
-    layers: int = 0  # left after the hit, 0 to MOST_LAYERS; bricks alone differ
+    step: int = 0
+    layers: int = 0
 
 
 class Partial(NamedTuple):
-    """One sine of a tone."""
+    """One sine of a tone.
 
-    ratio: float  # of the tone's frequency
+    ratio: its frequency over the tone's.
+    amplitude: at its beginning.
+    fade: seconds in which it fades to 1/e.
+    """
+
+    ratio: float
     amplitude: float
-    fade: float  # seconds in which it fades to 1/e
+    fade: float
 
 
 def every_note() -> tuple[Note, ...]:
@@ -80,18 +90,18 @@ def brick(combo: int, layers: int) -> Note:
 
 def pitch(step: int) -> float:
     """Frequency of a step of the scale in Hz; below 0 the scale goes on downwards."""
-    octave, place = divmod(step, len(_PENTATONIC))
-    return BASE * math.exp2(octave + _PENTATONIC[place] / 12.0)
+    octave, degree = divmod(step, len(_PENTATONIC))
+    return BASE * math.exp2(octave + _PENTATONIC[degree] / 12.0)
 
 
-def waveform(note: Note, rate: int) -> Wave:
+def waveform(note: Note, rate: int) -> Waveform:
     """The sound of a note at `rate` samples per second."""
     if note.patch is Patch.BRICK:
         return _brick(pitch(note.step), note.layers, rate)
     return _VOICES[note.patch](rate)
 
 
-def loudness(wave: Wave, rate: int) -> float:
+def loudness(wave: Waveform, rate: int) -> float:
     """RMS of the loudest 0.1 s, weighted as the ear does: after the shape of ITU-R BS.1770's two filters."""
     half = round(_LOUDNESS_BLOCK * rate / 2.0)
     halves = np.zeros((len(wave) // half + 3, half))
@@ -105,7 +115,7 @@ def loudness(wave: Wave, rate: int) -> float:
     return math.sqrt(2.0 * float(np.max(powers))) / (2 * half)
 
 
-def _brick(frequency: float, layers: int, rate: int) -> Wave:
+def _brick(frequency: float, layers: int, rate: int) -> Waveform:
     """A bar of glass that breaks bright; the more layers are left beneath it, the more wooden, lower-bodied and shorter."""
     seconds = 0.30 - 0.04 * layers
     fade = 0.085 - 0.014 * layers
@@ -123,20 +133,20 @@ def _brick(frequency: float, layers: int, rate: int) -> Wave:
     return _finished(wave, 1.0, rate)
 
 
-def _serve(rate: int) -> Wave:
-    """A short sweep upwards: off it goes."""
+def _serve(rate: int) -> Waveform:
+    """A short sweep upwards."""
     wave = _glide(pitch(-5), pitch(0), 0.16, rate) + 0.3 * _glide(pitch(0), pitch(5), 0.16, rate)
     return _finished(wave * _swell(len(wave)), 0.9, rate)
 
 
-def _paddle(rate: int) -> Wave:
+def _paddle(rate: int) -> Waveform:
     """A wooden knock, well below the bricks."""
     partials = (Partial(1.0, 1.0, 0.045), Partial(3.93, 0.4, 0.016), Partial(9.2, 0.15, 0.008))
     wave = _tone(pitch(-3), partials, 0.18, rate) + 0.12 * _hiss(0.18, 0.006, 3000.0, rate)
     return _finished(wave, 0.85, rate)
 
 
-def _wall(rate: int) -> Wave:
+def _wall(rate: int) -> Waveform:
     """A clang: the partials of a free steel bar, which are no multiples of one another."""
     partials = (
         Partial(1.0, 0.8, 0.11),
@@ -147,43 +157,38 @@ def _wall(rate: int) -> Wave:
     return _finished(_tone(311.0, partials, 0.36, rate), 0.75, rate)
 
 
-def _nudge(rate: int) -> Wave:
+def _nudge(rate: int) -> Waveform:
     """Two quick taps: the ball is turned a little."""
     tap = _tone(pitch(2), (Partial(1.0, 1.0, 0.02), Partial(2.0, 0.3, 0.01)), 0.10, rate)
     return _finished(_sequence([(0.0, tap), (0.07, tap)], rate), 0.5, rate)
 
 
-def _lost(rate: int) -> Wave:
+def _lost(rate: int) -> Waveform:
     """A fall of an octave and a half."""
     wave = _glide(pitch(-1), pitch(-9), 0.55, rate) + 0.4 * _glide(pitch(4), pitch(-4), 0.55, rate)
     return _finished(wave * _swell(len(wave)), 1.1, rate)
 
 
-def _cleared(rate: int) -> Wave:
+def _cleared(rate: int) -> Waveform:
     """A chord of G, one note after the other."""
     return _finished(_melody((0, 2, 3, 5), 0.085, 0.22, rate), 1.0, rate)
 
 
-def _won(rate: int) -> Wave:
+def _won(rate: int) -> Waveform:
     """Up an octave and a half, and the chord to end on."""
     climb = _melody((0, 2, 3, 5, 7, 8), 0.10, 0.20, rate)
     chord = _sequence([(0.0, _bell(pitch(step), 0.45, 1.2, rate)) for step in (0, 2, 3, 5)], rate)
     return _finished(_sequence([(0.0, climb / np.max(climb)), (0.62, chord / np.max(chord))], rate), 1.15, rate)
 
 
-def _over(rate: int) -> Wave:
+def _over(rate: int) -> Waveform:
     """Down the scale, slower and slower, to a low end."""
     notes = [(0.0, _bell(pitch(0), 0.2, 0.5, rate)), (0.2, _bell(pitch(-1), 0.2, 0.5, rate))]
     notes += [(0.42, _bell(pitch(-2), 0.22, 0.6, rate)), (0.70, _bell(pitch(-5), 0.4, 0.9, rate))]
     return _finished(_sequence(notes, rate), 1.1, rate)
 
 
-def _power_up(rate: int) -> Wave:
-    """Three quick steps up an octave, like a coin."""
-    return _finished(_melody((3, 5, 8), 0.055, 0.12, rate), 0.9, rate)
-
-
-_VOICES: dict[Patch, Callable[[int], Wave]] = {
+_VOICES: dict[Patch, Callable[[int], Waveform]] = {
     Patch.SERVE: _serve,
     Patch.PADDLE: _paddle,
     Patch.WALL: _wall,
@@ -192,16 +197,15 @@ _VOICES: dict[Patch, Callable[[int], Wave]] = {
     Patch.CLEARED: _cleared,
     Patch.WON: _won,
     Patch.OVER: _over,
-    Patch.POWER_UP: _power_up,
 }
 
 
-def _times(seconds: float, rate: int) -> Wave:
+def _times(seconds: float, rate: int) -> Waveform:
     """The time of each sample."""
     return np.arange(round(seconds * rate)) / rate
 
 
-def _tone(frequency: float, partials: Sequence[Partial], seconds: float, rate: int) -> Wave:
+def _tone(frequency: float, partials: Sequence[Partial], seconds: float, rate: int) -> Waveform:
     """Fading sines over one frequency; those too high for the rate are left out."""
     wave = np.zeros(round(seconds * rate))
     for ratio, amplitude, fade in partials:
@@ -211,7 +215,7 @@ def _tone(frequency: float, partials: Sequence[Partial], seconds: float, rate: i
     return wave
 
 
-def _fading_sine(frequency: float, fade: float, length: int, rate: int) -> Wave:
+def _fading_sine(frequency: float, fade: float, length: int, rate: int) -> Waveform:
     """The imaginary part of z^n, z = exp((i tau f - 1 / fade) / rate); at most `length` samples, fewer once inaudible.
 
     Twice as many powers come from those there are by one multiplication: ten times as fast as exp and sin.
@@ -227,13 +231,13 @@ def _fading_sine(frequency: float, fade: float, length: int, rate: int) -> Wave:
     return powers.imag
 
 
-def _bell(frequency: float, fade: float, seconds: float, rate: int) -> Wave:
-    """The jingles' instrument."""
+def _bell(frequency: float, fade: float, seconds: float, rate: int) -> Waveform:
+    """A note of the jingles' instrument."""
     partials = (Partial(1.0, 1.0, fade), Partial(2.0, 0.35, fade * 0.6), Partial(4.0, 0.12, fade * 0.3))
     return _tone(frequency, partials, seconds, rate)
 
 
-def _glide(start: float, end: float, seconds: float, rate: int) -> Wave:
+def _glide(start: float, end: float, seconds: float, rate: int) -> Waveform:
     """A sine whose frequency goes from start to end, the same musical interval in any equal time."""
     t = _times(seconds, rate)
     bend = math.log(end / start) / seconds
@@ -241,7 +245,7 @@ def _glide(start: float, end: float, seconds: float, rate: int) -> Wave:
 
 
 @cache
-def _hiss(seconds: float, fade: float, cutoff: float, rate: int) -> Wave:
+def _hiss(seconds: float, fade: float, cutoff: float, rate: int) -> Waveform:
     """Fading noise below a frequency, the same in every run, about as strong as a sine."""
     t = _times(min(seconds, _AUDIBLE_FADES * fade), rate)
     size = math.ceil(len(t) / _FFT_STEP) * _FFT_STEP
@@ -254,20 +258,20 @@ def _hiss(seconds: float, fade: float, cutoff: float, rate: int) -> Wave:
     return hiss
 
 
-def _swell(length: int) -> Wave:
-    """An arch from nothing to nothing, highest early."""
+def _swell(length: int) -> Waveform:
+    """An envelope from 0 to 0 that is highest early."""
     return np.square(np.sin(math.pi * np.sqrt(np.linspace(0.0, 1.0, length))))
 
 
-def _melody(steps: Sequence[int], apart: float, fade: float, rate: int) -> Wave:
+def _melody(steps: Sequence[int], apart: float, fade: float, rate: int) -> Waveform:
     """Steps of the scale at equal times."""
     seconds = 3.2 * fade
     notes = [(i * apart, _bell(pitch(step), fade, seconds, rate)) for i, step in enumerate(steps)]
     return _sequence(notes, rate)
 
 
-def _sequence(parts: Sequence[tuple[float, Wave]], rate: int) -> Wave:
-    """Waves laid over one another, each from its second on, and faded in and out so that none clicks."""
+def _sequence(parts: Sequence[tuple[float, Waveform]], rate: int) -> Waveform:
+    """The sum of some waveforms, each after its start in seconds, faded in and out so that none clicks."""
     starts = [round(start * rate) for start, _ in parts]
     wave = np.zeros(max([start + len(part) for start, (_, part) in zip(starts, parts, strict=True)]))
     for start, (_, part) in zip(starts, parts, strict=True):
@@ -275,8 +279,8 @@ def _sequence(parts: Sequence[tuple[float, Wave]], rate: int) -> Wave:
     return wave
 
 
-def _edges(length: int, rate: int) -> Wave:
-    """1 but for a raised cosine from 0 at the beginning and back to 0 at the end, which is longer."""
+def _edges(length: int, rate: int) -> Waveform:
+    """An envelope of 1 that begins and ends at 0, each with half a raised cosine; the end takes longer."""
     rise, fall = round(_EDGE * rate), round(5.0 * _EDGE * rate)
     window = np.ones(length)
     window[:rise] = 0.5 - 0.5 * np.cos(np.linspace(0.0, math.pi, rise))
@@ -284,8 +288,8 @@ def _edges(length: int, rate: int) -> Wave:
     return window
 
 
-def _finished(wave: Wave, level: float, rate: int) -> Wave:
-    """The wave with silent ends, no constant part, and `level` times the loudness of a brick."""
+def _finished(wave: Waveform, level: float, rate: int) -> Waveform:
+    """The waveform with silent ends, no constant part, and `level` times the loudness of a brick."""
     window = _edges(len(wave), rate)
     wave = wave * window
     wave -= window * (np.sum(wave) / np.sum(window))

@@ -11,17 +11,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.rules import Event, EventKind
-from game.sound.synth import Note, Patch, Wave, brick
+from game.sound.synth import Note, Patch, Waveform, brick
 from physics import Hit, dot, length
 
 VOICES = 12
 """Sounds at once, at most."""
-SILENT = frozenset({EventKind.LEVEL_STARTED})
-"""Events that make no sound: the cleared level's jingle has only just ended."""
 TAIL_STEP = 0.01
 """Seconds from one entry of a tail to the next."""
 
-_PATCHES = {
+_PATCHES: dict[EventKind, Patch | None] = {
     EventKind.SERVED: Patch.SERVE,
     EventKind.PADDLE_HIT: Patch.PADDLE,
     EventKind.WALL_HIT: Patch.WALL,
@@ -30,13 +28,15 @@ _PATCHES = {
     EventKind.LEVEL_CLEARED: Patch.CLEARED,
     EventKind.GAME_WON: Patch.WON,
     EventKind.GAME_OVER: Patch.OVER,
+    EventKind.LEVEL_STARTED: None,  # the jingle of the level before has only just ended
 }
-_SPOKEN_FOR = {EventKind.GAME_WON: EventKind.LEVEL_CLEARED, EventKind.GAME_OVER: EventKind.BALL_LOST}
-"""The greater news is told alone."""
+"""What events sound like, but for bricks, whose sound depends on more."""
+_REPLACED = {EventKind.GAME_WON: EventKind.LEVEL_CLEARED, EventKind.GAME_OVER: EventKind.BALL_LOST}
+"""Where both happen at once, the first is heard and the second is not."""
 _HITS = frozenset({Patch.PADDLE, Patch.BRICK, Patch.WALL, Patch.NUDGE})
-"""Many and small: they leave room for the others, which are news."""
-_VOICES_FOR_HITS = 9
-_SCALE_FOR_HITS = 0.8
+"""Sounds that are many and small; all others are news, and hits leave room for them."""
+_VOICES_FOR_HITS, _SCALE_FOR_HITS = 9, 0.8
+"""Voices that hits may take, and share of full scale that they leave nothing above."""
 _WIDTH = 0.8
 """How far to the side the rim is heard: at 1 the other ear would hear nothing."""
 _SOFTEST = 0.5
@@ -46,38 +46,52 @@ _GAP = 0.05
 _LAG = 0.03
 """Seconds that the mixer may be behind: two of its blocks."""
 _LEAST = 0.3
-"""A sound that fits in only this much softer is left out."""
+"""A sound that there is room for only at this share of its loudness is left out."""
 
 
 class Cue(NamedTuple):
-    """A sound to be made."""
+    """A sound to be made.
+
+    note: which one.
+    gain: how loud, 0 to 1.
+    side: where it is heard, -1 at the rim's left to 1 at its right.
+    """
 
     note: Note
-    gain: float  # 0 to 1
-    side: float  # -1 left to 1 right, at the rim
+    gain: float
+    side: float
 
 
 class Voice(NamedTuple):
-    """A sound being made."""
+    """A sound being made.
+
+    note: which one.
+    start: since when, seconds.
+    left, right: how loud in each ear, 0 to 1.
+    """
 
     note: Note
-    start: float  # seconds
-    left: float  # gain, 0 to 1
+    start: float
+    left: float
     right: float
 
 
 class Chorus(NamedTuple):
-    """All that sounds after some cues, and which of it is new."""
+    """All that sounds after some cues.
 
-    voices: tuple[Voice | None, ...]  # VOICES of them
-    new: tuple[int, ...]  # places in `voices`
+    voices: per channel of the mixer, of which there are VOICES; None where it is free.
+    new: channels whose voice has to be started.
+    """
+
+    voices: tuple[Voice | None, ...]
+    new: tuple[int, ...]
 
 
 Side = Callable[[complex], float]
-"""Where on the screen a place of the world is heard: -1 at the rim's left to 1 at its right."""
+"""From a position in the world to where it is heard: -1 at the rim's left on the screen to 1 at its right."""
 
 Tail = NDArray[np.float64]
-"""The loudest that is still to come of a sound, every TAIL_STEP seconds."""
+"""The largest amplitude that is still to come of a sound, every TAIL_STEP seconds."""
 
 SILENCE: tuple[Voice | None, ...] = (None,) * VOICES
 
@@ -85,13 +99,13 @@ SILENCE: tuple[Voice | None, ...] = (None,) * VOICES
 def cues(events: Sequence[Event], side: Side, combo: int) -> list[Cue]:
     """The sounds of some events, in their order.
 
-    side: where on the screen a place of the world is. combo: the game's, after the last of the events.
+    side: where on the screen they are heard. combo: the game's, after the last of the events.
     """
-    told = {_SPOKEN_FOR.get(event.kind) for event in events}
+    replaced = {_REPLACED.get(event.kind) for event in events}
     found: list[Cue] = []
     for event in reversed(events):
         note = _note(event, combo)
-        if note is not None and event.kind not in told:
+        if note is not None and event.kind not in replaced:
             found.append(Cue(note, _strength(event.hit), _limited(side(event.position))))
         combo = _combo_before(event, combo)
     return found[::-1]
@@ -103,8 +117,8 @@ def panned(side: float) -> tuple[float, float]:
     return math.cos(angle), math.sin(angle)
 
 
-def tail(wave: Wave, rate: int) -> Tail:
-    """The loudest that is still to come, every TAIL_STEP seconds, and a last 0."""
+def tail(wave: Waveform, rate: int) -> Tail:
+    """The largest amplitude that is still to come, every TAIL_STEP seconds, and a last 0. rate: samples per second."""
     starts = np.arange(0, len(wave), max(round(TAIL_STEP * rate), 1))
     loudest = np.maximum.reduceat(np.abs(wave), starts)
     return np.append(np.maximum.accumulate(loudest[::-1])[::-1], 0.0)
@@ -113,35 +127,35 @@ def tail(wave: Wave, rate: int) -> Tail:
 def chorus(voices: tuple[Voice | None, ...], wanted: Sequence[Cue], tails: Mapping[Note, Tail], now: float) -> Chorus:
     """The voices at a time `now` in seconds, with those of the cues that find room.
 
-    News goes first. No ear is ever sent more than full scale: what is still to come of all voices is known, and a new
-    one gets what is left, or is left out where that would be next to nothing.
+    News goes first. No ear is ever sent more than full scale: how loud the voices can still become is known from their tails,
+    and a new voice gets what room they leave, or is left out where that is too little.
     """
     sounding = [voice if voice is not None and _to_come(voice, tails, now) > 0.0 else None for voice in voices]
     new: list[int] = []
     for cue in sorted(wanted, key=_is_hit):
         voice = _fitting(cue, sounding, tails, now)
         if voice is not None:
-            place = sounding.index(None)
-            sounding[place] = voice
-            new.append(place)
+            channel = sounding.index(None)
+            sounding[channel] = voice
+            new.append(channel)
     return Chorus(tuple(sounding), tuple(new))
 
 
 def _note(event: Event, combo: int) -> Note | None:
-    """What an event sounds like; None where nothing. combo: after it."""
+    """What an event sounds like; None if it makes no sound. combo: the game's, after it."""
     if event.kind == EventKind.BRICK_HIT:
         return brick(combo, 0 if event.hit is None else event.hit.layers)
-    patch = _PATCHES.get(event.kind)
+    patch = _PATCHES[event.kind]
     return None if patch is None else Note(patch)
 
 
 def _combo_before(event: Event, combo: int) -> int:
-    """The combo before an event, given the one after it; what a paddle ended is not known, and 0 will do."""
+    """The combo before an event, given the one after it. After a paddle's hit it cannot be told; 0 is good enough."""
     return combo - 1 if event.kind == EventKind.BRICK_HIT and combo > 0 else combo
 
 
 def _strength(hit: Hit | None) -> float:
-    """How hard a hit is, from a graze to straight on: 0.5 to 1."""
+    """How loud a hit is: _SOFTEST for a graze to 1 straight on, and 1 for what is no hit."""
     if hit is None:
         return 1.0
     squarely = abs(dot(hit.before, hit.contact.normal)) / max(length(hit.before), 1e-9)
@@ -149,24 +163,24 @@ def _strength(hit: Hit | None) -> float:
 
 
 def _limited(side: float) -> float:
-    """From -1 to 1."""
+    """The nearest number from -1 to 1."""
     return min(max(side, -1.0), 1.0)
 
 
 def _is_hit(cue: Cue) -> bool:
-    """Whether it is one of the many small sounds."""
+    """Whether a cue is one of the many small sounds."""
     return cue.note.patch in _HITS
 
 
 def _to_come(voice: Voice, tails: Mapping[Note, Tail], now: float) -> float:
-    """The loudest that is still to come of a voice in either ear."""
+    """The largest amplitude that is still to come of a voice in either ear."""
     levels = tails[voice.note]
     passed = max(int((now - voice.start - _LAG) / TAIL_STEP), 0)
     return float(levels[min(passed, len(levels) - 1)]) * max(voice.left, voice.right)
 
 
 def _fitting(cue: Cue, sounding: Sequence[Voice | None], tails: Mapping[Note, Tail], now: float) -> Voice | None:
-    """The cue as a voice, softer if there is little room; None if there is too little, or it has only just been struck."""
+    """The cue as a voice, softer if there is little room; None if there is too little, or the note has only just begun."""
     busy = [voice for voice in sounding if voice is not None]
     if any([voice.note == cue.note and now - voice.start < _GAP for voice in busy]):
         return None

@@ -7,7 +7,8 @@ import statistics
 import pytest
 
 import physics
-from physics import Feature, Impact, direction, time_of_impact
+from physics import Feature, Impact, direction
+from physics.time_of_impact import first_impact
 from tools.crosscheck.comparisons import convergence
 from tools.crosscheck.comparisons.convergence import FACETS, Curve, converged
 from tools.crosscheck.comparisons.free_run import free_run
@@ -88,12 +89,12 @@ def test_a_hundredth_of_a_degree_on_inner_faces_is_left_over(monkeypatch):
     turn = direction(math.radians(0.01))
 
     def turned(ball, ring, dt, alive=None):
-        found = time_of_impact(ball, ring, dt, alive)
+        found = first_impact(ball, ring, dt, alive)
         if found is None or found.contact.feature != Feature.INNER_FACE:
             return found
         return Impact(found.time, found.slot, found.contact._replace(normal=found.contact.normal * turn))
 
-    with replaced(physics.time_of_impact, turned):
+    with replaced(first_impact, turned):
         curves = {found.name: found for found in converged(SOURCES)}
     inner = curves["normal, inner face"]
     assert curves["normal, outer face"].holds
@@ -122,6 +123,6 @@ def test_left_alone_both_engines_begin_alike():
 
 def test_a_mistake_leaves_the_physics_as_it_was():
     """A sabotaged game puts the game's own functions back when it is done."""
-    before = physics.step.time_of_impact
+    before = physics.step.first_impact
     check_game(Job(Source(None, "1", 1, 300), 8, None, "rotated-normal"))
-    assert physics.step.time_of_impact is before is time_of_impact
+    assert physics.step.first_impact is before is first_impact

@@ -10,31 +10,7 @@ from game.levels import built_in, chosen, load_file, parse
 from game.rules import bricks_left, new_game
 from game.system.errors import BadInputError
 from physics import PERMANENT
-
-GOOD = b"""
-name = "Test"
-ground_radius = 10.0
-[ball]
-radius = 0.25
-speed = 9.0
-[paddles]
-radius = 9.0
-half_width = 0.2
-half_angle = 20.0
-top_speed = 50.0
-acceleration = 400.0
-[[rings]]
-radius = 3.0
-half_width = 0.4
-half_angle = 10.0
-count = 12
-"""
-
-
-def changed(old: str, new: str) -> bytes:
-    """The good level with one thing changed."""
-    assert GOOD.decode().count(old) == 1, old
-    return GOOD.decode().replace(old, new).encode()
+from tests.support.level_text import GOOD, changed
 
 
 def test_the_good_level_is_good():

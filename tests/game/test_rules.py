@@ -21,7 +21,7 @@ from game.rules import (
     tick,
 )
 from physics import Ball, direction, length, min_difference
-from tests.game.test_levels import GOOD, changed
+from tests.support.level_text import GOOD, changed
 
 LEVEL = parse(GOOD, "good")
 IDLE = Controls()

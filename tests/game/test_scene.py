@@ -26,7 +26,7 @@ def ticks_of(level, count, seed=3):
 
 @pytest.mark.parametrize("level", range(7))
 def test_the_picture_moves_without_jumps(level):
-    """The end of one tick looks like the beginning of the next: rings everywhere, the ball while it is in play."""
+    """The end of a tick shows rings, and balls in play, where the beginning of the next one shows them."""
     before = None
     for done in ticks_of(level, 1500):
         if before is not None and not any(event.kind == EventKind.LEVEL_STARTED for event in done.events):
@@ -49,7 +49,7 @@ def test_a_tick_ends_where_the_rules_say():
 
 
 def test_a_bounce_is_drawn_where_it_happened():
-    """At the moment of a hit the ball touches what it hits, however the tick is cut."""
+    """At the moment of a hit the ball touches what it hits."""
     seen = 0
     for done in ticks_of(0, 4000):
         for hit in done.step.hits[:1]:
@@ -66,8 +66,8 @@ def test_the_ball_never_flies_faster_than_its_speed():
         if done.game.phase != Phase.PLAYING or not done.moving.balls:
             continue
         speed = done.game.level.ball.speed
-        places = [scene_at(done, alpha / 8.0, NONE).balls[0].position for alpha in range(9)]
-        for one, other in pairwise(places):
+        positions = [scene_at(done, alpha / 8.0, NONE).balls[0].position for alpha in range(9)]
+        for one, other in pairwise(positions):
             assert abs(other - one) <= speed * TICK / 8.0 + 1e-9
 
 
@@ -87,7 +87,7 @@ def test_a_ball_waiting_for_its_serve_stays_on_its_paddle():
 
 
 def test_a_served_ball_leaves_from_its_paddle():
-    """The tick of the serve shows the ball where it lay; the next one shows it leaving."""
+    """The tick of the serve shows the ball on its paddle; the next one shows it leaving."""
     game = tick(new_game(built_in(), 1), Controls()).game
     served = tick(game, Controls(serve=True))
     assert served.events[0].kind == EventKind.SERVED
@@ -97,7 +97,7 @@ def test_a_served_ball_leaves_from_its_paddle():
 
 
 def test_a_new_level_is_shown_as_it_starts():
-    """The tick that leads to another level shows the new one, whatever the moment."""
+    """At every moment of the tick that leads to another level the new level is shown."""
     for done in ticks_of(0, 60_000):
         if any(event.kind == EventKind.LEVEL_STARTED for event in done.events):
             scene = scene_at(done, 0.5, NONE)
@@ -108,7 +108,7 @@ def test_a_new_level_is_shown_as_it_starts():
 
 
 def test_before_the_first_tick_there_is_a_scene():
-    """A game that has not begun can be drawn."""
+    """There is a scene of a game that has not begun."""
     game = new_game(built_in(), 1)
     scene = scene_at(still(game), 0.0, NONE)
     assert scene.balls == game.arena.balls

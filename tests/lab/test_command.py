@@ -12,11 +12,11 @@ from game.lab import command
 from game.lab.kit.scene import Claim
 from game.lab.registry import scenes
 from game.lab.session.share import parsed
-from tests.game.system.test_command_line import polar
+from tests.support.command_line import polar
 
 
 def test_the_list_names_every_scene(capsys):
-    """With its title."""
+    """`--list` prints a row for each scene that begins with its name."""
     code, out, err = polar(capsys, "lab", "--list")
     assert (code, err) == (0, "")
     for scene in scenes():
@@ -24,7 +24,7 @@ def test_the_list_names_every_scene(capsys):
 
 
 def test_headless_checks_every_scene(capsys):
-    """One line for each, and exit code 0; a thousand drags are `test_lab_scenes`'s."""
+    """`--headless` prints a row without failures for each scene, and exits with 0."""
     code, out, err = polar(capsys, "lab", "--headless", "--drags", "100")
     assert (code, err) == (0, "")
     for scene in scenes():
@@ -32,7 +32,7 @@ def test_headless_checks_every_scene(capsys):
 
 
 def test_headless_exits_1_when_a_claim_fails(capsys, monkeypatch):
-    """And names the claim with a line that opens it."""
+    """A failed claim is named on stderr with the command that opens the scene there."""
     broken = scenes()[0]._replace(check=lambda _: (Claim("black is white", holds=False),))
     monkeypatch.setattr(command, "scenes", lambda: (broken, *scenes()[1:2]))
     code, _, err = polar(capsys, "lab", "--headless", "--drags", "3")
@@ -42,7 +42,7 @@ def test_headless_exits_1_when_a_claim_fails(capsys, monkeypatch):
 
 
 def test_a_picture_is_drawn_without_a_display(tmp_path):
-    """At any size, in both themes, and the two differ."""
+    """`--screenshot` saves a picture of the size asked for, in dark or in light colours."""
     pictures = []
     for theme in ("dark", "light"):
         file = tmp_path / f"{theme}.png"
@@ -59,7 +59,7 @@ def test_a_picture_is_drawn_without_a_display(tmp_path):
 
 
 def test_headless_checks_one_scene_at_the_values_of_a_share_line(capsys, monkeypatch):
-    """Those values, too: a claim that fails only there is found."""
+    """A claim that fails only at the values of the share line is found."""
     named = parsed("case-2?r=1.25")
     touchy = named.scene._replace(check=lambda given: (Claim("r is not 1.25", given.number("r") != 1.25),))
     monkeypatch.setattr(command, "parsed", lambda *_: named._replace(scene=touchy))
@@ -71,7 +71,7 @@ def test_headless_checks_one_scene_at_the_values_of_a_share_line(capsys, monkeyp
 
 @pytest.mark.skipif(sys.platform != "linux", reason="elsewhere there is always a display")
 def test_without_a_display_it_is_one_line_and_exit_3():
-    """The lab has nothing to show then."""
+    """Without a display the lab says so in one line and exits with 3."""
     hidden = {"DISPLAY", "WAYLAND_DISPLAY", "SDL_VIDEODRIVER", "XDG_RUNTIME_DIR"}
     environment = {name: value for name, value in os.environ.items() if name not in hidden}
     command = [sys.executable, "-m", "game", "lab", "polar"]
@@ -93,7 +93,7 @@ def test_without_a_display_it_is_one_line_and_exit_3():
     ],
 )
 def test_bad_options_exit_2_with_one_line(capsys, monkeypatch, tmp_path, arguments, reason):
-    """One line on stderr, nothing else, no file."""
+    """A bad option is one line on stderr; nothing is printed to stdout and no file is written."""
     monkeypatch.chdir(tmp_path)
     code, out, err = polar(capsys, *arguments)
     assert (code, out) == (2, "")
@@ -103,7 +103,7 @@ def test_bad_options_exit_2_with_one_line(capsys, monkeypatch, tmp_path, argumen
 
 
 def test_list_and_check_need_no_window():
-    """Neither imports pygame."""
+    """`--list` and `--headless` do not import pygame."""
     program = (
         "import sys; from game.__main__ import app; from game.system.command_line import run\n"
         "for arguments in (['lab', '--list'], ['lab', '--headless', '--drags', '3']):\n"

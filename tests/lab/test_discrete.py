@@ -1,4 +1,4 @@
-"""The lab's picture of the source's loop is the source's: against its transcription."""
+"""The lab's copy of the source's loop against the oracle, a transcription of the source."""
 
 import math
 
@@ -6,8 +6,7 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from game.lab.source import literal
-from game.lab.source.discrete import Flight, frame, normal_at, reset
+from game.lab.source import SourceBall, SourceGame, frame, game_frame, normal_at, reset, response_steps
 from physics import Ball, Ring, min_difference
 from tests.support import source_oracle
 from tests.support.strategies import balls, points, reals, rings
@@ -16,7 +15,7 @@ FRAME = 1.0 / 60.0
 
 
 def oracle_normal(p, ball_radius, ring):
-    """The source's pages in a row; None where its band says that there is nothing."""
+    """The source's normal, from the oracle: broad phase, nearest sector, narrow phase. None where the band is not reached."""
     sizes = (ring.radius, ring.half_width)
     if source_oracle.outcome(p, ball_radius, math.inf, *sizes, *sizes) == "no collision":
         return None
@@ -26,7 +25,7 @@ def oracle_normal(p, ball_radius, ring):
 
 
 def is_clear(p, ball_radius, ring):
-    """Whether no rounding decides: not the band, nor which sector is nearest, nor which case, which end, or a touch."""
+    """Whether the ball is so far from every border between two answers that rounding cannot choose between them."""
     theta = source_oracle.to_polar(p)[1]
     offsets = sorted([min_difference(theta, ring.angle(slot)) for slot in range(ring.count)])
     tied = len(offsets) > 1 and offsets[1] - offsets[0] < 1e-6
@@ -40,7 +39,7 @@ def is_clear(p, ball_radius, ring):
 
 @given(balls(), rings())
 def test_its_normal_is_the_sources(ball, ring):
-    """Faults included: the wrong end of a wide sector, and the endless line."""
+    """The loop's normal is the source's, with its errors: the wrong end of a wide sector, and the endless line."""
     assume(is_clear(ball.position, ball.radius, ring))
     found, expected = normal_at(ball.position, ball.radius, ring), oracle_normal(ball.position, ball.radius, ring)
     assert (found is None) == (expected is None)
@@ -49,9 +48,9 @@ def test_its_normal_is_the_sources(ball, ring):
 
 @given(points(8.0), points(5.0), reals(0.0, 1.0), reals(0.0, math.tau))
 def test_its_bounce_is_the_sources(v, surface, friction, angle):
-    """Where the source has an answer."""
+    """Wherever v_res is not 0, the reset gives the source's velocity."""
     normal = complex(math.cos(angle), math.sin(angle))
-    expected = literal.bounced(v, normal, surface, friction)
+    expected = response_steps(v, normal, surface, friction, 7.0).before_reset
     assume(abs(v) > 1e-3 and abs(expected) > 1e-3)
     found = reset(v, expected, 7.0)
     if expected == v:
@@ -61,17 +60,17 @@ def test_its_bounce_is_the_sources(v, surface, friction, angle):
 
 
 def test_zero_by_zero_has_no_velocity_and_the_ball_stands_still():
-    """An end that retreats at half the ball's speed."""
+    """v_res = 0 leaves the source's ball without a velocity: it stays where it is."""
     assert reset(-4j, 0j, 4.0) is None
     assert reset(-4j, 1e-15 + 0j, 4.0) is None
-    still = Flight(3 + 1j, None)
+    still = SourceBall(3 + 1j, None)
     assert frame(still, 0.5, (), FRAME, 4.0) is still
 
 
 @pytest.mark.parametrize(("speed", "through"), [(3.0, False), (30.0, True)])
 def test_a_fast_ball_tunnels_and_a_slow_one_does_not(speed, through):
-    """One test a frame: that is all there is to it."""
-    wall, flight = Ring(8.0, 0.05, math.pi, 1), Flight(0j, complex(speed, 0.0))
+    """With one test a frame, a ball passes a wall that is thinner than its flight in a frame."""
+    wall, flight = Ring(8.0, 0.05, math.pi, 1), SourceBall(0j, complex(speed, 0.0))
     for _ in range(round(12.0 / speed / FRAME)):
         flight = frame(flight, 0.1, (wall,), FRAME, speed)
     assert (abs(flight.position) > 8.5) == through
@@ -79,8 +78,47 @@ def test_a_fast_ball_tunnels_and_a_slow_one_does_not(speed, through):
 
 @given(st.integers(1, 12))
 def test_the_nearest_of_many_sectors_is_found(count):
-    """A ball above the middle of each slot is case 1 with that slot."""
+    """A ball above the middle of a slot is case 1 with that slot."""
     ring = Ring(6.0, 0.5, 0.9 * math.pi / count, count, 0.4)
     for slot in range(count):
-        place = 6.6 * complex(math.cos(ring.angle(slot)), math.sin(ring.angle(slot)))
-        assert abs(normal_at(Ball(place, 0j, 0.3).position, 0.3, ring) - place / 6.6) < 1e-12
+        position = 6.6 * complex(math.cos(ring.angle(slot)), math.sin(ring.angle(slot)))
+        assert abs(normal_at(Ball(position, 0j, 0.3).position, 0.3, ring) - position / 6.6) < 1e-12
+
+
+PADDLES, BRICKS = Ring(9.0, 0.3, 0.5, 2, 0.0, 0.4), Ring(4.0, 0.5, 0.3, 8)
+
+
+def game_at(position, velocity, layers=(2,) * 8):
+    """The source's game with the ball where the next frame finds it after 0.1 s."""
+    return game_frame(SourceGame(SourceBall(position - velocity * 0.1, velocity), PADDLES, BRICKS, layers), 0.5, 12.0, 0.1, 5.0)
+
+
+def test_a_brick_that_is_hit_loses_a_layer():
+    """The nearest one, and only if the ball approaches it; the bounce is the mirrored velocity."""
+    hit = game_at(4.8 + 0j, -5 + 0j)
+    assert (hit.layers, hit.ball.velocity) == ((1, *(2,) * 7), 5 + 0j)
+    left = game_at(4.8 + 0j, 5 + 0j)
+    assert (left.layers, left.ball.velocity) == ((2,) * 8, 5 + 0j)
+
+
+def test_an_empty_slot_is_not_hit():
+    """The search goes over the bricks that are left: a ball in an empty slot meets neither neighbour."""
+    through = game_at(4.0 + 0j, -5 + 0j, (0, *(2,) * 7))
+    assert (through.layers, through.ball.velocity) == ((0, *(2,) * 7), -5 + 0j)
+    assert game_at(4.0 + 0j, -5 + 0j, (0,) * 8).ball.velocity == -5 + 0j
+
+
+def test_a_paddle_is_hit_where_it_has_turned_to():
+    """Rings turn before the test, as the source's frame does; no layer is lost."""
+    hit = game_at(8.4 + 0j, 5 + 0j)
+    assert hit.paddles.phase == PADDLES.turned(0.1).phase
+    assert hit.layers == (2,) * 8
+    assert hit.ball.velocity.real < 0.0
+
+
+def test_a_ball_off_the_ground_ends_the_game():
+    """The game is over from then on, and the ball does not move any more."""
+    over = game_at(12.6 + 0j, 5 + 0j)
+    assert over.over
+    assert game_frame(over, 0.5, 12.0, 0.1, 5.0).ball == over.ball
+    assert not game_at(12.4 + 0j, 5 + 0j).over

@@ -1,4 +1,4 @@
-"""The lab's handles: dragged to a place, the values are those that put the handle there."""
+"""The lab's handles: dragged to a point, the values are those that put the handle there."""
 
 import cmath
 import math
@@ -17,7 +17,7 @@ SECTOR = (
     Number("half_width", "w_p", "", 0.01, 5.0, 1.0, 1e-9),
     Number("half_angle", "φ_p", "°", 0.0, 180.0, 20.0, 1e-9),
 )
-BODY, LEFT, RIGHT, FACE = handles.sector_handles("radius", "half_width", "angle", "half_angle")
+MIDDLE, LEFT, RIGHT, FACE = handles.sector_handles("radius", "half_width", "angle", "half_angle")
 
 
 def sector(angle, half_angle=20.0):
@@ -26,17 +26,17 @@ def sector(angle, half_angle=20.0):
 
 
 @given(reals(0.0, 359.0), reals(2.0, 18.0), reals(0.0, 359.0))
-def test_the_body_goes_where_the_hand_goes(angle, radius, bearing):
-    """Its middle is the hand's place; width and half angle stay."""
-    place = cmath.rect(radius, math.radians(bearing))
-    after = dragged(SECTOR, sector(angle), BODY, place).given
-    assert abs(BODY.place(after) - place) < 1e-6
+def test_the_body_goes_where_the_pointer_goes(angle, radius, bearing):
+    """The dragged sector's middle is at the pointer; its half width and half angle do not change."""
+    target = cmath.rect(radius, math.radians(bearing))
+    after = dragged(SECTOR, sector(angle), MIDDLE, target).given
+    assert abs(MIDDLE.position(after) - target) < 1e-6
     assert (after.number("half_width"), after.number("half_angle")) == (1.0, 20.0)
 
 
 @given(reals(0.0, 359.0), reals(5.0, 175.0), reals(-4.0, 4.0), reals(5.0, 15.0))
-def test_an_end_turns_to_the_hands_bearing(angle, half_angle, more, distance):
-    """Both ends do, each on its side, also beyond a right angle."""
+def test_an_end_turns_to_the_pointers_bearing(angle, half_angle, more, distance):
+    """Either end turns to the pointer's bearing on its own side, also for half angles beyond a right angle."""
     for handle, side in ((LEFT, 1.0), (RIGHT, -1.0)):
         bearing = math.radians(angle + side * (half_angle + more))
         after = dragged(SECTOR, sector(angle, half_angle), handle, cmath.rect(distance, bearing)).given
@@ -46,32 +46,32 @@ def test_an_end_turns_to_the_hands_bearing(angle, half_angle, more, distance):
 
 @given(reals(0.0, 359.0), reals(0.1, 4.0), reals(-30.0, 30.0))
 def test_the_outer_face_goes_out_and_in(angle, half_width, aside):
-    """To the hand's distance, whatever its bearing."""
-    place = cmath.rect(10.0 + half_width, math.radians(angle + aside))
-    after = dragged(SECTOR, sector(angle), FACE, place).given
+    """The outer face moves to the pointer's distance from the centre, whatever its bearing."""
+    target = cmath.rect(10.0 + half_width, math.radians(angle + aside))
+    after = dragged(SECTOR, sector(angle), FACE, target).given
     assert abs(after.number("half_width") - half_width) < 1e-6
 
 
 @given(points(), points())
-def test_the_tip_of_a_vector(start, way):
-    """Given by coordinates or by length and angle, it ends where the hand is."""
+def test_the_tip_of_a_vector(start, offset):
+    """A vector given by coordinates or by length and angle ends at the pointer."""
     parameters = (
         Point("v", "v", -100.0, 100.0, 0j, 1e-9),
         Number("length", "v_0", "", 0.0, 100.0, 1.0, 1e-9),
         Number("heading", "ψ", "°", 0.0, 360.0, 0.0, 1e-9),
     )
-    assume(abs(way) > 1e-3)
+    assume(abs(offset) > 1e-3)
     before = Given({"v": 1 + 1j, "length": 1.0, "heading": 0.0})
     for handle in (
         handles.vector("v", lambda _: start, 0.5, "v"),
         handles.polar_vector("length", "heading", lambda _: start, 0.5, "v"),
     ):
-        after = dragged(parameters, before, handle, start + way).given
-        assert abs(handle.place(after) - start - way) < 1e-6
+        after = dragged(parameters, before, handle, start + offset).given
+        assert abs(handle.position(after) - start - offset) < 1e-6
 
 
-@pytest.mark.parametrize("handle", [BODY, LEFT, RIGHT, FACE])
-def test_the_centre_is_a_place_like_any_other(handle):
-    """Where there is no bearing, the angle stays."""
+@pytest.mark.parametrize("handle", [MIDDLE, LEFT, RIGHT, FACE])
+def test_a_drag_to_the_centre_leaves_the_angle(handle):
+    """The centre has no bearing: a drag to it leaves the sector's angle as it was."""
     after = dragged(SECTOR, sector(77.0), handle, 0j).given
     assert after.number("angle") == 77.0

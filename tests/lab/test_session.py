@@ -2,34 +2,24 @@
 
 import pytest
 
-from game.lab.kit.parameters import Settled, defaults, settled
+from game.lab.kit.parameters import Clamped, clamped
 from game.lab.kit.scene import Motion
 from game.lab.registry import scenes
 from game.lab.session import cases, session
 from game.lab.session.checks import failures
-from game.lab.session.share import Shared, parsed
+from game.lab.session.share import parsed
 from game.system.errors import BadInputError
-from tests.lab.test_scenes import counting_scene
-from tests.support.paths import LAB_CASES
-
-CASES = LAB_CASES
-
-
-@pytest.fixture
-def run():
-    """A scene that counts its ticks, at its start."""
-    scene = counting_scene(limit=100)
-    return session.opened(Shared(scene, defaults(scene.parameters)))
+from tests.support.paths import LAB_CASES as CASES
 
 
 def other(run):
     """The values with the first one changed."""
     parameter = run.scene.parameters[0]
-    return settled(run.scene.parameters, run.given, {parameter.name: parameter.default + 0.5})
+    return clamped(run.scene.parameters, run.given, {parameter.name: parameter.default + 0.5})
 
 
 def test_a_scene_that_runs_runs_at_once_and_pauses(run):
-    """A quarter as fast as real time: a second is sixty ticks."""
+    """A scene starts at a quarter of real time, so half a second is thirty ticks; paused, it does not go on."""
     assert run.playing
     run = session.later(run, 0.5)
     assert run.tick == 30
@@ -38,14 +28,14 @@ def test_a_scene_that_runs_runs_at_once_and_pauses(run):
 
 
 def test_no_time_is_lost_between_frames(run):
-    """Many short frames are as long as one: the rest of a tick waits for the next frame."""
+    """Many short frames are as long as one: the rest of a tick is carried over to the next frame."""
     for _ in range(128):
         run = session.later(run, 1 / 256)
     assert run.tick == 30
 
 
 def test_one_step_forward_and_back_is_where_one_was(run):
-    """Back looks at the states there were; forward again is the same state, to the bit of its hash."""
+    """A step back shows the state that was there; forward again, the hash is the same."""
     run = session.moved(run, 5)
     assert (run.tick, run.states[run.tick], run.playing) == (5, 5, False)
     hashes = [session.state_hash(session.moved(run, ticks)) for ticks in (0, -1, -5)]
@@ -56,7 +46,7 @@ def test_one_step_forward_and_back_is_where_one_was(run):
 
 
 def test_it_stands_still_at_its_end(run):
-    """And begins anew from there."""
+    """At its last tick a scene stops; started again, it is at tick 0."""
     run = session.later(session.at_tick(run, 99), 1.0)
     assert (run.tick, run.playing) == (100, False)
     again = session.toggled(run)
@@ -64,29 +54,29 @@ def test_it_stands_still_at_its_end(run):
 
 
 def test_a_change_begins_anew(run):
-    """A state belongs to its values: those of other values are forgotten."""
+    """A changed value takes the scene back to tick 0 and forgets the states of the values before."""
     run = session.moved(run, 9)
     after = session.changed(run, other(run))
     assert (after.tick, after.states) == (0, (0,))
-    assert session.changed(run, Settled(run.given, ("a note",))) == run._replace(notes=("a note",))
+    assert session.changed(run, Clamped(run.given, ("a note",))) == run._replace(notes=("a note",))
 
 
 def test_restart_keeps_the_values(run):
-    """R goes back in time, not back to the defaults."""
+    """Restart goes back to tick 0 and does not change the values."""
     run = session.moved(session.changed(run, other(run)), 9)
     again = session.restarted(run)
     assert (again.tick, again.given) == (0, run.given)
 
 
 def test_slow_motion(run):
-    """Slower by powers of two, never below the slowest, never above real time."""
+    """A step of the pace is a factor of two, between the slowest pace and real time."""
     assert session.later(session.paced(run, -1), 0.5).tick == 15
     assert session.paced(run, -99).pace == 0
     assert session.later(session.paced(run, 99), 0.125).tick == 30
 
 
 def test_the_hash_sees_every_value():
-    """Another value, another tick, another scene: another hash; -0.0 is 0.0."""
+    """Another value or another scene has another hash; -0.0 has the hash of 0.0."""
     scene = scenes()[0]
     base = session.fresh(scene, None)
     name = next(parameter.name for parameter in scene.parameters)
@@ -100,7 +90,7 @@ def test_the_hash_sees_every_value():
 
 @pytest.mark.parametrize("scene", scenes(), ids=lambda scene: scene.name)
 def test_a_still_scene_has_no_time(scene):
-    """Its keys of time do nothing; one that runs has a tick."""
+    """Stepping changes the tick of a scene that runs, and of no other."""
     found = session.fresh(scene, None)
     assert found.runs == found.playing == isinstance(scene.shows, Motion)
     assert (session.moved(found, 3).tick == 3) == found.runs
@@ -108,14 +98,14 @@ def test_a_still_scene_has_no_time(scene):
 
 @pytest.mark.parametrize("line", cases.saved_cases(CASES))
 def test_the_claims_of_a_saved_case_hold(line):
-    """Every line of the file of cases."""
+    """At every saved case all claims hold, and the case opens at its tick."""
     shared = parsed(line)
     assert failures(shared.scene, shared.given) == ()
     assert session.opened(shared).tick == shared.tick
 
 
 def test_a_case_is_saved_once(tmp_path):
-    """In a folder that is made if need be; comments are no cases; a file that cannot be written is one clear line."""
+    """A case is appended once; its folder is made if need be; comments are skipped; a failed write is a BadInputError."""
     file = tmp_path / "data" / "cases.txt"
     assert cases.saved_cases(file) == []
     assert cases.save_case("case-2?r=1", file) == f"saved in {file}"
@@ -127,5 +117,5 @@ def test_a_case_is_saved_once(tmp_path):
 
 
 def test_this_checkout_keeps_its_cases_with_its_tests():
-    """Where the tests are, so that pytest runs them."""
+    """In a checkout the cases are saved where pytest finds them."""
     assert cases.case_file() == CASES

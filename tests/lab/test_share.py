@@ -6,10 +6,10 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from game.lab.kit.parameters import Count, Given, Point, defaults, settled
+from game.lab.kit.parameters import Count, Given, Point, clamped, defaults
 from game.lab.kit.scene import Motion
 from game.lab.registry import scenes
-from game.lab.session.share import Shared, parsed, share_line
+from game.lab.session.share import SharedScene, parsed, share_line
 from game.system.errors import BadInputError
 
 
@@ -24,25 +24,25 @@ def values_of(parameter):
 
 @st.composite
 def states(draw):
-    """Any scene as it may stand."""
+    """Any scene with any values, at any tick."""
     scene = draw(st.sampled_from(scenes()))
-    wishes = {parameter.name: draw(values_of(parameter)) for parameter in scene.parameters}
-    given = settled(scene.parameters, defaults(scene.parameters), wishes).given
+    requested = {parameter.name: draw(values_of(parameter)) for parameter in scene.parameters}
+    given = clamped(scene.parameters, defaults(scene.parameters), requested).given
     tick = draw(st.integers(0, scene.shows.ticks)) if isinstance(scene.shows, Motion) else 0
-    return Shared(scene, given, tick)
+    return SharedScene(scene, given, tick)
 
 
 @given(states())
 def test_a_line_opens_the_very_state_that_it_was_printed_from(shared):
-    """To the last bit of every number."""
+    """A printed line parses to the same scene, values and tick, to the last bit."""
     assert parsed(share_line(shared)) == shared
 
 
 @pytest.mark.parametrize("scene", scenes(), ids=lambda scene: scene.name)
 def test_what_a_line_leaves_out_has_its_default(scene):
-    """The name alone is a scene at its defaults."""
+    """A line with the name alone is the scene at its defaults."""
     for line in (scene.name, f"{scene.name}?"):
-        assert parsed(line) == Shared(scene, defaults(scene.parameters), 0)
+        assert parsed(line) == SharedScene(scene, defaults(scene.parameters), 0)
 
 
 @pytest.mark.parametrize(
@@ -70,7 +70,7 @@ def test_what_a_line_leaves_out_has_its_default(scene):
     ],
 )
 def test_a_broken_line_names_the_part(line, reason):
-    """And is refused as a whole."""
+    """A broken line raises a BadInputError, whose single line names the part."""
     with pytest.raises(BadInputError) as caught:
         parsed(line)
     assert reason in str(caught.value)
@@ -79,7 +79,7 @@ def test_a_broken_line_names_the_part(line, reason):
 
 @given(st.text(max_size=60))
 def test_any_text_is_a_state_or_a_refusal(text):
-    """Whatever one pastes."""
+    """Any text parses to a scene whose line parses to it again, or raises a BadInputError."""
     for line in (text, f"case-2?{text}", f"case-2?ball={text}"):
         try:
             shared = parsed(line)
@@ -90,21 +90,21 @@ def test_any_text_is_a_state_or_a_refusal(text):
 
 
 def test_what_is_out_of_range_or_no_number_is_noted():
-    """A slider clamps, and says so; nan and infinity are refused."""
+    """A number out of range is set to the border with a note; NaN and infinity are refused with a note."""
     parameters = parsed("case-2").scene.parameters
     before = defaults(parameters)
-    clamped = settled(parameters, before, {"half_angle": 400.0})
-    assert clamped.given.number("half_angle") == 180.0
-    assert clamped.notes == ("φ_p = 400° is beyond its range: set to 180°",)
+    too_large = clamped(parameters, before, {"half_angle": 400.0})
+    assert too_large.given.number("half_angle") == 180.0
+    assert too_large.notes == ("φ_p = 400° is beyond its range: set to 180°",)
     for bad in (math.nan, math.inf, -math.inf, complex(1.0, math.nan)):
-        refused = settled(parameters, before, {"ball": bad})
+        refused = clamped(parameters, before, {"ball": bad})
         assert refused.given == before
         assert "it stays (" in refused.notes[0]
 
 
 def test_a_count_is_whole():
-    """Half a brick is rounded, with a note."""
+    """A count that is not whole is rounded, with a note."""
     bricks = Count("count", "n", 1, 12, 3)
-    half = settled((bricks,), Given({"count": 3.0}), {"count": 4.4})
+    half = clamped((bricks,), Given({"count": 3.0}), {"count": 4.4})
     assert half.given.count("count") == 4
     assert half.notes == ("n = 4.4 is not a whole number: set to 4",)

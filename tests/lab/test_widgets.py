@@ -10,22 +10,14 @@ from game.lab.kit.picture import Toggle
 from game.lab.registry import scenes
 from game.lab.session import session
 from game.lab.window.commands import Command
-from game.lab.window.page import page
+from game.lab.window.layout import layout_of
 from game.lab.window.widgets import Side
 from tests.support.dummy_window import FRAME, Desk, shared
-from tests.support.lab_desk import SIZE, LabDesk
-
-
-@pytest.fixture
-def desk():
-    """The lab at case 2."""
-    found = LabDesk()
-    yield found
-    found.close()
+from tests.support.lab_desk import SIZE
 
 
 def test_a_number_is_typed_exactly(desk):
-    """Every digit of it; letters are refused, what is too large is set to the border."""
+    """A typed number is set with every digit; letters are refused; a number out of range is set to the border."""
     field = desk.row("half_angle").field
     desk.type_into(field, "33.123456789012")
     assert desk.values.number("half_angle") == 33.123456789012
@@ -42,11 +34,11 @@ def test_a_number_is_typed_exactly(desk):
 
 
 def test_keys_belong_to_the_field_that_is_typed_into(desk):
-    """A letter there is no command; Esc gives the keys back, and only then leaves the lab."""
+    """While a field is typed into, letters are no commands, and the first Esc only leaves the field."""
     theme = desk.shared.theme
-    place = desk.row("r").field.rect.center
-    pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=place, button=1))
-    pygame.event.post(pygame.Event(pygame.MOUSEBUTTONUP, pos=place, button=1))
+    pixel = desk.row("r").field.rect.center
+    pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=pixel, button=1))
+    pygame.event.post(pygame.Event(pygame.MOUSEBUTTONUP, pos=pixel, button=1))
     desk.wait(FRAME)
     desk.press(pygame.K_t, pygame.K_ESCAPE)
     assert desk.shared.theme is theme
@@ -58,7 +50,7 @@ def test_keys_belong_to_the_field_that_is_typed_into(desk):
 
 
 def test_sliders_follow_the_values_and_move_them(desk):
-    """Rounded to the parameter's step."""
+    """A dragged slider's value is rounded to the parameter's step."""
     row = desk.row("half_angle")
     desk.type_into(row.field, "90")
     assert row.slider.get_current_value() == 90.0
@@ -71,41 +63,41 @@ def test_sliders_follow_the_values_and_move_them(desk):
 
 @pytest.mark.parametrize("share", [0.03, 0.2, 0.5, 0.97])
 def test_a_press_beside_a_sliders_knob_brings_it_there(desk, share):
-    """As near as the ends allow, and the press takes hold of it; on the knob a press moves nothing."""
+    """A press beside the knob moves it to the pointer and takes hold of it; a press on the knob moves nothing."""
     row = desk.row("half_angle")
     desk.type_into(row.field, "70" if share < 0.5 else "20")
     slider = row.slider
-    place = slider.rect.left + round(share * slider.rect.width), slider.rect.centery
-    assert not slider.sliding_button.rect.collidepoint(place)
-    pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=place, button=1))
+    pixel = slider.rect.left + round(share * slider.rect.width), slider.rect.centery
+    assert not slider.sliding_button.rect.collidepoint(pixel)
+    pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=pixel, button=1))
     desk.wait(FRAME)
     assert slider.sliding_button.held
-    pygame.event.post(pygame.Event(pygame.MOUSEBUTTONUP, pos=place, button=1))
+    pygame.event.post(pygame.Event(pygame.MOUSEBUTTONUP, pos=pixel, button=1))
     desk.wait(2 * FRAME)
     knob, now = slider.sliding_button.rect, desk.values.number("half_angle")
     half = knob.width // 2
-    assert abs(knob.centerx - min(max(place[0], slider.rect.left + half), slider.rect.right - half)) <= 3
+    assert abs(knob.centerx - min(max(pixel[0], slider.rect.left + half), slider.rect.right - half)) <= 3
     assert slider.current_value == now
     desk.click_on(slider.sliding_button)
     assert desk.values.number("half_angle") == now
 
 
 def test_an_open_list_keeps_what_is_below_it_from_moving(desk):
-    """A press on one of its lines is for the list alone."""
+    """A press on a line of an open list does not move a slider under it."""
     widgets = desk.screen._widgets(SIZE)
     desk.click_on(widgets._list.current_state.open_button)
     assert widgets.busy
     before = dict(desk.session.given.values)
     for row in widgets._rows:
         track, knob = row.slider.rect, row.slider.sliding_button.rect
-        place = track.right - 3 if knob.centerx < track.centerx else track.left + 3, track.centery
-        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=place, button=1))
+        pixel = track.right - 3 if knob.centerx < track.centerx else track.left + 3, track.centery
+        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=pixel, button=1))
     desk.wait(FRAME)
     assert dict(desk.session.given.values) == before
 
 
 def test_toggles_by_key_and_by_box(desk):
-    """And a box that follows a key does not answer for itself."""
+    """A key and a click each change a toggle once, and the check box shows it."""
     box = next(box for box, toggle in desk.screen._widgets(SIZE)._boxes.items() if toggle is Toggle.PYMUNK)
     for on in (True, False, True):
         desk.press(pygame.K_7)
@@ -120,7 +112,7 @@ def test_toggles_by_key_and_by_box(desk):
 
 
 def test_buttons_do_what_their_keys_do(desk):
-    """The same commands."""
+    """The button for the next scene opens another scene, as its key does."""
     side = desk.screen._widgets(SIZE)
     button = next(button for button, command in side._commands.items() if command is Command.NEXT)
     before = desk.session.scene.name
@@ -132,14 +124,14 @@ def test_buttons_do_what_their_keys_do(desk):
 @pytest.mark.parametrize("scene", scenes(), ids=lambda scene: scene.name)
 @pytest.mark.parametrize("size", [(640, 480), (800, 600), (1280, 800), (3840, 2160), (900, 1600)])
 def test_the_widgets_fit_their_side(scene, size):
-    """With room for the small print, in any common window."""
-    kept = shared()
-    found = Desk(kept, None, (320, 240))
-    place = page(size)
-    side = Side(place, DARK, kept.type, session.fresh(scene, None))
-    assert side.bottom + place.unit * 4.0 < max(size[1], 480) or size == (640, 480)
+    """In every common window the widgets end above the small print, and no parameter's meaning is cut off."""
+    app = shared()
+    found = Desk(app, None, (320, 240))
+    layout = layout_of(size)
+    side = Side(layout, DARK, app.type, session.fresh(scene, None))
+    assert side.bottom + layout.unit * 4.0 < max(size[1], 480) or size == (640, 480)
     for parameter, box in side._names if size != (640, 480) else ():
         value = f"{parameter.label} = {written(parameter, parameter.default)}"
-        letters = [kept.type.rendered(text, place.unit * 0.95, (0, 0, 0)).get_width() for text in (value, parameter.meaning)]
-        assert sum(letters) + place.unit * 0.7 <= box.width, parameter.meaning
+        letters = [app.type.rendered(text, layout.unit * 0.95, (0, 0, 0)).get_width() for text in (value, parameter.meaning)]
+        assert sum(letters) + layout.unit * 0.7 <= box.width, parameter.meaning
     found.close()

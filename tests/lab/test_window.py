@@ -1,46 +1,40 @@
 """The lab's window, worked by posted events on the dummy driver."""
 
 import random
+from functools import cache
 
 import pygame
 import pytest
 
 from game.app import _lab_opener
 from game.drawing.palette import DARK
+from game.drawing.text import Type
 from game.input.signals import PLAY_HELP
 from game.lab.kit.parameters import defaults
 from game.lab.kit.scene import Motion, picture_of
-from game.lab.registry import scenes
+from game.lab.registry import scene_named, scenes
 from game.lab.session import session
-from game.lab.session.checks import lines, run_to
-from game.lab.session.share import Shared as SharedLine
-from game.lab.session.share import parsed
+from game.lab.session.checks import lines
+from game.lab.session.share import SharedScene, parsed
 from game.lab.window import screen
 from game.lab.window.commands import KEYS, Command, command_of
-from game.lab.window.lens import Lens
-from game.lab.window.page import draw_head, draw_words, page
+from game.lab.window.layout import layout_of
+from game.lab.window.pan_zoom import PanZoom
 from game.lab.window.screen import Lab
 from game.lab.window.screenshot import save_screenshot
-from game.screens.panels import Menu
+from game.lab.window.words import TextSheet, draw_head, draw_words
+from game.screens.menu import Menu
 from game.screens.play import Play
 from game.screens.title import Title
 from game.settings.values import THEMES
-from tests.lab.test_session import run  # noqa: F401  # a fixture
 from tests.support.dummy_window import FRAME, Desk, shared
 from tests.support.lab_desk import SIZE, LabDesk
+from tests.support.lab_scenes import state_at
 from tools.crosscheck.second_engine import Pymunk
 
 
-@pytest.fixture
-def desk():
-    """The lab at case 2."""
-    found = LabDesk()
-    yield found
-    found.close()
-
-
 def test_the_ball_is_dragged_where_the_hand_goes(desk):
-    """Taken hold of anywhere on it, it does not jump; the values are rounded to their step."""
+    """A ball that is taken hold of beside its centre does not jump; its values are rounded to their step."""
     start, end = 9.4 + 3.9j, 10.4 + 4.4j
     aside = 0.4 + 0.3j
     desk.drag(desk.pixel(start + aside), desk.pixel(end + aside))
@@ -49,7 +43,7 @@ def test_the_ball_is_dragged_where_the_hand_goes(desk):
 
 
 def test_a_drag_on_nothing_moves_the_view_and_home_brings_it_back(desk):
-    """The values stay; the whole view is the first one."""
+    """A drag on nothing moves the world and changes no value; Home shows what was shown at first."""
     before = desk.values
     start = desk.pixel(7 + 4j)
     desk.drag(start, (start[0] + 100, start[1] + 50))
@@ -59,19 +53,34 @@ def test_a_drag_on_nothing_moves_the_view_and_home_brings_it_back(desk):
     assert desk.pixel(7 + 4j) == start
 
 
+def test_handles_are_dragged_only_in_panes_that_have_them():
+    """In the turned game of `symmetry` a drag at the ball's position in the first game moves the world."""
+    desk = LabDesk("symmetry")
+    desk.press(pygame.K_SPACE)
+    before = desk.values.point("ball")
+    start = desk.pixel(before, pane=1)
+    desk.drag(start, (start[0] + 20, start[1] + 10))
+    assert desk.values.point("ball") == before
+    desk.press(pygame.K_HOME)
+    start = desk.pixel(before)
+    desk.drag(start, (start[0] + 20, start[1] + 10))
+    assert desk.values.point("ball") != before
+    desk.close()
+
+
 def test_the_wheel_zooms_about_the_pointer(desk):
-    """What is under it stays."""
-    place = desk.pixel(10 + 4j)
-    scale = desk.pixel(11 + 4j)[0] - place[0]
-    desk.wheel(place, 3)
-    assert all([abs(a - b) <= 1 for a, b in zip(desk.pixel(10 + 4j), place, strict=True)])
-    assert desk.pixel(11 + 4j)[0] - place[0] > 1.3 * scale
+    """The wheel zooms; the point under the pointer stays there."""
+    pixel = desk.pixel(10 + 4j)
+    scale = desk.pixel(11 + 4j)[0] - pixel[0]
+    desk.wheel(pixel, 3)
+    assert all([abs(a - b) <= 1 for a, b in zip(desk.pixel(10 + 4j), pixel, strict=True)])
+    assert desk.pixel(11 + 4j)[0] - pixel[0] > 1.3 * scale
 
 
 def test_the_view_shows_the_ball_wherever_it_is():
-    """A share line may put the ball far away: the view is wider then, and Home comes back to it."""
+    """Where a share line puts the ball far away, more of the world is shown, and again after Home."""
     desk = LabDesk("case-2?ball=-12,-9")
-    area = page(desk.size).world
+    area = layout_of(desk.size).world
     for _ in range(2):
         assert area.collidepoint(desk.pixel(-12 - 9j))
         desk.wheel(area.center, 5)
@@ -80,15 +89,15 @@ def test_the_view_shows_the_ball_wherever_it_is():
 
 
 def test_a_drag_beyond_the_range_stops_at_its_border_and_says_so(desk):
-    """Visibly."""
-    desk.screen._lens = Lens(zoom=0.3)
+    """A drag beyond a parameter's range sets it to the border, and a note says so."""
+    desk.screen._pan_zoom = PanZoom(zoom=0.3)
     desk.drag(desk.pixel(9.4 + 3.9j), desk.pixel(16 + 3.9j))
     assert desk.values.point("ball").real == 15.0
     assert "is beyond its range" in desk.session.notes[0]
 
 
 def test_every_scene_is_one_key_away(desk):
-    """] goes through all of them and comes round; [ goes back."""
+    """] opens every scene once and then the first one again; [ goes back."""
     names = []
     for _ in scenes():
         names.append(desk.session.scene.name)
@@ -100,7 +109,7 @@ def test_every_scene_is_one_key_away(desk):
 
 
 def test_defaults_and_restart(desk):
-    """D forgets the settings, R keeps them."""
+    """R leaves the settings as they are; D sets the defaults."""
     desk.type_into(desk.row("half_angle").field, "50")
     desk.press(pygame.K_r)
     assert desk.values.number("half_angle") == 50.0
@@ -109,7 +118,7 @@ def test_defaults_and_restart(desk):
 
 
 def test_copy_and_save_say_what_became_of_it(desk, tmp_path, monkeypatch):
-    """The saved line is the one that is shown, and pytest would run it."""
+    """S saves the line of the scene as it stands, C copies it, and a notice says so for five seconds."""
     file = tmp_path / "cases.txt"
     monkeypatch.setattr(screen, "case_file", lambda: file)
     desk.press(pygame.K_s)
@@ -125,7 +134,7 @@ def test_copy_and_save_say_what_became_of_it(desk, tmp_path, monkeypatch):
 
 
 def test_help_opens_and_any_key_closes_it(desk):
-    """That key does nothing else."""
+    """The key that closes the help does nothing else."""
     desk.press(pygame.K_h)
     assert desk.screen._help
     desk.press(pygame.K_ESCAPE)
@@ -133,8 +142,8 @@ def test_help_opens_and_any_key_closes_it(desk):
     assert not desk.screen._help
 
 
-def test_a_scene_in_motion(desk, run):  # noqa: F811
-    """Runs, pauses, steps forward and back, slows down; a share line's tick is where it opens."""
+def test_a_scene_in_motion(desk, run):
+    """A scene runs, pauses, steps forward and back, slows down, restarts, and opens at a share line's tick."""
     desk.screen._session = run
     desk.wait(0.2)
     assert 8 <= desk.session.tick <= 16
@@ -149,48 +158,100 @@ def test_a_scene_in_motion(desk, run):  # noqa: F811
     desk.press(pygame.K_r)
     assert desk.session.playing
     assert desk.session.tick <= 2
-    opened = session.opened(SharedLine(run.scene, run.given, 7))
+    opened = session.opened(SharedScene(run.scene, run.given, 7))
     assert (opened.tick, opened.playing) == (7, False)
 
 
+@pytest.mark.parametrize(("key", "mod"), [(pygame.K_F11, 0), (pygame.K_RETURN, pygame.KMOD_LALT)], ids=["F11", "Alt+Enter"])
+def test_full_screen_comes_with_the_press_and_stays_when_the_key_comes_up(desk, key, mod):
+    """Each press of the key changes to or from full screen once; its release changes nothing."""
+    for on in (True, False):
+        desk.press(key, mod=mod)
+        assert desk.shared.full_screen is on
+        desk.wait(FRAME)
+        assert desk.shared.full_screen is on
+    assert isinstance(desk.screen, Lab)
+
+
+def test_a_tap_under_load_goes_on_by_one_scene(desk):
+    """However long pictures take between the press and the release of the key, it counts once."""
+    names = [scene.name for scene in scenes()]
+    before = names.index(desk.session.scene.name)
+    desk.hold(pygame.K_RIGHTBRACKET)
+    for _ in range(3):
+        desk.wait_once(1.0)
+    desk.release(pygame.K_RIGHTBRACKET)
+    desk.wait_once(1.0)
+    assert names.index(desk.session.scene.name) == before + 1
+    assert pygame.key.get_repeat() == (0, 0)
+
+
+def test_a_held_key_repeats_steps_but_a_tap_is_one_step(desk, run):
+    """A held key steps again after 0.4 s, until it is released or the window loses the focus; a tap is one step."""
+    desk.screen._session = session.toggled(run)
+    desk.hold(pygame.K_PERIOD)
+    desk.wait_once(5.0)
+    desk.release(pygame.K_PERIOD)
+    desk.wait_once(5.0)
+    assert desk.session.tick == 1
+    desk.hold(pygame.K_PERIOD)
+    desk.wait(1.0)
+    held = desk.session.tick
+    assert 8 <= held <= 16
+    desk.release(pygame.K_PERIOD)
+    desk.wait(1.0)
+    assert desk.session.tick == held
+    desk.hold(pygame.K_COMMA)
+    desk.post(pygame.WINDOWFOCUSLOST)
+    desk.wait(1.0)
+    assert desk.session.tick == held - 1
+
+
 def test_every_command_has_a_key_and_no_key_two():
-    """The help lists them all."""
+    """Every command has a key, and no key has two commands."""
     assert {key.command for key in KEYS} == set(Command)
     bound = [code for key in KEYS for code in key.keys]
     assert len(bound) == len(set(bound))
     assert command_of(pygame.K_F12) is None
 
 
+@cache
+def preset_pictures(name):
+    """What a scene shows at every preset, of one that runs the first picture and the last."""
+    scene = scene_named(name)
+    ticks = (0, scene.shows.ticks) if isinstance(scene.shows, Motion) else (0,)
+    every = [(given, state_at(scene, given, tick)) for given in lines(scene, Pymunk()) for tick in ticks]
+    return [picture_of(scene, given, state) for given, state in every]
+
+
 @pytest.mark.parametrize("scene", scenes(), ids=lambda scene: scene.name)
 @pytest.mark.parametrize("size", [(800, 600), (1280, 800), (3840, 2160), (900, 1600)])
 def test_the_words_fit_their_places(scene, size):
-    """The head above the world, formula and notes below it, at every preset: nothing is cut off."""
-    kept, place = shared(), page(size)
-    surface = pygame.Surface(size)
-    assert draw_head(surface, place, scene, DARK, kept.type) <= place.head.bottom
-    for given in lines(scene, Pymunk()):
-        ends = [run_to(scene, given, tick) for tick in ((0, scene.shows.ticks) if isinstance(scene.shows, Motion) else (0,))]
-        for state in ends:
-            assert draw_words(surface, place, picture_of(scene, given, state), DARK, kept.type) <= place.words.bottom
+    """At every preset, title, idea, formula and note end inside their parts of the window."""
+    layout = layout_of(size)
+    sheet = TextSheet(pygame.Surface(size), layout, DARK, Type())
+    assert draw_head(sheet, scene) <= layout.head.bottom
+    for picture in preset_pictures(scene.name):
+        assert draw_words(sheet, picture) <= layout.words.bottom
 
 
 @pytest.mark.parametrize("scene", scenes(), ids=lambda scene: scene.name)
 def test_every_scene_is_drawn_in_both_themes(scene, tmp_path):
-    """At its start, and half way through where it runs."""
+    """A scene can be drawn in dark and in light colours, one that runs halfway through."""
     tick = scene.shows.ticks // 2 if isinstance(scene.shows, Motion) else 0
     given = defaults(scene.parameters, Pymunk())
-    assert run_to(scene, given, 0) is not None or tick == 0
+    assert state_at(scene, given, 0) is not None or tick == 0
     pictures = []
     for theme in THEMES:
         file = tmp_path / "scene.png"
-        save_screenshot(SharedLine(scene, given, tick), file, (800, 600), theme)
+        save_screenshot(SharedScene(scene, given, tick), file, (800, 600), theme)
         pictures.append(pygame.image.load(file))
     assert pygame.transform.average_color(pictures[0])[0] + 100 < pygame.transform.average_color(pictures[1])[0]
 
 
 def random_event(chance, size):
-    """Something that hands may do."""
-    place = (int(chance.random() * size[0]), int(chance.random() * size[1]))
+    """Any event of keyboard or mouse."""
+    pixel = (int(chance.random() * size[0]), int(chance.random() * size[1]))
     kind = int(chance.random() * 6)
     if kind == 0:
         codes = [code for key in KEYS for code in key.keys if key.command is not Command.LEAVE]
@@ -201,15 +262,15 @@ def random_event(chance, size):
     if kind == 2:
         return pygame.Event(pygame.MOUSEWHEEL, x=0, y=1, precise_x=0.0, precise_y=chance.choice([-30.0, -1.0, 0.5, 30.0]))
     if kind == 3:
-        return pygame.Event(pygame.MOUSEBUTTONDOWN, pos=place, button=chance.choice([1, 1, 1, 2, 3, 8]))
+        return pygame.Event(pygame.MOUSEBUTTONDOWN, pos=pixel, button=chance.choice([1, 1, 1, 2, 3, 8]))
     if kind == 4:
-        return pygame.Event(pygame.MOUSEBUTTONUP, pos=place, button=1)
-    return pygame.Event(pygame.MOUSEMOTION, pos=place, rel=(0, 0), buttons=(1, 0, 0))
+        return pygame.Event(pygame.MOUSEBUTTONUP, pos=pixel, button=1)
+    return pygame.Event(pygame.MOUSEMOTION, pos=pixel, rel=(0, 0), buttons=(1, 0, 0))
 
 
 @pytest.mark.parametrize("scene", scenes(), ids=lambda scene: scene.name)
 def test_no_hands_break_it(scene, tmp_path, monkeypatch):
-    """Keys, clicks, drags and letters at random: the window goes on, and every value stays in its range."""
+    """After random keys, clicks, drags and letters the lab goes on, and every value is in its range."""
     monkeypatch.setattr(screen, "case_file", lambda: tmp_path / "cases.txt")
     chance = random.Random(scene.name)
     desk = LabDesk(scene.name, (800, 600))
@@ -223,11 +284,11 @@ def test_no_hands_break_it(scene, tmp_path, monkeypatch):
 
 
 def test_l_opens_the_lab_over_the_game_and_esc_comes_back():
-    """A game in play pauses."""
-    kept = shared()
-    kept.lab = _lab_opener(Pymunk)
+    """L opens the lab over a game, which is paused; Esc comes back to its menu."""
+    app = shared()
+    app.open_lab = _lab_opener(Pymunk)
     assert "L" in [keys for keys, _ in PLAY_HELP]
-    desk = Desk(kept, Title(kept))
+    desk = Desk(app, Title(app))
     desk.press(pygame.K_RETURN)
     assert isinstance(desk.screen, Play)
     desk.press(pygame.K_l)

@@ -359,3 +359,30 @@ class TestRow10:
         """Slip below the fall, above it, and none."""
         expected = source_oracle.collision_response(v, 1j, 1 + 0j, friction, 5.0)
         assert abs(collision_response(v, 1j, 1 + 0j, friction, 5.0) - expected) < 1e-15
+
+
+class TestRow11:
+    """Case 2 touches at a distance in (0, r): here in [0, r)."""
+
+    def test_a_ball_whose_centre_lies_on_the_end_touches_it(self):
+        """The source's quotient has no value there; the end's own normal is the limit from outside."""
+        ring = Ring(10.0, 1.0, 0.5, 1)
+        theta = math.nextafter(0.5, 1.0)
+        end = (0.5, 0.3, ring.radius, 0.0, ring.half_width, ring.half_angle)
+        for p in (to_cartesian(9.0, 0.5), to_cartesian(11.0, 0.5)):  # the corners, where the distance is exactly 0
+            assert source_oracle.narrow_phase_case_2(p, end[1], theta, *end[2:]) is None
+            normal = narrow_phase_case_2(p, end[1], theta, *end[2:])
+            assert normal is not None
+            assert abs(normal - to_cartesian(1.0, 0.5 + math.pi / 2.0)) < 1e-15
+
+
+class TestRow12:
+    """v = (v_x, 0, v_z), but n = (n_x, n_y, 0): one of the two is a slip."""
+
+    def test_taken_at_their_word_the_two_share_one_axis(self):
+        """A ball that flies straight at a face along the second axis would not be seen to approach it."""
+        v, n = -5j, 1j  # in the ground's two axes
+        assert dot(v, n) < 0.0
+        assert collision_response(v, n, 0j, 0.0, 5.0) == 5j
+        source_v, source_n = (v.real, 0.0, v.imag), (n.real, n.imag, 0.0)
+        assert sum([a * b for a, b in zip(source_v, source_n, strict=True)]) == 0.0

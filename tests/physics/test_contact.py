@@ -17,12 +17,12 @@ from physics import (
     direction,
     dot,
     length,
+    min_difference,
     nearest_slot,
     signed_difference,
     to_cartesian,
 )
-from physics.trig import bearing_of
-from tests.support.strategies import angles, balls, points, reals, rings
+from tests.support.strategies import angles, balls, reals, rings, velocities
 
 
 @st.composite
@@ -34,7 +34,7 @@ def contacts(draw):
         return draw(balls()), ring, slot
     distance = ring.radius + draw(reals(-1.5, 1.5)) * ring.half_width
     angle = ring.angle(slot) + draw(reals(-1.5, 1.5)) * ring.half_angle
-    return Ball(to_cartesian(distance, angle), draw(points(20.0)), draw(reals(0.05, 1.0))), ring, slot
+    return Ball(to_cartesian(distance, angle), draw(velocities(20.0)), draw(reals(0.05, 1.0))), ring, slot
 
 
 def boundary(ring, slot, count=60):
@@ -117,15 +117,14 @@ def test_a_mirrored_arena_has_the_mirrored_contact_to_the_bit(case):
     # On the negative x axis, pi and -pi are one angle, which no mirror tells apart; halfway between two ends, the
     # clockwise one is taken.
     assume(ball.position.imag != 0.0 and ring.phase != math.pi)
-    bearing = bearing_of(ball.position)
-    assume(abs(bearing - ring.angle_near(slot, bearing)) not in {0.0, math.pi})
+    assume(min_difference(angle_of(ball.position), ring.angle(slot)) not in {0.0, math.pi})
     here = contact(ball, ring, slot)
     mirrored = Ring(*ring[:4], -ring.phase, -ring.spin)
     there = contact(Ball(ball.position.conjugate(), 0j, ball.radius), mirrored, -slot % ring.count)
     assert there == (here.normal.conjugate(), here.point.conjugate(), here.gap, here.feature)
 
 
-@given(contacts(), st.integers(-300, 300))
+@given(contacts(), st.integers(-100, 100))
 def test_doubling_every_length_doubles_gap_and_point_to_the_bit(case, exponent):
     """Any power of two: no length is built in."""
     ball, ring, slot = case
@@ -133,7 +132,7 @@ def test_doubling_every_length_doubles_gap_and_point_to_the_bit(case, exponent):
     factor = 2.0**exponent
     larger = Ring(ring.radius * factor, ring.half_width * factor, *ring[2:])
     here = contact(ball, ring, slot)
-    there = contact(Ball(ball.position * factor, 0j, ball.radius * factor), larger, slot)
+    there = contact(Ball(ball.position * factor, ball.velocity, ball.radius * factor), larger, slot)
     assert there == (here.normal, here.point * factor, here.gap * factor, here.feature)
 
 
@@ -177,6 +176,7 @@ def test_the_gap_does_not_jump_between_face_and_end(ring, distance, ball_radius,
 def test_the_two_cases_of_the_source_are_the_contacts(case):
     """The normal of an overlap, found through the source's own functions, is the contact's."""
     ball, ring, _ = case
+    assume(ball.position != 0.0)
     theta = angle_of(ball.position)
     slot = nearest_slot(ring, theta)
     offset = abs(signed_difference(theta, ring.angle(slot)))

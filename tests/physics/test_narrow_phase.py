@@ -156,7 +156,7 @@ ENDS = [-1, 1]
 def case_2(p, ball_radius, end):
     """Case 2 for the end on the x axis, seen from the gap: above the axis for end = +1, below it for end = -1."""
     p = complex(p.real, p.imag * end)
-    return narrow_phase_case_2(p, ball_radius, angle_of(p), 10.0, -0.25 * end, 2.0, 0.25)
+    return narrow_phase_case_2(p, ball_radius, angle_of(p), 10.0, (-0.25 * end) % math.tau, 2.0, 0.25)
 
 
 @pytest.mark.parametrize("end", ENDS)
@@ -201,14 +201,15 @@ class TestCase2:
     @pytest.mark.parametrize("x", [8.0, 9.0, 10.0, 12.0])
     def test_at_distance_0_the_normal_is_the_ends_own(self, end, x):
         """On the end and on its corners, where the source has none."""
-        found = narrow_phase_case_2(complex(x, 0.0), 0.5, 1e-9 * end, 10.0, -0.25 * end, 2.0, 0.25)
+        theta, angle = (1e-9 * end) % math.tau, (-0.25 * end) % math.tau
+        found = narrow_phase_case_2(complex(x, 0.0), 0.5, theta, 10.0, angle, 2.0, 0.25)
         assert found == 1j * end
-        theta = (1e-9 * end) % math.tau
         assert source_oracle.narrow_phase_case_2(complex(x, 0.0), 0.5, theta, 10.0, -0.25 * end, 2.0, 0.25) in (None, 1j * end)
 
     def test_a_hair_behind_the_end_the_normal_still_leads_into_the_gap(self, end):
         """Case 2 is for a ball before the end: that it is behind it can be rounding only."""
-        found = narrow_phase_case_2(complex(10.0, -1e-17 * end), 0.5, 1e-9 * end, 10.0, -0.25 * end, 2.0, 0.25)
+        theta, angle = (1e-9 * end) % math.tau, (-0.25 * end) % math.tau
+        found = narrow_phase_case_2(complex(10.0, -1e-17 * end), 0.5, theta, 10.0, angle, 2.0, 0.25)
         assert found == 1j * end
 
 

@@ -214,7 +214,7 @@ def test_off_a_surface_as_fast_as_the_ball_it_leaves_along_the_normal(normal, pa
 @given(velocities(), units(), reals(-4.99, 4.99))
 def test_leaving_at_a_normal_speed_has_it(v, normal, normal_speed):
     """The length is the ball's speed, the component along the normal is the asked one, the tangential sense is kept."""
-    after = leaving_at(v, normal, normal_speed, SPEED)
+    after = leaving_at(v, v, normal, normal_speed, SPEED)
     assert abs(length(after) - SPEED) < 1e-14
     assert abs(dot(after, normal) - normal_speed) < 1e-13
     assert cross(normal, after) * cross(normal, v) >= 0.0
@@ -223,8 +223,8 @@ def test_leaving_at_a_normal_speed_has_it(v, normal, normal_speed):
 @given(velocities(), units(), reals(5.0, 100.0))
 def test_leaving_faster_than_the_ball_can_is_along_the_normal(v, normal, normal_speed):
     """To either side."""
-    assert abs(leaving_at(v, normal, normal_speed, SPEED) - normal * SPEED) < 1e-14
-    assert abs(leaving_at(v, normal, -normal_speed, SPEED) + normal * SPEED) < 1e-14
+    assert abs(leaving_at(v, v, normal, normal_speed, SPEED) - normal * SPEED) < 1e-14
+    assert abs(leaving_at(v, v, normal, -normal_speed, SPEED) + normal * SPEED) < 1e-14
 
 
 @given(velocities(), units(), points(10.0), frictions())
@@ -260,5 +260,5 @@ def test_doubling_every_velocity_doubles_the_result(v, normal, surface, friction
 @given(velocities(), units(), st.sampled_from([1e-305, 1e-200, 1e-160, 1e-100, 1e100]))
 def test_the_slowest_ball_still_leaves_at_its_speed(v, normal, speed):
     """Squares of speeds below 1e-162 are 0: `leaving_at` once divided by their root."""
-    assert math.isclose(abs(leaving_at(v, normal, 0.0, speed)), speed, rel_tol=1e-15)
+    assert math.isclose(abs(leaving_at(v, v, normal, 0.0, speed)), speed, rel_tol=1e-15)
     assert math.isclose(abs(collision_response(normal * -speed, normal, 0j, 0.0, speed)), speed, rel_tol=1e-14)

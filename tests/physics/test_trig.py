@@ -9,9 +9,9 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from physics import angle_of, direction
-from physics.trig import bearing_of
+from physics.trig import on_angle_grid
 from physics.vectors import length
-from tests.support.strategies import AXES, reals
+from tests.support.strategies import AXES, points, reals
 
 BOUND = 2e-15
 BOUND_OF_DIRECTION = 3e-16  # the largest error ever measured is 2.1e-16; a term dropped from the reduction shows here
@@ -144,23 +144,36 @@ def test_the_angle_lies_in_the_half_open_range(x, y):
 def test_a_point_a_hair_below_the_x_axis_has_angle_zero(y):
     """2 pi less that hair is no float but 2 pi itself."""
     assert angle_of(complex(1.0, y)) == 0.0
-    assert bearing_of(complex(1.0, y)) == y
 
 
 @given(st.floats(-1e300, 1e300), st.floats(0.0, 1e300, exclude_min=True))
-def test_bearings_of_mirrored_points_are_opposite_to_the_bit(x, y):
-    """And so are their angles, as 2 pi less the one is the other."""
+def test_angles_of_mirrored_points_add_up_to_a_full_turn_to_the_bit(x, y):
+    """2 pi less the one is the other, both ways round: no bit is lost on passing the polar axis."""
     p = complex(x, y)
-    assert bearing_of(p.conjugate()) == -bearing_of(p)
     assert angle_of(p.conjugate()) == (math.tau - angle_of(p)) % math.tau
+    assert angle_of(p) == (math.tau - angle_of(p.conjugate())) % math.tau
 
 
-@given(st.floats(-1e300, 1e300), st.floats(-1e300, 1e300))
-def test_a_bearing_is_above_minus_pi_and_up_to_pi(x, y):
-    """The negative x axis has the bearing pi, whatever the sign of its zero."""
-    assert -math.pi <= bearing_of(complex(x, y)) <= math.pi
-    if x < 0.0:
-        assert bearing_of(complex(x, 0.0)) == bearing_of(complex(x, -0.0)) == math.pi
+@given(st.floats(-1e300, 0.0, exclude_max=True))
+def test_the_negative_x_axis_has_the_angle_pi(x):
+    """Whatever the sign of its zero."""
+    assert angle_of(complex(x, 0.0)) == angle_of(complex(x, -0.0)) == math.pi
+
+
+@given(points(1e6))
+def test_the_angle_lies_on_the_angle_grid(p):
+    """A whole number of 2**-50 radians, as are its sums and differences with others."""
+    angle = angle_of(p)
+    assert (angle * 2.0**50).is_integer()
+    assert on_angle_grid(angle) == angle
+
+
+@given(st.floats(0.0, 8.0, exclude_max=True))
+def test_the_angle_grid_moves_an_angle_by_half_its_pitch_at_most(angle):
+    """Half of 2**-50 radians; the float 2 pi and all floats from 4 to 8 stay where they are."""
+    assert abs(on_angle_grid(angle) - angle) <= 2.0**-51
+    assert (on_angle_grid(angle) * 2.0**50).is_integer()
+    assert angle < 4.0 or on_angle_grid(angle) == angle
 
 
 @pytest.mark.parametrize("quarter", range(4))
@@ -177,8 +190,8 @@ def test_small_angles_are_their_own_sines(angle):
     assert math.isclose(direction(angle).imag, angle - angle**3 / 6.0, rel_tol=1e-13)
 
 
-@given(st.floats(-math.pi, math.pi))
-def test_bearing_and_direction_are_inverse(angle):
-    """There and back within the two bounds, the negative x axis excepted, where pi stands for -pi."""
-    back = bearing_of(direction(angle))
+@given(st.floats(0.0, math.tau))
+def test_angle_and_direction_are_inverse(angle):
+    """There and back within the two bounds, 2 pi excepted, where 0 stands for it."""
+    back = angle_of(direction(angle))
     assert min(abs(back - angle), math.tau - abs(back - angle)) < BOUND

@@ -9,7 +9,7 @@ import pygame
 
 from game.app import frame
 from game.levels import built_in
-from game.screens.base import Shared
+from game.screens.app_state import AppState
 from game.screens.title import Title
 from game.system import window as display
 
@@ -19,14 +19,14 @@ SIZE = (640, 400)
 
 def shared(level=0, seed=7, recorder=None, *, autopilot=False):
     """What outlives a screen, before anything has happened."""
-    return Shared(built_in(), level, seed, Title, recorder, autopilot)
+    return AppState(built_in(), level, seed, Title, recorder, autopilot)
 
 
 class Desk:
     """Runs the app frame by frame and posts what a player does as events."""
 
-    def __init__(self, kept, screen, size=SIZE):
-        self.shared, self.screen = kept, screen
+    def __init__(self, state, screen, size=SIZE):
+        self.shared, self.screen = state, screen
         self.window = display.open_window("test", size)
         pygame.event.clear()
 

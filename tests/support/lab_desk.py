@@ -2,9 +2,10 @@
 
 import pygame
 
+from game.app import frame
 from game.lab.session import session
 from game.lab.session.share import parsed
-from game.lab.window.page import page, panes
+from game.lab.window.layout import layout_of, pane_areas
 from game.lab.window.screen import Lab
 from tests.support.dummy_window import FRAME, Desk, shared
 from tools.crosscheck.second_engine import Pymunk
@@ -16,9 +17,9 @@ class LabDesk(Desk):
     """A desk with the lab on it."""
 
     def __init__(self, line="case-2", size=SIZE):
-        kept = shared()
-        super().__init__(kept, None, size)
-        self.screen = Lab(kept, session.opened(parsed(line, Pymunk())))
+        app = shared()
+        super().__init__(app, None, size)
+        self.screen = Lab(app, session.opened(parsed(line, Pymunk())))
         self.size = size
         self.wait(FRAME)
 
@@ -32,37 +33,43 @@ class LabDesk(Desk):
         """What the scene is given."""
         return self.session.given
 
+    def wait_once(self, seconds):
+        """Let one picture take so many seconds."""
+        self.screen = frame(self.window, self.shared, self.screen, seconds)
+
     def pixel(self, world, pane=0):
-        """The pixel of a place."""
-        areas = panes(page(self.size), len(self.session.picture.panes))
-        place = self.screen._lens.camera(self.session.scene.view, areas[pane]).project(world)
-        return round(place.real), round(place.imag)
+        """The pixel of a point of the world."""
+        areas = pane_areas(layout_of(self.size), len(self.session.picture.panes))
+        pixel = self.screen._pan_zoom.camera(self.session.scene.view_box, areas[pane]).project(world)
+        return round(pixel.real), round(pixel.imag)
 
     def drag(self, start, end, button=1):
         """Press, move, release, at pixels."""
         pygame.event.post(pygame.Event(pygame.MOUSEMOTION, pos=start, rel=(0, 0), buttons=(0, 0, 0)))
         pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=start, button=button))
         middle = ((start[0] + end[0]) // 2, (start[1] + end[1]) // 2)
-        for place in (middle, end):
-            pygame.event.post(pygame.Event(pygame.MOUSEMOTION, pos=place, rel=(0, 0), buttons=(1, 0, 0)))
+        for pixel in (middle, end):
+            pygame.event.post(pygame.Event(pygame.MOUSEMOTION, pos=pixel, rel=(0, 0), buttons=(1, 0, 0)))
         pygame.event.post(pygame.Event(pygame.MOUSEBUTTONUP, pos=end, button=button))
         self.wait(2 * FRAME)
 
-    def wheel(self, place, steps):
+    def wheel(self, pixel, steps):
         """Turn the wheel over a pixel."""
-        pygame.event.post(pygame.Event(pygame.MOUSEMOTION, pos=place, rel=(0, 0), buttons=(0, 0, 0)))
+        pygame.event.post(pygame.Event(pygame.MOUSEMOTION, pos=pixel, rel=(0, 0), buttons=(0, 0, 0)))
         pygame.event.post(pygame.Event(pygame.MOUSEWHEEL, x=0, y=steps, precise_x=0.0, precise_y=float(steps)))
         self.wait(FRAME)
 
-    def row(self, name, part=0):
+    def row(self, name, coordinate=0):
         """The slider and field of a number."""
-        return next(row for row in self.screen._widgets(self.size)._rows if (row.parameter.name, row.part) == (name, part))
+        return next(
+            row for row in self.screen._widgets(self.size)._rows if (row.parameter.name, row.coordinate) == (name, coordinate)
+        )
 
     def type_into(self, field, text):
         """Click a field, clear it, type and press Return."""
-        place = field.rect.center
-        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=place, button=1))
-        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONUP, pos=place, button=1))
+        pixel = field.rect.center
+        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=pixel, button=1))
+        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONUP, pos=pixel, button=1))
         self.wait(FRAME)
         field.set_text("")
         for letter in text:
@@ -75,8 +82,8 @@ class LabDesk(Desk):
 
     def click_on(self, button):
         """Click in the middle of a widget."""
-        place = button.rect.center
+        pixel = button.rect.center
         button.hovered = True
-        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=place, button=1))
-        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONUP, pos=place, button=1))
+        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=pixel, button=1))
+        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONUP, pos=pixel, button=1))
         self.wait(3 * FRAME)

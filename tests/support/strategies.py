@@ -27,6 +27,11 @@ def points(size=10.0):
     return st.builds(complex, reals(-size, size), reals(-size, size))
 
 
+def velocities(size):
+    """Vectors of a square around the origin: 0, or long enough for a ball."""
+    return points(size).map(lambda v: v if abs(v) > 1e-30 else 0j)
+
+
 def units():
     """Vectors of length 1."""
     return angles().map(lambda angle: complex(math.cos(angle), math.sin(angle)))
@@ -46,7 +51,7 @@ def rings(draw, least_count=1):
 @st.composite
 def balls(draw):
     """Balls in an arena of size 12."""
-    return Ball(draw(points(12.0)), draw(points(20.0)), draw(reals(0.05, 1.0)))
+    return Ball(draw(points(12.0)), draw(velocities(20.0)), draw(reals(0.05, 1.0)))
 
 
 class BesideAnEnd(NamedTuple):
@@ -73,4 +78,4 @@ def balls_beside_an_end(draw):
     distance = along / math.cos(aside)
     position = complex(distance * math.cos(angle), distance * math.sin(angle))
     ratio = draw(reals(0.3, 0.99) | reals(1.01, 3.0))
-    return BesideAnEnd(Ball(position, draw(points(20.0)), across * ratio), ring, slot, sign, along, across)
+    return BesideAnEnd(Ball(position, draw(velocities(20.0)), across * ratio), ring, slot, sign, along, across)

@@ -1,17 +1,19 @@
 """The fuzzer passes the physics, and fails every physics that was broken on purpose."""
 
 import math
+import os
 import re
 import signal
 import subprocess
 import sys
-import time
 
 import mpmath
 import pytest
 
 from game.system.command_line import run
 from physics import Arena, Ball, Impact, Ring, advance, time_of_impact
+from tests.support.children import Terminal
+from tests.support.paths import ROOT
 from tools.fuzz import campaign, impacts
 from tools.fuzz.__main__ import app
 from tools.fuzz.arenas import TICK, random_case, with_lost_balls_back
@@ -302,15 +304,28 @@ def test_lost_balls_come_back_to_free_places():
             assert all(abs(ball.position) < 1e3 for ball in start.balls)
 
 
+@pytest.fixture
+def terminal():
+    """A terminal for a child's progress bar."""
+    opened = Terminal()
+    yield opened
+    opened.close()
+
+
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no SIGINT to send")
 @pytest.mark.parametrize("arguments", [("--workers", "1"), ("--workers", "2"), ("--impacts", "1000000")])
-def test_ctrl_c_stops_with_a_summary(arguments):
-    """What was done so far is said, and the exit code speaks of it."""
-    command = [sys.executable, "-u", "-m", "tools.fuzz", "--steps", "100000000", *arguments]
-    process = subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    time.sleep(4.0)
+def test_ctrl_c_stops_with_a_summary(children, terminal, arguments):
+    """Interrupted once the progress bar counts, it says what was done so far, and the exit code speaks of it."""
+    command = [sys.executable, "-m", "tools.fuzz", "--steps", "100000000", *arguments]
+    environment = os.environ | {"TERM": "xterm", "COLUMNS": "120"}
+    process = children.start(
+        command, cwd=ROOT, env=environment, stdout=subprocess.PIPE, stderr=terminal.theirs, text=True, encoding="utf-8"
+    )
+    terminal.given()
+    terminal.read_until(r"\b[1-9]\d*/100")
     process.send_signal(signal.SIGINT)
-    out, err = process.communicate(timeout=30)
-    assert process.returncode == 0, err
+    err = terminal.read_to_the_end()
+    out = process.stdout.read()
+    assert process.wait() == 0, err
     assert out.endswith("stopped by Ctrl-C\n")
     assert "Traceback" not in err

@@ -17,7 +17,7 @@ def check_environment() -> None:
     if importlib.util.find_spec("pymunk") is None:
         raise EnvironmentMissingError(f"pymunk is not installed; {wanted}")
     try:
-        version = str(importlib.import_module("pymunk").version)
+        version = str(importlib.import_module("pymunk").version)  # noqa: TID251  # may be missing
     except (ImportError, OSError) as error:
         raise EnvironmentMissingError(f"pymunk cannot be loaded ({error}); {wanted}") from None
     if version.partition(".")[0] != str(MAJOR):

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import pymunk
 
-from game.lab.kit.second_engine import Piece, Touch
+from game.lab.kit.second_engine import EngineContact, EngineShape
 from physics import Ball, Ring
 from tools.crosscheck.pymunk_model.one_bounce import ITERATIONS
 from tools.crosscheck.pymunk_model.ring_model import Geometry, RingModel, chord_shapes, pointed_shapes, ring_model
@@ -22,17 +22,17 @@ class Pymunk:
 
     name = "pymunk"
 
-    def touch(self, ball: Ball, ring: Ring, slots: Sequence[int]) -> Touch | None:
+    def touch(self, ball: Ball, ring: Ring, slots: Sequence[int]) -> EngineContact | None:
         """The exact shape nearest to the ball: a circle for either face, a segment for an end, a point for a corner."""
         model, reach = _sector_model(ring), _REACH * ball.radius
-        nearest: Touch | None = None
+        nearest: EngineContact | None = None
         for turn in _turns(ring, slots):
             found = model.exact(ball.position * turn.conjugate(), reach)
             if found is not None and (nearest is None or found.distance < nearest.distance):
-                nearest = Touch(found.normal * turn, found.distance)
+                nearest = EngineContact(found.normal * turn, found.distance)
         return nearest
 
-    def pieces(self, ring: Ring, slots: Sequence[int]) -> tuple[Piece, ...]:
+    def shapes(self, ring: Ring, slots: Sequence[int]) -> tuple[EngineShape, ...]:
         """Chords, ends and corners."""
         shapes = _sector_shapes(pymunk.Body(body_type=pymunk.Body.STATIC), ring)
         return tuple([_piece(shape, turn) for turn in _turns(ring, slots) for shape in shapes])
@@ -83,13 +83,13 @@ def _turns(ring: Ring, slots: Sequence[int]) -> list[complex]:
     return [cmath.rect(1.0, ring.phase + slot * math.tau / ring.count) for slot in slots]
 
 
-def _piece(shape: pymunk.Shape, turn: complex) -> Piece:
+def _piece(shape: pymunk.Shape, turn: complex) -> EngineShape:
     """One of pymunk's shapes in the world's frame."""
     if isinstance(shape, pymunk.Circle):
         centre = complex(*shape.offset) * turn
-        return Piece(centre, centre, shape.radius)
+        return EngineShape(centre, centre, shape.radius)
     assert isinstance(shape, pymunk.Segment)
-    return Piece(complex(*shape.a) * turn, complex(*shape.b) * turn, shape.radius)
+    return EngineShape(complex(*shape.a) * turn, complex(*shape.b) * turn, shape.radius)
 
 
 def _turned(body: pymunk.Body, shape: pymunk.Circle | pymunk.Segment, turn: complex) -> pymunk.Shape:

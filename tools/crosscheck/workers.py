@@ -39,9 +39,9 @@ class _Worker:
         self.job: int | None = None
         self.since = 0.0
 
-    def give(self, number: int, job: object) -> None:
+    def give(self, number: int, job: object, now: float) -> None:
         """Hand over a job."""
-        self.job, self.since = number, time.monotonic()
+        self.job, self.since = number, now
         with contextlib.suppress(OSError):  # a process that died idle is noticed by its closed pipe
             self.pipe.send(job)
 
@@ -53,7 +53,11 @@ class _Worker:
 
 
 def results_of(
-    function: Callable[[Job], Result], jobs: Sequence[Job], workers: int, time_limit: float = TIME_LIMIT
+    function: Callable[[Job], Result],
+    jobs: Sequence[Job],
+    workers: int,
+    time_limit: float = TIME_LIMIT,
+    clock: Callable[[], float] = time.monotonic,
 ) -> Iterator[tuple[int, Result | Lost]]:
     """(number of the job, its result) as they come; `Lost` for those whose process did not live to answer.
 
@@ -66,16 +70,16 @@ def results_of(
         while waiting or crew:
             while waiting and len(crew) < workers:
                 crew.append(_Worker(function))
-                crew[-1].give(waiting[-1], jobs[waiting.pop()])
+                crew[-1].give(waiting[-1], jobs[waiting.pop()], clock())
             wait([worker.pipe for worker in crew], timeout=0.5)
             for worker in list(crew):
-                answer = _answer(worker, time_limit)
+                answer = _answer(worker, time_limit, clock)
                 if answer is None:
                     continue
                 number = worker.job
                 assert number is not None
                 if waiting and not isinstance(answer[0], Lost):
-                    worker.give(waiting[-1], jobs[waiting.pop()])
+                    worker.give(waiting[-1], jobs[waiting.pop()], clock())
                 else:
                     crew.remove(worker)
                     worker.stop()
@@ -87,7 +91,7 @@ def results_of(
             worker.stop()
 
 
-def _answer(worker: _Worker, time_limit: float) -> tuple[Result | Lost] | None:
+def _answer(worker: _Worker, time_limit: float, clock: Callable[[], float]) -> tuple[Result | Lost] | None:
     """What a worker has to say, in a tuple of one; None while it works."""
     if worker.pipe.poll():
         try:
@@ -95,7 +99,7 @@ def _answer(worker: _Worker, time_limit: float) -> tuple[Result | Lost] | None:
         except (EOFError, OSError):
             worker.process.join()
             return (Lost(_death(worker.process.exitcode)),)
-    if time.monotonic() - worker.since > time_limit:
+    if clock() - worker.since > time_limit:
         return (Lost(f"no answer within {time_limit:g} s"),)
     return None
 

@@ -6,7 +6,7 @@ from collections.abc import Generator, Iterator
 from contextlib import closing
 from typing import NamedTuple
 
-from physics import Arena, Step, advance
+from physics import Arena, FreeFlight, Step, advance
 from tools.fuzz.arenas import TICK, TICKS, random_case, steered, with_lost_balls_back
 from tools.fuzz.checks import first_fault
 
@@ -53,21 +53,21 @@ def play(seed: int, index: int, ticks: int = TICKS) -> Tally:
     """One case, up to its first fault."""
     arena, speed, chance = random_case(seed, index)
     tally = Tally(cases=1)
-    last: Step | None = None
+    flight: FreeFlight | None = None
     for tick in range(ticks):
-        what, step = checked_tick(arena, speed, last)
+        what, step = checked_tick(arena, speed, flight)
         tally = tally.plus(Tally(0, len(arena.balls), len(step.hits), step.dropped, step.freed))
         if what is not None:
             return tally._replace(failures=(Failure(seed, index, tick, what, arena, speed),))
-        arena, last = steered(with_lost_balls_back(step.arena, speed, chance), speed, chance), step
+        arena, flight = steered(with_lost_balls_back(step.arena, speed, chance), speed, chance), step.flight
     return tally
 
 
-def checked_tick(arena: Arena, speed: float, last: Step | None = None) -> tuple[str | None, Step]:
-    """What is wrong with the next tick, and the tick. last: the one before."""
+def checked_tick(arena: Arena, speed: float, flight: FreeFlight | None = None) -> tuple[str | None, Step]:
+    """What is wrong with the next tick, and the tick. flight: of the one before."""
     try:
-        step = advance(arena, TICK, speed, last)
-        if last is not None and last.clear >= TICK and step[:4] != advance(arena, TICK, speed)[:4]:
+        step = advance(arena, TICK, speed, flight)
+        if flight is not None and step[:4] != advance(arena, TICK, speed)[:4]:
             return SPARED, step
     except Exception as error:  # noqa: BLE001  # whatever it is, it is a fault of the tick
         return f"{type(error).__name__}: {error}", Step(arena, (), 0, 0)

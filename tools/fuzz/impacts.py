@@ -27,7 +27,7 @@ class ImpactCase(NamedTuple):
 
 def multiprecision() -> Any:
     """The mpmath library, set to 50 digits. ImportError where it is not installed."""
-    mpmath = importlib.import_module("mpmath")
+    mpmath = importlib.import_module("mpmath")  # noqa: TID251  # may be missing
     mpmath.mp.dps = 50
     return mpmath
 

@@ -1,4 +1,4 @@
-"""What a frame costs: `python -m tools.measure.frame`. Frame after frame of a game in play.
+"""What a frame costs: `python -m tools.measure.frame`. Frame after frame of a game in play, and of panels over it.
 
 The first columns are processor time, the last two the clock's; with --window they include handing the picture to the display.
 """
@@ -6,7 +6,7 @@ The first columns are processor time, the last two the clock's; with --window th
 import gc
 import sys
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
 from statistics import median, quantiles
 from typing import Annotated, NamedTuple
 
@@ -17,37 +17,88 @@ from rich.table import Table
 
 from game.autopilot import Autopilot
 from game.drawing.camera import layout
+from game.drawing.canvas import Canvas
 from game.drawing.painter import Painter
 from game.drawing.palette import DARK
 from game.drawing.text import Type
 from game.effects import Effects, after
+from game.input.signals import Action, Pressed
 from game.input.view import FROM_ABOVE, TIPPED, View
 from game.levels import built_in
 from game.overlay import hud
 from game.rules import Ticked, new_game, tick
 from game.scene import scene_at, still
+from game.screens.app_state import AppState
+from game.screens.base import Screen
+from game.screens.help import Help
+from game.screens.play import Play
+from game.screens.settings_panel import SettingsPanel
+from game.screens.title import Title
 from game.system import window as display
 from game.system.command_line import run
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
 _WARM_UP = 20
-_SERVED = 600
+"""Frames drawn before those that are timed."""
+_SERVED_TICKS = 600
 _TICKS_A_FRAME = 4
 
+Draw = Callable[[pygame.Surface], None]
+"""Draws one frame."""
 
-class Case(NamedTuple):
-    """One way to look at a game."""
+
+class FrameCase(NamedTuple):
+    """Something to draw.
+
+    name: in words.
+    size: of the frame, pixels.
+    frames: from a level's number to its frames, one after the other; only what they draw is timed.
+    """
 
     name: str
     size: tuple[int, int]
-    view: View
-    orbit: float = 0.0  # radians a frame
+    frames: Callable[[int], Iterator[Draw]]
+
+
+class FrameCost(NamedTuple):
+    """Milliseconds of a frame.
+
+    processor: of this program.
+    clock: by the clock.
+    """
+
+    processor: float
+    clock: float
+
+
+class FrameTarget(NamedTuple):
+    """Where frames are drawn: a surface, what shows it, and what takes it away."""
+
+    surface: pygame.Surface
+    flip: Callable[[], None]
+    close: Callable[[], None]
 
 
 def main() -> None:
     """Run the command line and exit."""
     sys.exit(run(app, "python -m tools.measure.frame"))
+
+
+def cases() -> tuple[FrameCase, ...]:
+    """All that is timed."""
+    small, large = (1280, 800), (3840, 2160)
+    return (
+        FrameCase("top-down", small, lambda level: game_frames(level, FROM_ABOVE)),
+        FrameCase("3D", small, lambda level: game_frames(level, TIPPED)),
+        FrameCase("3D, orbiting", small, lambda level: game_frames(level, TIPPED, 0.02)),
+        FrameCase("top-down", large, lambda level: game_frames(level, FROM_ABOVE)),
+        FrameCase("3D", large, lambda level: game_frames(level, TIPPED)),
+        FrameCase("pause", small, lambda level: panel_frames(level, _paused)),
+        FrameCase("settings", small, lambda level: panel_frames(level, SettingsPanel)),
+        FrameCase("help", small, lambda level: panel_frames(level, Help)),
+        FrameCase("help, opening", small, lambda level: panel_frames(level, Help, opening=True)),
+    )
 
 
 @app.command()
@@ -56,19 +107,12 @@ def frames(
     count: Annotated[int, typer.Option(min=20, max=100_000, help="Frames of each case.")] = 400,
     window: Annotated[bool, typer.Option("--window", help="Draw into a window, and show every frame.")] = False,  # noqa: FBT002  # a flag
 ) -> None:
-    """Time whole frames, effects on: the scene, everything drawn, the figures; with a window, showing it, too."""
-    cases = (
-        Case("top-down", (1280, 800), FROM_ABOVE),
-        Case("3D", (1280, 800), TIPPED),
-        Case("3D, orbiting", (1280, 800), TIPPED, 0.02),
-        Case("top-down", (3840, 2160), FROM_ABOVE),
-        Case("3D", (3840, 2160), TIPPED),
-    )
+    """Time whole frames, effects on: the scene, everything drawn, the figures, or a panel; with a window, showing it, too."""
     table = Table(box=None, pad_edge=False)
     table.add_column("frame")
     for heading in ("pixels", "median ms", "99 % ms", "longest ms", "by the clock", "99 %"):
         table.add_column(heading, justify="right")
-    for case in cases:
+    for case in cases():
         size, taken = timed(case, level, count, _window if window else _plain)
         processor, clock = [one.processor for one in taken], [one.clock for one in taken]
         figures = (median(processor), _late(processor), max(processor), median(clock), _late(clock))
@@ -76,54 +120,71 @@ def frames(
     Console(width=100).print(table)
 
 
-class Taken(NamedTuple):
-    """Milliseconds of a frame."""
-
-    processor: float  # of this program
-    clock: float
-
-
-class Shown(NamedTuple):
-    """Where frames are drawn."""
-
-    surface: pygame.Surface
-    flip: Callable[[], None]
-    close: Callable[[], None]
-
-
 def timed(
-    case: Case, level: int, count: int, opened: Callable[[tuple[int, int]], Shown]
-) -> tuple[tuple[int, int], list[Taken]]:
+    case: FrameCase, level: int, count: int, opened: Callable[[tuple[int, int]], FrameTarget]
+) -> tuple[tuple[int, int], list[FrameCost]]:
     """How large the frames were, pixels, and the cost of each. A window is no larger than its desktop."""
-    game, pilot, effects = new_game(built_in()[level - 1 :], 1), Autopilot(), Effects()
-    done = still(game)
-    for _ in range(_SERVED):
-        done, effects = _later(done, effects, pilot)
-    shown, painter, type_, view = opened(case.size), Painter(DARK), Type(), case.view
-    taken: list[Taken] = []
+    target, following = opened(case.size), case.frames(level)
+    taken: list[FrameCost] = []
     gc.freeze()  # as the game does
     for _ in range(count + _WARM_UP):
-        for _ in range(_TICKS_A_FRAME):
-            done, effects = _later(done, effects, pilot)
-        view = view._replace(azimuth=view.azimuth + case.orbit)
+        draw = next(following)
         start, begin = time.process_time(), time.perf_counter()
-        _draw(shown.surface, done, effects, view, painter, type_)
-        shown.flip()
-        taken.append(Taken((time.process_time() - start) * 1e3, (time.perf_counter() - begin) * 1e3))
-    size = shown.surface.get_size()
-    shown.close()
+        draw(target.surface)
+        target.flip()
+        taken.append(FrameCost((time.process_time() - start) * 1e3, (time.perf_counter() - begin) * 1e3))
+    size = target.surface.get_size()
+    target.close()
     return size, taken[_WARM_UP:]
 
 
-def _plain(size: tuple[int, int]) -> Shown:
+def game_frames(level: int, view: View, orbit: float = 0.0) -> Iterator[Draw]:
+    """Frames of an autopilot's game. orbit: radians that the camera turns in a frame."""
+    pilot, effects, done = Autopilot(), Effects(), still(new_game(built_in()[level - 1 :], 1))
+    for _ in range(_SERVED_TICKS):
+        done, effects = _later(done, effects, pilot)
+    painter, type_ = Painter(), Type()
+
+    def draw(surface: pygame.Surface) -> None:
+        """One frame, as the window draws it."""
+        seen = view.seen(layout(surface.get_size(), done.game.level.ground_radius))
+        canvas = Canvas(surface, seen.camera, DARK, type_, seen.unit)
+        painter.paint(canvas, scene_at(done, 0.5, effects))
+        hud.draw(canvas, hud.readings(done.game), seen)
+
+    while True:
+        for _ in range(_TICKS_A_FRAME):
+            done, effects = _later(done, effects, pilot)
+        view = view._replace(azimuth=view.azimuth + orbit)
+        yield draw
+
+
+def panel_frames(level: int, panel: Callable[[AppState, Screen], Screen], *, opening: bool = False) -> Iterator[Draw]:
+    """Frames of a panel over a game. opening: each is the first of a panel that has just been opened."""
+    state = AppState(built_in(), level - 1, 1, Title, autopilot=True)
+    play: Screen = Play(state, built_in()[level - 1 :])
+    shown = panel(state, play)
+    while True:
+        yield (panel(state, play) if opening else shown).draw
+
+
+def _paused(_state: AppState, play: Screen) -> Screen:
+    """The menu of a game that is interrupted."""
+    menu = play.answer(Pressed(Action.PAUSE), (1, 1))
+    if menu is None:
+        raise AssertionError(play)
+    return menu
+
+
+def _plain(size: tuple[int, int]) -> FrameTarget:
     """A surface that nobody sees."""
-    return Shown(pygame.Surface(size, 0, 32), lambda: None, lambda: None)
+    return FrameTarget(pygame.Surface(size, 0, 32), lambda: None, lambda: None)
 
 
-def _window(size: tuple[int, int]) -> Shown:
+def _window(size: tuple[int, int]) -> FrameTarget:
     """A window, as the game opens it, no larger than the desktop. Raises EnvironmentMissingError without a display."""
     window = display.open_window("Frames", size)
-    return Shown(window.get_surface(), window.flip, pygame.quit)
+    return FrameTarget(window.get_surface(), window.flip, pygame.quit)
 
 
 def _late(times: list[float]) -> float:
@@ -135,13 +196,6 @@ def _later(done: Ticked, effects: Effects, pilot: Autopilot) -> tuple[Ticked, Ef
     """The game and its effects a tick later."""
     done = tick(done.game, pilot.controls(done.game))
     return done, after(effects, done)
-
-
-def _draw(surface: pygame.Surface, done: Ticked, effects: Effects, view: View, painter: Painter, type_: Type) -> None:
-    """One frame, as the window draws it."""
-    place = view.seen(layout(surface.get_size(), done.game.level.ground_radius))
-    painter.paint(surface, scene_at(done, 0.5, effects), place.camera, type_, place.unit)
-    hud.draw(surface, place, hud.readings(done.game), painter.theme, type_)
 
 
 if __name__ == "__main__":

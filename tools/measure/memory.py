@@ -18,7 +18,8 @@ from rich.progress import Progress
 from game.app import frame
 from game.input.view import View
 from game.levels import built_in
-from game.screens.base import Screen, Shared
+from game.screens.app_state import AppState
+from game.screens.base import Screen
 from game.screens.play import Play
 from game.screens.title import Title
 from game.settings.values import Settings
@@ -54,7 +55,7 @@ def soak(
     held()
     os.environ.update(SDL_VIDEODRIVER="dummy", SDL_AUDIODRIVER="dummy")
     window = display.open_window("soak", (width, height))
-    shared = Shared(built_in(), 0, 1, Title, autopilot=True, audio=Audio())
+    shared = AppState(built_in(), 0, 1, Title, autopilot=True, audio=Audio())
     shared.change(Settings())
     frames = round(minutes * 60 * _RATE)
     first, screen, console = 0.0, _level(shared, 0), Console(stderr=True)
@@ -87,7 +88,7 @@ def held() -> float:
     return next(int(line.split()[1]) for line in lines if line.startswith("VmRSS:")) / 1024.0
 
 
-def _later(window: pygame.Window, shared: Shared, screen: Screen, number: int) -> Screen:
+def _later(window: pygame.Window, shared: AppState, screen: Screen, number: int) -> Screen:
     """The screen a frame later; another level when it is time for one, or the game has ended."""
     seconds = number // _RATE
     shared.view = View(goal=float(seconds // _TURN % 2), tipped=shared.view.tipped)
@@ -98,7 +99,7 @@ def _later(window: pygame.Window, shared: Shared, screen: Screen, number: int) -
     return following
 
 
-def _level(shared: Shared, number: int) -> Screen:
+def _level(shared: AppState, number: int) -> Screen:
     """A game from one of the levels on, by turns."""
     return Play(shared, shared.catalogue[number % len(shared.catalogue) :])
 

@@ -90,7 +90,6 @@ def first_picture() -> Start:
             env={**drivers, **os.environ},
             capture_output=True,
             text=True,
-            timeout=120,
             check=False,
         )
     if done.returncode:

@@ -1,5 +1,6 @@
 """What a tick costs, beside pymunk's: `python -m tools.bench`. Processor time, in one process, in alternating rounds."""
 
+import cmath
 import math
 import sys
 import time
@@ -15,7 +16,7 @@ from rich.table import Table
 
 from game.system.command_line import run
 from game.system.errors import EnvironmentMissingError
-from physics import PERMANENT, Arena, Ball, Ring, Step, advance
+from physics import PERMANENT, Arena, Ball, FreeFlight, Ring, advance
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
@@ -100,27 +101,27 @@ def arena(per_row: int) -> Arena:
 def ours(per_row: int) -> Callable[[int], None]:
     """Ticks of `physics.advance`."""
     state, full, chance = arena(per_row), arena(per_row).layers, Random(1)
-    last: Step | None = None
+    last: FreeFlight | None = None
 
     def play(ticks: int) -> None:
         nonlocal state, last
-        now, step = state, last
+        now, flight = state, last
         for first in range(0, ticks, _CHECK_EVERY):
             for _ in range(min(_CHECK_EVERY, ticks - first)):
-                step = advance(now, TICK, SPEED, step)
-                now = step.arena
+                step = advance(now, TICK, SPEED, flight)
+                now, flight = step.arena, step.flight
             p = now.balls[0].position
             if p.real * p.real + p.imag * p.imag > GROUND * GROUND:
                 now = Arena((_served(chance),), now.rings, full)
-        state, last = now, step
+        state, last = now, flight
 
     return play
 
 
 def _served(chance: Random) -> Ball:
     """A ball between bricks and paddles, somewhere, going somewhere."""
-    place, way = chance.random() * math.tau, chance.random() * math.tau
-    return Ball(7.0 * complex(math.cos(place), math.sin(place)), SPEED * complex(math.cos(way), math.sin(way)), BALL_RADIUS)
+    position, velocity = cmath.rect(7.0, chance.random() * math.tau), cmath.rect(SPEED, chance.random() * math.tau)
+    return Ball(position, velocity, BALL_RADIUS)
 
 
 def theirs(model: Callable[[Any, Any, Ring], list[Any]]) -> Callable[[int], None]:
@@ -197,11 +198,11 @@ def _drift(bounces: int) -> int:
     speed = 50.0 * BALL_RADIUS / TICK
     wall, pillars = Ring(13.0, 0.5, math.pi, 1), Ring(3.0, 0.5, 0.2, 7, 0.1)
     state = Arena((Ball(0.3j, complex(speed, 0.0), BALL_RADIUS),), (wall, pillars), ((PERMANENT,), (PERMANENT,) * 7))
-    step: Step | None = None
+    flight: FreeFlight | None = None
     done, worst = 0, 0.0
     while done < bounces:
-        step = advance(state, TICK * 10.0, speed, step)
-        state, done = step.arena, done + len(step.hits)
+        step = advance(state, TICK * 10.0, speed, flight)
+        state, flight, done = step.arena, step.flight, done + len(step.hits)
         v = state.balls[0].velocity
         worst = max(worst, abs(math.hypot(v.real, v.imag) / speed - 1.0))
     Console().print(f"{done} bounces: the speed was off by {worst:.1e} of itself at most", highlight=False)

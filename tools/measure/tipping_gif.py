@@ -13,6 +13,7 @@ import typer
 
 from game.autopilot import Autopilot
 from game.drawing.camera import layout
+from game.drawing.canvas import Canvas
 from game.drawing.painter import Painter
 from game.drawing.palette import DARK
 from game.drawing.text import Type
@@ -47,15 +48,15 @@ def tipping(
     if not folder.is_dir():
         raise BadInputError(f"{folder}: there is no such folder")
     done, pilot, effects = still(new_game(built_in()[_LEVEL:], _SEED)), Autopilot(), Effects()
-    painter, type_ = Painter(DARK), Type()
+    painter, type_ = Painter(), Type()
     surface = pygame.Surface((width, height), 0, 32)
     for number in range(-_SERVED // _TICKS_A_FRAME, len(_views())):
         for _ in range(_TICKS_A_FRAME):
             done = tick(done.game, pilot.controls(done.game))
             effects = after(effects, done)
         if number >= 0:
-            place = _views()[number].seen(layout((width, height), done.game.level.ground_radius))
-            painter.paint(surface, scene_at(done, 1.0, effects), place.camera, type_, place.unit)
+            seen = _views()[number].seen(layout((width, height), done.game.level.ground_radius))
+            painter.paint(Canvas(surface, seen.camera, DARK, type_, seen.unit), scene_at(done, 1.0, effects))
             pygame.image.save(surface, folder / f"{number:03}.png")
 
 

@@ -1,4 +1,4 @@
-"""A struck paddle out of its place: from above painted pixel by pixel, aslant as the same blocks a little farther out.
+"""A struck paddle out of its slot, from straight above: the parts of a paddle, painted pixel by pixel a little farther out.
 
 The pixels of the paddles' band are sorted by angle: a paddle's are one or two runs of them, wherever it is.
 """
@@ -7,93 +7,79 @@ import math
 from typing import NamedTuple
 
 import numpy as np
-import pygame
 from numpy.typing import NDArray
 
-from game.drawing.camera import Camera
-from game.drawing.flat.annulus_pixels import Floats, band
-from game.drawing.flat.ring import packed, pixels_of
-from game.drawing.flat.sector_colours import GLOW, Kind, Look
-from game.drawing.palette import Theme, mixed
-from game.drawing.solid.prisms import Blocks
+from game.drawing.canvas import Canvas
+from game.drawing.flat.sector_colours import paint_parts
+from game.drawing.raster.annulus import Floats, annulus_pixels
+from game.drawing.raster.pixels import packed, pixels_of, unpacked
+from game.drawing.slots.contents import ContentKind, SlotContent
+from game.drawing.slots.parts import parts, slot_shape
 from game.effects import Recoil
 from physics import Ring
 
 _FARTHEST = 0.05
-"""Of the paddles' radius: beyond this a recoil is cut off."""
-_RIM, _LEAST_RIM = 0.4, 1.0
-"""Width of a paddle's darker edge: of its half width, and pixels."""
-_AWAY = Look(Kind.EMPTY)
+"""Share of the paddles' radius; beyond it a recoil is cut off."""
 
 
-class _Band(NamedTuple):
-    """The pixels that a paddle may cover, sorted by angle."""
+class _PaddlePixels(NamedTuple):
+    """The pixels that a paddle may cover, sorted by angle.
+
+    key: what they depend on.
+    pixel: its index in the surface's memory, row after row.
+    radius: of its middle, pixels.
+    angle: of its middle, radians in [0, 2 pi).
+    """
 
     key: tuple[object, ...]
-    place: NDArray[np.int64]
-    radius: Floats  # pixels
-    angle: Floats  # in [0, 2 pi)
+    pixel: NDArray[np.int64]
+    radius: Floats
+    angle: Floats
 
 
 class RecoilPicture:
-    """Draws paddles out of their place from straight above; remembers where their pixels are."""
+    """Draws paddles out of their slots; remembers where their pixels are."""
 
     def __init__(self) -> None:
         """Start with nothing remembered."""
-        self._band: _Band | None = None
+        self._pixels: _PaddlePixels | None = None
 
-    def draw(self, surface: pygame.Surface, ring: Ring, recoil: Recoil, look: Look, camera: Camera, theme: Theme) -> None:
-        """One paddle on a 32-bit surface. ring: the paddles in their place; look: of this one."""
-        pixels = self._pixels(surface, ring, camera)
-        middle, margin = ring.angle(recoil.slot), 2.0 / max(camera.scale * ring.radius, 1.0)
+    def draw(self, canvas: Canvas, ring: Ring, recoil: Recoil, content: SlotContent) -> None:
+        """One paddle on a 32-bit surface. ring: the paddles in their slots; content: of the slot that is struck."""
+        scale = canvas.camera.scale
+        pixels = self._pixels_near(canvas, ring)
+        middle, margin = ring.angle(recoil.slot), 2.0 / max(scale * ring.radius, 1.0)
         rows = _between(pixels.angle, middle - ring.half_angle - margin, middle + ring.half_angle + margin)
-        off = np.abs((pixels.angle[rows] - middle + math.pi) % math.tau - math.pi)
-        radius = pixels.radius[rows] - min(recoil.out, _FARTHEST * ring.radius) * camera.scale
-        sides = ring.half_width * camera.scale - np.abs(radius - ring.radius * camera.scale)
-        ends = radius * np.sin(np.clip(ring.half_angle - off, -1.0, math.pi / 2.0))
-        depth = np.minimum(sides, ends).astype(np.float32)
-        covered = depth > -0.5
-        rim = max(_RIM * ring.half_width * camera.scale, _LEAST_RIM)
-        pixels_of(surface)[pixels.place[rows[covered]]] = packed(surface, _painted(depth[covered], rim, look, theme))
+        index = pixels.pixel[rows]
+        angle = ((pixels.angle[rows] - middle + math.pi) % math.tau - math.pi).astype(np.float32)
+        radius = pixels.radius[rows] - np.float32(min(recoil.out, _FARTHEST * ring.radius) * scale)
+        shape = slot_shape(ring, 0, 1.0 / scale)
+        memory = pixels_of(canvas.surface)
+        picture = unpacked(canvas.surface, memory[index])
+        paint_parts(picture, parts(content, shape, 0.0, canvas.theme), shape, scale, radius, angle)
+        memory[index] = packed(canvas.surface, picture)
 
-    def _pixels(self, surface: pygame.Surface, ring: Ring, camera: Camera) -> _Band:
+    def _pixels_near(self, canvas: Canvas, ring: Ring) -> _PaddlePixels:
         """The pixels around the paddles' track."""
-        key = (surface.get_size(), surface.get_pitch(), camera, ring.radius, ring.half_width)
-        if self._band is None or self._band.key != key:
-            reach = (ring.outer_radius + _FARTHEST * ring.radius) * camera.scale + 1.0
-            low = max((ring.inner_radius - _FARTHEST * ring.radius) * camera.scale - 1.0, 0.0)
-            found = band(surface.get_size(), surface.get_pitch() // 4, camera.centre, low, reach)
+        surface, camera = canvas.surface, canvas.camera
+        key = (canvas.size, surface.get_pitch(), camera, ring.radius, ring.half_width)
+        if self._pixels is None or self._pixels.key != key:
+            outer = (ring.outer_radius + _FARTHEST * ring.radius) * camera.scale + 1.0
+            inner = max((ring.inner_radius - _FARTHEST * ring.radius) * camera.scale - 1.0, 0.0)
+            found = annulus_pixels(canvas.size, surface.get_pitch() // 4, camera.centre, inner, outer)
             order = np.argsort(found.angle)
-            self._band = _Band(key, found.place[order], found.radius[order], found.angle[order])
-        return self._band
+            self._pixels = _PaddlePixels(key, found.pixel[order], found.radius[order], found.angle[order])
+        return self._pixels
 
 
-def without(looks: tuple[Look, ...], recoils: tuple[Recoil, ...]) -> tuple[Look, ...]:
-    """The looks of the paddles' places, nothing where one is out of its place."""
+def without_recoiling(contents: tuple[SlotContent, ...], recoils: tuple[Recoil, ...]) -> tuple[SlotContent, ...]:
+    """The paddles' contents, with only the track where a paddle is out of its slot."""
     away = {recoil.slot for recoil in recoils}
-    return tuple([_AWAY if slot in away else look for slot, look in enumerate(looks)]) if away else looks
-
-
-def pushed(blocks: Blocks, recoils: tuple[Recoil, ...]) -> Blocks:
-    """The paddles' blocks, those of a struck one out of their place."""
-    for recoil in recoils:
-        out = np.where(blocks.slot == recoil.slot, recoil.out, 0.0)[:, None]
-        blocks = blocks._replace(foot=blocks.foot * (1.0 + out / np.abs(blocks.foot)))
-    return blocks
+    track = SlotContent(ContentKind.RECOILING)
+    return tuple([track if slot in away else content for slot, content in enumerate(contents)]) if away else contents
 
 
 def _between(angles: Floats, low: float, high: float) -> NDArray[np.int64]:
     """Which of the rising angles lie between two, also across 0."""
     runs = [np.searchsorted(angles, (low + turn, high + turn)) for turn in (-math.tau, 0.0, math.tau)]
     return np.concatenate([np.arange(first, last) for first, last in runs])
-
-
-def _painted(depth: Floats, rim: float, look: Look, theme: Theme) -> Floats:
-    """The paddle's colours at depths inside it, pixels: ground outside, its edge, its top; as the ring's picture has them."""
-    light = 0.8 * look.glow / GLOW
-    ground, edge, top = (
-        np.array(colour, dtype=np.float32)
-        for colour in (theme.ground, mixed(theme.paddle, theme.flash, light), mixed(theme.paddle_top, theme.flash, light))
-    )
-    colours = ground + (edge - ground) * np.clip(depth + 0.5, 0.0, 1.0)[:, None]
-    return np.asarray(colours + (top - colours) * np.clip(depth - rim + 0.5, 0.0, 1.0)[:, None], dtype=np.float32)

@@ -4,136 +4,135 @@ A turning ring costs two look-ups a pixel, however many bricks it has, and its e
 """
 
 import math
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import pygame
 from numpy.typing import NDArray
 
 from game.drawing.camera import Camera
-from game.drawing.flat.annulus_pixels import Floats, band
-from game.drawing.flat.sector_colours import Kind, Look, Sector, colours
+from game.drawing.canvas import Canvas
+from game.drawing.flat.sector_colours import paint_circle, paint_parts
+from game.drawing.ground import track_width
 from game.drawing.palette import Theme
+from game.drawing.raster.annulus import Floats, annulus_pixels
+from game.drawing.raster.pixels import packed, pixels_of
+from game.drawing.slots.contents import ContentKind, SlotContent
+from game.drawing.slots.parts import Bar, SlotShape, parts, slot_shape
 from physics import Ring
 
 _FINE = 4
-"""Rows and columns of a slot's picture per pixel of the screen; half as many where pixels are small."""
+"""Rows and columns of a slot's picture per pixel of the screen; in large rings half as many are enough."""
 _LARGE = 500.0
+"""Pixels; outer radius from which a ring is large."""
 _MOST_COLUMNS = 1 << 16
+"""Columns of all slots' pictures of a ring together."""
 _BORDER = 1.0
 """Pixels beyond the ring's faces that its border may colour."""
+_ON_TRACK = frozenset({ContentKind.PADDLE, ContentKind.RECOILING})
+"""Slots of the paddles' ring, which show the track."""
 
 
-class Shape(NamedTuple):
-    """What a ring's picture depends on, apart from its angle and what stands in its slots."""
+class RingKey(NamedTuple):
+    """What a ring's picture depends on, apart from its angle and its contents.
+
+    size: of the surface, pixels.
+    stride: pixels from row to row in the surface's memory.
+    camera: a flat one.
+    slot: the shape of the ring's slots.
+    slots: how many there are.
+    theme: the colours.
+    """
 
     size: tuple[int, int]
-    stride: int  # pixels from row to row in the surface's memory
+    stride: int
     camera: Camera
-    radius: float
-    half_width: float
-    half_angle: float
+    slot: SlotShape
     slots: int
-    terrace: float  # world units
     theme: Theme
 
 
-def shape_of(surface: pygame.Surface, camera: Camera, ring: Ring, terrace: float, theme: Theme) -> Shape:
-    """The shape of a ring on a 32-bit surface."""
-    stride = surface.get_pitch() // 4
-    return Shape(surface.get_size(), stride, camera, ring.radius, ring.half_width, ring.half_angle, ring.count, terrace, theme)
+def ring_key(canvas: Canvas, ring: Ring, tallest: int) -> RingKey:
+    """The key of a ring on a 32-bit surface. tallest: layers of the highest stack that may ever stand there."""
+    stride, slot = canvas.surface.get_pitch() // 4, slot_shape(ring, tallest, 1.0 / canvas.camera.scale)
+    return RingKey(canvas.size, stride, canvas.camera, slot, ring.count, canvas.theme)
 
 
 class RingPicture:
-    """One ring, ready to be drawn."""
+    """One ring, ready to be drawn.
 
-    def __init__(self, shape: Shape) -> None:
+    The pictures of all contents that its slots have shown stand in an atlas, column after column: a column has the colours
+    of all radii at one angle of one content.
+    """
+
+    def __init__(self, key: RingKey) -> None:
         """Find the ring's pixels."""
-        scale = shape.camera.scale
-        inner, outer = (shape.radius - shape.half_width) * scale, (shape.radius + shape.half_width) * scale
+        scale, slot = key.camera.scale, key.slot
+        outer = slot.outer_radius * scale
         fine = _FINE if outer < _LARGE else _FINE // 2
-        pitch = math.tau / shape.slots
-        self._theme = shape.theme
-        self._sector = Sector(inner, outer, shape.half_angle, shape.terrace * scale, scale)
-        self._columns = max(min(math.ceil(fine * outer * pitch), _MOST_COLUMNS // shape.slots), 1)
-        self._around = self._columns * shape.slots
-        low = max(inner - _BORDER, 0.0)
+        pitch = math.tau / key.slots
+        self._theme, self._slot, self._scale = key.theme, slot, scale
+        self._columns = max(min(math.ceil(fine * outer * pitch), _MOST_COLUMNS // key.slots), 1)
+        self._columns_around = self._columns * key.slots
+        low = max(slot.inner_radius * scale - _BORDER, 0.0)
         rows = max(math.ceil((outer + _BORDER - low) * fine), 1)
         self._radii = (low + (np.arange(rows, dtype=np.float32) + 0.5) / fine).astype(np.float32)
         self._angles = (((np.arange(self._columns) + 0.5) / self._columns - 0.5) * pitch).astype(np.float32)
-        self._alike = _alike(self._angles, self._sector)
         self._half_pitch = pitch / 2.0
-        pixels = band(shape.size, shape.stride, shape.camera.centre, low, outer + _BORDER)
-        self._index = pixels.place
-        self._row = np.minimum(((pixels.radius - low) * fine).astype(np.int32), rows - 1)
-        self._turn = np.minimum((pixels.angle * (self._around / math.tau)).astype(np.int32), self._around - 1)
-        self._found: dict[Look, NDArray[np.int32]] = {}  # per look and column of a slot: where it is in the atlas
+        pixels = annulus_pixels(key.size, key.stride, key.camera.centre, low, outer + _BORDER)
+        self._pixel_index = pixels.pixel
+        self._pixel_row = np.minimum(((pixels.radius - low) * fine).astype(np.int32), rows - 1)
+        column = (pixels.angle * (self._columns_around / math.tau)).astype(np.int32)
+        self._pixel_column = np.minimum(column, self._columns_around - 1)
+        self._columns_of: dict[SlotContent, NDArray[np.int32]] = {}
         self._atlas = np.zeros((0, rows), dtype=np.uint32)
-        self._looks: tuple[Look, ...] = ()
-        self._slots = np.zeros(0, dtype=np.int32)
+        self._contents: tuple[SlotContent, ...] = ()
+        self._column_at = np.zeros(0, dtype=np.int32)
 
-    def draw(self, surface: pygame.Surface, phase: float, looks: tuple[Look, ...]) -> None:
-        """Draw the ring. phase: middle angle of slot 0, radians; looks: of every slot."""
-        if not len(self._index):
+    def draw(self, surface: pygame.Surface, phase: float, contents: tuple[SlotContent, ...]) -> None:
+        """Draw the ring. phase: middle angle of slot 0, radians; contents: of every slot."""
+        if not len(self._pixel_index):
             return
-        if looks != self._looks:
-            self._arrange(surface, looks)
-        shift = round((self._half_pitch - phase) / math.tau * self._around) % self._around
-        place = self._slots.take(self._turn + np.int32(shift))
-        place += self._row
-        pixels_of(surface)[self._index] = self._atlas.ravel().take(place)
+        if contents != self._contents:
+            self._arrange(surface, contents)
+        shift = round((self._half_pitch - phase) / math.tau * self._columns_around) % self._columns_around
+        index = self._column_at.take(self._pixel_column + np.int32(shift))
+        index += self._pixel_row
+        pixels_of(surface)[self._pixel_index] = self._atlas.ravel().take(index)
 
-    def _arrange(self, surface: pygame.Surface, looks: tuple[Look, ...]) -> None:
-        """Note where in the atlas each angle from slot 0 finds its column, twice around to save a modulo."""
-        for look in dict.fromkeys(looks):
-            if look not in self._found:
-                self._found[look] = self._added(surface, look)
-        around = [self._found[look] for look in looks]
-        self._slots = np.concatenate(around + around)
-        self._looks = looks
+    def _arrange(self, surface: pygame.Surface, contents: tuple[SlotContent, ...]) -> None:
+        """Note where in the atlas each column around the ring begins, from slot 0 on; twice around, which saves a modulo."""
+        for content in dict.fromkeys(contents):
+            if content not in self._columns_of:
+                self._columns_of[content] = self._added(surface, content)
+        around = [self._columns_of[content] for content in contents]
+        self._column_at = np.concatenate(around + around)
+        self._contents = contents
 
-    def _added(self, surface: pygame.Surface, look: Look) -> NDArray[np.int32]:
-        """Paint one more look; per column of a slot, its place in the atlas."""
-        angles, column = np.unique(self._angles if _marked(look) else self._alike, return_inverse=True)
-        picture = colours(look, self._sector, self._radii, angles, self._theme)
+    def _added(self, surface: pygame.Surface, content: SlotContent) -> NDArray[np.int32]:
+        """Paint one more content into the atlas, and return where in it each column of a slot begins."""
+        pile = parts(content, self._slot, 0.0, self._theme)
+        marked = any([isinstance(part, Bar) for part in pile])
+        angles = self._angles if marked else _grouped(self._angles, self._slot, self._scale)
+        angles, column = np.unique(angles, return_inverse=True)
+        picture = np.empty((len(self._radii), len(angles), 3), dtype=np.float32)
+        picture[:] = self._theme.ground
+        if content.kind in _ON_TRACK:
+            width, middle = track_width(self._scale) * self._scale, self._slot.radius * self._scale
+            paint_circle(picture, width, middle, self._radii[:, None], self._theme.ground_line)
+        paint_parts(picture, pile, self._slot, self._scale, self._radii[:, None], angles[None, :])
         first = len(self._atlas)
         self._atlas = np.concatenate([self._atlas, packed(surface, picture).T])
         return ((first + column) * len(self._radii)).astype(np.int32)
 
 
-def _marked(look: Look) -> bool:
-    """Whether there is something on its top that not only the radius tells."""
-    return look.kind is Kind.STEEL or (look.kind is Kind.BRICKS and look.layers > 1)
-
-
-def _alike(angles: Floats, sector: Sector) -> Floats:
-    """The angles, those replaced by one that look alike: far from a sector's ends only the radius counts."""
-    middle = (sector.outer - sector.inner) / 2.0 + 1.0
-    flat = sector.half_angle - math.asin(min(middle / max(sector.inner, 1e-9), 1.0))
-    gap = sector.half_angle + 1.0 / max(sector.inner, 1.0)
+def _grouped(angles: Floats, slot: SlotShape, scale: float) -> Floats:
+    """The angles, those at which a slot looks the same replaced by one: far from a sector's ends only the radius counts."""
+    inner = slot.inner_radius * scale
+    middle = slot.half_width * scale + 1.0
+    flat = slot.half_angle - math.asin(min(middle / max(inner, 1e-9), 1.0))
+    gap = slot.half_angle + 1.0 / max(inner, 1.0)
     far = np.abs(angles)
     if flat > 0.0:
         angles = np.where(far < flat, np.float32(0.0), angles)
     return np.where(far > gap, np.float32(gap), angles).astype(np.float32)
-
-
-def pixels_of(surface: pygame.Surface) -> NDArray[np.uint32]:
-    """A 32-bit surface's pixels, row after row. The surface is locked for as long as the array lives."""
-    buffer: Any = surface.get_buffer()
-    return np.frombuffer(buffer, dtype=np.uint32)
-
-
-def packed(surface: pygame.Surface, picture: NDArray[np.float32]) -> NDArray[np.uint32]:
-    """Colours, red, green and blue along the last axis, as a 32-bit surface stores them."""
-    channels = np.rint(picture).astype(np.uint32)
-    red, green, blue, _ = (np.uint32(shift) for shift in surface.get_shifts())
-    opaque = np.uint32(surface.get_masks()[3] & 0xFFFFFFFF)
-    stored = channels[..., 0] << red | channels[..., 1] << green | channels[..., 2] << blue | opaque
-    return np.asarray(stored, dtype=np.uint32)
-
-
-def unpacked(surface: pygame.Surface, pixels: NDArray[np.uint32]) -> NDArray[np.float32]:
-    """Red, green and blue, along one more axis, of pixels as a 32-bit surface stores them."""
-    return np.stack([pixels >> np.uint32(shift) & np.uint32(255) for shift in surface.get_shifts()[:3]], axis=-1).astype(
-        np.float32
-    )

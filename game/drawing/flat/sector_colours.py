@@ -1,177 +1,77 @@
-"""The colours of one slot of a ring, as a picture in polar coordinates: a row per radius, a column per angle.
+"""The parts of a slot as colours of pixels in polar coordinates: the flat view's drawing of them.
 
-Edges are anti-aliased exactly: how deep a place lies inside a sector, in pixels, says how much of its pixel is covered.
+Edges are anti-aliased exactly: how deep a pixel's middle lies inside a sector says how much of the pixel is covered.
 """
-
-from enum import IntEnum, auto
-from typing import NamedTuple
 
 import numpy as np
 
-from game.drawing.flat.annulus_pixels import Floats
-from game.drawing.palette import Colour, Theme, layer_colour, mixed
+from game.drawing.palette import Colour
+from game.drawing.raster.annulus import Floats
+from game.drawing.slots.parts import Bar, FootShade, Part, Slab, SlotShape
 
-GLOW = 6
-"""Steps from not glowing to glowing fully."""
-DOT_SHADE = 0.6
-"""How far the dots' colour is on its way from the top's to the ground's."""
-MOST_DOT = 0.09
-"""World units, half a dot."""
-_DICE: dict[int, tuple[tuple[float, ...], ...]] = {
-    2: ((-0.5, 0.5),),
-    3: ((-1.0, 0.0, 1.0),),
-    4: ((-0.5, 0.5),) * 2,
-    5: ((-1.0, 0.0, 1.0), (-0.5, 0.5)),
-    6: ((-1.0, 0.0, 1.0),) * 2,
-    7: ((-1.5, -0.5, 0.5, 1.5), (-1.0, 0.0, 1.0)),
-    8: ((-1.5, -0.5, 0.5, 1.5),) * 2,
-    9: ((-1.0, 0.0, 1.0),) * 3,
-}
-"""Rows of dots for as many layers, and where they are along a row; more than nine look like nine."""
-_TERRACE = 0.085
-"""World units from one terrace's edge to the next, where there is room."""
-_SHADE = 0.4
-"""How much darker a terrace is at the foot of the next."""
+_WHOLE = np.pi * 0.999
+"""Half angle from which a sector is a whole ring, which has no ends."""
 
 
-class Kind(IntEnum):
-    """What stands in a slot."""
+def paint_parts(
+    picture: Floats, parts: tuple[Part, ...], shape: SlotShape, scale: float, radius: Floats, angle: Floats
+) -> None:
+    """Paint the parts of a slot over a picture, in place.
 
-    EMPTY = auto()
-    PADDLE = auto()
-    BRICKS = auto()
-    STEEL = auto()
-    GHOST = auto()
-
-
-class Look(NamedTuple):
-    """How a slot looks."""
-
-    kind: Kind
-    layers: int = 0  # of BRICKS
-    glow: int = 0  # 0 to GLOW
-
-
-class Sector(NamedTuple):
-    """A sector's measures on the screen."""
-
-    inner: float  # pixels
-    outer: float
-    half_angle: float  # radians
-    terrace: float  # pixels from one terrace's edge to the next
-    scale: float  # pixels per world unit
-
-
-class Dot(NamedTuple):
-    """One of the dots on a stack's top, square."""
-
-    radius: float  # of its middle
-    angle: float  # from the slot's middle
-    half: float  # half its side, in the radius' unit
-
-
-def dots(layers: int, radius: float, half_width: float, half_angle: float, most: float) -> list[Dot]:
-    """As many dots as layers, laid out as on dice so that nobody has to count; none for one layer.
-
-    radius, half_width, half_angle: of the stack's top, in any unit; most: half a dot where there is room.
+    picture: red, green and blue, 0 to 255, along its last axis; the axes before are those that radius and angle broadcast to.
+    scale: pixels per world unit. radius: of each pixel, pixels. angle: of each pixel from the slot's middle, -pi to pi, one
+    for each column of the picture.
     """
-    rows = _DICE.get(min(layers, max(_DICE)), ())
-    if not rows or half_width <= 0.0 or half_angle <= 0.0:
-        return []
-    along, across = 2.0 * half_angle * radius / max([len(row) for row in rows]), 2.0 * half_width / len(rows)
-    half = min(0.3 * min(along, across), most)
-    aside, up = min(4.0 * half, along) / radius, min(4.0 * half, across)
-    middle = (len(rows) - 1) / 2.0
-    return [Dot(radius + (k - middle) * up, place * aside, half) for k, row in enumerate(rows) for place in row]
+    depth = _depth(shape, scale, radius, angle)
+    for part in parts:
+        match part:
+            case Slab():
+                _paint(picture, depth - np.float32(part.inset * scale), part.colour)
+            case FootShade():
+                _shade(picture, depth, part, scale)
+            case Bar():
+                _paint_bar(picture, part, scale, radius, angle)
 
 
-def colours(look: Look, sector: Sector, radii: Floats, angles: Floats, theme: Theme) -> Floats:
-    """Red, green and blue, 0 to 255, at every radius (pixels) and angle (radians from the sector's middle)."""
-    picture = np.empty((len(radii), len(angles), 3), dtype=np.float32)
-    picture[:] = theme.ground
-    depth = _depth(sector, radii, angles)
-    match look.kind:
-        case Kind.PADDLE:
-            track = 0.5 - np.abs(radii - (sector.inner + sector.outer) / 2.0)[:, None] + 0.015 * sector.scale
-            _paint(picture, track.astype(np.float32), theme.ground_line)
-            _paint(picture, depth, _glowing(theme.paddle, look, theme))
-            rim = max(1.0, 0.2 * (sector.outer - sector.inner))
-            _paint(picture, depth - np.float32(rim), _glowing(theme.paddle_top, look, theme))
-        case Kind.BRICKS:
-            _paint_stack(picture, depth, look, sector, theme)
-            _paint_dots(picture, look, sector, radii, angles, theme)
-        case Kind.STEEL:
-            _paint(picture, depth, _glowing(theme.steel, look, theme))
-            _paint_truss(picture, depth, sector, radii, angles, theme)
-        case Kind.GHOST:
-            fade = look.glow / GLOW
-            smallest = min(sector.outer - sector.inner, 2.0 * sector.half_angle * sector.inner) / 2.0
-            shrunk = depth - np.float32((1.0 - fade) * smallest)
-            _paint(picture, shrunk, mixed(theme.ground, theme.flash, 0.75 * fade))
-    return picture
+def paint_circle(picture: Floats, width: float, middle: float, radius: Floats, colour: Colour) -> None:
+    """Paint a circle over a picture, in place. All in pixels; width: of its line; middle: its radius; radius: of each pixel."""
+    _paint(picture, (width / 2.0 - np.abs(radius - middle)).astype(np.float32), colour)
 
 
-def terrace(half_width: float, half_angle: float, inner: float, tallest: int) -> float:
-    """World units from one terrace's edge to the next, so that the tallest stack of a ring keeps a top."""
-    room = min(half_width, half_angle * inner)
-    return min(_TERRACE, 0.6 * room / max(tallest, 1))
-
-
-def _depth(sector: Sector, radii: Floats, angles: Floats) -> Floats:
-    """How far inside the sector a place is from its nearest side, pixels; negative outside."""
-    radial = np.minimum(radii - sector.inner, sector.outer - radii).astype(np.float32)
-    if sector.half_angle >= np.pi * 0.999:
-        return np.repeat(radial[:, None], len(angles), axis=1)
-    ends = radii[:, None] * np.sin(np.clip(sector.half_angle - np.abs(angles), -np.pi / 2.0, np.pi / 2.0))[None, :]
-    return np.asarray(np.minimum(radial[:, None], ends), dtype=np.float32)
+def _depth(shape: SlotShape, scale: float, radius: Floats, angle: Floats) -> Floats:
+    """How far inside the sector a pixel is from its nearest side, pixels; negative outside."""
+    radial = np.minimum(radius - shape.inner_radius * scale, shape.outer_radius * scale - radius).astype(np.float32)
+    if shape.half_angle >= _WHOLE:
+        return np.broadcast_to(radial, np.broadcast_shapes(radius.shape, angle.shape))
+    ends = radius * np.sin(np.clip(shape.half_angle - np.abs(angle), -np.pi / 2.0, np.pi / 2.0))
+    return np.asarray(np.minimum(radial, ends), dtype=np.float32)
 
 
 def _paint(picture: Floats, depth: Floats, colour: Colour) -> None:
-    """Cover what lies inside by a colour, the border pixels in part."""
-    cover = np.clip(depth + np.float32(0.5), 0.0, 1.0)[:, :, None]
+    """Cover what lies inside by a colour, pixels on the border in part. depth: pixels from the border inwards."""
+    cover = np.clip(depth + np.float32(0.5), 0.0, 1.0)[..., None]
     picture += (np.array(colour, dtype=np.float32) - picture) * cover
 
 
-def _paint_stack(picture: Floats, depth: Floats, look: Look, sector: Sector, theme: Theme) -> None:
-    """A terrace per layer, each darker at the foot of the next."""
-    for layer in range(1, look.layers + 1):
-        above = depth - np.float32(sector.terrace * (layer - 1))
-        if layer > 1:
-            reach = max(0.6 * sector.terrace, 1.0)
-            shade = np.float32(_SHADE) * np.clip(1.0 + above / reach, 0.0, 1.0) * (depth > 0.0)
-            picture *= (1.0 - shade)[:, :, None].astype(np.float32)
-        colour = layer_colour(theme, layer)
-        _paint(picture, above, _glowing(colour, look, theme) if layer == look.layers else colour)
+def _shade(picture: Floats, depth: Floats, part: FootShade, scale: float) -> None:
+    """Darken a terrace towards the foot of the next one."""
+    past_foot = depth - np.float32(part.inset * scale)
+    share = np.clip(1.0 + past_foot / np.float32(part.reach * scale), 0.0, 1.0) * (depth > 0.0)
+    picture *= (1.0 - np.float32(part.darkness) * share)[..., None].astype(np.float32)
 
 
-def _paint_dots(picture: Floats, look: Look, sector: Sector, radii: Floats, angles: Floats, theme: Theme) -> None:
-    """What tells a stack's layers at a glance."""
-    inset, radius = sector.terrace * (look.layers - 1), (sector.inner + sector.outer) / 2.0
-    colour = _glowing(mixed(layer_colour(theme, look.layers), theme.ground, DOT_SHADE), look, theme)
-    half_width, half_angle = (sector.outer - sector.inner) / 2.0 - inset, sector.half_angle - inset / radius
-    for dot in dots(look.layers, radius, half_width, half_angle, MOST_DOT * sector.scale):
-        aside, up = radii[:, None] * np.abs(angles - dot.angle)[None, :], np.abs(radii - dot.radius)[:, None]
-        _paint(picture, (dot.half - np.maximum(aside, up)).astype(np.float32), colour)
-
-
-def _paint_truss(picture: Floats, depth: Floats, sector: Sector, radii: Floats, angles: Floats, theme: Theme) -> None:
-    """A frame and a zigzag: the mark of what no hit breaks."""
-    line = max(1.0, 0.06 * sector.scale)
-    margin = 0.12 * (sector.outer - sector.inner)
-    frame = line / 2.0 - np.abs(depth - np.float32(margin))
-    _paint(picture, frame.astype(np.float32), theme.steel_line)
-    inside = sector.outer - sector.inner - 2.0 * margin
-    along = 2.0 * sector.half_angle * (sector.inner + sector.outer) / 2.0 - 2.0 * margin
-    if inside < 2.0 or along < 2.0:
+def _paint_bar(picture: Floats, bar: Bar, scale: float, radius: Floats, angle: Floats) -> None:
+    """Paint a bar or a dot, looking only at the columns of pixels that it can reach."""
+    (inner, start), (outer, end) = bar.inner, bar.outer
+    low, high = inner * scale, outer * scale
+    near = np.abs(angle - (start + end) / 2.0) < abs(end - start) / 2.0 + (bar.half_width + 1.0 / scale) / inner
+    columns = np.flatnonzero(near)
+    if not len(columns):
         return
-    count = max(2, round(along / inside))
-    place = ((angles / (2.0 * sector.half_angle) + 0.5) * count) % 2.0
-    height = sector.inner + margin + inside * (1.0 - np.abs(place - 1.0))
-    slope = np.cos(np.arctan2(inside, along / count))
-    zigzag = np.minimum(line / 2.0 - np.abs(radii[:, None] - height[None, :]) * slope, depth - np.float32(margin))
-    _paint(picture, zigzag.astype(np.float32), theme.steel_line)
-
-
-def _glowing(colour: Colour, look: Look, theme: Theme) -> Colour:
-    """The colour, on its way to the flash's."""
-    return mixed(colour, theme.flash, 0.8 * look.glow / GLOW)
+    part = slice(int(columns[0]), int(columns[-1]) + 1)
+    angle, radius = angle[..., part], radius if radius.shape[-1] == 1 else radius[..., part]
+    path = start + (end - start) * (radius - low) / (high - low)
+    lean = (end - start) * (inner + outer) / 2.0 / (outer - inner)
+    across = (bar.half_width * scale - radius * np.abs(angle - path)) / np.hypot(1.0, lean)
+    ends = np.minimum(radius - low, high - radius)
+    _paint(picture[..., part, :], np.minimum(across, ends).astype(np.float32), bar.colour)

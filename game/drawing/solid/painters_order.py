@@ -18,9 +18,9 @@ _WIDEST, _NARROWEST = math.radians(12.0), math.radians(2.0)
 
 
 def widest(inner: float, below: float) -> float:
-    """Half angle up to which the blocks of a ring do not reach below a tangent of the ring within.
+    """Half angle up to which the blocks of a ring do not reach below a tangent of the next ring towards the centre.
 
-    inner: radius of their inner faces; below: of the outer faces of the next ring towards the centre, 0 if there is none.
+    inner: radius of their inner faces; below: of the outer faces of that next ring, 0 if there is none.
     """
     return min(max(math.acos(min(below / inner, 1.0)), _NARROWEST), _WIDEST)
 
@@ -28,8 +28,8 @@ def widest(inner: float, below: float) -> float:
 def back_to_front(blocks: Blocks, turn: Reals, parting: Reals, rank: Integers, camera: Camera) -> Integers:
     """Numbers of the blocks in the order to draw them. Of one slot, all that are lower come first: the eye is above them.
 
-    turn: of each one's ring on the screen; parting: radius of a circle between that ring and the next within; rank: the
-    ring's place, counted from the centre, 1 and up.
+    turn: angle of each one's ring on the screen; parting: radius of a circle between that ring and the next towards the
+    centre; rank: of the ring, counted from the centre, 1 and up.
     """
     ends = np.sin(blocks.middles + turn[:, None])
     towards = -np.minimum(ends[:, 0], ends[:, 1])  # the eye's bearing is -90 degrees

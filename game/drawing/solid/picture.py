@@ -1,7 +1,7 @@
-"""The scene seen aslant: the ground, what lies on it, blocks from back to front, the balls among them.
+"""The ground and what stands on it seen aslant, from back to front.
 
-All that stands on the ground is turned into quadrilaterals anew for every frame; what makes that quick is that a ring's blocks
-are remembered, relative to its phase, and that a mosaic fills them.
+All that stands on the ground is turned into quadrilaterals anew for every frame. That is quick because a ring's blocks are
+cached, relative to its phase, and because the raster that fills them caches its tiles.
 """
 
 import math
@@ -11,109 +11,141 @@ from typing import NamedTuple
 import numpy as np
 import pygame
 
-from game.drawing.camera import Camera
-from game.drawing.flat.recoil import pushed
-from game.drawing.flat.ring import packed
-from game.drawing.flat.sector_colours import Look
+from game.drawing.canvas import Canvas
 from game.drawing.ground import ground_picture
 from game.drawing.palette import Theme
-from game.drawing.solid import painters_order as depth_order
-from game.drawing.solid import prisms as pieces
-from game.drawing.solid import slabs
-from game.drawing.solid.faces import Seen, faces, seen, shadows
-from game.drawing.solid.prisms import Blocks, Cut
-from game.drawing.solid.quad_raster import Mosaic
-from game.drawing.solid.slabs import Slot
+from game.drawing.raster.pixels import packed
+from game.drawing.raster.quads import QuadRaster
+from game.drawing.slots.contents import Contents, SlotContent
+from game.drawing.slots.parts import LAYER_HEIGHT, SlotShape, parts
+from game.drawing.solid.faces import ProjectedBlocks, projected, shadows, visible_faces
+from game.drawing.solid.painters_order import widest
+from game.drawing.solid.prisms import Blocks, Cut, joined, pushed, ring_blocks
+from game.effects import Drop
 from game.rules import PADDLES
 from game.scene import Scene
 
-_FINENESS = ((9_000_000, 2),)
-"""Up to how many pixels of the surface blocks are drawn how many times finer; a power of two, for others change colours."""
-_STEPS = 8
-"""Sizes of blocks between one and twice as large: where they are cut and how thin they are drawn changes but there."""
+_MOST_FINE_PIXELS = 9_000_000
+"""Surfaces up to this size are drawn _FINER times finer, and scaled down; larger ones as they are, for the sake of speed."""
+_FINER = 2
+"""A power of two: with other numbers, scaling down changes colours."""
+_SCALE_STEPS = 8
+"""Scales between one and its double for which blocks are cut anew; between two of them they stay as they are."""
 _FRINGE = 0.32
-"""Pixels of a drawing by which whole pixels make a polygon larger on every side, as measured."""
-_REMEMBERED = 64
+"""Pixels of the finer drawing by which filling whole pixels makes a polygon larger on every side, as measured."""
+_MOST_RINGS = 64
+"""Rings whose blocks are cached."""
 
 
-class _Ground(NamedTuple):
+class _GroundPicture(NamedTuple):
     """The picture of the ground, and what it depends on."""
 
     key: tuple[object, ...]
     picture: pygame.Surface
 
 
-Looks = tuple[tuple[Look, ...], ...]
-"""Per ring and slot."""
+class _RingKey(NamedTuple):
+    """What a ring's blocks depend on.
+
+    cut: how they are cut.
+    tallest: layers of the ring's highest stack that may ever stand there.
+    contents: of its slots.
+    drops: stacks of it that are falling.
+    theme: the colours.
+    """
+
+    cut: Cut
+    tallest: int
+    contents: tuple[SlotContent, ...]
+    drops: tuple[Drop, ...]
+    theme: Theme
 
 
 class SolidPicture:
-    """Draws the ground and the blocks; remembers what an orbit or a turning ring does not change."""
+    """Draws the ground and the blocks; caches what an orbit or a turning ring does not change."""
 
     def __init__(self) -> None:
-        """Start with nothing remembered."""
-        self._ground: _Ground | None = None
-        self._blocks: OrderedDict[tuple[object, ...], Blocks] = OrderedDict()
-        self._mosaic = Mosaic()
+        """Start with nothing cached."""
+        self._ground: _GroundPicture | None = None
+        self._blocks: OrderedDict[_RingKey, Blocks] = OrderedDict()
+        self._raster = QuadRaster()
 
-    def draw_ground(self, surface: pygame.Surface, scene: Scene, camera: Camera, theme: Theme) -> None:
+    def draw_ground(self, canvas: Canvas, scene: Scene) -> None:
         """Cover the surface with the ground and what is around it."""
         track = scene.rings[PADDLES].radius
-        unturned = camera._replace(azimuth=0.0)
-        key = (surface.get_size(), unturned, theme, scene.ground_radius, track)
+        unturned = canvas._replace(camera=canvas.camera._replace(azimuth=0.0))
+        key = (canvas.size, unturned.camera, canvas.theme, scene.ground_radius, track)
         if self._ground is None or self._ground.key != key:
-            self._ground = _Ground(key, ground_picture(surface, scene.ground_radius, unturned, theme, track))
-        surface.blit(self._ground.picture, (0, 0))
+            self._ground = _GroundPicture(key, ground_picture(unturned, scene.ground_radius, track))
+        canvas.surface.blit(self._ground.picture, (0, 0))
 
-    def draw_blocks(self, surface: pygame.Surface, scene: Scene, looks: Looks, camera: Camera, theme: Theme) -> Seen:
-        """Draw everything that stands on the ground but the balls, and return it as it is seen."""
-        finer = _finer(surface.get_width() * surface.get_height())
-        scale = 2.0 ** (round(math.log2(camera.scale) * _STEPS) / _STEPS)
+    def draw_blocks(self, canvas: Canvas, scene: Scene, contents: Contents) -> ProjectedBlocks:
+        """Draw everything that stands on the ground but the balls, with the balls' shadows; the blocks as they are seen.
+
+        contents: of all slots, per ring.
+        """
+        finer = _finer(canvas.size)
+        seen = self._projected(canvas, scene, contents, finer)
+        dark = shadows(seen, scene.balls, canvas.camera, finer)
+        faces = visible_faces(seen, canvas.camera, finer)
+        pixel = self._raster.canvas
+        shade = np.full(len(dark), round(canvas.theme.shadow * 255.0) << pixel.get_shifts()[3], dtype=np.uint32)
+        colours = np.concatenate([shade, packed(pixel, faces.colours)])
+        self._raster.draw(canvas.surface, np.concatenate([dark, faces.corners]), colours, finer)
+        return seen
+
+    def _projected(self, canvas: Canvas, scene: Scene, contents: Contents, finer: int) -> ProjectedBlocks:
+        """The blocks of all rings on the screen."""
         order = sorted(range(len(scene.rings)), key=lambda k: scene.rings[k].radius)
-        parts, partings, below = [], [], 0.0
+        rings, partings, below = [], [], 0.0
         for k in order:
-            part = self._ring_blocks(scene, k, below, looks[k], (scale, _FRINGE / finer / scale), theme)
-            parts.append(pushed(part, scene.recoils) if k == PADDLES else part)
-            partings.append((below + scene.rings[k].inner_radius) / 2.0)
-            below = scene.rings[k].outer_radius
-        place = np.repeat(np.arange(len(order)), [len(part.slot) for part in parts])
-        every = pieces.joined(parts)
-        phase = np.array([scene.rings[k].phase for k in order])[place]
-        things = seen(every, phase, np.array(partings)[place], place + 1, camera)
-        dark, drawn = shadows(things, scene.balls, camera, finer), faces(things, camera, finer)
-        shade = np.full(len(dark), round(theme.shadow * 255.0) << self._mosaic.canvas.get_shifts()[3], dtype=np.uint32)
-        colours = np.concatenate([shade, packed(self._mosaic.canvas, drawn.colours)])
-        self._mosaic.draw(surface, np.concatenate([dark, drawn.corners]), colours, finer)
-        return things
+            ring = scene.rings[k]
+            blocks = self._ring_blocks(_ring_key(canvas, scene, k, contents[k], below, finer))
+            rings.append(pushed(blocks, scene.recoils) if k == PADDLES else blocks)
+            partings.append((below + ring.inner_radius) / 2.0)
+            below = ring.outer_radius
+        rank = np.repeat(np.arange(len(order)), [len(blocks.slot) for blocks in rings])
+        phase = np.array([scene.rings[k].phase for k in order])[rank]
+        return projected(joined(rings), phase, np.array(partings)[rank], rank + 1, canvas.camera)
 
-    def _ring_blocks(
-        self, scene: Scene, k: int, below: float, looks: tuple[Look, ...], drawn: tuple[float, float], theme: Theme
-    ) -> Blocks:
-        """The blocks of one ring, from memory if it looked the same before. drawn: scale and fringe, as in `Cut`."""
-        ring = scene.rings[k]
-        drops = tuple([drop for drop in scene.drops if drop.ring == k])
-        cut = Cut(
-            ring.radius,
-            ring.half_width,
-            ring.half_angle,
-            ring.count,
-            depth_order.widest(ring.inner_radius, below),
-            *drawn,
-        )
-        key = (cut, looks, drops, theme, scene.ground_radius, scene.tallest[k])
+    def _ring_blocks(self, key: _RingKey) -> Blocks:
+        """The blocks of one ring, from memory if it looked the same before."""
         found = self._blocks.get(key)
         if found is None:
-            falling = {drop.slot: drop.height for drop in drops}
-            slot = Slot(ring.radius, ring.half_width, ring.half_angle, scene.tallest[k], slabs.LAYER * scene.ground_radius)
-            piles = [(number, slabs.slabs(look, slot, falling.get(number, 0.0), theme)) for number, look in enumerate(looks)]
-            found = self._blocks[key] = pieces.blocks(cut, piles)
-            if len(self._blocks) > _REMEMBERED:
+            found = self._blocks[key] = _cut(key)
+            if len(self._blocks) > _MOST_RINGS:
                 self._blocks.popitem(last=False)
         else:
             self._blocks.move_to_end(key)
         return found
 
 
-def _finer(pixels: int) -> int:
-    """Rows and columns of the drawing per pixel of the screen."""
-    return next((finer for most, finer in _FINENESS if pixels <= most), 1)
+def _ring_key(canvas: Canvas, scene: Scene, k: int, contents: tuple[SlotContent, ...], below: float, finer: int) -> _RingKey:
+    """The key of a ring. below: radius of the outer faces of the next ring towards the centre."""
+    ring, scale = scene.rings[k], 2.0 ** (round(math.log2(canvas.camera.scale) * _SCALE_STEPS) / _SCALE_STEPS)
+    cut = Cut(
+        ring.radius,
+        ring.half_width,
+        ring.half_angle,
+        ring.count,
+        widest(ring.inner_radius, below),
+        LAYER_HEIGHT * scene.ground_radius,
+        scale,
+        _FRINGE / finer / scale,
+    )
+    drops = tuple([drop for drop in scene.drops if drop.ring == k])
+    return _RingKey(cut, scene.tallest[k], contents, drops, canvas.theme)
+
+
+def _cut(key: _RingKey) -> Blocks:
+    """The blocks of a ring. Lines may be thinner than a pixel, for what is drawn here is scaled down."""
+    falling = {drop.slot: drop.height for drop in key.drops}
+    cut = key.cut
+    shape = SlotShape(cut.radius, cut.half_width, cut.half_angle, key.tallest, finest=0.0)
+    piles = [(slot, parts(one, shape, falling.get(slot, 0.0), key.theme)) for slot, one in enumerate(key.contents)]
+    return ring_blocks(cut, piles)
+
+
+def _finer(size: tuple[int, int]) -> int:
+    """Rows and columns of the drawing per pixel of a surface."""
+    return _FINER if size[0] * size[1] <= _MOST_FINE_PIXELS else 1

@@ -1,38 +1,49 @@
-"""Marks that scenes share: a ball, a sector, a contact, another engine's opinion of it."""
+"""Marks that several scenes draw: a ball, a ring's sectors, a contact, the second engine's answer; and numbers in words."""
 
 import math
 from collections.abc import Sequence
 
 from game.lab.kit.parameters import Given
-from game.lab.kit.picture import Arc, Arrow, Circle, Disc, Dot, Line, Mark, Sector, Stroke, Toggle, Tone
-from physics import Ball, Contact, Ring, dot, to_cartesian
+from game.lab.kit.picture import AnnularSector, Arc, Arrow, Circle, Disc, Line, Mark, PointMark, Role, Stroke, Toggle
+from physics import Ball, Contact, Feature, Ring, dot, to_cartesian
 
 VELOCITY_SCALE = 0.2
 """World units drawn per unit of speed."""
+FEATURE_WORDS = {
+    Feature.OUTER_FACE: "the outer face",
+    Feature.INNER_FACE: "the inner face",
+    Feature.END: "an end",
+    Feature.CORNER: "a corner",
+}
+"""What of a sector is nearest or touched, in words."""
 _TOUCH = 1e-9
-"""World units. Balls this near to a surface are said to touch it."""
+"""World units. A ball nearer to a surface than this is drawn as touching it."""
 
 
-def ball_marks(position: complex, radius: float, tone: Tone = Tone.BALL) -> tuple[Mark, ...]:
+def ball_marks(position: complex, radius: float, role: Role = Role.BALL) -> tuple[Mark, ...]:
     """A ball and its centre p."""
-    return Disc(position, radius, tone), Dot(position, Tone.FAINT, label="p" if tone is Tone.BALL else "")
+    return Disc(position, radius, role), PointMark(position, Role.PLAIN, label="p" if role is Role.BALL else "")
 
 
 def ghost_marks(position: complex, radius: float, toggle: Toggle | None = None) -> tuple[Mark, ...]:
-    """A place where a ball was or will be."""
-    return (Circle(position, radius, Tone.GHOST, toggle, Stroke.DASHED),)
+    """Where a ball was or will be."""
+    return (Circle(position, radius, Role.GHOST, toggle, Stroke.DASHED),)
 
 
 def ring_marks(ring: Ring, alive: Sequence[int] | None = None, nearest: int | None = None) -> tuple[Mark, ...]:
-    """The sectors of a ring. alive: one entry per slot; nearest: the one that stands out, None for all alike."""
+    """The sectors of a ring.
+
+    alive: one entry per slot, 0 where it is empty; None for a full ring. nearest: the slot that stands out; None for all alike,
+    -1 for none.
+    """
     return tuple(
         [
-            Sector(
+            AnnularSector(
                 ring.radius,
                 ring.half_width,
                 ring.angle(slot),
                 ring.half_angle,
-                Tone.SECTOR if nearest is None or slot == nearest else Tone.OTHER,
+                Role.SECTOR if nearest is None or slot == nearest else Role.OTHER,
             )
             for slot in range(ring.count)
             if alive is None or alive[slot]
@@ -41,61 +52,78 @@ def ring_marks(ring: Ring, alive: Sequence[int] | None = None, nearest: int | No
 
 
 def contact_marks(ball: Ball, found: Contact, length: float = 1.0) -> tuple[Mark, ...]:
-    """The closest point, the gap and the normal of a contact; the contact point when they touch. length: of the normal."""
-    marks: list[Mark] = [Dot(found.point, Tone.OURS, Toggle.CLOSEST, "q")]
+    """The closest point, the gap and the normal of a contact; a ring around the contact point where the two touch.
+
+    length: of the drawn normal, world units.
+    """
+    marks: list[Mark] = [PointMark(found.point, Role.OURS, Toggle.CLOSEST, "q")]
     surface = ball.position - found.normal * ball.radius
-    marks.append(Line((found.point, surface), Tone.OURS, Toggle.GAP, Stroke.THICK))
-    marks.append(Arrow(found.point, found.normal * length, Tone.OURS, Toggle.NORMALS, label="n"))
+    marks.append(Line((found.point, surface), Role.OURS, Toggle.GAP, Stroke.THICK))
+    marks.append(Arrow(found.point, found.normal * length, Role.OURS, Toggle.NORMALS, label="n"))
     if found.gap <= _TOUCH:
-        marks.append(Circle(found.point, 0.12 * length, Tone.OURS, Toggle.CONTACTS, Stroke.THICK))
+        marks.append(Circle(found.point, 0.12 * length, Role.OURS, Toggle.CONTACTS, Stroke.THICK))
     return tuple(marks)
 
 
+def outline_points(ring: Ring, samples: int) -> list[complex]:
+    """Points of the outline of sector 0: so many more than one on each face and, unless the ring is closed, on each end."""
+    shares = [2.0 * k / samples - 1.0 for k in range(samples + 1)]
+    radii = (ring.inner_radius, ring.outer_radius)
+    faces = [to_cartesian(radius, ring.phase + share * ring.half_angle) for radius in radii for share in shares]
+    if ring.half_angle >= math.pi:
+        return faces
+    ends = [to_cartesian(1.0, ring.phase + side * ring.half_angle) for side in (-1.0, 1.0)]
+    return faces + [end * (ring.radius + share * ring.half_width) for end in ends for share in shares]
+
+
 def second_opinion(given: Given, ball: Ball, ring: Ring, slots: Sequence[int], ours: Contact | None) -> tuple[Mark, ...]:
-    """The other engine's shapes, its normal at the ball, and the angle between it and ours; nothing without an engine."""
+    """The second engine's shapes, its normal at the ball, and the angle between it and ours; nothing without such an engine.
+
+    slots: the sectors that it is asked about. ours: None where there is no normal to compare with.
+    """
     engine = given.engine
     if engine is None:
         return ()
     marks: list[Mark] = []
-    for piece in engine.pieces(ring, slots):
-        if piece.radius > 0.0:
-            marks.append(Circle(piece.a, piece.radius, Tone.PYMUNK, Toggle.PYMUNK))
-        elif piece.a == piece.b:
-            marks.append(Dot(piece.a, Tone.PYMUNK, Toggle.PYMUNK))
+    for shape in engine.shapes(ring, slots):
+        if shape.radius > 0.0:
+            marks.append(Circle(shape.a, shape.radius, Role.PYMUNK, Toggle.PYMUNK))
+        elif shape.a == shape.b:
+            marks.append(PointMark(shape.a, Role.PYMUNK, Toggle.PYMUNK))
         else:
-            marks.append(Line((piece.a, piece.b), Tone.PYMUNK, Toggle.PYMUNK))
+            marks.append(Line((shape.a, shape.b), Role.PYMUNK, Toggle.PYMUNK))
     touch = engine.touch(ball, ring, slots)
     if touch is not None:
         start = ball.position - touch.normal * touch.distance
         text = f"{engine.name}: {angle_between(touch.normal, ours.normal)} from ours" if ours is not None else engine.name
-        marks.append(Arrow(start, touch.normal * 1.6, Tone.PYMUNK, Toggle.PYMUNK, Stroke.SOLID, text))
+        marks.append(Arrow(start, touch.normal * 1.6, Role.PYMUNK, Toggle.PYMUNK, Stroke.SOLID, text))
     return tuple(marks)
 
 
 def angle_between(one: complex, other: complex) -> str:
-    """The angle between two directions, as people read it."""
+    """The angle between two directions in degrees: two decimals, or the power of ten of what is smaller."""
     turn = one * other.conjugate()
     degrees = math.degrees(abs(math.atan2(turn.imag, turn.real)))
     return f"{degrees:.2f}°" if degrees >= 0.01 or degrees == 0.0 else f"{degrees:.0e}°"
 
 
-def angle_arc(radius: float, start: float, sweep: float, tone: Tone, label: str) -> Arc:
+def angle_arc(radius: float, start: float, sweep: float, role: Role, label: str) -> Arc:
     """An angle at the origin."""
-    return Arc(0j, radius, start, sweep, tone, label=label)
+    return Arc(0j, radius, start, sweep, role, label=label)
 
 
-def ray(angle: float, reach: float, tone: Tone = Tone.FAINT, label: str = "") -> Line:
+def ray(angle: float, reach: float, role: Role = Role.FAINT, label: str = "") -> Line:
     """A line from the origin in a direction."""
-    return Line((0j, to_cartesian(reach, angle)), tone, None, Stroke.DASHED, label)
+    return Line((0j, to_cartesian(reach, angle)), role, None, Stroke.DASHED, label)
 
 
 def two_decimals(vector: complex) -> str:
-    """A point or a vector in two numbers."""
+    """A point or a vector: both coordinates with two decimals."""
     return f"({round(vector.real, 2) + 0.0:.2f}, {round(vector.imag, 2) + 0.0:.2f})"
 
 
 def degrees(angle: float) -> str:
-    """An angle in degrees."""
+    """An angle, given in radians, in degrees with two decimals."""
     return f"{math.degrees(angle):.2f}°"
 
 

@@ -1,4 +1,4 @@
-"""What of a scene can be set: numbers, counts and points with their ranges; and what it is set to."""
+"""What of a scene can be set: numbers, counts and points with their ranges; and the values that they have."""
 
 import math
 from collections.abc import Mapping, Sequence
@@ -7,24 +7,29 @@ from typing import NamedTuple
 from game.lab.kit.second_engine import Engine
 
 _DIGITS = 10
-"""Decimals kept of a value that is rounded to its step: enough for the finest step, too few for a float's noise."""
+"""Decimals of a value that is rounded to its step: enough for the finest step, too few for the noise of a float."""
 
 
 class Number(NamedTuple):
-    """A number with a unit. Angles are degrees: that is what people read."""
+    """A number with a unit.
 
-    name: str  # in the share line
-    label: str  # in the source's letters
-    unit: str  # "°", "rad/s", ... or ""
+    name: in the share line. label: in the source's letters. unit: "°" (angles are set in degrees), "rad/s", ... or "".
+    low, high: the range, both included. step: a drag or a slider moves by multiples of it; a typed number need not.
+    meaning: in a few words.
+    """
+
+    name: str
+    label: str
+    unit: str
     low: float
     high: float
     default: float
-    step: float  # a drag or a slider moves by multiples of this; a typed number need not
-    meaning: str = ""  # in a few words
+    step: float
+    meaning: str = ""
 
 
 class Count(NamedTuple):
-    """A whole number."""
+    """A whole number. Its fields are those of `Number`; its step is 1."""
 
     name: str
     label: str
@@ -35,11 +40,11 @@ class Count(NamedTuple):
 
 
 class Point(NamedTuple):
-    """A point, or a vector: two numbers of the same range."""
+    """A point, or a vector. Its fields are those of `Number`; low and high are the range of each coordinate."""
 
     name: str
     label: str
-    low: float  # of each coordinate
+    low: float
     high: float
     default: complex
     step: float = 0.01
@@ -50,7 +55,10 @@ Parameter = Number | Count | Point
 
 
 class Given(NamedTuple):
-    """What a scene is given: a value for each of its parameters, and another engine to ask, if there is one."""
+    """What a scene is given.
+
+    values: one for each of its parameters. engine: a second engine to ask; None where there is none.
+    """
 
     values: Mapping[str, complex]
     engine: Engine | None = None
@@ -72,8 +80,8 @@ class Given(NamedTuple):
         return complex(self.values[name])
 
 
-class Settled(NamedTuple):
-    """Values inside their ranges, and what had to be changed to get there."""
+class Clamped(NamedTuple):
+    """Values inside their ranges. notes: one sentence for each requested value that was changed or refused."""
 
     given: Given
     notes: tuple[str, ...]
@@ -84,31 +92,32 @@ def defaults(parameters: Sequence[Parameter], engine: Engine | None = None) -> G
     return Given({parameter.name: parameter.default for parameter in parameters}, engine)
 
 
-def settled(parameters: Sequence[Parameter], given: Given, wishes: Mapping[str, complex]) -> Settled:
-    """The values after some of them were wished to be others.
+def clamped(parameters: Sequence[Parameter], given: Given, requested: Mapping[str, complex]) -> Clamped:
+    """The values after some parameters were requested to have others.
 
-    What lies beyond a range is set to its border, what is not finite is refused; a note says so for each.
+    A value beyond its range is set to the border, one that is not finite is refused; a note says so for each.
     """
     values, notes = dict(given.values), []
     for parameter in parameters:
-        if parameter.name not in wishes:
+        if parameter.name not in requested:
             continue
-        wish = wishes[parameter.name]
-        if not (math.isfinite(wish.real) and math.isfinite(wish.imag)):
-            notes.append(f"{parameter.label} cannot be {written(parameter, wish)}: it stays {_shown(parameter, given)}")
+        value = requested[parameter.name]
+        if not (math.isfinite(value.real) and math.isfinite(value.imag)):
+            present = written(parameter, given.values[parameter.name])
+            notes.append(f"{parameter.label} cannot be {written(parameter, value)}: it stays {present}")
             continue
-        values[parameter.name] = _clamped(parameter, wish)
-        if values[parameter.name] != wish:
-            problem = "is beyond its range" if _is_beyond(parameter, wish) else "is not a whole number"
+        values[parameter.name] = _in_range(parameter, value)
+        if values[parameter.name] != value:
+            problem = "is beyond its range" if _is_beyond(parameter, value) else "is not a whole number"
             set_to = written(parameter, values[parameter.name])
-            notes.append(f"{parameter.label} = {written(parameter, wish)} {problem}: set to {set_to}")
-    return Settled(Given(values, given.engine), tuple(notes))
+            notes.append(f"{parameter.label} = {written(parameter, value)} {problem}: set to {set_to}")
+    return Clamped(Given(values, given.engine), tuple(notes))
 
 
-def snapped(parameters: Sequence[Parameter], wishes: Mapping[str, complex]) -> dict[str, complex]:
-    """The wishes rounded to each parameter's step, as a drag makes them. What is not finite stays so."""
+def snapped(parameters: Sequence[Parameter], requested: Mapping[str, complex]) -> dict[str, complex]:
+    """The requested values rounded to each parameter's step, as a drag makes them. What is not finite stays so."""
     steps = {parameter.name: _step(parameter) for parameter in parameters}
-    return {name: _rounded(wish, steps[name], point=isinstance(wish, complex)) for name, wish in wishes.items()}
+    return {name: _rounded(value, steps[name]) for name, value in requested.items()}
 
 
 def written(parameter: Parameter, value: complex) -> str:
@@ -128,39 +137,34 @@ def plain(value: float) -> str:
     return repr(value + 0.0).removesuffix(".0")
 
 
-def _shown(parameter: Parameter, given: Given) -> str:
-    """The present value with its unit."""
-    return written(parameter, given.values[parameter.name])
-
-
 def _step(parameter: Parameter) -> float:
     """What a drag moves a parameter by."""
     return 1.0 if isinstance(parameter, Count) else parameter.step
 
 
-def _clamped(parameter: Parameter, wish: complex) -> complex:
-    """The value in the parameter's range nearest to the wish."""
+def _in_range(parameter: Parameter, value: complex) -> complex:
+    """The value of the parameter's kind and range that is nearest to a requested one."""
     if isinstance(parameter, Point):
-        return complex(_between(wish.real, parameter), _between(wish.imag, parameter))
+        return complex(_between(value.real, parameter), _between(value.imag, parameter))
     if isinstance(parameter, Count):
-        return round(_between(wish.real, parameter))
-    return _between(wish.real, parameter)
+        return round(_between(value.real, parameter))
+    return _between(value.real, parameter)
 
 
-def _is_beyond(parameter: Parameter, wish: complex) -> bool:
+def _is_beyond(parameter: Parameter, value: complex) -> bool:
     """Whether a number, or a coordinate of a point, is out of the parameter's range."""
-    parts = (wish.real, wish.imag) if isinstance(parameter, Point) else (wish.real,)
-    return not all([parameter.low <= part <= parameter.high for part in parts])
+    numbers = (value.real, value.imag) if isinstance(parameter, Point) else (value.real,)
+    return not all([parameter.low <= number <= parameter.high for number in numbers])
 
 
-def _between(value: float, parameter: Parameter) -> float:
+def _between(number: float, parameter: Parameter) -> float:
     """The number in the parameter's range nearest to a number."""
-    return min(max(value, float(parameter.low)), float(parameter.high)) + 0.0
+    return min(max(number, float(parameter.low)), float(parameter.high)) + 0.0
 
 
-def _rounded(wish: complex, step: float, *, point: bool) -> complex:
+def _rounded(value: complex, step: float) -> complex:
     """A number, or both coordinates of a point, as multiples of a step."""
-    if not (math.isfinite(wish.real) and math.isfinite(wish.imag)):
-        return wish
-    x, y = (round(round(part / step) * step, _DIGITS) for part in (wish.real, wish.imag))
-    return complex(x, y) if point else x
+    if not (math.isfinite(value.real) and math.isfinite(value.imag)):
+        return value
+    x, y = (round(round(number / step) * step, _DIGITS) for number in (value.real, value.imag))
+    return complex(x, y) if isinstance(value, complex) else x

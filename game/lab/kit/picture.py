@@ -1,6 +1,7 @@
-"""What a scene looks like, as a value: marks in the world, the formula with its numbers, the line that decides.
+"""What a scene looks like, as a value: marks in the world, the formula with its numbers, and the line that decides.
 
-World units, y up; angles in radians, counter-clockwise. Colours are named for their role, never for a hue.
+World units, y up; angles in radians, counter-clockwise. A mark is coloured by its role, and drawn only while its toggle is on;
+None is always on.
 """
 
 from enum import Enum
@@ -9,11 +10,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.lab.kit.cited_line import Deciding
+from game.lab.kit.cited_line import CitedLine
 
 
 class Toggle(Enum):
-    """What can be shown or hidden."""
+    """What can be shown or hidden. The value is written beside the check box."""
 
     CONTACTS = "contacts"
     NORMALS = "normals"
@@ -24,20 +25,27 @@ class Toggle(Enum):
     PYMUNK = "pymunk"
 
 
-class Tone(Enum):
-    """The role a mark plays."""
+class Role(Enum):
+    """What a mark stands for; the theme gives each role a colour.
 
-    PLAIN = "plain"  # what the eye should find first after the ball
-    FAINT = "faint"  # help lines
+    PLAIN: what the eye should find first after the ball. FAINT: help lines. GHOST: where a ball was or will be.
+    SECTOR: the sector that the scene looks at. OTHER: every other sector.
+    OURS: the answer of the physics. SOURCE: the answer of the source taken literally, where it differs.
+    PYMUNK: the second engine's answer. GOOD: a result to keep.
+    ONE, TWO, THREE, FOUR: what must be told apart, such as velocities.
+    """
+
+    PLAIN = "plain"
+    FAINT = "faint"
     BALL = "ball"
-    GHOST = "ghost"  # where a ball was or will be
+    GHOST = "ghost"
     SECTOR = "sector"
-    OTHER = "other"  # a sector that is not the one looked at
-    OURS = "ours"  # our normal, our answer
-    SOURCE = "source"  # the answer of the source taken literally, where it errs
+    OTHER = "other"
+    OURS = "ours"
+    SOURCE = "source"
     PYMUNK = "pymunk"
     GOOD = "good"
-    ONE = "one"  # four that are told apart: velocities, outcomes
+    ONE = "one"
     TWO = "two"
     THREE = "three"
     FOUR = "four"
@@ -52,11 +60,11 @@ class Stroke(Enum):
 
 
 class Disc(NamedTuple):
-    """A filled circle."""
+    """A filled circle that can be seen through."""
 
     centre: complex
     radius: float
-    tone: Tone
+    role: Role
     toggle: Toggle | None = None
 
 
@@ -65,112 +73,125 @@ class Circle(NamedTuple):
 
     centre: complex
     radius: float
-    tone: Tone
+    role: Role
     toggle: Toggle | None = None
     stroke: Stroke = Stroke.SOLID
 
 
-class Sector(NamedTuple):
-    """A filled annular sector around the origin."""
+class AnnularSector(NamedTuple):
+    """A filled annular sector around the origin. opacity: 0 transparent to 1 opaque."""
 
     radius: float
     half_width: float
     angle: float
     half_angle: float
-    tone: Tone
+    role: Role
     toggle: Toggle | None = None
-    strength: float = 1.0  # 0 transparent to 1 opaque
+    opacity: float = 1.0
 
 
-class Band(NamedTuple):
-    """A filled ring around the origin, drawn faintly."""
+class Annulus(NamedTuple):
+    """A filled ring around the origin. opacity: 0 transparent to 1 opaque."""
 
     inner: float
     outer: float
-    tone: Tone
+    role: Role
     toggle: Toggle | None = None
-    strength: float = 0.25
+    opacity: float = 0.25
 
 
 class Line(NamedTuple):
-    """A line through points."""
+    """A line through points. label: beside its middle."""
 
     points: tuple[complex, ...]
-    tone: Tone
+    role: Role
     toggle: Toggle | None = None
     stroke: Stroke = Stroke.SOLID
-    label: str = ""  # beside its middle
+    label: str = ""
 
 
 class Arrow(NamedTuple):
-    """A vector."""
+    """A vector drawn from a point. label: at its tip."""
 
     start: complex
-    way: complex
-    tone: Tone
+    vector: complex
+    role: Role
     toggle: Toggle | None = None
     stroke: Stroke = Stroke.THICK
-    label: str = ""  # at its tip
+    label: str = ""
 
 
-class Dot(NamedTuple):
-    """A point."""
+class PointMark(NamedTuple):
+    """A point. label: beside it."""
 
-    place: complex
-    tone: Tone
+    position: complex
+    role: Role
     toggle: Toggle | None = None
     label: str = ""
 
 
 class Arc(NamedTuple):
-    """A part of a circle's line: an angle."""
+    """A part of a circle's line, such as an angle. sweep: above 0 counter-clockwise. label: beside its middle."""
 
     centre: complex
     radius: float
     start: float
-    sweep: float  # > 0 counter-clockwise
-    tone: Tone
+    sweep: float
+    role: Role
     toggle: Toggle | None = None
     stroke: Stroke = Stroke.SOLID
-    label: str = ""  # beside its middle
+    label: str = ""
 
 
 class Words(NamedTuple):
-    """A few words in the picture."""
+    """A few words in the picture, centred at a position."""
 
-    place: complex
+    position: complex
     text: str
-    tone: Tone
+    role: Role
     toggle: Toggle | None = None
 
 
 class Field(NamedTuple):
-    """Signed numbers on a grid of cells, drawn in two colours with a line where they are 0."""
+    """Signed numbers on a grid of cells, in one colour above 0 and another below.
 
-    lower: complex  # the lower left corner
-    upper: complex  # the upper right one
-    values: NDArray[np.float64]  # [column, row], from the lower left; NaN where there is none
-    span: float  # this number, and its negative, have the full colours
+    lower, upper: the lower left and the upper right corner of the grid.
+    values: [column, row] from the lower left; NaN where there is none.
+    span: this number and its negative have the full colours.
+    """
+
+    lower: complex
+    upper: complex
+    values: NDArray[np.float64]
+    span: float
     toggle: Toggle | None = None
 
 
-Mark = Disc | Circle | Sector | Band | Line | Arrow | Dot | Arc | Words | Field
+Mark = Disc | Circle | AnnularSector | Annulus | Line | Arrow | PointMark | Arc | Words | Field
 
 
 class Pane(NamedTuple):
-    """One world. Two of them stand side by side, seen through the same camera."""
+    """One world. Several stand side by side, each seen through the same camera.
 
-    marks: tuple[Mark, ...]  # from back to front
+    marks: from back to front. has_handles: whether the scene's handles are in it, too.
+    """
+
+    marks: tuple[Mark, ...]
     title: str = ""
+    has_handles: bool = True
 
 
 class Picture(NamedTuple):
-    """All there is to see and to read."""
+    """All there is to see and to read.
+
+    formula: lines of the phase's formula with the numbers in it, in the source's letters.
+    cited: the line that decided. note: what is special about these values, and why.
+    """
 
     panes: tuple[Pane, ...]
-    formula: tuple[str, ...]  # of the phase, with the numbers in it, in the source's letters
-    deciding: Deciding  # the line that decided
-    note: str = ""  # what is special about these values, and why
+    formula: tuple[str, ...]
+    cited: CitedLine
+    note: str = ""
 
     @property
     def toggles(self) -> frozenset[Toggle]:
@@ -178,6 +199,6 @@ class Picture(NamedTuple):
         return frozenset([mark.toggle for pane in self.panes for mark in pane.marks if mark.toggle is not None])
 
 
-def single(marks: tuple[Mark, ...], formula: tuple[str, ...], deciding: Deciding, note: str = "") -> Picture:
+def single(marks: tuple[Mark, ...], formula: tuple[str, ...], cited: CitedLine, note: str = "") -> Picture:
     """A picture of one world."""
-    return Picture((Pane(marks),), formula, deciding, note)
+    return Picture((Pane(marks),), formula, cited, note)

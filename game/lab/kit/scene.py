@@ -1,90 +1,103 @@
 """What a scene is, and how to write one.
 
-1. Add one file to `game/lab/scenes/`; it is found by itself. Its name with hyphens is the scene's.
-2. Choose the numbers one can set: `Number` (angles in degrees), `Count`, `Point`, each with range and default.
-3. Write `_picture(given) -> Picture`: pure; read the numbers with `given.number("r")`, `given.angle("half_angle")` (radians),
-   `given.point("ball")`, ask `physics`, and answer with marks, the formula with the numbers in it, and the line that
-   decides (`code(function, "a part of the line")` or `source("Narrow phase", "the line")`). `game/lab/kit/marks.py` has the
-   marks of a ball, a sector, a contact, a second opinion. Two worlds side by side are two `Pane`s.
-4. Write `_check(given) -> tuple[Claim, ...]`: facts that must hold for every setting in range, each with whether it does.
-   They are asserted by pytest for the defaults, the presets, saved cases, and after a thousand random drags.
-5. Say what can be dragged, what matters most first: `handles.point`, `vector`, `polar_vector`, `sector_handles`, or a
+1. Add a file to a chapter's folder in `game/lab/scenes/`, and list it in that folder's `__init__.py`, at its position in the
+   lab's list. The file's name with hyphens is the scene's name.
+2. Choose the numbers that can be set: `Number` (angles in degrees), `Count`, `Point`, each with range and default.
+3. Write `_picture(given) -> Picture`. It is pure. It reads the numbers with `given.number("r")`, `given.angle("half_angle")`
+   (radians) and `given.point("ball")`, asks `physics`, and returns marks, the formula with the numbers in it, and the line
+   that decides: `code_line(function, "the line")` or `source_line("Narrow phase", "the line")`. `game/lab/kit/marks.py` has
+   the marks of a ball, a sector, a contact and a second opinion. Two worlds side by side are two `Pane`s.
+4. Write `_check(given) -> tuple[Claim, ...]`: facts that hold for every setting in range, each with whether it holds now.
+   pytest asserts them at the defaults, at the presets, at saved cases and after a thousand random drags.
+5. Say what can be dragged, the most important first: `handles.point`, `vector`, `polar_vector`, `sector_handles`, or a
    `Handle` of your own.
-6. `SCENE = Scene(...)` with title, idea, and the rows of the README's table "Beyond the source" that it explains.
+6. `SCENE = Scene(...)` with title, idea, and the rows of the documentation's table "Beyond the source" that it shows.
 
 A scene that runs gives `Motion(start, step, picture)` instead of `_picture`: `start(given)` is the state at tick 0,
-`step(given, state)` the state one tick later, `picture(given, state)` what it looks like. All three are pure and the state
-is a value (NamedTuples, tuples, numbers): so stepping back is a list of states, and a state can be hashed and shared. Any
-changed setting starts it anew. Degenerate settings are in range on purpose: say in `Picture.note` what happens, and why.
-Without another engine `given.engine` is None: leave its marks out.
+`step(given, state)` the state one tick later, `picture(given, state)` what it looks like. All three are pure, and the state
+is a value (NamedTuples, tuples, numbers). So a step back looks up the state before, and a state can be hashed and shared.
+Any changed setting starts it anew.
+
+Degenerate settings are in range on purpose: `Picture.note` says what happens there, and why. Without a second engine
+`given.engine` is None, and its marks are left out.
 """
 
 from collections.abc import Callable
-from enum import Enum
 from typing import Any, NamedTuple
 
 from game.lab.kit.handles import Handle
 from game.lab.kit.parameters import Given, Parameter
 from game.lab.kit.picture import Picture
+from game.rules import TICK
 
 
-class Chapter(Enum):
-    """Where in the source a scene belongs, in the source's order; then what goes beyond it."""
+class ViewBox(NamedTuple):
+    """The part of the world that is shown at first.
 
-    ANGLES = "polar coordinates"
-    BROAD_PHASE = "broad phase"
-    NARROW_PHASE = "narrow phase"
-    RESPONSE = "response"
-    TIME_OF_IMPACT = "time of impact"
-    RUNS = "in motion"
-
-
-class View(NamedTuple):
-    """The part of the world that is seen at first."""
+    half: half of the width and half of the height that must fit, as one complex number; both world units.
+    """
 
     centre: complex
-    half: complex  # half the width and half the height that must fit
+    half: complex
 
 
 class Claim(NamedTuple):
-    """A fact about a scene at some values, and whether it holds."""
+    """A fact about a scene, and whether it holds at some values."""
 
     fact: str
     holds: bool
 
 
 class Preset(NamedTuple):
-    """Values worth looking at."""
+    """Values worth looking at.
+
+    line: as in a share line, after the question mark; a parameter that it does not name has its default.
+    """
 
     label: str
-    line: str  # as in a share line, after the question mark; what is not named has its default
+    line: str
 
 
 class Motion(NamedTuple):
-    """How a scene runs. A tick is 1/240 s unless `tick` says otherwise."""
+    """How a scene runs.
+
+    start: the state at tick 0. step: the state one tick later. picture: what a state looks like.
+    tick: seconds. ticks: after so many the scene stands still.
+    """
 
     start: Callable[[Given], Any]
     step: Callable[[Given, Any], Any]
     picture: Callable[[Given, Any], Picture]
-    tick: float = 1.0 / 240.0
-    ticks: int = 480  # it stands still after that many
+    tick: float = TICK
+    ticks: int = 480
 
 
 class Scene(NamedTuple):
-    """One idea, to be touched."""
+    """One idea of the collision detection, to be touched.
+
+    name: in the list and in share lines.
+    title: one line.
+    idea: one sentence.
+    functions: those of `physics` that it shows, by name.
+    parameters: what can be set.
+    handles: what can be dragged; of two handles equally near to the pointer the first is taken.
+    view_box: the part of the world that is shown at first.
+    shows: the picture of given values, or how the scene runs.
+    check: the facts that hold at given values.
+    rows: of the documentation's table "Beyond the source" that it shows.
+    presets: values worth looking at.
+    """
 
     name: str
     title: str
-    idea: str  # in one sentence
-    chapter: Chapter
-    place: int  # in its chapter
-    functions: tuple[str, ...]  # of the source that it shows, by name
+    idea: str
+    functions: tuple[str, ...]
     parameters: tuple[Parameter, ...]
     handles: tuple[Handle, ...]
-    view: View
+    view_box: ViewBox
     shows: Callable[[Given], Picture] | Motion
     check: Callable[[Given], tuple[Claim, ...]]
-    rows: tuple[int, ...] = ()  # of the table "Beyond the source" that it explains
+    rows: tuple[int, ...] = ()
     presets: tuple[Preset, ...] = ()
 
 

@@ -30,7 +30,7 @@ def saved_cases(path: Path) -> list[str]:
 
 
 def save_case(line: str, path: Path) -> str:
-    """Append a line to the cases, once; what was done, in words. BadInputError where it cannot be written."""
+    """Append a line to the cases, unless it is there; returns a sentence that says so. BadInputError on a failure to write."""
     try:
         if line in saved_cases(path):
             return f"already in {path}"

@@ -3,53 +3,53 @@
 import math
 import random
 from collections.abc import Iterator
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 from game.lab.kit.handles import dragged
-from game.lab.kit.parameters import Count, Given, Parameter, Point, defaults, settled
+from game.lab.kit.parameters import Count, Given, Parameter, Point, clamped, defaults
 from game.lab.kit.picture import Field
-from game.lab.kit.scene import Motion, Scene, picture_of, started, stepped
+from game.lab.kit.scene import Motion, Scene, picture_of, started
 from game.lab.kit.second_engine import Engine
-from game.lab.session.share import Shared, preset, share_line
+from game.lab.session.share import SharedScene, preset, share_line
 
 _REACH = 2.0
-"""Random drags go this many times as far as the view."""
+"""Random drags reach this many times as far from the centre as the view box."""
 _RUN_EVERY = 50
-"""A scene that runs is run after every so many drags."""
+"""Of a scene that runs, the claims are checked after every so many drags only, since each check runs it."""
 
 
-class Failure(NamedTuple):
-    """A claim that does not hold, and the line that opens it."""
+class FailedClaim(NamedTuple):
+    """A claim that does not hold. line: the share line that opens the scene there."""
 
     line: str
     fact: str
 
 
 class Report(NamedTuple):
-    """How one scene did."""
+    """The result of checking one scene. settings: how many were checked. claims: how many, of all settings together."""
 
     scene: Scene
-    settings: int  # looked at
+    settings: int
     claims: int
-    failures: tuple[Failure, ...]
+    failures: tuple[FailedClaim, ...]
 
 
 def report(scene: Scene, drags: int, seed: int, engine: Engine | None = None, more: tuple[Given, ...] = ()) -> Report:
-    """A scene's claims at its defaults, its presets, after random drags, and at more settings."""
-    looked_at = [*lines(scene, engine), *more, *after_drags(scene, drags, seed, engine)]
-    found = [failure for given in looked_at for failure in failures(scene, given)]
-    claims = len(scene.check(looked_at[0])) + 1
-    return Report(scene, len(looked_at), claims * len(looked_at), tuple(found))
+    """Check a scene's claims at its defaults, its presets, after random drags, and at more settings."""
+    checked = [*lines(scene, engine), *more, *after_drags(scene, drags, seed, engine)]
+    found = [failure for given in checked for failure in failures(scene, given)]
+    claims = len(scene.check(checked[0])) + 1
+    return Report(scene, len(checked), claims * len(checked), tuple(found))
 
 
-def failures(scene: Scene, given: Given) -> tuple[Failure, ...]:
+def failures(scene: Scene, given: Given) -> tuple[FailedClaim, ...]:
     """The claims that do not hold at some values, and any number of the picture that is not finite."""
-    line = share_line(Shared(scene, given))
-    found = [Failure(line, claim.fact) for claim in scene.check(given) if not claim.holds]
+    line = share_line(SharedScene(scene, given))
+    found = [FailedClaim(line, claim.fact) for claim in scene.check(given) if not claim.holds]
     if not _is_finite(picture_of(scene, given, started(scene, given))):
-        found.append(Failure(line, "every number of the picture is finite"))
+        found.append(FailedClaim(line, "every number of the picture is finite"))
     return tuple(found)
 
 
@@ -59,7 +59,7 @@ def lines(scene: Scene, engine: Engine | None = None) -> tuple[Given, ...]:
 
 
 def after_drags(scene: Scene, count: int, seed: int, engine: Engine | None = None) -> Iterator[Given]:
-    """The values after each of many random drags and settings, some of them wild; those worth checking of a scene that runs."""
+    """The values after each of many random drags and slider moves, some far out of range; of a scene that runs, every 50th."""
     chance = random.Random(seed)
     given = defaults(scene.parameters, engine)
     for number in range(count):
@@ -68,36 +68,28 @@ def after_drags(scene: Scene, count: int, seed: int, engine: Engine | None = Non
             yield given
 
 
-def run_to(scene: Scene, given: Given, tick: int) -> Any:
-    """The state of a scene at a tick."""
-    state = started(scene, given)
-    for _ in range(tick):
-        state = stepped(scene, given, state)
-    return state
-
-
 def _dragged_somewhere(scene: Scene, given: Given, chance: random.Random) -> Given:
     """The values after one drag of one handle, or one slider."""
     if scene.handles and chance.random() < 0.7:
         handle = scene.handles[int(chance.random() * len(scene.handles))]
         return dragged(scene.parameters, given, handle, _somewhere(scene, given, chance)).given
     parameter = scene.parameters[int(chance.random() * len(scene.parameters))]
-    return settled(scene.parameters, given, {parameter.name: _some_value(parameter, chance)}).given
+    return clamped(scene.parameters, given, {parameter.name: _some_value(parameter, chance)}).given
 
 
 def _somewhere(scene: Scene, given: Given, chance: random.Random) -> complex:
-    """A place: mostly anywhere in sight, at times the centre or where another handle is."""
+    """A point of the world: mostly anywhere around the view box, at times the centre or the position of another handle."""
     kind = chance.random()
     if kind < 0.05:
         return 0j
     if kind < 0.15:
-        return scene.handles[int(chance.random() * len(scene.handles))].place(given)
+        return scene.handles[int(chance.random() * len(scene.handles))].position(given)
     across, up = (2.0 * chance.random() - 1.0, 2.0 * chance.random() - 1.0)
-    return scene.view.centre + _REACH * complex(across * scene.view.half.real, up * scene.view.half.imag)
+    return scene.view_box.centre + _REACH * complex(across * scene.view_box.half.real, up * scene.view_box.half.imag)
 
 
 def _some_value(parameter: Parameter, chance: random.Random) -> complex:
-    """A value: anywhere in the range, a border, or beyond it."""
+    """A value anywhere in the range, at its border, or beyond it."""
     kind = chance.random()
     low, high = float(parameter.low), float(parameter.high)
     numbers = [low, high, 2.0 * high - low] if kind < 0.2 else [low + (high - low) * chance.random() for _ in range(2)]

@@ -1,102 +1,107 @@
-"""A scene being looked at: its values, the states it has run through, and whether it runs. Nothing here knows a window."""
+"""An open scene: its values, the states that it has run through, and whether it runs. Nothing here knows a window."""
 
 import hashlib
 import struct
 from typing import Any, NamedTuple
 
-from game.lab.kit.parameters import Given, Settled, defaults
+from game.lab.kit.parameters import Clamped, Given, defaults
 from game.lab.kit.picture import Picture
 from game.lab.kit.scene import Motion, Scene, picture_of, started, stepped
 from game.lab.kit.second_engine import Engine
-from game.lab.session.share import Shared, share_line
+from game.lab.session.share import SharedScene, share_line
 
 PACES = (1 / 64, 1 / 32, 1 / 16, 1 / 8, 1 / 4, 1 / 2, 1.0)
-"""How much slower than real time a scene may run."""
+"""Speeds at which a scene can run, as shares of real time."""
 _PACE = PACES.index(1 / 4)
 _MOST_PER_FRAME = 64
+"""Ticks: a scene that is slow to compute runs more slowly, and the window goes on."""
 
 
 class Session(NamedTuple):
-    """One scene as it stands. Its state is a function of its values and its tick, so going back is looking back."""
+    """One scene as it stands. Its state is a function of its values and its tick, so a step back is a look-up.
+
+    states: at tick 0, 1, 2, ..., as far as the scene was run. tick: the one that is shown. pace: an index of PACES.
+    rest: the part of a tick that is due but not yet run, in [0, 1). notes: what the last change had to clamp or refuse.
+    """
 
     scene: Scene
     given: Given
-    states: tuple[Any, ...]  # at tick 0, 1, 2, ...
-    tick: int = 0  # the one that is shown
+    states: tuple[Any, ...]
+    tick: int = 0
     playing: bool = False
-    pace: int = _PACE  # of PACES
-    rest: float = 0.0  # of a tick, not yet run
-    notes: tuple[str, ...] = ()  # what the last change did that was not asked for
+    pace: int = _PACE
+    rest: float = 0.0
+    notes: tuple[str, ...] = ()
 
     @property
     def runs(self) -> bool:
-        """Whether the scene runs at all."""
+        """Whether the scene is one that runs."""
         return isinstance(self.scene.shows, Motion)
 
     @property
     def last(self) -> int:
-        """The tick at which it stands still."""
+        """The tick at which it stops; 0 for a scene that does not run."""
         return self.scene.shows.ticks if isinstance(self.scene.shows, Motion) else 0
 
     @property
     def picture(self) -> Picture:
-        """What it looks like."""
+        """The picture of the tick that is shown."""
         return picture_of(self.scene, self.given, self.states[self.tick])
 
     @property
     def line(self) -> str:
         """The share line that opens it as it stands."""
-        return share_line(Shared(self.scene, self.given, self.tick))
+        return share_line(SharedScene(self.scene, self.given, self.tick))
 
 
-def opened(shared: Shared) -> Session:
-    """A scene as a share line has it; one that runs, and is at its start, runs at once."""
+def opened(shared: SharedScene) -> Session:
+    """A scene as a share line names it. At tick 0, one that runs starts at once; at a later tick it is paused there."""
     new = Session(shared.scene, shared.given, (started(shared.scene, shared.given),))
     return at_tick(new, shared.tick) if shared.tick else new._replace(playing=new.runs)
 
 
 def fresh(scene: Scene, engine: Engine | None) -> Session:
     """A scene at its defaults."""
-    return opened(Shared(scene, defaults(scene.parameters, engine)))
+    return opened(SharedScene(scene, defaults(scene.parameters, engine)))
 
 
-def changed(session: Session, settled: Settled) -> Session:
-    """After a change of values: a scene that runs begins anew."""
-    if settled.given.values == session.given.values:
-        return session._replace(notes=settled.notes)
-    start = (started(session.scene, settled.given),)
-    return session._replace(given=settled.given, states=start, tick=0, rest=0.0, notes=settled.notes)
+def changed(session: Session, clamped: Clamped) -> Session:
+    """After a change of values, which takes a scene that runs back to tick 0."""
+    if clamped.given.values == session.given.values:
+        return session._replace(notes=clamped.notes)
+    start = (started(session.scene, clamped.given),)
+    return session._replace(given=clamped.given, states=start, tick=0, rest=0.0, notes=clamped.notes)
 
 
 def restarted(session: Session) -> Session:
-    """Back at the start, with the same values; a scene that runs, runs."""
+    """Back at tick 0 with the same values, and running if the scene is one that runs."""
     return session._replace(tick=0, rest=0.0, playing=session.runs, notes=())
 
 
 def reset(session: Session) -> Session:
     """At the scene's defaults."""
-    return changed(session, Settled(defaults(session.scene.parameters, session.given.engine), ()))
+    return changed(session, Clamped(defaults(session.scene.parameters, session.given.engine), ()))
 
 
 def toggled(session: Session) -> Session:
-    """Paused, or going on; from its end it begins anew."""
+    """Paused if it was running, else running; at its last tick it starts again."""
     if session.runs and session.tick == session.last:
         return restarted(session)
     return session._replace(playing=session.runs and not session.playing, notes=())
 
 
 def moved(session: Session, ticks: int) -> Session:
-    """Paused, that many ticks later; earlier where below 0."""
+    """Paused, and so many ticks later, or earlier where `ticks` is below 0."""
     return at_tick(session._replace(playing=False, notes=()), session.tick + ticks)
 
 
 def paced(session: Session, steps: int) -> Session:
-    """Faster or slower by so many steps."""
+    """Faster by so many of the paces, or slower where `steps` is below 0."""
     return session._replace(pace=min(max(session.pace + steps, 0), len(PACES) - 1))
 
 
 def later(session: Session, seconds: float) -> Session:
-    """After some real time: as many ticks later as are due."""
+    """After some seconds of real time: as many ticks later as are due at its pace."""
     if not (session.playing and isinstance(session.scene.shows, Motion)):
         return session
     due = session.rest + min(seconds, 1.0) * PACES[session.pace] / session.scene.shows.tick
@@ -106,7 +111,7 @@ def later(session: Session, seconds: float) -> Session:
 
 
 def at_tick(session: Session, tick: int) -> Session:
-    """At a tick of its run, which is run as far as that, if it was not before."""
+    """At a tick, to which the scene is run if it was not yet."""
     tick = min(max(tick, 0), session.last)
     states = list(session.states)
     while len(states) <= tick:

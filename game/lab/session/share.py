@@ -1,9 +1,9 @@
-"""The state of a scene as one line: case-2?ball=9.9,0.3&half_angle=25. The line of a running scene ends in its tick."""
+"""A scene as it stands, written as one line: case-2?ball=9.9,0.3&half_angle=25. For a running scene it ends with the tick."""
 
 import math
 from typing import NamedTuple
 
-from game.lab.kit.parameters import Count, Given, Parameter, Point, defaults, plain, settled, written
+from game.lab.kit.parameters import Count, Given, Parameter, Point, clamped, defaults, plain, written
 from game.lab.kit.scene import Motion, Scene
 from game.lab.kit.second_engine import Engine
 from game.lab.registry import scene_named
@@ -13,16 +13,16 @@ _TICK = "tick"
 _LONGEST = 4096
 
 
-class Shared(NamedTuple):
-    """A scene and how it stands."""
+class SharedScene(NamedTuple):
+    """A scene with its values, at a tick."""
 
     scene: Scene
     given: Given
     tick: int = 0
 
 
-def share_line(shared: Shared) -> str:
-    """The line that opens a scene as it stands: every value, exactly."""
+def share_line(shared: SharedScene) -> str:
+    """The line that opens a scene as it stands. Every value is written exactly."""
     parts = [
         f"{parameter.name}={_printed(shared.given.values[parameter.name], parameter)}" for parameter in shared.scene.parameters
     ]
@@ -31,18 +31,18 @@ def share_line(shared: Shared) -> str:
     return f"{shared.scene.name}?{'&'.join(parts)}"
 
 
-def parsed(line: str, engine: Engine | None = None) -> Shared:
+def parsed(line: str, engine: Engine | None = None) -> SharedScene:
     """The scene and the values that a line names; what it does not name has its default.
 
-    BadInputError names the part that cannot be used: an unknown scene or value, a value given twice, no number, a number out
-    of range.
+    BadInputError names the part that cannot be used: an unknown scene or value, a value given twice, something that is not a
+    number, or a number out of range.
     """
     if len(line) > _LONGEST:
         raise BadInputError(f"lab: a share line of {len(line)} characters; expected at most {_LONGEST}")
     name, mark, rest = line.strip().partition("?")
     scene = scene_named(name)
     given, tick = _read(scene, rest, engine) if mark and rest else (defaults(scene.parameters, engine), 0)
-    return Shared(scene, given, tick)
+    return SharedScene(scene, given, tick)
 
 
 def preset(scene: Scene, line: str, engine: Engine | None = None) -> Given:
@@ -68,18 +68,18 @@ def _read(scene: Scene, rest: str, engine: Engine | None) -> tuple[Given, int]:
         else:
             names = ", ".join([*parameters, *([_TICK] if isinstance(scene.shows, Motion) else [])])
             raise BadInputError(f"lab: part {part!r} of the share line: {scene.name} has no {name!r}; expected {names}")
-    return settled(scene.parameters, defaults(scene.parameters, engine), values).given, tick or 0
+    return clamped(scene.parameters, defaults(scene.parameters, engine), values).given, tick or 0
 
 
 def _tick(part: str, text: str, motion: Motion) -> int:
-    """The tick to go to."""
+    """The tick that a part names."""
     if not text.isdecimal() or not text.isascii() or len(text) > 9 or int(text) > motion.ticks:
         raise BadInputError(f"lab: part {part!r} of the share line: expected a whole number from 0 to {motion.ticks}")
     return int(text)
 
 
 def _value(part: str, text: str, parameter: Parameter) -> complex:
-    """One value, in its range."""
+    """The value that a part gives to a parameter, inside its range."""
     texts = text.split(",")
     if len(texts) != (2 if isinstance(parameter, Point) else 1):
         expected = "two numbers X,Y" if isinstance(parameter, Point) else "one number"
@@ -113,5 +113,5 @@ def _number(part: str, text: str) -> float:
 
 
 def _printed(value: complex, parameter: Parameter) -> str:
-    """A value as it stands in a line."""
+    """A value as a share line has it."""
     return f"{plain(value.real)},{plain(value.imag)}" if isinstance(parameter, Point) else plain(value.real)

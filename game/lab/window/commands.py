@@ -1,4 +1,4 @@
-"""What keys and buttons of the lab mean: one table binds them, and the help reads it."""
+"""What keys and buttons of the lab ask for: one table binds them, and the help reads it."""
 
 from enum import Enum
 from typing import NamedTuple
@@ -9,7 +9,7 @@ from game.lab.kit.picture import Toggle
 
 
 class Command(Enum):
-    """What can be asked for without a number. The value is the button's text."""
+    """What can be asked for by a key alone. The value is the button's text."""
 
     PLAY = "Play"
     FORWARD = "Step"
@@ -20,7 +20,7 @@ class Command(Enum):
     DEFAULTS = "Defaults"
     COPY = "Copy line"
     SAVE = "Save case"
-    VIEW = "Whole view"
+    WHOLE = "Whole scene"
     THEME = "Colours"
     HELP = "Help"
     PREVIOUS = "<"
@@ -28,8 +28,11 @@ class Command(Enum):
     LEAVE = "Leave"
 
 
-class Key(NamedTuple):
-    """Keys and what they do."""
+class KeyBinding(NamedTuple):
+    """Keys that ask for the same command.
+
+    keys: pygame's codes. written: how the help names them. meaning: what the command does, in a few words.
+    """
 
     keys: tuple[int, ...]
     written: str
@@ -38,33 +41,34 @@ class Key(NamedTuple):
 
 
 KEYS = (
-    Key((pygame.K_SPACE,), "Space", Command.PLAY, "run or pause"),
-    Key((pygame.K_PERIOD, pygame.K_RIGHT), ".  Right", Command.FORWARD, "one step forward"),
-    Key((pygame.K_COMMA, pygame.K_LEFT), ",  Left", Command.BACK, "one step back"),
-    Key((pygame.K_MINUS, pygame.K_KP_MINUS), "-", Command.SLOWER, "slower"),
-    Key((pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS), "+", Command.FASTER, "faster"),
-    Key((pygame.K_r,), "R", Command.RESTART, "restart; the settings stay"),
-    Key((pygame.K_d,), "D", Command.DEFAULTS, "the scene's defaults"),
-    Key((pygame.K_LEFTBRACKET, pygame.K_PAGEUP), "[", Command.PREVIOUS, "the scene before"),
-    Key((pygame.K_RIGHTBRACKET, pygame.K_PAGEDOWN), "]", Command.NEXT, "the scene after"),
-    Key((pygame.K_HOME,), "Home", Command.VIEW, "the whole view again"),
-    Key((pygame.K_c,), "C", Command.COPY, "copy the share line"),
-    Key((pygame.K_s,), "S", Command.SAVE, "save as a case that pytest runs"),
-    Key((pygame.K_t,), "T", Command.THEME, "dark or light colours"),
-    Key((pygame.K_h, pygame.K_F1), "H  F1", Command.HELP, "this help"),
-    Key((pygame.K_ESCAPE,), "Esc", Command.LEAVE, "leave the lab"),
+    KeyBinding((pygame.K_SPACE,), "Space", Command.PLAY, "run or pause"),
+    KeyBinding((pygame.K_PERIOD, pygame.K_RIGHT), ".  Right", Command.FORWARD, "one step forward"),
+    KeyBinding((pygame.K_COMMA, pygame.K_LEFT), ",  Left", Command.BACK, "one step back"),
+    KeyBinding((pygame.K_MINUS, pygame.K_KP_MINUS), "-", Command.SLOWER, "slower"),
+    KeyBinding((pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS), "+", Command.FASTER, "faster"),
+    KeyBinding((pygame.K_r,), "R", Command.RESTART, "restart; the settings stay"),
+    KeyBinding((pygame.K_d,), "D", Command.DEFAULTS, "the scene's defaults"),
+    KeyBinding((pygame.K_LEFTBRACKET, pygame.K_PAGEUP), "[", Command.PREVIOUS, "the scene before"),
+    KeyBinding((pygame.K_RIGHTBRACKET, pygame.K_PAGEDOWN), "]", Command.NEXT, "the scene after"),
+    KeyBinding((pygame.K_HOME,), "Home", Command.WHOLE, "show the whole scene again"),
+    KeyBinding((pygame.K_c,), "C", Command.COPY, "copy the share line"),
+    KeyBinding((pygame.K_s,), "S", Command.SAVE, "save as a case that pytest runs"),
+    KeyBinding((pygame.K_t,), "T", Command.THEME, "dark or light colours"),
+    KeyBinding((pygame.K_h, pygame.K_F1), "H  F1", Command.HELP, "this help"),
+    KeyBinding((pygame.K_ESCAPE,), "Esc", Command.LEAVE, "leave the lab"),
 )
 
 TOGGLE_KEYS = {pygame.K_1 + number: toggle for number, toggle in enumerate(Toggle)}
 
-MOUSE_HELP = (
-    ("Drag a ring", "move what it is on"),
-    ("Drag elsewhere", "move the view"),
+MORE_HELP = (
+    ("Drag a ring", "move what it stands on"),
+    ("Drag elsewhere", "move the world"),
     ("Wheel", "zoom about the pointer"),
     ("1 to 7", "show or hide what is listed at the right"),
+    ("F11", "full screen"),
 )
 
 
 def command_of(key: int) -> Command | None:
-    """What a key asks for."""
+    """What a key, by pygame's code, asks for; None for nothing."""
     return next((one.command for one in KEYS if key in one.keys), None)

@@ -1,19 +1,19 @@
-"""The lab's help: the keys, and what the mouse does."""
+"""The lab's help: what the mouse does, and what the keys do."""
 
 import pygame
 
 from game.drawing.camera import unit_of
 from game.drawing.palette import Theme
 from game.drawing.text import Type
-from game.lab.window.commands import KEYS, MOUSE_HELP
-from game.screens.panels import dim, draw_panel
+from game.lab.window.commands import KEYS, MORE_HELP
+from game.screens.panel import dim, draw_panel
 
 
 def draw_help(surface: pygame.Surface, theme: Theme, type_: Type) -> None:
-    """A panel over what is drawn already."""
+    """A panel with the keys over what is drawn already."""
     size = surface.get_size()
     unit = unit_of(size)
-    lines = [*MOUSE_HELP, *[(key.written, key.meaning) for key in KEYS]]
+    lines = [*MORE_HELP, *[(key.written, key.meaning) for key in KEYS]]
     width, height = unit * 30.0, unit * (5.6 + 1.3 * len(lines))
     panel = pygame.Rect(round((size[0] - width) / 2), round((size[1] - height) / 2), round(width), round(height))
     dim(surface, theme)

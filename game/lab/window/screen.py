@@ -1,36 +1,39 @@
-"""The lab's screen: what the hands do becomes changes of the session, the session becomes a picture."""
+"""The lab's screen: events become changes of the session, the session becomes a picture."""
 
 from collections.abc import Callable
 
 import pygame
 
-from game.drawing.camera import Camera
 from game.drawing.palette import Theme
 from game.input.signals import Signal
 from game.lab.kit.handles import Handle, dragged
-from game.lab.kit.parameters import Settled, settled
+from game.lab.kit.parameters import Clamped, clamped
 from game.lab.kit.picture import Picture, Toggle
 from game.lab.registry import scene_named, scenes
 from game.lab.session import session as sessions
 from game.lab.session.cases import case_file, save_case
 from game.lab.session.session import Session
 from game.lab.session.share import preset
-from game.lab.window.canvas import Canvas, draw_note
+from game.lab.window import key_repeat
+from game.lab.window.canvas import PaneCanvas, write_words
 from game.lab.window.commands import TOGGLE_KEYS, Command, command_of
-from game.lab.window.grips import Grip, draw_grips, grip_at
+from game.lab.window.dragging import Drag, PaneView, drag_at, draw_handles
 from game.lab.window.help import draw_help
-from game.lab.window.lens import Lens
-from game.lab.window.page import Page, draw_head, draw_picture, draw_side, draw_words, page, panes
-from game.lab.window.widgets import Asked, Chosen, Preset, Refused, Side, Wished
-from game.screens.base import Screen, Shared
+from game.lab.window.key_repeat import REPEATED, HeldKey
+from game.lab.window.layout import layout_of, pane_areas
+from game.lab.window.marks import draw_marks
+from game.lab.window.pan_zoom import PanZoom
+from game.lab.window.widgets import PresetChosen, Refused, Request, SceneChosen, Side, ValueRequested
+from game.lab.window.words import TextSheet, draw_head, draw_notice, draw_small_print, draw_words
+from game.screens.app_state import AppState
+from game.screens.base import Screen
 from game.system.errors import BadInputError
 
 SHOWN = frozenset(Toggle) - {Toggle.PYMUNK}
 """What is shown at first."""
 _NOTICE_SECONDS = 5.0
-_REPEAT = (400, 50)
-"""Milliseconds until a held key repeats, and between repeats."""
-
+_MODIFIERS = pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META
+"""Keys pressed together with one of these belong to the desktop."""
 
 _CHANGES: dict[Command, Callable[[Session], Session]] = {
     Command.PLAY: sessions.toggled,
@@ -47,20 +50,20 @@ _CHANGES: dict[Command, Callable[[Session], Session]] = {
 class Lab:
     """One scene at a time, and everything that can be done to it."""
 
-    def __init__(self, shared: Shared, session: Session, under: Screen | None = None) -> None:
+    def __init__(self, shared: AppState, session: Session, under: Screen | None = None) -> None:
         """Open with a session. under: the screen to go back to; None leaves the program."""
         self._shared, self._session, self._under = shared, session, under
         self._shown = SHOWN
-        self._lens = _lens_for(session)
+        self._pan_zoom = _whole(session)
         self._drawn: tuple[Session, Picture] | None = None
         self._side: tuple[tuple[tuple[int, int], Theme, str], Side] | None = None
-        self._grip: Grip | None = None
+        self._drag: Drag | None = None
+        self._held: HeldKey | None = None
         self._pointer = -1 - 1j  # pixels
         self._pixels_per_point = 1 + 1j
         self._seconds = 0.0  # since the last picture
         self._notice, self._notice_left = "", 0.0
         self._help = False
-        pygame.key.set_repeat(*_REPEAT)
 
     @property
     def session(self) -> Session:
@@ -68,20 +71,21 @@ class Lab:
         return self._session
 
     def answer(self, _signal: Signal, _size: tuple[int, int]) -> Screen | None:
-        """Nothing: it hears the events themselves."""
+        """Nothing: the lab is given the window's events themselves."""
         return self
 
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> Screen | None:
         """React to an event of the window."""
         self._pixels_per_point = pixels_per_point
+        self._release(event)
         if self._help:
             self._help = event.type not in (pygame.KEYDOWN, pygame.MOUSEBUTTONDOWN)
             return self
         if event.type == pygame.KEYDOWN:
             return self._key(event, size)
-        taken, asked = self._widgets(size).hear(event)
-        if asked is not None:
-            return self._do(asked)
+        taken, request = self._widgets(size).hear(event)
+        if request is not None:
+            return self._do(request)
         if not taken:
             self._mouse(event, size)
         return self
@@ -91,111 +95,134 @@ class Lab:
         self._session = sessions.later(self._session, seconds)
         self._seconds += seconds
         self._notice_left -= seconds
+        if self._held is not None:
+            self._held, again = key_repeat.later(self._held, seconds)
+            if again:
+                self._obey(self._held.command)
         return self
 
     def draw(self, surface: pygame.Surface) -> None:
         """The world, the words, the widgets."""
         theme, type_, size = self._shared.theme, self._shared.type, surface.get_size()
-        place, side, session, picture = page(size), self._widgets(size), self._session, self._picture()
+        sheet = TextSheet(surface, layout_of(size), theme, type_)
         surface.fill(theme.background)
-        cameras = self._cameras(place, picture)
-        draw_picture(surface, place, picture, cameras, theme, type_, self._shown)
-        for area, camera in zip(panes(place, len(picture.panes)), cameras, strict=True):
-            canvas = Canvas(surface, area, camera, theme, type_, place.unit, self._shown)
-            draw_grips(canvas, session.given, session.scene.handles, self._hot(place, picture, cameras))
-        bottom = float(place.world.bottom)
+        self._draw_world(sheet)
+        bottom = float(sheet.layout.world.bottom)
         for note in reversed(self._notes()):
-            bottom = draw_note(surface, place.world, note, theme, type_, place.unit, bottom - place.unit * 0.5)
-        draw_head(surface, place, session.scene, theme, type_)
-        draw_words(surface, place, picture, theme, type_)
-        side.show(session, self._shown, picture.toggles)
-        draw_side(surface, place, side.bottom, _standing(session), theme, type_)
-        side.draw(surface, session, self._seconds, self._pixels_per_point)
+            bottom = draw_notice(sheet, note, bottom - sheet.unit * 0.5)
+        picture, side = self._picture(), self._widgets(size)
+        draw_head(sheet, self._session.scene)
+        draw_words(sheet, picture)
+        side.show(self._session, self._shown, picture.toggles)
+        draw_small_print(sheet, side.bottom, (f"state {sessions.state_hash(self._session)}", self._session.line))
+        side.draw(surface, self._session, self._seconds, self._pixels_per_point)
         self._seconds = 0.0
         if self._help:
             draw_help(surface, theme, type_)
 
+    def _draw_world(self, sheet: TextSheet) -> None:
+        """Every pane with its title and the handles."""
+        given, views = self._session.given, self._pane_views(sheet.surface.get_size())
+        hovered = self._hovered(views, sheet.unit)
+        for pane, view in zip(self._picture().panes, views, strict=True):
+            pygame.draw.rect(sheet.surface, sheet.theme.ground, view.area)
+            canvas = PaneCanvas(sheet.surface, view.area, view.camera, sheet.theme, sheet.type, sheet.unit, self._shown)
+            draw_marks(canvas, pane.marks)
+            if pane.title:
+                top = complex(view.area.centerx, view.area.top + sheet.unit * 0.4)
+                write_words(canvas, top, pane.title, sheet.theme.text, "midtop")
+            if view.area.left > sheet.layout.world.left:
+                pygame.draw.line(sheet.surface, sheet.theme.panel_edge, view.area.topleft, view.area.bottomleft)
+            draw_handles(canvas, given, view.handles, hovered if hovered in view.handles else None)
+
+    def _release(self, event: pygame.Event) -> None:
+        """Forget the held key when it comes up, or when another window has the keyboard."""
+        if event.type == pygame.WINDOWFOCUSLOST:
+            self._held = None
+        if event.type == pygame.KEYUP and self._held is not None and event.key == self._held.key:
+            self._held = None
+
     def _key(self, event: pygame.Event, size: tuple[int, int]) -> Screen | None:
-        """A key: a field's, if one is being typed into."""
+        """React to a key. While a field is typed into, the key is the field's."""
         side = self._widgets(size)
         if side.busy:
             if event.key == pygame.K_ESCAPE:
-                side.let_go()
+                side.release_focus()
                 return self
-            _, asked = side.hear(event)
-            return self if asked is None else self._do(asked)
+            _, request = side.hear(event)
+            return self if request is None else self._do(request)
         toggle, command = TOGGLE_KEYS.get(event.key), command_of(event.key)
-        asked_by_key = toggle or command
-        modified = event.mod & (pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META)
-        return self if asked_by_key is None or modified else self._do(asked_by_key)
+        request = toggle or command
+        if request is None or event.mod & _MODIFIERS:
+            return self
+        self._held = HeldKey(event.key, command) if command in REPEATED else None
+        return self._do(request)
 
     def _mouse(self, event: pygame.Event, size: tuple[int, int]) -> None:
-        """The mouse over the world."""
-        place, picture = page(size), self._picture()
-        cameras = self._cameras(place, picture)
+        """React to the mouse over the world."""
+        views, unit = self._pane_views(size), layout_of(size).unit
         match event.type:
             case pygame.MOUSEMOTION:
                 before, self._pointer = self._pointer, self._pixel(event.pos)
-                if self._grip is not None:
-                    self._drag(self._grip, cameras, self._pointer - before)
+                if self._drag is not None:
+                    self._move(self._drag, views, self._pointer - before)
             case pygame.MOUSEBUTTONDOWN if event.button in (1, 2, 3):
                 self._pointer = self._pixel(event.pos)
-                handles = self._session.scene.handles if event.button == 1 else ()
-                areas = panes(place, len(picture.panes))
-                self._grip = grip_at(self._pointer, areas, cameras, self._session.given, handles, place.unit)
-                self._widgets(size).let_go()
+                pressed = views if event.button == 1 else [view._replace(handles=()) for view in views]
+                self._drag = drag_at(self._pointer, pressed, self._session.given, unit)
+                self._widgets(size).release_focus()
             case pygame.MOUSEBUTTONUP | pygame.WINDOWFOCUSLOST:
-                self._grip = None
+                self._drag = None
             case pygame.MOUSEWHEEL:
-                for area, camera in zip(panes(place, len(picture.panes)), cameras, strict=True):
-                    if area.collidepoint(self._pointer.real, self._pointer.imag):
-                        steps = float(event.precise_y)
-                        self._lens = self._lens.zoomed(camera, self._session.scene.view, area, self._pointer, steps)
+                for view in views:
+                    if view.area.collidepoint(self._pointer.real, self._pointer.imag):
+                        box, steps = self._session.scene.view_box, float(event.precise_y)
+                        self._pan_zoom = self._pan_zoom.zoomed(box, view.area, self._pointer, steps)
 
-    def _drag(self, grip: Grip, cameras: list[Camera], way: complex) -> None:
-        """Move what is held; way: pixels."""
-        camera = cameras[min(grip.pane, len(cameras) - 1)]
-        if grip.handle is None:
-            self._lens = self._lens.dragged(camera, way)
+    def _move(self, drag: Drag, views: list[PaneView], pixels: complex) -> None:
+        """Move what is held by so many pixels."""
+        camera = views[min(drag.pane, len(views) - 1)].camera
+        if drag.handle is None:
+            self._pan_zoom = self._pan_zoom.dragged(camera, pixels)
             return
-        place = camera.unproject(self._pointer) + grip.slip
+        target = camera.unproject(self._pointer) + drag.offset
         scene = self._session.scene
-        self._session = sessions.changed(self._session, dragged(scene.parameters, self._session.given, grip.handle, place))
+        self._session = sessions.changed(self._session, dragged(scene.parameters, self._session.given, drag.handle, target))
 
-    def _do(self, asked: Asked) -> Screen | None:
-        """What was asked for by a widget or a key."""
+    def _do(self, request: Request) -> Screen | None:
+        """Do what a widget or a key asks for."""
         scene, given = self._session.scene, self._session.given
-        match asked:
+        match request:
             case Command.LEAVE:
-                pygame.key.set_repeat()
                 return self._under
             case Command():
-                self._obey(asked)
+                self._obey(request)
             case Toggle():
-                self._shown = self._shown ^ {asked}
-            case Wished(name, value):
-                self._session = sessions.changed(self._session, settled(scene.parameters, given, {name: value}))
+                self._shown = self._shown ^ {request}
+            case ValueRequested(name, value):
+                self._session = sessions.changed(self._session, clamped(scene.parameters, given, {name: value}))
             case Refused(note):
                 self._session = self._session._replace(notes=(note,))
-            case Chosen(name):
+            case SceneChosen(name):
                 self._open(name)
-            case Preset(line):
-                self._session = sessions.changed(self._session, Settled(preset(scene, line, given.engine), ()))
-                self._lens = _lens_for(self._session)
+            case PresetChosen(line):
+                self._session = sessions.changed(self._session, Clamped(preset(scene, line, given.engine), ()))
+                self._pan_zoom = _whole(self._session)
         return self
 
     def _obey(self, command: Command) -> None:
-        """What stays on this screen and needs no number."""
+        """Do what a command asks for, of those that do not leave the lab."""
         session = self._session
+        if command in _CHANGES:
+            self._session = _CHANGES[command](session)
+            return
         match command:
-            case _ if command in _CHANGES:
-                self._session = _CHANGES[command](session)
             case Command.PREVIOUS | Command.NEXT:
                 names = [scene.name for scene in scenes()]
                 step = 1 if command is Command.NEXT else -1
                 self._open(names[(names.index(session.scene.name) + step) % len(names)])
-            case Command.VIEW:
-                self._lens = _lens_for(self._session)
+            case Command.WHOLE:
+                self._pan_zoom = _whole(self._session)
             case Command.COPY:
                 self._tell(_copied(session.line))
             case Command.SAVE:
@@ -206,20 +233,20 @@ class Lab:
                 self._help = True
 
     def _open(self, name: str) -> None:
-        """Another scene, at its defaults, seen whole."""
+        """Another scene, at its defaults, shown whole."""
         self._session = sessions.fresh(scene_named(name), self._session.given.engine)
-        self._lens, self._grip = _lens_for(self._session), None
+        self._pan_zoom, self._drag = _whole(self._session), None
 
     def _tell(self, notice: str) -> None:
-        """Say something for a while."""
+        """Show a notice for some seconds."""
         self._notice, self._notice_left = notice, _NOTICE_SECONDS
 
     def _notes(self) -> tuple[str, ...]:
-        """What is to be said now: of the last change, and of what was asked for."""
+        """The notices to show now: of the last change, and of the last command."""
         return (*self._session.notes, *((self._notice,) if self._notice_left > 0.0 else ()))
 
     def _picture(self) -> Picture:
-        """What the scene looks like, worked out once for each state: a field of numbers takes its time."""
+        """What the scene looks like. It is cached until the state changes, since a field of numbers takes some time."""
         session = self._session
         if self._drawn is not None:
             drawn, picture = self._drawn
@@ -229,42 +256,40 @@ class Lab:
         return self._drawn[1]
 
     def _widgets(self, size: tuple[int, int]) -> Side:
-        """The widgets for a size, built anew when the size, the theme or the scene is another."""
+        """The widgets, built anew when the window's size, the theme or the scene changes."""
         key = (size, self._shared.theme, self._session.scene.name)
         if self._side is None or self._side[0] != key:
-            self._side = key, Side(page(size), self._shared.theme, self._shared.type, self._session)
+            self._side = key, Side(layout_of(size), self._shared.theme, self._shared.type, self._session)
         return self._side[1]
 
-    def _cameras(self, place: Page, picture: Picture) -> list[Camera]:
-        """One for each world, all alike."""
-        view = self._session.scene.view
-        return [self._lens.camera(view, area) for area in panes(place, len(picture.panes))]
+    def _pane_views(self, size: tuple[int, int]) -> list[PaneView]:
+        """Area, camera and handles of each pane; all of them show the same part of the world."""
+        scene, panes = self._session.scene, self._picture().panes
+        areas = pane_areas(layout_of(size), len(panes))
+        return [
+            PaneView(area, self._pan_zoom.camera(scene.view_box, area), scene.handles if pane.has_handles else ())
+            for area, pane in zip(areas, panes, strict=True)
+        ]
 
-    def _hot(self, place: Page, picture: Picture, cameras: list[Camera]) -> Handle | None:
-        """The handle that is held, or would be."""
-        if self._grip is not None:
-            return self._grip.handle
-        areas = panes(place, len(picture.panes))
-        found = grip_at(self._pointer, areas, cameras, self._session.given, self._session.scene.handles, place.unit)
+    def _hovered(self, views: list[PaneView], unit: float) -> Handle | None:
+        """The handle that is held, or that a press would take hold of."""
+        if self._drag is not None:
+            return self._drag.handle
+        found = drag_at(self._pointer, views, self._session.given, unit)
         return None if found is None else found.handle
 
-    def _pixel(self, place: tuple[int, int]) -> complex:
-        """The pixel at a place given in the mouse's coordinates."""
-        return complex(place[0] * self._pixels_per_point.real, place[1] * self._pixels_per_point.imag)
+    def _pixel(self, point: tuple[int, int]) -> complex:
+        """The pixel at a point given in the mouse's coordinates."""
+        return complex(point[0] * self._pixels_per_point.real, point[1] * self._pixels_per_point.imag)
 
 
-def _lens_for(session: Session) -> Lens:
-    """The view that shows the scene, and what its first two handles are on, wherever that is."""
-    return Lens.showing(session.scene.view, [handle.place(session.given) for handle in session.scene.handles[:2]])
-
-
-def _standing(session: Session) -> tuple[str, ...]:
-    """How the scene stands, in small print."""
-    return (f"state {sessions.state_hash(session)}", session.line)
+def _whole(session: Session) -> PanZoom:
+    """Shows the scene's view box, and the positions of its first two handles wherever they are."""
+    return PanZoom.showing(session.scene.view_box, [handle.position(session.given) for handle in session.scene.handles[:2]])
 
 
 def _copied(line: str) -> str:
-    """Put a line on the clipboard; what became of it, in words."""
+    """Put a line on the clipboard; returns a sentence that says whether that worked."""
     try:
         pygame.scrap.put_text(f'python -m game lab "{line}"')
     except pygame.error as error:
@@ -273,7 +298,7 @@ def _copied(line: str) -> str:
 
 
 def _saved(line: str) -> str:
-    """Save a line as a case; what became of it, in words."""
+    """Save a line as a case; returns a sentence that says whether that worked."""
     try:
         return save_case(line, case_file())
     except BadInputError as error:

@@ -7,16 +7,16 @@ from pathlib import Path
 import pygame
 
 from game.lab.session import session
-from game.lab.session.share import Shared as SharedLine
+from game.lab.session.share import SharedScene
 from game.lab.window.screen import Lab
 from game.levels import built_in
-from game.screens.base import Shared
+from game.screens.app_state import AppState
 from game.screens.title import Title
 from game.settings.values import Settings
 from game.system.window import open_window
 
 
-def save_screenshot(line: SharedLine, path: Path, size: tuple[int, int], colours: str) -> None:
+def save_screenshot(scene: SharedScene, path: Path, size: tuple[int, int], colours: str) -> None:
     """Draw the lab with a scene as it stands and save it as PNG; OSError where it cannot be written. Needs no display.
 
     colours: a key of `settings.THEMES`.
@@ -26,8 +26,8 @@ def save_screenshot(line: SharedLine, path: Path, size: tuple[int, int], colours
     window = open_window("lab", (16, 16))
     try:
         surface = pygame.Surface(size, 0, 32)
-        shared = Shared(built_in(), 0, 0, Title, settings=Settings(colours=colours))
-        Lab(shared, session.opened(line)).draw(surface)
+        state = AppState(built_in(), 0, 0, Title, settings=Settings(colours=colours))
+        Lab(state, session.opened(scene)).draw(surface)
     finally:
         window.destroy()
     picture = io.BytesIO()

@@ -19,7 +19,7 @@ POINTS = st.complex_numbers(max_magnitude=20.0, allow_nan=False, allow_infinity=
 
 @given(SIZES, POINTS)
 def test_unproject_undoes_project(size, point):
-    """Every point of the world comes back from its pixel."""
+    """Unprojecting the pixel of a point of the world gives the point."""
     camera = layout(size, 10.0).camera
     assert camera.unproject(camera.project(point)) == pytest.approx(point, abs=1e-6)
 
@@ -40,14 +40,14 @@ def test_up_in_the_world_is_up_on_the_screen():
 
 
 def test_room_below_is_left_free():
-    """What is asked to stay free at the bottom is not part of the layout."""
+    """The arena and the figures keep away from the pixels at the bottom that are asked to stay free."""
     free = layout((800, 600), 10.0, below=100.0)
     assert free.size == (800, 500)
     assert free.camera.project(-10j).imag < 500.0
 
 
 def test_a_square_window_has_bands_for_the_figures():
-    """Where there is no room beside the arena there is some above and below."""
+    """In a square window the arena leaves bands above and below; in a wide one the figures stand beside it."""
     assert layout((800, 600), 10.0).beside
     square = layout((800, 800), 10.0)
     assert not square.beside
@@ -67,7 +67,7 @@ def test_bearing_of_the_pointer():
     st.complex_numbers(max_magnitude=12.0, allow_nan=False, allow_infinity=False),
 )
 def test_unproject_undoes_project_on_the_ground_of_a_tipped_camera(pose, point):
-    """Every point of the ground comes back from its pixel, however the camera is turned, tipped and near."""
+    """Unprojecting the pixel of a point of the ground gives the point, however the camera is turned, tipped and near."""
     camera = Camera(400 + 300j, 30.0, *pose)
     assert camera.unproject(camera.project(point)) == pytest.approx(point, abs=1e-6)
 
@@ -91,34 +91,34 @@ def test_one_point_and_many_are_projected_alike(pose, point, height):
 
 @pytest.mark.parametrize("tilt", [0.3, 0.9, 1.3])
 def test_a_pixel_beyond_the_horizon_still_has_a_bearing(tilt):
-    """Above the horizon straight up on the screen is straight away from the eye."""
+    """A pixel straight up above the horizon has the bearing straight away from the eye."""
     camera = Camera(400 + 300j, 30.0, 0.5, tilt, 0.034)
     assert bearing(camera, 400 - 1e6j) == pytest.approx(0.5 + math.pi / 2.0)
 
 
 def test_the_way_from_one_view_to_the_other_has_no_jumps():
-    """From straight above the camera moves a little a frame until it is tipped, and ends where it began on the way back."""
-    place, view = layout((1280, 800), 10.0), FROM_ABOVE.after(Pressed(Action.TIP), 20.0)
-    pixels = [place.camera.project(6 + 5j)]
+    """A point moves by a few pixels a frame while the camera tips, and after tipping back it is where it was."""
+    flat, view = layout((1280, 800), 10.0), FROM_ABOVE.after(Pressed(Action.TIP), 20.0)
+    pixels = [flat.camera.project(6 + 5j)]
     while view.tipped < 1.0:
         view = view.later(1.0 / 60.0)
-        pixels.append(view.seen(place).camera.project(6 + 5j, 0.5))
+        pixels.append(view.seen(flat).camera.project(6 + 5j, 0.5))
     assert len(pixels) > 30
     assert max(abs(after - before) for before, after in pairwise(pixels)) < 12.0
     view = view.after(Pressed(Action.TOP), 20.0).later(10.0)
-    assert view.seen(place).camera == place.camera
+    assert view.seen(flat).camera == flat.camera
 
 
 def test_players_who_want_no_motion_get_a_cut():
-    """Without smooth motion the camera is there at once."""
+    """Without smooth motion the camera is tipped in the next frame."""
     assert FROM_ABOVE.after(Pressed(Action.SOLID), 20.0).later(0.0, smooth=False).tipped == 1.0
 
 
 def test_dragging_and_zooming_stay_within_bounds():
-    """However far the mouse goes the eye stays above the ground, and from above nothing turns."""
+    """Tilt and zoom stay within their bounds however far the mouse goes, and seen from above a drag turns nothing."""
     view = TIPPED
-    for way in (1e5 + 1e5j, -3e5 - 2e5j):
-        view = view.after(Dragged(way), 20.0).after(Zoomed(way.real), 20.0)
+    for drag in (1e5 + 1e5j, -3e5 - 2e5j):
+        view = view.after(Dragged(drag), 20.0).after(Zoomed(drag.real), 20.0)
         assert math.radians(10.0) < view.tilt < math.radians(80.0)
         assert 0.5 < view.zoom < 4.0
         assert abs(view.azimuth) <= math.pi
@@ -148,7 +148,7 @@ def test_the_wall_stays_in_sight(tilt, zoom):
 @pytest.mark.parametrize("azimuth", np.linspace(-math.pi, math.pi, 9))
 @pytest.mark.parametrize("tilt", [LEAST_TILT, 0.9, MOST_TILT])
 def test_the_mouse_aims_at_paddles_from_every_side(azimuth, tilt):
-    """A pointer on the track means that place of the world, and one on the top of a paddle nearly the same."""
+    """The bearing of a pixel on the track is that of the point below it; of one on a paddle's top it is nearly the same."""
     camera = View(1.0, 1.0, azimuth, tilt, 1.2).seen(layout((1280, 800), 10.0)).camera
     for angle in np.linspace(0.0, math.tau, 24, endpoint=False):
         point = 9.2 * complex(math.cos(angle), math.sin(angle))

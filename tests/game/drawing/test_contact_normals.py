@@ -4,18 +4,18 @@ import math
 
 import pytest
 
-from game import second_opinion as shown_opinions
+from game import second_opinion
 from game.replays.file import played
-from game.second_opinion import SHOWN_TICKS, Opinions
+from game.second_opinion import SHOWN_TICKS, NormalPair
 from physics import Feature
-from tests.game.replays.test_replay import recorded
 from tests.support.players import KeyPlayer, MousePlayer
+from tests.support.recordings import recorded
 from tools.crosscheck import overlay
 
 
 @pytest.fixture(scope="module")
 def hits():
-    """Every hit of two games with pymunk's opinion."""
+    """Every hit of two games, with both normals."""
     found = []
     for player in (MousePlayer(3), KeyPlayer(4)):
         for ticked in played(recorded(player, 4000)[0]):
@@ -35,23 +35,23 @@ def test_pymunk_agrees_on_every_contact(hits):
 
 def test_a_wrong_normal_is_seen(hits):
     """A normal turned by a degree is shown as a degree."""
-    hit, opinion = next(pair for pair in hits if pair[0].contact.feature != Feature.INNER_FACE)
-    turned = opinion._replace(ours=hit.contact.normal * complex(math.cos(math.radians(1)), math.sin(math.radians(1))))
+    hit, pair = next(found for found in hits if found[0].contact.feature != Feature.INNER_FACE)
+    turned = pair._replace(ours=hit.contact.normal * complex(math.cos(math.radians(1)), math.sin(math.radians(1))))
     assert turned.text == "1.00°"
-    assert opinion._replace(theirs=None).text == "pymunk: no contact"
+    assert pair._replace(theirs=None).text == "pymunk: no contact"
 
 
-def test_opinions_fade(hits):
-    """An opinion is shown for two seconds, and no tool is asked about a tick without a hit."""
+def test_normals_are_shown_for_their_time(hits):
+    """A contact's normals are shown for SHOWN_TICKS; the other engine is not asked about a tick without a hit."""
 
     def nobody(_):
         raise AssertionError
 
     quiet = next(ticked for ticked in played(recorded(MousePlayer(3), 10)[0]) if not ticked.step.hits)
-    shown: tuple[Opinions, ...] = (hits[0][1],)
+    shown: tuple[NormalPair, ...] = (hits[0][1],)
     for _ in range(SHOWN_TICKS - 2):
-        shown = shown_opinions.after(shown, quiet, nobody)
+        shown = second_opinion.after(shown, quiet, nobody)
     assert len(shown) == 1
     for _ in range(3):
-        shown = shown_opinions.after(shown, quiet, nobody)
+        shown = second_opinion.after(shown, quiet, nobody)
     assert shown == ()

@@ -1,4 +1,4 @@
-"""The top-down picture shows what the geometry says, and drawing changes nothing."""
+"""The flat view shows what the geometry says, and drawing changes nothing."""
 
 import cmath
 import itertools
@@ -12,38 +12,35 @@ import pygame
 import pytest
 
 from game.autopilot import Autopilot
-from game.drawing.camera import layout
-from game.drawing.flat.annulus_pixels import band
-from game.drawing.flat.sector_colours import DOT_SHADE, MOST_DOT, Kind, Look, Sector, colours, dots
-from game.drawing.painter import Painter, save_screenshot
+from game.drawing.flat.sector_colours import paint_parts
+from game.drawing.painter import Painter
 from game.drawing.palette import DARK, LIGHT, contrast, layer_colour, mixed
-from game.drawing.text import Type
+from game.drawing.raster.annulus import annulus_pixels
+from game.drawing.slots.contents import ContentKind, SlotContent
+from game.drawing.slots.parts import DOT_SHADE, SlotShape, dots, parts
 from game.effects import Effects
 from game.levels import built_in
 from game.replays.state_hash import state_hash
 from game.rules import PADDLES, new_game, tick
-from game.scene import scene_at, still
+from game.scene import scene_at
+from game.screenshot import save_screenshot
 from physics import PERMANENT
+from tests.support.games import game_after
+from tests.support.pictures import canvas_of
 
 SIZE = (900, 700)
-UNIT = 20.0
 
 
-def game_after(level, ticks, seed=3):
-    """An autopilot's game and its last tick."""
-    game, pilot = new_game(built_in()[level:], seed), Autopilot()
-    done = still(game)
-    for _ in range(ticks):
-        done = tick(done.game, pilot.controls(done.game))
-    return done
+def tick_after(level, ticks, seed=3):
+    """The last tick of an autopilot's game."""
+    return game_after(level, ticks, seed)[0]
 
 
 def painted(scene, size=SIZE, theme=DARK, painter=None):
     """A scene on a new surface, and the camera that saw it."""
-    surface = pygame.Surface(size, 0, 32)
-    camera = layout(size, scene.ground_radius).camera
-    (painter or Painter(theme)).paint(surface, scene, camera, Type(), UNIT)
-    return surface, camera
+    canvas = canvas_of(scene, size, theme=theme)
+    (painter or Painter()).paint(canvas, scene)
+    return canvas.surface, canvas.camera
 
 
 def colour_at(surface, camera, point):
@@ -66,8 +63,8 @@ def top_colour(theme, layers):
 @pytest.mark.parametrize("theme", [DARK, LIGHT], ids=["dark", "light"])
 @pytest.mark.parametrize("level", range(7))
 def test_sectors_are_where_the_geometry_says(level, theme):
-    """In the middle of every slot is its stack's colour or a dot, steel or ground; half way to the next slot is ground."""
-    scene = bare(game_after(level, 1500))
+    """In the middle of every slot is the colour of what stands in it; half way to the next slot is the ground's."""
+    scene = bare(tick_after(level, 1500))
     surface, camera = painted(scene, theme=theme)
     checked = 0
     for k, (ring, layers) in enumerate(zip(scene.rings, scene.layers, strict=True)):
@@ -89,8 +86,8 @@ def test_sectors_are_where_the_geometry_says(level, theme):
 
 @pytest.mark.parametrize("phase", [0.0, 0.001, 0.37, 3.0])
 def test_edges_lie_where_they_belong_to_a_fraction_of_a_pixel(phase):
-    """What the pixels of a ring are covered adds up to the area of its sectors, at any angle."""
-    scene = bare(game_after(0, 0))
+    """At any angle the cover of all pixels of a ring adds up to the area of its sectors."""
+    scene = bare(tick_after(0, 0))
     ring = scene.rings[1]._replace(phase=phase, spin=0.1)
     scene = scene._replace(rings=(scene.rings[0], ring), layers=(scene.layers[0], (1,) * ring.count))
     surface, camera = painted(scene)
@@ -106,14 +103,14 @@ def test_edges_lie_where_they_belong_to_a_fraction_of_a_pixel(phase):
 
 def test_every_layer_of_a_stack_can_be_seen():
     """From a stack's face to its middle the colours of all its terraces come in order."""
-    scene = bare(game_after(4, 0))
+    scene = bare(tick_after(4, 0))
     surface, camera = painted(scene, (1800, 1400))
     ring, layers = scene.rings[1], scene.layers[1]
     assert max(layers) == 6
-    way = cmath.exp(1j * ring.angle(0))
+    outwards = cmath.exp(1j * ring.angle(0))
     seen = []
     for step in np.linspace(ring.inner_radius, ring.radius, 400):
-        colour = np.array(colour_at(surface, camera, complex(step) * way), float)
+        colour = np.array(colour_at(surface, camera, complex(step) * outwards), float)
         away = [float(np.abs(colour - layer_colour(DARK, layer)).max()) for layer in range(1, 10)]
         if min(away) < 40.0 and away.index(min(away)) + 1 not in seen:
             seen.append(away.index(min(away)) + 1)
@@ -123,28 +120,30 @@ def test_every_layer_of_a_stack_can_be_seen():
 @pytest.mark.parametrize("theme", [DARK, LIGHT], ids=["dark", "light"])
 @pytest.mark.parametrize("layers", range(1, 10))
 def test_as_many_dots_as_layers(layers, theme):
-    """A stack of two or more shows a dot for every layer, apart from each other; one layer is plain. Grey is enough to see."""
-    found = dots(layers, 100.0, 12.0, 0.3, 4.0)
+    """From two layers on there is a dot for every layer, apart from the others and with contrast enough."""
+    found = dots(layers, SlotShape(4.0, 0.45, 0.3, 9, 0.01))
     assert len(found) == (0 if layers == 1 else layers)
-    for one, other in itertools.combinations(found, 2):
-        assert max(abs(one.radius - other.radius), 100.0 * abs(one.angle - other.angle)) > 2.9 * one.half
+    for (radius, angle, half), (other_radius, other_angle, _) in itertools.combinations(found, 2):
+        assert max(abs(radius - other_radius), 4.0 * abs(angle - other_angle)) > 2.9 * half
     top = layer_colour(theme, layers)
     assert contrast(top, mixed(top, theme.ground, DOT_SHADE)) > 1.8
 
 
 def test_a_dot_is_where_it_is_said_to_be():
-    """In the picture of a stack a dot's middle is dark, and beside it is the top."""
-    sector = Sector(80.0, 120.0, 0.3, 2.0, 20.0)
-    for dot in dots(4, 100.0, 20.0 - 6.0, 0.3 - 0.06, MOST_DOT * 20.0):
-        radii, angles = np.float32([dot.radius, dot.radius + 2.0 * dot.half]), np.float32([dot.angle])
-        picture = colours(Look(Kind.BRICKS, 4), sector, radii, angles, DARK)[:, 0]
+    """In the middle of a dot is the dots' colour, and beside it the top's."""
+    shape, scale = SlotShape(5.0, 1.0, 0.3, 4, 0.05), 20.0
+    inset = 3.0 * shape.terrace
+    for radius, angle, half in dots(4, shape._replace(half_width=1.0 - inset, half_angle=0.3 - inset / 5.0)):
+        radii, angles = np.float32([radius, radius + 2.0 * half]) * scale, np.float32([angle, angle])
+        picture = np.zeros((2, 3), dtype=np.float32)
+        paint_parts(picture, parts(SlotContent(ContentKind.BRICKS, 4), shape, 0.0, DARK), shape, scale, radii, angles)
         assert np.abs(picture[0] - mixed(layer_colour(DARK, 4), DARK.ground, DOT_SHADE)).max() < 1.0
         assert np.abs(picture[1] - layer_colour(DARK, 4)).max() < 1.0
 
 
 def test_what_cannot_break_differs_in_shape_too():
     """A steel sector is crossed by lines; a stack's top is plain."""
-    scene = bare(game_after(5, 0))
+    scene = bare(tick_after(5, 0))
     surface, camera = painted(scene)
     ring, layers = scene.rings[2], scene.layers[2]
 
@@ -157,8 +156,8 @@ def test_what_cannot_break_differs_in_shape_too():
 
 
 def test_the_ball_is_drawn_at_its_place():
-    """The pixel under the ball's middle is bright; the one two radii away is not."""
-    done = game_after(0, 400)
+    """The pixel under the ball's middle is bright; 2.5 radii away from it is the ground."""
+    done = tick_after(0, 400)
     scene = scene_at(done, 0.5, Effects())
     surface, camera = painted(scene)
     ball = scene.balls[0]
@@ -166,8 +165,8 @@ def test_the_ball_is_drawn_at_its_place():
     assert colour_at(surface, camera, ball.position * (1.0 - 2.5 * ball.radius / abs(ball.position))) == DARK.ground
 
 
-def test_a_remembered_picture_equals_a_fresh_one():
-    """Over thousands of ticks and a change of level, a painter that remembers draws what a new one draws."""
+def test_a_cached_picture_equals_a_fresh_one():
+    """Over thousands of ticks and a change of level, a used painter draws what a new one draws."""
     game, pilot, painter = new_game(built_in()[:3], 5), Autopilot(), Painter()
     compared = 0
     levels = set()
@@ -176,9 +175,9 @@ def test_a_remembered_picture_equals_a_fresh_one():
         game = done.game
         if number % 200 == 0 or (done.step.hits and number % 7 == 0):
             scene = scene_at(done, 0.5, Effects())
-            kept, _ = painted(scene, (240, 180), painter=painter)
+            cached, _ = painted(scene, (240, 180), painter=painter)
             fresh, _ = painted(scene, (240, 180))
-            assert pygame.image.tobytes(kept, "RGB") == pygame.image.tobytes(fresh, "RGB")
+            assert pygame.image.tobytes(cached, "RGB") == pygame.image.tobytes(fresh, "RGB")
             compared += 1
             levels.add(game.number)
     assert compared > 50
@@ -192,20 +191,20 @@ def test_drawing_leaves_the_game_alone():
         done = tick(game, pilot.controls(game))
         painted(scene_at(done, 0.3, Effects()), (120, 90), painter=painter)
         game = done.game
-    assert state_hash(game) == state_hash(game_after(3, 500, seed=11).game)
+    assert state_hash(game) == state_hash(tick_after(3, 500, seed=11).game)
 
 
 @pytest.mark.parametrize("size", [(1, 1), (2, 300), (300, 2), (17, 17), (7680, 40), (800, 600)])
 def test_any_size_can_be_drawn(size, tmp_path):
-    """From one pixel to very wide: a picture of that size."""
+    """Pictures of one pixel, very wide and very high ones have the size that was asked for."""
     path = tmp_path / "picture.png"
-    save_screenshot(game_after(5, 300).game, path, size)
+    save_screenshot(tick_after(5, 300).game, path, size)
     assert pygame.image.load(path).get_size() == size
 
 
 def test_a_screenshot_is_a_full_picture(tmp_path):
-    """Many colours, the figures among them, and the same bytes every time."""
-    game = game_after(4, 700).game
+    """A screenshot has many colours, the figures in its corner, and the same bytes every time."""
+    game = tick_after(4, 700).game
     for name in ("one.png", "two.png"):
         save_screenshot(game, tmp_path / name, (800, 600))
     assert (tmp_path / "one.png").read_bytes() == (tmp_path / "two.png").read_bytes()
@@ -216,20 +215,20 @@ def test_a_screenshot_is_a_full_picture(tmp_path):
 
 
 def test_a_screenshot_that_cannot_be_written_says_so(tmp_path):
-    """The command line turns the system's error into a line of its own."""
+    """Writing into a folder that does not exist raises the system's error, with the path in it."""
     with pytest.raises(OSError, match="nowhere"):
-        save_screenshot(game_after(0, 0).game, tmp_path / "nowhere" / "picture.png", (64, 64))
+        save_screenshot(tick_after(0, 0).game, tmp_path / "nowhere" / "picture.png", (64, 64))
 
 
 @pytest.mark.parametrize("centre", [50 + 40j, 0j, -30 + 20j, 50.5 + 40.25j])
 @pytest.mark.parametrize("radii", [(10.0, 20.0), (0.0, 15.5), (33.3, 34.1)])
-def test_a_band_has_every_pixel_between_its_radii_once(centre, radii):
-    """As many as a look at every pixel of the surface finds, none twice."""
+def test_an_annulus_has_every_pixel_between_its_radii_once(centre, radii):
+    """It has the pixels whose middles are between the radii, each of them once."""
     width, height = 100, 80
-    pixels = band((width, height), width, centre, *radii)
+    pixels = annulus_pixels((width, height), width, centre, *radii)
     xs, ys = np.meshgrid(np.arange(width) + 0.5, np.arange(height) + 0.5)
     away = np.hypot(xs - centre.real, ys - centre.imag)
     inside = (away >= radii[0] - 1e-9) & (away <= radii[1] + 1e-9)
     expected = np.flatnonzero(inside.ravel())
-    assert sorted(pixels.place.tolist()) == expected.tolist()
-    assert np.allclose(pixels.radius, away.ravel()[pixels.place], atol=1e-4)
+    assert sorted(pixels.pixel.tolist()) == expected.tolist()
+    assert np.allclose(pixels.radius, away.ravel()[pixels.pixel], atol=1e-4)

@@ -8,7 +8,7 @@ THEMES = pytest.mark.parametrize("theme", [DARK, LIGHT], ids=["dark", "light"])
 
 
 def test_contrast_is_21_between_black_and_white():
-    """The two ends of the WCAG scale."""
+    """Black and white have the highest contrast ratio, 21; a colour and itself have the lowest, 1."""
     assert contrast((0, 0, 0), (255, 255, 255)) == pytest.approx(21.0)
     assert contrast((9, 9, 9), (9, 9, 9)) == 1.0
 
@@ -39,7 +39,7 @@ def test_stacks_stay_in_order_in_grey(theme):
 
 
 def test_layers_beyond_the_last_colour_share_it():
-    """A taller stack than there are colours is drawn all the same."""
+    """Layer 40 has the colour of layer 9."""
     assert layer_colour(DARK, 40) == layer_colour(DARK, 9)
 
 

@@ -1,4 +1,4 @@
-"""The tipped camera: what stands in front hides what is behind, from every angle, and tipping changes nothing else."""
+"""The solid view: what stands in front hides what is behind, from every angle, and tipping changes nothing else."""
 
 import itertools
 import math
@@ -13,70 +13,64 @@ import pytest
 
 from game.autopilot import Autopilot
 from game.drawing.camera import layout
-from game.drawing.flat.sector_colours import Kind, Look
-from game.drawing.painter import Painter, save_screenshot
+from game.drawing.light import LIGHT, SHADOW_SLANT
+from game.drawing.painter import Painter
 from game.drawing.palette import DARK, layer_colour
-from game.drawing.slots import paddle_looks, wall_looks
-from game.drawing.solid import faces as solids
-from game.drawing.solid import slabs
-from game.drawing.solid.ball_occlusion import hiding
+from game.drawing.slots.contents import ContentKind, SlotContent, resting_contents, slot_contents
+from game.drawing.slots.parts import LAYER_HEIGHT, Bar, Slab, SlotShape, height, parts
+from game.drawing.solid import faces, picture
+from game.drawing.solid.ball_occlusion import occluding_quads
 from game.drawing.solid.painters_order import back_to_front
 from game.drawing.solid.picture import SolidPicture
-from game.drawing.solid.prisms import Cut, blocks, wedges_of
-from game.drawing.solid.slabs import Slab, Slot
-from game.drawing.text import Type
+from game.drawing.solid.prisms import Cut, ring_blocks, wedges_of
 from game.effects import Effects, after
 from game.effects.drops import Drop
 from game.input.view import FROM_ABOVE, TIPPED, View
 from game.levels import built_in
 from game.replays.state_hash import state_hash
 from game.rules import new_game, tick
-from game.scene import scene_at, still
+from game.scene import scene_at
+from game.screenshot import save_screenshot
 from physics import Ball, contact
+from tests.support.games import game_after
 from tests.support.paths import REFERENCE
+from tests.support.pictures import camera_of, canvas_of
 
 SIZE = (480, 360)
-
-
-def game_after(level, ticks, seed=3):
-    """The last tick of an autopilot's game, and its effects."""
-    game, pilot, effects = new_game(built_in()[level:], seed), Autopilot(), Effects()
-    done = still(game)
-    for _ in range(ticks):
-        done = tick(done.game, pilot.controls(done.game))
-        effects = after(effects, done)
-    return done, effects
+HIGHEST = 0.45 * 8
+"""World units: as high as the highest stack."""
+STEP = 7.5e-5
+"""Of a line of sight, as a part of its length: how finely it is marched along."""
 
 
 def seen_from(view, scene, size=SIZE):
     """The camera of a view."""
-    return view.seen(layout(size, scene.ground_radius)).camera
+    return camera_of(view, scene, size)
 
 
 def painted(scene, camera, size=SIZE):
     """A scene on a new surface."""
-    surface = pygame.Surface(size, 0, 32)
-    Painter(DARK).paint(surface, scene, camera, Type(), 10.0)
-    return surface
+    canvas = canvas_of(scene, size, camera=camera)
+    Painter().paint(canvas, scene)
+    return canvas.surface
 
 
-def first_met(scene, eye, way, reach):
+def first_met(scene, eye, ray, reach):
     """What a line of sight meets first: a ring's number, "ball", or None for the ground.
 
     Found by marching along the line: no order, no projection, no polygons.
     """
-    steps = np.linspace(reach[0], reach[1], 8000)
-    x, y, z = (eye[k] + way[k] * steps for k in range(3))
+    steps = np.arange(*reach, STEP * reach[1])
+    x, y, z = (eye[k] + ray[k] * steps for k in range(3))
     radius, angle = np.hypot(x, y), np.arctan2(y, x)
-    best, found = math.inf, None
+    best, found, standing = math.inf, None, standing_heights(scene)
     for k, ring in enumerate(scene.rings):
-        pitch = math.tau / ring.count
-        slot = np.rint((angle - ring.phase) / pitch).astype(int) % ring.count
-        off = (angle - ring.phase - slot * pitch + math.pi) % math.tau - math.pi
-        top = np.array([heights(k, layers) for layers in scene.layers[k]])[slot]
-        inside = (np.abs(radius - ring.radius) < ring.half_width) & (np.abs(off) < ring.half_angle) & (z < top) & (top > 0.0)
-        if inside.any() and steps[inside.argmax()] < best:
-            best, found = steps[inside.argmax()], k
+        near = np.flatnonzero(np.abs(radius - ring.radius) < ring.half_width)
+        slot, off = slots_at(ring, angle[near])
+        top = standing[k][slot]
+        inside = near[(np.abs(off) < ring.half_angle) & (z[near] < top) & (top > 0.0)]
+        if len(inside) and steps[inside[0]] < best:
+            best, found = steps[inside[0]], k
     for ball in scene.balls:
         inside = np.sqrt((x - ball.position.real) ** 2 + (y - ball.position.imag) ** 2 + (z - ball.radius) ** 2) < ball.radius
         if inside.any() and steps[inside.argmax()] < best:
@@ -84,22 +78,30 @@ def first_met(scene, eye, way, reach):
     return found
 
 
-def heights(k, layers):
-    """Height of what stands in a slot: a paddle, steel, or a stack."""
-    return 0.45 * (0.7 if k == 0 else 1.0 if layers < 0 else layers)
+def slots_at(ring, angle):
+    """The nearest slots to some angles, and how far from their middles these are."""
+    pitch = math.tau / ring.count
+    slot = np.rint((angle - ring.phase) / pitch).astype(int) % ring.count
+    return slot, (angle - ring.phase - slot * pitch + math.pi) % math.tau - math.pi
+
+
+def standing_heights(scene):
+    """Heights of what stands in the slots of each ring, world units."""
+    unit = LAYER_HEIGHT * scene.ground_radius
+    return [np.array([height(content) * unit for content in ring]) for ring in resting_contents(scene.layers)]
 
 
 def sight(camera, pixel):
-    """The line of sight through a pixel: the eye, a unit way, and the part of it where things may be."""
+    """The line of sight through a pixel: the eye, its unit direction, and the part of it low enough for things to be there."""
     ground = camera.unproject(pixel)
     bearing = camera.azimuth - math.pi / 2.0
     towards = np.array(
         [math.cos(bearing) * math.sin(camera.tilt), math.sin(bearing) * math.sin(camera.tilt), math.cos(camera.tilt)]
     )
     eye = towards / camera.closeness
-    way = np.array([ground.real, ground.imag, 0.0]) - eye
-    length = float(np.linalg.norm(way))
-    return eye, way / length, (0.4 * length, length)
+    ray = np.array([ground.real, ground.imag, 0.0]) - eye
+    length = float(np.linalg.norm(ray))
+    return eye, ray / length, ((1.0 - HIGHEST / eye[2]) * length, length)
 
 
 VIEWS = [
@@ -112,20 +114,19 @@ VIEWS = [
 def plain(monkeypatch):
     """Every ring in a colour of its own, without terraces, marks or light."""
 
-    def slabs_of(look, slot, _drop, _theme):
-        layers = {Kind.PADDLE: 0.7, Kind.STEEL: 1.0, Kind.BRICKS: look.layers}.get(look.kind, 0)
-        colour = (round(slot.radius * 25.0), 0, 200)
-        return (Slab(0.0, layers * slot.layer, 0.0, colour, colour),) if layers else ()
+    def one_slab(content, shape, _drop, _theme):
+        layers = height(content)
+        return (Slab(0.0, layers, 0.0, (round(shape.radius * 25.0), 0, 200)),) if layers else ()
 
-    monkeypatch.setattr(slabs, "slabs", slabs_of)
-    monkeypatch.setattr(solids, "_light", lambda facing: np.ones(len(facing)))
+    monkeypatch.setattr(picture, "parts", one_slab)
+    monkeypatch.setattr(faces, "_light", lambda facing: np.ones(len(facing)))
 
 
-def free_place(scene, chance):
-    """Where a ball has room between what stands in the arena."""
+def free_ball(scene, chance):
+    """A ball where it has room between what stands in the arena."""
     while True:
-        place = (0.3 + 8.2 * chance.random()) * complex(np.exp(1j * chance.random() * math.tau))
-        ball = Ball(place, 1 + 0j, 0.25)
+        position = (0.3 + 8.2 * chance.random()) * complex(np.exp(1j * chance.random() * math.tau))
+        ball = Ball(position, 1 + 0j, 0.25)
         near = [
             contact(ball, ring, slot).gap
             for ring, layers in zip(scene.rings, scene.layers, strict=True)
@@ -157,7 +158,7 @@ def test_what_is_in_front_is_drawn_in_front(level):
     chance = np.random.default_rng(level)
     wrong, checked = [], Counter()
     for view in VIEWS:
-        scene = base._replace(balls=(free_place(base, chance),))
+        scene = base._replace(balls=(free_ball(base, chance),))
         camera = seen_from(view, scene)
         surface = painted(scene, camera)
         spots = [scene.balls[0].position + 0.2 * complex(*chance.normal(size=2)) for _ in range(12)]
@@ -190,19 +191,17 @@ def mask_of(quadrilaterals):
 def test_what_is_far_on_the_screen_hides_no_ball(level):
     """Around a ball, the blocks near it cover the same pixels as all blocks do."""
     base = scene_at(game_after(level, 900)[0], 0.4, Effects())._replace(trails=(), flashes=(), drops=(), recoils=())
-    looks = tuple(
-        [paddle_looks(base, []) if k == 0 else wall_looks(layers, []) for k, layers in enumerate(base.layers)],
-    )
     chance = np.random.default_rng(level)
     x, y = np.mgrid[: SIZE[0], : SIZE[1]] + 0.5
     hidden = 0
     for view in VIEWS:
         camera = seen_from(view, base)
-        things = SolidPicture().draw_blocks(pygame.Surface(SIZE, 0, 32), base, looks, camera, DARK)
+        canvas = canvas_of(base, SIZE, camera=camera)
+        blocks = SolidPicture().draw_blocks(canvas, base, slot_contents(base))
         for _ in range(4):
-            ball = free_place(base, chance)
+            ball = free_ball(base, chance)
             pixel, reach = camera.project(ball.position, ball.radius), 8.0
-            near, every = (mask_of(hiding(things, camera, ball.position, pixel, wide)) for wide in (reach, 1e6))
+            near, every = (mask_of(occluding_quads(blocks, camera, ball.position, pixel, wide)) for wide in (reach, 1e6))
             around = np.hypot(x - pixel.real, y - pixel.imag) < reach - 1.5
             assert np.array_equal(near[around], every[around])
             hidden += every[around].any()
@@ -210,25 +209,24 @@ def test_what_is_far_on_the_screen_hides_no_ball(level):
 
 
 def in_shadow(scene, spot, tilt):
-    """Whether a place of the ground sees something between it and the light. Found by marching up the light."""
+    """Whether something is between a point of the ground and the light. Found by marching up the light."""
+    standing = standing_heights(scene)
     z, lifted = np.linspace(0.0, 3.0, 3000), {(drop.ring, drop.slot): 0.45 * drop.height for drop in scene.drops}
-    way = spot + solids.LIGHT * solids.SLANT * math.sin(tilt) * z
-    radius, angle = np.abs(way), np.angle(way)
+    ray = spot + LIGHT * SHADOW_SLANT * math.sin(tilt) * z
+    radius, angle = np.abs(ray), np.angle(ray)
     for k, ring in enumerate(scene.rings):
-        pitch = math.tau / ring.count
-        slot = np.rint((angle - ring.phase) / pitch).astype(int) % ring.count
-        off = (angle - ring.phase - slot * pitch + math.pi) % math.tau - math.pi
-        top = np.array([heights(k, layers) for layers in scene.layers[k]])[slot]
+        near = np.flatnonzero(np.abs(radius - ring.radius) < ring.half_width)
+        slot, off = slots_at(ring, angle[near])
+        top = standing[k][slot]
         foot = np.array([lifted.get((k, number), 0.0) for number in range(ring.count)])[slot]
-        within = (np.abs(radius - ring.radius) < ring.half_width) & (np.abs(off) < ring.half_angle)
-        if (within & (z > foot) & (z < foot + top)).any():
+        if ((np.abs(off) < ring.half_angle) & (z[near] > foot) & (z[near] < foot + top)).any():
             return True
     return False
 
 
 @pytest.mark.parametrize("level", [0, 3, 4, 5, 6])
 def test_shadows_lie_where_the_light_is_kept_out(level):
-    """At hundreds of places of the ground it is dark where the way to the light is barred, by stacks that fall, too."""
+    """The ground is dark exactly where something is between it and the light, falling stacks included."""
     base = scene_at(game_after(level, 1800)[0], 0.4, Effects())
     drops = tuple([Drop(1, slot, 1.2, 0.0) for slot in range(0, base.rings[1].count, 2) if base.layers[1][slot] > 0])
     scene = base._replace(aim=None, trails=(), flashes=(), pops=(), balls=(), drops=drops)
@@ -290,20 +288,20 @@ def test_all_but_upright_the_blocks_look_as_from_above(level, size):
 
 @pytest.mark.parametrize("size", [(1, 1), (2, 300), (300, 2), (17, 17), (7680, 40), (40, 4320), (800, 600)])
 def test_any_size_can_be_drawn(size, tmp_path):
-    """From one pixel to very wide: a picture of that size, tipped."""
+    """Pictures of one pixel, very wide and very high ones have the size that was asked for."""
     path = tmp_path / "picture.png"
     save_screenshot(game_after(5, 300)[0].game, path, size, view=TIPPED)
     assert pygame.image.load(path).get_size() == size
 
 
 def test_eight_thousand_pixels_can_be_drawn():
-    """A surface of 7680 by 4320, and after it a small one with the same painter."""
+    """A painter draws on a surface of 7680 by 4320, and on a small one afterwards."""
     scene = scene_at(game_after(4, 300)[0], 0.5, Effects())
-    painter = Painter(DARK)
+    painter = Painter()
     for size in ((7680, 4320), (320, 200)):
-        surface = pygame.Surface(size, 0, 32)
-        painter.paint(surface, scene, seen_from(TIPPED, scene, size), Type(), 20.0)
-        middle = pygame.surfarray.array3d(surface)[size[0] // 3 : size[0] * 2 // 3, size[1] // 4 : size[1] * 2 // 3]
+        canvas = canvas_of(scene, size, TIPPED)
+        painter.paint(canvas, scene)
+        middle = pygame.surfarray.array3d(canvas.surface)[size[0] // 3 : size[0] * 2 // 3, size[1] // 4 : size[1] * 2 // 3]
         assert len(np.unique(middle[::8, ::8].reshape(-1, 3), axis=0)) > 20
 
 
@@ -316,13 +314,13 @@ def test_tipping_leaves_the_game_alone():
         game, effects = done.game, after(effects, done)
         scene = scene_at(done, 0.3, effects)
         fell += bool(scene.drops)
-        painter.paint(pygame.Surface((80, 60), 0, 32), scene, seen_from(VIEWS[number % 20], scene, (80, 60)), Type(), 4.0)
+        painter.paint(canvas_of(scene, (80, 60), VIEWS[number % 20]), scene)
     assert state_hash(game) == state_hash(game_after(4, 900)[0].game)
 
 
 @pytest.mark.parametrize(("level", "view"), [(4, TIPPED), (6, View(1.0, 1.0, 2.2, 1.2)), (5, View(1.0, 0.4))])
 def test_reference_pictures(level, view):
-    """A few frames look as they did when somebody looked at them: fewer than 0.1 % of their pixels differ."""
+    """Fewer than 0.1 % of the pixels differ from pictures that somebody has looked at."""
     done, _ = game_after(level, 1500)
     scene = scene_at(done, 0.5, Effects())
     surface = painted(scene, seen_from(view, scene))
@@ -331,35 +329,34 @@ def test_reference_pictures(level, view):
     assert (off.max(axis=2) > 16).mean() < 0.001
 
 
-@pytest.mark.parametrize("look", [Look(Kind.STEEL), Look(Kind.BRICKS, 4)])
+@pytest.mark.parametrize("content", [SlotContent(ContentKind.STEEL), SlotContent(ContentKind.BRICKS, 4)])
 @pytest.mark.parametrize("tilt", [0.2, 0.9, 1.3])
-def test_what_is_painted_on_a_top_comes_after_it(look, tilt):
+def test_what_is_painted_on_a_top_comes_after_it(content, tilt):
     """From every side bars and dots are drawn later than all pieces of the top that they lie on, however wide the slot."""
-    slot = Slot(3.0, 0.4, 0.6, 4, 0.45)
-    pile = slabs.slabs(look, slot, 0.0, DARK)
-    cut = Cut(3.0, 0.4, 0.6, 4, 0.2, 40.0, 0.0)
-    every, pieces = blocks(cut, [(number, pile) for number in range(4)]), wedges_of(cut)
-    marks = {level for level, slab in enumerate(pile) if slab.mark is not None}
+    pile = parts(content, SlotShape(3.0, 0.4, 0.6, 4, 0.0), 0.0, DARK)
+    cut = Cut(3.0, 0.4, 0.6, 4, 0.2, 0.45, 40.0, 0.0)
+    every, pieces = ring_blocks(cut, [(number, pile) for number in range(4)]), wedges_of(cut)
+    marks = {level for level, part in enumerate(pile) if isinstance(part, Bar)}
     count = len(every.slot)
     assert len(marks) >= 4
     for azimuth in np.linspace(0.0, math.tau, 61):
         camera = View(1.0, 1.0, float(azimuth), tilt).seen(layout(SIZE, 10.0)).camera
         order = back_to_front(every, np.full(count, -azimuth), np.full(count, 2.0), np.ones(count, dtype=int), camera)
-        place = np.argsort(order)
+        rank = np.argsort(order)
         for mark in np.flatnonzero(np.isin(every.level, list(marks))):
             angles = np.angle(every.foot[mark] * np.exp(-1j * every.slot_middle[mark]))
             piece, half = every.middles[:, 0] - every.slot_middle, 0.6 / pieces - 1e-6
             under = (every.slot == every.slot[mark]) & (every.level < min(marks))
             under &= (piece + half > angles.min()) & (piece - half < angles.max())
             assert under.any()
-            assert place[mark] > place[under].max()
+            assert rank[mark] > rank[under].max()
 
 
 @pytest.mark.parametrize(("half_angle", "slots"), [(math.pi, 1), (1.2, 2), (0.1, 20)])
 def test_feet_cover_the_sectors_and_only_their_ends_are_ends(half_angle, slots):
     """The feet of a ring's blocks have its sectors' area together; a whole ring has no ends, a sector has two."""
-    cut = Cut(3.0, 0.4, half_angle, slots, 0.2, 40.0, 0.0)
-    every = blocks(cut, [(number, (Slab(0.0, 0.5, 0.0, (9, 9, 9), (9, 9, 9)),)) for number in range(slots)])
+    cut = Cut(3.0, 0.4, half_angle, slots, 0.2, 0.45, 40.0, 0.0)
+    every = ring_blocks(cut, [(number, (Slab(0.0, 1.0, 0.0, (9, 9, 9)),)) for number in range(slots)])
     following = np.roll(every.foot, -1, axis=1)
     area = 0.5 * (every.foot.conjugate() * following).imag.sum()
     assert area == pytest.approx(slots * 2.0 * half_angle * 3.0 * 0.8, rel=0.003)

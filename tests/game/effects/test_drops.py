@@ -4,26 +4,32 @@ from itertools import pairwise
 
 import pytest
 
-from game.drawing.flat.sector_colours import Kind, Look
 from game.drawing.palette import DARK
-from game.drawing.solid.slabs import Slot, slabs
-from game.effects.drops import Drop, after_hit, after_tick
+from game.drawing.slots.contents import ContentKind, SlotContent
+from game.drawing.slots.parts import Slab, SlotShape, parts
+from game.effects.drops import Drop, after_hit, fallen
 from game.rules import TICK
 
-SLOT = Slot(4.0, 0.4, 0.2, 6, 0.45)
+SLOT = SlotShape(4.0, 0.4, 0.2, 6, 0.01)
+
+
+def standing(layers, drop):
+    """The slabs of a stack that are more than painted, from the lowest. drop: layers that it has still to fall."""
+    pile = parts(SlotContent(ContentKind.BRICKS, layers), SLOT, drop, DARK)
+    return [part for part in pile if isinstance(part, Slab) and part.top > part.bottom]
 
 
 def fall(drops):
     """Every state until all are at rest."""
     states = [drops]
     while states[-1]:
-        states.append(after_tick(states[-1]))
+        states.append(fallen(states[-1]))
         assert len(states) < 2000
     return states
 
 
 def test_a_stack_settles_within_a_second_after_a_small_bounce():
-    """It touches the ground, rises again by a little, and comes to rest; it is never below its place."""
+    """It lands, rises again by less than a quarter of a layer, and comes to rest; it is never below the ground."""
     heights = [drops[0].height for drops in fall(after_hit((), 1, 2, 3))[:-1]]
     assert heights[0] == 1.0
     assert min(heights) == 0.0
@@ -33,38 +39,35 @@ def test_a_stack_settles_within_a_second_after_a_small_bounce():
 
 
 def test_a_second_hit_in_the_air_adds_a_layer_to_the_drop():
-    """The stack keeps its speed and has one more layer to fall."""
+    """A stack that is hit while it falls keeps its speed and has one more layer to fall."""
     drops = after_hit((), 1, 2, 3)
     for _ in range(20):
-        drops = after_tick(drops)
+        drops = fallen(drops)
     (before,) = drops
     (after,) = after_hit(drops, 1, 2, 2)
     assert after == Drop(1, 2, before.height + 1.0, before.speed)
 
 
 def test_the_last_layer_leaves_nothing_to_fall():
-    """A slot that is empty drops nothing, whatever fell there; other slots go on."""
+    """In a slot that has become empty nothing falls any more; stacks in other slots go on falling."""
     drops = after_hit(after_hit((), 1, 2, 1), 1, 3, 4)
     assert after_hit(drops, 1, 2, 0) == (Drop(1, 3, 1.0, 0.0),)
 
 
 @pytest.mark.parametrize("layers", [1, 2, 5])
 def test_layers_of_a_falling_stack_stand_on_each_other(layers):
-    """At every moment each layer begins where the one below ends, the lowest not below the ground; at rest it is at it."""
-    look = Look(Kind.BRICKS, layers)
+    """At every moment each layer begins where the one below ends; at rest the lowest begins at the ground."""
     for drops in fall(after_hit((), 1, 2, layers)):
-        pile = [slab for slab in slabs(look, SLOT, drops[0].height if drops else 0.0, DARK) if slab.top > slab.bottom]
+        pile = standing(layers, drops[0].height if drops else 0.0)
         assert len(pile) == layers
         assert pile[0].bottom >= 0.0
         for low, high in pairwise(pile):
             assert high.bottom == pytest.approx(low.top)
             assert high.inset > low.inset
     assert pile[0].bottom == 0.0
-    assert pile[-1].top == pytest.approx(layers * SLOT.layer)
+    assert pile[-1].top == layers
 
 
 def test_a_stack_begins_its_fall_as_what_was_above_the_layer_hit():
     """Heights, insets and colours of a stack of three that lost its lowest layer are those of its upper two."""
-    before = [slab for slab in slabs(Look(Kind.BRICKS, 3), SLOT, 0.0, DARK) if slab.top > slab.bottom]
-    after = [slab for slab in slabs(Look(Kind.BRICKS, 2), SLOT, 1.0, DARK) if slab.top > slab.bottom]
-    assert after == before[1:]
+    assert standing(2, 1.0) == standing(3, 0.0)[1:]

@@ -7,12 +7,13 @@ import pytest
 
 from game import effects
 from game.autopilot import Autopilot
-from game.effects import ALL, FLASH_TICKS, LONGEST, NOTHING, PLAIN, POP_TICKS, Effects, Kind, bursts, hit_stop
+from game.effects import ALL, FLASH_TICKS, LONGEST, NOTHING, PLAIN, POP_TICKS, EffectKind, Effects, bursts
 from game.effects.bursts import Matter
+from game.effects.hit_stop import hit_stop_seconds
 from game.effects.recoils import RECOIL_TICKS, Recoil
 from game.effects.shakes import SHAKE_TICKS, Shake
-from game.effects.streaks import BUMP_TICKS, ENDED_TICKS, NO_ROW
-from game.effects.waves import Tone
+from game.effects.streaks import BUMP_TICKS, ENDED_TICKS, NO_STREAK
+from game.effects.waves import WaveTone
 from game.levels import built_in
 from game.rules import BEST_COMBO, Controls, EventKind, Phase, new_game, tick
 from physics import PERMANENT
@@ -44,7 +45,7 @@ def happened(done, kind):
 
 
 def test_a_hit_flashes_and_fades():
-    """Every hit leaves a flash of its slot, which is gone after its time."""
+    """Every hit leaves a flash of its slot, which is gone after FLASH_TICKS."""
     since, hits = None, 0
     for done, fading in played(3000):
         if done.step.hits and done.game.phase == Phase.PLAYING:
@@ -58,7 +59,7 @@ def test_a_hit_flashes_and_fades():
 
 
 def test_a_ring_answers_only_when_a_brick_goes():
-    """Paddles and steel flash alone; and who wants no flash may still want the ring's light."""
+    """Hits of paddles and steel send no light around their ring; light around a ring can be seen without flashes."""
     answered = {True: 0, False: 0}
     for done, fading in played(4000, level=5):
         for hit in done.step.hits:
@@ -66,12 +67,12 @@ def test_a_ring_answers_only_when_a_brick_goes():
             assert answers == [hit.ring > 0 and hit.layers != PERMANENT] * len(answers)
             answered[answers[0]] += 1
     assert min(answered.values()) > 3
-    assert any(fading.flashes for _, fading in played(1500, frozenset({Kind.RING})))
-    assert all(not flash.lit for _, fading in played(1500, frozenset({Kind.RING})) for flash in fading.flashes)
+    assert any(fading.flashes for _, fading in played(1500, frozenset({EffectKind.RING})))
+    assert all(not flash.lit for _, fading in played(1500, frozenset({EffectKind.RING})) for flash in fading.flashes)
 
 
 def test_points_pop_where_the_brick_was_hit():
-    """The words are the points of the event, at its place, for their time."""
+    """The words are the points of the event, at its position, and last for POP_TICKS."""
     for done, fading in played(3000):
         scored = [event for event in done.events if event.points]
         if scored:
@@ -83,7 +84,7 @@ def test_points_pop_where_the_brick_was_hit():
 
 
 def test_points_weigh_more_the_longer_the_row():
-    """From the first brick to the best combo, and never stand on one another."""
+    """The weight grows from the first brick to the best combo, and no two pops are too close to be read."""
     weights = {}
     for done, fading in played(6000, level=4):
         if happened(done, EventKind.BRICK_HIT):
@@ -95,7 +96,7 @@ def test_points_weigh_more_the_longer_the_row():
 
 
 def test_without_effects_only_the_trail_is_left():
-    """Players who want nothing to flash get nothing but the trail."""
+    """For players who want no effects there is nothing but the trail."""
     trails = 0
     for _, fading in played(1500, PLAIN):
         assert fading == NOTHING._replace(trails=fading.trails)
@@ -103,15 +104,15 @@ def test_without_effects_only_the_trail_is_left():
     assert trails
 
 
-@pytest.mark.parametrize("kind", sorted(ALL - {Kind.HIT_STOP, Kind.SHAKE}))
+@pytest.mark.parametrize("kind", sorted(ALL - {EffectKind.HIT_STOP, EffectKind.SHAKE}))
 def test_each_effect_is_seen_only_when_it_is_wanted(kind):
-    """Alone it changes something; all the others together leave its part as it is without any."""
+    """An effect that is on alone shows something; with all others on and it off, its part is empty."""
     alone = [fading for _, fading in played(1500, frozenset({kind}), level=3)]
     assert any(fading != NOTHING for fading in alone)
     seen = {name for fading in alone for name, part in fading._asdict().items() if part != getattr(NOTHING, name)}
     assert len(seen) == 1
     without = [fading for _, fading in played(1500, ALL - {kind}, level=3)]
-    if kind not in {Kind.FLASH, Kind.RING, Kind.SHARDS, Kind.SPARKS}:  # these pairs share a part
+    if kind not in {EffectKind.FLASH, EffectKind.RING, EffectKind.SHARDS, EffectKind.SPARKS}:  # these pairs share a part
         assert all(getattr(fading, name) == getattr(NOTHING, name) for fading in without for name in seen)
 
 
@@ -128,18 +129,18 @@ def test_a_trail_follows_its_ball_and_ends_with_it():
 
 
 def test_a_lost_ball_is_named_bursts_and_shakes():
-    """A ball that leaves without a paddle in its way: bad news, pieces at its place, a blow away from the centre, red waves."""
+    """A lost ball leaves bad news, pieces where it left, a shake away from the centre, and waves of bad news."""
     done, fading = next(pair for pair in lost() if pair[0].game.lives < 3)
     (event,) = [event for event in done.events if event.kind == EventKind.BALL_LOST]
     assert (fading.pops[-1].text, fading.pops[-1].bad) == ("lost", True)
     assert fading.bursts[-1].matter is Matter.BALL
-    assert fading.shake.way == pytest.approx(event.position / abs(event.position))
-    assert {wave.tone for wave in fading.waves} == {Tone.BAD}
-    assert hit_stop.breath(done) > 0.0
+    assert fading.shake.direction == pytest.approx(event.position / abs(event.position))
+    assert {wave.tone for wave in fading.waves} == {WaveTone.BAD}
+    assert hit_stop_seconds(done) > 0.0
 
 
 def test_everything_fades():
-    """LONGEST ticks after the last event nothing is left but a row that goes on; it is how far a replay is run up."""
+    """LONGEST ticks after the last event nothing is left but a streak that goes on."""
     since = 0
     for done, fading in lost(6000):
         since = 0 if done.events else since + 1
@@ -149,20 +150,20 @@ def test_everything_fades():
 
 
 def test_what_is_seen_does_not_depend_on_how_long_ago_one_began_to_look():
-    """After LONGEST ticks the effects are those of somebody who has watched all along: a replay looks as the game did."""
+    """Effects that are followed for the last LONGEST ticks alone are the same as those followed from the game's start."""
     pairs = list(played(2600, level=4))
     for end in range(700, 2600, 380):
         late = effects.after_all([done for done, _ in pairs[end - LONGEST : end]])
-        assert late._replace(streak=NO_ROW, trails=()) == pairs[end - 1][1]._replace(streak=NO_ROW, trails=())
+        assert late._replace(streak=NO_STREAK, trails=()) == pairs[end - 1][1]._replace(streak=NO_STREAK, trails=())
 
 
 def test_bursts_are_bounded_and_told_apart():
-    """Never more than MOST, each with a seed of its own; bricks shatter in their layer's colour, steel and paddles spark."""
+    """There are never more than MOST; each has its own seed; bricks give shards, steel and paddles give sparks."""
     seeds, matters = {}, set()
     for done, fading in played(6000, level=5):
         assert len(fading.bursts) <= bursts.MOST
         for burst in fading.bursts:
-            assert 0 <= burst.age < bursts.lasting(burst.matter)
+            assert 0 <= burst.age < bursts.lifetime(burst.matter)
             seeds.setdefault((burst.seed, burst.matter), done.game.tick - burst.age)
             assert seeds[(burst.seed, burst.matter)] == done.game.tick - burst.age
             matters.add(burst.matter)
@@ -171,21 +172,21 @@ def test_bursts_are_bounded_and_told_apart():
 
 
 def test_a_struck_paddle_gives_way_outwards_and_comes_back():
-    """Out first, never far in, at rest at the end; and the paddle of the rules stays where it is."""
+    """A recoil goes outwards first, never far inwards, and ends at rest; the paddle of the rules does not move."""
     recoil = Recoil(0, 0.5)
-    way = [recoil._replace(age=age).out for age in range(RECOIL_TICKS + 1)]
-    assert way[0] == 0.0
-    assert all(out > 0.0 for out in way[1:30])
-    assert 0.15 < max(way) < 0.5
-    assert min(way) > -0.2 * max(way)
-    assert abs(way[-1]) < 0.02 * max(way)
-    reaches = [recoil.reach for _, fading in played(2400) for recoil in fading.recoils]
+    path = [recoil._replace(age=age).out for age in range(RECOIL_TICKS + 1)]
+    assert path[0] == 0.0
+    assert all(out > 0.0 for out in path[1:30])
+    assert 0.15 < max(path) < 0.5
+    assert min(path) > -0.2 * max(path)
+    assert abs(path[-1]) < 0.02 * max(path)
+    reaches = [recoil.strength for _, fading in played(2400) for recoil in fading.recoils]
     assert reaches
     assert all(0.0 <= reach <= 0.6 for reach in reaches)
 
 
 def test_a_shake_dies_down():
-    """Its swings grow smaller, and at the end they are no more to be seen."""
+    """The swings of a shake grow smaller, and at its end they are too small to be seen."""
     shake = Shake(1j, 0.03)
     sizes = [abs(shake._replace(age=age).offset) for age in range(SHAKE_TICKS + 1)]
     assert sizes[0] == 0.03
@@ -195,7 +196,7 @@ def test_a_shake_dies_down():
 
 
 def test_a_row_is_counted_and_remembered_for_a_moment_after_its_end():
-    """Its bricks as the rules count them, fresh with each; after the paddle it fades, then it is gone."""
+    """A streak has the rules' combo and begins anew with each brick; after a paddle's hit it fades and is gone."""
     fresh = ended = 0
     for done, fading in played(6000, level=4):
         streak = fading.streak
@@ -213,24 +214,24 @@ def test_a_row_is_counted_and_remembered_for_a_moment_after_its_end():
 
 
 def test_waves_stay_on_the_ground():
-    """From the first tick on a level greets; every circle's radius lies within the ground's."""
+    """Over some games there are circles of every tone, and none is ever larger than the ground."""
     tones = set()
     for done, fading in itertools.chain(played(400), lost(3000), played(60_000)):
         for wave in fading.waves:
             assert 0.0 <= wave.radius <= done.game.level.ground_radius
             tones.add(wave.tone)
-        if tones == set(Tone):
+        if tones == set(WaveTone):
             break
-    assert tones == set(Tone)
+    assert tones == set(WaveTone)
 
 
-def test_the_breath_is_held_on_great_moments_alone():
-    """A lost ball, a cleared level, the best combo reached; at most a sixth of a second."""
+def test_the_game_stands_still_on_great_moments_alone():
+    """It stands still for a lost ball, a cleared level and the best combo alone, and at most for a sixth of a second."""
     kinds = set()
     for done, _ in itertools.chain(lost(3000), played(40_000)):
-        breath = hit_stop.breath(done)
-        assert 0.0 <= breath <= 1.0 / 6.0
-        if breath:
+        stop = hit_stop_seconds(done)
+        assert 0.0 <= stop <= 1.0 / 6.0
+        if stop:
             assert done.game.combo == BEST_COMBO or {event.kind for event in done.events} & {
                 EventKind.BALL_LOST,
                 EventKind.LEVEL_CLEARED,
@@ -244,14 +245,14 @@ def test_the_breath_is_held_on_great_moments_alone():
 
 
 def test_a_recoil_is_as_strong_as_the_hit_is_square():
-    """A ball straight out of the centre strikes hardest; a graze along the face hardly."""
+    """The strength is proportional to the share of the ball's speed that goes outwards."""
     seen = {}
     for done, fading in played(4000):
         for event in done.events:
             if event.kind == EventKind.PADDLE_HIT:
                 outwards = (event.hit.before * event.position.conjugate()).real / abs(event.position) / abs(event.hit.before)
-                seen[outwards] = fading.recoils[-1].reach
-    ways = sorted(seen)
-    assert len(ways) > 3
-    assert [seen[way] for way in ways] == sorted(seen.values())
-    assert math.isclose(seen[ways[-1]], ways[-1] * 0.055 * 10.0, rel_tol=1e-9)
+                seen[outwards] = fading.recoils[-1].strength
+    shares = sorted(seen)
+    assert len(shares) > 3
+    assert [seen[share] for share in shares] == sorted(seen.values())
+    assert math.isclose(seen[shares[-1]], shares[-1] * 0.055 * 10.0, rel_tol=1e-9)

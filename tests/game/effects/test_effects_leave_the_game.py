@@ -11,7 +11,8 @@ import pygame
 import pytest
 
 from game.autopilot import Autopilot
-from game.effects import ALL, Kind, hit_stop
+from game.effects import ALL, EffectKind
+from game.effects.hit_stop import SECONDS
 from game.input.view import TIPPED
 from game.levels import built_in
 from game.replays.file import Recorder
@@ -26,7 +27,7 @@ TICKS = 2600
 LEVEL = 4
 
 
-class Kept:
+class TicksRecorder:
     """Records a game as the window does, up to TICKS."""
 
     def __init__(self):
@@ -41,28 +42,28 @@ class Kept:
 
 def played(settings, view=None, seconds=1.0 / 60.0):
     """The recording of a game in its screen, drawn as it goes, and how many frames it took."""
-    kept = Kept()
-    app = shared(LEVEL, 7, kept, autopilot=True)
+    recorded = TicksRecorder()
+    app = shared(LEVEL, 7, recorded, autopilot=True)
     app.change(settings)
     app.view = app.view if view is None else view
     screen, surface, frames = Play(app, built_in()[LEVEL:]), pygame.Surface((96, 72), 0, 32), 0
-    while kept.recorder.ticks < TICKS:
+    while recorded.recorder.ticks < TICKS:
         screen = screen.advance(seconds, SIZE)
         if frames % 5 == 0:
             screen.draw(surface)
         frames += 1
-    return kept.recorder.recording(), frames
+    return recorded.recorder.recording(), frames
 
 
 @pytest.fixture(scope="module")
 def bare():
     """The game played by the rules alone."""
-    kept, game, pilot = Kept(), new_game(built_in()[LEVEL:], 7), Autopilot()
+    recorded, game, pilot = TicksRecorder(), new_game(built_in()[LEVEL:], 7), Autopilot()
     for _ in range(TICKS):
         controls = pilot.controls(game)
         game = tick(game, controls).game
-        kept(controls, game)
-    return kept.recorder.recording()
+        recorded(controls, game)
+    return recorded.recorder.recording()
 
 
 @pytest.mark.parametrize(
@@ -72,12 +73,12 @@ def bare():
         Settings(effects=False),
         Settings(off=ALL),
         Settings(reduced_motion=True),
-        *[Settings(off=ALL - {kind}) for kind in Kind],
+        *[Settings(off=ALL - {kind}) for kind in EffectKind],
     ],
-    ids=["all", "none", "all off", "reduced motion", *Kind],
+    ids=["all", "none", "all off", "reduced motion", *EffectKind],
 )
 def test_a_recording_does_not_know_what_was_seen(bare, settings):
-    """Inputs, hashes and traces of the whole game are those of the rules alone; so are those of all chance there is."""
+    """The recording is that of the rules alone, and Python's own generator is left alone."""
     chance = random.getstate()
     recording, _ = played(settings)
     assert recording == bare
@@ -85,7 +86,7 @@ def test_a_recording_does_not_know_what_was_seen(bare, settings):
 
 
 def test_tipped_and_at_another_frame_rate(bare):
-    """The camera and the frames' length change nothing either; and what was recorded verifies."""
+    """A tipped camera and another frame rate change nothing in the recording, and it verifies."""
     for seconds in (1.0 / 144.0, 0.11):
         recording, _ = played(Settings(), TIPPED, seconds)
         assert recording == bare
@@ -93,9 +94,9 @@ def test_tipped_and_at_another_frame_rate(bare):
 
 
 def test_a_held_breath_takes_time_but_no_tick():
-    """A ball is lost: with hit-stop no tick runs for as long as the breath says, then the game goes on as without."""
+    """After a ball is lost no tick runs for the hit-stop's seconds; the ticks that follow are those of a game without it."""
     ends = {}
-    for settings in (Settings(), Settings(off=frozenset({Kind.HIT_STOP}))):
+    for settings in (Settings(), Settings(off=frozenset({EffectKind.HIT_STOP}))):
         told = []
         app = shared(0, 1, lambda _controls, after, told=told: told.append(state_hash(after)))
         app.change(settings)
@@ -107,13 +108,13 @@ def test_a_held_breath_takes_time_but_no_tick():
             screen = screen.advance(1.0 / 240.0, SIZE)
             counts.append((len(told), screen._ticked.game.lives < before))
         ends[settings] = told, counts
-    with_breath, without = (ends[settings] for settings in ends)
-    common = min(len(with_breath[0]), len(without[0]))
-    assert with_breath[0][:common] == without[0][:common]
-    loss = next(k for k, (_, gone) in enumerate(with_breath[1]) if gone)
-    stood = with_breath[1][loss][0]
-    breath = round(240 * hit_stop._SECONDS[EventKind.BALL_LOST])
-    assert breath >= 20
-    assert with_breath[1][loss + breath - 2][0] == stood
-    assert with_breath[1][loss + breath + 3][0] > stood
+    with_stop, without = (ends[settings] for settings in ends)
+    common = min(len(with_stop[0]), len(without[0]))
+    assert with_stop[0][:common] == without[0][:common]
+    loss = next(k for k, (_, gone) in enumerate(with_stop[1]) if gone)
+    stood = with_stop[1][loss][0]
+    stop = round(240 * SECONDS[EventKind.BALL_LOST])
+    assert stop >= 20
+    assert with_stop[1][loss + stop - 2][0] == stood
+    assert with_stop[1][loss + stop + 3][0] > stood
     assert without[1][loss + 4][0] > stood

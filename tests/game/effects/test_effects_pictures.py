@@ -14,21 +14,20 @@ import pytest
 from game.autopilot import Autopilot
 from game.drawing import waves as wave_picture
 from game.drawing.camera import layout
-from game.drawing.flat import recoil as recoil_picture
-from game.drawing.flat.sector_colours import Kind
 from game.drawing.painter import Painter
 from game.drawing.palette import DARK
-from game.drawing.slots import wall_looks
-from game.drawing.solid import prisms as blocks
-from game.drawing.solid.slabs import Slab
-from game.drawing.text import Type
-from game.effects import FLASH_TICKS, Effects, Flash, Recoil, Wave, bursts
-from game.effects.waves import WAVE_TICKS, Tone
+from game.drawing.slots.contents import ContentKind, wall_contents
+from game.drawing.slots.parts import LAYER_HEIGHT, PADDLE_HEIGHT, Slab
+from game.drawing.solid.prisms import Cut, pushed, ring_blocks
+from game.effects import ALL, FLASH_TICKS, NOTHING, Flash, Recoil, Wave, bursts
+from game.effects.waves import WAVE_TICKS, WaveTone
 from game.input.view import FROM_ABOVE, TIPPED, View
 from game.levels import built_in
 from game.rules import PADDLES, EventKind, new_game, tick
-from game.scene import scene_at, still
+from game.scene import scene_at
 from tests.support.dummy_window import shared
+from tests.support.games import game_after
+from tests.support.pictures import canvas_of
 
 SIZE = (900, 700)
 VIEWS = pytest.mark.parametrize("view", [FROM_ABOVE, TIPPED], ids=["flat", "tipped"])
@@ -36,19 +35,14 @@ VIEWS = pytest.mark.parametrize("view", [FROM_ABOVE, TIPPED], ids=["flat", "tipp
 
 def scene_of(level=4, ticks=0):
     """A level, played for a while, without anything that fades."""
-    game, pilot = new_game(built_in()[level:], 3), Autopilot()
-    done = still(game)
-    for _ in range(ticks):
-        done = tick(done.game, pilot.controls(done.game))
-    return scene_at(done, 1.0, Effects())._replace(aim=None, balls=())
+    return scene_at(game_after(level, ticks)[0], 1.0, NOTHING)._replace(aim=None, balls=())
 
 
 def painted(scene, view=FROM_ABOVE):
     """A scene as an array of colours, and the camera that saw it."""
-    surface = pygame.Surface(SIZE, 0, 32)
-    camera = view.seen(layout(SIZE, scene.ground_radius)).camera
-    Painter(DARK).paint(surface, scene, camera, Type(), 20.0)
-    return pygame.surfarray.array3d(surface).astype(int), camera
+    canvas = canvas_of(scene, SIZE, view)
+    Painter().paint(canvas, scene)
+    return pygame.surfarray.array3d(canvas.surface).astype(int), canvas.camera
 
 
 def at(picture, camera, point, height=0.0):
@@ -59,7 +53,7 @@ def at(picture, camera, point, height=0.0):
 
 @VIEWS
 def test_a_shaken_picture_is_the_picture_moved(view):
-    """By whole pixels, upwards where the shake is upwards; the camera, and with it the mouse, stays."""
+    """The picture moves by whole pixels, upwards where the shake goes upwards; the camera stays as it is."""
     scene = scene_of()
     rest, camera = painted(scene, view)
     reach = scene.ground_radius * camera.scale
@@ -70,7 +64,7 @@ def test_a_shaken_picture_is_the_picture_moved(view):
 
 @pytest.mark.parametrize("slot", [0, 1, 2])
 def test_a_struck_paddle_is_farther_out_from_above(slot):
-    """Beyond its outer face there is paddle, at its inner face ground; the other paddles are where they were."""
+    """Beyond its outer face there is paddle, in its slot ground and track; the other paddles are where they were."""
     scene = scene_of()
     ring = scene.rings[PADDLES]
     away = scene._replace(recoils=(Recoil(slot, 1.0, 16),))
@@ -78,17 +72,18 @@ def test_a_struck_paddle_is_farther_out_from_above(slot):
     assert out > 0.3
     rest, camera = painted(scene)
     picture, _ = painted(away)
-    way = cmath.exp(1j * ring.angle(slot))
+    middle = cmath.exp(1j * ring.angle(slot))
     for turn in (-0.8, 0.0, 0.8):
-        ray = way * cmath.exp(1j * turn * ring.half_angle)
+        ray = middle * cmath.exp(1j * turn * ring.half_angle)
         assert at(picture, camera, ray * (ring.radius + out)) == DARK.paddle_top
         assert at(picture, camera, ray * (ring.inner_radius + 0.02)) == DARK.ground
+        assert at(picture, camera, ray * ring.radius) != DARK.ground
     others = [cmath.exp(1j * ring.angle(other)) * ring.radius for other in range(ring.count) if other != slot]
-    assert all(at(picture, camera, place) == at(rest, camera, place) == DARK.paddle_top for place in others)
+    assert all(at(picture, camera, point) == at(rest, camera, point) == DARK.paddle_top for point in others)
 
 
 def test_a_paddle_at_rest_looks_the_same_as_one_whose_recoil_is_over():
-    """The picture of its own is the ring's, but for some pixels of its edges."""
+    """A paddle that is drawn apart from its ring looks as in the ring, but for a few pixels of its edges."""
     scene = scene_of()
     rest, _ = painted(scene)
     picture, _ = painted(scene._replace(recoils=(Recoil(1, 0.0, 3),)))
@@ -98,39 +93,39 @@ def test_a_paddle_at_rest_looks_the_same_as_one_whose_recoil_is_over():
 
 
 def test_a_struck_paddle_is_farther_out_in_3d():
-    """Its blocks are the others', farther out by as much; and so they are seen."""
+    """On top of the paddle, farther out by the recoil, is the paddle's colour; without the recoil it is not there."""
     scene = scene_of()
     ring = scene.rings[PADDLES]
     away = scene._replace(recoils=(Recoil(0, 1.0, 16),))
     out = away.recoils[0].out
     rest, camera = painted(scene, TIPPED)
     picture, _ = painted(away, TIPPED)
-    height = 0.7 * 0.045 * scene.ground_radius
-    place = cmath.exp(1j * ring.angle(0)) * (ring.radius + out)
-    assert at(picture, camera, place, height) == DARK.paddle_top
-    assert at(rest, camera, place, height) != DARK.paddle_top
+    height = PADDLE_HEIGHT * LAYER_HEIGHT * scene.ground_radius
+    top = cmath.exp(1j * ring.angle(0)) * (ring.radius + out)
+    assert at(picture, camera, top, height) == DARK.paddle_top
+    assert at(rest, camera, top, height) != DARK.paddle_top
 
 
 def test_only_the_struck_paddles_blocks_are_pushed():
-    """All corners of its feet outwards by the same way, so that it keeps its width; the others and every angle stay."""
-    slab = Slab(0.0, 0.3, 0.0, DARK.paddle, DARK.paddle)
-    part = blocks.blocks(blocks.Cut(9.0, 0.2, 0.3, 3, 0.2, 40.0, 0.0), [(k, (slab,)) for k in range(3)])
-    assert recoil_picture.pushed(part, ()) is part
+    """All corners of its feet go outwards by the same length, so that it keeps its width; the others and every angle stay."""
+    slab = Slab(0.0, PADDLE_HEIGHT, 0.0, DARK.paddle)
+    resting = ring_blocks(Cut(9.0, 0.2, 0.3, 3, 0.2, 0.45, 40.0, 0.0), [(k, (slab,)) for k in range(3)])
+    assert pushed(resting, ()) is resting
     recoil = Recoil(1, 1.0, 16)
-    pushed = recoil_picture.pushed(part, (recoil,))
-    by = np.where(part.slot == 1, recoil.out, 0.0)[:, None]
-    assert np.allclose(np.abs(pushed.foot) - np.abs(part.foot), by)
-    assert np.allclose(np.angle(pushed.foot / part.foot), 0.0)
-    assert pushed._replace(foot=part.foot) == part
+    moved = pushed(resting, (recoil,))
+    by = np.where(resting.slot == 1, recoil.out, 0.0)[:, None]
+    assert np.allclose(np.abs(moved.foot) - np.abs(resting.foot), by)
+    assert np.allclose(np.angle(moved.foot / resting.foot), 0.0)
+    assert moved._replace(foot=resting.foot) == resting
 
 
 def test_light_runs_around_a_ring_both_ways():
-    """It is as bright on one side of the broken brick as on the other, goes farther with every step, and reaches everywhere."""
+    """It is the same on both sides of the broken brick, is farther away with every step, and reaches every slot."""
     layers, slot = (1,) * 24, 5
     reached, farthest = set(), []
     for step in range(6):
-        looks = wall_looks(layers, [Flash(1, slot, 0, (step + 0.5) / 6.0, lit=False, echoed=True)])
-        glows = [look.glow for look in looks]
+        contents = wall_contents(layers, [Flash(1, slot, 0, (step + 0.5) / 6.0, lit=False, echoed=True)])
+        glows = [content.glow for content in contents]
         assert [glows[(slot + k) % 24] for k in range(24)] == [glows[(slot - k) % 24] for k in range(24)]
         lit = {k for k, glow in enumerate(glows) if glow}
         reached |= lit
@@ -140,58 +135,63 @@ def test_light_runs_around_a_ring_both_ways():
 
 
 def test_light_leaves_gaps_dark_and_flashes_alone():
-    """Empty slots stay empty; a slot that flashes itself keeps its own glow; without the answer nothing else glows."""
+    """Empty slots stay empty, a slot that was hit has its own glow, and without light around the ring no other slot glows."""
     layers = (1, 0, -1, 2, 0, 1)
     for age in (0.1, 0.5, 0.9):
-        looks = wall_looks(layers, [Flash(1, 3, 2, age, lit=True, echoed=True)])
-        assert [look.kind is Kind.EMPTY for look in looks] == [False, True, False, False, True, False]
-        plain = wall_looks(layers, [Flash(1, 3, 2, age)])
-        assert looks[3] == plain[3]
+        contents = wall_contents(layers, [Flash(1, 3, 2, age, lit=True, echoed=True)])
+        assert [look.kind is ContentKind.EMPTY for look in contents] == [False, True, False, False, True, False]
+        plain = wall_contents(layers, [Flash(1, 3, 2, age)])
+        assert contents[3] == plain[3]
         assert all(look.glow == 0 for k, look in enumerate(plain) if k != 3)
 
 
 @VIEWS
 def test_a_wave_is_a_circle_on_the_ground(view):
-    """At its radius all around, and nowhere far from it; one that waits is not drawn."""
+    """It is drawn at its radius all around and nowhere else; before it begins and after it ends nothing is drawn."""
     scene = scene_of()
-    camera = view.seen(layout(SIZE, scene.ground_radius)).camera
-    surface = pygame.Surface(SIZE, 0, 32)
+    canvas = canvas_of(scene, SIZE, view)
+    surface, camera = canvas.surface, canvas.camera
     surface.fill(DARK.ground)
-    wave_picture.draw(surface, (Wave(Tone.BAD, 2.0, 9.0, -1), Wave(Tone.BAD, 2.0, 9.0, WAVE_TICKS)), 10.0, camera, DARK)
+    unseen = Wave(WaveTone.BAD, 2.0, 9.0, -1), Wave(WaveTone.BAD, 2.0, 9.0, WAVE_TICKS)
+    wave_picture.draw(canvas, scene._replace(waves=unseen))
     assert len(np.unique(pygame.surfarray.array3d(surface).reshape(-1, 3), axis=0)) == 1
-    wave = Wave(Tone.BAD, 2.0, 9.0, 30)
-    wave_picture.draw(surface, (wave,), 10.0, camera, DARK)
+    wave = Wave(WaveTone.BAD, 2.0, 9.0, 30)
+    wave_picture.draw(canvas, scene._replace(waves=(wave,)))
     picture = pygame.surfarray.array3d(surface).astype(int)
     for angle in np.arange(0.0, math.tau, 0.37):
-        way = cmath.exp(1j * angle)
-        near = [at(picture, camera, way * (wave.radius + off)) for off in (-0.04, 0.0, 0.04)]
+        outwards = cmath.exp(1j * angle)
+        near = [at(picture, camera, outwards * (wave.radius + off)) for off in (-0.04, 0.0, 0.04)]
         assert any(colour != DARK.ground for colour in near)
-        assert at(picture, camera, way * (wave.radius + 0.4)) == at(picture, camera, way * (wave.radius - 0.4)) == DARK.ground
+        assert (
+            at(picture, camera, outwards * (wave.radius + 0.4))
+            == at(picture, camera, outwards * (wave.radius - 0.4))
+            == DARK.ground
+        )
 
 
 def test_many_bursts_at_once_make_room_for_the_newest():
-    """Fifteen bricks in one tick: the last MOST of them."""
+    """Of fifteen bursts in one tick the last MOST are left."""
     game, pilot, done = new_game(built_in()[4:], 3), Autopilot(), None
     while done is None or not any(event.kind == EventKind.BRICK_HIT for event in done.events):
         done = tick(game, pilot.controls(game))
         game = done.game
     (event,) = [event for event in done.events if event.kind == EventKind.BRICK_HIT]
     many = tuple(event._replace(hit=event.hit._replace(slot=slot)) for slot in range(15))
-    found = bursts.after_tick((), done._replace(events=many), frozenset({*bursts.Kind}))
+    found = bursts.after_tick((), done._replace(events=many), ALL)
     assert len(found) == bursts.MOST
-    alone = [bursts.after_tick((), done._replace(events=(one,)), frozenset({*bursts.Kind}))[0] for one in many]
+    alone = [bursts.after_tick((), done._replace(events=(one,)), ALL)[0] for one in many]
     assert list(found) == alone[-bursts.MOST :]
 
 
 def test_a_glow_lasts_as_long_as_its_flash():
-    """The light of the ring is drawn anew only when the flash's own glow changes: six times in all."""
+    """The contents of a ring change only when the flash's own glow changes, which is six times."""
     layers = (2,) * 12
-    looks = [wall_looks(layers, [Flash(1, 0, 2, age / FLASH_TICKS, lit=True, echoed=True)]) for age in range(FLASH_TICKS)]
-    assert 1 + sum(one != other for one, other in itertools.pairwise(looks)) == 6
+    contents = [wall_contents(layers, [Flash(1, 0, 2, age / FLASH_TICKS, lit=True, echoed=True)]) for age in range(FLASH_TICKS)]
+    assert 1 + sum(one != other for one, other in itertools.pairwise(contents)) == 6
 
 
 def test_sounds_come_from_their_place_on_the_screen():
-    """From behind, left and right are swapped; from the side, near and far are in the middle; the rim is full left or right."""
+    """A sound is heard where its event is on the screen: seen from behind, left and right are swapped."""
 
     class Card:
         sides = ()
@@ -204,11 +204,11 @@ def test_sounds_come_from_their_place_on_the_screen():
     game = new_game(built_in(), 1)
     done = tick(game, Autopilot().controls(game)._replace(serve=True))
     (event,) = done.events
-    placed = done._replace(events=tuple(event._replace(position=place) for place in (6.0 + 0j, -6.0 + 0j, 6j, 10.0 + 0j)))
-    place = layout((1600, 800), 10.0)
+    placed = done._replace(events=tuple(event._replace(position=position) for position in (6.0 + 0j, -6.0 + 0j, 6j, 10.0 + 0j)))
+    flat = layout((1600, 800), 10.0)
 
     def heard(view):
-        app.heard(placed, view.seen(place).camera)
+        app.play_sounds(placed, view.seen(flat).camera)
         return card.sides
 
     assert heard(FROM_ABOVE) == pytest.approx([0.6, -0.6, 0.0, 1.0])

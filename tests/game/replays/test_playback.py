@@ -6,8 +6,8 @@ import pytest
 
 from game.replays.file import played
 from game.replays.playback import Playback
-from tests.game.replays.test_replay import TICKS, recorded
 from tests.support.players import MousePlayer
+from tests.support.recordings import TICKS, recorded
 
 
 @pytest.fixture(scope="module")

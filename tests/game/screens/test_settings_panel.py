@@ -6,9 +6,9 @@ import pytest
 
 from game.drawing.camera import unit_of
 from game.drawing.palette import LIGHT
-from game.drawing.primitives import draw_box
-from game.effects import Kind
-from game.screens.panels import Menu
+from game.drawing.raster.primitives import draw_box
+from game.effects import EffectKind
+from game.screens.menu import Menu
 from game.screens.play import Play
 from game.screens.settings_panel import SettingsPanel, _boxes, _volume_bar
 from game.screens.settings_rows import EFFECTS, ROWS
@@ -21,15 +21,15 @@ from tests.support.dummy_window import FRAME, SIZE, Desk, shared
 @pytest.fixture
 def desk():
     """The app at its title."""
-    kept = shared()
-    found = Desk(kept, Title(kept), (1280, 800))
+    state = shared()
+    found = Desk(state, Title(state), (1280, 800))
     found.wait(FRAME)
     yield found
     found.close()
 
 
 def test_they_open_from_the_title_the_game_and_its_pause(desk):
-    """By O, or by the pause menu's line; closing them leads back to where one was."""
+    """O opens them over the title and a game, an entry over the pause menu; closing them leads back to that screen."""
     desk.press(pygame.K_o)
     assert isinstance(desk.screen, SettingsPanel)
     desk.press(pygame.K_ESCAPE)
@@ -45,7 +45,7 @@ def test_they_open_from_the_title_the_game_and_its_pause(desk):
 
 
 def test_every_row_changes_something_and_changes_it_back(desk):
-    """By Enter, one after the other; each effect has its row."""
+    """Enter changes a row's setting, and again changes it back; each effect has its row."""
     desk.press(pygame.K_o)
     seen = set()
     for row in ROWS[1:]:
@@ -55,11 +55,11 @@ def test_every_row_changes_something_and_changes_it_back(desk):
         desk.press(pygame.K_RETURN)
         assert desk.shared.settings == Settings()
     assert len(seen) == len(ROWS) - 1
-    assert {row.kind for row in EFFECTS} == set(Kind)
+    assert {row.kind for row in EFFECTS} == set(EffectKind)
 
 
 def test_the_volume_follows_keys_and_mouse(desk):
-    """Left and right in its row, - and = everywhere, and the bar where it is clicked or dragged."""
+    """Left and right change it in its row, - and = everywhere, and a click or a drag on its bar sets it."""
     desk.press(pygame.K_o, pygame.K_LEFT, pygame.K_LEFT)
     assert desk.shared.settings.volume == 60
     desk.press(pygame.K_RIGHT, pygame.K_EQUALS, pygame.K_MINUS)
@@ -73,20 +73,20 @@ def test_the_volume_follows_keys_and_mouse(desk):
 
 
 def test_the_mouse_selects_and_switches(desk):
-    """Moving over a row selects it, clicking turns it over, clicking beside does nothing."""
+    """Moving over a row selects it, a click on it switches it, and a click beside the rows does nothing."""
     desk.press(pygame.K_o)
     box = _boxes(desk.window.size)[1][2]
     desk.move(box.center)
     desk.wait(FRAME)
     assert desk.screen._selected == 2
     desk.click(box.center)
-    assert desk.shared.painter.theme is LIGHT
+    assert desk.shared.theme is LIGHT
     desk.click((1, 1))
     assert desk.shared.settings == Settings(colours="light")
 
 
 def test_what_is_changed_reaches_what_sounds_now(desk):
-    """The mixer's volume and mute follow at once."""
+    """The mixer's volume and mute follow the settings in the same frame."""
 
     class Card:
         volume, muted = 1.0, False
@@ -110,7 +110,7 @@ def corner(surface):
 
 
 def test_a_change_by_key_is_told_for_a_moment(desk):
-    """The volume shows its figure, then it is gone; the picture with it differs from the one without."""
+    """A key that changes a setting shows words in the corner, which are gone two seconds later."""
     desk.press(pygame.K_o)
     surface = desk.window.get_surface()
     before = pygame.image.tobytes(corner(surface), "RGB")
@@ -123,9 +123,9 @@ def test_a_change_by_key_is_told_for_a_moment(desk):
 
 
 def test_closing_the_panel_writes_the_settings(desk, tmp_path):
-    """A crash later in the evening does not lose them."""
-    desk.shared.kept = SettingsFile(tmp_path / "settings.json")
-    desk.shared.kept.load()
+    """Changed settings are in the file once the panel is closed, and not before."""
+    desk.shared.settings_file = SettingsFile(tmp_path / "settings.json")
+    desk.shared.settings_file.load()
     desk.press(pygame.K_o, pygame.K_LEFT)
     assert not (tmp_path / "settings.json").exists()
     desk.press(pygame.K_ESCAPE)
@@ -134,14 +134,14 @@ def test_closing_the_panel_writes_the_settings(desk, tmp_path):
 
 @pytest.mark.parametrize("size", [(1, 1), (40, 900), (900, 40), SIZE, (7680, 4320)])
 def test_any_size_of_window(desk, size):
-    """The panel is drawn and used whatever the room."""
+    """The panel can be drawn and used in a window of any size."""
     desk.window.size = size
     desk.press(pygame.K_o, pygame.K_DOWN, pygame.K_RETURN)
     assert not desk.shared.settings.sound
 
 
 def test_rows_are_inside_the_panel_and_apart():
-    """At 800x600 and at 4K: no row leaves the panel, the panel not the window, no two rows overlap."""
+    """No row is outside the panel, the panel is not outside the window, and no two rows overlap."""
     for size in ((800, 600), (1280, 800), (3840, 2160), (700, 1200)):
         panel, boxes = _boxes(size)
         assert pygame.Rect(0, 0, *size).contains(panel)
@@ -150,7 +150,7 @@ def test_rows_are_inside_the_panel_and_apart():
 
 
 def test_reduced_motion_lets_the_camera_cut(desk):
-    """With it, Tab is in 3D in the next frame; without, it is on its way."""
+    """A frame after Tab the camera is tipped with reduced motion, and on its path there without."""
     desk.press(pygame.K_RETURN, pygame.K_TAB)
     assert 0.0 < desk.shared.view.tipped < 1.0
     desk.shared.change(Settings(reduced_motion=True))
@@ -160,7 +160,7 @@ def test_reduced_motion_lets_the_camera_cut(desk):
 
 @pytest.mark.parametrize("size", [(1, 1), (2, 9), (9, 2), (30, 30), (31, 12), (200, 40)])
 def test_a_box_covers_its_rectangle_but_for_its_corners(size):
-    """Not a pixel outside; full rows and columns between the corners; the corners left free, alike on all sides."""
+    """No pixel outside is covered, the middle row and column are, and the corners are rounded the same on all sides."""
     surface = pygame.Surface((260, 90), 0, 32)
     box = pygame.Rect((20, 20), size)
     draw_box(surface, box, 8.0, (255, 255, 255))

@@ -29,8 +29,8 @@ def recording():
 @pytest.fixture
 def desk(recording):
     """A window that shows it."""
-    kept = shared(3)
-    found = Desk(kept, Watch(kept, Playback(recording)))
+    state = shared(3)
+    found = Desk(state, Watch(state, Playback(recording)))
     yield found
     found.close()
 
@@ -41,7 +41,7 @@ def shown(desk):
 
 
 def test_it_plays_in_real_time_and_stops_at_the_end(desk):
-    """A second is 240 ticks; behind the last there is nothing; Space begins anew."""
+    """A second is 240 ticks; it stops after the last tick, and Space then plays from the beginning."""
     desk.wait(1.0)
     assert shown(desk) == pytest.approx(240.0, abs=1e-6)
     desk.wait(12.0)
@@ -53,7 +53,7 @@ def test_it_plays_in_real_time_and_stops_at_the_end(desk):
 
 
 def test_it_stops_and_steps(desk):
-    """Space stops it; comma and full stop move by one tick."""
+    """Space stops it; full stop shows the next tick and comma the one before."""
     desk.wait(0.5)
     desk.press(pygame.K_SPACE)
     before = shown(desk)
@@ -66,7 +66,7 @@ def test_it_stops_and_steps(desk):
 
 
 def test_the_speed_can_be_chosen(desk):
-    """From an eighth to eight times."""
+    """The lowest speed is an eighth of the game's, the highest eight times the game's."""
     for _ in SPEEDS:
         desk.press(pygame.K_MINUS)
     desk.press(pygame.K_HOME)
@@ -82,7 +82,7 @@ def test_the_speed_can_be_chosen(desk):
 
 
 def test_seeking_stays_within_the_recording(desk):
-    """Arrows skip five seconds, Home and End go to the ends, and no further."""
+    """Arrows skip five seconds, Home and End go to the ends, and nothing goes beyond them."""
     desk.press(pygame.K_SPACE, pygame.K_RIGHT)
     assert shown(desk) == pytest.approx(1200.0, abs=5.0)
     desk.press(pygame.K_LEFT, pygame.K_LEFT)
@@ -94,7 +94,7 @@ def test_seeking_stays_within_the_recording(desk):
 
 
 def test_the_timeline_answers_to_the_mouse(desk):
-    """A click or a drag on the bar goes there; elsewhere it does nothing."""
+    """A click or a drag on the bar shows that moment; elsewhere, or without a button held, it does nothing."""
     desk.press(pygame.K_SPACE)
     bar = desk.screen._timeline(SIZE)
     desk.click((bar.left + bar.width // 2, bar.centery))
@@ -109,7 +109,7 @@ def test_the_timeline_answers_to_the_mouse(desk):
 
 
 def test_a_moment_looks_the_same_however_one_gets_there(desk):
-    """Played to a tick, or sought: the same picture, trail and flashes included."""
+    """A tick that is played to and one that is sought have the same picture, trail and flashes included."""
     desk.wait(4.0)
     desk.press(pygame.K_SPACE)
     tick = int(shown(desk))
@@ -123,7 +123,7 @@ def test_a_moment_looks_the_same_however_one_gets_there(desk):
 
 
 def test_the_game_shown_is_the_recorded_one(desk, recording):
-    """At every tick sought, the screen's game is the recording's."""
+    """After seeking, the tick on the screen is the recording's."""
     playback = Playback(recording)
     for number in (0, 7, 1300, 241, TICKS - 1):
         desk.screen._seek(number)
@@ -131,7 +131,7 @@ def test_the_game_shown_is_the_recorded_one(desk, recording):
 
 
 def test_help_and_leaving(desk):
-    """H lists the keys of this screen; Esc leaves, for there is nothing to lose."""
+    """H opens the help and Space closes it; Esc leaves."""
     desk.press(pygame.K_h)
     assert not isinstance(desk.screen, Watch)
     desk.press(pygame.K_SPACE)
@@ -141,8 +141,8 @@ def test_help_and_leaving(desk):
 
 
 def test_the_lab_opens_over_a_recording_and_leads_back(desk):
-    """L opens it, Esc comes back to the very same moment: the recording stood still."""
-    desk.shared.lab = app._lab_opener(None)
+    """L opens the lab, and Esc leads back to the same tick."""
+    desk.shared.open_lab = app._lab_opener(None)
     watching = desk.screen
     desk.press(pygame.K_PERIOD, pygame.K_l)
     assert isinstance(desk.screen, Lab)
@@ -154,7 +154,7 @@ def test_the_lab_opens_over_a_recording_and_leads_back(desk):
 
 
 def test_watch_opens_and_closes(monkeypatch, recording):
-    """The whole of `watch`, closed by the first event."""
+    """`watch` returns 0 when its window is closed by the first event."""
     real = app.frame
 
     def closing(*args):
@@ -166,7 +166,7 @@ def test_watch_opens_and_closes(monkeypatch, recording):
 
 
 def test_settings_open_over_a_recording_and_stop_it(desk):
-    """O leads there and Esc back; + and - still change the speed, not the volume."""
+    """O opens the settings and Esc closes them. There + changes the volume, and over the recording its speed."""
     desk.wait(0.5)
     volume = desk.shared.settings.volume
     desk.press(pygame.K_EQUALS)
@@ -181,7 +181,7 @@ def test_settings_open_over_a_recording_and_stop_it(desk):
 
 
 def test_a_recording_is_shown_without_what_is_not_wanted(desk):
-    """The same settings as in a game: with effects off there is the trail alone."""
+    """With effects off a recording shows the trail alone."""
     desk.shared.change(Settings(effects=False))
     for _ in range(20):
         desk.wait(0.3)

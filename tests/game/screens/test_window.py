@@ -8,7 +8,8 @@ from game.drawing.palette import DARK, LIGHT
 from game.levels import built_in
 from game.replays.state_hash import state_hash
 from game.rules import Phase, new_game, tick
-from game.screens.panels import Help, Menu
+from game.screens.help import Help
+from game.screens.menu import Menu
 from game.screens.play import Play
 from game.screens.title import Title
 from tests.support.dummy_window import FRAME, SIZE, Desk, shared
@@ -23,8 +24,8 @@ def ticks():
 @pytest.fixture
 def desk(ticks):
     """The app at its title."""
-    kept = shared(recorder=lambda controls, after: ticks.append((controls, after)))
-    found = Desk(kept, Title(kept))
+    state = shared(recorder=lambda controls, after: ticks.append((controls, after)))
+    found = Desk(state, Title(state))
     found.wait(FRAME)
     yield found
     found.close()
@@ -39,7 +40,7 @@ def playing(desk):
 
 
 def test_a_whole_evening(desk, ticks):
-    """Title, serve, steer, pause, go on, restart, back to the title, quit: by keys alone."""
+    """Keys alone lead from the title through serve, steering, pause and restart back to the title and out."""
     desk.press(pygame.K_RETURN)
     desk.wait(0.2)
     assert ticks[-1][1].phase == Phase.SERVING
@@ -68,7 +69,7 @@ def test_a_whole_evening(desk, ticks):
 
 
 def test_what_is_recorded_plays_again(playing, ticks):
-    """The recorder's controls, given to the rules alone, lead to the very game that was on the screen."""
+    """The recorder's controls, given to the rules alone, lead to the state of the game on the screen."""
     playing.move((400, 100))
     playing.wait(0.4)
     playing.press(pygame.K_SPACE)
@@ -87,7 +88,7 @@ def test_what_is_recorded_plays_again(playing, ticks):
 
 
 def test_escape_twice_loses_nothing(playing, ticks):
-    """Esc pauses, Esc again goes on: nobody leaves a game by accident."""
+    """Esc pauses the game, and Esc again goes on."""
     playing.press(pygame.K_SPACE)
     playing.wait(0.1)
     playing.press(pygame.K_ESCAPE, pygame.K_ESCAPE)
@@ -98,7 +99,7 @@ def test_escape_twice_loses_nothing(playing, ticks):
 
 
 def test_restart_asks_first(playing, ticks):
-    """R alone restarts nothing; the question can be answered with no."""
+    """R opens a question, and Esc there goes on with the game."""
     playing.press(pygame.K_SPACE)
     playing.wait(0.2)
     before = ticks[-1][1].tick
@@ -110,7 +111,7 @@ def test_restart_asks_first(playing, ticks):
 
 
 def test_losing_the_focus_pauses_and_lets_go(playing, ticks):
-    """The game stops, and a key that was held is not held when it goes on."""
+    """A window that loses the focus pauses the game, and a key that was held counts as released."""
     playing.hold(pygame.K_RIGHT)
     playing.wait(0.2)
     playing.post(pygame.WINDOWFOCUSLOST)
@@ -121,7 +122,7 @@ def test_losing_the_focus_pauses_and_lets_go(playing, ticks):
 
 
 def test_after_a_pause_there_is_a_moment_to_get_ready(playing, ticks):
-    """With a ball in play no tick runs in the first half second; while serving there is nothing to wait for."""
+    """With a ball in play no tick runs in the first half second after a pause; before a serve ticks run at once."""
     playing.press(pygame.K_p, pygame.K_p)
     before = len(ticks)
     playing.wait(0.1)
@@ -136,7 +137,7 @@ def test_after_a_pause_there_is_a_moment_to_get_ready(playing, ticks):
 
 
 def test_help_opens_over_everything_and_closes_again(desk):
-    """From the title, a game and its pause, by either key; any key of the game closes it."""
+    """H and F1 open it over the title, a game and its pause; a key of the game closes it, any other does not."""
     for opens in (pygame.K_h, pygame.K_F1):
         for screen in (Title, Play, Menu):
             assert isinstance(desk.screen, screen)
@@ -152,7 +153,7 @@ def test_help_opens_over_everything_and_closes_again(desk):
 
 
 def test_levels_are_chosen_by_arrows_and_mouse(desk, ticks):
-    """Both ways lead to the level that is framed; left of the first is the last."""
+    """Arrows and the mouse choose a level, left of the first is the last, and a click starts it."""
     desk.press(pygame.K_RIGHT, pygame.K_RIGHT, pygame.K_LEFT)
     assert desk.shared.chosen == 1
     desk.press(pygame.K_LEFT, pygame.K_LEFT)
@@ -167,13 +168,13 @@ def test_levels_are_chosen_by_arrows_and_mouse(desk, ticks):
 
 
 def test_a_click_beside_the_cards_starts_nothing(desk):
-    """Only a card starts a level."""
+    """A click where no card is leaves the title as it is."""
     desk.click((2, 2))
     assert isinstance(desk.screen, Title)
 
 
 def test_menus_answer_to_the_mouse(playing):
-    """Moving over an entry selects it, clicking does it, clicking elsewhere does nothing."""
+    """Moving over an entry selects it, a click on it chooses it, and a click elsewhere does nothing."""
     playing.press(pygame.K_p)
     boxes = playing.screen._boxes(SIZE)[1]
     playing.click((1, 1))
@@ -186,7 +187,7 @@ def test_menus_answer_to_the_mouse(playing):
 
 
 def test_the_title_plays_by_itself(desk):
-    """The demonstration serves and scores, and begins anew after its end."""
+    """The demonstration scores, and after its end another one begins."""
     desk.wait(6.0)
     assert desk.screen._demo._ticked.game.score > 0
     first = desk.screen._demo
@@ -198,7 +199,7 @@ def test_the_title_plays_by_itself(desk):
 
 
 def test_losing_every_ball_ends_the_game(playing, ticks):
-    """Serves without steering lose three balls; the panel offers another game, and no mashed key restarts too early."""
+    """Serving without steering loses all balls. Keys pressed meanwhile choose nothing in the menu that follows; R restarts."""
     for _ in range(4000):
         if not isinstance(playing.screen, Play):
             break
@@ -214,30 +215,30 @@ def test_losing_every_ball_ends_the_game(playing, ticks):
 
 
 def test_winning_ends_the_game_too():
-    """The autopilot clears the only level; the panel says so."""
-    kept = shared(autopilot=True)
-    screen = Play(kept, built_in()[:1])
+    """After the autopilot has cleared the only level there is a menu that says so."""
+    state = shared(autopilot=True)
+    screen = Play(state, built_in()[:1])
     while isinstance(screen, Play):
         screen = screen.advance(0.25, SIZE)
     assert screen._title == "You won"
 
 
 def test_switches_work_on_every_screen(desk):
-    """Sound, colours and effects can be switched at any time."""
+    """M, T and E switch sound, colours and effects on the title, in a game and in its pause menu."""
     for opens in (None, pygame.K_RETURN, pygame.K_p):
         if opens is not None:
             desk.press(opens)
         desk.press(pygame.K_m, pygame.K_t, pygame.K_e)
         chosen = desk.shared.settings
         assert (chosen.sound, chosen.theme, chosen.effects) == (False, LIGHT, False)
-        assert desk.shared.painter.theme is LIGHT
+        assert desk.shared.theme is LIGHT
         desk.press(pygame.K_m, pygame.K_t, pygame.K_e)
         chosen = desk.shared.settings
         assert (chosen.sound, chosen.theme, chosen.effects) == (True, DARK, True)
 
 
 def test_full_screen_and_back(playing):
-    """F11 fills the desktop; again, the window has its size back; Alt+Enter does the same."""
+    """F11 and Alt+Enter make the window as large as the desktop, and F11 gives it its size back."""
     desktop = pygame.display.get_desktop_sizes()[0]
     playing.press(pygame.K_F11)
     assert playing.window.size == desktop
@@ -248,13 +249,12 @@ def test_full_screen_and_back(playing):
     assert isinstance(playing.screen, Play)
 
 
-@pytest.mark.parametrize("size", [(1, 1), (3, 900), (900, 3), (7680, 4320), (800, 600)])
+@pytest.mark.parametrize("size", [(1, 1), (3, 900), (900, 3), (3840, 2160), (800, 600)])
 def test_any_window_size_in_play(desk, size):
-    """Title, help, game and pause survive being resized, and go on."""
+    """Title, help, game and pause can be drawn and used in a window of any size."""
     desk.window.size = size
-    desk.wait(2 * FRAME)
     desk.press(pygame.K_h, pygame.K_h, pygame.K_RETURN, pygame.K_SPACE)
-    desk.wait(2 * FRAME)
+    desk.wait(FRAME)
     desk.press(pygame.K_p)
     desk.window.size = SIZE
     desk.press(pygame.K_p)
@@ -262,20 +262,20 @@ def test_any_window_size_in_play(desk, size):
 
 
 def test_minimising_pauses(playing):
-    """A game nobody sees does not go on."""
+    """Minimising the window pauses the game."""
     playing.post(pygame.WINDOWMINIMIZED)
     assert isinstance(playing.screen, Menu)
 
 
 def test_a_stall_runs_at_most_60_ticks(playing, ticks):
-    """An hour asleep is a quarter of a second of play."""
+    """A frame that took an hour runs at most 60 ticks."""
     before = len(ticks)
     playing.screen = app.frame(playing.window, playing.shared, playing.screen, 3600.0)
     assert len(ticks) - before <= 60
 
 
 def test_a_clock_that_jumps_back_runs_nothing_and_breaks_nothing(playing, ticks):
-    """Time that has not passed is no time; afterwards the game goes on as if nothing had been."""
+    """A frame of negative length runs no tick, and the game goes on afterwards."""
     playing.press(pygame.K_SPACE, pygame.K_MINUS)
     before = len(ticks)
     playing.screen = app.frame(playing.window, playing.shared, playing.screen, -7200.0)
@@ -301,13 +301,13 @@ def test_a_key_shows_in_the_next_frame(playing):
 
 @pytest.mark.parametrize("kind", [pygame.QUIT, pygame.WINDOWCLOSE])
 def test_closing_the_window_leaves_from_anywhere(playing, kind):
-    """No question is asked of somebody who closes the window."""
+    """Closing the window ends the app at once."""
     playing.post(kind)
     assert playing.screen is None
 
 
 def test_play_returns_0_when_the_window_is_closed(monkeypatch):
-    """The whole of `play`, closed after a few frames."""
+    """`play` returns 0 when its window is closed after five frames."""
     frames = []
 
     def counted(*args):
@@ -324,7 +324,7 @@ def test_play_returns_0_when_the_window_is_closed(monkeypatch):
 
 
 def test_ctrl_c_leaves_quietly(monkeypatch):
-    """As closing the window does."""
+    """`play` returns 0 when it is interrupted."""
 
     def interrupted(*_):
         raise KeyboardInterrupt
@@ -341,8 +341,8 @@ def test_a_level_of_ones_own_is_the_only_one_offered(monkeypatch):
     )
     seen = []
 
-    def looked(_window, kept, screen, _seconds):
-        seen.append((kept.catalogue, screen.__class__))
+    def looked(_window, state, screen, _seconds):
+        seen.append((state.catalogue, screen.__class__))
 
     monkeypatch.setattr(app, "frame", looked)
     app.play(own, 1)

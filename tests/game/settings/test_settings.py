@@ -10,13 +10,13 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from game.drawing.palette import LIGHT
-from game.effects import ALL, MOVING, PLAIN, Kind
+from game.effects import ALL, MOVING, PLAIN, EffectKind
 from game.settings import file as settings_file
 from game.settings.file import VERSION, SettingsFile, decoded, encoded
 from game.settings.values import Settings
 from tests.support.paths import ROOT
 
-CHOSEN = Settings("light", False, 30, True, False, frozenset({Kind.SHAKE, Kind.TRAIL}))
+CHOSEN = Settings("light", False, 30, True, False, frozenset({EffectKind.SHAKE, EffectKind.TRAIL}))
 
 choices = st.builds(
     Settings,
@@ -25,7 +25,7 @@ choices = st.builds(
     st.integers(0, 100),
     st.booleans(),
     st.booleans(),
-    st.frozensets(st.sampled_from(Kind)),
+    st.frozensets(st.sampled_from(EffectKind)),
 )
 anything = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False) | st.text(),
@@ -63,7 +63,7 @@ def test_any_value_gives_settings_that_can_be_played(said):
 def test_a_volume_out_of_range_is_brought_into_it_and_nothing_else_changes(said, kept):
     """The other keys of the file are read as they are."""
     assert decoded({"volume": said, "colours": "light", "off": ["shake", "unheard of", 7]}) == Settings(
-        colours="light", volume=kept, off=frozenset({Kind.SHAKE})
+        colours="light", volume=kept, off=frozenset({EffectKind.SHAKE})
     )
 
 
@@ -190,7 +190,7 @@ def test_the_settings_are_in_the_users_folder(monkeypatch, tmp_path):
 
 def test_every_effect_can_be_left_out_alone():
     """Twice is as before; nothing else is left out with it."""
-    for kind in Kind:
+    for kind in EffectKind:
         without = Settings().toggled(kind)
         assert without.shown == ALL - {kind}
         assert without.toggled(kind) == Settings()
@@ -198,15 +198,15 @@ def test_every_effect_can_be_left_out_alone():
 
 def test_reduced_motion_does_without_what_moves_the_picture():
     """Shake, flashes, waves and hit-stop go; what is off stays off."""
-    calm = Settings(reduced_motion=True, off=frozenset({Kind.SHARDS}))
-    assert calm.shown == ALL - MOVING - {Kind.SHARDS}
-    assert {Kind.SHAKE, Kind.FLASH, Kind.HIT_STOP} <= MOVING
+    calm = Settings(reduced_motion=True, off=frozenset({EffectKind.SHARDS}))
+    assert calm.shown == ALL - MOVING - {EffectKind.SHARDS}
+    assert {EffectKind.SHAKE, EffectKind.FLASH, EffectKind.HIT_STOP} <= MOVING
 
 
 def test_without_effects_only_the_trail_is_left():
     """And not even that for those who do not want it."""
-    assert Settings(effects=False).shown == PLAIN == {Kind.TRAIL}
-    assert Settings(effects=False, off=frozenset({Kind.TRAIL})).shown == frozenset()
+    assert Settings(effects=False).shown == PLAIN == {EffectKind.TRAIL}
+    assert Settings(effects=False, off=frozenset({EffectKind.TRAIL})).shown == frozenset()
 
 
 def test_the_volume_goes_in_steps_and_ends_at_its_ends():

@@ -8,23 +8,15 @@ from pathlib import Path
 
 import pytest
 
-from game.__main__ import app
 from game.autopilot import Autopilot
-from game.drawing.painter import save_screenshot
 from game.input.view import FROM_ABOVE, TIPPED
 from game.levels import built_in
 from game.rules import EventKind, new_game, tick
-from game.system.command_line import run
+from game.screenshot import save_screenshot
+from tests.support.command_line import polar
 from tests.support.paths import ROOT
 
 HEADLESS = ["--headless", "--autopilot", "--seed", "7", "--ticks", "500"]
-
-
-def polar(capsys, *arguments):
-    """Exit code, stdout and stderr of one run of the command line."""
-    code = run(app, "polar-breakout", [str(argument) for argument in arguments])
-    out, err = capsys.readouterr()
-    return code, out, err
 
 
 def test_a_headless_game_prints_one_line(capsys):
@@ -113,6 +105,7 @@ def test_help_needs_no_display():
         assert (done.returncode, done.stderr) == (0, b"")
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such shell")
 def test_a_closed_pipe_is_no_error():
     """Output into a pipe that nobody reads ends quietly."""
     command = f"{sys.executable} -m game levels | true"
@@ -130,6 +123,7 @@ def test_ctrl_c_is_one_line(capsys, monkeypatch):
     assert polar(capsys, *HEADLESS) == (130, "", "polar-breakout: interrupted\n")
 
 
+@pytest.mark.skipif(sys.platform == "win32", reason="on Windows every path is UTF-16")
 def test_odd_characters_in_a_path_can_be_named(capsys):
     """A path that is not UTF-8 is named in the error, not the cause of another."""
     code, _, err = polar(capsys, "replay", os.fsdecode(b"no\xffne.polar"))

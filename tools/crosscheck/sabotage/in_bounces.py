@@ -5,11 +5,12 @@ from contextlib import AbstractContextManager, ExitStack, contextmanager
 
 import physics
 from physics import Ball, Impact, Ring, dot
+from physics.time_of_impact import first_impact
 from physics.vectors import quarter_turn
 from tools.crosscheck.sabotage.replacing import constant, method, replaced
 
 _right = physics.collision_response
-_right_touch = physics.time_of_impact
+_right_touch = first_impact
 _right_surface = Ring.surface_velocity
 
 Response = Callable[[complex, complex, complex, float, float], complex]

@@ -6,6 +6,7 @@ from contextlib import AbstractContextManager
 
 import physics
 from physics import Ball, Contact, Feature, Impact, Ring, direction, dot, on_left, to_polar
+from physics.time_of_impact import first_impact
 from physics.vectors import quarter_turn
 from tools.crosscheck.sabotage.replacing import method, replaced
 
@@ -13,7 +14,7 @@ _TENTH_OF_A_DEGREE = math.radians(0.1)
 _LATER = 1e-7
 """Seconds."""
 
-Alive = Sequence[int] | None
+Alive = Sequence[int]
 
 
 def rotated_normal() -> AbstractContextManager[None]:
@@ -82,7 +83,7 @@ def face_called_inner() -> AbstractContextManager[None]:
 def late_touch() -> AbstractContextManager[None]:
     """Every touch is found a ten-millionth of a second late."""
 
-    def late(ball: Ball, ring: Ring, dt: float, alive: Alive = None) -> Impact | None:
+    def late(ball: Ball, ring: Ring, dt: float, alive: Alive) -> Impact | None:
         found = _right(ball, ring, dt, alive)
         return found if found is None or found.time + _LATER > dt else found._replace(time=found.time + _LATER)
 
@@ -92,7 +93,7 @@ def late_touch() -> AbstractContextManager[None]:
 def early_touch() -> AbstractContextManager[None]:
     """Every touch is found a ten-millionth of a second early."""
 
-    def early(ball: Ball, ring: Ring, dt: float, alive: Alive = None) -> Impact | None:
+    def early(ball: Ball, ring: Ring, dt: float, alive: Alive) -> Impact | None:
         found = _right(ball, ring, dt, alive)
         return found if found is None or found.time < _LATER else found._replace(time=found.time - _LATER)
 
@@ -117,7 +118,7 @@ def resting_rings() -> AbstractContextManager[None]:
 def larger_ball() -> AbstractContextManager[None]:
     """The ball touches as if it were larger by a millionth."""
 
-    def larger(ball: Ball, ring: Ring, dt: float, alive: Alive = None) -> Impact | None:
+    def larger(ball: Ball, ring: Ring, dt: float, alive: Alive) -> Impact | None:
         return _right(ball._replace(radius=ball.radius * (1.0 + 1e-6)), ring, dt, alive)
 
     return replaced(_right, larger)
@@ -137,7 +138,7 @@ def slanted_hits_only() -> AbstractContextManager[None]:
     """Contacts within 5 degrees of head-on are not seen."""
     steepest = -math.cos(math.radians(5.0))
 
-    def seen(ball: Ball, ring: Ring, dt: float, alive: Alive = None) -> Impact | None:
+    def seen(ball: Ball, ring: Ring, dt: float, alive: Alive) -> Impact | None:
         found = _right(ball, ring, dt, alive)
         if found is None or dot(ball.velocity, found.contact.normal) < steepest * physics.length(ball.velocity):
             return None
@@ -148,7 +149,7 @@ def slanted_hits_only() -> AbstractContextManager[None]:
 
 def ghost_bricks() -> AbstractContextManager[None]:
     """Broken bricks can still be hit."""
-    return replaced(_right, lambda ball, ring, dt, *_: _right(ball, ring, dt, None))
+    return replaced(_right, lambda ball, ring, dt, *_: _right(ball, ring, dt, (1,) * ring.count))
 
 
 def fast_rings() -> AbstractContextManager[None]:
@@ -157,13 +158,13 @@ def fast_rings() -> AbstractContextManager[None]:
     return method(Ring, "turned", lambda ring, time: right(ring, time * (1.0 + 1e-7)))
 
 
-_right = physics.time_of_impact
+_right = first_impact
 
 
 def _other_contacts(change: Callable[[Contact, Ring, float], Contact]) -> AbstractContextManager[None]:
     """The search with its contact changed; the change gets the ring and the middle angle of the sector at that moment."""
 
-    def changed(ball: Ball, ring: Ring, dt: float, alive: Alive = None) -> Impact | None:
+    def changed(ball: Ball, ring: Ring, dt: float, alive: Alive) -> Impact | None:
         found = _right(ball, ring, dt, alive)
         if found is None:
             return None
@@ -175,13 +176,13 @@ def _other_contacts(change: Callable[[Contact, Ring, float], Contact]) -> Abstra
 
 def _other_rings(change: Callable[[Ring], Ring]) -> AbstractContextManager[None]:
     """The search among other rings."""
-    return replaced(_right, lambda ball, ring, dt, alive=None: _right(ball, change(ring), dt, alive))
+    return replaced(_right, lambda ball, ring, dt, alive: _right(ball, change(ring), dt, alive))
 
 
 def _unseen(ignored: Callable[[Impact, Ring], bool]) -> AbstractContextManager[None]:
     """The search without some of its answers."""
 
-    def seen(ball: Ball, ring: Ring, dt: float, alive: Alive = None) -> Impact | None:
+    def seen(ball: Ball, ring: Ring, dt: float, alive: Alive) -> Impact | None:
         found = _right(ball, ring, dt, alive)
         return None if found is not None and ignored(found, ring) else found
 

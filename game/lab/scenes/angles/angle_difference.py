@@ -3,11 +3,11 @@
 import math
 
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code
+from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import angle_arc, degrees, ray
 from game.lab.kit.parameters import Given, Number
-from game.lab.kit.picture import Circle, Dot, Line, Mark, Picture, Stroke, Tone, Words, single
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from game.lab.kit.picture import Circle, Line, Mark, Picture, PointMark, Role, Stroke, Words, single
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import add_angles, min_difference, normalize_angle, on_left, signed_difference, subtract_angles, to_cartesian
 
 _RADIUS = 4.0
@@ -19,28 +19,28 @@ def _angles(given: Given) -> tuple[float, float]:
 
 
 def _picture(given: Given) -> Picture:
-    """Two directions, the shorter way between them, and what a plain subtraction says."""
+    """Two directions, the smaller angle between them, and the plain difference a - b."""
     a, b = _angles(given)
     shorter = signed_difference(a, b)
     marks: list[Mark] = [
-        Line((0j, 8 + 0j), Tone.FAINT, None, Stroke.DASHED),
-        Words(5.0 - 0.3j, "polar axis", Tone.FAINT),
-        Circle(0j, _RADIUS, Tone.FAINT),
-        ray(a, _RADIUS, Tone.PLAIN),
-        ray(b, _RADIUS, Tone.TWO),
-        Dot(to_cartesian(_RADIUS, a), Tone.PLAIN, label="a"),
-        Dot(to_cartesian(_RADIUS, b), Tone.TWO, label="b"),
-        angle_arc(2.2, b, shorter, Tone.OURS, "shorter way"),
+        Line((0j, 8 + 0j), Role.FAINT, None, Stroke.DASHED),
+        Words(5.0 - 0.3j, "polar axis", Role.FAINT),
+        Circle(0j, _RADIUS, Role.FAINT),
+        ray(a, _RADIUS, Role.PLAIN),
+        ray(b, _RADIUS, Role.TWO),
+        PointMark(to_cartesian(_RADIUS, a), Role.PLAIN, label="a"),
+        PointMark(to_cartesian(_RADIUS, b), Role.TWO, label="b"),
+        angle_arc(2.2, b, shorter, Role.OURS, "smaller angle"),
     ]
     if abs(a - b) > math.pi:
-        marks.append(angle_arc(1.2, b, a - b, Tone.SOURCE, "a - b"))
+        marks.append(angle_arc(1.2, b, a - b, Role.SOURCE, "a - b"))
     formula = (
         f"a - b = {degrees(a)} - {degrees(b)} = {degrees(a - b)}",
         f"counter-clockwise from b to a:   {degrees(subtract_angles(a, b))}",
         f"min_difference(a, b) = {degrees(min_difference(a, b))}",
         f"on_left(a, b) = {on_left(a, b)}:   a {_side(shorter)} b",
     )
-    return single(tuple(marks), formula, _deciding(a, b), _note(a, b))
+    return single(tuple(marks), formula, _cited(a, b), _note(a, b))
 
 
 def _side(shorter: float) -> str:
@@ -52,21 +52,21 @@ def _side(shorter: float) -> str:
     return "is counter-clockwise of" if shorter > 0.0 else "is clockwise of"
 
 
-def _deciding(a: float, b: float) -> Deciding:
-    """The line that finds the shorter way."""
-    return code(
-        signed_difference, "if -math.pi < difference" if -math.pi < a - b <= math.pi else "return difference - math.tau"
-    )
+def _cited(a: float, b: float) -> CitedLine:
+    """The line that returns the smaller angle."""
+    if -math.pi < a - b <= math.pi:
+        return code_line(signed_difference, "if -math.pi < difference <= math.pi:")
+    return code_line(signed_difference, "return difference - math.tau if difference > math.pi else difference")
 
 
 def _note(a: float, b: float) -> str:
-    """What is special."""
+    """What is special about these values."""
     if a == b:
         return "The same direction: neither is on the left of the other."
     if abs(abs(a - b) - math.pi) < 1e-12:
-        return "Opposite directions: both ways are half a turn, and neither is on the left of the other."
+        return "Opposite directions: both angles are half a turn, and neither is on the left of the other."
     if abs(a - b) > math.pi:
-        return "The shorter way passes the polar axis. A plain subtraction goes the long way round."
+        return "The smaller angle lies across the polar axis. The plain difference a - b is the larger angle."
     return ""
 
 
@@ -80,10 +80,12 @@ def _check(given: Given) -> tuple[Claim, ...]:
     return (
         Claim("the difference is in [0, π]", 0.0 <= difference <= math.pi),
         Claim("it is the same from b to a", abs(min_difference(b, a) - difference) < 1e-12),
-        Claim("from b by the signed difference one comes to a", abs(there) < 1e-12),
-        Claim("it does not depend on where zero is", all([_same(x, y, difference) for x, y in zip(*turns, strict=True)])),
+        Claim("b turned by the signed difference is a", abs(there) < 1e-12),
+        Claim(
+            "it does not depend on where the polar axis is", all([_same(x, y, difference) for x, y in zip(*turns, strict=True)])
+        ),
         Claim("exactly one of two is on the left of the other", not inside or on_left(a, b) != on_left(b, a)),
-        Claim("the angle between the directions is this", abs(_between(a, b) - difference) < 1e-7),
+        Claim("it is the angle between the two unit vectors", abs(_between(a, b) - difference) < 1e-7),
     )
 
 
@@ -101,25 +103,23 @@ def _between(a: float, b: float) -> float:
 SCENE = Scene(
     name="angle-difference",
     title="The difference of two angles, across the polar axis",
-    idea="Between two directions there are two ways round; the shorter one counts, also where it passes the polar axis.",
-    chapter=Chapter.ANGLES,
-    place=20,
+    idea="Two directions enclose two angles. The smaller one counts, also where it lies across the polar axis.",
     functions=("min_difference", "on_left", "normalize_angle"),
     parameters=(
-        Number("a", "a", "°", 0.0, 360.0, 25.0, 0.5, "the ball's angle, say"),
-        Number("b", "b", "°", 0.0, 360.0, 340.0, 0.5, "a paddle's"),
+        Number("a", "a", "°", 0.0, 360.0, 25.0, 0.5, "such as the ball's angle"),
+        Number("b", "b", "°", 0.0, 360.0, 340.0, 0.5, "such as a paddle's angle"),
     ),
     handles=(
         handles.on_circle("a", lambda _: _RADIUS, "a"),
         handles.on_circle("b", lambda _: _RADIUS, "b"),
     ),
-    view=View(0.6 + 0j, 5.4 + 4.5j),
+    view_box=ViewBox(0.6 + 0j, 5.4 + 4.5j),
     shows=_picture,
     check=_check,
     rows=(1,),
     presets=(
         Preset("across the polar axis", "a=25&b=340"),
-        Preset("across it the other way", "a=340&b=25"),
+        Preset("across it, clockwise", "a=340&b=25"),
         Preset("not across it", "a=100&b=40"),
         Preset("opposite", "a=200&b=20"),
         Preset("the same", "a=30&b=30"),

@@ -3,13 +3,13 @@
 import math
 from typing import NamedTuple
 
+from game.lab import source
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code, source
+from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import degrees, ray
 from game.lab.kit.parameters import Given, Number
-from game.lab.kit.picture import Arrow, Disc, Dot, Line, Mark, Pane, Picture, Sector, Stroke, Toggle, Tone
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
-from game.lab.source import literal
+from game.lab.kit.picture import AnnularSector, Arrow, Disc, Line, Mark, Pane, Picture, PointMark, Role, Stroke, Toggle
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import (
     closest_point_on_line,
     length,
@@ -23,26 +23,26 @@ from physics import (
 _RADIUS, _HALF_WIDTH = 6.0, 1.0
 
 
-class _Look(NamedTuple):
-    """What one rule makes of the ball."""
+class _ChosenEnd(NamedTuple):
+    """The end that one rule chooses: its sign, its corners A and B, the closest point q, and the normal, if they touch."""
 
     sign: int
     a: complex
     b: complex
-    q: complex  # of the end it looks at, the point nearest to the ball
+    q: complex
     normal: complex | None
 
 
-class _Both(NamedTuple):
-    """The ball, the sector, and both rules."""
+class _BothRulesForEnd(NamedTuple):
+    """The ball, the sector, and the ends that both rules choose. Angles are radians."""
 
     p: complex
     r: float
     theta: float
     angle: float
     half_angle: float
-    theirs: _Look
-    ours: _Look
+    theirs: _ChosenEnd
+    ours: _ChosenEnd
 
     @property
     def applies(self) -> bool:
@@ -50,28 +50,28 @@ class _Both(NamedTuple):
         return min_difference(self.theta, self.angle) > self.half_angle
 
 
-def _both(given: Given) -> _Both:
-    """Both rules at the same ball."""
+def _both(given: Given) -> _BothRulesForEnd:
+    """The ends that both rules choose for the same ball."""
     r, theta, angle = given.number("r"), normalize_angle(given.angle("theta")), normalize_angle(given.angle("angle"))
     half_angle = given.angle("half_angle")
     p = to_cartesian(_RADIUS, theta)
-    theirs = _look(p, r, angle, half_angle, literal.end_sign(theta, angle, half_angle))
-    ours = _look(p, r, angle, half_angle, 1 if on_left(theta, angle) else -1)
-    return _Both(p, r, theta, angle, half_angle, theirs, ours)
+    theirs = _chosen_end(p, r, angle, half_angle, source.end_sign(theta, angle, half_angle))
+    ours = _chosen_end(p, r, angle, half_angle, 1 if on_left(theta, angle) else -1)
+    return _BothRulesForEnd(p, r, theta, angle, half_angle, theirs, ours)
 
 
-def _look(p: complex, r: float, angle: float, half_angle: float, sign: int) -> _Look:
-    """The normal of the end on one side."""
-    a, b = literal.end_points(_RADIUS, _HALF_WIDTH, angle + sign * half_angle)
-    return _Look(sign, a, b, closest_point_on_line(a, b, p), literal.end_normal(p, r, a, b))
+def _chosen_end(p: complex, r: float, angle: float, half_angle: float, sign: int) -> _ChosenEnd:
+    """The end on one side. sign: 1 the counter-clockwise one."""
+    a, b = source.end_points(_RADIUS, _HALF_WIDTH, angle + sign * half_angle)
+    return _ChosenEnd(sign, a, b, closest_point_on_line(a, b, p), source.end_normal(p, r, a, b))
 
 
 def _picture(given: Given) -> Picture:
     """The source's choice at the left, ours at the right."""
     both = _both(given)
     panes = (
-        Pane(_marks(both, both.theirs, Tone.SOURCE), "the source: on_left(θ, θ_p + φ_p)"),
-        Pane(_marks(both, both.ours, Tone.OURS), "here: on_left(θ, θ_p)"),
+        Pane(_marks(both, both.theirs, Role.SOURCE), "the source: on_left(θ, θ_p + φ_p)"),
+        Pane(_marks(both, both.ours, Role.OURS), "here: on_left(θ, θ_p)"),
     )
     far = normalize_angle(both.angle + both.half_angle)
     formula = (
@@ -80,47 +80,47 @@ def _picture(given: Given) -> Picture:
         f"here:   on_left(θ, θ_p) = {both.ours.sign > 0}:   sign = {both.ours.sign}",
         f"|p - q|:   {length(both.p - both.theirs.q):.3f} by the source's end, {length(both.p - both.ours.q):.3f} by ours",
     )
-    return Picture(panes, formula, _deciding(both), _note(both))
+    return Picture(panes, formula, _cited(both), _note(both))
 
 
-def _marks(both: _Both, look: _Look, tone: Tone) -> tuple[Mark, ...]:
-    """The ball, the sector, and the end that a rule looks at."""
+def _marks(both: _BothRulesForEnd, end: _ChosenEnd, role: Role) -> tuple[Mark, ...]:
+    """The ball, the sector, and the end that a rule chooses."""
     marks: list[Mark] = [
-        Sector(_RADIUS, _HALF_WIDTH, both.angle, both.half_angle, Tone.SECTOR),
-        ray(both.angle, 8.0, Tone.FAINT, "θ_p"),
+        AnnularSector(_RADIUS, _HALF_WIDTH, both.angle, both.half_angle, Role.SECTOR),
+        ray(both.angle, 8.0, Role.FAINT, "θ_p"),
         ray(both.theta, 8.0),
-        Disc(both.p, both.r, Tone.BALL),
+        Disc(both.p, both.r, Role.BALL),
     ]
     if both.applies:
-        marks += [Line((look.a, look.b), tone, Toggle.CLOSEST, Stroke.THICK), Dot(look.q, tone, Toggle.CLOSEST, "q")]
-    if both.applies and look.normal is not None:
-        marks.append(Arrow(look.q, look.normal * 2.0, tone, Toggle.NORMALS, label="n"))
+        marks += [Line((end.a, end.b), role, Toggle.CLOSEST, Stroke.THICK), PointMark(end.q, role, Toggle.CLOSEST, "q")]
+    if both.applies and end.normal is not None:
+        marks.append(Arrow(end.q, end.normal * 2.0, role, Toggle.NORMALS, label="n"))
     return tuple(marks)
 
 
-def _deciding(both: _Both) -> Deciding:
-    """The line that picks the end."""
+def _cited(both: _BothRulesForEnd) -> CitedLine:
+    """The line that chooses the end."""
     if both.theirs.sign != both.ours.sign:
-        return source("Narrow phase, case 2", "sign = 1 if on_left(θ, θ_p + φ_p) else -1")
-    return code(narrow_phase_case_2, "sign = 1.0 if on_left")
+        return source_line("Narrow phase, case 2", "sign = 1 if on_left(θ, θ_p + φ_p) else -1")
+    return code_line(narrow_phase_case_2, "sign = 1.0 if on_left(theta, angle) else -1.0")
 
 
-def _note(both: _Both) -> str:
-    """Who errs, and why."""
+def _note(both: _BothRulesForEnd) -> str:
+    """Which rule is wrong, and why."""
     if not both.applies:
         return "θ lies within the sector: this is case 1, and neither rule is asked."
     if both.theirs.sign == both.ours.sign:
-        return "Both rules pick the same end."
+        return "Both rules choose the same end."
     if abs(min_difference(both.theta, both.angle) - math.pi) < 1e-9:
         return "The ball is exactly opposite: both ends are equally near."
     return (
-        "From θ_p + φ_p to θ it is less than half a turn, though the other end is nearer: offset + φ_p > π. "
-        "The source looks at the wrong end."
+        "offset + φ_p > π: θ is on the left of the end at θ_p + φ_p, yet the other end is nearer. "
+        "The source chooses the wrong end."
     )
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
-    """Exactly when the source errs."""
+    """Exactly where the source chooses the wrong end."""
     both = _both(given)
     offset = min_difference(both.theta, both.angle)
     ours, theirs = length(both.p - both.ours.q), length(both.p - both.theirs.q)
@@ -132,20 +132,18 @@ def _check(given: Given) -> tuple[Claim, ...]:
     return (
         Claim("our end is the nearer one", not both.applies or ours <= theirs + 1e-9),
         Claim(
-            "the source picks the other end exactly when offset + φ_p > π and the ball is clockwise of θ_p",
+            "the source chooses the other end exactly when offset + φ_p > π and the ball is clockwise of θ_p",
             not clear or (both.theirs.sign != both.ours.sign) == (wide and both.ours.sign < 0),
         ),
-        Claim("narrow_phase_case_2 looks at our end", (normal is not None) == (both.applies and ours < both.r)),
-        Claim("two narrow sectors are treated alike", not both.applies or wide or not clear or theirs == ours),
+        Claim("narrow_phase_case_2 chooses our end", (normal is not None) == (both.applies and ours < both.r)),
+        Claim("for a narrow sector both rules agree", not both.applies or wide or not clear or theirs == ours),
     )
 
 
 SCENE = Scene(
     name="on-left",
     title="Which end? on_left and the wide sector",
-    idea="Measured from a wide sector's own end, a ball on the other side is still on the left: the sector's middle decides.",
-    chapter=Chapter.ANGLES,
-    place=30,
+    idea="Seen from an end of a wide sector, a ball beyond the other end is still on the left. The sector's middle decides.",
     functions=("on_left", "narrow_phase_case_2"),
     parameters=(
         Number("theta", "θ", "°", 0.0, 360.0, 200.0, 0.5, "the ball's angle"),
@@ -159,7 +157,7 @@ SCENE = Scene(
         handles.half_angle("half_angle", "angle", lambda _: _RADIUS + 0.6 * _HALF_WIDTH, 1.0),
         handles.half_angle("half_angle", "angle", lambda _: _RADIUS + 0.6 * _HALF_WIDTH, -1.0),
     ),
-    view=View(0j, 8.4 + 8.4j),
+    view_box=ViewBox(0j, 8.4 + 8.4j),
     shows=_picture,
     check=_check,
     rows=(2,),

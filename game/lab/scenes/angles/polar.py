@@ -1,14 +1,14 @@
-"""Polar coordinates, and the range that angles are kept in."""
+"""Polar coordinates, and the range of normalised angles."""
 
 import math
 
+from game.lab import source
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code
+from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import angle_arc, degrees, ray, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arrow, Circle, Dot, Line, Mark, Picture, Stroke, Tone, Words, single
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
-from game.lab.source import literal
+from game.lab.kit.picture import Arrow, Circle, Line, Mark, Picture, PointMark, Role, Stroke, Words, single
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import length, normalize_angle, to_cartesian, to_polar
 
 _TINY = 1e-15
@@ -16,26 +16,26 @@ _TINY = 1e-15
 
 
 def _turned(given: Given) -> float:
-    """The angle a of the slider, as a float that need not be normalised."""
-    return given.angle("turn") + given.number("hair") * 1e-17
+    """The angle a, which need not be normalised: the slider's degrees, and a tiny angle that degrees cannot express."""
+    return given.angle("turn") + given.number("epsilon") * 1e-17
 
 
 def _picture(given: Given) -> Picture:
-    """A point with its two kinds of coordinates, and an angle of any size with where it points."""
+    """A point with its two kinds of coordinates, and an angle of any size with its direction."""
     p, turn = given.point("p"), _turned(given)
     radius, theta = to_polar(p)
-    folded, plain = normalize_angle(turn), literal.normalize_angle(turn)
+    folded, plain = normalize_angle(turn), source.normalize_angle(turn)
     marks: list[Mark] = [
-        Line((0j, 12 + 0j), Tone.FAINT, None, Stroke.DASHED, "polar axis"),
-        Circle(0j, radius, Tone.FAINT, None, Stroke.DASHED),
-        Line((0j, complex(p.real, 0.0), p), Tone.FAINT),
-        Arrow(0j, p, Tone.PLAIN, None, Stroke.THICK, "p"),
-        angle_arc(1.2, 0.0, theta, Tone.PLAIN, "θ"),
-        ray(folded, 5.0, Tone.OURS),
-        angle_arc(2.4, 0.0, folded, Tone.OURS, "a, normalised"),
-        Line(_spiral(turn), Tone.TWO),
-        Words(_spiral(turn)[-1] * 1.08 + 0.3j, "a" if abs(turn) > 0.1 else "", Tone.TWO),
-        Dot(to_cartesian(5.0, folded), Tone.OURS),
+        Line((0j, 12 + 0j), Role.FAINT, None, Stroke.DASHED, "polar axis"),
+        Circle(0j, radius, Role.FAINT, None, Stroke.DASHED),
+        Line((0j, complex(p.real, 0.0), p), Role.FAINT),
+        Arrow(0j, p, Role.PLAIN, None, Stroke.THICK, "p"),
+        angle_arc(1.2, 0.0, theta, Role.PLAIN, "θ"),
+        ray(folded, 5.0, Role.OURS),
+        angle_arc(2.4, 0.0, folded, Role.OURS, "a, normalised"),
+        Line(_spiral(turn), Role.TWO),
+        Words(_spiral(turn)[-1] * 1.08 + 0.3j, "a" if abs(turn) > 0.1 else "", Role.TWO),
+        PointMark(to_cartesian(5.0, folded), Role.OURS),
     ]
     formula = (
         f"p = {two_decimals(p)}:   |p| = √(x² + y²) = {radius:.3f},   θ = {degrees(theta)}",
@@ -44,11 +44,11 @@ def _picture(given: Given) -> Picture:
         f"a mod 2π = {_number(plain)} rad" + (",   which is 2π: out of range" if plain >= math.tau else ""),
         f"normalised, in [0, 2π):   {_number(folded)} rad = {degrees(folded)}",
     )
-    return single(tuple(marks), formula, _deciding(plain), _note(p, turn, plain))
+    return single(tuple(marks), formula, _cited(plain), _note(p, turn, plain))
 
 
 def _spiral(turn: float) -> tuple[complex, ...]:
-    """The way from the polar axis through an angle of any size."""
+    """A spiral that turns from the polar axis by an angle of any size."""
     parts = max(round(abs(turn) * 12.0), 1)
     return tuple([to_cartesian(3.2 + 0.35 * abs(turn) * k / parts / math.tau, turn * k / parts) for k in range(parts + 1)])
 
@@ -58,67 +58,67 @@ def _number(angle: float) -> str:
     return f"{angle:.3g}" if 0.0 < abs(angle) < 1e-3 else f"{angle:.5f}"
 
 
-def _deciding(plain: float) -> Deciding:
-    """What keeps the range half-open."""
-    return code(normalize_angle, "return angle if" if plain >= math.tau else "angle %= math.tau")
+def _cited(plain: float) -> CitedLine:
+    """The line that makes the range half-open."""
+    return code_line(normalize_angle, "return angle if angle < math.tau else 0.0" if plain >= math.tau else "angle %= math.tau")
 
 
 def _note(p: complex, turn: float, plain: float) -> str:
-    """What is special."""
+    """What is special about these values."""
     if p == 0.0:
         return "p is the origin: it has no angle. 0 is a convention, and nothing may depend on it."
     if plain >= math.tau:
-        return "The remainder of a tiny negative angle rounds to 2π itself. Two equal directions would compare as a turn apart."
+        return "The remainder of a tiny negative angle rounds to 2π itself. Equal directions would then differ by a whole turn."
     if turn == 0.0:
         return "The source asks for (0, 2π). A ball on the polar axis has the angle 0, so the range has to include it."
     return ""
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
-    """There and back, and the range."""
+    """The conversion and its inverse, and the range of the angles."""
     p, turn = given.point("p"), _turned(given)
     radius, theta = to_polar(p)
     folded = normalize_angle(turn)
     there = to_cartesian(1.0, turn) - to_cartesian(1.0, folded)
-    plain = literal.normalize_angle(turn)
+    plain = source.normalize_angle(turn)
     return (
-        Claim("there and back is the same point", length(to_cartesian(radius, theta) - p) <= 1e-12 * (1.0 + radius)),
+        Claim(
+            "to polar coordinates and back is the same point", length(to_cartesian(radius, theta) - p) <= 1e-12 * (1.0 + radius)
+        ),
         Claim("the point's angle is in [0, 2π)", 0.0 <= theta < math.tau),
         Claim("the normalised angle is in [0, 2π)", 0.0 <= folded < math.tau),
-        Claim("it points the same way", length(there) < 1e-12),
+        Claim("it has the same direction", length(there) < 1e-12),
         Claim("normalising again changes nothing", normalize_angle(folded) == folded),
         Claim("a plain remainder differs only where it leaves the range", (plain == folded) == (plain < math.tau)),
-        Claim("and it leaves it only for a tiny negative angle", plain < math.tau or -_TINY < turn < 0.0),
+        Claim("the plain remainder leaves the range only for a tiny negative angle", plain < math.tau or -_TINY < turn < 0.0),
     )
 
 
 SCENE = Scene(
     name="polar",
     title="Polar coordinates and normalised angles",
-    idea="A point is a distance and an angle; angles are brought to [0, 2π) once, at the border, and compared only then.",
-    chapter=Chapter.ANGLES,
-    place=10,
+    idea="A point is a distance and an angle. Angles are normalised to [0, 2π) once, and compared only then.",
     functions=("normalize_angle", "to_polar", "to_cartesian"),
     parameters=(
         Point("p", "p", -10.0, 10.0, 4 + 3j, meaning="a point"),
         Number("turn", "a", "°", -1080.0, 1080.0, 500.0, 1.0, "an angle of any size"),
-        Number("hair", "ε", "× 1e-17 rad", -10.0, 10.0, 0.0, 1.0, "added to a"),
+        Number("epsilon", "ε", "× 1e-17 rad", -10.0, 10.0, 0.0, 1.0, "added to a"),
     ),
     handles=(
         handles.point("p", "p"),
         handles.Handle(
             "a",
             lambda given: to_cartesian(5.0, given.angle("turn")),
-            lambda given, place: {"turn": _nearest_turn(given.number("turn"), place)},
+            lambda given, position: {"turn": _nearest_turn(given.number("turn"), position)},
         ),
     ),
-    view=View(0.5 + 0.3j, 7.5 + 6.0j),
+    view_box=ViewBox(0.5 + 0.3j, 7.5 + 6.0j),
     shows=_picture,
     check=_check,
     rows=(1,),
     presets=(
         Preset("more than a turn", "turn=500"),
-        Preset("a hair below the polar axis", "turn=0&hair=-1"),
+        Preset("1e-17 below the polar axis", "turn=0&epsilon=-1"),
         Preset("on the polar axis", "p=5,0&turn=0"),
         Preset("clockwise", "turn=-90"),
         Preset("the origin", "p=0,0"),
@@ -126,7 +126,7 @@ SCENE = Scene(
 )
 
 
-def _nearest_turn(before: float, place: complex) -> float:
-    """The angle of a place, in degrees, of all its turns the one nearest to the angle before."""
-    angle = math.degrees(to_polar(place)[1])
+def _nearest_turn(before: float, position: complex) -> float:
+    """The angle of a point, in degrees: of all that differ by whole turns, the one nearest to the angle before."""
+    angle = math.degrees(to_polar(position)[1])
     return angle + 360.0 * round((before - angle) / 360.0)

@@ -1,12 +1,14 @@
-"""The broad phase: what the ball's distance from the centre says."""
+"""The broad phase: the outcome that follows from the ball's distance from the centre alone."""
+
+import math
 
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code
+from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.handles import Handle
 from game.lab.kit.marks import ball_marks, ray
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Band, Circle, Line, Mark, Picture, Stroke, Toggle, Tone, Words, single
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from game.lab.kit.picture import Annulus, Circle, Line, Mark, Picture, Role, Stroke, Toggle, Words, single
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import (
     Ball,
     Outcome,
@@ -21,20 +23,19 @@ from physics import (
     to_polar,
 )
 
-_TONES = {
-    Outcome.GAME_OVER: Tone.SOURCE,
-    Outcome.PADDLES: Tone.GOOD,
-    Outcome.BRICKS: Tone.ONE,
-    Outcome.NO_COLLISION: Tone.FAINT,
+_ROLES = {
+    Outcome.GAME_OVER: Role.SOURCE,
+    Outcome.PADDLES: Role.GOOD,
+    Outcome.BRICKS: Role.ONE,
+    Outcome.NO_COLLISION: Role.FAINT,
 }
 _FAR = 25.0
-_CLOSED = 3.141592653589793
 
 
 def _rings(given: Given) -> tuple[Ring, Ring]:
     """The paddles' ring and the bricks', closed: the broad phase does not look at angles."""
-    paddles = Ring(given.number("r_p"), given.number("w_p"), _CLOSED, 1)
-    return paddles, Ring(given.number("r_b"), given.number("w_b"), _CLOSED, 1)
+    paddles = Ring(given.number("r_p"), given.number("w_p"), math.pi, 1)
+    return paddles, Ring(given.number("r_b"), given.number("w_b"), math.pi, 1)
 
 
 def _outcome(given: Given) -> Outcome:
@@ -43,30 +44,30 @@ def _outcome(given: Given) -> Outcome:
 
 
 def _picture(given: Given) -> Picture:
-    """Where a centre may be for each outcome, and the ball's reach from the centre."""
+    """For each outcome the distances of the ball's centre that lead to it, and the distances that the ball covers."""
     p, r, r_g = given.point("ball"), given.number("r"), given.number("r_g")
     paddles, bricks = _rings(given)
     distance, theta = to_polar(p)
     outcome = _outcome(given)
-    tone = _TONES[outcome] if outcome is not Outcome.NO_COLLISION else Tone.PLAIN
+    role = _ROLES[outcome] if outcome is not Outcome.NO_COLLISION else Role.PLAIN
     marks: list[Mark] = [
-        Band(r_g + r, _FAR, Tone.SOURCE, Toggle.BANDS, 0.16),
-        Band(max(bricks.inner_radius - r, 0.0), bricks.outer_radius + r, Tone.ONE, Toggle.BANDS, 0.3),
-        Band(max(paddles.inner_radius - r, 0.0), paddles.outer_radius + r, Tone.GOOD, Toggle.BANDS, 0.3),
-        Circle(0j, r_g, Tone.PLAIN),
+        Annulus(r_g + r, _FAR, Role.SOURCE, Toggle.BANDS, 0.16),
+        Annulus(max(bricks.inner_radius - r, 0.0), bricks.outer_radius + r, Role.ONE, Toggle.BANDS, 0.3),
+        Annulus(max(paddles.inner_radius - r, 0.0), paddles.outer_radius + r, Role.GOOD, Toggle.BANDS, 0.3),
+        Circle(0j, r_g, Role.PLAIN),
         *[
-            Circle(0j, radius, Tone.GHOST, None, Stroke.DASHED)
+            Circle(0j, radius, Role.GHOST, None, Stroke.DASHED)
             for ring in (paddles, bricks)
             for radius in (ring.inner_radius, ring.outer_radius)
         ],
         ray(theta, distance),
         *ball_marks(p, r),
-        Line((to_cartesian(max(distance - r, 0.0), theta), to_cartesian(distance + r, theta)), tone, None, Stroke.THICK),
-        Words(to_cartesian(r_g, 2.0) + 0.6j, "ground: r_g", Tone.PLAIN),
-        Words(to_cartesian(paddles.radius, 2.5), "paddles", Tone.PLAIN, Toggle.BANDS),
-        Words(to_cartesian(bricks.radius, 2.5), "bricks", Tone.PLAIN, Toggle.BANDS),
+        Line((to_cartesian(max(distance - r, 0.0), theta), to_cartesian(distance + r, theta)), role, None, Stroke.THICK),
+        Words(to_cartesian(r_g, 2.0) + 0.6j, "ground: r_g", Role.PLAIN),
+        Words(to_cartesian(paddles.radius, 2.5), "band of the paddles", Role.PLAIN, Toggle.BANDS),
+        Words(to_cartesian(bricks.radius, 2.5), "band of the bricks", Role.PLAIN, Toggle.BANDS),
     ]
-    return single(tuple(marks), _formula(given), _deciding(outcome), _note(outcome, distance))
+    return single(tuple(marks), _formula(given), _cited(outcome), _note(outcome, distance))
 
 
 def _formula(given: Given) -> tuple[str, ...]:
@@ -84,29 +85,31 @@ def _formula(given: Given) -> tuple[str, ...]:
     return (*lines, f"so: {_outcome(given).value}")
 
 
-def _deciding(outcome: Outcome) -> Deciding:
+def _cited(outcome: Outcome) -> CitedLine:
     """The test that decided."""
     if outcome is Outcome.GAME_OVER:
-        return code(has_left, "return length(p)")
+        return code_line(has_left, "return length(p) - ball_radius > ground_radius")
     if outcome is Outcome.NO_COLLISION:
-        return code(broad_phase_outcome, "return Outcome.NO_COLLISION")
-    return code(in_band, "return distance + ball_radius")
+        return code_line(broad_phase_outcome, "return Outcome.NO_COLLISION")
+    return code_line(
+        in_band, "return distance + ball_radius >= ring.inner_radius and distance - ball_radius <= ring.outer_radius"
+    )
 
 
 def _note(outcome: Outcome, distance: float) -> str:
-    """What follows."""
+    """What the bands mean, and what follows."""
     if distance == 0.0:
-        return "The ball is on the centre: it has no angle, but the broad phase asks only for its distance."
+        return "The ball is on the centre: it has no angle there, but the broad phase asks only for its distance."
     if outcome is Outcome.GAME_OVER:
         return "The source's game is over. Here the ball costs one life, once, and the game ends with the last."
     if outcome is Outcome.NO_COLLISION:
-        return "Nothing of either ring is as far from the centre as any part of the ball."
+        return "The ball's centre is in no coloured band. A band is a ring, dashed, grown by r on both sides."
     ring = "paddles" if outcome is Outcome.PADDLES else "bricks"
-    return f"The ball reaches into the band of the {ring}. Which of its sectors is nearest is the next question."
+    return f"p is in the band of the {ring}: the ring, dashed, grown by r on both sides. Next: which of its sectors is nearest?"
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
-    """By the distances themselves, and by what the narrow phase would find."""
+    """The outcome is what the narrow phase finds for closed rings, and does not depend on the ball's angle."""
     p, r, r_g = given.point("ball"), given.number("r"), given.number("r_g")
     paddles, bricks = _rings(given)
     outcome, distance = _outcome(given), length(p)
@@ -132,19 +135,19 @@ def _check(given: Given) -> tuple[Claim, ...]:
 
 
 def _on_axis(name: str, label: str, turn: float) -> Handle:
-    """A radius, taken hold of on a bearing."""
-    return Handle(label, lambda given: to_cartesian(given.number(name), turn), lambda _given, place: {name: length(place)})
+    """A radius, dragged along a bearing."""
+    return Handle(
+        label, lambda given: to_cartesian(given.number(name), turn), lambda _given, position: {name: length(position)}
+    )
 
 
 SCENE = Scene(
     name="broad-phase",
     title="Broad phase: four outcomes",
-    idea="The distance from the centre alone says which ring a ball can touch at all: most balls touch none.",
-    chapter=Chapter.BROAD_PHASE,
-    place=10,
+    idea="The distance from the centre alone says which ring a ball can touch; most of the time it can touch none.",
     functions=("broad_phase",),
     parameters=(
-        Point("ball", "p", -20.0, 20.0, 6 + 5j, meaning="the ball's centre"),
+        Point("ball", "p", -20.0, 20.0, 4 + 8.2j, meaning="the ball's centre"),
         Number("r", "r", "", 0.1, 3.0, 0.8, 0.05, "the ball's radius"),
         Number("r_g", "r_g", "", 5.0, 15.0, 12.0, 0.1, "the ground's radius"),
         Number("r_p", "r_p", "", 2.1, 14.0, 10.0, 0.1, "the paddles' middle radius"),
@@ -158,7 +161,7 @@ SCENE = Scene(
         _on_axis("r_p", "r_p", 0.0),
         _on_axis("r_b", "r_b", 0.0),
     ),
-    view=View(0j, 14.8 + 13.4j),
+    view_box=ViewBox(0j, 14.8 + 13.4j),
     shows=_picture,
     check=_check,
     rows=(9,),

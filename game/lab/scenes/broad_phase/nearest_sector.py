@@ -1,13 +1,13 @@
-"""Which of many sectors is nearest: the source's search, and arithmetic."""
+"""Which of many sectors is nearest: the source's search beside the arithmetic for evenly spaced slots."""
 
 import math
 
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code
+from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import ball_marks, contact_marks, degrees, ray, ring_marks, second_opinion
 from game.lab.kit.parameters import Count, Given, Number, Point
-from game.lab.kit.picture import Line, Mark, Picture, Stroke, Tone, Words, single
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from game.lab.kit.picture import Line, Mark, Picture, Role, Stroke, Words, single
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import (
     Ball,
     Ring,
@@ -38,32 +38,32 @@ def _ball(given: Given) -> Ball:
 
 
 def _picture(given: Given) -> Picture:
-    """The sectors, the nearest one bright, and the borders between their neighbourhoods."""
+    """The sectors, the nearest one bright, and the bearings halfway between neighbours."""
     ring, ball = _ring(given), _ball(given)
     theta = angle_of(ball.position)
     slot = nearest_slot(ring, theta)
     found = contact(ball, ring, slot)
     marks: list[Mark] = [*_borders(ring), *ring_marks(ring, None, slot)]
     if ring.count <= _NUMBERED:
-        marks += [Words(to_cartesian(_RADIUS, ring.angle(k)), str(k), Tone.PLAIN) for k in range(ring.count)]
+        marks += [Words(to_cartesian(_RADIUS, ring.angle(k)), str(k), Role.PLAIN) for k in range(ring.count)]
     marks += [ray(theta, 11.0), *ball_marks(ball.position, ball.radius), *contact_marks(ball, found, 2.0)]
     neighbours = tuple({(slot + step) % ring.count: None for step in (-1, 0, 1)})
     marks += second_opinion(given, ball, ring, neighbours, found)
     difference = min_difference(theta, ring.angle(slot))
     pitch, face = math.tau / ring.count, difference <= ring.half_angle
     formula = (
-        f"the source looks at all {ring.count}:   the least min_difference(θ, θ_p) is {degrees(difference)}, of sector {slot}",
+        f"the source searches all {ring.count}:   the least min_difference(θ, θ_p) is {degrees(difference)}, of sector {slot}",
         f"here:   round((θ - θ_0) / (2π / n)) mod n = round({_turned(theta, ring) / pitch:.2f}) mod {ring.count} = {slot}",
         f"min_difference {'≤' if face else '>'} φ_p = {degrees(ring.half_angle)}:   case {1 if face else 2}",
         f"gap = {found.gap:.3f}",
     )
-    return single(tuple(marks), formula, _deciding(), _note(given, ring, ball))
+    return single(tuple(marks), formula, _cited(), _note(given, ring, ball))
 
 
 def _borders(ring: Ring) -> list[Mark]:
-    """Where one sector's neighbourhood ends and the next one's begins."""
+    """The bearings at which two neighbours are equally near."""
     angles = [ring.angle(k) + math.pi / ring.count for k in range(ring.count)] if ring.count > 1 else []
-    return [Line((to_cartesian(5.0, angle), to_cartesian(14.0, angle)), Tone.FAINT, None, Stroke.DASHED) for angle in angles]
+    return [Line((to_cartesian(5.0, angle), to_cartesian(14.0, angle)), Role.FAINT, None, Stroke.DASHED) for angle in angles]
 
 
 def _turned(theta: float, ring: Ring) -> float:
@@ -72,13 +72,13 @@ def _turned(theta: float, ring: Ring) -> float:
     return turn - math.tau if turn > math.pi else turn
 
 
-def _deciding() -> Deciding:
-    """The arithmetic."""
-    return code(nearest_slot, "return round(")
+def _cited() -> CitedLine:
+    """The arithmetic that replaces the search."""
+    return code_line(nearest_slot, "return round(signed_difference(angle, ring.phase) / pitch) % ring.count")
 
 
 def _note(given: Given, ring: Ring, ball: Ball) -> str:
-    """What is special."""
+    """What is special about these values."""
     if ball.position == 0.0:
         return "The ball is on the centre: every sector is equally near, and by convention its angle is 0."
     touched = _touched(ring, ball)
@@ -112,7 +112,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
             "at an end, broad_phase has a normal exactly where they touch",
             not asked or _has(normal) == (gaps[slot] < 0.0),
         ),
-        Claim("over a face, it always has one", ends or normal is not None),
+        Claim("over a face, broad_phase always has a normal", ends or normal is not None),
     )
 
 
@@ -122,7 +122,7 @@ def _has(normal: complex | None) -> bool:
 
 
 def _inside(ring: Ring, ball: Ball) -> bool:
-    """Whether the ball's centre is in the band, where the way out of a sector may lead past another's end."""
+    """Whether the ball's centre is between the two radii, where the sector nearest in angle need not be the nearest."""
     return ring.inner_radius < length(ball.position) < ring.outer_radius
 
 
@@ -130,8 +130,6 @@ SCENE = Scene(
     name="nearest-sector",
     title="Broad phase: the nearest sector",
     idea="The source searches a list for the angle nearest to the ball's; evenly spaced slots turn the search into a division.",
-    chapter=Chapter.BROAD_PHASE,
-    place=20,
     functions=("broad_phase", "min_difference"),
     parameters=(
         Point("ball", "p", -13.0, 13.0, 8.6 + 5.2j, meaning="the ball's centre"),
@@ -144,7 +142,7 @@ SCENE = Scene(
         handles.point("ball", "ball", "r"),
         handles.on_circle("phase", lambda _: _RADIUS + _HALF_WIDTH, "θ_0: turn the ring"),
     ),
-    view=View(0j, 11.8 + 11.2j),
+    view_box=ViewBox(0j, 11.8 + 11.2j),
     shows=_picture,
     check=_check,
     rows=(8,),

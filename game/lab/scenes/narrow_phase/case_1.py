@@ -1,14 +1,15 @@
 """Case 1: the ball's angle lies within the sector's."""
 
+import math
 from typing import NamedTuple
 
+from game.lab import source
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code
+from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import ball_marks, contact_marks, degrees, is_unit, ray, ring_marks, second_opinion, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arrow, Circle, Mark, Picture, Stroke, Toggle, Tone, single
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
-from game.lab.source import literal
+from game.lab.kit.picture import Arrow, Circle, Mark, Picture, Role, Stroke, Toggle, single
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import (
     Ball,
     Contact,
@@ -29,7 +30,7 @@ from physics.narrow_phase import sector_contact
 _SAMPLES = 200
 
 
-class _Case(NamedTuple):
+class _FaceCase(NamedTuple):
     """A ball and a sector, case 1's normal, and where the two are nearest."""
 
     ball: Ball
@@ -49,28 +50,28 @@ class _Case(NamedTuple):
         return self.applies and self.ring.inner_radius < length(self.ball.position) < self.ring.outer_radius
 
 
-def _case(given: Given) -> _Case:
-    """What the values make."""
+def _case(given: Given) -> _FaceCase:
+    """The ball and the sector that the values make."""
     ball = Ball(given.point("ball"), 0j, given.number("r"))
     ring = Ring(given.number("radius"), given.number("half_width"), given.angle("half_angle"), 1, given.angle("angle"))
     normal = narrow_phase_case_1(ball.position, ring.radius)
-    return _Case(ball, ring, angle_of(ball.position), normal, contact(ball, ring, 0))
+    return _FaceCase(ball, ring, angle_of(ball.position), normal, contact(ball, ring, 0))
 
 
 def _picture(given: Given) -> Picture:
     """The sector, its middle radius where the sign turns, and the normal."""
     case = _case(given)
     ball, ring = case.ball, case.ring
-    marks: list[Mark] = [*ring_marks(ring), Circle(0j, ring.radius, Tone.FAINT, None, Stroke.DASHED)]
+    marks: list[Mark] = [*ring_marks(ring), Circle(0j, ring.radius, Role.FAINT, None, Stroke.DASHED)]
     marks += [ray(case.theta, 15.0), *ball_marks(ball.position, ball.radius)]
     if case.inside and dot(case.normal, case.found.normal) < 1.0 - 1e-9:
-        marks.append(Arrow(ball.position, case.normal * 1.5, Tone.SOURCE, Toggle.NORMALS, label="case 1"))
+        marks.append(Arrow(ball.position, case.normal * 1.5, Role.SOURCE, Toggle.NORMALS, label="case 1"))
     marks += contact_marks(ball, case.found)
     marks += second_opinion(given, ball, ring, (0,), case.found)
-    return single(tuple(marks), _formula(case), _deciding(case), _note(case))
+    return single(tuple(marks), _formula(case), _cited(case), _note(case))
 
 
-def _formula(case: _Case) -> tuple[str, ...]:
+def _formula(case: _FaceCase) -> tuple[str, ...]:
     """Which case, and the normal."""
     p, ring = case.ball.position, case.ring
     difference, distance = min_difference(case.theta, ring.angle(0)), length(p)
@@ -86,23 +87,25 @@ def _formula(case: _Case) -> tuple[str, ...]:
     )
 
 
-def _deciding(case: _Case) -> Deciding:
-    """The sign; inside of the material, the comparison of the ways out."""
+def _cited(case: _FaceCase) -> CitedLine:
+    """The line that gives the sign; inside the material, the line that compares the depths."""
     if case.inside:
-        return code(sector_contact, "if half_angle < math.pi and inner")
-    return code(narrow_phase_case_1, "return -n") if case.applies else code(sector_contact, "if abs(offset) <= half_angle")
+        return code_line(sector_contact, "if half_angle < math.pi and inner < distance < outer:")
+    if case.applies:
+        return code_line(narrow_phase_case_1, "return -n if length(p) < radius else n")
+    return code_line(sector_contact, "if abs(offset) <= half_angle:")
 
 
-def _note(case: _Case) -> str:
-    """What is special."""
+def _note(case: _FaceCase) -> str:
+    """What is special about these values."""
     if case.ball.position == 0.0:
         return "The ball is on the centre: p / |p| is 0 / 0. By convention its angle is 0 and its normal points inwards."
     if not case.applies:
         return ""
     if case.inside and case.found.feature is Feature.END:
-        return "The centre is inside the material, and an end is the shortest way out: the face's normal would push it through."
+        return "The centre is inside the material, and an end is nearest: the face's normal would push it through the sector."
     if case.inside:
-        return "The centre is inside the material: it leaves by the shortest way, a face. The sweep never lets it get there."
+        return "The centre is inside the material: it leaves through the nearest side, a face. In the game no ball gets there."
     return (
         "Inside of r_p: the inner face, the normal points to the centre."
         if length(case.ball.position) < case.ring.radius
@@ -133,18 +136,16 @@ def _distance_to_outline(ring: Ring, p: complex) -> float:
     """From a point to the nearest of many points of the two arcs, or to the two ends, where there are ends."""
     angles = [ring.angle(0) + ring.half_angle * (2.0 * k / _SAMPLES - 1.0) for k in range(_SAMPLES + 1)]
     arcs = [length(p - to_cartesian(radius, a)) for a in angles for radius in (ring.inner_radius, ring.outer_radius)]
-    if ring.half_angle >= 3.141592653589793:
+    if ring.half_angle >= math.pi:
         return min(arcs)
-    ends = [literal.end_points(ring.radius, ring.half_width, angle) for angle in (angles[0], angles[-1])]
+    ends = [source.end_points(ring.radius, ring.half_width, angle) for angle in (angles[0], angles[-1])]
     return min([*arcs, *[length(p - closest_point_on_line(a, b, p)) for a, b in ends]])
 
 
 SCENE = Scene(
     name="case-1",
     title="Narrow phase, case 1: a face",
-    idea="Within the sector's angle a face is nearest, so the normal is radial; the middle radius says which way it points.",
-    chapter=Chapter.NARROW_PHASE,
-    place=20,
+    idea="Within the sector's angle a face is nearest, so the normal is radial; the middle radius decides its sign.",
     functions=("narrow_phase_case_1",),
     parameters=(
         Point("ball", "p", -15.0, 15.0, 7.6 + 1.6j, meaning="the ball's centre"),
@@ -158,7 +159,7 @@ SCENE = Scene(
         handles.point("ball", "ball", "r"),
         *handles.sector_handles("radius", "half_width", "angle", "half_angle"),
     ),
-    view=View(8.2 + 0j, 6.6 + 5.2j),
+    view_box=ViewBox(8.2 + 0j, 6.6 + 5.2j),
     shows=_picture,
     check=_check,
     rows=(7,),

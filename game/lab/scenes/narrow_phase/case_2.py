@@ -1,14 +1,15 @@
 """Case 2: the ball's angle lies outside of the sector's."""
 
+import math
 from typing import NamedTuple
 
+from game.lab import source
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code
+from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import ball_marks, contact_marks, degrees, is_unit, ray, second_opinion
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Dot, Line, Mark, Picture, Sector, Stroke, Toggle, Tone, single
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
-from game.lab.source import literal
+from game.lab.kit.picture import AnnularSector, Line, Mark, Picture, PointMark, Role, Stroke, Toggle, single
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import (
     Ball,
     Contact,
@@ -28,15 +29,18 @@ from physics.narrow_phase import end_contact
 
 _SAMPLES = 64
 _WORDS = {
-    Feature.END: "the end itself: the normal is square to it",
-    Feature.CORNER: "a corner, the clamped foot: the normal points from it to p",
+    Feature.END: "the end itself: the normal is perpendicular to it",
+    Feature.CORNER: "a corner, to which the foot is clamped: the normal points from it to p",
     Feature.OUTER_FACE: "the outer face",
     Feature.INNER_FACE: "the inner face",
 }
 
 
-class _Case(NamedTuple):
-    """The numbers of the source's call, and the end it looks at."""
+class _EndCase(NamedTuple):
+    """The arguments of narrow_phase_case_2, and the end that it chooses.
+
+    sign: 1 the counter-clockwise end, -1 the clockwise one. a, b: the end's inner and outer corner.
+    """
 
     ball: Ball
     theta: float
@@ -44,7 +48,7 @@ class _Case(NamedTuple):
     angle: float
     half_width: float
     half_angle: float
-    sign: int  # 1 the counter-clockwise end, -1 the clockwise one
+    sign: int
     a: complex
     b: complex
 
@@ -63,17 +67,17 @@ class _Case(NamedTuple):
         )
 
 
-def _case(given: Given) -> _Case:
+def _case(given: Given) -> _EndCase:
     """The call that the values make."""
     ball = Ball(given.point("ball"), 0j, given.number("r"))
     theta, angle, half_angle = angle_of(ball.position), given.angle("angle"), given.angle("half_angle")
     radius, half_width = given.number("radius"), given.number("half_width")
     sign = 1 if on_left(theta, angle) else -1
-    a, b = literal.end_points(radius, half_width, angle + sign * half_angle)
-    return _Case(ball, theta, radius, angle, half_width, half_angle, sign, a, b)
+    a, b = source.end_points(radius, half_width, angle + sign * half_angle)
+    return _EndCase(ball, theta, radius, angle, half_width, half_angle, sign, a, b)
 
 
-def _ring(case: _Case) -> Ring | None:
+def _ring(case: _EndCase) -> Ring | None:
     """The sector as a ring; None where it has no width, which a ring must have."""
     return Ring(case.radius, case.half_width, case.half_angle, 1, case.angle) if case.half_angle > 0.0 else None
 
@@ -83,18 +87,18 @@ def _picture(given: Given) -> Picture:
     case = _case(given)
     ball, ring = case.ball, _ring(case)
     found = _found(case, ring)
-    marks: list[Mark] = [Sector(case.radius, case.half_width, case.angle, case.half_angle, Tone.SECTOR)]
+    marks: list[Mark] = [AnnularSector(case.radius, case.half_width, case.angle, case.half_angle, Role.SECTOR)]
     marks += [ray(case.theta, 15.0), *ball_marks(ball.position, ball.radius)]
     if case.applies:
-        marks.append(Line((case.a, case.b), Tone.PLAIN, Toggle.CLOSEST, Stroke.THICK))
-        marks += [Dot(case.a, Tone.PLAIN, Toggle.CLOSEST, "A"), Dot(case.b, Tone.PLAIN, Toggle.CLOSEST, "B")]
+        marks.append(Line((case.a, case.b), Role.PLAIN, Toggle.CLOSEST, Stroke.THICK))
+        marks += [PointMark(case.a, Role.PLAIN, Toggle.CLOSEST, "A"), PointMark(case.b, Role.PLAIN, Toggle.CLOSEST, "B")]
     marks += contact_marks(ball, found)
     if ring is not None:
         marks += second_opinion(given, ball, ring, (0,), found)
-    return single(tuple(marks), _formula(case, found), _deciding(case, found), _note(case, found))
+    return single(tuple(marks), _formula(case, found), _cited(case, found), _note(case, found))
 
 
-def _found(case: _Case, ring: Ring | None) -> Contact:
+def _found(case: _EndCase, ring: Ring | None) -> Contact:
     """Where the ball and the sector are nearest."""
     if ring is not None and not case.applies:
         return contact(case.ball, ring, 0)
@@ -102,7 +106,7 @@ def _found(case: _Case, ring: Ring | None) -> Contact:
     return end_contact(case.ball.position, case.ball.radius, along, case.sign, length(case.a), length(case.b))
 
 
-def _formula(case: _Case, found: Contact) -> tuple[str, ...]:
+def _formula(case: _EndCase, found: Contact) -> tuple[str, ...]:
     """Which case, which end, and the distance."""
     difference = min_difference(case.theta, case.angle)
     compared = f"min_difference(θ, θ_p) = {degrees(difference)} {'>' if case.applies else '≤'} φ_p = {degrees(case.half_angle)}"
@@ -119,22 +123,24 @@ def _formula(case: _Case, found: Contact) -> tuple[str, ...]:
     )
 
 
-def _deciding(case: _Case, found: Contact) -> Deciding:
+def _cited(case: _EndCase, found: Contact) -> CitedLine:
     """The line that says what the normal is."""
     if not case.applies:
-        return code(narrow_phase_case_1, "return -n")
+        return code_line(narrow_phase_case_1, "return -n if length(p) < radius else n")
     if found.gap >= 0.0:
-        return code(narrow_phase_case_2, "found.gap < 0.0")
-    return code(end_contact, "normal = ")
+        return code_line(narrow_phase_case_2, "return found.normal if found.gap < 0.0 else None")
+    return code_line(
+        end_contact, "normal = quarter_turn(end) * sign if feature == Feature.END or distance == 0.0 else unit(p - q)"
+    )
 
 
-def _note(case: _Case, found: Contact) -> str:
+def _note(case: _EndCase, found: Contact) -> str:
     """What is nearest, or what is degenerate."""
     if case.ball.position == 0.0:
         return "The ball is on the centre: it has no angle, and θ = 0 by convention."
     if case.half_angle == 0.0:
-        return "φ_p = 0: the sector is a mere segment. The game refuses such a ring; case 2 answers all the same."
-    if not case.applies and case.half_angle >= 3.1415926:
+        return "φ_p = 0: the sector is only a segment. A ring of the game cannot have it; case 2 answers all the same."
+    if not case.applies and case.half_angle >= math.pi:
         return "φ_p = 180°: the ring is closed. It has no ends, so every ball is case 1."
     if length(case.ball.position - found.point) == 0.0:
         return "p = q: the source leaves out the distance 0. The normal is the end's own."
@@ -142,15 +148,13 @@ def _note(case: _Case, found: Contact) -> str:
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
-    """The end by brute force, the normal by its definition."""
+    """The closest point against many points of the end, the normal against its definition."""
     case = _case(given)
     p, r = case.ball.position, case.ball.radius
     q = closest_point_on_line(case.a, case.b, p)
     distance = length(p - q)
     nearest = min([length(p - (case.a + (case.b - case.a) * (k / _SAMPLES))) for k in range(_SAMPLES + 1)])
-    other = closest_point_on_line(
-        *literal.end_points(case.radius, case.half_width, case.angle - case.sign * case.half_angle), p
-    )
+    other = closest_point_on_line(*source.end_points(case.radius, case.half_width, case.angle - case.sign * case.half_angle), p)
     normal, ring = case.normal, _ring(case)
     gap = None if ring is None or not case.applies else contact(case.ball, ring, 0).gap
     return (
@@ -158,7 +162,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
         Claim("the other end is no nearer", not case.applies or distance <= length(p - other) + 1e-9),
         Claim("there is a normal exactly where |p - q| < r", (normal is not None) == (case.applies and distance < r)),
         Claim("the normal has length 1", normal is None or is_unit(normal)),
-        Claim("and points from q to p", normal is None or abs(dot(normal, p - q) - distance) < 1e-9),
+        Claim("the normal points from q to p", normal is None or abs(dot(normal, p - q) - distance) < 1e-9),
         Claim("contact() agrees on the gap", gap is None or abs(gap - (distance - r)) < 1e-9),
     )
 
@@ -167,8 +171,6 @@ SCENE = Scene(
     name="case-2",
     title="Narrow phase, case 2: an end and its corners",
     idea="Outside of the sector's angle the nearer end is a segment AB; the normal points from its closest point to the ball.",
-    chapter=Chapter.NARROW_PHASE,
-    place=30,
     functions=("narrow_phase_case_2", "closest_point_on_line", "to_cartesian"),
     parameters=(
         Point("ball", "p", -15.0, 15.0, 9.4 + 3.9j, meaning="the ball's centre"),
@@ -179,10 +181,10 @@ SCENE = Scene(
         Number("half_angle", "φ_p", "°", 0.0, 180.0, 20.0, 0.5, "its half angle"),
     ),
     handles=(handles.point("ball", "ball", "r"), *handles.sector_handles("radius", "half_width", "angle", "half_angle")),
-    view=View(9.4 + 2.5j, 4.0 + 2.9j),
+    view_box=ViewBox(9.4 + 2.5j, 4.0 + 2.9j),
     shows=_picture,
     check=_check,
-    rows=(3,),
+    rows=(3, 11),
     presets=(
         Preset("beside the end", "ball=9.4,3.9"),
         Preset("outer corner", "ball=10.9,4.4"),

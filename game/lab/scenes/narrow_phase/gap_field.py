@@ -1,4 +1,4 @@
-"""The gap between a ball and a sector, and the normal, wherever the ball may be."""
+"""The gap between a ball and a sector, and the normal, at every position of the ball."""
 
 import math
 from typing import NamedTuple
@@ -6,17 +6,17 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from game.lab import source
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code
-from game.lab.kit.marks import ball_marks, contact_marks, is_unit, second_opinion, two_decimals
+from game.lab.kit.cited_line import CitedLine, code_line
+from game.lab.kit.marks import FEATURE_WORDS, ball_marks, contact_marks, is_unit, outline_points, second_opinion, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arc, Arrow, Field, Line, Mark, Picture, Stroke, Toggle, Tone, Words, single
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
-from game.lab.source import literal
+from game.lab.kit.picture import Arc, Arrow, Field, Line, Mark, Picture, Role, Stroke, Toggle, Words, single
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import Ball, Contact, Feature, Ring, contact, length, to_cartesian
 from physics.narrow_phase import end_contact, face_contact
 
-_VIEW = View(1.5 + 1.6j, 10.2 + 6.2j)
+_BOX = ViewBox(1.5 + 1.6j, 10.2 + 6.2j)
 _HALF = 15 + 8j
 """Half of what the field covers, around the view's centre."""
 _CELLS = (150, 80)
@@ -24,16 +24,10 @@ _BAND, _SPAN = 1.0, 7.0
 _SPACING, _ARROW = 1.7, 0.65
 _SAMPLES = 32
 _FAR = 40.0
-_TONES = {Feature.OUTER_FACE: Tone.GOOD, Feature.INNER_FACE: Tone.TWO, Feature.END: Tone.THREE, Feature.CORNER: Tone.FOUR}
-_WORDS = {
-    Feature.OUTER_FACE: "the outer face",
-    Feature.INNER_FACE: "the inner face",
-    Feature.END: "an end",
-    Feature.CORNER: "a corner",
-}
+_ROLES = {Feature.OUTER_FACE: Role.GOOD, Feature.INNER_FACE: Role.TWO, Feature.END: Role.THREE, Feature.CORNER: Role.FOUR}
 
 
-class _Place(NamedTuple):
+class _BallAndSector(NamedTuple):
     """A ball, a sector, and where the two are nearest."""
 
     ball: Ball
@@ -41,23 +35,23 @@ class _Place(NamedTuple):
     found: Contact
 
 
-def _place(given: Given) -> _Place:
-    """What the values make."""
+def _ball_and_sector(given: Given) -> _BallAndSector:
+    """The ball and the sector that the values make."""
     ring = Ring(given.number("radius"), given.number("half_width"), given.angle("half_angle"), 1, given.angle("angle"))
     ball = Ball(given.point("ball"), 0j, given.number("r"))
-    return _Place(ball, ring, contact(ball, ring, 0))
+    return _BallAndSector(ball, ring, contact(ball, ring, 0))
 
 
 def _picture(given: Given) -> Picture:
-    """Bands of equal gap, a normal here and there, the borders between what is nearest, and the ball."""
-    ball, ring, found = _place(given)
+    """Bands of equal gap, normals on a coarse grid, the borders between faces, ends and corners, and the ball."""
+    ball, ring, found = _ball_and_sector(given)
     columns, rows = _CELLS
-    x = np.linspace(-_HALF.real, _HALF.real, columns) + _VIEW.centre.real
-    y = np.linspace(-_HALF.imag, _HALF.imag, rows) + _VIEW.centre.imag
+    x = np.linspace(-_HALF.real, _HALF.real, columns) + _BOX.centre.real
+    y = np.linspace(-_HALF.imag, _HALF.imag, rows) + _BOX.centre.imag
     gaps = _gaps(x[:, None], y[None, :], ring) - ball.radius
     bands = gaps * np.where(np.floor(gaps / _BAND) % 2.0 == 0.0, 1.0, 0.7)
-    marks: list[Mark] = [Field(_VIEW.centre - _HALF, _VIEW.centre + _HALF, bands, _SPAN, Toggle.BANDS)]
-    marks += [*_sides(ring), *[Line(points, Tone.PLAIN, None, Stroke.DASHED) for points in _borders(ring)]]
+    marks: list[Mark] = [Field(_BOX.centre - _HALF, _BOX.centre + _HALF, bands, _SPAN, Toggle.BANDS)]
+    marks += [*_sides(ring), *[Line(points, Role.PLAIN, None, Stroke.DASHED) for points in _borders(ring)]]
     marks += [*_normals(ball.radius, ring), *_legend(ring)]
     marks += [*ball_marks(ball.position, ball.radius), *contact_marks(ball, found)]
     marks += second_opinion(given, ball, ring, (0,), found)
@@ -67,13 +61,13 @@ def _picture(given: Given) -> Picture:
         if not _is_inside(p, ring)
         else f"gap = -|p - q| - r = -{length(p - q):.3f} - {ball.radius:g} = {found.gap:.3f}",
         f"p = {two_decimals(p)},   q = {two_decimals(q)},   n = {two_decimals(found.normal)}",
-        f"nearest: {_WORDS[found.feature]};   a band of colour is {_BAND:g} wide, blue for a gap above 0, red for an overlap",
+        f"nearest: {FEATURE_WORDS[found.feature]};   bands of colour, {_BAND:g} wide: blue for gaps above 0, red for overlaps",
     )
-    return single(tuple(marks), formula, _deciding(found), _note(ball, ring))
+    return single(tuple(marks), formula, _cited(found), _note(ball, ring))
 
 
 def _gaps(x: NDArray[np.float64], y: NDArray[np.float64], ring: Ring) -> NDArray[np.float64]:
-    """Distances of places from a sector, below 0 inside, by its definition and not by the code that the scene shows."""
+    """Distances of points from a sector, below 0 inside, computed independently of the code that the scene shows."""
     turn = to_cartesian(1.0, -ring.phase)
     x, y = turn.real * x - turn.imag * y, np.abs(turn.real * y + turn.imag * x)
     face = np.abs(np.hypot(x, y) - ring.radius) - ring.half_width
@@ -86,29 +80,32 @@ def _gaps(x: NDArray[np.float64], y: NDArray[np.float64], ring: Ring) -> NDArray
 
 
 def _sides(ring: Ring) -> list[Mark]:
-    """The sector's outline: what is inside of it has a colour, too."""
+    """The sector's outline only, since the field colours its inside."""
     start, sweep = ring.phase - ring.half_angle, 2.0 * ring.half_angle
     marks: list[Mark] = [
-        Arc(0j, radius, start, sweep, Tone.SECTOR, None, Stroke.THICK) for radius in (ring.inner_radius, ring.outer_radius)
+        Arc(0j, radius, start, sweep, Role.SECTOR, None, Stroke.THICK) for radius in (ring.inner_radius, ring.outer_radius)
     ]
     if ring.half_angle < math.pi:
-        ends = [literal.end_points(ring.radius, ring.half_width, angle) for angle in (start, start + sweep)]
-        marks += [Line(end, Tone.SECTOR, None, Stroke.THICK) for end in ends]
+        ends = [source.end_points(ring.radius, ring.half_width, angle) for angle in (start, start + sweep)]
+        marks += [Line(end, Role.SECTOR, None, Stroke.THICK) for end in ends]
     return marks
 
 
 def _legend(ring: Ring) -> list[Mark]:
     """What the colours of the arrows mean, each in its region."""
     turn = to_cartesian(1.0, ring.phase)
-    places = {
+    positions = {
         Feature.OUTER_FACE: complex(ring.outer_radius + 2.0, 0.0),
         Feature.INNER_FACE: complex(max(ring.inner_radius - 1.0, 0.3), 0.0),
     }
     if ring.half_angle < math.pi:
         end = to_cartesian(1.0, -ring.half_angle)
-        places[Feature.END] = end * complex(ring.radius, -1.4)
-        places[Feature.CORNER] = end * complex(ring.outer_radius + 1.5, -1.2)
-    return [Words(turn * place, _WORDS[feature], _TONES[feature], Toggle.NORMALS) for feature, place in places.items()]
+        positions[Feature.END] = end * complex(ring.radius, -1.4)
+        positions[Feature.CORNER] = end * complex(ring.outer_radius + 1.5, -1.2)
+    return [
+        Words(turn * position, FEATURE_WORDS[feature], _ROLES[feature], Toggle.NORMALS)
+        for feature, position in positions.items()
+    ]
 
 
 def _borders(ring: Ring) -> list[tuple[complex, ...]]:
@@ -136,14 +133,14 @@ def _borders(ring: Ring) -> list[tuple[complex, ...]]:
 
 
 def _normals(ball_radius: float, ring: Ring) -> list[Mark]:
-    """A normal at every place of a coarse grid, in the colour of what is nearest there."""
+    """A normal at every point of a coarse grid, in the colour of the feature that is nearest there."""
     across, up = round(_HALF.real / _SPACING), round(_HALF.imag / _SPACING)
-    places = [_VIEW.centre + complex(i, j) * _SPACING for i in range(-across, across + 1) for j in range(-up, up + 1)]
+    positions = [_BOX.centre + complex(i, j) * _SPACING for i in range(-across, across + 1) for j in range(-up, up + 1)]
     marks: list[Mark] = []
-    for place in places:
-        found = contact(Ball(place, 0j, ball_radius), ring, 0)
-        way = found.normal * _ARROW
-        marks.append(Arrow(place - way / 2.0, way, _TONES[found.feature], Toggle.NORMALS, Stroke.SOLID))
+    for position in positions:
+        found = contact(Ball(position, 0j, ball_radius), ring, 0)
+        vector = found.normal * _ARROW
+        marks.append(Arrow(position - vector / 2.0, vector, _ROLES[found.feature], Toggle.NORMALS, Stroke.SOLID))
     return marks
 
 
@@ -157,65 +154,54 @@ def _distance(p: complex, ring: Ring) -> float:
     return float(_gaps(np.array(p.real), np.array(p.imag), ring))
 
 
-def _deciding(found: Contact) -> Deciding:
+def _cited(found: Contact) -> CitedLine:
     """The line that found the normal."""
     if found.feature is Feature.CORNER:
-        return code(end_contact, "feature = Feature.CORNER")
+        return code_line(end_contact, "feature = Feature.CORNER if q in (a, b) else Feature.END")
     if found.feature is Feature.END:
-        return code(end_contact, "normal = quarter_turn")
-    return code(face_contact, "if distance < radius")
+        return code_line(
+            end_contact, "normal = quarter_turn(end) * sign if feature == Feature.END or distance == 0.0 else unit(p - q)"
+        )
+    return code_line(face_contact, "if distance < radius:")
 
 
 def _note(ball: Ball, ring: Ring) -> str:
-    """What is special about this place."""
+    """What is special at this position."""
     if ball.position == 0.0:
         return "The centre: every point of the inner face is equally near. By convention the ball's angle is 0 there."
     if _is_inside(ball.position, ring):
-        return "Inside of the material the gap is minus the least depth: it leads out by the shortest way."
+        return "Inside the material |p - q| is the distance to the nearest side, and n points out through that side."
     if ring.half_angle >= math.pi:
         return "φ_p = 180°: a closed ring has no ends and no corners."
-    return "On a dashed border two parts of the sector are equally near: there the normal turns, or jumps; the gap never does."
+    return "On a dashed border two parts of the sector are equally near. The normal may jump there; the gap never does."
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
-    """The gap is a distance: by its definition, by its slope, and along the way to q."""
-    ball, ring, found = _place(given)
+    """The gap is a distance: by its definition, by its slope, and on the line to q."""
+    ball, ring, found = _ball_and_sector(given)
     p, r = ball.position, ball.radius
     there = _distance(p, ring)
     other = p + to_cartesian(0.3 + 0.5 * r, 7.0 * (p.real + p.imag))
     gap = contact(Ball(other, 0j, r), ring, 0).gap
     half_way = contact(Ball((p + found.point) / 2.0, 0j, r), ring, 0).gap
-    nearest = min([length(p - point) for point in _outline(ring)])
+    nearest = min([length(p - point) for point in outline_points(ring, _SAMPLES)])
     return (
         Claim("contact() measures the distance that the field shows", abs(found.gap - (there - r)) < 1e-9),
         Claim("no point of the outline is nearer than q", abs(there) <= nearest + 1e-9),
-        Claim("half way to q, half of the distance is left", abs(half_way + r - (found.gap + r) / 2.0) < 1e-9),
+        Claim("halfway to q, half of the distance is left", abs(half_way + r - (found.gap + r) / 2.0) < 1e-9),
         Claim("the gap changes no faster than the ball moves", abs(gap - found.gap) <= length(other - p) + 1e-9),
         Claim("the normal has length 1", is_unit(found.normal)),
         Claim(
-            "and points from q to p, inside from p to q",
+            "the normal points from q to p, inside the material from p to q",
             length(p - found.point - found.normal * (found.gap + r)) < 1e-9,
         ),
     )
 
 
-def _outline(ring: Ring) -> list[complex]:
-    """Points of the sector's outline."""
-    inner, outer = ring.inner_radius, ring.outer_radius
-    angles = [ring.phase + ring.half_angle * (2.0 * k / _SAMPLES - 1.0) for k in range(_SAMPLES + 1)]
-    points = [to_cartesian(radius, angle) for radius in (inner, outer) for angle in angles]
-    if ring.half_angle < math.pi:
-        radii = [inner + (outer - inner) * k / _SAMPLES for k in range(_SAMPLES + 1)]
-        points += [to_cartesian(radius, angle) for radius in radii for angle in (angles[0], angles[-1])]
-    return points
-
-
 SCENE = Scene(
     name="gap-field",
     title="The field of the gap and of its normals",
-    idea="Around a sector the gap is a landscape without a step; its slope is the normal; faces, ends and corners share it.",
-    chapter=Chapter.NARROW_PHASE,
-    place=40,
+    idea="The gap has no jumps anywhere around a sector, and the normal is its gradient: at faces, ends and corners alike.",
     functions=("narrow_phase_case_1", "narrow_phase_case_2"),
     parameters=(
         Point("ball", "p", -15.0, 15.0, 8.4 + 6.3j, meaning="the ball's centre"),
@@ -226,7 +212,7 @@ SCENE = Scene(
         Number("half_angle", "φ_p", "°", 0.5, 180.0, 40.0, 0.5, "its half angle"),
     ),
     handles=(handles.point("ball", "ball", "r"), *handles.sector_handles("radius", "half_width", "angle", "half_angle")),
-    view=_VIEW,
+    view_box=_BOX,
     shows=_picture,
     check=_check,
     rows=(3, 7),

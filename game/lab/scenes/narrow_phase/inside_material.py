@@ -1,14 +1,15 @@
-"""A ball that starts inside the material: which way out?"""
+"""A ball that starts inside the material: through which side does it leave?"""
 
 import math
 from typing import NamedTuple
 
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code, source
-from game.lab.kit.marks import ball_marks, contact_marks, ring_marks, two_decimals
+from game.lab.kit.cited_line import CitedLine, code_line, source_line
+from game.lab.kit.marks import FEATURE_WORDS, ball_marks, contact_marks, outline_points, ring_marks, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arrow, Circle, Line, Mark, Picture, Stroke, Toggle, Tone, Words, single
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from game.lab.kit.picture import Arrow, Circle, Line, Mark, Picture, Role, Stroke, Toggle, Words, single
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
+from game.rules import TICK
 from physics import (
     PERMANENT,
     Arena,
@@ -23,28 +24,23 @@ from physics import (
     dot,
     length,
     min_difference,
-    to_cartesian,
 )
 from physics.narrow_phase import face_contact, sector_contact
 from physics.tolerances import OVERLAP
 
-_TICK = 1.0 / 240.0
 _SAMPLES = 200
-_WORDS = {
-    Feature.OUTER_FACE: "the outer face",
-    Feature.INNER_FACE: "the inner face",
-    Feature.END: "an end",
-    Feature.CORNER: "a corner",
-}
 
 
-class _Start(NamedTuple):
-    """A ball put somewhere, both ways out, and the tick that follows."""
+class _BallInside(NamedTuple):
+    """A ball put somewhere, the contacts through which it could leave, and the tick that follows.
+
+    face: the source's contact, a face wherever the centre is. found: ours, with the nearest side.
+    """
 
     ball: Ball
     ring: Ring
-    face: Contact  # the source's: a face, wherever the centre is
-    found: Contact  # ours
+    face: Contact
+    found: Contact
     step: Step
 
     @property
@@ -58,122 +54,108 @@ class _Start(NamedTuple):
         return self.over and self.ring.inner_radius < length(self.ball.position) < self.ring.outer_radius
 
 
-def _begun(given: Given) -> _Start:
-    """What the values make."""
+def _ball_inside(given: Given) -> _BallInside:
+    """The ball and the sector that the values make."""
     ring = Ring(given.number("radius"), given.number("half_width"), given.angle("half_angle"), 1, given.angle("angle"))
     ball = Ball(given.point("ball"), 0j, given.number("r"))
     face = face_contact(ball.position, ball.radius, ring.radius, ring.half_width)
-    step = advance(Arena((ball,), (ring,), ((PERMANENT,),)), _TICK, 1.0)
-    return _Start(ball, ring, face, contact(ball, ring, 0), step)
+    step = advance(Arena((ball,), (ring,), ((PERMANENT,),)), TICK, 1.0)
+    return _BallInside(ball, ring, face, contact(ball, ring, 0), step)
 
 
 def _picture(given: Given) -> Picture:
-    """The ball, the source's way out and ours."""
-    begun = _begun(given)
-    ball, ring = begun.ball, begun.ring
+    """The ball, and where it is put by the source and by the physics."""
+    start = _ball_inside(given)
+    ball, ring = start.ball, start.ring
     marks: list[Mark] = [*ring_marks(ring), *ball_marks(ball.position, ball.radius)]
-    if begun.over and begun.face.gap < 0.0:
-        marks += _way(ball, begun.face, Tone.SOURCE, "the source: a face")
-    if begun.step.freed:
-        place = begun.step.arena.balls[0].position
-        if length(place - ball.position + begun.found.normal * begun.found.gap) < 1e-9:
-            marks += _way(ball, begun.found, Tone.OURS, "here: the least depth")
+    if start.over and start.face.gap < 0.0:
+        marks += _push(ball, start.face, Role.SOURCE, "the source: a face")
+    if start.step.freed:
+        position = start.step.arena.balls[0].position
+        if length(position - ball.position + start.found.normal * start.found.gap) < 1e-9:
+            marks += _push(ball, start.found, Role.OURS, "here: the nearest side")
         else:
             marks += [
-                Circle(place, ball.radius, Tone.OURS, Toggle.SWEPT, Stroke.THICK),
-                Line((ball.position, place), Tone.OURS),
+                Circle(position, ball.radius, Role.OURS, Toggle.SWEPT, Stroke.THICK),
+                Line((ball.position, position), Role.OURS),
             ]
     else:
-        marks += contact_marks(ball, begun.found)
-    return single(tuple(marks), _formula(begun), _deciding(begun), _note(begun))
+        marks += contact_marks(ball, start.found)
+    return single(tuple(marks), _formula(start), _cited(start), _note(start))
 
 
-def _way(ball: Ball, way: Contact, tone: Tone, words: str) -> list[Mark]:
-    """Where a ball is put that leaves through one side."""
-    there = ball.position - way.normal * way.gap
+def _push(ball: Ball, side: Contact, role: Role, words: str) -> list[Mark]:
+    """The ball after it was pushed out through one side, and how far."""
+    there = ball.position - side.normal * side.gap
     return [
-        Circle(there, ball.radius, tone, Toggle.SWEPT, Stroke.THICK),
-        Arrow(ball.position, there - ball.position, tone, Toggle.NORMALS),
-        Words(there + way.normal * (ball.radius + 0.7), words, tone, Toggle.NORMALS),
+        Circle(there, ball.radius, role, Toggle.SWEPT, Stroke.THICK),
+        Arrow(ball.position, there - ball.position, role, Toggle.NORMALS),
+        Words(there + side.normal * (ball.radius + 0.7), words, role, Toggle.NORMALS),
     ]
 
 
-def _formula(begun: _Start) -> tuple[str, ...]:
-    """The ways out, and the shortest."""
-    ring, p, r = begun.ring, begun.ball.position, begun.ball.radius
-    if not begun.inside:
-        return ("the centre is not in the material:", f"gap = {begun.found.gap:.3f},   n = {two_decimals(begun.found.normal)}")
+def _formula(start: _BallInside) -> tuple[str, ...]:
+    """The depths, and the least of them."""
+    ring, p, r = start.ring, start.ball.position, start.ball.radius
+    if not start.inside:
+        return ("the centre is not in the material:", f"gap = {start.found.gap:.3f},   n = {two_decimals(start.found.normal)}")
     offset = ring.half_angle - min_difference(angle_of(p), ring.angle(0))
     end = f"{length(p) * math.sin(offset):.3f}" if offset < math.pi / 2.0 else "out of reach"
     return (
         f"to the outer face:   r_p + w_p - |p| = {ring.outer_radius - length(p):.3f}",
         f"to the inner face:   |p| - (r_p - w_p) = {length(p) - ring.inner_radius:.3f}",
         f"to the nearer end:   |p| sin(φ_p - |θ - θ_p|) = {end}",
-        f"the least: {_WORDS[begun.found.feature]}, and r = {r:g} on top: the ball is moved by {-begun.found.gap:.3f}",
-        f"the tick that follows:   freed = {begun.step.freed}",
+        f"the least: {FEATURE_WORDS[start.found.feature]}, plus r = {r:g}: the ball is moved by {-start.found.gap:.3f}",
+        f"the tick that follows:   freed = {start.step.freed}",
     )
 
 
-def _deciding(begun: _Start) -> Deciding:
-    """The source's reason, or ours."""
-    if begun.inside and begun.found.feature is Feature.END:
-        return source("Broad phase", "if min_difference(θ, θ_p) ≤ φ_p: return narrow_phase_case_1(p, r_p)")
-    return code(sector_contact, "if half_angle < math.pi and inner")
+def _cited(start: _BallInside) -> CitedLine:
+    """The source's line where it is wrong, else the line of the physics."""
+    if start.inside and start.found.feature is Feature.END:
+        return source_line("Broad phase", "if min_difference(θ, θ_p) ≤ φ_p: return narrow_phase_case_1(p, r_p)")
+    return code_line(sector_contact, "if half_angle < math.pi and inner < distance < outer:")
 
 
-def _note(begun: _Start) -> str:
-    """What is special."""
-    if begun.ring.half_angle >= math.pi:
-        return "φ_p = 180°: a closed ring has no ends, and every way out is through a face."
-    if not begun.inside:
-        return "The centre is outside of the material, where the sweep keeps it. Put it inside, as a spawn would."
-    if begun.found.feature is Feature.END:
-        return "Its angle lies within the sector's, so the source sees a face and sends it the long way; an end is nearer."
-    return "A face is the shortest way out: here the source is right."
+def _note(start: _BallInside) -> str:
+    """What is special about these values."""
+    if start.ring.half_angle >= math.pi:
+        return "φ_p = 180°: a closed ring has no ends, so the ball leaves through a face."
+    if not start.inside:
+        return "The centre is outside the material, as always in a game that has begun. Drag the ball into the sector."
+    if start.found.feature is Feature.END:
+        return "θ lies within the sector, so the source pushes the ball out through a face. The end is nearer."
+    return "A face is the nearest side: here the source is right."
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
-    """The way out is the shortest, and it leads out."""
-    begun = _begun(given)
-    ball, ring, found = begun.ball, begun.ring, begun.found
+    """The ball leaves through the nearest side, and then overlaps nothing."""
+    start = _ball_inside(given)
+    ball, ring, found = start.ball, start.ring, start.found
     depth = -found.gap - ball.radius
-    nearest = min([length(ball.position - point) for point in _outline(ring)])
+    nearest = min([length(ball.position - point) for point in outline_points(ring, _SAMPLES)])
     pushed = Ball(ball.position - found.normal * found.gap, 0j, ball.radius)
-    simple = begun.inside and ring.half_angle <= math.pi / 2.0 and ball.radius < ring.inner_radius
-    after = begun.step.arena.balls[0]
+    simple = start.inside and ring.half_angle <= math.pi / 2.0 and ball.radius < ring.inner_radius
+    after = start.step.arena.balls[0]
     overlaps = found.gap < -OVERLAP * ball.radius
     clear = abs(found.gap + OVERLAP * ball.radius) > 1e-12
     return (
-        Claim("no point of the outline is nearer than the way out", not begun.inside or depth <= nearest + 1e-9),
-        Claim("ours is no longer than the source's", not begun.inside or found.gap >= begun.face.gap - 1e-12),
-        Claim("it leads to where the ball touches", not simple or abs(contact(pushed, ring, 0).gap) < 1e-9),
-        Claim("the next tick frees a ball that overlaps, and no other", not clear or begun.step.freed == int(overlaps)),
-        Claim("then nothing overlaps", contact(after, ring, 0).gap > -1e-9),
-        Claim("no bounce is made of it", begun.step.hits == ()),
-        Claim("the normal leads out, not in", not begun.inside or dot(found.normal, found.point - ball.position) > -1e-12),
+        Claim("no point of the outline is nearer than the chosen side", not start.inside or depth <= nearest + 1e-9),
+        Claim("our push is no longer than the source's", not start.inside or found.gap >= start.face.gap - 1e-12),
+        Claim("after the push the ball touches the sector", not simple or abs(contact(pushed, ring, 0).gap) < 1e-9),
+        Claim("the next tick frees a ball that overlaps, and no other", not clear or start.step.freed == int(overlaps)),
+        Claim("after that tick nothing overlaps", contact(after, ring, 0).gap > -1e-9),
+        Claim("the push is not counted as a bounce", start.step.hits == ()),
+        Claim(
+            "the normal points out of the sector", not start.inside or dot(found.normal, found.point - ball.position) > -1e-12
+        ),
     )
-
-
-def _outline(ring: Ring) -> list[complex]:
-    """Points of the faces and of the ends."""
-    shares = [2.0 * k / _SAMPLES - 1.0 for k in range(_SAMPLES + 1)]
-    faces = [
-        to_cartesian(radius, ring.phase + share * ring.half_angle)
-        for radius in (ring.inner_radius, ring.outer_radius)
-        for share in shares
-    ]
-    if ring.half_angle >= math.pi:
-        return faces
-    ends = [to_cartesian(1.0, ring.phase + side * ring.half_angle) for side in (-1.0, 1.0)]
-    return faces + [end * (ring.radius + share * ring.half_width) for end in ends for share in shares]
 
 
 SCENE = Scene(
     name="inside-material",
     title="A ball inside the material",
-    idea="An angle within the sector's means a face only for a ball outside; one put inside leaves by the shortest way.",
-    chapter=Chapter.NARROW_PHASE,
-    place=50,
+    idea="That θ within the sector means a face is true only for a ball outside. One inside leaves through the nearest side.",
     functions=("narrow_phase_case_1", "broad_phase"),
     parameters=(
         Point("ball", "p", -15.0, 15.0, 4.6 + 5.2j, meaning="where the ball is put"),
@@ -184,7 +166,7 @@ SCENE = Scene(
         Number("half_angle", "φ_p", "°", 0.5, 180.0, 32.0, 0.5, "its half angle"),
     ),
     handles=(handles.point("ball", "ball", "r"), *handles.sector_handles("radius", "half_width", "angle", "half_angle")),
-    view=View(6.0 + 3.2j, 6.6 + 5.5j),
+    view_box=ViewBox(6.0 + 3.2j, 6.6 + 5.5j),
     shows=_picture,
     check=_check,
     rows=(7,),

@@ -4,7 +4,8 @@ import math
 from typing import NamedTuple
 
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code
+from game.lab.kit.bounce import Bounce, bounce
+from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import (
     VELOCITY_SCALE,
     angle_between,
@@ -15,115 +16,109 @@ from game.lab.kit.marks import (
     two_decimals,
 )
 from game.lab.kit.parameters import Given, Number
-from game.lab.kit.picture import Arrow, Line, Mark, Picture, Stroke, Toggle, Tone, single
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
+from game.lab.kit.picture import Arrow, Line, Mark, Picture, Role, Stroke, Toggle, single
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import Ball, Contact, Ring, collision_response, contact, cross, dot, length, to_cartesian, to_polar
 
 _RADIUS, _HALF_WIDTH, _HALF_ANGLE = 6.0, 0.6, 0.7
 _BALL_RADIUS = 0.5
 
 
-class _Bounce(NamedTuple):
-    """A ball that touches the outer face, and its velocity after."""
+class _WallBounce(NamedTuple):
+    """A ball that touches the outer face, the contact, and the bounce with its steps."""
 
     ball: Ball
     ring: Ring
-    found: Contact
-    after: complex
-    speed: float
-
-    @property
-    def approaches(self) -> bool:
-        """v . n < 0."""
-        return dot(self.ball.velocity, self.found.normal) < 0.0
+    touch: Contact
+    found: Bounce
 
 
-def _bounce(given: Given) -> _Bounce:
+def _wall_bounce(given: Given) -> _WallBounce:
     """The bounce that the values make."""
     speed, mu = given.number("speed"), given.number("mu")
     ring = Ring(_RADIUS, _HALF_WIDTH, _HALF_ANGLE, 1, math.pi / 2.0, 0.0, mu)
-    place = to_cartesian(ring.outer_radius + _BALL_RADIUS, given.angle("theta"))
-    ball = Ball(place, to_cartesian(speed, given.angle("heading")), _BALL_RADIUS)
-    found = contact(ball, ring, 0)
-    return _Bounce(ball, ring, found, collision_response(ball.velocity, found.normal, 0j, mu, speed), speed)
+    position = to_cartesian(ring.outer_radius + _BALL_RADIUS, given.angle("theta"))
+    ball = Ball(position, to_cartesian(speed, given.angle("heading")), _BALL_RADIUS)
+    touch = contact(ball, ring, 0)
+    return _WallBounce(ball, ring, touch, bounce(ball.velocity, touch.normal, 0j, mu, speed))
 
 
 def _start(given: Given) -> complex:
     """Where velocities are drawn from: the ball's centre."""
-    return _bounce(given).ball.position
+    return _wall_bounce(given).ball.position
 
 
 def _picture(given: Given) -> Picture:
     """The flight to the wall and from it, and the mirrored one that a smooth wall would give."""
-    bounce = _bounce(given)
-    p, v, n = bounce.ball.position, bounce.ball.velocity, bounce.found.normal
-    marks: list[Mark] = [*ring_marks(bounce.ring), *ball_marks(p, _BALL_RADIUS), *contact_marks(bounce.ball, bounce.found)]
-    marks.append(Line((p - v * VELOCITY_SCALE, p), Tone.PLAIN, Toggle.SWEPT, Stroke.DASHED))
-    if bounce.approaches:
-        mirrored = v - n * (2.0 * dot(v, n))
-        marks.append(Arrow(p, mirrored * VELOCITY_SCALE, Tone.FAINT, None, Stroke.DASHED, "mirrored"))
-    marks.append(Arrow(p, v * VELOCITY_SCALE, Tone.PLAIN, None, Stroke.THICK, "v before"))
-    marks.append(Arrow(p, bounce.after * VELOCITY_SCALE, Tone.GOOD, None, Stroke.THICK, "v after"))
-    marks += second_opinion(given, bounce.ball, bounce.ring, (0,), bounce.found)
-    return single(tuple(marks), _formula(bounce), _deciding(bounce), _note(bounce))
+    ball, ring, touch, found = _wall_bounce(given)
+    p, v = ball.position, ball.velocity
+    marks: list[Mark] = [*ring_marks(ring), *ball_marks(p, _BALL_RADIUS), *contact_marks(ball, touch)]
+    marks.append(Line((p - v * VELOCITY_SCALE, p), Role.PLAIN, Toggle.SWEPT, Stroke.DASHED))
+    if not found.separates:
+        mirrored = v + found.steps.normal_change
+        marks.append(Arrow(p, mirrored * VELOCITY_SCALE, Role.FAINT, None, Stroke.DASHED, "mirrored"))
+    marks.append(Arrow(p, v * VELOCITY_SCALE, Role.PLAIN, None, Stroke.THICK, "v before"))
+    marks.append(Arrow(p, found.steps.result * VELOCITY_SCALE, Role.GOOD, None, Stroke.THICK, "v after"))
+    marks += second_opinion(given, ball, ring, (0,), touch)
+    return single(tuple(marks), _formula(found), _cited(found), _note(found))
 
 
-def _formula(bounce: _Bounce) -> tuple[str, ...]:
+def _formula(found: Bounce) -> tuple[str, ...]:
     """The equations with v_p = 0."""
-    v, n, mu = bounce.ball.velocity, bounce.found.normal, bounce.ring.friction
-    approach = dot(v, n)
-    compared = f"v_p = 0, so Δv = v = {two_decimals(v)},   Δv · n = {approach:.2f}"
-    if not bounce.approaches:
+    steps = found.steps
+    compared = f"v_p = 0, so Δv = v = {two_decimals(found.v)},   Δv · n = {found.approach:.2f}"
+    if found.separates:
         return (compared, "Δv · n is not below 0: they separate, nothing happens")
-    normal, slip = -approach, length(v - n * approach)
+    normal, tangential = length(steps.normal_part), length(steps.tangential_part)
+    taken = length(steps.tangential_change)
     return (
         compared,
-        f"|Δv_n| = {normal:.2f},   |Δv_t| = {slip:.2f},   μ min(|Δv_n|, |Δv_t|) = {mu * min(normal, slip):.2f}",
-        f"v := v_0 v_res / |v_res| = {two_decimals(bounce.after)}",
-        f"to the normal:   in {angle_between(-v, n)},   out {angle_between(bounce.after, n)}",
+        f"|Δv_n| = {normal:.2f},   |Δv_t| = {tangential:.2f},   μ min(|Δv_n|, |Δv_t|) = {taken:.2f}",
+        f"v := v_0 v_res / |v_res| = {two_decimals(steps.result)}",
+        f"to the normal:   in {angle_between(-found.v, found.normal)},   out {angle_between(steps.result, found.normal)}",
     )
 
 
-def _deciding(bounce: _Bounce) -> Deciding:
+def _cited(found: Bounce) -> CitedLine:
     """The branch that was taken."""
-    return code(collision_response, "grip = friction" if bounce.approaches else "if approach >= 0.0")
+    if found.separates:
+        return code_line(collision_response, "if approach >= 0.0:")
+    return code_line(collision_response, "grip = friction * min(-approach, slip) / slip if slip > 0.0 else 0.0")
 
 
-def _note(bounce: _Bounce) -> str:
-    """What is special."""
-    if not bounce.approaches:
+def _note(found: Bounce) -> str:
+    """What is special about these values."""
+    if found.separates:
         return "The ball flies away from the wall or along it."
-    if bounce.ring.friction == 0.0:
+    if found.friction == 0.0:
         return "Smooth: the angle out is the angle in."
-    if abs(cross(bounce.ball.velocity, bounce.found.normal)) < 1e-9 * bounce.speed:
+    if abs(cross(found.v, found.normal)) < 1e-9 * found.speed:
         return "Straight on: nothing slides, so there is no friction."
-    return "Rough: what slides along the wall grows less, and the reset to v_0 turns the ball towards the normal."
+    return "Rough: friction makes the ball slide more slowly, and the reset to v_0 turns it towards the normal."
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
     """Mirror, time, and friction."""
-    bounce = _bounce(given)
-    v, n, after, speed = bounce.ball.velocity, bounce.found.normal, bounce.after, bounce.speed
-    mu, approaches = bounce.ring.friction, bounce.approaches
+    _, _, touch, found = _wall_bounce(given)
+    v, n, after, speed = found.v, found.normal, found.steps.result, found.speed
+    mu, met = found.friction, not found.separates
     backwards = collision_response(-after, n, 0j, 0.0, speed)
     steeper = abs(cross(after, n)) <= abs(cross(v, n)) + 1e-9
     return (
-        Claim("the ball touches the wall", abs(bounce.found.gap) < 1e-9),
+        Claim("the ball touches the wall", abs(touch.gap) < 1e-9),
         Claim("the speed stays v_0", abs(length(after) - speed) < 1e-9),
-        Claim("it leaves the wall", not approaches or dot(after, n) > 0.0),
-        Claim("a smooth wall is a mirror", not approaches or mu > 0.0 or length(after - v + n * (2.0 * dot(v, n))) < 1e-9),
-        Claim("and works backwards in time", not approaches or mu > 0.0 or length(backwards + v) < 1e-9),
-        Claim("friction turns towards the normal, never past it", not approaches or steeper),
-        Claim("and never back along the wall", not approaches or cross(after, n) * cross(v, n) >= -1e-9),
+        Claim("it leaves the wall", not met or dot(after, n) > 0.0),
+        Claim("a smooth wall is a mirror", not met or mu > 0.0 or length(after - v + n * (2.0 * dot(v, n))) < 1e-9),
+        Claim("the bounce off a smooth wall works backwards in time", not met or mu > 0.0 or length(backwards + v) < 1e-9),
+        Claim("friction turns the ball towards the normal, never past it", not met or steeper),
+        Claim("friction never sends the ball back along the wall", not met or cross(after, n) * cross(v, n) >= -1e-9),
     )
 
 
 SCENE = Scene(
     name="response-wall",
     title="Response: a wall at rest",
-    idea="A smooth wall is a mirror; friction takes from what slides, and the fixed speed turns the rest towards the normal.",
-    chapter=Chapter.RESPONSE,
-    place=10,
+    idea="A smooth wall is a mirror. Friction slows the sliding, and the reset to v_0 turns the ball towards the normal.",
     functions=("collision_response",),
     parameters=(
         Number("theta", "θ", "°", 50.0, 130.0, 80.0, 0.5, "where the ball touches"),
@@ -136,16 +131,17 @@ SCENE = Scene(
         handles.Handle(
             "ball",
             _start,
-            lambda _, place: {"theta": math.degrees(to_polar(place)[1])},
+            lambda _, position: {"theta": math.degrees(to_polar(position)[1])},
             lambda _: _BALL_RADIUS,
         ),
     ),
-    view=View(0.4 + 7.2j, 5.4 + 3.4j),
+    view_box=ViewBox(0.4 + 7.2j, 5.4 + 3.4j),
     shows=_picture,
     check=_check,
+    rows=(12,),
     presets=(
         Preset("smooth", "mu=0"),
-        Preset("as rough as can be", "mu=1"),
+        Preset("full friction", "mu=1"),
         Preset("straight on", "theta=90&heading=270"),
         Preset("grazing", "theta=90&heading=359&mu=1"),
         Preset("separating", "heading=60"),

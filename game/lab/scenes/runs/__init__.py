@@ -1,1 +1,15 @@
-"""Scenes that run: several ticks, whole games."""
+"""Scenes that run: whole flights, tick by tick."""
+
+from game.lab.scenes.runs import discrete_swept, falling_stack, free_run, game_over_once, nudge, source_game, squeezed, symmetry
+
+SCENES = (
+    discrete_swept.SCENE,
+    source_game.SCENE,
+    falling_stack.SCENE,
+    squeezed.SCENE,
+    symmetry.SCENE,
+    free_run.SCENE,
+    game_over_once.SCENE,
+    nudge.SCENE,
+)
+"""In the order of the lab's list."""

@@ -1,13 +1,13 @@
-"""Game over: the source's rule is true from then on in every frame; here it counts once."""
+"""Game over: the source's rule holds in every frame after the ball has left; here it counts once."""
 
 from typing import NamedTuple
 
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code, source
+from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import VELOCITY_SCALE, ring_marks
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arrow, Circle, Disc, Dot, Line, Mark, Pane, Picture, Stroke, Toggle, Tone
-from game.lab.kit.scene import Chapter, Claim, Motion, Preset, Scene, View
+from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, PointMark, Role, Stroke, Toggle
+from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
 from game.levels import BallSpec, Level, PaddleSpec, RingSpec
 from game.rules import LIVES, PADDLES, TICK, Controls, EventKind, Game, Phase, new_game, tick
 from physics import Ball, has_left, length, to_cartesian
@@ -18,19 +18,23 @@ _TRAIL = 240
 _RUN = 400
 
 
-class _State(NamedTuple):
-    """The source's ball, our game, and what was counted."""
+class _BothRules(NamedTuple):
+    """The source's ball, our game, and what was counted.
+
+    theirs: position of the source's ball. over: ticks in which the source's rule holds. lost: balls lost in our game.
+    ended: times our game ended. trail: the last positions of our ball in this life.
+    """
 
     theirs: complex
-    over: int  # ticks at which the source says "game over"
+    over: int
     game: Game
-    lost: int  # times a ball was lost
-    ended: int  # times the game ended
-    trail: tuple[complex, ...]  # of our ball in this life
+    lost: int
+    ended: int
+    trail: tuple[complex, ...]
 
 
 def _level(given: Given) -> Level:
-    """One short paddle and one brick out of the way: every ball is lost in the end."""
+    """One short paddle, and one brick that the ball hardly meets: every ball is lost in the end."""
     return Level(
         "lost",
         _GROUND,
@@ -45,22 +49,22 @@ def _ball(given: Given) -> Ball:
     return Ball(given.point("ball"), to_cartesian(given.number("speed"), given.angle("heading")), given.number("r"))
 
 
-def _start(given: Given) -> _State:
+def _start(given: Given) -> _BothRules:
     """A game with its first ball in flight."""
     game, ball = new_game((_level(given),), _SEED), _ball(given)
     game = game._replace(phase=Phase.PLAYING, arena=game.arena._replace(balls=(ball,)))
-    return _State(ball.position, 0, game, 0, 0, (ball.position,))
+    return _BothRules(ball.position, 0, game, 0, 0, (ball.position,))
 
 
-def _step(given: Given, state: _State) -> _State:
-    """A tick later; a lost ball is followed by the next at once."""
+def _step(given: Given, state: _BothRules) -> _BothRules:
+    """A tick later. After a lost ball the next one is served at once."""
     theirs = state.theirs + _ball(given).velocity * TICK
     before = state.game
     done = tick(before, Controls(serve=before.phase == Phase.SERVING))
     kinds = [event.kind for event in done.events]
     balls = done.game.arena.balls
     trail = (*state.trail, *[ball.position for ball in balls])[-_TRAIL:] if done.game.phase == Phase.PLAYING else ()
-    return _State(
+    return _BothRules(
         theirs,
         state.over + has_left(theirs, given.number("r"), _GROUND),
         done.game,
@@ -70,30 +74,32 @@ def _step(given: Given, state: _State) -> _State:
     )
 
 
-def _picture(given: Given, state: _State) -> Picture:
+def _picture(given: Given, state: _BothRules) -> Picture:
     """The source's ball flies on; ours is replaced, as long as there are lives."""
     r, ball = given.number("r"), _ball(given)
-    ground = Circle(0j, _GROUND, Tone.PLAIN, None, Stroke.THICK)
+    ground = Circle(0j, _GROUND, Role.PLAIN, None, Stroke.THICK)
     first = (
-        Circle(ball.position, r, Tone.GHOST, None, Stroke.DASHED),
-        Arrow(ball.position, ball.velocity * VELOCITY_SCALE, Tone.PLAIN, label="v"),
+        Circle(ball.position, r, Role.GHOST, None, Stroke.DASHED),
+        Arrow(ball.position, ball.velocity * VELOCITY_SCALE, Role.PLAIN, label="v"),
     )
-    theirs: list[Mark] = [ground, *first, Line((ball.position, state.theirs), Tone.SOURCE, Toggle.SWEPT, Stroke.DASHED)]
-    theirs += [Disc(state.theirs, r, Tone.BALL), Dot(state.theirs, Tone.SOURCE)]
+    theirs: list[Mark] = [ground, *first, Line((ball.position, state.theirs), Role.SOURCE, Toggle.SWEPT, Stroke.DASHED)]
+    theirs += [Disc(state.theirs, r, Role.BALL), PointMark(state.theirs, Role.SOURCE)]
     rings, layers = state.game.arena.rings, state.game.arena.layers
     ours: list[Mark] = [ground, *ring_marks(rings[PADDLES]), *ring_marks(rings[1], layers[1])]
-    ours += [*first, Line(state.trail, Tone.OURS, Toggle.SWEPT)]
+    ours += [*first, Line(state.trail, Role.OURS, Toggle.SWEPT)]
     ours += [
-        mark for one in state.game.arena.balls for mark in (Disc(one.position, r, Tone.BALL), Dot(one.position, Tone.OURS))
+        mark
+        for one in state.game.arena.balls
+        for mark in (Disc(one.position, r, Role.BALL), PointMark(one.position, Role.OURS))
     ]
     panes = (
         Pane(tuple(theirs), f"the source:   game over {state.over} times"),
         Pane(tuple(ours), f"here:   lives {state.game.lives},   game over {state.ended} times"),
     )
-    return Picture(panes, _formula(given, state), _deciding(state), _note(state))
+    return Picture(panes, _formula(given, state), _cited(state), _note(state))
 
 
-def _formula(given: Given, state: _State) -> tuple[str, ...]:
+def _formula(given: Given, state: _BothRules) -> tuple[str, ...]:
     """The rule with its numbers, and the counts."""
     distance, r = length(state.theirs), given.number("r")
     left, phase = distance - r > _GROUND, state.game.phase.name.lower()
@@ -103,24 +109,26 @@ def _formula(given: Given, state: _State) -> tuple[str, ...]:
     )
 
 
-def _deciding(state: _State) -> Deciding:
+def _cited(state: _BothRules) -> CitedLine:
     """The rule."""
-    return code(has_left, "return length(p)") if state.lost else source("Broad phase", "if |p| - r > r_g then GAME OVER")
-
-
-def _note(state: _State) -> str:
-    """What is to be seen."""
-    if state.ended:
-        return "The last life is gone: the game has ended, once, and nothing can be lost any more."
-    if state.over and not state.lost:
-        return "The source's game is over, while ours goes on: its paddle has kept the ball."
     if state.lost:
-        return "A ball that has left is taken out and costs one life. The source's rule is true again in every frame."
+        return code_line(has_left, "return length(p) - ball_radius > ground_radius")
+    return source_line("Broad phase", "if |p| - r > r_g then GAME OVER")
+
+
+def _note(state: _BothRules) -> str:
+    """What is happening."""
+    if state.ended:
+        return "The last life is gone: the game has ended once, and no ball is left that could be lost."
+    if state.over and not state.lost:
+        return "The source's game is over. Ours goes on, since its paddle has hit the ball."
+    if state.lost:
+        return "A ball that has left is removed and costs one life. The source's rule holds again in every frame."
     return "Nothing has left the ground yet."
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
-    """Five thirds of a second of the game, tick by tick."""
+    """Five thirds of a second of the game."""
     state = _start(given)
     counted, lower, ends, moment = True, True, True, True
     for _ in range(_RUN):
@@ -149,9 +157,7 @@ def _is_out(ball: Ball) -> bool:
 SCENE = Scene(
     name="game-over-once",
     title="Game over, once",
-    idea="The source's rule is true in every frame after the ball has left; here it costs one life, and the last ends it.",
-    chapter=Chapter.RUNS,
-    place=60,
+    idea="The source's rule holds in every frame after the ball has left. Here it costs one life; the last one ends the game.",
     functions=("has_left",),
     parameters=(
         Point("ball", "p", -4.0, 4.0, 1.5 + 1.0j, meaning="the first ball's centre"),
@@ -164,13 +170,13 @@ SCENE = Scene(
         handles.polar_vector("speed", "heading", lambda given: given.point("ball"), VELOCITY_SCALE, "velocity"),
         handles.point("ball", "ball", "r"),
     ),
-    view=View(0j, 6.8 + 6.8j),
+    view_box=ViewBox(0j, 6.8 + 6.8j),
     shows=Motion(_start, _step, _picture, ticks=480),
     check=_check,
     rows=(9,),
     presets=(
         Preset("out at once", "heading=40"),
-        Preset("kept by the paddle", "ball=0.5,0&heading=268&half_angle=30"),
+        Preset("hit by the paddle", "ball=0.5,0&heading=268&half_angle=30"),
         Preset("a small fast ball", "speed=30&r=0.1"),
     ),
 )

@@ -1,14 +1,14 @@
-"""A ball caught in a loop that meets no brick is nudged."""
+"""The nudge: a ball that repeats a path without a brick is turned a little."""
 
 import math
 from typing import NamedTuple
 
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code, source
+from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import ring_marks
 from game.lab.kit.parameters import Count, Given, Number
-from game.lab.kit.picture import Arrow, Circle, Disc, Dot, Line, Mark, Pane, Picture, Stroke, Toggle, Tone
-from game.lab.kit.scene import Chapter, Claim, Motion, Preset, Scene, View
+from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, PointMark, Role, Stroke, Toggle
+from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
 from game.levels import BallSpec, Level, PaddleSpec, RingSpec
 from game.rules import TICK, Controls, EventKind, Game, Phase, new_game, tick
 from physics import Arena, Ball, advance, cross, dot, length, to_cartesian
@@ -19,21 +19,25 @@ _TRAIL = 480
 _RUN = 700
 
 
-class _State(NamedTuple):
-    """The source's arena, our game, and what was counted."""
+class _NudgedGame(NamedTuple):
+    """An arena without nudges, our game, and what was counted.
+
+    bounces: of the ball without nudges. contacts: of ours before the first nudge. nudges: so far.
+    turn: radians, by the last nudge. trail, their_trail: the last positions of our ball and of the other one.
+    """
 
     theirs: Arena
     game: Game
-    bounces: int  # of the source's ball
-    contacts: int  # of ours before the first nudge
+    bounces: int
+    contacts: int
     nudges: int
-    turn: float  # radians, by the last nudge
-    trail: tuple[complex, ...]  # of our ball
+    turn: float
+    trail: tuple[complex, ...]
     their_trail: tuple[complex, ...]
 
 
-def _start(given: Given) -> _State:
-    """Two paddles opposite each other, and a brick that the loop between them does not meet."""
+def _start(given: Given) -> _NudgedGame:
+    """Two paddles opposite each other, and bricks that the path between them does not meet."""
     level = Level(
         "loop",
         _GROUND,
@@ -44,10 +48,10 @@ def _start(given: Given) -> _State:
     game = new_game((level,), given.count("seed"))
     ball = Ball(complex(given.number("x"), 0.0), to_cartesian(given.number("speed"), given.angle("heading")), _RADIUS)
     game = game._replace(phase=Phase.PLAYING, arena=game.arena._replace(balls=(ball,)))
-    return _State(game.arena, game, 0, 0, 0, 0.0, (ball.position,), (ball.position,))
+    return _NudgedGame(game.arena, game, 0, 0, 0, 0.0, (ball.position,), (ball.position,))
 
 
-def _step(given: Given, state: _State) -> _State:
+def _step(given: Given, state: _NudgedGame) -> _NudgedGame:
     """A tick later."""
     step = advance(state.theirs, TICK, given.number("speed"))
     done = tick(state.game, Controls())
@@ -55,7 +59,7 @@ def _step(given: Given, state: _State) -> _State:
     nudged = [event.kind for event in done.events].count(EventKind.NUDGED)
     turn = _angle(done.step.arena.balls[0].velocity, balls[0].velocity) if nudged and balls else state.turn
     playing = done.game.phase == Phase.PLAYING
-    return _State(
+    return _NudgedGame(
         step.arena,
         done.game,
         state.bounces + len(step.hits),
@@ -68,60 +72,65 @@ def _step(given: Given, state: _State) -> _State:
 
 
 def _angle(before: complex, after: complex) -> float:
-    """By how much a velocity was turned, radians."""
+    """The angle between two velocities, radians."""
     return abs(math.atan2(cross(before, after), dot(before, after)))
 
 
-def _picture(given: Given, state: _State) -> Picture:
+def _picture(given: Given, state: _NudgedGame) -> Picture:
     """The ball without nudges at the left, the game at the right."""
-    theirs = _marks(state.theirs, state.their_trail, Tone.SOURCE)
-    ours = _marks(state.game.arena, state.trail, Tone.OURS)
+    theirs = _marks(state.theirs, state.their_trail, Role.SOURCE)
+    ours = _marks(state.game.arena, state.trail, Role.OURS)
     panes = (
         Pane(theirs, f"without a nudge:   {state.bounces} bounces"),
         Pane(ours, f"here:   nudged {state.nudges} times"),
     )
-    return Picture(panes, _formula(given, state), _deciding(state), _note(state))
+    return Picture(panes, _formula(given, state), _cited(state), _note(state))
 
 
-def _marks(arena: Arena, trail: tuple[complex, ...], tone: Tone) -> tuple[Mark, ...]:
-    """The ground, the rings, the ball and its way."""
-    marks: list[Mark] = [Circle(0j, _GROUND, Tone.FAINT), *ring_marks(arena.rings[0])]
+def _marks(arena: Arena, trail: tuple[complex, ...], role: Role) -> tuple[Mark, ...]:
+    """The ground, the rings, the ball and its path."""
+    marks: list[Mark] = [Circle(0j, _GROUND, Role.FAINT), *ring_marks(arena.rings[0])]
     marks += ring_marks(arena.rings[1], arena.layers[1], nearest=-1)
-    marks.append(Line(trail, tone, Toggle.SWEPT))
+    marks.append(Line(trail, role, Toggle.SWEPT))
     for ball in arena.balls:
-        marks += [Disc(ball.position, ball.radius, Tone.BALL), Dot(ball.position, tone)]
-        marks.append(Arrow(ball.position, ball.velocity * _SCALE, Tone.PLAIN, None, Stroke.SOLID))
+        marks += [Disc(ball.position, ball.radius, Role.BALL), PointMark(ball.position, role)]
+        marks.append(Arrow(ball.position, ball.velocity * _SCALE, Role.PLAIN, None, Stroke.SOLID))
     return tuple(marks)
 
 
-def _formula(given: Given, state: _State) -> tuple[str, ...]:
-    """The count that decides, and the chance."""
-    turned = f"{math.degrees(state.turn):.2f}°" if state.nudges else "not yet"
+def _formula(given: Given, state: _NudgedGame) -> tuple[str, ...]:
+    """The count that decides, and the random numbers."""
     return (
         f"contacts since a brick was hit:   {state.game.idle} of {_BEFORE}",
         f"seed {given.count('seed')},   random numbers used: {state.game.draws}",
-        f"the last nudge turned v by {turned},   always from 5° to 20°, to a side that chance decides",
+        _last_nudge(state),
     )
 
 
-def _deciding(state: _State) -> Deciding:
-    """The count, or the source's friction, which alone changes nothing here."""
+def _last_nudge(state: _NudgedGame) -> str:
+    """By how much the last nudge turned the ball, and between which bounds."""
+    bounds = "a nudge turns v by 5° to 20°, to a random side"
+    return f"{bounds};   the last one by {math.degrees(state.turn):.2f}°" if state.nudges else f"{bounds};   none so far"
+
+
+def _cited(state: _NudgedGame) -> CitedLine:
+    """The line that nudges; before the first nudge, the source's friction, which changes nothing here."""
     if state.nudges:
-        return code(tick, "return _played(game, arena)")
-    return source("Collision response", "Δv'_t = -μ_p min{|Δv_n|, |Δv_t|} Δv_t / |Δv_t|")
+        return code_line(tick, "return _played(game, arena)")
+    return source_line("Collision response", "Δv'_t = -μ_p min{|Δv_n|, |Δv_t|} Δv_t / |Δv_t|")
 
 
-def _note(state: _State) -> str:
-    """What is to be seen."""
+def _note(state: _NudgedGame) -> str:
+    """What is happening."""
     if state.game.phase != Phase.PLAYING:
-        return "The ball has left the ground between the paddles; the loop is over in any case."
+        return "The ball has left the ground between the paddles, so the loop is over."
     if state.nudges:
-        return "Twelve contacts without a brick: the ball is turned a little, by the game's own seed; a replay does the same."
-    return "To and fro for ever: nothing slides, so friction does nothing, and the ball meets no brick."
+        return "After twelve contacts without a brick the ball is turned a little. The seed decides, so a replay does the same."
+    return "The ball repeats this path for ever: nothing slides, so friction does nothing, and there is no brick on the path."
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
-    """Three seconds of the game, twice."""
+    """About three seconds of the game, played twice."""
     state, again = _start(given), _start(given)
     in_range = True
     for _ in range(_RUN):
@@ -134,14 +143,16 @@ def _check(given: Given) -> tuple[Claim, ...]:
     speed = given.number("speed")
     met = any([layers not in {0, 9, -1} for ring in state.game.arena.layers for layers in ring])
     straight = given.number("x") == 0.0 and given.number("heading") in {90.0, 270.0}
-    place = state.theirs.balls[0].position
+    position = state.theirs.balls[0].position
     return (
         Claim("the first nudge comes with the twelfth contact", met or not state.nudges or state.contacts == _BEFORE),
-        Claim("it turns the ball by 5° to 20°", in_range),
-        Claim("and leaves its speed alone", all([abs(length(b.velocity) - speed) < 1e-9 for b in state.game.arena.balls])),
+        Claim("a nudge turns the ball by 5° to 20°", in_range),
+        Claim(
+            "the nudge does not change the speed", all([abs(length(b.velocity) - speed) < 1e-9 for b in state.game.arena.balls])
+        ),
         Claim("the same seed gives the same game to the last bit", state == again),
         Claim(
-            "straight through the centre, the ball without a nudge stays on its line", not straight or abs(place.real) < 1e-9
+            "straight through the centre, the ball without a nudge stays on its line", not straight or abs(position.real) < 1e-9
         ),
     )
 
@@ -149,12 +160,10 @@ def _check(given: Given) -> tuple[Claim, ...]:
 SCENE = Scene(
     name="nudge",
     title="The nudge",
-    idea="Friction is the source's; but a ball that bounces on without meeting a brick is turned a little, by a seeded chance.",
-    chapter=Chapter.RUNS,
-    place=70,
+    idea="A ball that bounces on without meeting a brick is turned a little, by the game's seeded random numbers.",
     functions=("collision_response",),
     parameters=(
-        Count("seed", "seed", 0, 999, 1, "of the game's chance"),
+        Count("seed", "seed", 0, 999, 1, "of the random numbers"),
         Number("x", "p_x", "", -1.5, 1.5, 0.0, 0.05, "where the ball starts"),
         Number("heading", "ψ", "°", 60.0, 120.0, 90.0, 0.5, "direction of v"),
         Number("speed", "v_0", "", 5.0, 60.0, 40.0, 1.0, "the ball's fixed speed"),
@@ -164,16 +173,16 @@ SCENE = Scene(
         handles.Handle(
             "velocity",
             lambda given: given.number("x") + to_cartesian(given.number("speed") * _SCALE, given.angle("heading")),
-            lambda given, place: {"heading": math.degrees(math.atan2(place.imag, place.real - given.number("x")))},
+            lambda given, position: {"heading": math.degrees(math.atan2(position.imag, position.real - given.number("x")))},
         ),
-        handles.Handle("ball", lambda given: complex(given.number("x"), 0.0), lambda _, place: {"x": place.real}),
+        handles.Handle("ball", lambda given: complex(given.number("x"), 0.0), lambda _, position: {"x": position.real}),
     ),
-    view=View(0j, 5.6 + 5.6j),
+    view_box=ViewBox(0j, 5.6 + 5.6j),
     shows=Motion(_start, _step, _picture, ticks=960),
     check=_check,
     rows=(10,),
     presets=(
-        Preset("on one line for ever", "x=0"),
+        Preset("through the centre for ever", "x=0"),
         Preset("another seed", "seed=2"),
         Preset("slanting, rough paddles", "heading=80&mu=1"),
         Preset("slower", "speed=30"),

@@ -1,18 +1,18 @@
-"""The same game turned by any angle, and in a mirror."""
+"""The same game turned by any angle, and mirrored."""
 
 import math
 from itertools import pairwise
 from typing import NamedTuple
 
 from game.lab.kit import handles
-from game.lab.kit.cited_line import code
+from game.lab.kit.cited_line import code_line
 from game.lab.kit.marks import VELOCITY_SCALE, degrees, ray, ring_marks
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, Stroke, Toggle, Tone
-from game.lab.kit.scene import Chapter, Claim, Motion, Preset, Scene, View
+from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, Role, Stroke, Toggle
+from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
+from game.rules import TICK
 from physics import PERMANENT, Arena, Ball, Hit, Ring, advance, contact, direction, dot, length, to_cartesian
 
-_TICK = 1.0 / 240.0
 _RADIUS = 0.4
 _BRICKS, _PADDLES = 9, 3
 _TRAIL = 96
@@ -20,8 +20,8 @@ _RUN = 72
 _SCALE = VELOCITY_SCALE
 
 
-class _State(NamedTuple):
-    """One game three times, and what is left of each way."""
+class _ThreeGames(NamedTuple):
+    """One game three times. trails: the last positions of the ball in each."""
 
     plain: Arena
     turned: Arena
@@ -30,8 +30,8 @@ class _State(NamedTuple):
     trails: tuple[tuple[complex, ...], ...]
 
 
-def _start(given: Given) -> _State:
-    """Turning paddles, a ring of bricks, a wall; then the same turned by alpha, and in a mirror along the x axis."""
+def _start(given: Given) -> _ThreeGames:
+    """Turning paddles, a ring of bricks, a wall; then the same turned by alpha, and mirrored at the x axis."""
     ball = Ball(given.point("ball"), to_cartesian(given.number("speed"), given.angle("heading")), _RADIUS)
     rings = (
         Ring(8.0, 0.4, 0.5, _PADDLES, 0.7, given.number("spin"), 0.5),
@@ -40,7 +40,7 @@ def _start(given: Given) -> _State:
     )
     plain = Arena((ball,), rings, ((PERMANENT,) * _PADDLES, (2,) * _BRICKS, (PERMANENT,)))
     turned, mirrored = _turned(plain, given.angle("alpha")), _mirrored(plain)
-    return _State(plain, turned, mirrored, 0, tuple([(arena.balls[0].position,) for arena in (plain, turned, mirrored)]))
+    return _ThreeGames(plain, turned, mirrored, 0, tuple([(arena.balls[0].position,) for arena in (plain, turned, mirrored)]))
 
 
 def _turned(arena: Arena, alpha: float) -> Arena:
@@ -51,79 +51,80 @@ def _turned(arena: Arena, alpha: float) -> Arena:
 
 
 def _mirrored(arena: Arena) -> Arena:
-    """An arena in a mirror along the x axis: slot k becomes slot -k."""
+    """An arena mirrored at the x axis: slot k becomes slot -k."""
     ball = arena.balls[0]
     rings = tuple([Ring(*ring[:4], -ring.phase, -ring.spin, ring.friction) for ring in arena.rings])
     layers = tuple([(row[0], *row[:0:-1]) for row in arena.layers])
     return Arena((Ball(ball.position.conjugate(), ball.velocity.conjugate(), ball.radius),), rings, layers)
 
 
-def _step(given: Given, state: _State) -> _State:
+def _step(given: Given, state: _ThreeGames) -> _ThreeGames:
     """A tick later, three times."""
     speed = given.number("speed")
-    steps = [advance(arena, _TICK, speed) for arena in state[:3]]
+    steps = [advance(arena, TICK, speed) for arena in state[:3]]
     plain, turned, mirrored = [step.arena for step in steps]
     trails = [(*trail, step.arena.balls[0].position)[-_TRAIL:] for trail, step in zip(state.trails, steps, strict=True)]
-    return _State(plain, turned, mirrored, state.hits + len(steps[0].hits), tuple(trails))
+    return _ThreeGames(plain, turned, mirrored, state.hits + len(steps[0].hits), tuple(trails))
 
 
-def _picture(given: Given, state: _State) -> Picture:
+def _picture(given: Given, state: _ThreeGames) -> Picture:
     """Three games side by side."""
     alpha = given.angle("alpha")
-    titles = ("a game", f"turned by {degrees(alpha)}", "in a mirror")
-    axes = (ray(0.0, 11.0), ray(alpha, 11.0), Line((-11 + 0j, 11 + 0j), Tone.FAINT, None, Stroke.DASHED))
+    titles = ("a game", f"turned by {degrees(alpha)}", "mirrored")
+    axes = (ray(0.0, 11.0), ray(alpha, 11.0), Line((-11 + 0j, 11 + 0j), Role.FAINT, None, Stroke.DASHED))
     panes = [
-        Pane((axis, *_marks(arena, trail)), title)
+        Pane((axis, *_marks(arena, trail)), title, has_handles=arena is state.plain)
         for title, axis, arena, trail in zip(titles, axes, state[:3], state.trails, strict=True)
     ]
     panes[0] = panes[0]._replace(marks=(*panes[0].marks, *_first(given)))
-    return Picture(tuple(panes), _formula(given, state), code(Ring.angle_near, "return phase + (slot"), _note(given, state))
+    cited = code_line(Ring.angle_near, "return phase + (slot - turns * self.count) * pitch")
+    return Picture(tuple(panes), _formula(given, state), cited, _note(given, state))
 
 
 def _first(given: Given) -> tuple[Mark, ...]:
     """Where the ball began, and its velocity there."""
-    place, velocity = given.point("ball"), to_cartesian(given.number("speed"), given.angle("heading"))
-    return Circle(place, _RADIUS, Tone.GHOST, None, Stroke.DASHED), Arrow(place, velocity * _SCALE, Tone.PLAIN, label="v")
+    position, velocity = given.point("ball"), to_cartesian(given.number("speed"), given.angle("heading"))
+    return Circle(position, _RADIUS, Role.GHOST, None, Stroke.DASHED), Arrow(position, velocity * _SCALE, Role.PLAIN, label="v")
 
 
 def _marks(arena: Arena, trail: tuple[complex, ...]) -> tuple[Mark, ...]:
-    """The rings, the ball, and its way."""
+    """The rings, the ball, and its path."""
     paddles, bricks, wall = arena.rings
     return (
         *ring_marks(wall, nearest=-1),
         *ring_marks(paddles),
         *ring_marks(bricks, arena.layers[1], nearest=0),
-        Line(trail, Tone.OURS, Toggle.SWEPT),
-        Disc(arena.balls[0].position, _RADIUS, Tone.BALL),
+        Line(trail, Role.OURS, Toggle.SWEPT),
+        Disc(arena.balls[0].position, _RADIUS, Role.BALL),
     )
 
 
-def _differences(given: Given, state: _State) -> tuple[float, float]:
-    """Between the plain ball and the other two, brought back."""
+def _differences(given: Given, state: _ThreeGames) -> tuple[float, float]:
+    """Distances of the plain ball from the turned one, turned back, and from the mirrored one, mirrored back."""
     p = state.plain.balls[0].position
     back = state.turned.balls[0].position * direction(-given.angle("alpha"))
     return length(back - p), length(state.mirrored.balls[0].position.conjugate() - p)
 
 
-def _formula(given: Given, state: _State) -> tuple[str, ...]:
+def _formula(given: Given, state: _ThreeGames) -> tuple[str, ...]:
     """Both differences."""
     turned, mirrored = _differences(given, state)
     same = [state.plain.layers == state.turned.layers, state.plain.layers == _mirrored(state.mirrored).layers]
     return (
         f"|p_turned turned back - p| = {turned:.1e}",
-        "|p_mirrored mirrored back - p| = " + (f"{mirrored:.1e}" if mirrored else "0:   not a bit differs"),
+        "|p_mirrored mirrored back - p| = " + (f"{mirrored:.1e}" if mirrored else "0:   equal to the last bit"),
         f"bounces: {state.hits};   the same bricks hit: {'yes' if all(same) else 'no'}",
     )
 
 
-def _note(given: Given, state: _State) -> str:
-    """What is to be seen."""
+def _note(given: Given, state: _ThreeGames) -> str:
+    """What is happening."""
     start = _start(given).plain
     if min([contact(start.balls[0], ring, slot).gap for ring in start.rings for slot in range(ring.count)]) < 0.0:
         return "The ball starts in the material: it is pushed out before it flies, in all three games."
     if _differences(given, state)[0] > 1e-6:
-        return "Turned, the last bits round differently, and every round thing makes that larger. Chaos, not error."
-    return "No direction is special, not even the polar axis. Phases lie on a grid on which -θ is exact: so is the mirror."
+        return "The turned game rounds differently in the last bits, and every bounce off a round surface multiplies that."
+    return "No direction is special, not even the polar axis. The mirrored game is exact, since -θ is exact for every phase θ."
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
@@ -132,7 +133,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
     speed = given.number("speed")
     freed = 0
     for _ in range(_RUN):
-        step = advance(states[-1].plain, _TICK, speed)
+        step = advance(states[-1].plain, TICK, speed)
         freed += step.freed
         hits += step.hits
         states.append(_step(given, states[-1]))
@@ -143,24 +144,22 @@ def _check(given: Given) -> tuple[Claim, ...]:
     plain = freed == 0 and not tie
     return (
         Claim("the mirrored game is the same to the last bit", not plain or mirrored == 0.0),
-        Claim("and so are its rings and its bricks", not plain or _mirrored(end.mirrored).layers == end.plain.layers),
+        Claim("its bricks are the same", not plain or _mirrored(end.mirrored).layers == end.plain.layers),
         Claim("the turned game is the same but for rounding", not (plain and sharp) or turned < 1e-7),
-        Claim("turned by nothing, it is the same to the last bit", given.angle("alpha") > 0.0 or turned == 0.0),
+        Claim("turned by 0°, it is the same to the last bit", given.angle("alpha") > 0.0 or turned == 0.0),
         Claim("the speed is v_0 in all three", all([_keeps(arena, speed) for arena in end[:3]])),
     )
 
 
 def _keeps(arena: Arena, speed: float) -> bool:
-    """Whether the ball still has its speed."""
+    """Whether the ball has the speed v_0."""
     return abs(length(arena.balls[0].velocity) - speed) < 1e-9
 
 
 SCENE = Scene(
     name="symmetry",
-    title="Turned, and in a mirror",
-    idea="A game does not care where zero is, nor which hand is left: turned and mirrored games are the same games.",
-    chapter=Chapter.RUNS,
-    place=40,
+    title="Turned and mirrored",
+    idea="The physics knows no special direction and no preferred sense of turning: turned or mirrored, a game is the same.",
     functions=("advance", "normalize_angle"),
     parameters=(
         Number("alpha", "β", "°", 0.0, 360.0, 137.5, 0.5, "the angle by which the second is turned"),
@@ -173,7 +172,7 @@ SCENE = Scene(
         handles.polar_vector("speed", "heading", lambda given: given.point("ball"), _SCALE, "velocity"),
         handles.point("ball", "ball"),
     ),
-    view=View(0j, 11.2 + 11.2j),
+    view_box=ViewBox(0j, 11.2 + 11.2j),
     shows=Motion(_start, _step, _picture, ticks=960),
     check=_check,
     presets=(

@@ -3,40 +3,37 @@
 import math
 from typing import NamedTuple
 
+from game.lab import source
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code
-from game.lab.kit.marks import ball_marks, contact_marks, ring_marks, second_opinion
+from game.lab.kit.cited_line import CitedLine, code_line
+from game.lab.kit.marks import FEATURE_WORDS, ball_marks, contact_marks, ring_marks, second_opinion
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arc, Arrow, Circle, Dot, Line, Mark, Picture, Stroke, Toggle, Tone, single
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
-from game.lab.source import literal
+from game.lab.kit.picture import Arc, Arrow, Circle, Line, Mark, Picture, PointMark, Role, Stroke, Toggle, single
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import Ball, Contact, Feature, Impact, Ring, contact, cross, dot, length, time_of_impact, to_cartesian
 
 _SCALE = 0.2
 _SAMPLES = 48
-_WORDS = {
-    Feature.OUTER_FACE: "the outer face",
-    Feature.INNER_FACE: "the inner face",
-    Feature.END: "an end",
-    Feature.CORNER: "a corner",
-}
 
 
 class _Root(NamedTuple):
-    """A time at which the ball's centre is as far from a line or a circle as a touch would have it."""
+    """A time at which the ball touches one of the lines and circles that bound the sector.
+
+    position: of the ball's centre then. found: its contact with the sector then.
+    """
 
     time: float
-    place: complex
-    found: Contact  # of the ball there
+    position: complex
+    found: Contact
 
     @property
     def touches(self) -> bool:
-        """Whether the sector is there, and not only the line or the circle that it is a part of."""
+        """Whether the ball touches the sector, and not only the line or the circle that an edge is a part of."""
         return abs(self.found.gap) < 1e-7
 
 
-class _Flight(NamedTuple):
-    """The flight, its roots in the order of time, and the impact."""
+class _FlightPast(NamedTuple):
+    """The flight, its roots in the order of time, the contact at time 0, and the impact."""
 
     ball: Ball
     ring: Ring
@@ -46,25 +43,25 @@ class _Flight(NamedTuple):
     impact: Impact | None
 
 
-def _flight(given: Given) -> _Flight:
-    """What the values make."""
+def _flight_past(given: Given) -> _FlightPast:
+    """The ball and the sector that the values make."""
     ball = Ball(given.point("ball"), given.point("v"), given.number("r"))
     ring = Ring(given.number("radius"), given.number("half_width"), given.angle("half_angle"), 1, given.angle("angle"))
     dt = given.number("dt")
     times = sorted([time for time in _times(ball, ring) if 0.0 <= time <= dt])
-    places = [ball.moved(time) for time in times]
-    roots = tuple([_Root(time, at.position, contact(at, ring, 0)) for time, at in zip(times, places, strict=True)])
-    return _Flight(ball, ring, dt, roots, contact(ball, ring, 0), time_of_impact(ball, ring, dt))
+    positions = [ball.moved(time) for time in times]
+    roots = tuple([_Root(time, at.position, contact(at, ring, 0)) for time, at in zip(times, positions, strict=True)])
+    return _FlightPast(ball, ring, dt, roots, contact(ball, ring, 0), time_of_impact(ball, ring, dt))
 
 
 def _times(ball: Ball, ring: Ring) -> list[float]:
-    """Roots of every equation that a touch must solve: two arcs, two ends, four corners."""
+    """Times at which the ball touches a bounding line or circle: two arcs, two ends, four corners."""
     p, v, r = ball
     times = [*_circle_times(p, v, ring.outer_radius + r), *_circle_times(p, v, ring.inner_radius - r)]
     if ring.half_angle >= math.pi:
         return times
     for side in (-1.0, 1.0):
-        a, b = literal.end_points(ring.radius, ring.half_width, ring.angle(0) + side * ring.half_angle)
+        a, b = source.end_points(ring.radius, ring.half_width, ring.angle(0) + side * ring.half_angle)
         along = (b - a) / length(b - a)
         climb = cross(along, v)
         times += [(height - cross(along, p)) / climb for height in (-r, r) if climb != 0.0]
@@ -82,29 +79,31 @@ def _circle_times(p: complex, v: complex, radius: float) -> list[float]:
 
 
 def _picture(given: Given) -> Picture:
-    """The path, what it crosses, the roots on it, and the ball at the first touch."""
-    flight = _flight(given)
+    """The path, the roots on it, and the ball at the first touch."""
+    flight = _flight_past(given)
     ball, ring, impact = flight.ball, flight.ring, flight.impact
     marks: list[Mark] = [*ring_marks(ring), *_grown(ball.radius, ring)]
-    marks.append(Line((ball.position, ball.moved(flight.dt).position), Tone.PLAIN, Toggle.SWEPT, Stroke.DASHED))
+    marks.append(Line((ball.position, ball.moved(flight.dt).position), Role.PLAIN, Toggle.SWEPT, Stroke.DASHED))
     for root in flight.roots:
         first = impact is not None and abs(root.time - impact.time) < 1e-9
-        tone = Tone.FAINT if not root.touches else Tone.TWO
-        marks.append(Dot(root.place, Tone.OURS if first else tone, Toggle.SWEPT, f"{root.time:.3f}" if root.touches else ""))
+        role = Role.FAINT if not root.touches else Role.TWO
+        marks.append(
+            PointMark(root.position, Role.OURS if first else role, Toggle.SWEPT, f"{root.time:.3f}" if root.touches else "")
+        )
     marks += ball_marks(ball.position, ball.radius)
-    marks.append(Arrow(ball.position, ball.velocity * _SCALE, Tone.PLAIN, label="v"))
+    marks.append(Arrow(ball.position, ball.velocity * _SCALE, Role.PLAIN, label="v"))
     if impact is not None:
         there = ball.moved(impact.time)
-        marks += [Circle(there.position, ball.radius, Tone.OURS, None, Stroke.THICK), *contact_marks(there, impact.contact)]
+        marks += [Circle(there.position, ball.radius, Role.OURS, None, Stroke.THICK), *contact_marks(there, impact.contact)]
         marks += second_opinion(given, there, ring, (0,), impact.contact)
-    return single(tuple(marks), _formula(flight), _deciding(flight), _note(flight))
+    return single(tuple(marks), _formula(flight), _cited(flight), _note(flight))
 
 
 def _grown(r: float, ring: Ring) -> list[Mark]:
-    """The sector grown by the ball's radius: what the ball's centre, a mere point, runs into."""
+    """The sector grown by the ball's radius: the ball touches the sector where its centre touches this outline."""
     start, sweep = ring.angle(0) - ring.half_angle, 2.0 * ring.half_angle
     marks: list[Mark] = [
-        Arc(0j, radius, start, sweep, Tone.GHOST, Toggle.BANDS, Stroke.DASHED)
+        Arc(0j, radius, start, sweep, Role.GHOST, Toggle.BANDS, Stroke.DASHED)
         for radius in (ring.outer_radius + r, ring.inner_radius - r)
         if radius > 0.0
     ]
@@ -112,29 +111,34 @@ def _grown(r: float, ring: Ring) -> list[Mark]:
         return marks
     for side in (-1.0, 1.0):
         angle = ring.angle(0) + side * ring.half_angle
-        ends = literal.end_points(ring.radius, ring.half_width, angle)
+        ends = source.end_points(ring.radius, ring.half_width, angle)
         aside = to_cartesian(r, angle + side * math.pi / 2.0)
-        marks.append(Line((ends[0] + aside, ends[1] + aside), Tone.GHOST, Toggle.BANDS, Stroke.DASHED))
+        marks.append(Line((ends[0] + aside, ends[1] + aside), Role.GHOST, Toggle.BANDS, Stroke.DASHED))
         marks += [
-            Arc(corner, r, turn, side * math.pi / 2.0, Tone.GHOST, Toggle.BANDS, Stroke.DASHED)
+            Arc(corner, r, turn, side * math.pi / 2.0, Role.GHOST, Toggle.BANDS, Stroke.DASHED)
             for corner, turn in ((ends[1], angle), (ends[0], angle + side * math.pi / 2.0))
         ]
     return marks
 
 
-def _formula(flight: _Flight) -> tuple[str, ...]:
+def _formula(flight: _FlightPast) -> tuple[str, ...]:
     """The equation of what is touched first, with its root."""
     p, v, r = flight.ball
     ring, impact = flight.ring, flight.impact
-    count = f"{len(flight.roots)} roots in {flight.dt:g} s, {sum([root.touches for root in flight.roots])} on the sector"
+    count = f"{len(flight.roots)} roots within {flight.dt:g} s, {sum([root.touches for root in flight.roots])} on the sector"
     if impact is None:
-        return (count, "none of them is a touch that the ball flies into: time_of_impact(...) = None")
+        return (count, "at none of them the ball flies into the sector: time_of_impact(...) = None")
     found = impact.contact
-    last = f"t = {impact.time:.6f} s: {_WORDS[found.feature]}"
+    last = f"t = {impact.time:.6f} s: {FEATURE_WORDS[found.feature]}"
     if found.feature is Feature.END:
         along = found.point / length(found.point)
         height, climb = abs(cross(along, p)), -abs(cross(along, v))
-        return (count, "height of p over the end: h + h' t = r", f"h = {height:.3f},   h' = {climb:.3f},   r = {r:g}", last)
+        return (
+            count,
+            "distance of p from the end's line: h + h' t = r",
+            f"h = {height:.3f},   h' = {climb:.3f},   r = {r:g}",
+            last,
+        )
     centre = found.point if found.feature is Feature.CORNER else 0j
     reach = {Feature.CORNER: r, Feature.OUTER_FACE: ring.outer_radius + r}.get(found.feature, ring.inner_radius - r)
     words = {Feature.CORNER: "|p - c + v t| = r", Feature.OUTER_FACE: "|p + v t| = r_p + w_p + r"}
@@ -147,29 +151,31 @@ def _formula(flight: _Flight) -> tuple[str, ...]:
     )
 
 
-def _deciding(flight: _Flight) -> Deciding:
-    """Where the time comes from."""
+def _cited(flight: _FlightPast) -> CitedLine:
+    """The line that computes the time."""
     if flight.impact is None:
-        return code(time_of_impact, "return None")
+        return code_line(time_of_impact, "return None")
     if flight.impact.contact.feature in {Feature.END, Feature.CORNER}:
-        return code(time_of_impact, "impact = _first_touch")
-    return code(time_of_impact, "for stretch in")
+        return code_line(time_of_impact, "impact = _first_touch(ball, ring, stretch, alive)")
+    return code_line(time_of_impact, "for stretch in stretches(ball, ring, dt):")
 
 
-def _note(flight: _Flight) -> str:
-    """What is special."""
+def _note(flight: _FlightPast) -> str:
+    """What is special about these values."""
     if length(flight.ball.velocity) == 0.0:
         return "v = 0: the ball stays where it is, and a sector at rest does not come to it."
     if flight.now.gap < 0.0:
-        return "The ball overlaps the sector at t = 0: its impact is now if it approaches, and none while it flies out."
+        return (
+            "The ball overlaps the sector at t = 0: the impact is at 0 if it approaches, and there is none while it flies out."
+        )
     if flight.impact is None:
-        return "The ball flies past. The dashed outline is the sector grown by r: p would have to cross it."
+        return "The ball flies past: p does not cross the dashed outline, the sector grown by r."
     return "The dashed outline is the sector grown by r. Grey roots lie on the lines and circles, but not on the sector."
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
-    """The first of the roots, no overlap before it, the same backwards and in a mirror."""
-    flight = _flight(given)
+    """The impact is the first root, nothing overlaps before it, and the mirrored flight takes the same time."""
+    flight = _flight_past(given)
     ball, ring, impact = flight.ball, flight.ring, flight.impact
     apart = flight.now.gap > 1e-7
     speed = length(ball.velocity)
@@ -187,12 +193,14 @@ def _check(given: Given) -> tuple[Claim, ...]:
     same = (first is None) == (impact is None) and (first is None or impact is None or abs(first.time - impact.time) < 1e-6)
     return (
         Claim("the impact is the first root that lies on the sector", not clear or same),
-        Claim("before it the ball overlaps nothing", not apart or least > -1e-9),
-        Claim("at it the gap is 0", not apart or impact is None or abs(impact.contact.gap) < 1e-9),
-        Claim("at it the ball approaches", not apart or impact is None or dot(impact.contact.normal, ball.velocity) < 1e-9),
+        Claim("before the impact the ball overlaps nothing", not apart or least > -1e-9),
+        Claim("at the impact the gap is 0", not apart or impact is None or abs(impact.contact.gap) < 1e-9),
+        Claim(
+            "at the impact the ball approaches", not apart or impact is None or dot(impact.contact.normal, ball.velocity) < 1e-9
+        ),
         Claim("flown backwards from there, it touches nothing", not clear or back is None),
         Claim(
-            "in a mirror the time is the same",
+            "the mirrored flight has its impact at the same time",
             not apart or (None if mirrored is None else mirrored.time) == (None if impact is None else impact.time),
         ),
     )
@@ -201,15 +209,13 @@ def _check(given: Given) -> tuple[Claim, ...]:
 SCENE = Scene(
     name="impact-resting",
     title="Time of impact: a sector at rest",
-    idea="The ball's centre runs into the sector grown by r: arcs, corners and ends give an equation each.",
-    chapter=Chapter.TIME_OF_IMPACT,
-    place=10,
+    idea="The ball touches where its centre meets the sector grown by r: arcs, corners and ends give one equation each.",
     functions=("time_of_impact",),
     parameters=(
         Point("ball", "p", -15.0, 15.0, -1.5 - 3.5j, meaning="the ball's centre"),
         Point("v", "v", -30.0, 30.0, 9.0 + 6.5j, 0.1, "its velocity"),
         Number("r", "r", "", 0.05, 3.0, 0.8, 0.05, "the ball's radius"),
-        Number("dt", "Δt", "s", 0.05, 5.0, 1.6, 0.05, "how far ahead one looks"),
+        Number("dt", "Δt", "s", 0.05, 5.0, 1.6, 0.05, "time that is searched"),
         Number("radius", "r_p", "", 2.0, 13.0, 6.0, 0.05, "the sector's middle radius"),
         Number("angle", "θ_p", "°", 0.0, 360.0, 20.0, 0.5, "the sector's middle angle"),
         Number("half_width", "w_p", "", 0.05, 1.9, 0.8, 0.05, "its half width"),
@@ -220,7 +226,7 @@ SCENE = Scene(
         handles.point("ball", "ball", "r"),
         *handles.sector_handles("radius", "half_width", "angle", "half_angle"),
     ),
-    view=View(3.6 + 1.4j, 9.4 + 6.0j),
+    view_box=ViewBox(3.6 + 1.4j, 9.4 + 6.0j),
     shows=_picture,
     check=_check,
     rows=(6,),

@@ -1,14 +1,14 @@
-"""When does a flying ball first touch an end that turns? A search by steps that cannot overshoot."""
+"""When does a flying ball first touch a turning end? A search by steps that cannot pass the touch."""
 
 from typing import NamedTuple
 
+from game.lab import source
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code
+from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import ball_marks, contact_marks, ghost_marks
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arrow, Circle, Dot, Line, Mark, Picture, Sector, Stroke, Toggle, Tone, single
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
-from game.lab.source import literal
+from game.lab.kit.picture import AnnularSector, Arrow, Circle, Line, Mark, Picture, PointMark, Role, Stroke, Toggle, single
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import Ball, Contact, Impact, Ring, closest_point_on_line, contact, dot, length, time_of_impact, to_cartesian
 from physics.narrow_phase import end_contact
 from physics.time_of_impact import safe_step
@@ -22,19 +22,22 @@ _SURE = 1e-6
 
 
 class _Search(NamedTuple):
-    """The end that is looked at, and every time at which the search stood."""
+    """The ball, the ring with the end, and every time at which the search stopped.
+
+    times: 0 first. touch: when they touch; None within dt seconds. now: the contact with the end at time 0.
+    """
 
     ball: Ball
     ring: Ring
     dt: float
-    times: tuple[float, ...]  # 0 first
-    touch: float | None  # when it touches; None within dt
-    now: Contact  # with the end
+    times: tuple[float, ...]
+    touch: float | None
+    now: Contact
 
     def end(self, time: float) -> tuple[complex, complex]:
         """Both corners of the end at a time."""
         angle = self.ring.phase + self.ring.half_angle + self.ring.spin * time
-        return literal.end_points(self.ring.radius, self.ring.half_width, angle)
+        return source.end_points(self.ring.radius, self.ring.half_width, angle)
 
     def distance(self, time: float) -> float:
         """Between the end and the ball's centre."""
@@ -59,7 +62,7 @@ def _search(given: Given) -> _Search:
 
 
 def _steps(search: _Search) -> tuple[tuple[float, ...], float | None]:
-    """Every time at which the search stands, and the touch at which it ends."""
+    """Every time at which the search stops, and the time of the touch; None for no touch."""
     ball, ring, dt = search.ball, search.ring, search.dt
     rate = abs(ring.spin)
     jerk = rate * rate * (rate * (ring.outer_radius + ball.radius) + 3.0 * length(ball.velocity))
@@ -83,32 +86,32 @@ def _picture(given: Given) -> Picture:
     """The ball and the end at every step of the search."""
     search = _search(given)
     ball, ring = search.ball, search.ring
-    marks: list[Mark] = [Sector(ring.radius, ring.half_width, ring.phase, ring.half_angle, Tone.OTHER, None, 0.5)]
-    marks.append(Line((ball.position, ball.moved(search.dt).position), Tone.FAINT, Toggle.SWEPT, Stroke.DASHED))
+    marks: list[Mark] = [AnnularSector(ring.radius, ring.half_width, ring.phase, ring.half_angle, Role.OTHER, None, 0.5)]
+    marks.append(Line((ball.position, ball.moved(search.dt).position), Role.FAINT, Toggle.SWEPT, Stroke.DASHED))
     for number, time in enumerate(search.times):
-        place = ball.moved(time).position
-        marks.append(Line(search.end(time), Tone.SECTOR, Toggle.SWEPT, Stroke.THICK if number == 0 else Stroke.SOLID))
+        position = ball.moved(time).position
+        marks.append(Line(search.end(time), Role.SECTOR, Toggle.SWEPT, Stroke.THICK if number == 0 else Stroke.SOLID))
         if number:
-            marks += ghost_marks(place, ball.radius, Toggle.SWEPT)
-            marks.append(Dot(place, Tone.PLAIN, Toggle.SWEPT, str(number) if number <= _NUMBERED else ""))
+            marks += ghost_marks(position, ball.radius, Toggle.SWEPT)
+            marks.append(PointMark(position, Role.PLAIN, Toggle.SWEPT, str(number) if number <= _NUMBERED else ""))
     marks += ball_marks(ball.position, ball.radius)
-    marks.append(Arrow(ball.position, ball.velocity * _SCALE, Tone.PLAIN, label="v"))
+    marks.append(Arrow(ball.position, ball.velocity * _SCALE, Role.PLAIN, label="v"))
     marks.append(_spin_arrow(ring))
     if search.touch is not None:
         there = ball.moved(search.touch)
-        marks.append(Circle(there.position, ball.radius, Tone.OURS, None, Stroke.THICK))
+        marks.append(Circle(there.position, ball.radius, Role.OURS, None, Stroke.THICK))
         marks += contact_marks(there, search.contact(search.touch))
-    return single(tuple(marks), _formula(search), _deciding(search), _note(search))
+    return single(tuple(marks), _formula(search), _cited(search), _note(search))
 
 
 def _spin_arrow(ring: Ring) -> Arrow:
     """The velocity of the end's outer corner."""
     corner = to_cartesian(ring.outer_radius, ring.phase + ring.half_angle)
-    return Arrow(corner, ring.surface_velocity(corner) * _SCALE, Tone.ONE, label="ω × q" if ring.spin else "")
+    return Arrow(corner, ring.surface_velocity(corner) * _SCALE, Role.ONE, label="ω × q" if ring.spin else "")
 
 
 def _formula(search: _Search) -> tuple[str, ...]:
-    """The bound that makes a step safe, and how the steps went."""
+    """The bound that makes a step safe, and the sizes of the steps."""
     ring, ball, steps = search.ring, search.ball, len(search.times) - 1
     rate = abs(ring.spin)
     jerk = rate**3 * (ring.outer_radius + ball.radius) + 3.0 * rate * rate * length(ball.velocity)
@@ -116,36 +119,36 @@ def _formula(search: _Search) -> tuple[str, ...]:
     last = search.times[-1] - search.times[-2] if steps else 0.0
     ended = "no touch" if search.touch is None else f"t = {search.touch:.9f} s"
     return (
-        "in the end's frame:   f(s) ≥ f + f' s + f'' s² / 2 - J s³ / 6,   f: height, run, corner",
+        "in the end's frame:   f(s) ≥ f + f' s + f'' s² / 2 - J s³ / 6,   f: distance from the end's line, or from a corner",
         f"J = |ω|³ (r_p + w_p + r) + 3 ω² |v| = {jerk:.2f}",
         f"steps: {steps} of at most {MAX_STEPS};   the first {first:.4f} s, the last {last:.1e} s",
         f"{ended};   there |p - q| - r = {search.contact(search.times[-1]).gap:.1e}",
     )
 
 
-def _deciding(search: _Search) -> Deciding:
-    """Why the search stopped."""
+def _cited(search: _Search) -> CitedLine:
+    """The line that ended the search."""
     if search.touch is None:
-        return code(safe_step, "if height <= -TOUCH or beyond")
+        return code_line(safe_step, "if height <= -TOUCH or beyond >= horizon:")
     a, b = search.end(search.touch)
     p = search.ball.moved(search.touch).position
     beside = length(a) <= dot(p, b) / length(b) <= length(b)
-    return code(safe_step, "return 0.0 if height <= TOUCH" if beside else "if gap <= TOUCH and rate")
+    return code_line(safe_step, "return 0.0 if height <= TOUCH and dy < 0.0" if beside else "if gap <= TOUCH and rate < 0.0:")
 
 
 def _note(search: _Search) -> str:
-    """What is special."""
+    """What is special about these values."""
     if search.now.gap <= TOUCH:
-        return "The ball touches or overlaps the end at t = 0: the touch is now if they approach; else the search goes on."
+        return "The ball touches or overlaps the end at t = 0: the touch is at 0 if they approach, else the search goes on."
     if search.ring.spin == 0.0:
-        return "ω = 0: the end is at rest, and the bound is the equation itself. The engine solves it in closed form."
+        return "ω = 0: the end is at rest, and the bound is exact. The engine then solves the equation in closed form."
     if search.touch is None:
         return "No touch within Δt: every step is as long as the bound allows, at most a radian of turning."
     return "Each ghost is a moment up to which no touch is possible. Near the touch the steps shrink faster than Newton's."
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
-    """No step goes too far, and the last one ends at the touch."""
+    """No step passes the touch, and the last one ends at it."""
     search = _search(given)
     r, until = search.ball.radius, search.times[-1]
     apart = search.now.gap > _SURE
@@ -157,13 +160,13 @@ def _check(given: Given) -> tuple[Claim, ...]:
     grazes = search.touch is not None and _closing(search, search.touch) > -_SURE
     turned = _turned(search)
     return (
-        Claim("up to where the search stands, the ball does not reach the end", not apart or least > r - 1e-9),
-        Claim("where it ends with a touch, the gap is 0", not (apart and touches) or search.contact(until).gap < 1e-9),
+        Claim("before the last step ends, the ball does not reach the end", not apart or least > r - 1e-9),
+        Claim("where the search ends with a touch, the gap is 0", not (apart and touches) or search.contact(until).gap < 1e-9),
         Claim("the steps are no more than allowed", len(search.times) - 1 <= MAX_STEPS),
-        Claim("and go forward in time", list(search.times) == sorted(search.times)),
+        Claim("the steps go forward in time", list(search.times) == sorted(search.times)),
         Claim("time_of_impact is no later", not outside or grazes or search.touch is None or _by(impact, search.touch)),
-        Claim("and no earlier with this end", not (outside and here) or search.touch is not None),
-        Claim("turned by a radian, it is the same", grazes or not apart or turned),
+        Claim("time_of_impact with this end is no earlier", not (outside and here) or search.touch is not None),
+        Claim("turned by a radian, the touch is at the same time", grazes or not apart or turned),
     )
 
 
@@ -192,16 +195,14 @@ def _turned(search: _Search) -> bool:
 SCENE = Scene(
     name="impact-turning",
     title="Time of impact: a turning end",
-    idea="No formula gives the moment: the search steps as far as no touch is possible, until it stands at it.",
-    chapter=Chapter.TIME_OF_IMPACT,
-    place=20,
+    idea="No formula gives the time of the touch: each step of the search is so short that it cannot pass the touch.",
     functions=("time_of_impact",),
     parameters=(
         Point("ball", "p", -15.0, 15.0, 9.9 + 5.5j, meaning="the ball's centre"),
         Point("v", "v", -30.0, 30.0, -10.9 - 3.3j, 0.1, "its velocity"),
         Number("r", "r", "", 0.05, 3.0, 0.5, 0.05, "the ball's radius"),
         Number("spin", "ω", "rad/s", -12.0, 12.0, 2.0, 0.05, "the ring's spin"),
-        Number("dt", "Δt", "s", 0.05, 3.0, 1.5, 0.05, "how far ahead one looks"),
+        Number("dt", "Δt", "s", 0.05, 3.0, 1.5, 0.05, "time that is searched"),
         Number("radius", "r_p", "", 3.0, 13.0, 6.0, 0.05, "the sector's middle radius"),
         Number("half_width", "w_p", "", 0.05, 2.9, 1.2, 0.05, "its half width"),
         Number("angle", "ε", "°", 0.0, 360.0, 0.0, 0.5, "the end's angle at first"),
@@ -211,12 +212,12 @@ SCENE = Scene(
         handles.point("ball", "ball", "r"),
         handles.on_circle("angle", lambda given: given.number("radius"), "end"),
     ),
-    view=View(2.4 + 2.6j, 9.8 + 5.6j),
+    view_box=ViewBox(2.4 + 2.6j, 9.8 + 5.6j),
     shows=_picture,
     check=_check,
     rows=(6,),
     presets=(
-        Preset("across the end's way", "spin=2"),
+        Preset("across the end's path", "spin=2"),
         Preset("the end comes to meet the ball", "ball=2,9&v=2.4,-4&spin=1.2"),
         Preset("a corner", "ball=2,9&v=3,-9&spin=0.2"),
         Preset("a fast ball, a slow end", "ball=2,9&v=4,-9&spin=0.2"),

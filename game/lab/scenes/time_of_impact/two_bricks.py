@@ -4,14 +4,13 @@ import math
 from itertools import pairwise
 from typing import NamedTuple
 
+from game.lab import source
 from game.lab.kit import handles
-from game.lab.kit.cited_line import Deciding, code, source
+from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import ring_marks, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arrow, Circle, Disc, Dot, Line, Mark, Pane, Picture, Stroke, Toggle, Tone
-from game.lab.kit.scene import Chapter, Claim, Preset, Scene, View
-from game.lab.source.discrete import Flight, frame, normal_at
-from game.lab.source.literal import bounced
+from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, PointMark, Role, Stroke, Toggle
+from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import PERMANENT, Arena, Ball, Hit, Ring, Step, advance, contact, dot, length, time_of_impact
 
 _RADIUS, _COUNT = 8.0, 4
@@ -19,17 +18,20 @@ _RATE = 60
 """Frames per second of the source's loop."""
 _SCALE = 0.12
 _SAME = 1e-9
-"""Seconds: two touches nearer than that are drawn as one."""
+"""Seconds between touches that count as simultaneous."""
 
 
 class _Notch(NamedTuple):
-    """The ball, the bricks on both sides of the notch, and what becomes of it."""
+    """The ball, the bricks on both sides of the notch, and the step of the physics.
+
+    apart: whether the ball touches nothing at first.
+    """
 
     ball: Ball
     ring: Ring
     dt: float
     step: Step
-    apart: bool  # whether the ball touches nothing at first
+    apart: bool
 
     @property
     def hits(self) -> tuple[Hit, ...]:
@@ -43,7 +45,7 @@ class _Notch(NamedTuple):
 
 
 def _notch(given: Given) -> _Notch:
-    """What the values make."""
+    """The ball and the bricks that the values make."""
     ball = Ball(given.point("ball"), given.point("v"), given.number("r"))
     half = math.pi / _COUNT - given.angle("notch")
     ring = Ring(_RADIUS, given.number("half_width"), half, _COUNT, math.pi / _COUNT)
@@ -53,57 +55,57 @@ def _notch(given: Given) -> _Notch:
 
 
 def _picture(given: Given) -> Picture:
-    """The source's way at the left, ours at the right."""
+    """The source's path at the left, ours at the right."""
     notch = _notch(given)
     panes = (
         Pane(_theirs(notch), f"the source: the nearest brick, {_RATE} tests a second"),
         Pane(_ours(notch), "here: every brick, in the order of time"),
     )
-    return Picture(panes, _formula(notch), _deciding(notch), _note(notch))
+    return Picture(panes, _formula(notch), _cited(notch), _note(notch))
 
 
 def _theirs(notch: _Notch) -> tuple[Mark, ...]:
     """The source's ball, frame by frame."""
     ball, speed = notch.ball, length(notch.ball.velocity)
-    flight, places = Flight(ball.position, ball.velocity), [ball.position]
+    flight, positions = source.SourceBall(ball.position, ball.velocity), [ball.position]
     marks: list[Mark] = list(ring_marks(notch.ring))
     for _ in range(round(notch.dt * _RATE)):
-        flight = frame(flight, ball.radius, (notch.ring,), 1.0 / _RATE, speed)
-        places.append(flight.position)
-        normal = normal_at(flight.position, ball.radius, notch.ring)
+        flight = source.frame(flight, ball.radius, (notch.ring,), 1.0 / _RATE, speed)
+        positions.append(flight.position)
+        normal = source.normal_at(flight.position, ball.radius, notch.ring)
         overlap = min([contact(Ball(flight.position, 0j, ball.radius), notch.ring, slot).gap for slot in range(_COUNT)]) < 0.0
         if normal is not None and overlap:
-            marks.append(Circle(flight.position, ball.radius, Tone.SOURCE, Toggle.CONTACTS))
-            marks.append(Arrow(flight.position, normal * 1.2, Tone.SOURCE, Toggle.NORMALS, Stroke.SOLID))
-    return (*marks, *_flown(ball, tuple(places)))
+            marks.append(Circle(flight.position, ball.radius, Role.SOURCE, Toggle.CONTACTS))
+            marks.append(Arrow(flight.position, normal * 1.2, Role.SOURCE, Toggle.NORMALS, Stroke.SOLID))
+    return (*marks, *_flown(ball, tuple(positions)))
 
 
 def _ours(notch: _Notch) -> tuple[Mark, ...]:
     """Our ball, bounce by bounce, the bounces numbered."""
     ball = notch.ball
     marks: list[Mark] = list(ring_marks(notch.ring))
-    places = [ball.position]
+    positions = [ball.position]
     for number, hit in enumerate(notch.hits, 1):
-        place = hit.contact.point + hit.contact.normal * ball.radius
-        places.append(place)
-        marks.append(Circle(place, ball.radius, Tone.OURS, Toggle.CONTACTS))
-        marks.append(Arrow(hit.contact.point, hit.contact.normal * 1.2, Tone.OURS, Toggle.NORMALS, Stroke.SOLID))
-        marks.append(Dot(hit.contact.point, Tone.OURS, Toggle.CONTACTS, str(number)))
-    return (*marks, *_flown(ball, (*places, notch.step.arena.balls[0].position)))
+        position = hit.contact.point + hit.contact.normal * ball.radius
+        positions.append(position)
+        marks.append(Circle(position, ball.radius, Role.OURS, Toggle.CONTACTS))
+        marks.append(Arrow(hit.contact.point, hit.contact.normal * 1.2, Role.OURS, Toggle.NORMALS, Stroke.SOLID))
+        marks.append(PointMark(hit.contact.point, Role.OURS, Toggle.CONTACTS, str(number)))
+    return (*marks, *_flown(ball, (*positions, notch.step.arena.balls[0].position)))
 
 
-def _flown(ball: Ball, places: tuple[complex, ...]) -> tuple[Mark, ...]:
+def _flown(ball: Ball, positions: tuple[complex, ...]) -> tuple[Mark, ...]:
     """A path, the ball at its beginning with its velocity, and at its end."""
     return (
-        Line(places, Tone.PLAIN, Toggle.SWEPT),
-        Disc(places[0], ball.radius, Tone.BALL),
-        Arrow(places[0], ball.velocity * _SCALE, Tone.PLAIN, label="v"),
-        Circle(places[-1], ball.radius, Tone.GHOST, Toggle.SWEPT, Stroke.DASHED),
+        Line(positions, Role.PLAIN, Toggle.SWEPT),
+        Disc(positions[0], ball.radius, Role.BALL),
+        Arrow(positions[0], ball.velocity * _SCALE, Role.PLAIN, label="v"),
+        Circle(positions[-1], ball.radius, Role.GHOST, Toggle.SWEPT, Stroke.DASHED),
     )
 
 
 def _formula(notch: _Notch) -> tuple[str, ...]:
-    """Our bounces, and what the source's one answer leaves."""
+    """Our bounces, and what is wrong after the single one of the source."""
     if not notch.hits:
         return (f"no brick is touched within {notch.dt:g} s",)
     lines = [
@@ -118,33 +120,34 @@ def _formula(notch: _Notch) -> tuple[str, ...]:
         )
     if notch.tie:
         first, other = notch.hits[0].contact.normal, notch.hits[1].contact.normal
-        after = bounced(notch.ball.velocity, first, 0j, 0.0)
-        lines.append(f"the source answers the first alone:   then v · n of the other = {dot(after, other):.2f}")
+        velocity = notch.ball.velocity
+        after = source.response_steps(velocity, first, 0j, 0.0, length(velocity)).before_reset
+        lines.append(f"the source answers only the first:   afterwards v · n of the other = {dot(after, other):.2f}")
     return tuple(lines)
 
 
-def _deciding(notch: _Notch) -> Deciding:
-    """The search for one, or the order of all."""
+def _cited(notch: _Notch) -> CitedLine:
+    """The source's search for the nearest one, or our search in the order of time."""
     if notch.tie:
-        return source("Broad phase", "if min_difference(θ, θ'_p) < min_difference(θ, θ_p): r_p, θ_p = r'_p, θ'_p")
-    return code(time_of_impact, "impact = _first_touch")
+        return source_line("Broad phase", "if min_difference(θ, θ'_p) < min_difference(θ, θ_p): r_p, θ_p = r'_p, θ'_p")
+    return code_line(time_of_impact, "impact = _first_touch(ball, ring, stretch, alive)")
 
 
 def _note(notch: _Notch) -> str:
-    """What is special."""
+    """What is special about these values."""
     if not notch.apart:
-        return "The ball overlaps a brick at first: it is pushed out before it flies."
+        return "The ball overlaps a brick at the start: it is pushed out before it flies."
     if notch.step.dropped:
-        return "After 32 bounces the rest of the tick is dropped, and counted: no wedge can hang the game."
+        return "After 32 bounces the rest of the tick is dropped and counted, so that no wedge can stop the game."
     if notch.tie:
-        return "Both are touched at the very same time: the lower slot answers first, then the other, if still approached."
+        return "Both are touched at the same time, and both are answered. The source answers one of them only."
     if len({hit.slot for hit in notch.hits}) > 1:
-        return "One after the other: each bounce starts from the velocity that the one before has left."
-    return "One brick only. Send the ball into the notch."
+        return "One after the other: each bounce starts from the velocity after the one before."
+    return "One brick only. Aim the ball at the notch."
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
-    """Order, energy, free flight, and the same in a world turned by a quarter."""
+    """Order in time, speed, no overlap, and the same in a world turned by a quarter."""
     notch = _notch(given)
     hits, speed = notch.hits, length(notch.ball.velocity)
     times = [hit.time for hit in hits]
@@ -158,12 +161,16 @@ def _check(given: Given) -> tuple[Claim, ...]:
     return (
         Claim("the bounces are in the order of time", times == sorted(times)),
         Claim(
-            "the brick that alone would be touched first comes first, of equals the lower slot",
+            "the brick that would be touched first without the others is touched first, of equals the lower slot",
             not notch.apart or [(hit.time, hit.slot) for hit in hits[:1]] == alone[:1],
         ),
-        Claim("each was flown into", all([dot(hit.before, hit.contact.normal) < 1e-9 for hit in hits])),
-        Claim("and is left at v_0", all([_leaves(hit, speed) for hit in hits])),
-        Claim("each starts from what the one before has left", all([a.after == b.before for a, b in pairwise(hits)])),
+        Claim(
+            "the ball approaches each brick that it touches", all([dot(hit.before, hit.contact.normal) < 1e-9 for hit in hits])
+        ),
+        Claim("it leaves each at the speed v_0", all([_leaves(hit, speed) for hit in hits])),
+        Claim(
+            "each bounce starts from the velocity after the one before", all([a.after == b.before for a, b in pairwise(hits)])
+        ),
         Claim("in the end the ball overlaps nothing", not notch.apart or min(_gaps(notch.ring, end)) > -1e-8),
         Claim("there are no more than 32", len(hits) <= 32),
         Claim(
@@ -189,7 +196,7 @@ def _alone(notch: _Notch) -> list[tuple[float, int]]:
 
 
 def _leaves(hit: Hit, speed: float) -> bool:
-    """Whether the ball flies off with its speed."""
+    """Whether the ball leaves the brick, with its speed."""
     return dot(hit.after, hit.contact.normal) > 0.0 and abs(length(hit.after) - speed) < 1e-9 * max(speed, 1.0)
 
 
@@ -203,9 +210,7 @@ def _first_is_one_on(hits: tuple[Hit, ...], turned: tuple[Hit, ...]) -> bool:
 SCENE = Scene(
     name="two-bricks",
     title="Two bricks at once",
-    idea="A ball in a notch touches both of its sides: all contacts are answered, in the order of time, ties by the slot.",
-    chapter=Chapter.TIME_OF_IMPACT,
-    place=30,
+    idea="A ball in a notch touches both of its sides. Every contact is answered, in the order of time.",
     functions=("broad_phase", "collision_response"),
     parameters=(
         Point("ball", "p", -15.0, 15.0, 12.8 + 0.0j, meaning="the ball's centre"),
@@ -219,7 +224,7 @@ SCENE = Scene(
         handles.vector("v", lambda given: given.point("ball"), _SCALE, "velocity"),
         handles.point("ball", "ball", "r"),
     ),
-    view=View(10.0 + 0j, 4.6 + 4.6j),
+    view_box=ViewBox(10.0 + 0j, 4.6 + 4.6j),
     shows=_picture,
     check=_check,
     rows=(8,),

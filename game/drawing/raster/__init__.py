@@ -1,0 +1,1 @@
+"""Pixels and shapes on a surface: nothing here knows the arena."""

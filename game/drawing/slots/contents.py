@@ -1,0 +1,124 @@
+"""What stands in every slot of a scene's rings at a moment, and how brightly it glows after a hit."""
+
+import math
+from enum import IntEnum, auto
+from functools import lru_cache
+from typing import NamedTuple
+
+from game.effects import Flash
+from game.rules import PADDLES
+from game.scene import Scene
+from physics import PERMANENT
+
+GLOW_STEPS = 6
+"""Steps from no glow to the full one: pictures of slots are cached, and every step is another picture."""
+_ECHO_GLOW = 2
+"""Glow of a slot while the front of the light that runs around its ring is passing."""
+
+
+class ContentKind(IntEnum):
+    """What a slot can hold."""
+
+    EMPTY = auto()
+    PADDLE = auto()
+    RECOILING = auto()
+    """A paddle that is out of its slot for a moment: the slot shows the track, and the paddle is drawn apart."""
+    BRICKS = auto()
+    STEEL = auto()
+    GHOST = auto()
+    """An empty slot whose last brick has just gone: its light is left for a moment."""
+
+
+class SlotContent(NamedTuple):
+    """What stands in one slot.
+
+    kind: what it is.
+    layers: of a stack of bricks; 0 of everything else.
+    glow: 0 none to GLOW_STEPS full.
+    """
+
+    kind: ContentKind
+    layers: int = 0
+    glow: int = 0
+
+
+Contents = tuple[tuple[SlotContent, ...], ...]
+"""What stands in the slots, per ring and slot."""
+
+_EMPTY, _PADDLE, _STEEL = SlotContent(ContentKind.EMPTY), SlotContent(ContentKind.PADDLE), SlotContent(ContentKind.STEEL)
+
+
+def slot_contents(scene: Scene) -> Contents:
+    """What stands in all slots of a scene."""
+    flashes: dict[int, list[Flash]] = {}
+    for flash in scene.flashes:
+        flashes.setdefault(flash.ring, []).append(flash)
+    return tuple(
+        [
+            paddle_contents(len(layers), flashes.get(k, [])) if k == PADDLES else wall_contents(layers, flashes.get(k, []))
+            for k, layers in enumerate(scene.layers)
+        ]
+    )
+
+
+@lru_cache(maxsize=8)
+def resting_contents(layers: tuple[tuple[int, ...], ...]) -> Contents:
+    """What stands in the slots while nothing glows. layers: per ring and slot, as in `physics.Arena`."""
+    return tuple([paddle_contents(len(ring), []) if k == PADDLES else _resting(ring) for k, ring in enumerate(layers)])
+
+
+def paddle_contents(count: int, flashes: list[Flash]) -> tuple[SlotContent, ...]:
+    """The contents of the paddles' ring. flashes: of this ring."""
+    contents = [_PADDLE] * count
+    for flash in flashes:
+        contents[flash.slot] = _PADDLE._replace(glow=_glow(flash))
+    return tuple(contents)
+
+
+def wall_contents(layers: tuple[int, ...], flashes: list[Flash]) -> tuple[SlotContent, ...]:
+    """The contents of a ring of bricks. layers: per slot; flashes: of this ring."""
+    resting = _resting(layers)
+    if not flashes:
+        return resting
+    contents = list(resting)
+    for flash in flashes:
+        if flash.echoed:
+            _add_echo(contents, flash)
+    for flash in flashes:
+        if flash.lit:
+            kind, count, _ = contents[flash.slot]
+            contents[flash.slot] = SlotContent(ContentKind.GHOST if kind is ContentKind.EMPTY else kind, count, _glow(flash))
+    return tuple(contents)
+
+
+@lru_cache(maxsize=64)
+def _resting(layers: tuple[int, ...]) -> tuple[SlotContent, ...]:
+    """The contents of a ring of bricks while nothing glows."""
+    return tuple([_standing(count) for count in layers])
+
+
+def _standing(layers: int) -> SlotContent:
+    """What a number of layers stands for."""
+    if layers == PERMANENT:
+        return _STEEL
+    return SlotContent(ContentKind.BRICKS, layers) if layers else _EMPTY
+
+
+def _glow(flash: Flash) -> int:
+    """The glow of a slot that was hit: it fades with the flash's age."""
+    return math.ceil((1.0 - flash.age) * GLOW_STEPS)
+
+
+def _add_echo(contents: list[SlotContent], flash: Flash) -> None:
+    """Light that runs around the ring from a hit, in both directions, and meets on the far side.
+
+    It moves on only when the flash's own glow changes, so that it needs no more pictures than the flash does.
+    """
+    count = len(contents)
+    front = (GLOW_STEPS - _glow(flash) + 1) / GLOW_STEPS * (count / 2.0)
+    width = count / (2.0 * GLOW_STEPS)
+    for slot, (kind, layers, glow) in enumerate(contents):
+        distance = abs((slot - flash.slot + count // 2) % count - count // 2)
+        if kind is not ContentKind.EMPTY and front - 2.0 * width < distance <= front:
+            echo = _ECHO_GLOW if distance > front - width else 1
+            contents[slot] = SlotContent(kind, layers, max(glow, echo))

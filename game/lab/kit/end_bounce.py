@@ -1,0 +1,132 @@
+"""A ball that touches the end of a turning paddle, and the velocity that the source and the physics give it, side by side.
+
+The end lies on the x axis, so its normal is the y axis, and the surface's velocity at the touched point is u along it.
+"""
+
+import math
+from typing import NamedTuple
+
+from game.lab import source
+from game.lab.kit.bounce import Bounce, bounce
+from game.lab.kit.handles import Handle, polar_vector
+from game.lab.kit.marks import ring_marks
+from game.lab.kit.parameters import Given
+from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Role, Stroke, Toggle, Words
+from game.rules import TICK
+from physics import PERMANENT, Arena, Ball, Ring, advance, contact, to_cartesian
+
+REACH, RADIUS = 6.0, 0.5
+"""Distance of the touched point from the centre, and the ball's radius."""
+NORMAL = 1j
+_HALF_WIDTH, _HALF_ANGLE = 1.0, 0.4
+_AT = complex(REACH - _HALF_WIDTH, 0.0)
+"""The inner corner, where one takes hold of the end's velocity."""
+_SCALE = 0.3
+"""World units drawn per unit of speed."""
+
+
+class EndBounce(NamedTuple):
+    """One bounce off the end.
+
+    ball, ring: at the moment of touch. found: the bounce and its steps. by_source: v as the source has it; None for 0 / 0.
+    """
+
+    ball: Ball
+    ring: Ring
+    found: Bounce
+    by_source: complex | None
+
+    @property
+    def ring_is_slow(self) -> bool:
+        """Whether no point of the paddle is faster than the ball, as every level makes sure."""
+        return abs(self.ring.spin) * self.ring.outer_radius < self.found.speed
+
+
+class EndFlight(NamedTuple):
+    """Both balls some ticks after the bounce.
+
+    by_source: the ball that flies on as the source has it. by_physics: the ball that flies on as in the game.
+    """
+
+    ring: Ring
+    by_source: source.SourceBall
+    by_physics: Ball
+
+
+def end_bounce(given: Given) -> EndBounce:
+    """The bounce that the values `u`, `speed`, `heading` and `mu` make."""
+    speed, u, mu = given.number("speed"), given.number("u"), given.number("mu")
+    ring = Ring(REACH, _HALF_WIDTH, _HALF_ANGLE, 1, -_HALF_ANGLE, u / REACH, mu)
+    ball = Ball(complex(REACH, RADIUS), to_cartesian(speed, given.angle("heading")), RADIUS)
+    found = bounce(ball.velocity, NORMAL, NORMAL * u, mu, speed)
+    return EndBounce(ball, ring, found, source.reset(ball.velocity, found.steps.before_reset, speed))
+
+
+def start(given: Given) -> EndFlight:
+    """Right after the bounce."""
+    after = end_bounce(given)
+    ball = Ball(after.ball.position, after.found.steps.result, after.ball.radius)
+    return EndFlight(after.ring, source.SourceBall(ball.position, after.by_source), ball)
+
+
+def step(given: Given, state: EndFlight) -> EndFlight:
+    """A tick later: a frame of the source's loop, and a step of the physics."""
+    speed, ring = given.number("speed"), state.ring.turned(TICK)
+    by_source = source.frame(state.by_source, RADIUS, (ring,), TICK, speed)
+    after = advance(Arena((state.by_physics,), (state.ring,), ((PERMANENT,),)), TICK, speed).arena
+    return EndFlight(ring, by_source, after.balls[0])
+
+
+def panes(after: EndBounce, state: EndFlight) -> tuple[Pane, Pane]:
+    """The source's ball at the left, ours at the right."""
+    left, right = state.by_source, state.by_physics
+    return (
+        _pane(after, state.ring, left, Role.SOURCE, "the source"),
+        _pane(after, state.ring, source.SourceBall(right.position, right.velocity), Role.GOOD, "here"),
+    )
+
+
+def handles() -> tuple[Handle, Handle]:
+    """The ball's velocity, and the paddle's."""
+    scale = _AT.real / REACH * _SCALE
+    return (
+        polar_vector("speed", "heading", lambda _: complex(REACH, RADIUS), _SCALE, "velocity"),
+        Handle(
+            "u",
+            lambda given: _AT + NORMAL * given.number("u") * scale,
+            lambda _, point: {"u": point.imag / scale},
+        ),
+    )
+
+
+def least_gap(given: Given, ticks: int) -> float:
+    """The least gap between our ball and the paddle in so many ticks."""
+    state, least = start(given), math.inf
+    for _ in range(ticks):
+        state = step(given, state)
+        least = min(least, contact(state.by_physics, state.ring, 0).gap)
+    return least
+
+
+def _pane(after: EndBounce, ring: Ring, flight: source.SourceBall, role: Role, title: str) -> Pane:
+    """The paddle and one ball as they are now, and where the ball came from."""
+    touched, now = after.ball.position, flight.position
+    marks: list[Mark] = [
+        *ring_marks(ring),
+        Circle(touched, RADIUS, Role.GHOST, Toggle.SWEPT, Stroke.DASHED),
+        Line((touched, now), role, Toggle.SWEPT, Stroke.DASHED),
+        *[_surface_arrow(after.ring, q) for q in (_AT, 2.0 * REACH - _AT)],
+        Disc(now, RADIUS, Role.BALL),
+        Arrow(touched, after.ball.velocity * _SCALE, Role.PLAIN, label="v before"),
+    ]
+    if flight.velocity is None:
+        marks.append(Words(now + 0.75j, "v = 0 / 0", role))
+    else:
+        marks.append(Arrow(now, flight.velocity * _SCALE, role, label="v"))
+    gap = contact(Ball(now, 0j, RADIUS), ring, 0).gap
+    return Pane(tuple(marks), f"{title}:   gap = {gap + 0.0:.3f}")
+
+
+def _surface_arrow(ring: Ring, q: complex) -> Arrow:
+    """The velocity of a point of the end at the moment of the bounce."""
+    return Arrow(q, ring.surface_velocity(q) * _SCALE, Role.ONE, label="ω × q" if ring.spin else "")

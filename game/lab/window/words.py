@@ -1,0 +1,94 @@
+"""The words around the picture: title and idea above; formula, cited line and note below; small print; notices."""
+
+from typing import NamedTuple
+
+import pygame
+
+from game.drawing.palette import Colour, Theme
+from game.drawing.text import Type
+from game.lab.kit.differences import differences_line
+from game.lab.kit.picture import Picture
+from game.lab.kit.scene import Scene
+from game.lab.window.layout import WindowLayout
+
+_LINE = 1.25
+"""Height of a line of text in the size of its letters."""
+
+
+class TextSheet(NamedTuple):
+    """What words are written on and with: a surface, its division, colours and letters."""
+
+    surface: pygame.Surface
+    layout: WindowLayout
+    theme: Theme
+    type: Type
+
+    @property
+    def unit(self) -> float:
+        """Size of body text, pixels."""
+        return self.layout.unit
+
+
+def draw_head(sheet: TextSheet, scene: Scene) -> float:
+    """The title, the idea, and where the scene goes beyond the source; returns where they end, pixels."""
+    unit, theme, head = sheet.unit, sheet.theme, sheet.layout.head
+    pygame.draw.rect(sheet.surface, theme.background, head)
+    title = sheet.type.write(sheet.surface, scene.title, unit * 1.35, theme.text, complex(unit * 0.9, unit * 0.45))
+    top = title.bottom + unit * 0.25
+    for text, colour in ((scene.idea, theme.text), (differences_line(scene.rows), theme.faint)):
+        top = _write_lines(sheet, text, colour, top, unit * 0.95)
+    return top
+
+
+def draw_words(sheet: TextSheet, picture: Picture) -> float:
+    """The formula, the cited line, and the note; returns where they end, pixels."""
+    unit, theme, area = sheet.unit, sheet.theme, sheet.layout.words
+    pygame.draw.rect(sheet.surface, theme.background, area)
+    top = area.top + unit * 0.5
+    for line in picture.formula:
+        top = _write_lines(sheet, line, theme.text, top, unit)
+    top += unit * 0.25
+    top = _write_lines(sheet, f"{picture.cited.where}:  {picture.cited.text}", theme.faint, top, unit)
+    return _write_lines(sheet, picture.note, theme.accent, top, unit)
+
+
+def draw_small_print(sheet: TextSheet, top: float, lines: tuple[str, ...]) -> None:
+    """Small lines below the widgets, which end at `top`: at the bottom of the side, as far as there is room."""
+    unit, side = sheet.unit, sheet.layout.side
+    size, left, width = unit * 0.85, side.left + unit * 0.8, side.width - unit * 1.6
+    wrapped = [part for line in lines for part in _wrapped_anywhere(sheet.type, line, size, width)]
+    start = max(top + unit * 0.3, sheet.layout.size[1] - unit * 0.6 - _LINE * size * len(wrapped))
+    for number, part in enumerate(wrapped):
+        sheet.type.write(sheet.surface, part, size, sheet.theme.faint, complex(left, start + _LINE * size * number))
+
+
+def draw_notice(sheet: TextSheet, text: str, bottom: float) -> float:
+    """A notice on a plate over the world that ends at `bottom`; returns where the plate begins, pixels."""
+    unit, theme, area = sheet.unit, sheet.theme, sheet.layout.world
+    lines = sheet.type.wrapped(text, unit, area.width - 4.0 * unit)
+    height = round(unit * (1.3 * len(lines) + 0.6))
+    width = max([sheet.type.rendered(line, unit, theme.accent).get_width() for line in lines]) + round(1.6 * unit)
+    plate = pygame.Rect(0, 0, width, height)
+    plate.midbottom = (area.centerx, round(bottom))
+    pygame.draw.rect(sheet.surface, theme.panel, plate, 0, round(unit * 0.5))
+    pygame.draw.rect(sheet.surface, theme.accent, plate, max(1, round(unit * 0.08)), round(unit * 0.5))
+    for k, line in enumerate(lines):
+        pixel = complex(plate.centerx, plate.top + unit * (0.45 + 1.3 * k))
+        sheet.type.write(sheet.surface, line, unit, theme.text, pixel, "midtop")
+    return float(plate.top)
+
+
+def _write_lines(sheet: TextSheet, text: str, colour: Colour, top: float, size: float) -> float:
+    """A text in as many lines as it needs beside the widgets; returns where the next line begins. size: of letters, pixels."""
+    edge = sheet.unit * 0.9
+    for line in sheet.type.wrapped(text, size, sheet.layout.side.left - 2.0 * edge):
+        sheet.type.write(sheet.surface, line, size, colour, complex(edge, top))
+        top += size * _LINE
+    return top
+
+
+def _wrapped_anywhere(type_: Type, text: str, size: float, width: float) -> list[str]:
+    """A text in lines no wider than `width` pixels; a share line, which has no spaces, is broken after each "&"."""
+    if " " in text:
+        return type_.wrapped(text, size, width)
+    return [line.replace("& ", "&") for line in type_.wrapped(text.replace("&", "& "), size, width)]

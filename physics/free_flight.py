@@ -1,0 +1,129 @@
+"""For how long does no ball certainly touch anything, whatever the player does to the paddles meanwhile?
+
+A ball outside a ring's band touches nothing of it before it enters the band. Inside the band it touches nothing before
+its way around the centre, its own size and the ring's turning have used up the angle to the next sector on either side.
+Only a ring that turns can be steered: it is taken to be as fast at its rim as the ball, or as it is where that is more.
+
+While a free flight lasts, a tick moves balls and rings and looks at nothing. That changes no bit of the result.
+"""
+
+import math
+from collections.abc import Sequence
+
+from physics.band import Stretch, band_stretches
+from physics.broad_phase import in_band, nearest_slot
+from physics.gap import gap_end
+from physics.polar import signed_difference
+from physics.shapes import Arena, Ball, Ring, unchecked
+from physics.tolerances import ANGLE_SLACK, CLEARANCE, LARGEST, TOUCH
+from physics.vectors import cross, dot, length
+
+FreeFlight = tuple[Arena, float, tuple[int, ...]]
+"""What one step knows of the ticks after it; opaque to callers, who hand it back to `advance`.
+
+The arena of which it is known, no ball of which overlaps anything; the seconds for which no ball touches anything, however
+a turning ring is steered, 0 where that is not known; the indices of the rings that turn. A plain tuple: one is made in
+every tick, and a class of its own would cost a tenth of it.
+"""
+
+
+def free_flight(arena: Arena, horizon: float) -> FreeFlight:
+    """The free flight of every ball of an arena, for at most `horizon` seconds. No ball may overlap anything."""
+    seconds = horizon
+    for ball in arena.balls:
+        seconds = clear_time(ball, arena.rings, arena.layers, seconds)
+    return arena, seconds, tuple([k for k in range(len(arena.rings)) if arena.rings[k].spin != 0.0])
+
+
+def still_known(flight: FreeFlight, arena: Arena) -> FreeFlight | None:
+    """The flight where an arena is the one it is of, but for the spin of rings that turn; else None."""
+    balls, rings, layers = arena
+    before, _, _ = flight
+    if balls is not before.balls or layers is not before.layers or len(rings) != len(before.rings):
+        return None
+    for k in range(len(rings)):
+        if rings[k] is not before.rings[k] and not may_be_steered(before.rings[k], rings[k], balls):
+            return None
+    return flight
+
+
+def may_be_steered(old: Ring, new: Ring, balls: Sequence[Ball]) -> bool:
+    """Whether clear times of these balls found for the old ring hold for the new one: it is the same, but for its spin.
+
+    It turned, and turns no faster than before, or its rim is no faster than any of the balls.
+    """
+    if old.spin == 0.0 or new[:5] != old[:5]:
+        return False
+    if abs(new.spin) <= abs(old.spin):
+        return True
+    rim = abs(new.spin) * (new.radius + new.half_width)
+    return rim <= min([length(ball.velocity) for ball in balls], default=math.inf)
+
+
+def clear_time(ball: Ball, rings: Sequence[Ring], layers: Sequence[Sequence[int]], horizon: float) -> float:
+    """Seconds, at most `horizon`, for which a ball certainly touches no living sector; 0 where it may touch one now.
+
+    layers: per ring and slot, 0 where nothing is. horizon: seconds, >= 0, finite.
+    """
+    p, v, ball_radius = ball
+    distance, speed, outward = length(p), length(v), dot(p, v) >= 0.0
+    if not speed * horizon <= LARGEST:
+        return 0.0
+    slack = CLEARANCE * (distance + ball_radius + speed * horizon)
+    clear = horizon
+    for k in range(len(rings)):
+        ring = rings[k]
+        larger = ball_radius + slack + 2.0 * TOUCH * (ring.radius + ring.half_width + ball_radius)
+        leaving = outward and distance > ring.radius  # it does not come back
+        if in_band(distance, larger if leaving else larger + speed * clear, ring):
+            clear = _clear_of_ring(unchecked(Ball, (p, v, larger)), speed, ring, layers[k], clear)
+            if clear == 0.0:
+                return 0.0
+    return clear
+
+
+def _clear_of_ring(ball: Ball, speed: float, ring: Ring, alive: Sequence[int], horizon: float) -> float:
+    """`clear_time` for one ring within reach; speed: of the ball."""
+    turning = max(abs(ring.spin), speed / (ring.radius + ring.half_width)) if ring.spin != 0.0 else 0.0
+    inward, outward = band_stretches(ball, ring, horizon)
+    if inward is not None:
+        clear = _clear_of_sectors(ball, ring, alive, inward, turning)
+        if clear < inward.stop:
+            return clear
+    if outward is not None:
+        clear = _clear_of_sectors(ball, ring, alive, outward, turning)
+        if clear < outward.stop:
+            return clear
+    return horizon
+
+
+def _clear_of_sectors(ball: Ball, ring: Ring, alive: Sequence[int], stretch: Stretch, turning: float) -> float:
+    """Seconds from now for which a ball stays clear of the sectors beside it, on a stretch of its flight in the band.
+
+    turning: rad/s at most. Seen from the centre, at distance d, the ball itself covers asin(r / d) to each side, which is
+    at most x + (pi / 2 - 1) x^3 for x = r / d, and its centre moves by L / d^2 rad/s, L = p x v. On one stretch d is
+    least at one of its ends.
+    """
+    p, v, ball_radius = ball
+    start, stop = stretch.start, stretch.stop
+    entry = ball.moved(start)
+    nearest = min(length(entry.position), length(p + v * stop))
+    if nearest <= ball_radius:
+        return start
+    x = ball_radius / nearest
+    covered = x + (math.pi / 2.0 - 1.0) * x * x * x + turning * start + ANGLE_SLACK
+    sweep = cross(p, v) / (nearest * nearest)
+    theta = entry.theta()
+    slot = nearest_slot(ring, theta)
+    offset = signed_difference(theta, ring.angle(slot))
+    clear = stop
+    for side in (-1, 1):
+        closing = max(side * sweep, 0.0) + turning
+        end = gap_end(ring, alive, slot, offset, side, 0, covered + closing * (clear - start))
+        if end is not None:
+            apart = end.away - covered
+            if apart <= 0.0:
+                return start
+            if apart < closing * (clear - start):
+                clear = start + apart / closing
+    return clear
