@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from physics import PERMANENT, Arena, Ball, Contact, Feature, Ring, Step, advance, dot
 from physics.bounce import bounce, bounce_off_two
+from physics.time_of_impact import touched_now
 from physics.tolerances import LEAST_SEPARATION, MAX_IMPACTS
 from tests.support.impact_oracle import SPINS, gap
 from tests.support.strategies import angles, reals
@@ -170,6 +171,18 @@ def test_a_ball_between_two_bricks_goes_straight_back_in_any_direction(turn):
     state, hits, *_ = played(arena([Ball(at(7.0, turn), at(-8.0, turn), 0.5)], bricks, layers=[(1,) * 8]), 60)
     assert len(hits) == 2
     assert abs(state.balls[0].velocity - at(8.0, turn)) < 1e-12
+
+
+def test_only_what_the_ball_approaches_is_touched_now():
+    """Of two corners that it touches, the one that it flies away from is left out."""
+    half_gap = 0.01
+    bricks = Ring(10.0, 0.5, math.pi / 4.0 - half_gap, 4, math.pi / 4.0)
+    x = 10.5 * math.cos(half_gap) + math.sqrt(R * R - (10.5 * math.sin(half_gap)) ** 2)
+    both = [found.slot for found in touched_now(Ball(x + 0j, -8 + 0j, R), bricks, (1, 1, 1, 1)) if found is not None]
+    assert sorted(both) == [0, 3]
+    for sign, slot in ((1.0, 0), (-1.0, 3)):
+        ball = Ball(x + 0j, complex(-0.1, 8.0 * sign), R)
+        assert [found.slot for found in touched_now(ball, bricks, (1, 1, 1, 1)) if found is not None] == [slot]
 
 
 def test_a_surface_never_pulls():
