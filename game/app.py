@@ -8,7 +8,9 @@ from signal import signal as on_signal
 
 import pygame
 
-from game.input.signals import Action, FocusLost, Pressed, Released, Signal, translated
+from game.input.key_names import layout_changed
+from game.input.keys import Action
+from game.input.signals import FocusLost, KeyboardState, Pressed, Signal, keyboard_state, translated
 from game.lab.kit.second_engine import Engine
 from game.lab.registry import scenes
 from game.lab.session import session
@@ -155,9 +157,20 @@ def run(window: pygame.Window, shared: Shared, first: Screen) -> None:
         clock.tick(rate if window.focused else _IDLE_RATE)
 
 
-def frame(window: pygame.Window, shared: Shared, screen: Screen, seconds: float) -> Screen | None:
-    """One turn of the loop: the screen to go on with, None once the window is closed or the last screen left."""
+def frame(
+    window: pygame.Window,
+    shared: Shared,
+    screen: Screen,
+    seconds: float,
+    keyboard: Callable[[], KeyboardState] = keyboard_state,
+) -> Screen | None:
+    """One turn of the loop: the screen to go on with, None once the window is closed or the last screen left.
+
+    keyboard: asked which keys are down, after the events: of too many, some are lost.
+    """
     answered = _answered(window, shared, screen)
+    if answered is not None:
+        answered = answered.answer(keyboard(), _surface(window).get_size())
     if answered is None:
         return None
     surface = _surface(window)
@@ -195,6 +208,8 @@ def _answered(window: pygame.Window, shared: Shared, screen: Screen) -> Screen |
     for event in pygame.event.get():
         if event.type in (pygame.QUIT, pygame.WINDOWCLOSE):
             return None
+        if event.type == pygame.KEYMAPCHANGED:
+            layout_changed()
         following = _following(event, size, window, shared, screen)
         if following is None:
             return None
@@ -209,13 +224,13 @@ def _following(
     pixels_per_point = _pixels_per_point(window, size)
     signal = translated(event, pixels_per_point)
     if isinstance(screen, Listener):
-        if signal == Pressed(Action.FULL_SCREEN):
+        if isinstance(signal, Pressed) and signal.action is Action.FULL_SCREEN:
             _toggle_full_screen(window, shared)
             return screen
         return screen.hear(event, size, pixels_per_point)
     if signal is None or (not _means_speed(signal, screen) and _answered_here(signal, window, shared)):
         return screen
-    if signal == Pressed(Action.LAB) and shared.lab is not None:
+    if isinstance(signal, Pressed) and signal.action is Action.LAB and shared.lab is not None:
         left = screen.answer(FocusLost(), size)  # a game in play pauses
         return None if left is None else shared.lab(shared, left)
     return screen.answer(signal, size)
@@ -223,8 +238,6 @@ def _following(
 
 def _answered_here(signal: Signal, window: pygame.Window, shared: Shared) -> bool:
     """Whether the signal is one that means the same on every screen; if so it is obeyed."""
-    if isinstance(signal, Released):
-        return False
     match signal:
         case Pressed(Action.FULL_SCREEN):
             _toggle_full_screen(window, shared)
@@ -239,7 +252,8 @@ def _answered_here(signal: Signal, window: pygame.Window, shared: Shared) -> boo
 
 def _means_speed(signal: Signal, screen: Screen) -> bool:
     """Whether the volume's keys change how fast a recording runs."""
-    return isinstance(screen, Watch) and signal in (Pressed(Action.LESS), Pressed(Action.MORE))
+    speeds = (Action.LESS, Action.MORE)
+    return isinstance(screen, Watch) and isinstance(signal, Pressed) and signal.action in speeds
 
 
 def _toggle_full_screen(window: pygame.Window, shared: Shared) -> None:

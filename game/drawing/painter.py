@@ -29,7 +29,7 @@ from game.drawing.solid.ball_occlusion import hiding
 from game.drawing.solid.picture import SolidPicture
 from game.drawing.text import Type, stepped
 from game.effects import NOTHING, Effects, Flash, Pop, Trail
-from game.input.view import FROM_ABOVE, View
+from game.input.view import FROM_ABOVE, Viewpoint
 from game.overlay import hud
 from game.rules import PADDLES, Game
 from game.scene import Scene, scene_at, still
@@ -189,7 +189,7 @@ def save_screenshot(
     path: Path,
     size: tuple[int, int],
     theme: Theme = DARK,
-    view: View = FROM_ABOVE,
+    view: Viewpoint = FROM_ABOVE,
     effects: Effects = NOTHING,
 ) -> None:
     """Draw a game as the window shows it, and save it as PNG; OSError where it cannot be written. Needs no display."""

@@ -8,7 +8,8 @@ import math
 from typing import NamedTuple
 
 from game.drawing.camera import Camera, Layout
-from game.input.signals import Action, Dragged, Pressed, Signal, Zoomed
+from game.input.keys import Action
+from game.input.signals import Dragged, Pressed, Signal, Zoomed
 
 TIP_SECONDS = 0.9
 """From one end to the other."""
@@ -27,7 +28,7 @@ _ZOOM_STEP = 1.12
 _MOST_STEPS = 50.0
 
 
-class View(NamedTuple):
+class Viewpoint(NamedTuple):
     """Where the player looks from. `goal` 0 is straight above, 1 tipped; `tipped` is on its way there."""
 
     goal: float = 0.0
@@ -36,7 +37,7 @@ class View(NamedTuple):
     tilt: float = math.radians(52.0)
     zoom: float = 1.0
 
-    def after(self, signal: Signal, unit: float) -> "View":
+    def after(self, signal: Signal, unit: float) -> "Viewpoint":
         """The view after a key, a drag or a turn of the wheel. unit: size of text, pixels."""
         match signal:
             case Pressed(Action.TIP):
@@ -56,7 +57,7 @@ class View(NamedTuple):
             case _:
                 return self
 
-    def later(self, seconds: float, *, smooth: bool = True) -> "View":
+    def later(self, seconds: float, *, smooth: bool = True) -> "Viewpoint":
         """The view some time later. smooth: False for players who want no camera to move."""
         step = max(seconds, 0.0) / TIP_SECONDS if smooth else 1.0
         way = min(max(self.goal - self.tipped, -step), step)
@@ -91,4 +92,4 @@ def _fitted(place: Layout, tilt: float, closeness: float) -> tuple[float, float]
     return max(scale, 1e-3), (above - below) / 2.0
 
 
-FROM_ABOVE, TIPPED = View(), View(1.0, 1.0)
+FROM_ABOVE, TIPPED = Viewpoint(), Viewpoint(1.0, 1.0)

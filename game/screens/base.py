@@ -12,7 +12,7 @@ from game.drawing.painter import Painter
 from game.drawing.palette import Theme
 from game.drawing.text import Type
 from game.input.signals import Signal
-from game.input.view import FROM_ABOVE, View
+from game.input.view import FROM_ABOVE, Viewpoint
 from game.levels import Level
 from game.overlay.toast import Toast
 from game.rules import Controls, Game, Ticked
@@ -37,7 +37,7 @@ class Shared:
     autopilot: bool = False  # plays instead of the player
     settings: Settings = field(default_factory=Settings)
     full_screen: bool = False
-    view: View = FROM_ABOVE
+    view: Viewpoint = FROM_ABOVE
     compare: Compare | None = None  # another engine to ask about contacts
     lab: "Callable[[Shared, Screen], Screen] | None" = None  # opens the lab over a screen
     normals: bool = False  # show what it says

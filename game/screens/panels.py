@@ -11,7 +11,9 @@ from game.drawing.painter import Painter
 from game.drawing.palette import Theme
 from game.drawing.primitives import draw_box
 from game.drawing.slots import wall_looks
-from game.input.signals import PLAY_HELP, Action, Clicked, Moved, Pressed, Signal
+from game.input.key_names import play_help
+from game.input.keys import Action
+from game.input.signals import Clicked, Moved, Pressed, Signal
 from game.screens.base import Screen, Shared
 from physics import PERMANENT, Ring
 
@@ -112,11 +114,11 @@ class Help:
     """The keys, and what the things in the arena are."""
 
     def __init__(
-        self, shared: Shared, under: Screen, title: str = "How to play", keys: tuple[tuple[str, str], ...] = PLAY_HELP
+        self, shared: Shared, under: Screen, title: str = "How to play", keys: tuple[tuple[str, str], ...] | None = None
     ) -> None:
-        """Open over a screen. keys: pairs of keys and what they do."""
+        """Open over a screen. keys: pairs of keys and what they do; None for those of a game."""
         self._shared, self._under = shared, under
-        self._title, self._keys = title, keys
+        self._title, self._keys = title, play_help() if keys is None else keys
 
     def answer(self, signal: Signal, _size: tuple[int, int]) -> Screen | None:
         """Any key of the game or a click closes it."""

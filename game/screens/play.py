@@ -8,7 +8,9 @@ from game.drawing import contact_normals as normals
 from game.drawing.camera import Camera, Layout, layout, unit_of
 from game.effects import Effects, Kind, hit_stop
 from game.fixed_step import Due, due
-from game.input.signals import Action, FocusLost, Hands, Pressed, Signal
+from game.input.hands import Hands
+from game.input.keys import Action
+from game.input.signals import FocusLost, Pressed, Signal
 from game.levels import Level
 from game.overlay import hud, notice
 from game.rules import Phase, new_game, tick
@@ -96,7 +98,7 @@ class Play:
         """Run one tick and tell the recorder."""
         game = self._ticked.game
         controls = self._hands.controls(camera) if self._pilot is None else self._pilot.controls(game)
-        self._hands = self._hands._replace(serve=False)
+        self._hands = self._hands.after_tick()
         self._ticked = tick(game, controls)
         self._effects = effects.after(self._effects, self._ticked, self._shared.settings.shown)
         self._opinions = self._shared.opinions(self._opinions, self._ticked)

@@ -6,7 +6,8 @@ from game.drawing.camera import unit_of
 from game.drawing.palette import mixed
 from game.drawing.primitives import draw_box, draw_dot
 from game.effects import MOVING, PLAIN
-from game.input.signals import Action, Clicked, Moved, Pressed, Signal
+from game.input.keys import Action
+from game.input.signals import Clicked, Moved, Pressed, Signal
 from game.overlay.toast import draw_bar
 from game.screens.base import Screen, Shared
 from game.screens.panels import dim, draw_panel

@@ -4,7 +4,9 @@ import pygame
 
 from game.drawing.camera import layout, unit_of
 from game.drawing.primitives import draw_box
-from game.input.signals import Action, Clicked, Moved, Pressed, Signal
+from game.input.key_names import key_name
+from game.input.keys import Action
+from game.input.signals import Clicked, Moved, Pressed, Signal
 from game.screens.base import Screen, Shared
 from game.screens.demo import Demo
 from game.screens.panels import Help
@@ -72,7 +74,9 @@ class Title:
         box = type_.write(surface, level.name, unit * 1.5, theme.accent, complex(middle, under), "midtop")
         for line in type_.wrapped(level.description, unit * 1.05, width * 0.9):
             box = type_.write(surface, line, unit * 1.05, theme.text, complex(middle, box.bottom + unit * 0.2), "midtop")
-        hint = "Enter or click: play     Arrows: choose     H: help     O: settings     F11: full screen     Esc: quit"
+        help_, settings = key_name(Action.HELP), key_name(Action.SETTINGS)
+        named = f"{help_}: help     {settings}: settings"
+        hint = f"Enter or click: play     Arrows: choose     {named}     F11: full screen     Esc: quit"
         type_.write(surface, hint, unit * 0.95, theme.faint, complex(middle, height - unit * 0.8), "midbottom")
 
     def _draw_cards(self, surface: pygame.Surface) -> None:

@@ -10,7 +10,9 @@ from game.drawing.camera import Layout, layout, unit_of
 from game.drawing.primitives import draw_dot
 from game.effects import LONGEST, Effects
 from game.fixed_step import LONGEST_FRAME
-from game.input.signals import WATCH_HELP, Action, Clicked, Dragged, Moved, Pressed, Signal, Zoomed
+from game.input.key_names import key_name, watch_help
+from game.input.keys import Action
+from game.input.signals import Clicked, Dragged, Moved, Pressed, Signal, Zoomed
 from game.overlay import hud
 from game.overlay.toast import draw_bar
 from game.rules import TICK, Game, Ticked
@@ -58,7 +60,7 @@ class Watch:
             case Pressed(Action.BACK):
                 return None
             case Pressed(Action.HELP):
-                return Help(shared, self, "Watching a game", WATCH_HELP)
+                return Help(shared, self, "Watching a game", watch_help())
             case Pressed(Action.SETTINGS):
                 self._playing = False
                 return SettingsPanel(shared, self)
@@ -177,7 +179,7 @@ class Watch:
         type_.write(surface, state, unit, theme.text, complex(unit * 0.8, bar.centery), "midleft")
         length = f"{self._at * TICK:.1f} / {self._frames.ticks * TICK:.1f} s    {_speed_text(SPEEDS[self._speed])}"
         type_.write(surface, length, unit, theme.text, complex(size[0] - unit * 0.8, bar.centery), "midright")
-        keys = "Space: play / stop    , . : one tick    Left Right: 5 s    + -: speed    H: help"
+        keys = f"Space: play / stop    , . : one tick    Left Right: 5 s    + -: speed    {key_name(Action.HELP)}: help"
         type_.write(surface, keys, unit * 0.9, theme.faint, complex(bar.left, bar.bottom + unit * 0.6), "topleft")
 
 

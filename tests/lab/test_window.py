@@ -7,7 +7,7 @@ import pytest
 
 from game.app import _lab_opener
 from game.drawing.palette import DARK
-from game.input.signals import PLAY_HELP
+from game.input.key_names import play_help
 from game.lab.kit.parameters import defaults
 from game.lab.kit.scene import Motion, picture_of
 from game.lab.registry import scenes
@@ -226,7 +226,7 @@ def test_l_opens_the_lab_over_the_game_and_esc_comes_back():
     """A game in play pauses."""
     kept = shared()
     kept.lab = _lab_opener(Pymunk)
-    assert "L" in [keys for keys, _ in PLAY_HELP]
+    assert "L" in [keys for keys, _ in play_help()]
     desk = Desk(kept, Title(kept))
     desk.press(pygame.K_RETURN)
     assert isinstance(desk.screen, Play)

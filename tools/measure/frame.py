@@ -21,7 +21,7 @@ from game.drawing.painter import Painter
 from game.drawing.palette import DARK
 from game.drawing.text import Type
 from game.effects import Effects, after
-from game.input.view import FROM_ABOVE, TIPPED, View
+from game.input.view import FROM_ABOVE, TIPPED, Viewpoint
 from game.levels import built_in
 from game.overlay import hud
 from game.rules import Ticked, new_game, tick
@@ -41,7 +41,7 @@ class Case(NamedTuple):
 
     name: str
     size: tuple[int, int]
-    view: View
+    view: Viewpoint
     orbit: float = 0.0  # radians a frame
 
 
@@ -137,7 +137,7 @@ def _later(done: Ticked, effects: Effects, pilot: Autopilot) -> tuple[Ticked, Ef
     return done, after(effects, done)
 
 
-def _draw(surface: pygame.Surface, done: Ticked, effects: Effects, view: View, painter: Painter, type_: Type) -> None:
+def _draw(surface: pygame.Surface, done: Ticked, effects: Effects, view: Viewpoint, painter: Painter, type_: Type) -> None:
     """One frame, as the window draws it."""
     place = view.seen(layout(surface.get_size(), done.game.level.ground_radius))
     painter.paint(surface, scene_at(done, 0.5, effects), place.camera, type_, place.unit)

@@ -16,7 +16,7 @@ from rich.console import Console
 from rich.progress import Progress
 
 from game.app import frame
-from game.input.view import View
+from game.input.view import Viewpoint
 from game.levels import built_in
 from game.screens.base import Screen, Shared
 from game.screens.play import Play
@@ -90,7 +90,7 @@ def held() -> float:
 def _later(window: pygame.Window, shared: Shared, screen: Screen, number: int) -> Screen:
     """The screen a frame later; another level when it is time for one, or the game has ended."""
     seconds = number // _RATE
-    shared.view = View(goal=float(seconds // _TURN % 2), tipped=shared.view.tipped)
+    shared.view = Viewpoint(goal=float(seconds // _TURN % 2), tipped=shared.view.tipped)
     following = frame(window, shared, screen, 1.0 / _RATE)
     stay = _TOUR if seconds < _TOUR * len(shared.catalogue) else _STAY
     if number % (stay * _RATE) == 0 or not isinstance(following, Play):

@@ -17,7 +17,7 @@ from game.drawing.painter import Painter
 from game.drawing.palette import DARK
 from game.drawing.text import Type
 from game.effects import Effects, after
-from game.input.view import View
+from game.input.view import Viewpoint
 from game.levels import built_in
 from game.rules import new_game, tick
 from game.scene import scene_at, still
@@ -59,11 +59,11 @@ def tipping(
             pygame.image.save(surface, folder / f"{number:03}.png")
 
 
-def _views() -> list[View]:
+def _views() -> list[Viewpoint]:
     """Where every frame is seen from."""
-    above = [View()] * _PAUSE
-    over = [View(1.0, (step + 1.0) / _TIP) for step in range(_TIP)]
-    around = [View(1.0, 1.0, 0.35 * math.sin(math.tau * (step + 1.0) / _ORBIT)) for step in range(_ORBIT)]
+    above = [Viewpoint()] * _PAUSE
+    over = [Viewpoint(1.0, (step + 1.0) / _TIP) for step in range(_TIP)]
+    around = [Viewpoint(1.0, 1.0, 0.35 * math.sin(math.tau * (step + 1.0) / _ORBIT)) for step in range(_ORBIT)]
     return [*above, *over, *around, *reversed(over)]
 
 

@@ -57,6 +57,9 @@ KEYS = (
 
 TOGGLE_KEYS = {pygame.K_1 + number: toggle for number, toggle in enumerate(Toggle)}
 
+BOUND = frozenset([*TOGGLE_KEYS, *[key for one in KEYS for key in one.keys]])
+"""The codes of all keys that mean something."""
+
 MOUSE_HELP = (
     ("Drag a ring", "move what it is on"),
     ("Drag elsewhere", "move the view"),

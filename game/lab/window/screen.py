@@ -6,7 +6,9 @@ import pygame
 
 from game.drawing.camera import Camera
 from game.drawing.palette import Theme
-from game.input.signals import Signal
+from game.input.keys import code_among, position_in
+from game.input.repeat import Repeat
+from game.input.signals import KeyboardState, Signal
 from game.lab.kit.handles import Handle, dragged
 from game.lab.kit.parameters import Settled, settled
 from game.lab.kit.picture import Picture, Toggle
@@ -16,7 +18,7 @@ from game.lab.session.cases import case_file, save_case
 from game.lab.session.session import Session
 from game.lab.session.share import preset
 from game.lab.window.canvas import Canvas, draw_note
-from game.lab.window.commands import TOGGLE_KEYS, Command, command_of
+from game.lab.window.commands import BOUND, TOGGLE_KEYS, Command, command_of
 from game.lab.window.grips import Grip, draw_grips, grip_at
 from game.lab.window.help import draw_help
 from game.lab.window.lens import Lens
@@ -28,9 +30,8 @@ from game.system.errors import BadInputError
 SHOWN = frozenset(Toggle) - {Toggle.PYMUNK}
 """What is shown at first."""
 _NOTICE_SECONDS = 5.0
-_REPEAT = (400, 50)
-"""Milliseconds until a held key repeats, and between repeats."""
-
+_REPEATED = frozenset({Command.FORWARD, Command.BACK})
+"""Commands that a held key gives again and again."""
 
 _CHANGES: dict[Command, Callable[[Session], Session]] = {
     Command.PLAY: sessions.toggled,
@@ -60,15 +61,17 @@ class Lab:
         self._seconds = 0.0  # since the last picture
         self._notice, self._notice_left = "", 0.0
         self._help = False
-        pygame.key.set_repeat(*_REPEAT)
+        self._repeat: tuple[Repeat, Command] | None = None
 
     @property
     def session(self) -> Session:
         """The scene as it stands."""
         return self._session
 
-    def answer(self, _signal: Signal, _size: tuple[int, int]) -> Screen | None:
-        """Nothing: it hears the events themselves."""
+    def answer(self, signal: Signal, _size: tuple[int, int]) -> Screen | None:
+        """Let go of a repeating key that is up; everything else is heard as an event."""
+        if self._repeat is not None and isinstance(signal, KeyboardState) and self._repeat[0].position not in signal.down:
+            self._repeat = None
         return self
 
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> Screen | None:
@@ -89,6 +92,12 @@ class Lab:
     def advance(self, seconds: float, _size: tuple[int, int]) -> Screen | None:
         """Let time pass."""
         self._session = sessions.later(self._session, seconds)
+        if self._repeat is not None:
+            held, command = self._repeat
+            held, due = held.later(seconds)
+            self._repeat = held, command
+            if due:
+                self._obey(command)
         self._seconds += seconds
         self._notice_left -= seconds
         return self
@@ -124,10 +133,14 @@ class Lab:
                 return self
             _, asked = side.hear(event)
             return self if asked is None else self._do(asked)
-        toggle, command = TOGGLE_KEYS.get(event.key), command_of(event.key)
+        key = code_among(event, BOUND)
+        toggle, command = TOGGLE_KEYS.get(key), command_of(key)
         asked_by_key = toggle or command
         modified = event.mod & (pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META)
-        return self if asked_by_key is None or modified else self._do(asked_by_key)
+        if asked_by_key is None or modified:
+            return self
+        self._repeat = None if command is None or command not in _REPEATED else (Repeat(position_in(event)), command)
+        return self._do(asked_by_key)
 
     def _mouse(self, event: pygame.Event, size: tuple[int, int]) -> None:
         """The mouse over the world."""
@@ -167,7 +180,6 @@ class Lab:
         scene, given = self._session.scene, self._session.given
         match asked:
             case Command.LEAVE:
-                pygame.key.set_repeat()
                 return self._under
             case Command():
                 self._obey(asked)

@@ -27,7 +27,7 @@ from game.drawing.solid.slabs import Slab, Slot
 from game.drawing.text import Type
 from game.effects import Effects, after
 from game.effects.drops import Drop
-from game.input.view import FROM_ABOVE, TIPPED, View
+from game.input.view import FROM_ABOVE, TIPPED, Viewpoint
 from game.levels import built_in
 from game.replays.state_hash import state_hash
 from game.rules import new_game, tick
@@ -103,7 +103,7 @@ def sight(camera, pixel):
 
 
 VIEWS = [
-    View(1.0, 1.0, azimuth, math.radians(tilt))
+    Viewpoint(1.0, 1.0, azimuth, math.radians(tilt))
     for azimuth, tilt in itertools.product((0.0, 0.9, 2.2, -2.7, -1.1), (15.0, 45.0, 62.0, 76.0))
 ]
 
@@ -320,7 +320,7 @@ def test_tipping_leaves_the_game_alone():
     assert state_hash(game) == state_hash(game_after(4, 900)[0].game)
 
 
-@pytest.mark.parametrize(("level", "view"), [(4, TIPPED), (6, View(1.0, 1.0, 2.2, 1.2)), (5, View(1.0, 0.4))])
+@pytest.mark.parametrize(("level", "view"), [(4, TIPPED), (6, Viewpoint(1.0, 1.0, 2.2, 1.2)), (5, Viewpoint(1.0, 0.4))])
 def test_reference_pictures(level, view):
     """A few frames look as they did when somebody looked at them: fewer than 0.1 % of their pixels differ."""
     done, _ = game_after(level, 1500)
@@ -343,7 +343,7 @@ def test_what_is_painted_on_a_top_comes_after_it(look, tilt):
     count = len(every.slot)
     assert len(marks) >= 4
     for azimuth in np.linspace(0.0, math.tau, 61):
-        camera = View(1.0, 1.0, float(azimuth), tilt).seen(layout(SIZE, 10.0)).camera
+        camera = Viewpoint(1.0, 1.0, float(azimuth), tilt).seen(layout(SIZE, 10.0)).camera
         order = back_to_front(every, np.full(count, -azimuth), np.full(count, 2.0), np.ones(count, dtype=int), camera)
         place = np.argsort(order)
         for mark in np.flatnonzero(np.isin(every.level, list(marks))):
