@@ -3,8 +3,6 @@
 import gc
 import time
 from collections.abc import Callable
-from signal import SIGTERM, default_int_handler
-from signal import signal as on_signal
 
 import pygame
 
@@ -29,6 +27,7 @@ from game.settings.keys import changed
 from game.sound.mixer import Audio
 from game.system import window as display
 from game.system.display_lost import on_display_lost
+from game.system.ending import deferred, pending
 from game.system.errors import DisplayLostError
 
 _TITLE = "Polar Breakout"
@@ -121,19 +120,16 @@ def _shown(
     """Show screens in a window until the last one is left; the exit code. audio: opens the sound, where there is some."""
     window = display.open_window(_TITLE)
     handler = on_display_lost(lambda: _last_words(shared, lost))  # noqa: F841  # must live as long as the window
-    before = on_signal(SIGTERM, default_int_handler)  # to be ended is to be closed: nothing is lost
-    try:
-        shared.audio = None if audio is None else audio()
-        shared.change(shared.settings if shared.kept is None else shared.kept.load())
-        run(window, shared, opened())
-    except KeyboardInterrupt:
-        pass
-    finally:
-        on_signal(SIGTERM, before)
-        shared.keep()
-        if shared.audio is not None:
-            shared.audio.close()
-        pygame.quit()
+    with deferred():
+        try:
+            shared.audio = None if audio is None else audio()
+            shared.change(shared.settings if shared.kept is None else shared.kept.load())
+            run(window, shared, opened())
+        finally:
+            shared.keep()
+            if shared.audio is not None:
+                shared.audio.close()
+            pygame.quit()
     return 0
 
 
@@ -145,12 +141,12 @@ def _last_words(shared: Shared, lost: Callable[[], None] | None) -> None:
 
 
 def run(window: pygame.Window, shared: Shared, first: Screen) -> None:
-    """The loop."""
+    """The loop; it ends with the last screen, or when a signal asks for an end."""
     gc.freeze()  # what was made until now stays: looking through it again and again would cost whole frames
     clock, rate = pygame.time.Clock(), display.refresh_rate()
     screen: Screen | None = first
     before = time.perf_counter()
-    while screen is not None:
+    while screen is not None and not pending():
         now = time.perf_counter()
         screen = frame(window, shared, screen, now - before)
         before = now

@@ -106,8 +106,8 @@ RIGHT = {
     "screens": {"game/app.py": "import pygame\nimport numpy\nfrom game.rules import tick", "game/rules.py": "import random"},
     "main_deferred": {"game/__main__.py": "def f():\n    from game.app import play", "game/app.py": "import pygame"},
     "tools": {"tools/crosscheck/run.py": "import pymunk\nfrom tools import x\nfrom game.rules import y", "game/rules.py": ""},
-    "second_opinion": {"game/__main__.py": "def f():\n    from tools.crosscheck.overlay import opinions"},
-    "second_engine": {"game/__main__.py": "def f():\n    from tools.crosscheck.second_engine import Pymunk"},
+    "second_opinion": {"game/commands.py": "def f():\n    from tools.crosscheck.overlay import opinions"},
+    "second_engine": {"game/commands.py": "def f():\n    from tools.crosscheck.second_engine import Pymunk"},
     "lab_window": {
         "game/lab/window/x.py": "import pygame, pygame_gui",
         "game/lab/command.py": "def f():\n    from game.lab.window import x",

@@ -33,6 +33,7 @@ from game.input.view import FROM_ABOVE, Viewpoint
 from game.overlay import hud
 from game.rules import PADDLES, Game
 from game.scene import Scene, scene_at, still
+from game.system.files import write_whole
 from physics import Ring
 
 _AIM_REACH = 2.4
@@ -200,7 +201,7 @@ def save_screenshot(
     hud.draw(surface, place, hud.readings(game, effects.streak), theme, type_)
     picture = io.BytesIO()
     pygame.image.save(surface, picture, "screenshot.png")
-    path.write_bytes(picture.getvalue())
+    write_whole(path, picture.getvalue())
 
 
 def _shake(surface: pygame.Surface, scene: Scene, camera: Camera) -> None:

@@ -8,7 +8,7 @@ A replay file (.polar) is, in this order:
 
 `runs` packs the controls run-length coded, five bytes a run, little-endian: uint16 ticks (1 to 65535), uint8 flags (bits
 0-1 turn + 1, bit 2 serve, bit 3 pointer present), uint16 pointer (0 where absent). `hashes` holds the 32-byte
-state hash after every 60th tick and after the last. `trace` holds one byte per tick for each of `fingerprint.FIELDS`,
+state hash after every 60th tick and after the last. `trace` holds one byte per tick for each of `state_hash.FIELDS`,
 field by field: too weak to prove anything, strong enough to say at which tick and where two games part.
 """
 
@@ -27,7 +27,8 @@ from game.levels import Level, checked
 from game.replays.state_hash import FIELDS, field_checks, state_hash
 from game.rules import Controls, Game, Ticked, new_game, tick
 from game.system.errors import BadInputError
-from game.system.files import write_whole
+from game.system.files import read_input, write_whole
+from game.system.wording import quoted, quoted_message, quoted_path
 from physics import PHYSICS_VERSION
 
 BLOCK = 60
@@ -136,30 +137,25 @@ def played(recording: Recording) -> Iterator[Ticked]:
 
 def save(recording: Recording, path: Path) -> None:
     """Write a replay file, whole or not at all; BadInputError where it cannot be written."""
-    body = zlib.compress(msgspec.msgpack.encode(recording), 9)
-    data = _MAGIC + b"%d\n" % _FORMAT + hashlib.sha256(body).digest() + body
     try:
-        write_whole(path, data)
+        write_whole(path, encoded(recording))
     except OSError as error:
-        raise BadInputError(f"{path}: cannot write replay; {error.strerror}") from None
+        raise BadInputError(f"{quoted_path(path)}: cannot write replay; {error.strerror or error}") from None
+
+
+def encoded(recording: Recording) -> bytes:
+    """The bytes of a replay file."""
+    body = zlib.compress(msgspec.msgpack.encode(recording), 9)
+    return _MAGIC + b"%d\n" % _FORMAT + hashlib.sha256(body).digest() + body
 
 
 def load(path: Path) -> Recording:
     """The recording in a file; BadInputError, in one line, for everything that is not one of this version."""
-    try:
-        if not path.is_file():
-            raise BadInputError(f"{path}: cannot read replay; expected a file" + (", not a folder" if path.is_dir() else ""))
-        with path.open("rb") as file:
-            data = file.read(_MAX_FILE_SIZE + 1)
-    except (OSError, ValueError) as error:
-        raise BadInputError(f"{path}: cannot read replay; {getattr(error, 'strerror', None) or error}") from None
-    return decoded(data, str(path))
+    return decoded(read_input(path, "replay", _MAX_FILE_SIZE), quoted_path(path))
 
 
 def decoded(data: bytes, source: str) -> Recording:
     """A recording from a file's bytes; `source` names it in errors."""
-    if len(data) > _MAX_FILE_SIZE:
-        raise BadInputError(f"{source}: replay too large; expected at most {_MAX_FILE_SIZE // 2**20} MB")
     header = data[: len(_MAGIC) + 8].partition(b"\n")[0]
     version = header.removeprefix(_MAGIC)
     if not header.startswith(_MAGIC) or not version.isdigit():
@@ -172,8 +168,8 @@ def decoded(data: bytes, source: str) -> Recording:
         raise BadInputError(f"{source}: damaged replay; its checksum does not fit")
     try:
         recording = msgspec.msgpack.decode(_inflated(body, source), type=Recording)
-    except msgspec.DecodeError as error:
-        raise BadInputError(f"{source}: damaged replay; {error}") from None
+    except (msgspec.DecodeError, UnicodeDecodeError) as error:
+        raise BadInputError(f"{source}: damaged replay; {quoted_message(str(error))}") from None
     _check(recording, source)
     return recording
 
@@ -195,7 +191,7 @@ def _inflated(body: bytes, source: str) -> bytes:
 def _check(recording: Recording, source: str) -> None:
     """Raise BadInputError for fields that contradict each other."""
     if recording.physics_version != PHYSICS_VERSION:
-        made = f"version {recording.game_version}, physics {recording.physics_version}"
+        made = f"version {quoted(recording.game_version)}, physics {recording.physics_version}"
         raise BadInputError(f"{source}: made by {made}; this game has physics {PHYSICS_VERSION} and would play it differently")
     for number, level in enumerate(recording.levels):
         checked(level, f"{source}: levels[{number}]")

@@ -13,7 +13,7 @@ class Divergence(NamedTuple):
 
     block: int  # the first whose hash differs; block k ends after tick (k + 1) BLOCK
     tick: int | None  # the first whose trace differs, counted from 1; None where the whole block's trace agrees
-    field: str | None  # of fingerprint.FIELDS
+    field: str | None  # of state_hash.FIELDS
 
     def __str__(self) -> str:
         first, last = self.block * BLOCK + 1, (self.block + 1) * BLOCK
@@ -27,11 +27,6 @@ class Verdict(NamedTuple):
 
     game: Game  # as far as it was played: to the end, or to the end of the first bad block
     divergence: Divergence | None
-
-    @property
-    def final_hash(self) -> str:
-        """State hash of that game."""
-        return state_hash(self.game)
 
 
 def verified(recording: Recording) -> Verdict:

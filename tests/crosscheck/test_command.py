@@ -20,7 +20,7 @@ from game.rules import new_game, tick
 from game.system.command_line import run
 from tests.support.paths import ROOT
 from tools.crosscheck import cli
-from tools.crosscheck.__main__ import _CLASSES, _SABOTAGES, app
+from tools.crosscheck.commands import _CLASSES, _SABOTAGES, app
 from tools.crosscheck.comparisons.convergence import FACETS, Curve
 from tools.crosscheck.games.sabotage import SABOTAGES
 from tools.crosscheck.games.sources import RANDOM, Source
@@ -176,8 +176,8 @@ def test_the_extras_are_shown(capsys, tmp_path: Path, monkeypatch):
         (["--sabotage", "sand"], "--sabotage sand: expected one of"),
         (["no such.polar"], "no such.polar: cannot read replay"),
         (["."], "cannot read replay; expected a file, not a folder"),
-        (["--report", "no/such/folder/page.html"], "the folder no/such/folder does not exist"),
-        (["--json", "."], "--json .: is a folder"),
+        (["--report", "no/such/folder/page.html"], "there is no folder no/such/folder"),
+        (["--json", "."], "--json .: a folder"),
         (["--bogus"], "No such option"),
     ],
 )

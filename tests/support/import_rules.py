@@ -4,10 +4,10 @@ physics   a few modules of the standard library, and itself; physics/batch.py al
 physics imports batch
 game      physics, but not its batch; never tools, tests, numba, pymunk
 game's rules, levels, replays, autopilot and what plays without a window: pygame neither directly nor through others;
-game/__main__.py not before it knows that a window is wanted
+game/__main__.py and game/commands.py not before they know that a window is wanted
 game/lab  as the game; all but its window: no pygame, neither directly nor through others; its registry imports every scene
 tools     physics, game's part without pygame; what draws or times pictures: all of the game
-tools is imported by nothing but itself and tests, but for game/__main__.py, which hands the game a second opinion on
+tools is imported by nothing but itself and tests, but for game/commands.py, which hands the game a second opinion on
 contacts and the lab a second engine; tests by nothing
 """
 
@@ -148,7 +148,7 @@ def _is_batch(name):
 
 def _is_second_opinion(module, target):
     """Whether this is the one place where the game is given a tool."""
-    return module == "game.__main__" and target.startswith(SECOND_OPINIONS)
+    return module == "game.commands" and target.startswith(SECOND_OPINIONS)
 
 
 def _foreign_to_physics(module, target):
@@ -191,4 +191,4 @@ def _without_pygame(module):
         return "ever"
     if module.startswith("game.lab"):
         return None if module.startswith(LAB_WINDOW) else "on import" if module == "game.lab.command" else "ever"
-    return "on import" if module in {"game", "game.__main__"} else None
+    return "on import" if module in {"game", "game.__main__", "game.commands"} else None

@@ -8,9 +8,11 @@ from typing import NamedTuple
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
+from game.system.errors import BadInputError
+from game.system.files import check_target, write_whole
+from game.system.wording import quoted_path
 from tools.crosscheck.comparisons.convergence import converged
 from tools.crosscheck.comparisons.free_run import free_run
-from tools.crosscheck.files import check_writable, write_whole
 from tools.crosscheck.games.sources import Source
 from tools.crosscheck.report.json_file import json_text
 from tools.crosscheck.report.terminal import print_findings
@@ -46,8 +48,8 @@ class Wishes(NamedTuple):
 
 def crosscheck(wishes: Wishes) -> int:
     """Run the harness; the exit code."""
-    check_writable(wishes.report, "--report")
-    check_writable(wishes.json, "--json")
+    check_target(wishes.report, "--report")
+    check_target(wishes.json, "--json")
     sources = chosen_sources(wishes.replays, wishes.games, wishes.seed, wishes.level, wishes.ticks)
     jobs = [Job(source, wishes.facets, wishes.only, wishes.sabotage) for source in sources]
     console = Console()
@@ -63,10 +65,18 @@ def crosscheck(wishes: Wishes) -> int:
     if wishes.report is not None:
         from tools.crosscheck.report.html_page import html_text  # noqa: PLC0415  # matplotlib takes a second to load
 
-        write_whole(wishes.report, html_text(findings))
+        _write(wishes.report, html_text(findings))
     if wishes.json is not None:
-        write_whole(wishes.json, json_text(findings))
+        _write(wishes.json, json_text(findings))
     return 0 if findings.agrees else 1
+
+
+def _write(path: Path, text: str) -> None:
+    """Write a text file, whole or not at all; BadInputError where it cannot be written."""
+    try:
+        write_whole(path, text.encode())
+    except OSError as error:
+        raise BadInputError(f"{quoted_path(path)}: cannot be written; {error.strerror or error}") from None
 
 
 def _with_extras(findings: Findings, sources: list[Source], wishes: Wishes) -> Findings:

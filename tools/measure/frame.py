@@ -3,6 +3,13 @@
 The first columns are processor time, the last two the clock's; with --window they include handing the picture to the display.
 """
 
+from game.system.start import prepare
+
+PROGRAM = "python -m tools.measure.frame"
+
+if __name__ == "__main__":
+    prepare(PROGRAM)  # before what takes time to load
+
 import gc
 import sys
 import time
@@ -47,7 +54,7 @@ class Case(NamedTuple):
 
 def main() -> None:
     """Run the command line and exit."""
-    sys.exit(run(app, "python -m tools.measure.frame"))
+    sys.exit(run(app, PROGRAM))
 
 
 @app.command()

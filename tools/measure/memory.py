@@ -4,6 +4,13 @@ The window's own screens on SDL's dummy driver: the autopilot plays every level 
 above and in 3D by turns. What the process holds at the end is compared with what it held after the first minute.
 """
 
+from game.system.start import prepare
+
+PROGRAM = "python -m tools.measure.memory"
+
+if __name__ == "__main__":
+    prepare(PROGRAM)  # before what takes time to load
+
 import gc
 import os
 import sys
@@ -41,7 +48,7 @@ _MOST_GROWTH = 0.05
 
 def main() -> None:
     """Run the command line and exit."""
-    sys.exit(run(app, "python -m tools.measure.memory"))
+    sys.exit(run(app, PROGRAM))
 
 
 @app.command()

@@ -167,13 +167,13 @@ def test_headless_games_touch_no_settings(tmp_path):
     code = f"""
 import pathlib
 from game.settings import file as settings_file
-from game.__main__ import app
+from game.commands import app
 from game.system.command_line import run
 def place():
     raise AssertionError("the settings were looked for")
-settings_file.place = place
-import game.__main__
-game.__main__.place = place
+settings_file.settings_path = place
+import game.commands
+game.commands.settings_path = place
 assert run(app, "x", ["--headless", "--autopilot", "--ticks", "300", "--screenshot", {str(tmp_path / "a.png")!r}]) == 0
 """
     subprocess.run(
@@ -185,7 +185,7 @@ assert run(app, "x", ["--headless", "--autopilot", "--ticks", "300", "--screensh
 def test_the_settings_are_in_the_users_folder(monkeypatch, tmp_path):
     """Under the program's name."""
     monkeypatch.setattr(settings_file.platformdirs, "user_config_path", lambda name, **_: tmp_path / name)
-    assert settings_file.place() == tmp_path / "polar-breakout" / "settings.json"
+    assert settings_file.settings_path() == tmp_path / "polar-breakout" / "settings.json"
 
 
 def test_every_effect_can_be_left_out_alone():

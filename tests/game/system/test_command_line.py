@@ -8,8 +8,8 @@ from pathlib import Path
 
 import pytest
 
-from game.__main__ import app
 from game.autopilot import Autopilot
+from game.commands import app
 from game.drawing.painter import save_screenshot
 from game.input.view import FROM_ABOVE, TIPPED
 from game.levels import built_in
@@ -49,7 +49,7 @@ def test_headless_imports_no_pygame(tmp_path: Path):
     """A headless game, recorded and verified, and the list of levels never import pygame."""
     file = tmp_path / "game.polar"
     program = (
-        "import sys; from game.__main__ import app; from game.system.command_line import run\n"
+        "import sys; from game.commands import app; from game.system.command_line import run\n"
         f"for arguments in ({[*HEADLESS, '--record', str(file)]!r}, ['replay', '--verify', {str(file)!r}], ['levels']):\n"
         "    assert run(app, 'x', arguments) == 0\n"
         "assert 'pygame' not in sys.modules and 'numba' not in sys.modules and 'pymunk' not in sys.modules\n"
@@ -126,7 +126,7 @@ def test_ctrl_c_is_one_line(capsys, monkeypatch):
     def interrupted(*_):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("game.__main__.autopilot_game", interrupted)
+    monkeypatch.setattr("game.commands.autopilot_game", interrupted)
     assert polar(capsys, *HEADLESS) == (130, "", "polar-breakout: interrupted\n")
 
 
