@@ -14,7 +14,7 @@ from game import VERSION
 from game.effects import LONGEST, after_all
 from game.headless import autopilot_game, result_line
 from game.lab.kit.second_engine import Engine
-from game.levels import Level, built_in, chosen
+from game.levels import Level, built_in, chosen, warnings
 from game.replays import file as replay
 from game.replays.history import History, kept_games
 from game.replays.verify import verified
@@ -74,6 +74,8 @@ def play(
     check_target(record, "--record")
     check_target(screenshot, "--screenshot", ".png")
     levels = chosen(level)
+    for line in warnings(levels[0]):
+        say(f"polar-breakout: warning: {quoted(level)}: {line}")
     if headless and not autopilot:
         raise BadInputError("--headless: nobody plays; add --autopilot")
     if headless:
