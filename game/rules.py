@@ -40,6 +40,7 @@ class Controls(NamedTuple):
     turn: int = 0  # -1 clockwise, 0, +1 counter-clockwise
     pointer: int | None = None  # where the nearest paddle shall go, in 1/POINTER_STEPS of a turn; turn goes first
     serve: bool = False  # launch the ball, or go on after a cleared level
+    give_up: bool = False  # the balls in play count as lost: out of reach, they might never come back
 
 
 class Phase(IntEnum):
@@ -119,7 +120,7 @@ def tick(game: Game, controls: Controls) -> Ticked:
     """The game one tick later."""
     arena = _steered(game, controls)
     if game.phase == Phase.PLAYING:
-        return _played(game, arena)
+        return _played(game, arena, give_up=controls.give_up)
     step = advance(arena._replace(balls=()), TICK, game.level.ball.speed)
     later = game._replace(tick=game.tick + 1, phase_tick=game.phase_tick + 1, arena=step.arena)
     if game.phase == Phase.SERVING:
@@ -194,7 +195,7 @@ def _next_level(game: Game, step: Step, moving: Arena) -> Ticked:
     return Ticked(game, (Event(EventKind.LEVEL_STARTED),), step, moving)
 
 
-def _played(game: Game, moving: Arena) -> Ticked:
+def _played(game: Game, moving: Arena, *, give_up: bool) -> Ticked:
     """A tick with balls in play: the physics, then what its hits mean, then who has left."""
     step = advance(moving, TICK, game.level.ball.speed, game.step)
     game = game._replace(tick=game.tick + 1, phase_tick=game.phase_tick + 1, arena=step.arena, step=step)
@@ -206,7 +207,7 @@ def _played(game: Game, moving: Arena) -> Ticked:
     if not any([layers > 0 for ring in game.arena.layers for layers in ring]):
         game = _level_cleared(game, events)
     else:
-        game = _without_lost_balls(game, events)
+        game = _without_lost_balls(game, events, give_up=give_up)
     return Ticked(game, tuple(events), step, moving)
 
 
@@ -256,10 +257,10 @@ def _level_cleared(game: Game, events: list[Event]) -> Game:
     return _in_phase(game, Phase.WON)
 
 
-def _without_lost_balls(game: Game, events: list[Event]) -> Game:
-    """The game after every ball that left the ground is gone: the last one costs a life, the last life the game."""
+def _without_lost_balls(game: Game, events: list[Event], *, give_up: bool) -> Game:
+    """The game without the balls that left the ground or are given up: the last costs a life, the last life the game."""
     ground = game.level.ground_radius
-    staying = tuple([ball for ball in game.arena.balls if not has_left(ball.position, ball.radius, ground)])
+    staying = tuple([b for b in game.arena.balls if not (give_up or has_left(b.position, b.radius, ground))])
     if len(staying) == len(game.arena.balls):
         return game
     lost = [ball for ball in game.arena.balls if ball not in staying]

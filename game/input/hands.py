@@ -51,8 +51,8 @@ class Hands(NamedTuple):
     def controls(self, camera: Camera) -> Controls:
         """The controls of the next tick. The last turning key pressed wins."""
         if self.held:
-            return Controls(1 if self.held[-1].action is Action.RIGHT else -1, None, self.serve)
-        return Controls(0, _steps(self.pointer, camera), self.serve)
+            return Controls(1 if self.held[-1].action is Action.RIGHT else -1, None, self.serve, self.give_up)
+        return Controls(0, _steps(self.pointer, camera), self.serve, self.give_up)
 
     def after_tick(self) -> "Hands":
         """What is still held once a tick has been given its controls: what is asked for once is asked for no more."""

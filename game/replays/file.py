@@ -2,12 +2,13 @@ r"""Recorded games: the inputs, and hashes to prove that playing them again give
 
 A replay file (.polar) is, in this order:
 
-    "polar-breakout replay 1\n"    the format and its version
+    "polar-breakout replay 2\n"    the format and its version
     32 bytes                      SHA-256 of all that follows
     a zlib stream                 of a MessagePack map with the fields of `Recording`
 
 `runs` packs the controls run-length coded, five bytes a run, little-endian: uint16 ticks (1 to 65535), uint8 flags (bits
-0-1 turn + 1, bit 2 serve, bit 3 pointer present), uint16 pointer (0 where absent). `hashes` holds the 32-byte
+0-1 turn + 1, bit 2 serve, bit 3 pointer present, bit 4 give up), uint16 pointer (0 where absent). Format 1 had no bit 4, and
+is still read. `hashes` holds the 32-byte
 state hash after every 60th tick and after the last. `trace` holds one byte per tick for each of `state_hash.FIELDS`,
 field by field: too weak to prove anything, strong enough to say at which tick and where two games part.
 """
@@ -36,7 +37,9 @@ BLOCK = 60
 MAX_TICKS = 240 * 3600
 """The longest recording: an hour."""
 
-_FORMAT = 1
+_FORMAT = 2
+_FLAGS = {1: 0b01111, 2: 0b11111}
+"""The flags that each format knows."""
 _MAGIC = b"polar-breakout replay "
 _DIGEST = 32
 _MAX_FILE_SIZE = 16 * 1024 * 1024
@@ -113,15 +116,15 @@ class Recorder:
         """The current run's bytes; none before the first tick."""
         if self._last is None or self._length == 0:
             return b""
-        turn, pointer, serve = self._last
-        flags = (turn + 1) | serve << 2 | (pointer is not None) << 3
+        turn, pointer, serve, give_up = self._last
+        flags = (turn + 1) | serve << 2 | (pointer is not None) << 3 | give_up << 4
         return _RUN.pack(self._length, flags, pointer or 0)
 
 
 def controls_of(recording: Recording) -> Iterator[Controls]:
     """The controls, tick by tick."""
     for length, flags, pointer in _RUN.iter_unpack(recording.runs):
-        controls = Controls((flags & 3) - 1, pointer if flags & 8 else None, bool(flags & 4))
+        controls = Controls((flags & 3) - 1, pointer if flags & 8 else None, bool(flags & 4), bool(flags & 16))
         for _ in range(length):
             yield controls
 
@@ -160,8 +163,8 @@ def decoded(data: bytes, source: str) -> Recording:
     version = header.removeprefix(_MAGIC)
     if not header.startswith(_MAGIC) or not version.isdigit():
         raise BadInputError(f"{source}: not a replay of the polar breakout")
-    if int(version) != _FORMAT:
-        raise BadInputError(f"{source}: replay format {int(version)}; this game reads format {_FORMAT}")
+    if int(version) not in _FLAGS:
+        raise BadInputError(f"{source}: replay format {int(version)}; this game reads formats 1 to {_FORMAT}")
     start = len(header) + 1
     digest, body = data[start : start + _DIGEST], data[start + _DIGEST :]
     if hashlib.sha256(body).digest() != digest:
@@ -170,7 +173,7 @@ def decoded(data: bytes, source: str) -> Recording:
         recording = msgspec.msgpack.decode(_inflated(body, source), type=Recording)
     except (msgspec.DecodeError, UnicodeDecodeError) as error:
         raise BadInputError(f"{source}: damaged replay; {quoted_message(str(error))}") from None
-    _check(recording, source)
+    _check(recording, source, _FLAGS[int(version)])
     return recording
 
 
@@ -188,8 +191,8 @@ def _inflated(body: bytes, source: str) -> bytes:
     return raw
 
 
-def _check(recording: Recording, source: str) -> None:
-    """Raise BadInputError for fields that contradict each other."""
+def _check(recording: Recording, source: str, known: int) -> None:
+    """Raise BadInputError for fields that contradict each other. known: flags of a run."""
     if recording.physics_version != PHYSICS_VERSION:
         made = f"version {quoted(recording.game_version)}, physics {recording.physics_version}"
         raise BadInputError(f"{source}: made by {made}; this game has physics {PHYSICS_VERSION} and would play it differently")
@@ -201,7 +204,7 @@ def _check(recording: Recording, source: str) -> None:
         raise BadInputError(f"{source}: runs: cut off in the middle of a run")
     total = 0
     for length, flags, pointer in _RUN.iter_unpack(recording.runs):
-        if length == 0 or flags & 3 == 3 or flags > 15 or (pointer and not flags & 8):
+        if length == 0 or flags & 3 == 3 or flags & ~known or (pointer and not flags & 8):
             raise BadInputError(f"{source}: runs: unknown action {flags} at tick {total}")
         total += length
     blocks = -(-recording.ticks // BLOCK)

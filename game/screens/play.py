@@ -9,11 +9,12 @@ from game.drawing.camera import Camera, Layout, layout, unit_of
 from game.effects import Effects, Kind, hit_stop
 from game.fixed_step import Due, due
 from game.input.hands import Hands
+from game.input.key_names import key_name
 from game.input.keys import Action
 from game.input.signals import FocusLost, Pressed, Signal
 from game.levels import Level
 from game.overlay import hud, notice
-from game.rules import Phase, new_game, tick
+from game.rules import TICK, EventKind, Phase, new_game, tick
 from game.scene import scene_at, still
 from game.screens.base import Screen, Shared
 from game.screens.panels import Entry, Help, Menu
@@ -22,6 +23,8 @@ from game.second_opinion import Opinions
 
 _READY_SECONDS = 0.6
 """After a pause with a ball in play, before it flies on."""
+_OFFER_TICKS = round(20.0 / TICK)
+"""Without a paddle's touch, until the player may give up the ball."""
 _END_TICKS = 200
 """From the last ball's loss, or the last brick, to the panel that says so."""
 
@@ -40,6 +43,7 @@ class Play:
         self._ready = 0.0
         self._breath = 0.0  # seconds to hold it
         self._pilot = Autopilot() if shared.autopilot else None
+        self._untouched = 0  # ticks with a ball in play since a paddle touched it
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
         """Take the player's hands into account, or open a panel."""
@@ -52,6 +56,8 @@ class Play:
                 return self._held(Help(self._shared, self))
             case Pressed(Action.SETTINGS):
                 return self._held(SettingsPanel(self._shared, self))
+            case Pressed(Action.GIVE_UP) if not self._may_give_up:
+                return self
         self._hands = self._hands.after(signal)
         self._shared.view = self._shared.view.after(signal, unit_of(size))
         return self
@@ -87,8 +93,15 @@ class Play:
         shown = hud.readings(self._ticked.game, self._effects.streak, muted=not shared.settings.sound, badge=badge)
         hud.draw(surface, place, shown, shared.theme, shared.type)
         told = notice.READY if self._ready > 0.0 else notice.notice(self._ticked.game)
+        if told is None and self._may_give_up:
+            told = notice.Notice("Out of reach?", f"{key_name(Action.GIVE_UP)}: give up this ball; it costs a life")
         if told is not None:
             notice.draw(surface, place, told, scene, shared.theme, shared.type)
+
+    @property
+    def _may_give_up(self) -> bool:
+        """Whether the ball has been out of reach for so long that the player may do without it."""
+        return self._pilot is None and self._untouched >= _OFFER_TICKS
 
     def restarted(self) -> Screen:
         """The same levels from their first serve."""
@@ -100,6 +113,10 @@ class Play:
         controls = self._hands.controls(camera) if self._pilot is None else self._pilot.controls(game)
         self._hands = self._hands.after_tick()
         self._ticked = tick(game, controls)
+        touched = self._ticked.game.phase != Phase.PLAYING or any(
+            [event.kind in {EventKind.PADDLE_HIT, EventKind.SERVED} for event in self._ticked.events]
+        )
+        self._untouched = 0 if touched else self._untouched + 1
         self._effects = effects.after(self._effects, self._ticked, self._shared.settings.shown)
         self._opinions = self._shared.opinions(self._opinions, self._ticked)
         self._shared.heard(self._ticked, camera)

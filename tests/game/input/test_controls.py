@@ -161,6 +161,14 @@ def test_space_and_click_serve(signal):
     assert not after(signal).after_tick().controls(CAMERA).serve
 
 
+def test_a_ball_is_given_up_once():
+    """Whatever else is held."""
+    for others in ((), (Pressed(Action.LEFT, ARROW_LEFT),)):
+        hands = after(*others, Pressed(Action.GIVE_UP))
+        assert hands.controls(CAMERA).give_up
+        assert not hands.after_tick().controls(CAMERA).give_up
+
+
 def test_losing_the_focus_lets_everything_go():
     """Keys whose release will not be heard count as released."""
     assert after(Pressed(Action.LEFT), Pressed(Action.SERVE), FocusLost()) == Hands()

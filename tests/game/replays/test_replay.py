@@ -15,13 +15,13 @@ from game.replays import history as kept
 from game.replays.file import BLOCK, MAX_TICKS, Recorder, Recording, controls_of, decoded, load, played, save
 from game.replays.state_hash import FIELDS, field_checks, state_hash
 from game.replays.verify import verified
-from game.rules import POINTER_STEPS, Controls, new_game, tick
+from game.rules import LIVES, POINTER_STEPS, Controls, new_game, tick
 from game.system.errors import BadInputError
 from physics import PHYSICS_VERSION
 from tests.support.players import KeyPlayer, MousePlayer
 
 TICKS = 1500
-HEADER = b"polar-breakout replay 1\n"
+HEADER = b"polar-breakout replay 2\n"
 
 
 def recorded(player, ticks=TICKS):
@@ -88,7 +88,7 @@ def test_runs_hold_any_controls():
     levels = built_in()
     game = new_game(levels, 0)
     plan = [
-        *[Controls(*one) for one in product((-1, 0, 1), (None, 0, POINTER_STEPS - 1), (False, True))],
+        *[Controls(*one) for one in product((-1, 0, 1), (None, 0, POINTER_STEPS - 1), (False, True), (False, True))],
         *[Controls(1)] * 70_000,
         Controls(),
     ]
@@ -96,7 +96,7 @@ def test_runs_hold_any_controls():
     for controls in plan:
         recorder.add(controls, game)
     assert list(controls_of(recorder.recording())) == plan
-    assert len(recorder.recording().runs) == 5 * (18 + 2 + 1)
+    assert len(recorder.recording().runs) == 5 * (36 + 2 + 1)
 
 
 def test_a_recorder_stops_at_the_longest_recording():
@@ -131,7 +131,7 @@ def test_foreign_and_newer_files_are_named(mouse, file_bytes):
     for data, reason in (
         (b"", "not a replay"),
         (b"polar-breakout replay \n", "not a replay"),
-        (b"polar-breakout replay 2\n" + file_bytes[len(HEADER) :], "format 2; this game reads format 1"),
+        (b"polar-breakout replay 3\n" + file_bytes[len(HEADER) :], "format 3; this game reads formats 1 to 2"),
         (file_bytes + b"x", "checksum"),
         (packed(body + b"x"), "something follows"),
         (packed(body[:-9]), "cut off"),
@@ -150,6 +150,32 @@ def test_a_file_too_large_is_refused(tmp_path: Path):
     file.write_bytes(HEADER + bytes(17 * 2**20))
     with pytest.raises(BadInputError, match=r"large\.polar: replay too large; expected at most 16 MB"):
         load(file)
+
+
+def test_the_format_before_is_read(mouse, file_bytes):
+    """A file of format 1 is a game in which no ball could be given up; a run that does so is not of that format."""
+    old = b"polar-breakout replay 1\n" + file_bytes[len(HEADER) :]
+    assert decoded(old, "x") == mouse
+    runs = mouse.runs[:2] + bytes([mouse.runs[2] | 16]) + mouse.runs[3:]
+    giving_up = altered(mouse, runs=runs)
+    assert any(controls.give_up for controls in controls_of(decoded(giving_up, "x")))
+    with pytest.raises(BadInputError, match="runs: unknown action"):
+        decoded(b"polar-breakout replay 1\n" + giving_up[len(HEADER) :], "x")
+
+
+def test_a_game_with_a_ball_given_up_plays_again(tmp_path: Path):
+    """The life it costs is lost in the recording, too."""
+    levels = built_in()
+    game, recorder = new_game(levels, 5), Recorder(levels, 5)
+    for number in range(300):
+        controls = Controls(serve=number == 10, give_up=number == 200)
+        game = tick(game, controls).game
+        recorder.add(controls, game)
+    assert game.lives == LIVES - 1
+    save(recorder.recording(), tmp_path / "game.polar")
+    loaded = load(tmp_path / "game.polar")
+    assert [controls.give_up for controls in controls_of(loaded)].index(True) == 200
+    assert verified(loaded) == (game, None)
 
 
 def test_contradictions_are_refused(mouse):
