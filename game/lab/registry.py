@@ -8,6 +8,7 @@ from functools import cache
 from game.lab import scenes as folder
 from game.lab.kit.scene import Chapter, Scene
 from game.system.errors import BadInputError
+from game.system.wording import quoted
 
 
 @cache
@@ -29,4 +30,4 @@ def scene_named(name: str) -> Scene:
         return found[name]
     near = difflib.get_close_matches(name, found, n=3, cutoff=0.4)
     hint = f"near: {', '.join(near)}" if near else "--list names them all"
-    raise BadInputError(f"lab: no scene {name!r}; {hint}")
+    raise BadInputError(f"lab: no scene '{quoted(name)}'; {hint}")

@@ -60,13 +60,11 @@ class _Interrupted(BaseException):
 
 def _invoked(invoke: Callable[[typer.Context], Any], context: typer.Context) -> Any:
     """What a command answers, once its options are read. Signals interrupt it; before and after it they end the program."""
-    ending.working()
     try:
-        return invoke(context)
+        with ending.working():
+            return invoke(context)
     except KeyboardInterrupt:
         raise _Interrupted from None
-    finally:
-        ending.ending()
 
 
 def refuse_ignored(context: typer.Context, reason: str, *names: str) -> None:

@@ -65,7 +65,7 @@ _signals = _Signals()
 
 
 def watch_signals(program: str) -> None:
-    """Have signals end the program at once, with one line, until `working` is called. program: its name in that line."""
+    """Have signals end the program at once, with one line, but for `working` blocks. program: its name in that line."""
     _signals.program, _signals.doing = program, _Doing.LOADING
     for name in WORDS:
         number = getattr(signal, name, None)  # Windows has no SIGHUP
@@ -74,15 +74,15 @@ def watch_signals(program: str) -> None:
     sys.unraisablehook = _unraisable
 
 
-def working() -> None:
-    """From here on a signal raises KeyboardInterrupt, or waits for the end of a `deferred` block."""
+@contextmanager
+def working() -> Iterator[None]:
+    """A block in which a signal raises KeyboardInterrupt; after it, when everything is done, one ends the program at once."""
+    before = _signals.doing
     _signals.doing, _signals.received = _Doing.WORKING, None
-
-
-def ending() -> None:
-    """From here on a signal ends the program at once: everything is done. Does nothing where signals are not watched."""
-    if _signals.program:
-        _signals.doing = _Doing.ENDING
+    try:
+        yield
+    finally:
+        _signals.doing = _Doing.ENDING if before is _Doing.LOADING else before
 
 
 def pending() -> bool:

@@ -1,7 +1,5 @@
 """The first thing every command does, before anything that takes time to load. Imports the standard library only."""
 
-import os
-
 from game.system.ending import watch_signals
 from game.system.output import open_output
 
@@ -13,4 +11,3 @@ def prepare(program: str) -> None:
     """
     watch_signals(program)
     open_output()
-    os.environ.setdefault("PYGAME_HIDE_SUPPORT_PROMPT", "1")  # what is printed here, a command prints

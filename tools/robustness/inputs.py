@@ -1,0 +1,137 @@
+"""Hostile inputs, each given to the command or the reader that takes it: accepted, or refused in one line."""
+
+import contextlib
+import io
+from collections.abc import Callable, Iterator
+from pathlib import Path
+from random import Random
+from typing import NamedTuple
+
+from game.commands import app
+from game.lab.registry import scenes
+from game.lab.session.session import opened
+from game.lab.session.share import parsed
+from game.levels import built_in
+from game.replays.file import Recorder, encoded
+from game.rules import Controls, new_game, tick
+from game.settings import file as settings_file
+from game.settings.file import SettingsFile
+from game.settings.values import Settings
+from game.system.command_line import run
+from game.system.errors import BadInputError
+from tools.robustness.mutations import mutated_replay, mutated_text
+
+_LEVELS = Path(settings_file.__file__).parent.parent / "levels"
+_LONGEST_LINE = 700
+"""Characters of a message: a path, a key and a rule."""
+_TICKS = "60"
+_SIGNALLED = 128
+"""Exit codes above this are a signal's, sent to this program."""
+
+
+class Kind(NamedTuple):
+    """One kind of input.
+
+    name: for the report. cases: makes one from a seeded generator. tried: gives it to the program in a folder of its own; what
+    is wrong, or None.
+    """
+
+    name: str
+    made: Callable[[Random], bytes]
+    tried: Callable[[bytes, Path], str | None]
+
+
+def kinds() -> tuple[Kind, ...]:
+    """Levels, replays, share lines and settings."""
+    levels = [path.read_bytes() for path in sorted(_LEVELS.glob("*.toml"))]
+    replays = [_short_game(seed) for seed in range(4)]
+    lines = [opened(parsed(scene.name)).line.encode() for scene in scenes()]
+    settings = settings_file.encoded(Settings())
+    return (
+        Kind("levels", lambda chance: mutated_text(chance.choice(levels), chance), _try_level),
+        Kind("replays", lambda chance: mutated_replay(chance.choice(replays), chance), _try_replay),
+        Kind("share lines", lambda chance: mutated_text(chance.choice(lines), chance), _try_line),
+        Kind("settings", lambda chance: mutated_text(settings.replace(b":", b"="), chance).replace(b"=", b":"), _try_settings),
+    )
+
+
+def faults(kind: Kind, seed: int, count: int, folder: Path) -> Iterator[str | None]:
+    """What is wrong with each of so many cases, or None; the case of a fault is left in the folder."""
+    for number in range(count):
+        data = kind.made(Random(f"{kind.name} {seed} {number}"))
+        try:
+            fault = kind.tried(data, folder)
+        except Exception as error:  # noqa: BLE001  # whatever it is, it is a fault
+            fault = f"{type(error).__name__}: {error}"
+        if fault is not None:
+            (folder / f"fault-{kind.name}-{seed}-{number}").write_bytes(data)
+        yield None if fault is None else f"{kind.name} {seed}:{number}: {fault}"
+
+
+def wrong_line(line: str) -> str | None:
+    """What is wrong with a message; None for one line that can be read."""
+    if not line.isprintable():
+        return f"a message that is no printable line: {line!r}"
+    return f"a message of {len(line)} characters" if len(line) > _LONGEST_LINE else None
+
+
+def _answer(arguments: list[str], allowed: set[int]) -> str | None:
+    """What is wrong with how the game answers some arguments: another exit code, more than a line on stderr."""
+    out, err = io.StringIO(), io.StringIO()
+    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
+        code = run(app, "polar-breakout", arguments)
+    if code > _SIGNALLED:
+        raise KeyboardInterrupt
+    lines = [line for line in err.getvalue().split("\n") if line and ": warning: " not in line]
+    if code not in allowed:
+        return f"exit code {code}"
+    if len(lines) != (1 if code == 2 else 0):  # bad input
+        return f"{len(lines)} lines on stderr with exit code {code}"
+    return next((wrong for line in lines if (wrong := wrong_line(line))), None)
+
+
+def _try_level(data: bytes, folder: Path) -> str | None:
+    """Play a level for a quarter of a second."""
+    file = folder / "level.toml"
+    file.write_bytes(data)
+    return _answer(["--headless", "--autopilot", "--ticks", _TICKS, "--level", str(file)], {0, 2})
+
+
+def _try_replay(data: bytes, folder: Path) -> str | None:
+    """Verify a replay; it may well diverge, which is exit code 1 and a line more."""
+    file = folder / "game.polar"
+    file.write_bytes(data)
+    fault = _answer(["replay", "--verify", str(file)], {0, 1, 2})
+    return None if fault == "2 lines on stderr with exit code 1" else fault
+
+
+def _try_line(data: bytes, _folder: Path) -> str | None:
+    """Open the lab with a share line."""
+    try:
+        session = opened(parsed(data.decode("utf-8", "surrogateescape")))
+    except BadInputError as error:
+        return wrong_line(str(error))
+    assert session.picture.panes
+    return None
+
+
+def _try_settings(data: bytes, folder: Path) -> str | None:
+    """Load settings, and save them again."""
+    file = folder / "settings" / "settings.json"
+    file.parent.mkdir(exist_ok=True)
+    file.write_bytes(data)
+    hold = SettingsFile(file)
+    loaded = hold.load()
+    hold.keep(loaded.other_colours())
+    return None if hold.problem is None else wrong_line(hold.problem)
+
+
+def _short_game(seed: int) -> bytes:
+    """A replay of a second and a half."""
+    levels = built_in()[seed:]
+    game, recorder = new_game(levels, seed), Recorder(levels, seed)
+    for number in range(360):
+        controls = Controls(turn=number // 60 % 3 - 1, serve=number == 30)
+        game = tick(game, controls).game
+        recorder.add(controls, game)
+    return encoded(recorder.recording())
