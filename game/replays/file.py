@@ -99,7 +99,7 @@ class Recorder:
             VERSION,
             PHYSICS_VERSION,
             list(self._levels),
-            _levels_hash(self._levels),
+            levels_hash(self._levels),
             self._seed,
             self.ticks,
             bytes(runs),
@@ -198,7 +198,7 @@ def _check(recording: Recording, source: str, known: int) -> None:
         raise BadInputError(f"{source}: made by {made}; this game has physics {PHYSICS_VERSION} and would play it differently")
     for number, level in enumerate(recording.levels):
         checked(level, f"{source}: levels[{number}]")
-    if _levels_hash(tuple(recording.levels)) != recording.levels_hash:
+    if levels_hash(tuple(recording.levels)) != recording.levels_hash:
         raise BadInputError(f"{source}: levels_hash: another level than the one the game was played on")
     if len(recording.runs) % _RUN.size:
         raise BadInputError(f"{source}: runs: cut off in the middle of a run")
@@ -217,6 +217,6 @@ def _check(recording: Recording, source: str, known: int) -> None:
             raise BadInputError(f"{source}: {name}: {found} where {recording.ticks} ticks need {expected}")
 
 
-def _levels_hash(levels: tuple[Level, ...]) -> str:
+def levels_hash(levels: tuple[Level, ...]) -> str:
     """One hash for all the levels of a game."""
     return hashlib.sha256("".join([level.content_hash() for level in levels]).encode()).hexdigest()

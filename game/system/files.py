@@ -72,7 +72,7 @@ def read_input(path: Path, what: str, largest: int) -> bytes:
         raise BadInputError(f"{quoted_path(path)}: cannot read {what}; expected a file, not a folder") from None
     except (OSError, ValueError) as error:  # ValueError: a path with a null character
         reason = getattr(error, "strerror", None) or error
-        if path.is_dir():  # Windows says: permission denied
+        if isinstance(error, PermissionError) and path.is_dir():  # on Windows
             reason = "expected a file, not a folder"
         raise BadInputError(f"{quoted_path(path)}: cannot read {what}; {reason}") from None
     if len(data) > largest:

@@ -1,11 +1,17 @@
 """Good files made bad: bytes changed, numbers put out of range, fields of a replay exchanged, text that no encoding has."""
 
+import contextlib
 import hashlib
+import math
+import re
 import zlib
 from random import Random
 from typing import Any
 
 import msgspec
+
+from game.levels import Level
+from game.replays.file import levels_hash
 
 _NUMBERS = (
     "0", "-0.0", "-1", "1", "5e-324", "1e-150", "1e-9", "0.3", "1e9", "1e150", "1e308", "1e400", "nan", "inf", "-inf",
@@ -15,12 +21,18 @@ _TEXTS = (
     b"", b"\0", b"\n", b"\r", b"\xff", b"\xed\xa0\x80", b"\xef\xbb\xbf", "\u2028".encode(), "\u202e".encode(), b"\x1b[31m",
     b"%s%n", b"'" * 3, b'"' * 3, b"#", b"[", b"]]", b"=", b"&", b"?", b",", b"\\", "\u2603".encode(), b"x" * 5000, b"[" * 3000,
 )  # fmt: skip
+_NUMBER = re.compile(rb"(?<![\w.])-?\d+(\.\d+)?(?![\w.])")
+_FACTORS = (-1.0, 0.0, 1e-12, 1e-3, 0.1, 0.5, 0.9, 0.99, 1.001, 1.01, 1.1, 1.5, 2.0, 3.0, 10.0, 1e3, 1e12)
 _HEADERS = (b"polar-breakout replay 1\n", b"polar-breakout replay 2\n", b"polar-breakout replay 99999999\n", b"")
 
 
 def mutated_text(good: bytes, chance: Random) -> bytes:
     """A text with one to four things changed: a number, a piece of a line, some bytes, a line more or less."""
     data = good
+    if chance.random() < 0.6:  # well-formed, with numbers that are wrong or nearly right
+        for _ in range(chance.randint(1, 3)):
+            data = chance.choice((_scaled, _scaled, _other_number))(data, chance)
+        return data
     for _ in range(chance.randint(1, 4)):
         data = chance.choice((_other_number, _other_number, _inserted, _cut, _doubled, _flipped))(data, chance)
     return data
@@ -38,6 +50,8 @@ def mutated_replay(good: bytes, chance: Random) -> bytes:
         fields = msgspec.msgpack.decode(body)
         name = chance.choice(sorted(fields))
         fields[name] = _other_value(fields[name], chance)
+        with contextlib.suppress(msgspec.ValidationError):
+            fields["levels_hash"] = levels_hash(tuple(msgspec.convert(fields["levels"], list[Level])))
         body = msgspec.msgpack.encode(fields)
     if chance.random() < 0.15:
         body = body.replace(b"0.1.0", b"\xff\xfe\x80..")  # invalid UTF-8 in a string
@@ -57,6 +71,18 @@ def _other_number(data: bytes, chance: Random) -> bytes:
     number = chance.choice(_NUMBERS).encode()
     parts[index] = number + mark + others + newline + rest
     return b"=".join(parts)
+
+
+def _scaled(data: bytes, chance: Random) -> bytes:
+    """One number of a text made larger or smaller."""
+    found = list(_NUMBER.finditer(data))
+    if not found:
+        return _inserted(data, chance)
+    number = chance.choice(found)
+    value = float(number.group()) * chance.choice(_FACTORS)
+    whole = b"." not in number.group() and math.isfinite(value)
+    text = str(round(value)) if whole else repr(value)
+    return data[: number.start()] + text.encode() + data[number.end() :]
 
 
 def _inserted(data: bytes, chance: Random) -> bytes:

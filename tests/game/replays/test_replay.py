@@ -322,6 +322,44 @@ def test_games_are_kept_and_the_oldest_forgotten(data_folder, monkeypatch):
     assert data_folder.is_dir()
 
 
+def test_two_games_that_end_in_the_same_second_are_both_kept(data_folder, monkeypatch):
+    """In two windows, each with its own history."""
+    monkeypatch.setattr(kept, "_SHORTEST", 0.0)
+    monkeypatch.setattr(kept.time, "strftime", lambda _: "2026-01-01 00-00-00")
+    for ticks in (5, 6):
+        keep_games(kept.History(), 1, ticks)
+    assert sorted(path.name for path in data_folder.iterdir()) == ["2026-01-01 00-00-00-2.polar", "2026-01-01 00-00-00.polar"]
+    assert {load(path).ticks for path in kept.kept_games()} == {5, 6}
+
+
+def test_a_link_to_nothing_does_not_break_the_list(data_folder, monkeypatch):
+    """It is left out, as a folder and a pipe of that name are, and it is not forgotten with the oldest."""
+    monkeypatch.setattr(kept, "_SHORTEST", 0.0)
+    keep_games(kept.History(), 1, 5)
+    (data_folder / "gone.polar").symlink_to("nothing")
+    (data_folder / "folder.polar").mkdir()
+    assert len(kept.kept_games()) == 1
+    keep_games(kept.History(), 51, 5)
+    assert len(kept.kept_games()) == 50
+    assert (data_folder / "gone.polar").is_symlink()
+
+
+def test_what_a_killed_session_left_is_removed_at_the_next_start(data_folder):
+    """The kept games stay."""
+    data_folder.mkdir(parents=True)
+    (data_folder / ".polar-breakout-00.tmp").write_bytes(b"half a ga")
+    (data_folder / "game.polar").write_bytes(b"a game")
+    kept.History()
+    assert [path.name for path in data_folder.iterdir()] == ["game.polar"]
+
+
+def test_a_string_that_is_not_utf_8_is_refused(mouse):
+    """Its checksum may be right all the same."""
+    body = msgspec.msgpack.encode(mouse).replace(b"Carousel", b"\xff\xfe\x80ousel")
+    with pytest.raises(BadInputError, match=r"^x: damaged replay; [^\n]*utf-8[^\n]*$"):
+        decoded(packed(zlib.compress(body)), "x")
+
+
 def test_short_games_are_not_kept(data_folder):
     """A game of less than five seconds leaves no file."""
     keep_games(kept.History(), 1, 1199)

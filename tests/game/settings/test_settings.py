@@ -162,6 +162,24 @@ def test_where_nothing_can_be_written_the_old_file_stays(tmp_path, monkeypatch):
     assert path.read_bytes() == before
 
 
+def test_a_link_is_followed(tmp_path):
+    """A dotfile manager keeps the file elsewhere: the link stays, the file there is written."""
+    (tmp_path / "kept").mkdir()
+    path = tmp_path / "settings.json"
+    path.symlink_to("kept/mine.json")
+    SettingsFile(path).keep(Settings(volume=30))
+    assert path.is_symlink()
+    assert SettingsFile(path).load().volume == 30
+    assert left(tmp_path / "kept") == ["mine.json"]
+
+
+def test_what_a_killed_session_left_is_removed_at_the_next_start(tmp_path):
+    """Before the settings are read."""
+    (tmp_path / ".polar-breakout-00.tmp").write_bytes(b'{"vol')
+    SettingsFile(tmp_path / "settings.json").load()
+    assert left(tmp_path) == []
+
+
 def test_headless_games_touch_no_settings(tmp_path):
     """A broken file stays where it is, and no folder is made."""
     code = f"""

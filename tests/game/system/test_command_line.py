@@ -8,11 +8,14 @@ from pathlib import Path
 
 import pytest
 
+from game import levels
 from game.autopilot import Autopilot
 from game.commands import app
 from game.drawing.painter import save_screenshot
 from game.input.view import FROM_ABOVE, TIPPED
 from game.levels import built_in
+from game.replays import file as replay
+from game.replays.verify import verified
 from game.rules import EventKind, new_game, tick
 from game.system.command_line import run
 from tests.support.paths import ROOT
@@ -77,6 +80,25 @@ def test_headless_imports_no_pygame(tmp_path: Path):
         ([*HEADLESS, "--record", "."], "a folder; expected a file"),
         ([*HEADLESS, "--record", "none/x.polar"], "there is no folder none"),
         ([*HEADLESS, "--screenshot", "none/x.png"], "there is no folder none"),
+        ([*HEADLESS, "--record", "/dev/null"], "--record /dev/null: cannot be written; a device, not a regular file"),
+        ([*HEADLESS, "--screenshot", "a.txt"], "--screenshot a.txt: expected a name that ends in .png, not .txt"),
+        ([*HEADLESS, "--size", "100x100"], "--size: is for a picture; add --screenshot FILE"),
+        ([*HEADLESS, "--view", "3d"], "--view: is for a picture"),
+        (["--ticks", "5"], "--ticks: is for a headless game"),
+        (["--headless", "levels"], "--headless: is not for the command levels"),
+        (["--seed", "3", "replays"], "--seed: is not for the command replays"),
+        (["--record", "a.polar", "lab"], "--record: is not for the command lab"),
+        (["lab", "--list", "--headless"], "--headless: does nothing beside --list"),
+        (["lab", "case-2", "--list"], "scene: does nothing beside --list"),
+        (["lab", "--headless", "--screenshot", "a.png"], "--screenshot: does nothing beside --headless"),
+        (["lab", "--drags", "5"], "--drags: is for checking scenes"),
+        (["lab", "--theme", "light"], "--theme: is for a picture"),
+        (["lab", "--screenshot", "a.txt"], "expected a name that ends in .png"),
+        (["--level", "00010"], "--level 00010: no such level"),
+        (["--level", "x" * 5000], "x...x"),
+        (["--size", "9" * 5000, "--screenshot", "a.png"], "9...9"),
+        (["replay", "no\nne.polar"], "no\\nne.polar: cannot read replay"),
+        (["replay", "x" * 5000], "File name too long"),
         (["replay"], "FILES"),
         (["replay", "none.polar"], "cannot read replay"),
         (["replay", "--verify", "."], "not a folder"),
@@ -89,9 +111,45 @@ def test_bad_options_exit_2_with_one_line(capsys, monkeypatch, tmp_path, argumen
     monkeypatch.chdir(tmp_path)
     code, out, err = polar(capsys, *arguments)
     assert (code, out) == (2, "")
-    assert re.fullmatch(r"polar-breakout: [^\n]+\n", err)
+    assert re.fullmatch(r"polar-breakout: [^\n]{1,500}\n", err)
     assert reason.casefold() in err.casefold()
     assert list(tmp_path.iterdir()) == []
+
+
+def test_an_interrupted_recording_is_kept(tmp_path: Path):
+    """A signal ends a headless game early: what was played is written, and verifies."""
+    file = tmp_path / "game.polar"
+    code = (
+        "import os, signal, sys\n"
+        "from game.system.start import prepare\n"
+        "signal.signal(signal.SIGTERM, signal.SIG_DFL)\n"
+        "prepare('x')\n"
+        "from game import commands, headless\n"
+        "from game.system.command_line import run\n"
+        "tick = headless.tick\n"
+        "def counted(game, controls):\n"
+        "    if game.tick == 100: os.kill(os.getpid(), signal.SIGTERM)\n"
+        "    return tick(game, controls)\n"
+        "headless.tick = counted\n"
+        f"sys.exit(run(commands.app, 'x', {[*HEADLESS, '--record', str(file)]!r}))\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout, done.stderr) == (143, "", "x: terminated\n")
+    recording = replay.load(file)
+    assert 100 <= recording.ticks < 110
+    assert verified(recording).divergence is None
+
+
+def test_a_narrow_gate_is_warned_of(capsys, tmp_path: Path):
+    """One line on stderr; the game is played."""
+    ring = "[[rings]]\nradius = 7.0\nhalf_width = 0.1\nhalf_angle = 87.6\ncount = 2\nlayers = -1\n"
+    file = tmp_path / "gate.toml"
+    first = Path(levels.__file__).parent / "levels" / "1-first-wall.toml"
+    file.write_text(first.read_text(encoding="utf-8") + ring, encoding="utf-8")
+    code, out, err = polar(capsys, *HEADLESS, "--level", file)
+    assert (code, out.count("\n"), err.count("\n")) == (0, 1, 1)
+    assert "warning: " in err
+    assert "rings[1]: its widest gate is 1.1" in err
 
 
 def test_a_divergence_exits_1(capsys, tmp_path: Path, monkeypatch):
