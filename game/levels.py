@@ -103,7 +103,7 @@ class Level(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         return Arena((), tuple(rings), tuple(layers))
 
     def content_hash(self) -> str:
-        """SHA-256 of what the level says, whatever the file looks like."""
+        """SHA-256 of what the level says, however its file is written."""
         return hashlib.sha256(msgspec.json.encode(self)).hexdigest()
 
 
@@ -277,7 +277,7 @@ def _broken_wall_rules(level: Level) -> Iterator[tuple[str, str]]:
     barrier: int | None = None
     for number, ring in outside_in:
         if barrier is not None and max(ring.slots()) > 0:
-            yield f"rings[{number}]", f"level cannot be completed: rings[{barrier}] leaves the ball no way in"
+            yield f"rings[{number}]", f"level cannot be completed: rings[{barrier}] lets no ball in"
         if barrier is None and _is_barrier(ring, level.ball.radius):
             barrier = number
 

@@ -78,7 +78,7 @@ class SettingsFile:
         return decoded(said)
 
     def _put_aside(self) -> None:
-        """Move a file that cannot be read out of the way."""
+        """Rename a file that cannot be read, so that it is not lost when the settings are saved."""
         aside = self._path.with_name(f"{self._path.name}.bad-{time.strftime('%Y%m%d-%H%M%S')}")
         try:
             self._path.replace(aside)

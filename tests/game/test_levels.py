@@ -81,7 +81,7 @@ def test_the_good_level_is_good():
         ),
         (
             GOOD + b"[[rings]]\nradius = 5.0\nhalf_width = 0.2\nhalf_angle = 14.0\ncount = 12\nlayers = -1\n",
-            r"rings\[0\]: level cannot be completed: rings\[1\] leaves the ball no way in",
+            r"rings\[0\]: level cannot be completed: rings\[1\] lets no ball in",
         ),
         (b"name = \nb = 1", r"not valid TOML; .*line 1, column 8"),
         (b"a = 1\na = 2\n", r"not valid TOML; .*line 2"),

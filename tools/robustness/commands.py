@@ -15,7 +15,7 @@ from tools.robustness import inputs, processes, saving
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
-Case = TypeVar("Case")
+Found = TypeVar("Found")
 
 _MOST_SHOWN = 20
 
@@ -73,7 +73,7 @@ def _killed(count: int, seed: int, folder: Path) -> list[str]:
     return [f"kill {number}: {kill}" for number, kill in enumerate(done) if kill.torn or kill.behind]
 
 
-def _with_bar(name: str, count: int, cases: Iterable[Case]) -> Iterator[Case]:
+def _with_bar(name: str, count: int, cases: Iterable[Found]) -> Iterator[Found]:
     """The cases, with a progress bar on stderr where somebody can see it."""
     console = Console(stderr=True)
     with Progress(console=console, transient=True, disable=not console.is_terminal) as bar:

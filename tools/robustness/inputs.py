@@ -29,7 +29,7 @@ _SIGNALLED = 128
 """Exit codes above this are a signal's, sent to this program."""
 
 
-class Kind(NamedTuple):
+class InputKind(NamedTuple):
     """One kind of input.
 
     name: for the report. cases: makes one from a seeded generator. tried: gives it to the program in a folder of its own; what
@@ -41,21 +41,23 @@ class Kind(NamedTuple):
     tried: Callable[[bytes, Path], str | None]
 
 
-def kinds() -> tuple[Kind, ...]:
+def kinds() -> tuple[InputKind, ...]:
     """Levels, replays, share lines and settings."""
     levels = [path.read_bytes() for path in sorted(_LEVELS.glob("*.toml"))]
     replays = [_short_game(seed) for seed in range(4)]
     lines = [opened(parsed(scene.name)).line.encode() for scene in scenes()]
     settings = settings_file.encoded(Settings())
     return (
-        Kind("levels", lambda chance: mutated_text(chance.choice(levels), chance), _try_level),
-        Kind("replays", lambda chance: mutated_replay(chance.choice(replays), chance), _try_replay),
-        Kind("share lines", lambda chance: mutated_text(chance.choice(lines), chance), _try_line),
-        Kind("settings", lambda chance: mutated_text(settings.replace(b":", b"="), chance).replace(b"=", b":"), _try_settings),
+        InputKind("levels", lambda chance: mutated_text(chance.choice(levels), chance), _try_level),
+        InputKind("replays", lambda chance: mutated_replay(chance.choice(replays), chance), _try_replay),
+        InputKind("share lines", lambda chance: mutated_text(chance.choice(lines), chance), _try_line),
+        InputKind(
+            "settings", lambda chance: mutated_text(settings.replace(b":", b"="), chance).replace(b"=", b":"), _try_settings
+        ),
     )
 
 
-def faults(kind: Kind, seed: int, count: int, folder: Path) -> Iterator[str | None]:
+def faults(kind: InputKind, seed: int, count: int, folder: Path) -> Iterator[str | None]:
     """What is wrong with each of so many cases, or None; the case of a fault is left in the folder."""
     for number in range(count):
         data = kind.made(Random(f"{kind.name} {seed} {number}"))

@@ -27,7 +27,7 @@ _GIVE_UP = 300.0
 """Seconds that a command may take to end."""
 
 
-class Command(NamedTuple):
+class CommandRun(NamedTuple):
     """One command.
 
     arguments: after `python -m`; {folder} stands for a folder of its own. codes: exit codes it may have by itself.
@@ -48,46 +48,46 @@ _HEADLESS = (_GAME, "--headless", "--autopilot", "--seed", "5")
 _TIMED = frozenset({0, 1})
 """Commands that measure answer 1 where the machine is too slow."""
 COMMANDS = (
-    Command((_GAME, "--help")),
-    Command((_GAME, "--version")),
-    Command((_GAME, "levels")),
-    Command((_GAME, "replays")),
-    Command((*_HEADLESS, "--ticks", "300")),
-    Command((*_HEADLESS, "--ticks", "300", "--record", "{folder}/game.polar")),
-    Command((*_HEADLESS, "--ticks", "300", "--screenshot", "{folder}/picture.png", "--size", "64x48")),
-    Command((_GAME, "replay", "--verify", "{folder}/w\u00fc\u2603.polar")),
-    Command((_GAME, "lab", "--list")),
-    Command((_GAME, "lab", "case-2", "--headless", "--drags", "20")),
-    Command((_GAME, "lab", "case-2", "--screenshot", "{folder}/picture.png", "--size", "64x48")),
-    Command((_GAME, "replay", "--verify", "{folder}/none\u2603.polar"), frozenset({2})),
-    Command((_GAME, "--bogus"), frozenset({2})),
-    Command(("tools.fuzz", "--steps", "300")),
-    Command(("tools.fuzz", "--impacts", "20")),
-    Command(("tools.fuzz", "--case", "1:1")),
-    Command(("tools.crosscheck", "--games", "1", "--ticks", "600", "--level", "1")),
-    Command(("tools.crosscheck", "--games", "1", "--ticks", "600", "--json", "{folder}/numbers.json")),
-    Command(("tools.bench", "--rounds", "1", "--ticks", "100")),
-    Command((f"{_MEASURE}.frame", "--count", "20", "--level", "1")),
-    Command((f"{_MEASURE}.lab", "--rounds", "1")),
-    Command((f"{_MEASURE}.startup", "--count", "1"), _TIMED),
-    Command((f"{_MEASURE}.memory", "--minutes", "1.1", "--width", "16", "--height", "16"), _TIMED),
-    Command((f"{_MEASURE}.tipping_gif", "{folder}", "--width", "32", "--height", "24")),
-    Command((*_HEADLESS, "--ticks", "800000", "--record", "{folder}/game.polar"), ends=False),
-    Command((_GAME, "--autopilot", "--seed", "5", "--record", "{folder}/game.polar"), ends=False),
-    Command((_GAME, "replay", "{folder}/w\u00fc\u2603.polar"), ends=False),
-    Command((_GAME, "lab"), ends=False),
-    Command((_GAME, "lab", "--headless", "--drags", "100000"), ends=False),
-    Command(("tools.fuzz", "--steps", "100000000"), ends=False),
-    Command(("tools.fuzz", "--steps", "100000000", "--workers", "2"), ends=False),
-    Command(("tools.fuzz", "--impacts", "100000000"), ends=False),
-    Command(("tools.crosscheck", "--games", "1000"), ends=False),
-    Command(("tools.crosscheck", "--games", "1000", "--workers", "2"), ends=False),
-    Command(("tools.bench", "--rounds", "1000"), ends=False),
-    Command((f"{_MEASURE}.frame", "--count", "100000"), ends=False),
-    Command((f"{_MEASURE}.lab", "--rounds", "100000"), ends=False),
-    Command((f"{_MEASURE}.startup", "--count", "1000"), _TIMED, ends=False),
-    Command((f"{_MEASURE}.memory", "--minutes", "1000"), _TIMED, ends=False),
-    Command((f"{_MEASURE}.tipping_gif", "{folder}", "--width", "4096", "--height", "4096"), ends=False),
+    CommandRun((_GAME, "--help")),
+    CommandRun((_GAME, "--version")),
+    CommandRun((_GAME, "levels")),
+    CommandRun((_GAME, "replays")),
+    CommandRun((*_HEADLESS, "--ticks", "300")),
+    CommandRun((*_HEADLESS, "--ticks", "300", "--record", "{folder}/game.polar")),
+    CommandRun((*_HEADLESS, "--ticks", "300", "--screenshot", "{folder}/picture.png", "--size", "64x48")),
+    CommandRun((_GAME, "replay", "--verify", "{folder}/w\u00fc\u2603.polar")),
+    CommandRun((_GAME, "lab", "--list")),
+    CommandRun((_GAME, "lab", "case-2", "--headless", "--drags", "20")),
+    CommandRun((_GAME, "lab", "case-2", "--screenshot", "{folder}/picture.png", "--size", "64x48")),
+    CommandRun((_GAME, "replay", "--verify", "{folder}/none\u2603.polar"), frozenset({2})),
+    CommandRun((_GAME, "--bogus"), frozenset({2})),
+    CommandRun(("tools.fuzz", "--steps", "300")),
+    CommandRun(("tools.fuzz", "--impacts", "20")),
+    CommandRun(("tools.fuzz", "--case", "1:1")),
+    CommandRun(("tools.crosscheck", "--games", "1", "--ticks", "600", "--level", "1")),
+    CommandRun(("tools.crosscheck", "--games", "1", "--ticks", "600", "--json", "{folder}/numbers.json")),
+    CommandRun(("tools.bench", "--rounds", "1", "--ticks", "100")),
+    CommandRun((f"{_MEASURE}.frame", "--count", "20", "--level", "1")),
+    CommandRun((f"{_MEASURE}.lab", "--rounds", "1")),
+    CommandRun((f"{_MEASURE}.startup", "--count", "1"), _TIMED),
+    CommandRun((f"{_MEASURE}.memory", "--minutes", "1.1", "--width", "16", "--height", "16"), _TIMED),
+    CommandRun((f"{_MEASURE}.tipping_gif", "{folder}", "--width", "32", "--height", "24")),
+    CommandRun((*_HEADLESS, "--ticks", "800000", "--record", "{folder}/game.polar"), ends=False),
+    CommandRun((_GAME, "--autopilot", "--seed", "5", "--record", "{folder}/game.polar"), ends=False),
+    CommandRun((_GAME, "replay", "{folder}/w\u00fc\u2603.polar"), ends=False),
+    CommandRun((_GAME, "lab"), ends=False),
+    CommandRun((_GAME, "lab", "--headless", "--drags", "100000"), ends=False),
+    CommandRun(("tools.fuzz", "--steps", "100000000"), ends=False),
+    CommandRun(("tools.fuzz", "--steps", "100000000", "--workers", "2"), ends=False),
+    CommandRun(("tools.fuzz", "--impacts", "100000000"), ends=False),
+    CommandRun(("tools.crosscheck", "--games", "1000"), ends=False),
+    CommandRun(("tools.crosscheck", "--games", "1000", "--workers", "2"), ends=False),
+    CommandRun(("tools.bench", "--rounds", "1000"), ends=False),
+    CommandRun((f"{_MEASURE}.frame", "--count", "100000"), ends=False),
+    CommandRun((f"{_MEASURE}.lab", "--rounds", "100000"), ends=False),
+    CommandRun((f"{_MEASURE}.startup", "--count", "1000"), _TIMED, ends=False),
+    CommandRun((f"{_MEASURE}.memory", "--minutes", "1000"), _TIMED, ends=False),
+    CommandRun((f"{_MEASURE}.tipping_gif", "{folder}", "--width", "4096", "--height", "4096"), ends=False),
 )
 """All commands: short runs of each for the surroundings, long ones for signals."""
 
@@ -109,7 +109,7 @@ SURROUNDINGS = (
 """What a command is started in."""
 
 
-def fault(command: Command, surroundings: str) -> str | None:
+def fault(command: CommandRun, surroundings: str) -> str | None:
     """What is wrong with how a command behaves there; None for its exit code, at most one line on stderr, no traceback."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -139,7 +139,7 @@ class Ended(NamedTuple):
     fault: str | None
 
 
-def ended(command: Command, number: signal.Signals, chance: Random) -> Ended:
+def ended(command: CommandRun, number: signal.Signals, chance: Random) -> Ended:
     """Send a signal to a command at a random moment after the first line of the project's own code has run."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -189,12 +189,12 @@ def _wrong(err: str, out: str) -> str | None:
     return f"{err.count(chr(10))} lines: {err[:400]!r}" if err.count("\n") > 1 else None
 
 
-def _filled(command: Command, folder: Path) -> list[str]:
+def _filled(command: CommandRun, folder: Path) -> list[str]:
     """The arguments with the folder in them."""
     return [argument.replace("{folder}", str(folder)) for argument in command.arguments]
 
 
-def _shell(command: Command, folder: Path, surroundings: str) -> str:
+def _shell(command: CommandRun, folder: Path, surroundings: str) -> str:
     """A line for a shell that starts a command there."""
     quoted = " ".join([f"'{argument}'" for argument in (sys.executable, "-m", *_filled(command, folder))])
     redirected = {
@@ -236,7 +236,7 @@ def _environment(folder: Path, surroundings: str) -> dict[str, str]:
     return found
 
 
-def _prints(command: Command) -> bool:
+def _prints(command: CommandRun) -> bool:
     """Whether a command writes anything to stdout when all is well."""
     return (
         command.arguments[1:] != ("replays",)
