@@ -1,32 +1,28 @@
-"""Hostile inputs, each given to the command or the reader that takes it: accepted, or refused in one line."""
+"""Hostile inputs, each given to what reads it: accepted and used, or refused in one line."""
 
-import contextlib
-import io
 from collections.abc import Callable, Iterator
 from pathlib import Path
 from random import Random
 from typing import NamedTuple
 
-from game.commands import app
+from game.headless import autopilot_game, result_line
 from game.lab.registry import scenes
 from game.lab.session.session import opened
 from game.lab.session.share import parsed
-from game.levels import built_in
-from game.replays.file import Recorder, encoded
+from game.levels import built_in, load_file, warnings
+from game.replays.file import Recorder, encoded, load
+from game.replays.verify import verified
 from game.rules import Controls, new_game, tick
 from game.settings import file as settings_file
 from game.settings.file import SettingsFile
 from game.settings.values import Settings
-from game.system.command_line import run
 from game.system.errors import BadInputError
 from tools.robustness.mutations import mutated_replay, mutated_text
 
 _LEVELS = Path(settings_file.__file__).parent.parent / "levels"
 _LONGEST_LINE = 700
 """Characters of a message: a path, a key and a rule."""
-_TICKS = "60"
-_SIGNALLED = 128
-"""Exit codes above this are a signal's, sent to this program."""
+_TICKS = 60
 
 
 class InputKind(NamedTuple):
@@ -77,34 +73,27 @@ def wrong_line(line: str) -> str | None:
     return f"a message of {len(line)} characters" if len(line) > _LONGEST_LINE else None
 
 
-def _answer(arguments: list[str], allowed: set[int]) -> str | None:
-    """What is wrong with how the game answers some arguments: another exit code, more than a line on stderr."""
-    out, err = io.StringIO(), io.StringIO()
-    with contextlib.redirect_stdout(out), contextlib.redirect_stderr(err):
-        code = run(app, "polar-breakout", arguments)
-    if code > _SIGNALLED:
-        raise KeyboardInterrupt
-    lines = [line for line in err.getvalue().split("\n") if line and ": warning: " not in line]
-    if code not in allowed:
-        return f"exit code {code}"
-    if len(lines) != (1 if code == 2 else 0):  # bad input
-        return f"{len(lines)} lines on stderr with exit code {code}"
-    return next((wrong for line in lines if (wrong := wrong_line(line))), None)
-
-
 def _try_level(data: bytes, folder: Path) -> str | None:
     """Play a level for a quarter of a second."""
     file = folder / "level.toml"
     file.write_bytes(data)
-    return _answer(["--headless", "--autopilot", "--ticks", _TICKS, "--level", str(file)], {0, 2})
+    try:
+        level = load_file(file)
+    except BadInputError as error:
+        return wrong_line(str(error))
+    lines = [result_line(autopilot_game((level,), 1, _TICKS)), *warnings(level)]
+    return next((wrong for line in lines if (wrong := wrong_line(line))), None)
 
 
 def _try_replay(data: bytes, folder: Path) -> str | None:
-    """Verify a replay; it may well diverge, which is exit code 1 and a line more."""
+    """Verify a replay; it may well diverge."""
     file = folder / "game.polar"
     file.write_bytes(data)
-    fault = _answer(["replay", "--verify", str(file)], {0, 1, 2})
-    return None if fault == "2 lines on stderr with exit code 1" else fault
+    try:
+        divergence = verified(load(file)).divergence
+    except BadInputError as error:
+        return wrong_line(str(error))
+    return None if divergence is None else wrong_line(str(divergence))
 
 
 def _try_line(data: bytes, _folder: Path) -> str | None:
