@@ -38,7 +38,7 @@ class Action(Enum):
     START = auto()
     END = auto()
     TIP = auto()
-    TOP = auto()
+    FLAT = auto()
     SOLID = auto()
     LAB = auto()
     GIVE_UP = auto()
@@ -82,7 +82,7 @@ BINDINGS = (
     Binding(Action.START, (pygame.K_HOME,)),
     Binding(Action.END, (pygame.K_END,)),
     Binding(Action.TIP, (pygame.K_TAB,)),
-    Binding(Action.TOP, (pygame.K_1, pygame.K_KP_1)),
+    Binding(Action.FLAT, (pygame.K_1, pygame.K_KP_1)),
     Binding(Action.SOLID, (pygame.K_2, pygame.K_KP_2)),
 )
 

@@ -46,7 +46,7 @@ class Viewpoint(NamedTuple):
         match signal:
             case Pressed(Action.TIP):
                 return self._replace(goal=1.0 - self.goal)
-            case Pressed(Action.TOP):
+            case Pressed(Action.FLAT):
                 return self._replace(goal=0.0)
             case Pressed(Action.SOLID):
                 return self._replace(goal=1.0)

@@ -107,7 +107,7 @@ def test_the_way_from_one_view_to_the_other_has_no_jumps():
         pixels.append(view.seen(place).camera.project(6 + 5j, 0.5))
     assert len(pixels) > 30
     assert max(abs(after - before) for before, after in pairwise(pixels)) < 12.0
-    view = view.after(Pressed(Action.TOP), 20.0).later(10.0)
+    view = view.after(Pressed(Action.FLAT), 20.0).later(10.0)
     assert view.seen(place).camera == place.camera
 
 

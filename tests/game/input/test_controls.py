@@ -69,7 +69,7 @@ MEANINGS = {
     "W": Action.UP,
     "S": Action.DOWN,
     ".": Action.STEP,
-    "1": Action.TOP,
+    "1": Action.FLAT,
 }
 
 
