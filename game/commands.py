@@ -274,14 +274,19 @@ def _demonstrate(levels: tuple[Level, ...], seed: int, record: Path | None) -> N
     """A short game of the autopilot and a picture of how it stands."""
     last = _play_headless(levels, seed, _DEMO_TICKS, record)
     tell(result_line(last.game))
-    for folder in (Path(), Path(tempfile.gettempdir())):
-        path = free_path(folder.absolute(), "polar-breakout.png")
-        try:
+    for folder in _picture_folders():
+        path = free_path(folder, "polar-breakout.png")
+        with contextlib.suppress(BadInputError):
             _save_screenshot(last, path, (1280, 800))
-        except BadInputError:
-            continue
-        tell(f"picture: {path}")
-        return
+            tell(f"picture: {path.absolute()}")
+            return
+
+
+def _picture_folders() -> Iterator[Path]:
+    """Where a picture may be saved that nobody has named a file for: the working directory, else the one for such files."""
+    yield Path()
+    with contextlib.suppress(OSError):  # there may be none
+        yield Path(tempfile.gettempdir())
 
 
 def _save_screenshot(last: _Last, path: Path, size: tuple[int, int], *, tipped: bool = False) -> None:

@@ -1,6 +1,6 @@
 """What the keys are called on the player's own keyboard layout, and the help that is written with these names."""
 
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from functools import cache
 
 import pygame
@@ -15,8 +15,14 @@ _WORDS = {"return": "Enter", "escape": "Esc", "space": "Space"}
 def key_names(action: Action) -> tuple[str, ...]:
     """The names of an action's keys as this layout writes them, the keypad's left out; the first is the usual one."""
     binding = KEYS.binding(action)
-    names = [_name_at(position) for position in binding.positions] + [_name_of(code) for code in binding.codes]
-    return tuple(dict.fromkeys([name for name in names if name and not name.startswith("[")]))
+    return _without_keypad(
+        [*[_name_at(position) for position in binding.positions], *[_name_of(code) for code in binding.codes]]
+    )
+
+
+def code_names(codes: Iterable[int]) -> tuple[str, ...]:
+    """The names of the keys that mean some codes, as this layout writes them, the keypad's left out."""
+    return _without_keypad([_name_of(code) for code in codes])
 
 
 def key_name(action: Action) -> str:
@@ -68,6 +74,11 @@ def watch_help() -> tuple[tuple[str, str], ...]:
         (_all(Action.BACK), "leave"),
         ("   ".join(key_names(Action.HELP)), "this help"),
     )
+
+
+def _without_keypad(names: Iterable[str]) -> tuple[str, ...]:
+    """The names, each once, but for those of the keypad: they are in brackets."""
+    return tuple(dict.fromkeys([name for name in names if len(name) == 1 or not name.startswith("[")]))
 
 
 def _all(*actions: Action) -> str:

@@ -14,7 +14,7 @@ from pathlib import Path
 from typing import IO
 
 from game.system.ending import deferred
-from game.system.errors import BadInputError
+from game.system.errors import BadInputError, EnvironmentMissingError
 from game.system.wording import quoted, quoted_path
 
 try:
@@ -106,6 +106,14 @@ def check_target(path: Path | None, option: str, suffix: str = "") -> None:
             pass
     except (OSError, ValueError) as error:
         raise BadInputError(f"{named}: cannot be written; {getattr(error, 'strerror', None) or error}") from None
+
+
+def check_working_directory() -> None:
+    """Raise EnvironmentMissingError where the working directory is gone: new processes start in it."""
+    try:
+        Path.cwd()
+    except OSError as error:
+        raise EnvironmentMissingError(f"no working directory ({error.strerror}); change to a folder that exists") from None
 
 
 def sweep(folder: Path) -> None:

@@ -267,6 +267,15 @@ def test_holes_and_gates_that_the_ball_just_fits_into_are_refused(key, value, wh
     assert [rule for _, rule in levels._broken_rules(level) if what in rule]
 
 
+def test_the_lane_below_the_paddles_track_leaves_the_ball_some_play():
+    """Just as lanes between rings do."""
+    outer = 8.8 - 2 * 0.25  # of a ring under which the ball would just fit
+    for below, refused in ((0.5, True), (1.5, False)):
+        radius = outer - below * levels._least_play(parse(GOOD, "x").ball) - 0.4
+        level = parse_unchecked(changed("radius = 3.0", f"radius = {radius!r}"))
+        assert bool([rule for _, rule in levels._broken_rules(level) if "must fit below" in rule]) is refused
+
+
 def test_a_narrow_gate_is_allowed_and_warned_of():
     """Narrower than 1.5 balls: one of 1.02 held a ball for ten minutes. Wider ones and the built-in levels are fine."""
     for balls, warned in ((1.02, True), (1.49, True), (1.51, False), (6.0, False)):

@@ -9,7 +9,7 @@ from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
 from game.system.errors import BadInputError
-from game.system.files import check_target, write_whole
+from game.system.files import check_target, check_working_directory, write_whole
 from game.system.wording import quoted_path
 from tools.crosscheck.comparisons.convergence import converged
 from tools.crosscheck.comparisons.free_run import free_run
@@ -48,6 +48,7 @@ class Wishes(NamedTuple):
 
 def crosscheck(wishes: Wishes) -> int:
     """Run the harness; the exit code."""
+    check_working_directory()
     check_target(wishes.report, "--report")
     check_target(wishes.json, "--json")
     sources = chosen_sources(wishes.replays, wishes.games, wishes.seed, wishes.level, wishes.ticks)

@@ -6,6 +6,7 @@ from contextlib import closing
 from typing import NamedTuple
 
 from game.system.ending import interrupts_blocked
+from game.system.files import check_working_directory
 from physics import Arena, Step, advance
 from tools.fuzz.arenas import TICK, TICKS, random_case, steered, with_lost_balls_back
 from tools.fuzz.checks import first_fault
@@ -91,6 +92,7 @@ def _jobs(seed: int, workers: int) -> Generator[Tally, None, None]:
     if workers == 1:
         yield from map(_batch, batches)
         return
+    check_working_directory()
     with interrupts_blocked():
         made = multiprocessing.get_context("spawn").Pool(workers)
     with made as pool:

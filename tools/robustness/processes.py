@@ -1,6 +1,7 @@
 """Every command in surroundings that a stranger may have, and every signal at a random moment. For Linux."""
 
 import os
+import re
 import signal
 import subprocess
 import sys
@@ -20,6 +21,9 @@ _ROOT = Path(__file__).parents[2]
 _FULL = "/dev/full"
 _GAME, _MEASURE = "game", "tools.measure"
 _CAUGHT = "SigCgt:"
+_FIGURES = re.compile(r" *\d+ min: ")
+_BAD, _MISSING = 2, 3
+"""Exit codes: bad input, and something that the machine lacks."""
 _SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
 _LATEST = 3.0
 """Seconds after which a signal comes, at most."""
@@ -39,16 +43,23 @@ class CommandRun(NamedTuple):
     ends: bool = True
 
     @property
+    def starts_processes(self) -> bool:
+        """Whether it shares its work with processes of its own."""
+        return self.arguments[0] == "tools.crosscheck" or "--workers" in self.arguments
+
+    @property
     def name(self) -> str:
         """What is typed."""
         return " ".join(self.arguments)
 
 
+_WITHOUT_DISPLAY = (_GAME, "--seed", "4")
 _HEADLESS = (_GAME, "--headless", "--autopilot", "--seed", "5")
 _TIMED = frozenset({0, 1})
 """Commands that measure answer 1 where the machine is too slow."""
 COMMANDS = (
     CommandRun((_GAME, "--help")),
+    CommandRun(_WITHOUT_DISPLAY),
     CommandRun((_GAME, "--version")),
     CommandRun((_GAME, "levels")),
     CommandRun((_GAME, "replays")),
@@ -59,8 +70,8 @@ COMMANDS = (
     CommandRun((_GAME, "lab", "--list")),
     CommandRun((_GAME, "lab", "case-2", "--headless", "--drags", "20")),
     CommandRun((_GAME, "lab", "case-2", "--screenshot", "{folder}/picture.png", "--size", "64x48")),
-    CommandRun((_GAME, "replay", "--verify", "{folder}/none\u2603.polar"), frozenset({2})),
-    CommandRun((_GAME, "--bogus"), frozenset({2})),
+    CommandRun((_GAME, "replay", "--verify", "{folder}/none\u2603.polar"), frozenset({_BAD})),
+    CommandRun((_GAME, "--bogus"), frozenset({_BAD})),
     CommandRun(("tools.fuzz", "--steps", "300")),
     CommandRun(("tools.fuzz", "--impacts", "20")),
     CommandRun(("tools.fuzz", "--case", "1:1")),
@@ -115,18 +126,20 @@ def fault(command: CommandRun, surroundings: str) -> str | None:
         folder = Path(name)
         _save_game(folder / "w\u00fc\u2603.polar")
         environment = _environment(folder, surroundings)
+        if command.arguments == _WITHOUT_DISPLAY:
+            del environment["SDL_VIDEODRIVER"]
         shell = _shell(command, folder, surroundings)
         done = subprocess.run(  # noqa: S603  # the commands above
             ["/bin/sh", "-c", shell],
-            cwd=_ROOT,
+            cwd=folder,
             env=environment,
             capture_output=True,
             check=False,
             timeout=_GIVE_UP,
         )
     err = done.stderr.decode(errors="replace")
-    codes = {3} if surroundings == "full stdout" and command.codes <= _TIMED and _prints(command) else command.codes
-    found = _wrong(err, done.stdout.decode(errors="replace"))
+    codes = _codes(command, surroundings)
+    found = _wrong(err, done.stdout.decode(errors="replace"), 2 if surroundings == "full stdout" and 1 in command.codes else 1)
     if found is None and done.returncode not in codes:
         found = f"exit code {done.returncode}: {err.strip()}"
     return None if found is None else f"{command.name} with {surroundings}: {found}"
@@ -146,7 +159,7 @@ def ended(command: CommandRun, number: signal.Signals, chance: Random) -> Ended:
         _save_game(folder / "w\u00fc\u2603.polar")
         child = subprocess.Popen(  # noqa: S603  # the commands above
             [sys.executable, "-m", *_filled(command, folder)],
-            cwd=_ROOT,
+            cwd=folder,
             env=_environment(folder, "plain"),
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
@@ -162,14 +175,24 @@ def ended(command: CommandRun, number: signal.Signals, chance: Random) -> Ended:
         finally:
             _kill_group(child)
         found = _wrong(err.decode(errors="replace"), out.decode(errors="replace"))
-        if found is None and child.returncode not in {128 + number, *(command.codes if command.ends else ())}:
-            found = f"exit code {child.returncode}: {err.decode(errors='replace').strip()}"
+        code = _as_in_a_shell(child.returncode)
+        if found is None and code not in {128 + number, *(command.codes if command.ends else ())}:
+            found = f"exit code {code}: {err.decode(errors='replace').strip()}"
         if found is None and (folder / "game.polar").exists():
             found = None if verified(load(folder / "game.polar")).divergence is None else "the kept game diverges"
         leftovers = [path.name for path in folder.rglob(".polar-breakout-*")]
         if found is None and leftovers:
             found = f"left behind: {leftovers}"
-    return Ended(child.returncode, None if found is None else f"{command.name} with {number.name}: {found}")
+    return Ended(code, None if found is None else f"{command.name} with {number.name}: {found}")
+
+
+def _as_in_a_shell(code: int) -> int:
+    """The exit code of a process as a shell shows it: 128 + the number of the signal that killed it.
+
+    Python's own end, after a command's work and its last line, takes the handlers away some milliseconds before the process is
+    gone; a signal that comes then acts as if it had never been handled.
+    """
+    return code if code >= 0 else 128 - code
 
 
 def ended_by_all(count: int, seed: int) -> Iterator[Ended]:
@@ -181,12 +204,22 @@ def ended_by_all(count: int, seed: int) -> Iterator[Ended]:
         yield ended(command, number, chance)
 
 
-def _wrong(err: str, out: str) -> str | None:
-    """What is wrong with what a command said."""
+def _codes(command: CommandRun, surroundings: str) -> frozenset[int]:
+    """The exit codes that a command may have there."""
+    if surroundings == "full stdout" and _prints(command):
+        return (command.codes - {0}) | {_MISSING}
+    if surroundings == "deleted folder" and command.starts_processes:
+        return frozenset({_MISSING})
+    return command.codes
+
+
+def _wrong(err: str, out: str, lines: int = 1) -> str | None:
+    """What is wrong with what a command said. lines: that it may have said on stderr, a minute's figures left out."""
+    err = "".join([line for line in err.splitlines(keepends=True) if not _FIGURES.match(line)])
     for text in (err, out):
         if "Traceback" in text or "Exception ignored" in text:
             return f"a traceback: {text[-400:]!r}"
-    return f"{err.count(chr(10))} lines: {err[:400]!r}" if err.count("\n") > 1 else None
+    return f"{err.count(chr(10))} lines: {err[:400]!r}" if err.count("\n") > lines else None
 
 
 def _filled(command: CommandRun, folder: Path) -> list[str]:
@@ -238,11 +271,8 @@ def _environment(folder: Path, surroundings: str) -> dict[str, str]:
 
 def _prints(command: CommandRun) -> bool:
     """Whether a command writes anything to stdout when all is well."""
-    return (
-        command.arguments[1:] != ("replays",)
-        and not command.arguments[0].endswith("tipping_gif")
-        and ("--screenshot" not in command.arguments or "--headless" in command.arguments)
-    )
+    silent = command.arguments[0].endswith("tipping_gif") or command.arguments[1:] == ("replays",) or _BAD in command.codes
+    return not silent and ("--screenshot" not in command.arguments or "--headless" in command.arguments)
 
 
 def _save_game(path: Path) -> None:

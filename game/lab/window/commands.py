@@ -32,27 +32,26 @@ class Key(NamedTuple):
     """Keys and what they do."""
 
     keys: tuple[int, ...]
-    written: str
     command: Command
     meaning: str
 
 
 KEYS = (
-    Key((pygame.K_SPACE,), "Space", Command.PLAY, "run or pause"),
-    Key((pygame.K_PERIOD, pygame.K_RIGHT), ".  Right", Command.FORWARD, "one step forward"),
-    Key((pygame.K_COMMA, pygame.K_LEFT), ",  Left", Command.BACK, "one step back"),
-    Key((pygame.K_MINUS, pygame.K_KP_MINUS), "-", Command.SLOWER, "slower"),
-    Key((pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS), "+", Command.FASTER, "faster"),
-    Key((pygame.K_r,), "R", Command.RESTART, "restart; the settings stay"),
-    Key((pygame.K_d,), "D", Command.DEFAULTS, "the scene's defaults"),
-    Key((pygame.K_LEFTBRACKET, pygame.K_PAGEUP), "[", Command.PREVIOUS, "the scene before"),
-    Key((pygame.K_RIGHTBRACKET, pygame.K_PAGEDOWN), "]", Command.NEXT, "the scene after"),
-    Key((pygame.K_HOME,), "Home", Command.VIEW, "the whole view again"),
-    Key((pygame.K_c,), "C", Command.COPY, "copy the share line"),
-    Key((pygame.K_s,), "S", Command.SAVE, "save as a case that pytest runs"),
-    Key((pygame.K_t,), "T", Command.THEME, "dark or light colours"),
-    Key((pygame.K_h, pygame.K_F1), "H  F1", Command.HELP, "this help"),
-    Key((pygame.K_ESCAPE,), "Esc", Command.LEAVE, "leave the lab"),
+    Key((pygame.K_SPACE,), Command.PLAY, "run or pause"),
+    Key((pygame.K_PERIOD, pygame.K_RIGHT), Command.FORWARD, "one step forward"),
+    Key((pygame.K_COMMA, pygame.K_LEFT), Command.BACK, "one step back"),
+    Key((pygame.K_MINUS, pygame.K_KP_MINUS), Command.SLOWER, "slower"),
+    Key((pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS), Command.FASTER, "faster"),
+    Key((pygame.K_r,), Command.RESTART, "restart; the settings stay"),
+    Key((pygame.K_d,), Command.DEFAULTS, "the scene's defaults"),
+    Key((pygame.K_LEFTBRACKET, pygame.K_PAGEUP), Command.PREVIOUS, "the scene before"),
+    Key((pygame.K_RIGHTBRACKET, pygame.K_PAGEDOWN), Command.NEXT, "the scene after"),
+    Key((pygame.K_HOME,), Command.VIEW, "the whole view again"),
+    Key((pygame.K_c,), Command.COPY, "copy the share line"),
+    Key((pygame.K_s,), Command.SAVE, "save as a case that pytest runs"),
+    Key((pygame.K_t,), Command.THEME, "dark or light colours"),
+    Key((pygame.K_h, pygame.K_F1), Command.HELP, "this help"),
+    Key((pygame.K_ESCAPE,), Command.LEAVE, "leave the lab"),
 )
 
 TOGGLE_KEYS = {pygame.K_1 + number: toggle for number, toggle in enumerate(Toggle)}

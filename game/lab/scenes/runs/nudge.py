@@ -107,7 +107,7 @@ def _formula(given: Given, state: _State) -> tuple[str, ...]:
 def _deciding(state: _State) -> Deciding:
     """The count, or the source's friction, which alone changes nothing here."""
     if state.nudges:
-        return code(tick, "return _played(game, arena)")
+        return code(tick, "return _played(game, arena, give_up=controls.give_up)")
     return source("Collision response", "Δv'_t = -μ_p min{|Δv_n|, |Δv_t|} Δv_t / |Δv_t|")
 
 
