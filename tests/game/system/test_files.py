@@ -8,8 +8,8 @@ from pathlib import Path
 import pytest
 
 from game.system import files
-from game.system.errors import BadInputError
-from game.system.files import check_target, free_path, read_input, sweep, write_new, write_whole
+from game.system.errors import BadInputError, EnvironmentMissingError
+from game.system.files import check_target, check_working_directory, free_path, read_input, sweep, write_new, write_whole
 
 fcntl = pytest.importorskip("fcntl")  # Windows has other locks
 
@@ -258,6 +258,19 @@ def test_what_is_no_file_is_not_read(tmp_path, kind, reason):
     """And nobody waits for a pipe."""
     with pytest.raises(BadInputError, match=f"cannot read level; .*{reason}"):
         read_input(special(tmp_path, kind), "level", 100)
+
+
+def test_a_working_directory_that_is_gone_is_one_line(tmp_path, monkeypatch):
+    """New processes could not start in it; a file in it cannot be written."""
+    check_working_directory()
+    folder = tmp_path / "gone"
+    folder.mkdir()
+    monkeypatch.chdir(folder)
+    folder.rmdir()
+    with pytest.raises(EnvironmentMissingError, match="no working directory"):
+        check_working_directory()
+    with pytest.raises(BadInputError, match="--record file: cannot be written; No such file"):
+        check_target(Path("file"), "--record")
 
 
 def test_a_file_is_read_up_to_a_size(tmp_path):
