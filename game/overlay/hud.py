@@ -10,6 +10,8 @@ from game.drawing.primitives import draw_dot
 from game.drawing.text import Type, stepped
 from game.effects import Streak
 from game.effects.streaks import BUMP_TICKS, ENDED_TICKS, NO_ROW
+from game.input.key_names import key_name
+from game.input.keys import Action
 from game.levels import built_in
 from game.rules import BEST_COMBO, LIVES, Game, bricks_left
 
@@ -57,7 +59,7 @@ def draw(surface: pygame.Surface, place: Layout, shown: Readings, theme: Theme, 
     box = type_.write(surface, shown.level_name, unit * 1.3, theme.text, complex(edge, low), "bottomleft")
     number = f"LEVEL {shown.level_number} of {shown.level_count}"
     type_.write(surface, number, unit * 0.9, theme.faint, complex(edge, box.top - unit * 0.2), "bottomleft")
-    box = type_.write(surface, "H  help", unit * 0.9, theme.faint, complex(right, low), "bottomright")
+    box = type_.write(surface, f"{key_name(Action.HELP)}  help", unit * 0.9, theme.faint, complex(right, low), "bottomright")
     left = f"{shown.bricks} layers left"
     box = type_.write(surface, left, unit * 0.9, theme.text, complex(right, box.top - unit * 0.25), "bottomright")
     state = "   ".join(filter(None, [shown.badge, "sound off (M)" if shown.muted else ""]))

@@ -30,6 +30,14 @@ _PATIENCE = 5.0
 """Seconds after which one more signal ends the program inside a block that defers signals."""
 
 
+class Ended(KeyboardInterrupt):
+    """The KeyboardInterrupt that signals raise here.
+
+    A class of its own, because Python remembers that a plain one has passed through `eval` or `exec` of a text, as happens where
+    a named tuple is made. It then kills the process by SIGINT at the very end, whatever its exit code was to be.
+    """
+
+
 class _Doing(Enum):
     """What the program is doing."""
 
@@ -113,7 +121,7 @@ def deferred() -> Iterator[None]:
         _signals.deferrals -= 1
         if _signals.pending and _signals.deferrals == 0:
             _signals.pending = False
-            raise KeyboardInterrupt
+            raise Ended
 
 
 @contextmanager
@@ -136,7 +144,7 @@ def _handle(number: int, _frame: FrameType | None) -> None:
     if _signals.doing is not _Doing.WORKING:
         _end_now()
     if not _signals.deferrals:
-        raise KeyboardInterrupt
+        raise Ended
     if not _signals.pending:
         _signals.pending, _signals.since = True, time.monotonic()
     elif time.monotonic() - _signals.since > _PATIENCE:

@@ -3,7 +3,6 @@
 The long one is `python -m tools.robustness`.
 """
 
-import signal
 import sys
 from pathlib import Path
 from random import Random
@@ -73,7 +72,7 @@ def test_commands_in_hostile_surroundings(surroundings):
 
 
 @LINUX
-@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM, signal.SIGHUP])
+@pytest.mark.parametrize("number", processes.SIGNALS)
 def test_a_recorded_game_is_kept_whenever_a_signal_comes(number):
     """One line, 128 + the signal's number, and what was recorded verifies."""
     ended = processes.ended(RECORD, number, Random(number))

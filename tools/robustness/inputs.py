@@ -1,6 +1,7 @@
 """Hostile inputs, each given to what reads it: accepted and used, or refused in one line."""
 
 from collections.abc import Callable, Iterator
+from importlib.resources import files
 from pathlib import Path
 from random import Random
 from typing import NamedTuple
@@ -19,7 +20,7 @@ from game.settings.values import Settings
 from game.system.errors import BadInputError
 from tools.robustness.mutations import mutated_replay, mutated_text
 
-_LEVELS = Path(settings_file.__file__).parent.parent / "levels"
+_LEVELS = files("game") / "levels"
 _LONGEST_LINE = 700
 """Characters of a message: a path, a key and a rule."""
 _TICKS = 60
@@ -28,8 +29,8 @@ _TICKS = 60
 class InputKind(NamedTuple):
     """One kind of input.
 
-    name: for the report. cases: makes one from a seeded generator. tried: gives it to the program in a folder of its own; what
-    is wrong, or None.
+    name: for the report. made: a case, from a seeded generator. tried: what is wrong with how the program takes a case, None
+    if nothing is; it may use a folder of its own.
     """
 
     name: str
@@ -39,7 +40,7 @@ class InputKind(NamedTuple):
 
 def kinds() -> tuple[InputKind, ...]:
     """Levels, replays, share lines and settings."""
-    levels = [path.read_bytes() for path in sorted(_LEVELS.glob("*.toml"))]
+    levels = [file.read_bytes() for file in sorted(_LEVELS.iterdir(), key=lambda file: file.name)]
     replays = [_short_game(seed) for seed in range(4)]
     lines = [opened(parsed(scene.name)).line.encode() for scene in scenes()]
     settings = settings_file.encoded(Settings())

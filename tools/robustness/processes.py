@@ -16,6 +16,7 @@ from game.levels import built_in
 from game.replays.file import Recorder, load, save
 from game.replays.verify import verified
 from game.rules import Controls, new_game, tick
+from game.system.ending import WORDS
 
 _ROOT = Path(__file__).parents[2]
 _FULL = "/dev/full"
@@ -24,7 +25,8 @@ _CAUGHT = "SigCgt:"
 _FIGURES = re.compile(r" *\d+ min: ")
 _BAD, _MISSING = 2, 3
 """Exit codes: bad input, and something that the machine lacks."""
-_SIGNALS = (signal.SIGINT, signal.SIGTERM, signal.SIGHUP)
+SIGNALS = tuple([signal.Signals[name] for name in WORDS if name in signal.Signals.__members__])
+"""Those that end a command; Windows has no SIGHUP."""
 _LATEST = 3.0
 """Seconds after which a signal comes, at most."""
 _GIVE_UP = 300.0
@@ -198,7 +200,7 @@ def _as_in_a_shell(code: int) -> int:
 def ended_by_all(count: int, seed: int) -> Iterator[Ended]:
     """So many signals, over all commands and kinds of signal in turn."""
     chance = Random(seed)
-    pairs = [(command, number) for number in _SIGNALS for command in COMMANDS]
+    pairs = [(command, number) for number in SIGNALS for command in COMMANDS]
     for index in range(count):
         command, number = pairs[index % len(pairs)]
         yield ended(command, number, chance)
@@ -288,7 +290,7 @@ def _save_game(path: Path) -> None:
 
 def _default_signals() -> None:
     """Signals as a program has them at a terminal: a shell's background jobs ignore some."""
-    for number in _SIGNALS:
+    for number in SIGNALS:
         signal.signal(number, signal.SIG_DFL)
 
 
@@ -296,7 +298,7 @@ def _catches(process: int, number: int) -> bool:
     """Whether a process has a handler for SIGTERM and for the signal: Python itself has one for SIGINT alone."""
     lines = _lines(Path(f"/proc/{process}/status"))
     caught = next((int(line.split()[1], 16) for line in lines if line.startswith(_CAUGHT)), 0)
-    return all([caught >> (each - 1) & 1 for each in (signal.SIGTERM, signal.SIGHUP, number)])
+    return all([caught >> (each - 1) & 1 for each in (*SIGNALS, number)])
 
 
 def _lines(path: Path) -> list[str]:

@@ -1,5 +1,6 @@
 """Signals: what they do while a program loads, works, saves and ends."""
 
+import os
 import signal
 import subprocess
 import sys
@@ -8,7 +9,8 @@ import pytest
 
 from tests.support.paths import ROOT
 
-pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="Windows has no such signals")
+if sys.platform == "win32":
+    pytest.skip("Windows has no such signals", allow_module_level=True)
 
 BEGIN = """
 import os, signal, sys, time
@@ -73,6 +75,22 @@ print("not reached")
 """
     done = command(work)
     assert (done.returncode, done.stdout, done.stderr) == (128 + number, "saved True\nand closed\n", f"program: {word}\n")
+
+
+@pytest.mark.parametrize(("number", "word"), SIGNALS.items())
+def test_a_signal_inside_an_evaluated_text(number, word, tmp_path):
+    """As where a named tuple is made: the exit code is the signal's own, not what Python makes of a KeyboardInterrupt there."""
+    work = f"    eval('os.kill(me, {int(number)}) or time.sleep(60)')"
+    (tmp_path / "victim.py").write_text(BEGIN.format(before="") + COMMAND.format(work=work), encoding="utf-8")
+    done = subprocess.run(
+        [sys.executable, "-m", "victim"],
+        cwd=tmp_path,
+        env={**os.environ, "PYTHONPATH": str(ROOT)},
+        capture_output=True,
+        text=True,
+        check=False,
+    )
+    assert (done.returncode, done.stdout, done.stderr) == (128 + number, "", f"program: {word}\n")
 
 
 def test_a_second_signal_does_not_tear_what_the_first_has_begun_to_save():
