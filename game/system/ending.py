@@ -33,8 +33,8 @@ _PATIENCE = 5.0
 class Ended(KeyboardInterrupt):
     """The KeyboardInterrupt that signals raise here.
 
-    A class of its own, because Python remembers that a plain one has passed through `eval` or `exec` of a text, as happens where
-    a named tuple is made. It then kills the process by SIGINT at the very end, whatever its exit code was to be.
+    A class of its own, because Python remembers that a plain one passed through `eval` or `exec` of a text, as happens when
+    a named tuple is made. It would then kill the process by SIGINT at the very end, whatever its exit code was to be.
     """
 
 
