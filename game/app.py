@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import pygame
 
+from game.chosen_physics import SWEPT, ChosenPhysics
 from game.input.key_names import layout_changed
 from game.input.keys import Action
 from game.input.signals import FocusLost, KeyboardState, Pressed, Signal, keyboard_state, translated
@@ -63,15 +64,17 @@ def play(
     *,
     recorder: Recorder | None = None,
     autopilot: bool = False,
+    physics: ChosenPhysics = SWEPT,
 ) -> int:
     """Open a window with the title, the first of the levels chosen, and play until it is closed; the exit code.
 
     recorder: told every tick of every game played. autopilot: it plays, from the first serve on, without a title.
+    physics: that the games are flown on.
     Raises EnvironmentMissingError without a display, DisplayLostError when it goes away.
     """
     catalogue = built_in() if levels[0] in built_in() else levels
     state = _state(catalogue, services, catalogue.index(levels[0]), seed)
-    state.recorder, state.autopilot = recorder, autopilot
+    state.recorder, state.autopilot, state.physics = recorder, autopilot, physics
     return _shown(state, lambda: Play(state, levels) if autopilot else Title(state), services, Audio)
 
 

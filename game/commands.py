@@ -11,6 +11,7 @@ from typing import Annotated, Literal, NamedTuple
 import typer
 
 from game import VERSION
+from game.chosen_physics import SOURCE, SWEPT, ChosenPhysics
 from game.effects import LONGEST, after_all
 from game.headless import autopilot_game, result_line
 from game.lab.kit.second_engine import Engine
@@ -39,8 +40,20 @@ app = typer.Typer(
 
 _DEMO_TICKS = 240 * 20
 _MOST_TICKS = replay.MAX_TICKS
-_GAME_OPTIONS = ("level", "seed", "headless", "autopilot", "ticks", "record", "screenshot", "size", "view", "version")
 _PICTURE_OPTIONS = ("size", "view")
+_GAME_OPTIONS = (
+    "level",
+    "seed",
+    "headless",
+    "autopilot",
+    "ticks",
+    "record",
+    "physics",
+    "screenshot",
+    *_PICTURE_OPTIONS,
+    "version",
+)
+_PHYSICS = {"swept": SWEPT, "source": SOURCE}
 
 
 @app.callback()
@@ -54,6 +67,10 @@ def play(
     autopilot: Annotated[bool, typer.Option("--autopilot", help="Let the program play.")] = False,
     ticks: Annotated[int, typer.Option(min=0, max=_MOST_TICKS, help="Ticks of 1/240 s to play headless.")] = 24_000,
     record: Annotated[Path | None, typer.Option(help="Write a replay of the game to this file.")] = None,
+    physics: Annotated[
+        Literal["swept", "source"],
+        typer.Option(help="What flies the balls: exact times of impact, or the slides' own test once a frame."),
+    ] = "swept",
     screenshot: Annotated[Path | None, typer.Option(help="Draw the last tick of a headless game into this PNG file.")] = None,
     size: Annotated[str, typer.Option(metavar="WxH", help="Size of the screenshot in pixels.")] = "1280x800",
     view: Annotated[Literal["top", "3d"], typer.Option(help="Where the screenshot is seen from.")] = "top",
@@ -72,6 +89,8 @@ def play(
         refuse_ignored(context, "is for a headless game; add --headless --autopilot", "ticks")
     if screenshot is None:
         refuse_ignored(context, "is for a picture; add --screenshot FILE", *_PICTURE_OPTIONS)
+    if record is not None and physics == "source":
+        raise BadInputError("--record: a replay is verified with the swept physics; leave out --physics source")
     check_target(record, "--record")
     check_target(screenshot, "--screenshot", ".png")
     levels = chosen(level)
@@ -80,12 +99,13 @@ def play(
     if headless and not autopilot:
         raise BadInputError("--headless: nobody plays; add --autopilot")
     if headless:
-        last = _play_headless(levels, 1 if seed is None else seed, ticks, record)
+        last = _play_headless(_ChosenGame(levels, 1 if seed is None else seed, record, _PHYSICS[physics]), ticks)
         if screenshot is not None:
             _save_screenshot(last, screenshot, pixels, tipped=view == "3d")
         tell(result_line(last.game))
         return
-    _play_in_window(levels, random.SystemRandom().getrandbits(32) if seed is None else seed, record, autopilot=autopilot)
+    seed = random.SystemRandom().getrandbits(32) if seed is None else seed
+    _play_in_window(_ChosenGame(levels, seed, record, _PHYSICS[physics]), autopilot=autopilot)
 
 
 @app.command("levels")
@@ -183,6 +203,15 @@ def _verify(files: list[Path]) -> None:
         raise CheckFailedError(f"{len(failed)} of {len(files)} replays diverged")
 
 
+class _ChosenGame(NamedTuple):
+    """The game that the options ask for. record: the file of its replay; None for none."""
+
+    levels: tuple[Level, ...]
+    seed: int
+    record: Path | None
+    physics: ChosenPhysics
+
+
 class _Last(NamedTuple):
     """How a game ended, and the ticks before whose effects are still to be seen."""
 
@@ -190,44 +219,59 @@ class _Last(NamedTuple):
     passed: deque[Ticked]
 
 
-def _play_headless(levels: tuple[Level, ...], seed: int, ticks: int, record: Path | None) -> _Last:
+def _play_headless(chosen_game: _ChosenGame, ticks: int) -> _Last:
     """A game of the autopilot without a window, recorded if asked for; a signal ends it early, what was played is kept."""
+    levels, seed, record, physics = chosen_game
     recorder = None if record is None else replay.Recorder(levels, seed)
-    passed = deque[Ticked](maxlen=LONGEST)
+    passed, cut_short = deque[Ticked](maxlen=LONGEST), 0
+
+    def told(ticked: Ticked) -> None:
+        """Remember the last ticks, and count those that ended before their time."""
+        nonlocal cut_short
+        passed.append(ticked)
+        cut_short += ticked.step.dropped > 0
+
     with deferred():
-        game = autopilot_game(levels, seed, ticks, recorder, passed.append)
+        game = autopilot_game(levels, seed, ticks, recorder, told, physics.advance)
         if recorder is not None and record is not None:
             replay.save(recorder.recording(), record)
+        if cut_short:
+            ticks_were = "1 tick was" if cut_short == 1 else f"{cut_short} ticks were"
+            say(f"polar-breakout: {ticks_were} cut short: a ball is held in a lane too narrow")
     return _Last(game, passed)
 
 
-def _play_in_window(levels: tuple[Level, ...], seed: int, record: Path | None, *, autopilot: bool) -> None:
+def _play_in_window(chosen_game: _ChosenGame, *, autopilot: bool) -> None:
     """The game in its window; without a display, a short demonstration and a picture of it instead."""
     check_pygame()
     from game.app import Services  # noqa: PLC0415  # pygame, only where it is needed
     from game.app import play as play_in_window  # noqa: PLC0415
 
-    history = History(record)
+    levels, seed, record, physics = chosen_game
+    history = History(record) if physics is SWEPT else None  # replays are verified with the swept physics
 
     def lost() -> None:
         """Xlib ends the program: what there is of the game is written at once."""
         _close(history)
-        say("polar-breakout: the display is gone; games of five seconds and more are kept (polar-breakout replays)")
+        kept = "" if history is None else "; games of five seconds and more are kept (polar-breakout replays)"
+        say(f"polar-breakout: the display is gone{kept}")
 
     with deferred():
         try:
             with _settings() as settings:
                 services = Services(_second_opinion(), _second_engine, settings, lost)
-                play_in_window(levels, seed, services, recorder=history, autopilot=autopilot)
+                play_in_window(levels, seed, services, recorder=history, autopilot=autopilot, physics=physics)
         except EnvironmentMissingError as error:
             say(f"polar-breakout: {error}; playing 20 s without a window instead")
-            _demonstrate(levels, seed, record)
+            _demonstrate(chosen_game)
         finally:
             _close(history)
 
 
-def _close(history: History) -> None:
-    """Write the game that is being played, and say if that was not possible."""
+def _close(history: History | None) -> None:
+    """Write the game that is being played, if any is kept, and say if that was not possible."""
+    if history is None:
+        return
     history.close()
     if history.problem is not None:
         say(f"polar-breakout: game not kept: {history.problem}")
@@ -268,9 +312,9 @@ def _second_engine() -> Engine:
     return Pymunk()
 
 
-def _demonstrate(levels: tuple[Level, ...], seed: int, record: Path | None) -> None:
+def _demonstrate(chosen_game: _ChosenGame) -> None:
     """A short game of the autopilot and a picture of how it stands."""
-    last = _play_headless(levels, seed, _DEMO_TICKS, record)
+    last = _play_headless(chosen_game, _DEMO_TICKS)
     tell(result_line(last.game))
     for folder in _picture_folders():
         path = free_path(folder, "polar-breakout.png")

@@ -7,8 +7,9 @@ from game.autopilot import Autopilot
 from game.levels import Level
 from game.replays.file import Recorder
 from game.replays.state_hash import state_hash
-from game.rules import Game, Phase, Ticked, bricks_left, new_game, tick
+from game.rules import Advance, Game, Phase, Ticked, bricks_left, new_game, tick
 from game.system.ending import pending
+from physics import advance as swept_advance
 
 _PROGRESS_STEP = 1000
 
@@ -19,10 +20,11 @@ def autopilot_game(
     ticks: int,
     recorder: Recorder | None = None,
     told: Callable[[Ticked], None] | None = None,
+    advance: Advance = swept_advance,
 ) -> Game:
     """The game after that many ticks of the autopilot, or when it is won or over, or a signal asks for an end.
 
-    told: of every tick.
+    told: of every tick. advance: the physics that is flown. A recorder records what the swept physics of the engine flies.
     """
     game, pilot = new_game(levels, seed), Autopilot()
     for start in _with_progress(range(0, ticks, _PROGRESS_STEP)):
@@ -30,7 +32,7 @@ def autopilot_game(
             if game.phase in {Phase.WON, Phase.OVER} or pending():
                 return game
             controls = pilot.controls(game)
-            done = tick(game, controls)
+            done = tick(game, controls, advance)
             game = done.game
             if told is not None:
                 told(done)

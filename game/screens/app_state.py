@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 import pygame
 
 from game import second_opinion
+from game.chosen_physics import SWEPT, ChosenPhysics
 from game.drawing.camera import Camera, unit_of
 from game.drawing.canvas import Canvas
 from game.drawing.painter import Painter
@@ -37,6 +38,7 @@ class AppState:
     open_title: makes the title's screen.
     recorder: told every tick that is played; None for nobody.
     autopilot: whether it plays instead of the player.
+    physics: that games are flown on.
     settings: the player's, as they hold now; settings_file: where they outlive the session.
     full_screen: whether the window is.
     view: from where the player looks at the arena.
@@ -62,6 +64,7 @@ class AppState:
     audio: Audio | None = None
     settings_file: SettingsFile | None = None
     toast: Toast | None = None
+    physics: ChosenPhysics = SWEPT
     painter: Painter = field(default_factory=Painter)
     type: Type = field(default_factory=Type)
 

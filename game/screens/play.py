@@ -6,6 +6,7 @@ from game import effects
 from game.autopilot import Autopilot
 from game.drawing import contact_normals
 from game.drawing.camera import Camera, Layout, layout, unit_of
+from game.drawing.canvas import Canvas
 from game.effects import EffectKind, Effects
 from game.effects.hit_stop import hit_stop_seconds
 from game.fixed_step import Due, due
@@ -30,6 +31,9 @@ _OFFER_TICKS = round(20.0 / TICK)
 """Without a paddle's touch, until the player may give up the ball."""
 _END_TICKS = 200
 """From the end of the game to the menu that says so: nobody who is still playing chooses an entry by accident."""
+# Lengths are in units of text.
+_NOTE, _NOTE_ROOM, _NOTE_BOTTOM, _NOTE_MARGIN = 0.95, 1.6, 0.3, 0.8
+"""The line about the physics: size of its letters, height left to it, from it to the lower edge and to the sides."""
 
 
 class Play:
@@ -101,6 +105,8 @@ class Play:
             told = notice.Notice("Out of reach?", f"{key_name(Action.GIVE_UP)}: give up this ball; it costs a life")
         if told is not None:
             notice.draw(canvas, told, scene)
+        if state.physics.note:
+            _draw_note(canvas, state.physics.note)
 
     @property
     def _may_give_up(self) -> bool:
@@ -116,7 +122,7 @@ class Play:
         game = self._ticked.game
         controls = self._hands.controls(camera) if self._pilot is None else self._pilot.controls(game)
         self._hands = self._hands.after_tick()
-        self._ticked = tick(game, controls)
+        self._ticked = tick(game, controls, self._state.physics.advance)
         touched = self._ticked.game.phase != Phase.PLAYING or any(
             [event.kind in {EventKind.PADDLE_HIT, EventKind.SERVED} for event in self._ticked.events]
         )
@@ -136,7 +142,17 @@ class Play:
 
     def _layout(self, size: tuple[int, int]) -> Layout:
         """Where everything is on a surface of some size."""
-        return self._state.view.seen(layout(size, self._ticked.game.level.ground_radius))
+        below = unit_of(size) * _NOTE_ROOM if self._state.physics.note else 0.0
+        return self._state.view.seen(layout(size, self._ticked.game.level.ground_radius, below))
+
+
+def _draw_note(canvas: Canvas, note: str) -> None:
+    """A line at the lower edge of the surface, smaller where it would not fit into the width."""
+    width, height = canvas.size
+    length = canvas.type.rendered(note, canvas.unit * _NOTE, canvas.theme.accent).get_width()
+    size = _NOTE * min((width - 2.0 * _NOTE_MARGIN * canvas.unit) / length, 1.0)
+    pixel = complex(width / 2.0, height - canvas.unit * _NOTE_BOTTOM)
+    canvas.write(note, size, canvas.theme.accent, pixel, "midbottom")
 
 
 def _pause_menu(state: AppState, play: Play) -> Menu:

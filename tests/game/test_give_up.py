@@ -88,8 +88,8 @@ def test_a_paddle_takes_the_offer_back(playing, monkeypatch):
     assert playing.screen._may_give_up
     hit = play.tick
 
-    def touched(game, controls):
-        done = hit(game, controls)
+    def touched(game, controls, advance):
+        done = hit(game, controls, advance)
         return done._replace(events=(*done.events, Event(EventKind.PADDLE_HIT)))
 
     monkeypatch.setattr(play, "tick", touched)

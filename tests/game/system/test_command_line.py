@@ -119,9 +119,9 @@ def test_an_interrupted_recording_is_kept(tmp_path: Path):
         "from game import commands, headless\n"
         "from game.system.command_line import run\n"
         "tick = headless.tick\n"
-        "def counted(game, controls):\n"
+        "def counted(game, controls, advance):\n"
         "    if game.tick == 100: os.kill(os.getpid(), signal.SIGTERM)\n"
-        "    return tick(game, controls)\n"
+        "    return tick(game, controls, advance)\n"
         "headless.tick = counted\n"
         f"sys.exit(run(commands.app, 'x', {[*HEADLESS, '--record', str(file)]!r}))\n"
     )
