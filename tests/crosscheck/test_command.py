@@ -25,7 +25,7 @@ from tools.crosscheck.comparisons.convergence import FACETS, Curve
 from tools.crosscheck.games.sources import PLAYERS, RANDOM, Source
 from tools.crosscheck.report.terminal import print_findings
 from tools.crosscheck.results.findings import Findings
-from tools.crosscheck.results.measurements import Verdict
+from tools.crosscheck.results.measurements import ContactVerdict
 from tools.crosscheck.run import Job, RunResult, check_game, default_sources
 from tools.crosscheck.sabotage.suite import suite_jobs
 from tools.crosscheck.workers import Lost
@@ -311,7 +311,9 @@ def test_nothing_compared_is_no_agreement():
 def test_the_command_line_knows_every_player_and_verdict():
     """It names them without importing pymunk; here the lists are held together."""
     assert _PLAYERS == PLAYERS
-    assert {name.upper() for name in _VERDICTS} == {verdict.name for verdict in Verdict if verdict > Verdict.EXACT}
+    assert {name.upper() for name in _VERDICTS} == {
+        verdict.name for verdict in ContactVerdict if verdict > ContactVerdict.EXACT
+    }
 
 
 def test_by_default_all_kinds_of_games_are_checked():

@@ -9,7 +9,7 @@ from tools.crosscheck.corpus import build
 from tools.crosscheck.corpus.build import MANIFEST, built_corpus, corpus_sources
 from tools.crosscheck.corpus.part import PartJob, finished_part, made_part
 from tools.crosscheck.games.sources import AIMED, RANDOM, Source
-from tools.crosscheck.results.measurements import Verdict
+from tools.crosscheck.results.measurements import ContactVerdict
 from tools.crosscheck.run import Job, check_game
 
 SMALL = [Source(None, AIMED, 1, 60), Source(None, "4", 2, 1500), Source(None, RANDOM, 3, 400)]
@@ -54,7 +54,7 @@ def test_every_contact_has_a_line(tmp_path: Path):
             assert line["pymunk"]["errors"]["normal_exact"][0] < 1e-12
     totals = corpus.manifest["totals"]
     assert totals["contacts"] == sum(part["contacts"] for part in corpus.manifest["games"]) > 100
-    assert totals["unexplained"] == corpus.manifest["verdicts"][Verdict.UNEXPLAINED.name.lower()] == 0
+    assert totals["unexplained"] == corpus.manifest["verdicts"][ContactVerdict.UNEXPLAINED.name.lower()] == 0
     assert json.loads((tmp_path / MANIFEST).read_text()) == corpus.manifest
 
 

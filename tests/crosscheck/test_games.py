@@ -15,7 +15,7 @@ from tools.crosscheck.games.level_numbers import numbers_of_arena
 from tools.crosscheck.games.sources import AIMED, RANDOM, Source, ticks_of
 from tools.crosscheck.games.trajectory import Tick, flight_paths
 from tools.crosscheck.pymunk_model.ring_model import RingModel
-from tools.crosscheck.results.measurements import ANYWHERE, Comparison, Verdict
+from tools.crosscheck.results.measurements import ANYWHERE, Comparison, ContactVerdict
 from tools.crosscheck.results.rows import Rows
 from tools.crosscheck.run import Job, check_game
 
@@ -41,7 +41,7 @@ def rows():
 
 def test_the_two_engines_agree(rows):
     """Nothing is unexplained in hundreds of contacts; every contact has a verdict, every feature its rows."""
-    assert [one for one in rows.measurements if one.compared.verdict == Verdict.UNEXPLAINED] == []
+    assert [one for one in rows.measurements if one.compared.verdict == ContactVerdict.UNEXPLAINED] == []
     assert rows.unexplained == rows.elsewhere == 0
     assert rows.before_first is None
     assert rows.contacts == sum(rows.verdicts.values()) == sum(rows.cells.values()) > 900
@@ -155,7 +155,7 @@ def test_two_corners_at_once_are_a_tie():
         check = ContactCheck(moment_of(CheckedTick(tick, [RingModel(geometry_of(ring), FACETS)], ""), hit, position))
         compare_normals(check)
         verdicts.append(check.verdict)
-    assert sorted(verdicts) == [Verdict.EXACT, Verdict.TIE]
+    assert sorted(verdicts) == [ContactVerdict.EXACT, ContactVerdict.TIE]
 
 
 def test_a_graze_is_called_a_graze():
@@ -167,8 +167,8 @@ def test_a_graze_is_called_a_graze():
     step = advance(arena, 1.0 / 60.0, 60.0)
     assert len(step.hits) == 1
     rows = checked_ticks([Tick(0, arena, 1.0 / 60.0, step, numbers_of_arena(arena, 60.0))], WANTED).rows
-    assert (rows.unexplained, rows.verdicts[Verdict.GRAZING]) == (0, 1)
-    assert [one.compared.comparison for one in rows.measurements if one.compared.verdict == Verdict.GRAZING] == [
+    assert (rows.unexplained, rows.verdicts[ContactVerdict.GRAZING]) == (0, 1)
+    assert [one.compared.comparison for one in rows.measurements if one.compared.verdict == ContactVerdict.GRAZING] == [
         Comparison.TIME
     ]
 
@@ -213,7 +213,7 @@ def two_balls_and_one_brick(step_of=advance):
 
 
 def test_a_ball_flies_through_a_brick_that_another_has_broken():
-    """Until it breaks, the brick stands in the way of both; from then on of none. Both engines agree on that, too."""
+    """Until it breaks, the brick can be hit by both; from then on by none. Both engines agree on that, too."""
     tick = two_balls_and_one_brick()
     assert [(hit.ball, hit.slot, hit.layers) for hit in tick.step.hits][:1] == [(0, 0, 0)]
     assert checked_ticks([tick], WANTED).rows.unexplained == 0

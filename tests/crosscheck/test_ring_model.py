@@ -59,7 +59,7 @@ def test_a_sector_is_two_chains_two_ends_and_four_corners():
 
 
 def test_a_closed_ring_has_no_ends():
-    """One sector all the way round: chords only, and the last ends where the first begins."""
+    """One sector over the whole circle: chords only, and the last ends where the first begins."""
     body = pymunk.Body(body_type=pymunk.Body.STATIC)
     geometry = Geometry(5.0, 0.5, math.pi, 1)
     assert pointed_shapes(body, geometry, 0) == []

@@ -1,11 +1,12 @@
 """Mistakes made in the game's own code: each is caught, by the comparison it concerns, and is gone afterwards."""
 
 import math
+import sys
+import types
 
 import pytest
 
 import game.rules
-import physics
 from game.levels import Level
 from physics import Ring
 from tests.support.crosscheck import what
@@ -117,18 +118,15 @@ def test_a_mistake_is_made_in_the_code_path_and_not_in_the_report():
 
 
 def patched():
-    """What the mistakes put something else in place of."""
-    return (
-        physics.step.time_of_impact,
-        physics.step.collision_response,
-        game.rules.advance,
-        Ring.turned,
-        Ring.surface_velocity,
-        Level.arena,
-        physics.step.LEAST_SEPARATION,
-        physics.step.LEAST_GRAZE,
-        physics.response.STOPPED,
-    )
+    """Every function and number of the game's modules, and the methods that a mistake may replace."""
+    modules = [module for name, module in sorted(sys.modules.items()) if name.partition(".")[0] in {"physics", "game"}]
+    found = [
+        (module.__name__, name, value)
+        for module in modules
+        for name, value in sorted(vars(module).items())
+        if isinstance(value, float | types.FunctionType)
+    ]
+    return [*found, Ring.turned, Ring.surface_velocity, Level.arena]
 
 
 def fail_within(mistake):

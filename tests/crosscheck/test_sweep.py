@@ -7,7 +7,7 @@ import random
 import pytest
 
 from tools.crosscheck.pymunk_model.ring_model import Geometry, RingModel
-from tools.crosscheck.pymunk_model.sweep import Flight, first_touch
+from tools.crosscheck.pymunk_model.sweep import BallFlight, first_touch
 
 GEOMETRY = Geometry(5.0, 0.5, 0.3, 4)
 RADIUS = 0.25
@@ -20,7 +20,7 @@ def model():
 
 
 def touch(model, position, velocity, span, spin=0.0):
-    return first_touch(model, Flight(position, velocity, RADIUS, spin), span, NOISE)
+    return first_touch(model, BallFlight(position, velocity, RADIUS, spin), span, NOISE)
 
 
 def test_a_ball_flying_inwards_meets_the_outer_face_when_geometry_says(model):
@@ -74,7 +74,7 @@ def test_a_ball_that_leaves_an_inner_face_comes_to_it_again():
     closed = RingModel(Geometry(5.0, 0.5, math.pi, 1), 64)
     radius = 4.5 - RADIUS
     start, heading = cmath.rect(radius, 0.1), cmath.rect(1.0, 0.1 + math.pi - math.radians(80.0))
-    window = first_touch(closed, Flight(start, heading, RADIUS, 0.0), 3.0, NOISE)
+    window = first_touch(closed, BallFlight(start, heading, RADIUS, 0.0), 3.0, NOISE)
     assert window.middle == pytest.approx(2.0 * radius * math.cos(math.radians(80.0)), abs=1e-13)
 
 

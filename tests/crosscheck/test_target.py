@@ -124,7 +124,7 @@ def test_phases_are_rebuilt_to_rounding():
 
 
 def test_a_drift_of_a_millionth_of_a_millionth_a_tick_shows():
-    """A ring that turns by 1e-9 too much of its way leaves the bound."""
+    """A ring that turns too far by a thousand-millionth leaves the bound."""
     for error, bound in turned([0.8], 4000, drift=1e-9):
         assert error > 100.0 * bound
 

@@ -10,13 +10,13 @@ from game import VERSION
 from physics import PHYSICS_VERSION
 from tools.certify.boxes.subdivision import Proof
 from tools.certify.certificate import NORMAL, NORMAL_WIDTH, ROUNDINGS, SEARCH_ENDS, Decision
-from tools.certify.run import RunResult
+from tools.certify.run import CertificationRun
 
 FORMAT = "polar-breakout certify 1"
 _SHOWN = 10
 
 
-def verdict(outcome: RunResult) -> str:
+def verdict(outcome: CertificationRun) -> str:
     """The line that says it."""
     tally = outcome.tally
     certified, undecided = (tally.number(impact=True, verdict=one) for one in (Decision.CERTIFIED, Decision.UNDECIDED))
@@ -30,7 +30,7 @@ def verdict(outcome: RunResult) -> str:
     return line + ("; stopped by a signal" if outcome.partial else "")
 
 
-def lines(outcome: RunResult, *, every_case: bool) -> Iterator[str]:
+def lines(outcome: CertificationRun, *, every_case: bool) -> Iterator[str]:
     """The whole report, the verdict last."""
     tally = outcome.tally
     certified = tally.number(impact=True, verdict=Decision.CERTIFIED)
@@ -41,6 +41,7 @@ def lines(outcome: RunResult, *, every_case: bool) -> Iterator[str]:
         )
         yield f"certified impacts by feature: {features}"
         yield f"time: at most {tally.time_off:.2g} s off, every enclosure within {tally.time_bound:.2g} s"
+        yield f"after a flight no longer than that, so that only touch and normal are proved: {tally.short:,}"
         share = f"within {NORMAL:g} without any allowance: {tally.close / certified:.2%}"
         yield f"normal: at most {tally.normal_off:.2g} off; {share}"
     for (impact, one, reason), count in sorted(tally.counts.items(), key=lambda item: -item[1]):
@@ -52,7 +53,7 @@ def lines(outcome: RunResult, *, every_case: bool) -> Iterator[str]:
     yield verdict(outcome)
 
 
-def json_text(outcome: RunResult, options: dict[str, object]) -> str:
+def json_text(outcome: CertificationRun, options: dict[str, object]) -> str:
     """The outcome as JSON: one object; `format` changes when a key changes its meaning."""
     tally = outcome.tally
     kinds = [
@@ -71,6 +72,7 @@ def json_text(outcome: RunResult, options: dict[str, object]) -> str:
         "counts": kinds,
         "features": {name.name.lower(): count for name, count in sorted(tally.features.items())},
         "normals_within": tally.close,
+        "short_flights": tally.short,
         "worst": {
             "time_bound": tally.time_bound,
             "time_off": tally.time_off,

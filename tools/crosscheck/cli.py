@@ -17,7 +17,7 @@ from tools.crosscheck.games.sources import Source
 from tools.crosscheck.report.json_file import json_text
 from tools.crosscheck.report.terminal import print_corpus, print_findings
 from tools.crosscheck.results.findings import Findings
-from tools.crosscheck.results.measurements import Verdict
+from tools.crosscheck.results.measurements import ContactVerdict
 from tools.crosscheck.run import Choice, Job, checked_games, chosen_sources
 from tools.crosscheck.sabotage.catalogue import MISTAKES
 from tools.crosscheck.sabotage.suite import sabotage_results, suite_jobs
@@ -74,7 +74,7 @@ def _games(options: Options) -> int:
     if not result.partial:
         findings = _with_extras(findings, sources, options)
     console = Console()
-    print_findings(console, findings, Verdict[options.listed.upper()] if options.listed else None)
+    print_findings(console, findings, ContactVerdict[options.listed.upper()] if options.listed else None)
     for path in _written(findings, options):
         if result.partial:
             console.print(f"partial result: {path}", soft_wrap=True, highlight=False)

@@ -64,7 +64,7 @@ def results_of(
 ) -> Iterator[tuple[int, Result | Lost]]:
     """(number of the job, its result) as they come; `Lost` for those whose process did not live to answer.
 
-    function: importable by its name; what it raises is its job's loss. A new process takes a dead one's place. Close the
+    function: importable by its name; what it raises is its job's loss. A new process replaces a dead one. Close the
     iterator to end all processes at once.
     """
     waiting = list(range(len(jobs)))[::-1]

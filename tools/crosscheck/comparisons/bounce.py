@@ -9,7 +9,7 @@ from tools.crosscheck.comparisons.hit_frame import Moment, dot
 from tools.crosscheck.comparisons.rules import LEAST_GRAZE, LEAST_SEPARATION, STOPPED
 from tools.crosscheck.pymunk_model.one_bounce import Solver, TouchingBall, movement
 from tools.crosscheck.pymunk_model.ring_model import Part, ShapeContact
-from tools.crosscheck.results.measurements import Compared, Comparison, Verdict
+from tools.crosscheck.results.measurements import Compared, Comparison, ContactVerdict
 
 _ROUNDINGS = 64
 """Half units in the last place of a velocity, in both engines' formulas together: about 30 operations each."""
@@ -77,7 +77,7 @@ def _compared_mirror(moment: Moment, answer: _Answer) -> Compared:
     ours = before - 2.0 * approach * contact.normal
     error = abs(ours - answer.velocity)
     fine = error <= answer.velocity_error
-    verdict = Verdict.EXACT if fine else Verdict.UNEXPLAINED
+    verdict = ContactVerdict.EXACT if fine else ContactVerdict.UNEXPLAINED
     what = "velocities without friction" if fine else "the normal or the point leads to another bounce"
     return Compared(Comparison.BOUNCE, verdict, what, error, answer.velocity_error, ours, answer.velocity)
 
@@ -108,8 +108,8 @@ def _compared_velocity(moment: Moment, touched: ShapeContact, answer: _Answer) -
     error = abs(after - expected)
     if error > bound:
         what = f"the game's velocity is {named_velocity(moment, normal, bound)}"
-        return Compared(Comparison.VELOCITY, Verdict.UNEXPLAINED, what, error, bound, after, expected)
-    verdict = Verdict.RULE if ruled else Verdict.EXACT
+        return Compared(Comparison.VELOCITY, ContactVerdict.UNEXPLAINED, what, error, bound, after, expected)
+    verdict = ContactVerdict.RULE if ruled else ContactVerdict.EXACT
     what = "carried or stopped: the rule applied" if ruled else "the velocities after the bounce"
     return Compared(Comparison.VELOCITY, verdict, what, error, bound, after, result if ruled else expected)
 
@@ -127,7 +127,7 @@ def _ball(moment: Moment, touched: ShapeContact, normal: complex) -> TouchingBal
 
 
 def _carried(v: complex, normal: complex, least: float, speed: float) -> complex:
-    """A velocity of that speed with the least normal component, its tangential sense kept."""
+    """A velocity of that speed with the least normal component and the same tangential sense."""
     tangent = normal * 1j
     if dot(v, tangent) < 0.0:
         tangent = -tangent

@@ -3,7 +3,7 @@
 from tools.crosscheck.comparisons.hit_frame import Moment
 from tools.crosscheck.pymunk_model.ring_model import Part, ShapeContact
 from tools.crosscheck.results.coverage import Cell
-from tools.crosscheck.results.measurements import Compared, Measurement, Verdict
+from tools.crosscheck.results.measurements import Compared, ContactVerdict, Measurement
 from tools.crosscheck.results.rows import ContactRecord, Rows
 
 
@@ -17,7 +17,7 @@ class ContactCheck:
         """Before the first comparison."""
         self.moment = moment
         self.touched: ShapeContact | None = None
-        self.verdict = Verdict.EXACT
+        self.verdict = ContactVerdict.EXACT
         self.compared: list[Compared] = []
         self.noted: list[Compared] = []
 
@@ -45,10 +45,10 @@ class ContactCheck:
                 row.zeros += 1
             elif row.add(compared.error, compared.bound):
                 row.worst = Measurement(compared, situation)
-            if compared.verdict in {Verdict.RULE, Verdict.UNEXPLAINED}:
+            if compared.verdict in {ContactVerdict.RULE, ContactVerdict.UNEXPLAINED}:
                 rows.measurements.append(Measurement(compared, situation))
         rows.measurements += [Measurement(compared, situation) for compared in self.noted]
-        if self.verdict == Verdict.UNEXPLAINED:
+        if self.verdict == ContactVerdict.UNEXPLAINED:
             rows.notice()
         rows.contacts += 1
         rows.verdicts[self.verdict] += 1

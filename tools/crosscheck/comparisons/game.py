@@ -23,7 +23,7 @@ from tools.crosscheck.pymunk_model import rounding
 from tools.crosscheck.pymunk_model.presence import UNKNOWN, Room, room_around
 from tools.crosscheck.pymunk_model.ring_model import RingModel, ring_model
 from tools.crosscheck.results.coverage import Cell, Judged, cell_of
-from tools.crosscheck.results.measurements import ANYWHERE, Compared, Comparison, Measurement, Situation, Verdict
+from tools.crosscheck.results.measurements import ANYWHERE, Compared, Comparison, ContactVerdict, Measurement, Situation
 from tools.crosscheck.results.rows import Rows
 
 _BLOCK = 240
@@ -112,10 +112,10 @@ class _Checker:
             return
         undisturbed = balls is self._balls and tick.arena.layers is self._layers  # since the last tick, but by the physics
         self._balls = tick.step.arena.balls
-        if undisturbed and not tick.step.hits and self._far_from_all(tick):
+        followed = bool(tick.step.hits) or tick.step.freed > 0 or tick.step.dropped > 0
+        if undisturbed and not followed and self._far_from_all(tick):
             self._poses_checked.zeros += len(balls)
             return
-        followed = bool(tick.step.hits) or tick.step.freed > 0 or tick.step.dropped > 0
         if followed:
             self._check_flights(tick)
         self._compare_layers(tick)
@@ -172,7 +172,7 @@ class _Checker:
             return
         difference = self._book.differs_from(layers)
         if difference is not None:
-            compared = Compared(Comparison.TARGET, Verdict.UNEXPLAINED, f"at the tick's end {difference}", 1.0, 0.0)
+            compared = Compared(Comparison.TARGET, ContactVerdict.UNEXPLAINED, f"at the tick's end {difference}", 1.0, 0.0)
             self.rows.report(Measurement(compared, self._situation(tick, 0, 0)))
             self._book.take_over(layers)
             self._show_layers()
@@ -183,18 +183,18 @@ class _Checker:
         position, velocity, _ = ball
         ball_radius = tick.level.ball_radius
         distance = abs(position)
-        way = abs(velocity) * tick.dt + _SPARE
+        travel = abs(velocity) * tick.dt + _SPARE
         near = []
         free = math.inf
         for k, (ring, model) in enumerate(zip(tick.arena.rings, self._models, strict=True)):
             if not model.living:
                 continue
             radius, half_width, _, _, phase, spin, _ = ring
-            above = abs(distance - radius) - half_width - ball_radius - way
+            above = abs(distance - radius) - half_width - ball_radius - travel
             if above > 0.0:
                 free = min(free, above)
                 continue
-            wanted = way + abs(spin) * distance * tick.dt  # seen from the turning ring
+            wanted = travel + abs(spin) * distance * tick.dt  # seen from the turning ring
             local = position * cmath.rect(1.0, -(phase + spin * tick.dt))
             room = room_around(model, local, ball_radius, self._rooms.get((index, k), UNKNOWN), wanted)
             self._rooms[index, k] = room
@@ -268,7 +268,7 @@ class _Checker:
         return any(alive and not left for alive, left in zip(moment.model.alive, layers, strict=True))
 
     def _break(self, checked: CheckedTick, hit: Hit, current: dict[int, list[Leg]]) -> None:
-        """A brick is gone: up to that moment it stood in the other balls' way, from then on it does not."""
+        """A brick is gone: up to that moment it could be touched by the other balls, from then on it cannot."""
         for ball, legs in current.items():
             if ball != hit.ball and legs[0].start < hit.time:
                 self._check_no_touch(checked, legs[0]._replace(stop=hit.time))
@@ -293,7 +293,7 @@ class _Checker:
                 continue
             fine = error <= bound
             what = "the phase, rebuilt" if fine else "the ring does not stand where its spins have turned it"
-            verdict = Verdict.EXACT if fine else Verdict.UNEXPLAINED
+            verdict = ContactVerdict.EXACT if fine else ContactVerdict.UNEXPLAINED
             self.rows.report(Measurement(Compared(Comparison.PHASE, verdict, what, error, bound), self._situation(tick, 0, k)))
 
     def _overlap(self, tick: Tick, index: int, ring: int) -> None:
@@ -302,7 +302,7 @@ class _Checker:
         bound = rounding.contact_noise(self._models[ring].geometry.outer)
         fine = depth <= bound
         what = "overlap at a tick's end" if fine else "the ball is in material: the game missed a bounce"
-        verdict = Verdict.EXACT if fine else Verdict.UNEXPLAINED
+        verdict = ContactVerdict.EXACT if fine else ContactVerdict.UNEXPLAINED
         compared = Compared(Comparison.PRESENCE_TICK, verdict, what, depth, bound)
         self.rows.report(Measurement(compared, self._situation(tick, index, ring)))
 
@@ -312,12 +312,12 @@ class _Checker:
         start, end = tick.arena.balls[index], tick.step.arena.balls[index]
         what = "the ball's flight does not follow from the recorded bounces (missed bounce)"
         error = max(abs(start.velocity - end.velocity), abs(start.position + start.velocity * tick.dt - end.position))
-        compared = Compared(Comparison.VELOCITY, Verdict.UNEXPLAINED, what, error, 0.0)
+        compared = Compared(Comparison.VELOCITY, ContactVerdict.UNEXPLAINED, what, error, 0.0)
         self.rows.report(Measurement(compared, self._situation(tick, index, 0)))
 
     def _report_ring(self, tick: Tick, ring: int, what: str) -> None:
         """A ring that is not the level's."""
-        compared = Compared(Comparison.PHASE, Verdict.UNEXPLAINED, what, math.inf, 0.0)
+        compared = Compared(Comparison.PHASE, ContactVerdict.UNEXPLAINED, what, math.inf, 0.0)
         self.rows.report(Measurement(compared, self._situation(tick, 0, ring)))
 
     def _situation(self, tick: Tick, ball: int, ring: int) -> Situation:

@@ -6,7 +6,7 @@ from tools.crosscheck.comparisons.contact_check import ContactCheck
 from tools.crosscheck.comparisons.diagnosis import named_normal, with_article
 from tools.crosscheck.comparisons.hit_frame import Moment, angle_between
 from tools.crosscheck.pymunk_model.ring_model import Part, ShapeContact
-from tools.crosscheck.results.measurements import FEATURE_OF_PART, Compared, Comparison, Verdict
+from tools.crosscheck.results.measurements import FEATURE_OF_PART, Compared, Comparison, ContactVerdict
 
 _NOTHING = "the game bounced where pymunk sees nothing (invented bounce)"
 
@@ -17,7 +17,9 @@ def compare_normals(check: ContactCheck) -> None:
     exact = moment.model.exact(moment.local, moment.reach)
     if exact is None:
         ours = moment.hit.contact.normal
-        check.measure(Compared(Comparison.PRESENCE_HIT, Verdict.UNEXPLAINED, _NOTHING, math.inf, moment.contact_noise, ours))
+        check.measure(
+            Compared(Comparison.PRESENCE_HIT, ContactVerdict.UNEXPLAINED, _NOTHING, math.inf, moment.contact_noise, ours)
+        )
         return
     check.touched = exact
     check.measure(_presence(moment, exact))
@@ -36,9 +38,9 @@ def _presence(moment: Moment, touched: ShapeContact) -> Compared:
     answers = moment.hit.contact.normal, moment.world(touched.normal)
     if abs(gap) <= moment.contact_noise:
         what = "the gap that pymunk measures"
-        return Compared(Comparison.PRESENCE_HIT, Verdict.EXACT, what, abs(gap), moment.contact_noise, *answers)
+        return Compared(Comparison.PRESENCE_HIT, ContactVerdict.EXACT, what, abs(gap), moment.contact_noise, *answers)
     what = f"the game bounced {'before' if gap > 0.0 else 'after'} pymunk touches ({gap:+.3g} units from touch)"
-    return Compared(Comparison.PRESENCE_HIT, Verdict.UNEXPLAINED, what, abs(gap), moment.contact_noise, *answers)
+    return Compared(Comparison.PRESENCE_HIT, ContactVerdict.UNEXPLAINED, what, abs(gap), moment.contact_noise, *answers)
 
 
 def _compare_normal(check: ContactCheck, touched: ShapeContact, comparison: Comparison, bound: float) -> ShapeContact:
@@ -50,16 +52,16 @@ def _compare_normal(check: ContactCheck, touched: ShapeContact, comparison: Comp
     answers = moment.hit.contact.normal, moment.world(touched.normal)
     error = angle_between(*answers)
     if error <= bound:
-        check.measure(Compared(comparison, Verdict.EXACT, "the angle between the two normals", error, bound, *answers))
+        check.measure(Compared(comparison, ContactVerdict.EXACT, "the angle between the two normals", error, bound, *answers))
         return touched
     other = _tied(moment, comparison, bound)
     if other is not None:
         names = [with_article(FEATURE_OF_PART[shape.shape.part]) for shape in (other, touched)]
         what = f"the game names {names[0]}, pymunk {names[1]}; both are equally near"
-        check.note(Compared(comparison, Verdict.TIE, what, error, bound, *answers))
+        check.note(Compared(comparison, ContactVerdict.TIE, what, error, bound, *answers))
         return other
     what = f"the game's normal is {named_normal(moment, touched)}"
-    check.measure(Compared(comparison, Verdict.UNEXPLAINED, what, error, bound, *answers))
+    check.measure(Compared(comparison, ContactVerdict.UNEXPLAINED, what, error, bound, *answers))
     return touched
 
 

@@ -7,7 +7,7 @@ from typing import NamedTuple
 from tools.crosscheck.comparisons.hit_frame import CheckedTick
 from tools.crosscheck.games.trajectory import FlightPath
 from tools.crosscheck.pymunk_model import rounding
-from tools.crosscheck.results.measurements import Compared, Comparison, Measurement, Verdict
+from tools.crosscheck.results.measurements import Compared, Comparison, ContactVerdict, Measurement
 from tools.crosscheck.results.rows import Rows
 
 
@@ -40,7 +40,7 @@ def _compare_move(checked: CheckedTick, move: _Move, rows: Rows) -> None:
         wrong.append("the ball overlapped nothing before it was put elsewhere")
     if room < -noise:
         wrong.append("the ball still overlaps material where it was put")
-    verdict = Verdict.UNEXPLAINED if wrong else Verdict.EXACT
+    verdict = ContactVerdict.UNEXPLAINED if wrong else ContactVerdict.EXACT
     what = "; ".join(wrong) or "overlap after it was put outside"
     compared = Compared(Comparison.SET_FREE, verdict, what, max(-room, 0.0), noise)
     rows.report(Measurement(compared, checked.situation(move.ball, 0, move.after, move.time)))
@@ -54,7 +54,7 @@ def compare_numbers(checked: CheckedTick, freed: int, dropped: int, rows: Rows) 
         return
     what = f"the physics freed {step.freed} and dropped {step.dropped} balls, their flights show {freed} and {dropped}"
     error = float(abs(step.freed - freed) + abs(step.dropped - dropped))
-    compared = Compared(Comparison.SET_FREE, Verdict.UNEXPLAINED, what, error, 0.0)
+    compared = Compared(Comparison.SET_FREE, ContactVerdict.UNEXPLAINED, what, error, 0.0)
     position = checked.tick.step.arena.balls[0].position
     rows.report(Measurement(compared, checked.situation(0, 0, position, checked.tick.dt)))
 

@@ -9,7 +9,7 @@ from tools.crosscheck.comparisons.hit_frame import CheckedTick, Moment, angle_be
 from tools.crosscheck.games.level_numbers import UNBREAKABLE, LevelNumbers
 from tools.crosscheck.pymunk_model import rounding
 from tools.crosscheck.pymunk_model.ring_model import ModelShape, Part
-from tools.crosscheck.results.measurements import FEATURE_OF_PART, Compared, Comparison, Verdict
+from tools.crosscheck.results.measurements import FEATURE_OF_PART, Compared, Comparison, ContactVerdict
 
 
 class LayerBook:
@@ -63,7 +63,7 @@ def compare_target(check: ContactCheck, checked: CheckedTick, book: LayerBook) -
     left = book.take_one(hit.ring, slot)
     if hit.layers != left:
         wrong.append(f"the game leaves {_words(hit.layers)}, the level's numbers {_words(left)}")
-    verdict = Verdict.UNEXPLAINED if wrong else Verdict.EXACT
+    verdict = ContactVerdict.UNEXPLAINED if wrong else ContactVerdict.EXACT
     what = "; ".join(wrong) or "ring, slot, feature and layers"
     check.measure(Compared(Comparison.TARGET, verdict, what, float(len(wrong)), 0.0))
 

@@ -7,8 +7,8 @@ from tools.crosscheck.comparisons.contact_check import ContactCheck
 from tools.crosscheck.comparisons.hit_frame import CheckedTick
 from tools.crosscheck.games.trajectory import Leg
 from tools.crosscheck.pymunk_model import rounding
-from tools.crosscheck.pymunk_model.sweep import Flight, Window, first_touch
-from tools.crosscheck.results.measurements import Compared, Comparison, Measurement, Verdict
+from tools.crosscheck.pymunk_model.sweep import BallFlight, Window, first_touch
+from tools.crosscheck.results.measurements import Compared, Comparison, ContactVerdict, Measurement
 
 _ROUNDING = 2.0**-50
 """Fraction of a ray as long as the arena: what rounding makes of pymunk's position on it."""
@@ -27,14 +27,14 @@ def compare_time(check: ContactCheck, checked: CheckedTick, leg: Leg) -> None:
     early, middle, late = [min(times) for times in zip(*windows.values(), strict=True)]
     error, bound = abs(middle - flight), late - early
     if late < flight:
-        check.measure(Compared(Comparison.TIME, Verdict.UNEXPLAINED, _MISSED, flight - late, 0.0))
+        check.measure(Compared(Comparison.TIME, ContactVerdict.UNEXPLAINED, _MISSED, flight - late, 0.0))
     elif early > flight:
-        check.measure(Compared(Comparison.TIME, Verdict.UNEXPLAINED, _INVENTED, error, 0.0))
+        check.measure(Compared(Comparison.TIME, ContactVerdict.UNEXPLAINED, _INVENTED, error, 0.0))
     elif math.isinf(late):
         what = f"pymunk touches {'a slightly larger ball' if math.isinf(middle) else 'this ball, but not a smaller one'}"
-        check.note(Compared(Comparison.TIME, Verdict.GRAZING, what, error, math.inf))
+        check.note(Compared(Comparison.TIME, ContactVerdict.GRAZING, what, error, math.inf))
     else:
-        check.measure(Compared(Comparison.TIME, Verdict.EXACT, _AGREED, error, bound))
+        check.measure(Compared(Comparison.TIME, ContactVerdict.EXACT, _AGREED, error, bound))
 
 
 def missed_touch(checked: CheckedTick, leg: Leg) -> Measurement | None:
@@ -44,7 +44,7 @@ def missed_touch(checked: CheckedTick, leg: Leg) -> Measurement | None:
         return None
     for ring, window in _windows(checked, leg, None).items():
         if window.late < flight:
-            compared = Compared(Comparison.TIME, Verdict.UNEXPLAINED, _MISSED, flight - window.late, 0.0)
+            compared = Compared(Comparison.TIME, ContactVerdict.UNEXPLAINED, _MISSED, flight - window.late, 0.0)
             return Measurement(compared, checked.situation(leg.ball, ring, leg.end, leg.stop))
     return None
 
@@ -62,6 +62,6 @@ def _windows(checked: CheckedTick, leg: Leg, hit_ring: int | None) -> dict[int, 
         near = model.living and abs(distance - geometry.radius) - geometry.half_width <= reach + noise
         if near or k == hit_ring:
             turn = cmath.rect(1.0, -(ring.phase + ring.spin * leg.start))
-            seen = Flight(leg.position * turn, leg.velocity * turn, radius, ring.spin)
+            seen = BallFlight(leg.position * turn, leg.velocity * turn, radius, ring.spin)
             windows[k] = first_touch(model, seen, flight + 2.0 * noise / max(speed, noise), noise)
     return windows

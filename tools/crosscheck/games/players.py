@@ -11,7 +11,7 @@ from physics import angle_of, cross, dot, signed_difference
 _POINTER_TICKS = 12
 """Between two moves of the hand."""
 _SHAKE = 0.7
-"""Of the paddle's half angle either way: how far from the ball the pointer is."""
+"""Of the paddle's half angle, to either side: how far from the ball the pointer may be."""
 _WRONG_KEY = 0.04
 _LONGEST_PAUSE = 120
 """Ticks before a serve."""

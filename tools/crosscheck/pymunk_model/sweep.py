@@ -42,7 +42,7 @@ class Window(NamedTuple):
 _NO_TOUCH = Window(NEVER, NEVER, NEVER)
 
 
-class Flight(NamedTuple):
+class BallFlight(NamedTuple):
     """A ball in the frame of a ring.
 
     position, velocity: at the start, along the ring's axes but not turning with it. spin: the ring's, rad/s.
@@ -54,16 +54,16 @@ class Flight(NamedTuple):
     spin: float
 
 
-def first_touch(model: RingModel, flight: Flight, span: float, noise: float) -> Window:
+def first_touch(model: RingModel, flight: BallFlight, span: float, noise: float) -> Window:
     """The first touch with a ring within `span` seconds, in the frame that the ring has at the start.
 
     noise: world units by which pymunk's shapes may differ from the game's.
     """
     p, v, ball_radius, spin = flight
     speed = abs(v)
-    way = (speed + abs(spin) * (abs(p) + speed * span)) * span  # in the turning frame
+    travel = (speed + abs(spin) * (abs(p) + speed * span)) * span  # in the turning frame
     windows = _face_windows(model, flight, span, noise)
-    windows += [_convex_touch(start, flight, span, noise) for start in model.pointed_near(p, way + ball_radius + noise)]
+    windows += [_convex_touch(start, flight, span, noise) for start in model.pointed_near(p, travel + ball_radius + noise)]
     early, middle, late = _NO_TOUCH
     for window in windows:
         early, middle, late = min(early, window[0]), min(middle, window[1]), min(late, window[2])
@@ -76,19 +76,19 @@ def facet_touch(model: RingModel, p: complex, v: complex, ball_radius: float, sp
     return min([_time_to_shape(start, p * turn, v * turn, ball_radius) for start, turn in near], default=NEVER)
 
 
-def _face_windows(model: RingModel, flight: Flight, span: float, noise: float) -> list[Window]:
+def _face_windows(model: RingModel, flight: BallFlight, span: float, noise: float) -> list[Window]:
     """The touches with faces: of the two circles, where a living sector lies under the ball at that moment."""
     p, v, ball_radius, _ = flight
-    geometry, distance, way = model.geometry, abs(p), abs(v) * span + noise
+    geometry, distance, travel = model.geometry, abs(p), abs(v) * span + noise
     circles = []
-    if distance > geometry.radius and distance - way <= geometry.outer + ball_radius:
+    if distance > geometry.radius and distance - travel <= geometry.outer + ball_radius:
         circles.append(model.outer_circle)
-    if distance + way >= geometry.inner - ball_radius and distance - way <= geometry.inner:
+    if distance + travel >= geometry.inner - ball_radius and distance - travel <= geometry.inner:
         circles.append(model.inner_circle)
     return [_circle_window(model, flight, circle, span, noise) for circle in circles]
 
 
-def _circle_window(model: RingModel, flight: Flight, circle: pymunk.Circle, span: float, noise: float) -> Window:
+def _circle_window(model: RingModel, flight: BallFlight, circle: pymunk.Circle, span: float, noise: float) -> Window:
     """The touch with a face on one circle."""
     p, v, ball_radius, spin = flight
     times = []
@@ -143,7 +143,7 @@ class _Curve(NamedTuple):
         return 0.5 * self.acceleration * step * step
 
 
-def _convex_touch(start: pymunk.PointQueryInfo, flight: Flight, span: float, noise: float) -> Window:
+def _convex_touch(start: pymunk.PointQueryInfo, flight: BallFlight, span: float, noise: float) -> Window:
     """The touch with one end or corner within `span` seconds, by sweeps along straight pieces of the curve.
 
     start: pymunk's query of the shape at the flight's start. Of a ball that comes to an end over its corner, pymunk's query of
@@ -209,7 +209,7 @@ def _swept(start: pymunk.PointQueryInfo, position: complex, velocity: complex, c
     return _Piece(time, 0.5 * min(step, stop - time), stop)
 
 
-def _in_turning_frame(flight: Flight, time: float) -> tuple[complex, complex]:
+def _in_turning_frame(flight: BallFlight, time: float) -> tuple[complex, complex]:
     """Position and velocity of a ball, some seconds later, as they are seen from the turning ring."""
     there, turn = flight.position + flight.velocity * time, cmath.rect(1.0, -flight.spin * time)
     return there * turn, (flight.velocity - 1j * flight.spin * there) * turn

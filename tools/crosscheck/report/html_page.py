@@ -26,8 +26,8 @@ from tools.crosscheck.results.measurements import (
     VERDICT_MEANINGS,
     VERDICT_NAMES,
     Comparison,
+    ContactVerdict,
     Measurement,
-    Verdict,
 )
 from tools.crosscheck.run import RunResult, versions
 
@@ -107,7 +107,7 @@ def _by_verdict(findings: Findings) -> Iterator[str]:
     rows = findings.result.rows
     yield "<h2>Why they differ</h2>\n<table><thead><tr><th>verdict</th><th>contacts</th><th>meaning</th></tr></thead><tbody>"
     for kind, count in rows.verdicts.items():
-        style = ' class="bad"' if kind == Verdict.UNEXPLAINED and count else ""
+        style = ' class="bad"' if kind == ContactVerdict.UNEXPLAINED and count else ""
         meaning = VERDICT_MEANINGS[kind]
         yield f'<tr{style}><th>{VERDICT_NAMES[kind]}</th><td>{count:,}</td><td class="word">{meaning}</td></tr>'
     yield "</tbody></table>"
@@ -228,7 +228,7 @@ def _worst(findings: Findings) -> Iterator[str]:
 
 def _disagreements(findings: Findings) -> Iterator[str]:
     """Measurements of the verdicts that need a word: some drawn, more listed."""
-    for kind in (Verdict.UNEXPLAINED, Verdict.TIE, Verdict.GRAZING, Verdict.RULE):
+    for kind in (ContactVerdict.UNEXPLAINED, ContactVerdict.TIE, ContactVerdict.GRAZING, ContactVerdict.RULE):
         found = [one for one in findings.result.rows.measurements if one.compared.verdict == kind]
         if not found:
             continue

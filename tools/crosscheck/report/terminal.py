@@ -25,7 +25,7 @@ from tools.crosscheck.report.words import (
 )
 from tools.crosscheck.results.coverage import ALL_CELLS, NAMES, empty_cells, margins
 from tools.crosscheck.results.findings import Findings
-from tools.crosscheck.results.measurements import FEATURES, VERDICT_NAMES, Measurement, Verdict
+from tools.crosscheck.results.measurements import FEATURES, VERDICT_NAMES, ContactVerdict, Measurement
 from tools.crosscheck.results.rows import Rows
 from tools.crosscheck.run import RunResult
 from tools.crosscheck.sabotage.suite import SabotageResult
@@ -34,7 +34,7 @@ _SHOWN = 12
 _EMPTY_SHOWN = 5
 
 
-def print_findings(console: Console, findings: Findings, listed: Verdict | None) -> None:
+def print_findings(console: Console, findings: Findings, listed: ContactVerdict | None) -> None:
     """The tables, the disagreements and the verdict. listed: the verdict whose measurements are listed one by one."""
     result = findings.result
     console.print(_table(result))
@@ -118,7 +118,7 @@ def _verdicts(result: RunResult) -> Table:
     table.add_column("contacts by verdict")
     table.add_column("count", justify="right")
     for kind, count in result.rows.verdicts.items():
-        style = "bold red" if kind == Verdict.UNEXPLAINED and count else None
+        style = "bold red" if kind == ContactVerdict.UNEXPLAINED and count else None
         table.add_row(VERDICT_NAMES[kind], f"{count:,}", style=style)
     if result.rows.elsewhere:
         table.add_row("unexplained, away from contacts", f"{result.rows.elsewhere:,}", style="bold red")
@@ -185,12 +185,12 @@ def _print_extras(console: Console, findings: Findings) -> None:
         console.print(words + growth, highlight=False)
 
 
-def _print_measurements(console: Console, result: RunResult, listed: Verdict | None) -> None:
+def _print_measurements(console: Console, result: RunResult, listed: ContactVerdict | None) -> None:
     """The unexplained measurements, the commonest kinds first; and all of a verdict, if asked for."""
     names: dict[str, list[Measurement]] = {}
     for measurement in result.rows.measurements:
         compared, where = measurement
-        if compared.verdict == Verdict.UNEXPLAINED:
+        if compared.verdict == ContactVerdict.UNEXPLAINED:
             name = f"{COMPARISON_NAMES[compared.comparison]}, {where.feature}: {compared.what}"
             names.setdefault(name, []).append(measurement)
     for name, found in sorted(names.items(), key=lambda pair: -len(pair[1]))[:_SHOWN]:

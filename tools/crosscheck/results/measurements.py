@@ -23,7 +23,7 @@ class Comparison(IntEnum):
     SET_FREE = 9
 
 
-class Verdict(IntEnum):
+class ContactVerdict(IntEnum):
     """Why two engines differ at a contact, from the harmless to what must not be."""
 
     EXACT = 0
@@ -34,18 +34,18 @@ class Verdict(IntEnum):
 
 
 VERDICT_NAMES = {
-    Verdict.EXACT: "agrees",
-    Verdict.GRAZING: "grazing",
-    Verdict.TIE: "tie between two features",
-    Verdict.RULE: "source rule",
-    Verdict.UNEXPLAINED: "unexplained",
+    ContactVerdict.EXACT: "agrees",
+    ContactVerdict.GRAZING: "grazing",
+    ContactVerdict.TIE: "tie between two features",
+    ContactVerdict.RULE: "source rule",
+    ContactVerdict.UNEXPLAINED: "unexplained",
 }
 VERDICT_MEANINGS = {
-    Verdict.EXACT: "pymunk's exact shape gives the same answers; the differences are rounding",
-    Verdict.GRAZING: "the ball passes within rounding of a graze: hit and miss are both right",
-    Verdict.TIE: "two shapes are equally near to within rounding; each engine names one of them",
-    Verdict.RULE: "pymunk knows no fixed speed and carries no ball; with these rules applied to its velocity, it is ours",
-    Verdict.UNEXPLAINED: "none of these: one of the two engines is wrong",
+    ContactVerdict.EXACT: "pymunk's exact shape gives the same answers; the differences are rounding",
+    ContactVerdict.GRAZING: "the ball passes within rounding of a graze: hit and miss are both right",
+    ContactVerdict.TIE: "two shapes are equally near to within rounding; each engine names one of them",
+    ContactVerdict.RULE: "pymunk knows no fixed speed and carries no ball; with these rules its velocity is ours",
+    ContactVerdict.UNEXPLAINED: "none of these: one of the two engines is wrong",
 }
 
 FEATURES = ("outer face", "inner face", "end", "corner")
@@ -75,7 +75,7 @@ class Compared(NamedTuple):
     """
 
     comparison: Comparison
-    verdict: Verdict
+    verdict: ContactVerdict
     what: str
     error: float
     bound: float

@@ -4,7 +4,16 @@ from collections import Counter
 from typing import NamedTuple
 
 from tools.crosscheck.results.coverage import Cell
-from tools.crosscheck.results.measurements import ANYWHERE, Compared, Comparison, Key, Measurement, Samples, Situation, Verdict
+from tools.crosscheck.results.measurements import (
+    ANYWHERE,
+    Compared,
+    Comparison,
+    ContactVerdict,
+    Key,
+    Measurement,
+    Samples,
+    Situation,
+)
 
 
 class ContactRecord(NamedTuple):
@@ -19,7 +28,7 @@ class ContactRecord(NamedTuple):
     before: complex
     after: complex
     layers: int
-    verdict: Verdict
+    verdict: ContactVerdict
     cell: Cell
     compared: tuple[Compared, ...]
 
@@ -35,7 +44,7 @@ class Rows:
     def __init__(self) -> None:
         """Start with nothing."""
         self.samples: dict[Key, Samples] = {}
-        self.verdicts = dict.fromkeys(Verdict, 0)
+        self.verdicts = dict.fromkeys(ContactVerdict, 0)
         self.cells: Counter[Cell] = Counter()
         self.measurements: list[Measurement] = []
         self.records: list[ContactRecord] = []
@@ -55,7 +64,7 @@ class Rows:
     @property
     def unexplained(self) -> int:
         """Contacts and other moments at which one of the two engines must be wrong."""
-        return self.verdicts[Verdict.UNEXPLAINED] + self.elsewhere
+        return self.verdicts[ContactVerdict.UNEXPLAINED] + self.elsewhere
 
     @property
     def poses(self) -> int:
@@ -68,7 +77,7 @@ class Rows:
         row = self.row(compared.comparison, measurement.situation.feature)
         if row.add(compared.error, compared.bound):
             row.worst = measurement
-        if compared.verdict == Verdict.UNEXPLAINED:
+        if compared.verdict == ContactVerdict.UNEXPLAINED:
             self.elsewhere += 1
             self.measurements.append(measurement)
             self.notice()

@@ -93,7 +93,7 @@ def speed_at_the_centre() -> AbstractContextManager[None]:
 
 
 def reversed_spin() -> AbstractContextManager[None]:
-    """The surface moves the other way."""
+    """The surface moves in the opposite direction."""
     return replaced(_right, lambda v, normal, surface, friction, speed: _right(v, normal, -surface, friction, speed))
 
 

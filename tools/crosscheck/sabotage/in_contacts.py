@@ -138,17 +138,17 @@ def slanted_hits_only() -> AbstractContextManager[None]:
     """Contacts within 5 degrees of head-on are not seen."""
     steepest = -math.cos(math.radians(5.0))
 
-    def kept(ball: Ball, ring: Ring, dt: float, alive: Alive) -> Impact | None:
+    def seen(ball: Ball, ring: Ring, dt: float, alive: Alive) -> Impact | None:
         found = _right(ball, ring, dt, alive)
         if found is None or dot(ball.velocity, found.contact.normal) < steepest * physics.length(ball.velocity):
             return None
         return found
 
-    return replaced(_right, kept)
+    return replaced(_right, seen)
 
 
 def ghost_bricks() -> AbstractContextManager[None]:
-    """Broken bricks stay in the way."""
+    """Broken bricks can still be hit."""
     return replaced(_right, lambda ball, ring, dt, *_: _right(ball, ring, dt, (1,) * ring.count))
 
 
@@ -182,11 +182,11 @@ def _other_rings(change: Callable[[Ring], Ring]) -> AbstractContextManager[None]
 def _unseen(ignored: Callable[[Impact, Ring], bool]) -> AbstractContextManager[None]:
     """The search without some of its answers."""
 
-    def kept(ball: Ball, ring: Ring, dt: float, alive: Alive) -> Impact | None:
+    def seen(ball: Ball, ring: Ring, dt: float, alive: Alive) -> Impact | None:
         found = _right(ball, ring, dt, alive)
         return None if found is not None and ignored(found, ring) else found
 
-    return replaced(_right, kept)
+    return replaced(_right, seen)
 
 
 def _is_end(contact: Contact) -> bool:

@@ -7,7 +7,7 @@ from typing import NamedTuple
 
 from tools.crosscheck.comparisons.game import Checked
 from tools.crosscheck.games.sources import AIMED, RANDOM, Source
-from tools.crosscheck.results.measurements import Comparison, Verdict
+from tools.crosscheck.results.measurements import Comparison, ContactVerdict
 from tools.crosscheck.results.rows import Rows
 from tools.crosscheck.run import Job, check_game
 from tools.crosscheck.sabotage.catalogue import MISTAKES, Mistake
@@ -73,7 +73,7 @@ def _result(mistake: Mistake, answers: list[Checked | Lost]) -> SabotageResult:
             lost = answer.why
         else:
             rows.merge(answer.rows)
-    found = [one.compared for one in rows.measurements if one.compared.verdict == Verdict.UNEXPLAINED]
+    found = [one.compared for one in rows.measurements if one.compared.verdict == ContactVerdict.UNEXPLAINED]
     words = Counter([compared.what for compared in found])
     counts = Counter([compared.comparison for compared in found])
     named = words.most_common(1)[0][0] if words else ""

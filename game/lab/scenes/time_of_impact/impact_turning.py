@@ -23,8 +23,8 @@ from physics import (
     to_cartesian,
 )
 from physics.narrow_phase import end_contact
+from physics.sweep.turning_end import safe_step
 from physics.tolerances import MAX_STEPS, TOUCH
-from physics.turning_end import safe_step
 
 _SCALE = 0.2
 _HALF_ANGLE = 0.35
