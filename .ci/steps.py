@@ -120,7 +120,7 @@ def tools() -> Iterator[str]:
     for file in sorted((ROOT / "tools").rglob("*.py")):
         parts = file.relative_to(ROOT).with_suffix("").parts
         if "packaging" not in parts and "typer.Typer(" in file.read_text("utf-8"):
-            yield ".".join(parts).removesuffix(".__main__")
+            yield ".".join(parts).removesuffix(".__main__").removesuffix(".commands")
 
 
 def frozen() -> None:

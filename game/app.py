@@ -3,13 +3,14 @@
 import gc
 import time
 from collections.abc import Callable
-from signal import SIGTERM, default_int_handler
-from signal import signal as on_signal
 from typing import NamedTuple
 
 import pygame
 
-from game.input.signals import Action, FocusLost, Pressed, Released, Signal, translated
+from game.chosen_physics import SWEPT, ChosenPhysics
+from game.input.key_names import layout_changed
+from game.input.keys import Action
+from game.input.signals import FocusLost, KeyboardState, Pressed, Signal, keyboard_state, translated
 from game.lab.kit.second_engine import Engine
 from game.lab.registry import scenes
 from game.lab.session import session
@@ -29,6 +30,7 @@ from game.settings.keys import changed
 from game.sound.mixer import Audio
 from game.system import window as display
 from game.system.display_lost import on_display_lost
+from game.system.ending import deferred, pending
 from game.system.errors import DisplayLostError
 
 LOST = "the display is gone"
@@ -62,15 +64,17 @@ def play(
     *,
     recorder: Recorder | None = None,
     autopilot: bool = False,
+    physics: ChosenPhysics = SWEPT,
 ) -> int:
     """Open a window with the title, the first of the levels chosen, and play until it is closed; the exit code.
 
     recorder: told every tick of every game played. autopilot: it plays, from the first serve on, without a title.
+    physics: that the games are flown on.
     Raises EnvironmentMissingError without a display, DisplayLostError when it goes away.
     """
     catalogue = built_in() if levels[0] in built_in() else levels
     state = _state(catalogue, services, catalogue.index(levels[0]), seed)
-    state.recorder, state.autopilot = recorder, autopilot
+    state.recorder, state.autopilot, state.physics = recorder, autopilot, physics
     return _shown(state, lambda: Play(state, levels) if autopilot else Title(state), services, Audio)
 
 
@@ -120,19 +124,16 @@ def _shown(state: AppState, opened: Callable[[], Screen], services: Services, au
     """Show screens in a window until the last one is left; the exit code. audio: opens the sound, where there is some."""
     window = display.open_window(_TITLE)
     handler = on_display_lost(lambda: _save(state, services.lost))  # noqa: F841  # must live as long as the window
-    before = on_signal(SIGTERM, default_int_handler)  # to be ended is to be closed: nothing is lost
-    try:
-        state.audio = None if audio is None else audio()
-        state.change(state.settings if state.settings_file is None else state.settings_file.load())
-        run(window, state, opened())
-    except KeyboardInterrupt:
-        pass
-    finally:
-        on_signal(SIGTERM, before)
-        state.save_settings()
-        if state.audio is not None:
-            state.audio.close()
-        pygame.quit()
+    with deferred():
+        try:
+            state.audio = None if audio is None else audio()
+            state.change(state.settings if state.settings_file is None else state.settings_file.load())
+            run(window, state, opened())
+        finally:
+            state.save_settings()
+            if state.audio is not None:
+                state.audio.close()
+            pygame.quit()
     return 0
 
 
@@ -144,21 +145,32 @@ def _save(state: AppState, lost: Callable[[], None] | None) -> None:
 
 
 def run(window: pygame.Window, state: AppState, first: Screen) -> None:
-    """Draw frame after frame until the last screen is left or the window closed."""
+    """Draw frame after frame until the last screen is left, the window closed, or a signal asks for an end."""
     gc.freeze()  # what was made until now stays: to search it for garbage again and again would cost whole frames
     clock, rate = pygame.time.Clock(), display.refresh_rate()
     screen: Screen | None = first
     before = time.perf_counter()
-    while screen is not None:
+    while screen is not None and not pending():
         now = time.perf_counter()
         screen = frame(window, state, screen, now - before)
         before = now
         clock.tick(rate if window.focused else _IDLE_RATE)
 
 
-def frame(window: pygame.Window, state: AppState, screen: Screen, seconds: float) -> Screen | None:
-    """One turn of the loop: the screen to go on with, None once the window is closed or the last screen left."""
+def frame(
+    window: pygame.Window,
+    state: AppState,
+    screen: Screen,
+    seconds: float,
+    keyboard: Callable[[], KeyboardState] = keyboard_state,
+) -> Screen | None:
+    """One turn of the loop: the screen to go on with, None once the window is closed or the last screen left.
+
+    keyboard: asked which keys are down, after the events: of too many, some are lost.
+    """
     answered = _answered(window, state, screen)
+    if answered is not None:
+        answered = answered.answer(keyboard(), _surface(window).get_size())
     if answered is None:
         return None
     surface = _surface(window)
@@ -196,6 +208,8 @@ def _answered(window: pygame.Window, state: AppState, screen: Screen) -> Screen 
     for event in pygame.event.get():
         if event.type in (pygame.QUIT, pygame.WINDOWCLOSE):
             return None
+        if event.type == pygame.KEYMAPCHANGED:
+            layout_changed()
         following = _following(event, size, window, state, screen)
         if following is None:
             return None
@@ -216,7 +230,7 @@ def _following(
         return screen.hear(event, size, pixels_per_point)
     if signal is None or (not _means_speed(signal, screen) and _answered_here(signal, window, state)):
         return screen
-    if signal == Pressed(Action.LAB) and state.open_lab is not None:
+    if isinstance(signal, Pressed) and signal.action is Action.LAB and state.open_lab is not None:
         left = screen.answer(FocusLost(), size)  # a game in play pauses
         return None if left is None else state.open_lab(state, left)
     return screen.answer(signal, size)
@@ -224,8 +238,6 @@ def _following(
 
 def _answered_here(signal: Signal, window: pygame.Window, state: AppState) -> bool:
     """Obey a signal that means the same on every screen; whether it is one."""
-    if isinstance(signal, Released):
-        return False
     match signal:
         case Pressed(Action.FULL_SCREEN):
             _toggle_full_screen(window, state)
@@ -240,7 +252,8 @@ def _answered_here(signal: Signal, window: pygame.Window, state: AppState) -> bo
 
 def _means_speed(signal: Signal, screen: Screen) -> bool:
     """Whether the volume's keys change how fast a recording runs."""
-    return isinstance(screen, Watch) and signal in (Pressed(Action.LESS), Pressed(Action.MORE))
+    speeds = (Action.LESS, Action.MORE)
+    return isinstance(screen, Watch) and isinstance(signal, Pressed) and signal.action in speeds
 
 
 def _toggle_full_screen(window: pygame.Window, state: AppState) -> None:

@@ -2,13 +2,14 @@
 
 import sys
 from collections.abc import Callable, Iterable
-from pathlib import Path
 
 from game.autopilot import Autopilot
 from game.levels import Level
 from game.replays.file import Recorder
 from game.replays.state_hash import state_hash
-from game.rules import Game, Phase, Ticked, bricks_left, new_game, tick
+from game.rules import Advance, Game, Phase, Ticked, bricks_left, new_game, tick
+from game.system.ending import pending
+from physics import advance as swept_advance
 
 _PROGRESS_STEP = 1000
 
@@ -19,15 +20,19 @@ def autopilot_game(
     ticks: int,
     recorder: Recorder | None = None,
     told: Callable[[Ticked], None] | None = None,
+    advance: Advance = swept_advance,
 ) -> Game:
-    """The game after that many ticks of the autopilot, or when it is won or over. told: of every tick."""
+    """The game after that many ticks of the autopilot, or when it is won or over, or a signal asks for an end.
+
+    told: of every tick. advance: the physics that is flown. A recorder records what the swept physics of the engine flies.
+    """
     game, pilot = new_game(levels, seed), Autopilot()
     for start in _with_progress(range(0, ticks, _PROGRESS_STEP)):
         for _ in range(min(_PROGRESS_STEP, ticks - start)):
-            if game.phase in {Phase.WON, Phase.OVER}:
+            if game.phase in {Phase.WON, Phase.OVER} or pending():
                 return game
             controls = pilot.controls(game)
-            done = tick(game, controls)
+            done = tick(game, controls, advance)
             game = done.game
             if told is not None:
                 told(done)
@@ -42,16 +47,6 @@ def result_line(game: Game) -> str:
         f"ticks={game.tick} level={game.number + 1} phase={game.phase.name.lower()} score={game.score} "
         f"lives={game.lives} bricks={bricks_left(game)} hash={state_hash(game)}"
     )
-
-
-def free_path(folder: Path, name: str) -> Path:
-    """A path in the folder that does not exist yet: name.png, name-2.png, ..."""
-    stem, suffix = Path(name).stem, Path(name).suffix
-    path, number = folder / name, 1
-    while path.exists():
-        number += 1
-        path = folder / f"{stem}-{number}{suffix}"
-    return path
 
 
 def _with_progress(steps: range) -> Iterable[int]:

@@ -15,17 +15,31 @@ import msgspec
 from msgspec import Meta
 
 from game.system.errors import BadInputError
+from game.system.files import read_input
+from game.system.wording import quoted, quoted_message, quoted_path
 from physics import PERMANENT, Arena, Ring
+from physics.tolerances import MAX_IMPACTS
 
 MAX_FILE_SIZE = 64 * 1024
 _MAX_LINE = 1000
 _MAX_KEY_DOTS = 8
 _MAX_BRICKS = 5000
+_MAX_DIGITS = 9
 _FOLDER = files("game") / "levels"
 """Inside an archive or a frozen application this is no folder of the file system."""
 
-Size = Annotated[float, Meta(gt=0.0, le=1000.0)]
-Degrees = Annotated[float, Meta(gt=0.0, le=180.0)]
+_LEAST_PLAY = 1e-3
+"""Of the ball's radius: what a lane or a gate must at least be wider than the ball. In less it bounces on the spot."""
+_TICKS_PER_SECOND = 240.0
+_EASY_GATE = 1.5
+"""Diameters of the ball: a ball finds through a narrower gate only by luck, and may stay behind it for minutes."""
+_LEAST_BALL = 1e-3
+"""Of the ground's radius: a smaller ball cannot be seen."""
+_LONGEST_CROSSING = 60.0
+"""Seconds that a ball may take across the ground; nobody waits for a slower one."""
+
+Size = Annotated[float, Meta(ge=0.001, le=1000.0)]
+Degrees = Annotated[float, Meta(ge=0.01, le=180.0)]
 Fraction = Annotated[float, Meta(ge=0.0, le=1.0)]
 Angle = Annotated[float, Meta(ge=-360.0, le=360.0)]
 Layers = Annotated[int, Meta(ge=PERMANENT, le=9)]
@@ -44,8 +58,8 @@ class PaddleSpec(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     radius: Size
     half_width: Size
     half_angle: Degrees
-    top_speed: Annotated[float, Meta(gt=0.0, le=36000.0)]
-    acceleration: Annotated[float, Meta(gt=0.0, le=360000.0)]
+    top_speed: Annotated[float, Meta(ge=1.0, le=36000.0)]
+    acceleration: Annotated[float, Meta(ge=1.0, le=360000.0)]
     friction: Fraction = 0.5
     count: Annotated[int, Meta(ge=1, le=12)] = 3
     phase: Angle = 270.0
@@ -91,7 +105,7 @@ class Level(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         return Arena((), tuple(rings), tuple(layers))
 
     def content_hash(self) -> str:
-        """SHA-256 of what the level says, whatever the file looks like."""
+        """SHA-256 of what the level says, however its file is written."""
         return hashlib.sha256(msgspec.json.encode(self)).hexdigest()
 
 
@@ -105,20 +119,21 @@ def built_in() -> tuple[Level, ...]:
 def chosen(wanted: str) -> tuple[Level, ...]:
     """The levels to play from a name, a number or a file on: the rest of the built-in ones, or the file's alone."""
     levels = built_in()
-    if wanted.endswith(".toml") or len(Path(wanted).parts) > 1:
+    if wanted.casefold().endswith(".toml") or len(Path(wanted).parts) > 1:
         return (load_file(Path(wanted)),)
     names = [level.name.casefold() for level in levels]
-    if wanted.isdecimal() and 1 <= int(wanted[:4]) <= len(levels):
-        return levels[int(wanted) - 1 :]
+    number = int(wanted) if wanted.isdecimal() and len(wanted) <= _MAX_DIGITS else 0
+    if 1 <= number <= len(levels):
+        return levels[number - 1 :]
     if wanted.casefold() in names:
         return levels[names.index(wanted.casefold()) :]
     known = ", ".join([f"{number} {level.name!r}" for number, level in enumerate(levels, 1)])
-    raise BadInputError(f"--level {wanted}: no such level; expected one of {known}, or a .toml file")
+    raise BadInputError(f"--level {quoted(wanted)}: no such level; expected one of {known}, or a .toml file")
 
 
 def load_file(path: Path) -> Level:
     """A level from a TOML file; BadInputError, naming file, key and rule, for anything that cannot be played."""
-    return parse(_read(path), str(path))
+    return parse(read_input(path, "level", MAX_FILE_SIZE), quoted_path(path))
 
 
 def parse(data: bytes, source: str) -> Level:
@@ -128,7 +143,8 @@ def parse(data: bytes, source: str) -> Level:
     except msgspec.ValidationError as error:
         what, _, where = str(error).partition(" - at ")
         key = where.strip("`").removeprefix("$.")
-        raise BadInputError(f"{source}: {key + ': ' if key else ''}{what}{_suggestion(what)}") from None
+        named = f"{quoted(key)}: " if key else ""
+        raise BadInputError(f"{source}: {named}{quoted_message(what)}{_suggestion(what)}") from None
     return checked(level, source)
 
 
@@ -136,7 +152,23 @@ def checked(level: Level, source: str) -> Level:
     """The level itself, if it describes a possible arena; else BadInputError with the first rule it breaks."""
     for key, rule in _broken_rules(level):
         raise BadInputError(f"{source}: {key}: {rule}")
+    try:
+        level.arena()
+    except ValueError as error:  # a size that the physics does not take
+        raise BadInputError(f"{source}: {error}") from None
     return level
+
+
+def warnings(level: Level) -> list[str]:
+    """What is allowed in a level and yet makes it tedious to play: key and reason, a line each."""
+    widths = [(number, _widest_gate(ring)) for number, ring in enumerate(level.rings)]
+    across = 2.0 * level.ball.radius
+    return [
+        f"rings[{number}]: its widest gate is {width / across:.3g} balls wide; the ball may stay behind it for minutes "
+        f"where a gate is narrower than {_EASY_GATE}"
+        for number, width in widths
+        if width is not None and across < width < _EASY_GATE * across
+    ]
 
 
 def _suggestion(what: str) -> str:
@@ -147,24 +179,10 @@ def _suggestion(what: str) -> str:
     return f"; did you mean `{near[0]}`?" if near else ""
 
 
-def _read(path: Path) -> bytes:
-    """A file's bytes, if it is a plain file of reasonable size."""
-    try:
-        if not path.is_file():
-            raise BadInputError(f"{path}: cannot read level; expected a file" + (", not a folder" if path.is_dir() else ""))
-        with path.open("rb") as file:
-            data = file.read(MAX_FILE_SIZE + 1)
-    except (OSError, ValueError) as error:
-        raise BadInputError(f"{path}: cannot read level; {getattr(error, 'strerror', None) or error}") from None
-    if len(data) > MAX_FILE_SIZE:
-        raise BadInputError(f"{path}: level too large; expected at most {MAX_FILE_SIZE // 1024} KB")
-    return data
-
-
 def _toml(data: bytes, source: str) -> dict[str, Any]:
     """The tables of a TOML file. Long lines and deep keys are refused first: they take the parser seconds and gigabytes."""
     try:
-        text = data.decode()
+        text = data.decode("utf-8-sig")
     except UnicodeDecodeError as error:
         raise BadInputError(f"{source}: not UTF-8 at byte {error.start}") from None
     for number, line in enumerate(text.splitlines(), 1):
@@ -175,7 +193,7 @@ def _toml(data: bytes, source: str) -> dict[str, Any]:
     try:
         return tomllib.loads(text)
     except ValueError as error:
-        raise BadInputError(f"{source}: not valid TOML; {error}") from None
+        raise BadInputError(f"{source}: not valid TOML; {quoted_message(str(error))}") from None
     except RecursionError:
         raise BadInputError(f"{source}: not valid TOML; nested too deeply") from None
 
@@ -209,8 +227,13 @@ def _numbers(value: Any, key: str = "") -> Iterator[tuple[str, float]]:
 
 def _broken_track_rules(level: Level) -> Iterator[tuple[str, str]]:
     """Rules of the ground, the ball and the paddles."""
-    paddles, speed = level.paddles, level.ball.speed
+    paddles, speed, ground = level.paddles, level.ball.speed, level.ground_radius
     outer = paddles.radius + paddles.half_width
+    if level.ball.radius < _LEAST_BALL * ground:
+        yield "ball.radius", f"must be at least {_LEAST_BALL:g} of ground_radius, {_LEAST_BALL * ground:g}"
+    if speed < 2.0 * ground / _LONGEST_CROSSING:
+        slowest = 2.0 * ground / _LONGEST_CROSSING
+        yield "ball.speed", f"must be at least {slowest:.4g}, to cross the ground in {_LONGEST_CROSSING:g} s"
     if outer > level.ground_radius:
         yield "paddles.radius", f"the paddles reach to {outer:g}, beyond ground_radius {level.ground_radius:g}"
     if paddles.half_width >= paddles.radius:
@@ -235,7 +258,7 @@ def _broken_ring_rules(key: str, ring: RingSpec, level: Level) -> Iterator[tuple
         fastest = math.degrees(level.ball.speed / outer)
         yield f"{key}.spin", f"must be below the ball's speed, {fastest:.4g} degrees per second at the ring's outer radius"
     track = level.paddles.radius - level.paddles.half_width
-    if outer + 2.0 * level.ball.radius >= track:
+    if outer + 2.0 * level.ball.radius + _least_play(level.ball) >= track:
         yield (
             f"{key}.radius",
             f"reaches to {outer:g}; the ball ({2.0 * level.ball.radius:g} across) must fit below the paddles' track {track:g}",
@@ -253,22 +276,57 @@ def _broken_wall_rules(level: Level) -> Iterator[tuple[str, str]]:
     for (number, ring), (below_number, below) in itertools.pairwise(outside_in):
         if below.radius + below.half_width > ring.radius - ring.half_width:
             yield f"rings[{below_number}]", f"overlaps rings[{number}]"
+    yield from _broken_play_rules(outside_in, level.ball)
     barrier: int | None = None
     for number, ring in outside_in:
         if barrier is not None and max(ring.slots()) > 0:
-            yield f"rings[{number}]", f"level cannot be completed: rings[{barrier}] leaves the ball no way in"
+            yield f"rings[{number}]", f"level cannot be completed: rings[{barrier}] lets no ball in"
         if barrier is None and _is_barrier(ring, level.ball.radius):
             barrier = number
 
 
+def _broken_play_rules(outside_in: list[tuple[int, RingSpec]], ball: BallSpec) -> Iterator[tuple[str, str]]:
+    """Rules against unbreakable walls that the ball just fits between: it would bounce to and fro for ever."""
+    rule = f"leaves the ball less than {_least_play(ball):.3g} to move; make it wider, or too narrow for the ball"
+    fixed = [(number, ring) for number, ring in outside_in if PERMANENT in ring.slots()]
+    for number, ring in fixed:
+        if any([_is_tight(width, ball) for width in _gates(ring)]):
+            yield f"rings[{number}]", f"a gate between its unbreakable sectors {rule}"
+        if _is_tight(2.0 * (ring.radius - ring.half_width), ball):
+            yield f"rings[{number}]", f"the hole inside it {rule}"
+    for (number, ring), (below_number, below) in itertools.combinations(fixed, 2):
+        if _is_tight(ring.radius - ring.half_width - below.radius - below.half_width, ball):
+            yield f"rings[{below_number}]", f"the lane between it and rings[{number}] {rule}"
+
+
+def _is_tight(width: float, ball: BallSpec) -> bool:
+    """Whether the ball just fits into a width."""
+    return abs(width - 2.0 * ball.radius) < _least_play(ball)
+
+
+def _least_play(ball: BallSpec) -> float:
+    """World units by which a lane must be wider than the ball, for a tick to hold all impacts of a flight across it."""
+    return max(_LEAST_PLAY * ball.radius, ball.speed / _TICKS_PER_SECOND / MAX_IMPACTS)
+
+
 def _is_barrier(ring: RingSpec, ball_radius: float) -> bool:
     """Whether the unbreakable sectors leave no gap that the ball fits through, all bricks gone."""
+    widest = _widest_gate(ring)
+    return widest is not None and widest <= 2.0 * ball_radius
+
+
+def _widest_gate(ring: RingSpec) -> float | None:
+    """Width of the widest gap between unbreakable sectors, all bricks gone, world units; None where there are none."""
+    return max(_gates(ring), default=None)
+
+
+def _gates(ring: RingSpec) -> list[float]:
+    """Widths of the gaps between neighbouring unbreakable sectors, all bricks gone: the chords at the inner radius."""
     fixed = [slot for slot, layers in enumerate(ring.slots()) if layers == PERMANENT]
-    if not fixed:
-        return False
-    following = [*fixed[1:], fixed[0] + ring.count]
-    steps = max([after - slot for slot, after in zip(fixed, following, strict=True)])
-    gap = math.radians(steps * 360.0 / ring.count - 2.0 * ring.half_angle)
+    following = [*fixed[1:], *[slot + ring.count for slot in fixed[:1]]]
     inner = ring.radius - ring.half_width
-    chord = 2.0 * inner * math.sin(gap / 2.0) if gap < math.pi else 2.0 * inner
-    return chord <= 2.0 * ball_radius
+    widths = []
+    for slot, after in zip(fixed, following, strict=True):
+        gap = math.radians((after - slot) * 360.0 / ring.count - 2.0 * ring.half_angle)
+        widths.append(2.0 * inner * math.sin(gap / 2.0) if gap < math.pi else 2.0 * inner)
+    return widths

@@ -59,6 +59,7 @@ class Controls(NamedTuple):
     turn: int = 0  # -1 clockwise, 0, +1 counter-clockwise
     pointer: int | None = None  # where the nearest paddle shall go, in 1/POINTER_STEPS of a turn; turn goes first
     serve: bool = False  # launch the ball, or go on after a cleared level
+    give_up: bool = False  # the balls in play count as lost: out of reach, they might never come back
 
 
 class Phase(IntEnum):
@@ -138,7 +139,7 @@ def tick(game: Game, controls: Controls, advance: Advance = physics.advance) -> 
     """The game one tick later. advance: the physics that is flown, any function of the shape of `physics.advance`."""
     arena = _steered(game, controls)
     if game.phase == Phase.PLAYING:
-        return _played(game, arena, advance)
+        return _played(game, arena, advance, give_up=controls.give_up)
     step = advance(arena._replace(balls=()), TICK, game.level.ball.speed, None)
     later = game._replace(tick=game.tick + 1, phase_tick=game.phase_tick + 1, arena=step.arena)
     if game.phase == Phase.SERVING:
@@ -213,7 +214,7 @@ def _next_level(game: Game, step: Step, moving: Arena) -> Ticked:
     return Ticked(game, (Event(EventKind.LEVEL_STARTED),), step, moving)
 
 
-def _played(game: Game, moving: Arena, advance: Advance) -> Ticked:
+def _played(game: Game, moving: Arena, advance: Advance, *, give_up: bool) -> Ticked:
     """A tick with balls in play: the physics, then what its hits mean, then who has left."""
     step = advance(moving, TICK, game.level.ball.speed, game.flight)
     game = game._replace(tick=game.tick + 1, phase_tick=game.phase_tick + 1, arena=step.arena, flight=step.flight)
@@ -225,7 +226,7 @@ def _played(game: Game, moving: Arena, advance: Advance) -> Ticked:
     if not any([layers > 0 for ring in game.arena.layers for layers in ring]):
         game = _level_cleared(game, events)
     else:
-        game = _without_lost_balls(game, events)
+        game = _without_lost_balls(game, events, give_up=give_up)
     return Ticked(game, tuple(events), step, moving)
 
 
@@ -275,9 +276,10 @@ def _level_cleared(game: Game, events: list[Event]) -> Game:
     return _in_phase(game, Phase.WON)
 
 
-def _without_lost_balls(game: Game, events: list[Event]) -> Game:
-    """The game after every ball that left the ground is gone: the last one costs a life, the last life the game."""
-    staying = tuple([ball for ball in game.arena.balls if _outcome(game, ball) is not Outcome.GAME_OVER])
+def _without_lost_balls(game: Game, events: list[Event], *, give_up: bool) -> Game:
+    """The game without the balls that left the ground or are given up: the last costs a life, the last life the game."""
+    kept = [ball for ball in game.arena.balls if _outcome(game, ball) is not Outcome.GAME_OVER]
+    staying = () if give_up else tuple(kept)
     if len(staying) == len(game.arena.balls):
         return game
     lost = [ball for ball in game.arena.balls if ball not in staying]

@@ -11,10 +11,11 @@ from game.drawing.painter import Painter
 from game.drawing.palette import DARK, Theme
 from game.drawing.text import Type
 from game.effects import NOTHING, Effects
-from game.input.view import FROM_ABOVE, View
+from game.input.view import FROM_ABOVE, Viewpoint
 from game.overlay import hud
 from game.rules import Game
 from game.scene import scene_at, still
+from game.system.files import write_whole
 
 
 def save_screenshot(
@@ -22,7 +23,7 @@ def save_screenshot(
     path: Path,
     size: tuple[int, int],
     theme: Theme = DARK,
-    view: View = FROM_ABOVE,
+    view: Viewpoint = FROM_ABOVE,
     effects: Effects = NOTHING,
 ) -> None:
     """Draw a game as the window shows it, and save it as PNG; OSError where it cannot be written. size: pixels."""
@@ -32,4 +33,4 @@ def save_screenshot(
     hud.draw(canvas, hud.readings(game, effects.streak), seen)
     picture = io.BytesIO()
     pygame.image.save(canvas.surface, picture, "screenshot.png")
-    path.write_bytes(picture.getvalue())
+    write_whole(path, picture.getvalue())

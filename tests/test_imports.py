@@ -28,7 +28,7 @@ WRONG = {
     "The physics knows neither the game nor the tools": {"physics/vectors.py": "def f():\n    from game import VERSION"},
     "The game runs on the hand-written physics: a second engine reaches it through its command line alone": {
         "game/app.py": "def f():\n    from tools import bench",
-        "game/__main__.py": "from tools.crosscheck import run",
+        "game/commands.py": "from tools.crosscheck import run",
         "game/fixed_step.py": "import numba",
         "game/second_opinion.py": "import pymunk",
     },

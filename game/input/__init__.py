@@ -1,1 +1,1 @@
-"""What the player does: keys, pointer, and the view they steer."""
+"""What the player does: keys, pointer, and the camera position that they control."""

@@ -9,8 +9,9 @@ from game.lab.kit.second_engine import Engine
 from game.lab.registry import scenes
 from game.lab.session.checks import Report, report
 from game.lab.session.share import parsed
-from game.system.command_line import say
 from game.system.errors import BadInputError, CheckFailedError
+from game.system.output import say
+from game.system.wording import quoted_path
 
 _SEED = 1
 
@@ -51,7 +52,7 @@ def save_picture(line: str | None, path: Path, size: tuple[int, int], theme: str
     try:
         save_screenshot(shared, path, size, theme)
     except OSError as error:
-        raise BadInputError(f"--screenshot {path}: cannot write; {error.strerror or error}") from None
+        raise BadInputError(f"--screenshot {quoted_path(path)}: cannot write; {error.strerror or error}") from None
 
 
 def _raise_failures(reports: list[Report]) -> None:

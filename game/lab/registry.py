@@ -4,6 +4,7 @@ import difflib
 
 from game.lab.kit.scene import Scene
 from game.system.errors import BadInputError
+from game.system.wording import quoted
 
 
 def scenes() -> tuple[Scene, ...]:
@@ -20,4 +21,4 @@ def scene_named(name: str) -> Scene:
         return found[name]
     near = difflib.get_close_matches(name, found, n=3, cutoff=0.4)
     hint = f"near: {', '.join(near)}" if near else "--list names them all"
-    raise BadInputError(f"lab: no scene {name!r}; {hint}")
+    raise BadInputError(f"lab: no scene '{quoted(name)}'; {hint}")

@@ -9,6 +9,8 @@ from game.drawing.raster.primitives import draw_dot
 from game.drawing.text import stepped
 from game.effects import Streak
 from game.effects.streaks import BUMP_TICKS, ENDED_TICKS, NO_STREAK
+from game.input.key_names import key_name
+from game.input.keys import Action
 from game.levels import built_in
 from game.rules import BEST_COMBO, LIVES, Game, bricks_left
 
@@ -78,8 +80,12 @@ def draw(canvas: Canvas, shown: Readings, layout: Layout) -> None:
     box = canvas.write(shown.level_name, _LEVEL_NAME, theme.text, complex(left, bottom), "bottomleft")
     number = f"LEVEL {shown.level_number} of {shown.level_count}"
     canvas.write(number, _CAPTION, theme.faint, complex(left, box.top - unit * 0.2), "bottomleft")
-    state = "   ".join(filter(None, [shown.badge, "sound off (M)" if shown.muted else ""]))
-    lines = (("H  help", theme.faint), (f"{shown.bricks} layers left", theme.text), (state, theme.accent))
+    state = "   ".join(filter(None, [shown.badge, f"sound off ({key_name(Action.MUTE)})" if shown.muted else ""]))
+    lines = (
+        (f"{key_name(Action.HELP)}  help", theme.faint),
+        (f"{shown.bricks} layers left", theme.text),
+        (state, theme.accent),
+    )
     for text, colour in lines:
         box = canvas.write(text, _CAPTION, colour, complex(right, bottom), "bottomright")
         bottom = box.top - unit * _LINE_GAP

@@ -1,1 +1,1 @@
-"""Recorded games: the file, watching, verifying, the kept ones."""
+"""Recorded games: their file, watching and verifying them, and the history of games played."""

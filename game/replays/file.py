@@ -2,13 +2,14 @@ r"""Recorded games: the inputs, and hashes to prove that playing them again give
 
 A replay file (.polar) is, in this order:
 
-    "polar-breakout replay 1\n"    the format and its version
+    "polar-breakout replay 2\n"    the format and its version
     32 bytes                      SHA-256 of all that follows
     a zlib stream                 of a MessagePack map with the fields of `Recording`
 
 `runs` packs the controls run-length coded, five bytes a run, little-endian: uint16 ticks (1 to 65535), uint8 flags (bits
-0-1 turn + 1, bit 2 serve, bit 3 pointer present), uint16 pointer (0 where absent). `hashes` holds the 32-byte
-state hash after every 60th tick and after the last. `trace` holds one byte per tick for each of `fingerprint.FIELDS`,
+0-1 turn + 1, bit 2 serve, bit 3 pointer present, bit 4 give up), uint16 pointer (0 where absent). Format 1 had no bit 4, and
+is still read. `hashes` holds the 32-byte
+state hash after every 60th tick and after the last. `trace` holds one byte per tick for each of `state_hash.FIELDS`,
 field by field: too weak to prove anything, strong enough to say at which tick and where two games part.
 """
 
@@ -27,7 +28,8 @@ from game.levels import Level, checked
 from game.replays.state_hash import FIELDS, field_checks, state_hash
 from game.rules import Controls, Game, Ticked, new_game, tick
 from game.system.errors import BadInputError
-from game.system.files import write_whole
+from game.system.files import read_input, write_whole
+from game.system.wording import quoted, quoted_message, quoted_path
 from physics import PHYSICS_VERSION
 
 BLOCK = 60
@@ -35,7 +37,9 @@ BLOCK = 60
 MAX_TICKS = 240 * 3600
 """The longest recording: an hour."""
 
-_FORMAT = 1
+_FORMAT = 2
+_FLAGS = {1: 0b01111, 2: 0b11111}
+"""The flags that each format knows."""
 _MAGIC = b"polar-breakout replay "
 _DIGEST = 32
 _MAX_FILE_SIZE = 16 * 1024 * 1024
@@ -95,7 +99,7 @@ class Recorder:
             VERSION,
             PHYSICS_VERSION,
             list(self._levels),
-            _levels_hash(self._levels),
+            levels_hash(self._levels),
             self._seed,
             self.ticks,
             bytes(runs),
@@ -112,15 +116,15 @@ class Recorder:
         """The current run's bytes; none before the first tick."""
         if self._last is None or self._length == 0:
             return b""
-        turn, pointer, serve = self._last
-        flags = (turn + 1) | serve << 2 | (pointer is not None) << 3
+        turn, pointer, serve, give_up = self._last
+        flags = (turn + 1) | serve << 2 | (pointer is not None) << 3 | give_up << 4
         return _RUN.pack(self._length, flags, pointer or 0)
 
 
 def controls_of(recording: Recording) -> Iterator[Controls]:
     """The controls, tick by tick."""
     for length, flags, pointer in _RUN.iter_unpack(recording.runs):
-        controls = Controls((flags & 3) - 1, pointer if flags & 8 else None, bool(flags & 4))
+        controls = Controls((flags & 3) - 1, pointer if flags & 8 else None, bool(flags & 4), bool(flags & 16))
         for _ in range(length):
             yield controls
 
@@ -136,45 +140,40 @@ def played(recording: Recording) -> Iterator[Ticked]:
 
 def save(recording: Recording, path: Path) -> None:
     """Write a replay file, whole or not at all; BadInputError where it cannot be written."""
-    body = zlib.compress(msgspec.msgpack.encode(recording), 9)
-    data = _MAGIC + b"%d\n" % _FORMAT + hashlib.sha256(body).digest() + body
     try:
-        write_whole(path, data)
+        write_whole(path, encoded(recording))
     except OSError as error:
-        raise BadInputError(f"{path}: cannot write replay; {error.strerror}") from None
+        raise BadInputError(f"{quoted_path(path)}: cannot write replay; {error.strerror or error}") from None
+
+
+def encoded(recording: Recording) -> bytes:
+    """The bytes of a replay file."""
+    body = zlib.compress(msgspec.msgpack.encode(recording), 9)
+    return _MAGIC + b"%d\n" % _FORMAT + hashlib.sha256(body).digest() + body
 
 
 def load(path: Path) -> Recording:
     """The recording in a file; BadInputError, in one line, for everything that is not one of this version."""
-    try:
-        if not path.is_file():
-            raise BadInputError(f"{path}: cannot read replay; expected a file" + (", not a folder" if path.is_dir() else ""))
-        with path.open("rb") as file:
-            data = file.read(_MAX_FILE_SIZE + 1)
-    except (OSError, ValueError) as error:
-        raise BadInputError(f"{path}: cannot read replay; {getattr(error, 'strerror', None) or error}") from None
-    return decoded(data, str(path))
+    return decoded(read_input(path, "replay", _MAX_FILE_SIZE), quoted_path(path))
 
 
 def decoded(data: bytes, source: str) -> Recording:
     """A recording from a file's bytes; `source` names it in errors."""
-    if len(data) > _MAX_FILE_SIZE:
-        raise BadInputError(f"{source}: replay too large; expected at most {_MAX_FILE_SIZE // 2**20} MB")
     header = data[: len(_MAGIC) + 8].partition(b"\n")[0]
     version = header.removeprefix(_MAGIC)
     if not header.startswith(_MAGIC) or not version.isdigit():
         raise BadInputError(f"{source}: not a replay of the polar breakout")
-    if int(version) != _FORMAT:
-        raise BadInputError(f"{source}: replay format {int(version)}; this game reads format {_FORMAT}")
+    if int(version) not in _FLAGS:
+        raise BadInputError(f"{source}: replay format {int(version)}; this game reads formats 1 to {_FORMAT}")
     start = len(header) + 1
     digest, body = data[start : start + _DIGEST], data[start + _DIGEST :]
     if hashlib.sha256(body).digest() != digest:
         raise BadInputError(f"{source}: damaged replay; its checksum does not fit")
     try:
         recording = msgspec.msgpack.decode(_inflated(body, source), type=Recording)
-    except msgspec.DecodeError as error:
-        raise BadInputError(f"{source}: damaged replay; {error}") from None
-    _check(recording, source)
+    except (msgspec.DecodeError, UnicodeDecodeError) as error:
+        raise BadInputError(f"{source}: damaged replay; {quoted_message(str(error))}") from None
+    _check(recording, source, _FLAGS[int(version)])
     return recording
 
 
@@ -192,20 +191,20 @@ def _inflated(body: bytes, source: str) -> bytes:
     return raw
 
 
-def _check(recording: Recording, source: str) -> None:
-    """Raise BadInputError for fields that contradict each other."""
+def _check(recording: Recording, source: str, known: int) -> None:
+    """Raise BadInputError for fields that contradict each other. known: flags of a run."""
     if recording.physics_version != PHYSICS_VERSION:
-        made = f"version {recording.game_version}, physics {recording.physics_version}"
+        made = f"version {quoted(recording.game_version)}, physics {recording.physics_version}"
         raise BadInputError(f"{source}: made by {made}; this game has physics {PHYSICS_VERSION} and would play it differently")
     for number, level in enumerate(recording.levels):
         checked(level, f"{source}: levels[{number}]")
-    if _levels_hash(tuple(recording.levels)) != recording.levels_hash:
+    if levels_hash(tuple(recording.levels)) != recording.levels_hash:
         raise BadInputError(f"{source}: levels_hash: another level than the one the game was played on")
     if len(recording.runs) % _RUN.size:
         raise BadInputError(f"{source}: runs: cut off in the middle of a run")
     total = 0
     for length, flags, pointer in _RUN.iter_unpack(recording.runs):
-        if length == 0 or flags & 3 == 3 or flags > 15 or (pointer and not flags & 8):
+        if length == 0 or flags & 3 == 3 or flags & ~known or (pointer and not flags & 8):
             raise BadInputError(f"{source}: runs: unknown action {flags} at tick {total}")
         total += length
     blocks = -(-recording.ticks // BLOCK)
@@ -218,6 +217,6 @@ def _check(recording: Recording, source: str) -> None:
             raise BadInputError(f"{source}: {name}: {found} where {recording.ticks} ticks need {expected}")
 
 
-def _levels_hash(levels: tuple[Level, ...]) -> str:
+def levels_hash(levels: tuple[Level, ...]) -> str:
     """One hash for all the levels of a game."""
     return hashlib.sha256("".join([level.content_hash() for level in levels]).encode()).hexdigest()

@@ -9,11 +9,16 @@ from game.rules import Game, new_game, tick
 
 
 class Divergence(NamedTuple):
-    """Where a recording and its re-simulation part."""
+    """Where a recording and the game that is played from it part.
 
-    block: int  # the first whose hash differs; block k ends after tick (k + 1) BLOCK
-    tick: int | None  # the first whose trace differs, counted from 1; None where the whole block's trace agrees
-    field: str | None  # of fingerprint.FIELDS
+    block: the first whose hash differs; block k ends after tick (k + 1) BLOCK.
+    tick: the first whose trace differs, counted from 1; None where the whole block's trace agrees.
+    field: the first that differs there, of state_hash.FIELDS; None where tick is.
+    """
+
+    block: int
+    tick: int | None
+    field: str | None
 
     def __str__(self) -> str:
         first, last = self.block * BLOCK + 1, (self.block + 1) * BLOCK
@@ -23,15 +28,14 @@ class Divergence(NamedTuple):
 
 
 class Verdict(NamedTuple):
-    """What playing a recording again gave."""
+    """What playing a recording again gave.
 
-    game: Game  # as far as it was played: to the end, or to the end of the first bad block
+    game: as far as it was played, to the end or to the end of the first block that differs.
+    divergence: None where every block agrees.
+    """
+
+    game: Game
     divergence: Divergence | None
-
-    @property
-    def final_hash(self) -> str:
-        """State hash of that game."""
-        return state_hash(self.game)
 
 
 def verified(recording: Recording) -> Verdict:

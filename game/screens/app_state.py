@@ -6,12 +6,13 @@ from dataclasses import dataclass, field
 import pygame
 
 from game import second_opinion
+from game.chosen_physics import SWEPT, ChosenPhysics
 from game.drawing.camera import Camera, unit_of
 from game.drawing.canvas import Canvas
 from game.drawing.painter import Painter
 from game.drawing.palette import Theme
 from game.drawing.text import Type
-from game.input.view import FROM_ABOVE, View
+from game.input.view import FROM_ABOVE, Viewpoint
 from game.levels import Level
 from game.overlay.toast import Toast
 from game.rules import Controls, Game, Ticked
@@ -37,6 +38,7 @@ class AppState:
     open_title: makes the title's screen.
     recorder: told every tick that is played; None for nobody.
     autopilot: whether it plays instead of the player.
+    physics: that games are flown on.
     settings: the player's, as they hold now; settings_file: where they outlive the session.
     full_screen: whether the window is.
     view: from where the player looks at the arena.
@@ -55,13 +57,14 @@ class AppState:
     autopilot: bool = False
     settings: Settings = field(default_factory=Settings)
     full_screen: bool = False
-    view: View = FROM_ABOVE
+    view: Viewpoint = FROM_ABOVE
     compare: Compare | None = None
     open_lab: "Callable[[AppState, Screen], Screen] | None" = None
     shows_normals: bool = False
     audio: Audio | None = None
     settings_file: SettingsFile | None = None
     toast: Toast | None = None
+    physics: ChosenPhysics = SWEPT
     painter: Painter = field(default_factory=Painter)
     type: Type = field(default_factory=Type)
 

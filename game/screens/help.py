@@ -4,7 +4,8 @@ import pygame
 
 from game.drawing.canvas import Canvas
 from game.drawing.flat.sample import brick_sample
-from game.input.signals import PLAY_HELP, Clicked, Pressed, Signal
+from game.input.key_names import play_help
+from game.input.signals import Clicked, Pressed, Signal
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.panel import centred, dim, draw_panel
@@ -42,11 +43,11 @@ class Help:
     """A panel that any key of the game or a click closes."""
 
     def __init__(
-        self, state: AppState, under: Screen, title: str = "How to play", keys: tuple[tuple[str, str], ...] = PLAY_HELP
+        self, state: AppState, under: Screen, title: str = "How to play", keys: tuple[tuple[str, str], ...] | None = None
     ) -> None:
-        """Open over a screen. keys: pairs of keys and what they do."""
+        """Open over a screen. keys: pairs of keys and what they do; None for those of a game."""
         self._state, self._under = state, under
-        self._title, self._keys = title, keys
+        self._title, self._keys = title, play_help() if keys is None else keys
         self._picture = StillPicture()
 
     def answer(self, signal: Signal, _size: tuple[int, int]) -> Screen | None:

@@ -7,7 +7,8 @@ import pygame
 
 from game.drawing.camera import unit_of
 from game.drawing.raster.primitives import draw_box
-from game.input.signals import Action, Clicked, Moved, Pressed, Signal
+from game.input.keys import Action
+from game.input.signals import Clicked, Moved, Pressed, Signal
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.help import Help

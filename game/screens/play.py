@@ -6,13 +6,17 @@ from game import effects
 from game.autopilot import Autopilot
 from game.drawing import contact_normals
 from game.drawing.camera import Camera, Layout, layout, unit_of
+from game.drawing.canvas import Canvas
 from game.effects import EffectKind, Effects
 from game.effects.hit_stop import hit_stop_seconds
 from game.fixed_step import Due, due
-from game.input.signals import Action, FocusLost, Hands, Pressed, Signal
+from game.input.hands import Hands
+from game.input.key_names import key_name
+from game.input.keys import Action
+from game.input.signals import FocusLost, Pressed, Signal
 from game.levels import Level
 from game.overlay import hud, notice
-from game.rules import Phase, new_game, tick
+from game.rules import TICK, EventKind, Phase, new_game, tick
 from game.scene import scene_at, still
 from game.screens.app_state import AppState
 from game.screens.base import Screen
@@ -23,8 +27,13 @@ from game.second_opinion import NormalPair
 
 _READY_SECONDS = 0.6
 """After a pause with a ball in play, until it flies on."""
+_OFFER_TICKS = round(20.0 / TICK)
+"""Without a paddle's touch, until the player may give up the ball."""
 _END_TICKS = 200
 """From the end of the game to the menu that says so: nobody who is still playing chooses an entry by accident."""
+# Lengths are in units of text.
+_NOTE, _NOTE_ROOM, _NOTE_BOTTOM, _NOTE_MARGIN = 0.95, 1.6, 0.3, 0.8
+"""The line about the physics: size of its letters, height left to it, from it to the lower edge and to the sides."""
 
 
 class Play:
@@ -41,6 +50,7 @@ class Play:
         self._ready = 0.0  # seconds until play goes on after a pause
         self._stop = 0.0  # seconds of hit-stop left
         self._pilot = Autopilot() if state.autopilot else None
+        self._untouched = 0  # ticks with a ball in play since a paddle touched it
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
         """Take the player's controls into account, or open a panel."""
@@ -53,6 +63,8 @@ class Play:
                 return self._paused(Help(self._state, self))
             case Pressed(Action.SETTINGS):
                 return self._paused(SettingsPanel(self._state, self))
+            case Pressed(Action.GIVE_UP) if not self._may_give_up:
+                return self
         self._hands = self._hands.after(signal)
         self._state.view = self._state.view.after(signal, unit_of(size))
         return self
@@ -89,8 +101,17 @@ class Play:
         shown = hud.readings(self._ticked.game, self._effects.streak, muted=not state.settings.sound, badge=badge)
         hud.draw(canvas, shown, seen)
         told = notice.READY if self._ready > 0.0 else notice.notice(self._ticked.game)
+        if told is None and self._may_give_up:
+            told = notice.Notice("Out of reach?", f"{key_name(Action.GIVE_UP)}: give up this ball; it costs a life")
         if told is not None:
             notice.draw(canvas, told, scene)
+        if state.physics.note:
+            _draw_note(canvas, state.physics.note)
+
+    @property
+    def _may_give_up(self) -> bool:
+        """Whether the ball has been out of reach for so long that the player may do without it."""
+        return self._pilot is None and self._untouched >= _OFFER_TICKS
 
     def restarted(self) -> Screen:
         """The same levels from their first serve."""
@@ -100,8 +121,12 @@ class Play:
         """Run one tick and tell the recorder."""
         game = self._ticked.game
         controls = self._hands.controls(camera) if self._pilot is None else self._pilot.controls(game)
-        self._hands = self._hands._replace(serve=False)
-        self._ticked = tick(game, controls)
+        self._hands = self._hands.after_tick()
+        self._ticked = tick(game, controls, self._state.physics.advance)
+        touched = self._ticked.game.phase != Phase.PLAYING or any(
+            [event.kind in {EventKind.PADDLE_HIT, EventKind.SERVED} for event in self._ticked.events]
+        )
+        self._untouched = 0 if touched else self._untouched + 1
         self._effects = effects.after(self._effects, self._ticked, self._state.settings.shown)
         self._normals = self._state.normals_after(self._normals, self._ticked)
         self._state.play_sounds(self._ticked, camera)
@@ -117,7 +142,17 @@ class Play:
 
     def _layout(self, size: tuple[int, int]) -> Layout:
         """Where everything is on a surface of some size."""
-        return self._state.view.seen(layout(size, self._ticked.game.level.ground_radius))
+        below = unit_of(size) * _NOTE_ROOM if self._state.physics.note else 0.0
+        return self._state.view.seen(layout(size, self._ticked.game.level.ground_radius, below))
+
+
+def _draw_note(canvas: Canvas, note: str) -> None:
+    """A line at the lower edge of the surface, smaller where it would not fit into the width."""
+    width, height = canvas.size
+    length = canvas.type.rendered(note, canvas.unit * _NOTE, canvas.theme.accent).get_width()
+    size = _NOTE * min((width - 2.0 * _NOTE_MARGIN * canvas.unit) / length, 1.0)
+    pixel = complex(width / 2.0, height - canvas.unit * _NOTE_BOTTOM)
+    canvas.write(note, size, canvas.theme.accent, pixel, "midbottom")
 
 
 def _pause_menu(state: AppState, play: Play) -> Menu:

@@ -7,7 +7,8 @@ from game.drawing.canvas import Canvas
 from game.drawing.palette import mixed
 from game.drawing.raster.primitives import draw_box, draw_dot
 from game.effects import MOVING, PLAIN
-from game.input.signals import Action, Clicked, Moved, Pressed, Signal
+from game.input.keys import Action
+from game.input.signals import Clicked, Moved, Pressed, Signal
 from game.overlay.toast import draw_bar
 from game.screens.app_state import AppState
 from game.screens.base import Screen

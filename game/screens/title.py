@@ -5,7 +5,9 @@ import pygame
 from game.drawing.camera import Camera, layout, unit_of
 from game.drawing.canvas import Canvas
 from game.drawing.raster.primitives import draw_box
-from game.input.signals import Action, Clicked, Moved, Pressed, Signal
+from game.input.key_names import key_name
+from game.input.keys import Action
+from game.input.signals import Clicked, Moved, Pressed, Signal
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.demo import Demo
@@ -16,7 +18,6 @@ from game.screens.settings_panel import SettingsPanel
 from game.screens.thumbnail import thumbnail
 
 NAME = "POLAR BREAKOUT"
-_KEYS_HELP = "Enter or click: play     Arrows: choose     H: help     O: settings     F11: full screen     Esc: quit"
 # Lengths are in units of text.
 _NAME, _NAME_SHARE, _NAME_SPACING = 3.8, 1.0 / 11.0, 0.12
 """Size of the name's letters, their largest share of the surface's width, and the gaps between them in shares of their size."""
@@ -93,7 +94,7 @@ class Title:
         for line in canvas.type.wrapped(level.description, unit * _DESCRIPTION, width * _DESCRIPTION_WIDTH):
             under = complex(middle, box.bottom + unit * _LINE_GAP)
             box = canvas.write(line, _DESCRIPTION, theme.text, under, "midtop")
-        canvas.write(_KEYS_HELP, _KEYS, theme.faint, complex(middle, height - unit * _KEYS_BOTTOM), "midbottom")
+        canvas.write(_keys_help(), _KEYS, theme.faint, complex(middle, height - unit * _KEYS_BOTTOM), "midbottom")
 
     def _demo_camera(self, size: tuple[int, int], ground_radius: float) -> Camera:
         """The camera that shows the demonstration between the name and the cards."""
@@ -150,3 +151,9 @@ class Title:
     def _started(self) -> Screen:
         """The game from the chosen level on."""
         return Play(self._state, self._state.catalogue[self._state.chosen :])
+
+
+def _keys_help() -> str:
+    """The main keys, as the player's layout writes them."""
+    named = f"{key_name(Action.HELP)}: help     {key_name(Action.SETTINGS)}: settings"
+    return f"Enter or click: play     Arrows: choose     {named}     F11: full screen     Esc: quit"

@@ -11,7 +11,9 @@ from game.drawing.canvas import Canvas
 from game.drawing.raster.primitives import draw_dot
 from game.effects import LONGEST, Effects
 from game.fixed_step import LONGEST_FRAME
-from game.input.signals import WATCH_HELP, Action, Clicked, Dragged, Moved, Pressed, Signal, Zoomed
+from game.input.key_names import key_name, watch_help
+from game.input.keys import Action
+from game.input.signals import Clicked, Dragged, Moved, Pressed, Signal, Zoomed
 from game.overlay import hud
 from game.overlay.toast import draw_bar
 from game.rules import TICK, Game, Ticked
@@ -34,7 +36,6 @@ _GRIP = (0.5, 0.8)
 """A click so far beside the bar, across and down, still means it."""
 _EDGE, _TEXT, _KEYS, _KEYS_TOP = 0.8, 1.0, 0.9, 0.6
 """From the words to the surface's edges, sizes of letters, and from the bar to the keys below."""
-_KEYS_HELP = "Space: play / stop    , . : one tick    Left Right: 5 s    + -: speed    H: help"
 
 
 class Frames(Protocol):
@@ -70,7 +71,7 @@ class Watch:
             case Pressed(Action.BACK):
                 return None
             case Pressed(Action.HELP):
-                return Help(state, self, "Watching a game", WATCH_HELP)
+                return Help(state, self, "Watching a game", watch_help())
             case Pressed(Action.SETTINGS):
                 self._playing = False
                 return SettingsPanel(state, self)
@@ -188,9 +189,14 @@ class Watch:
         canvas.write("playing" if self._playing else "stopped", _TEXT, theme.text, left, "midleft")
         seconds = f"{self._at * TICK:.1f} / {self._frames.ticks * TICK:.1f} s    {_speed_text(SPEEDS[self._speed])}"
         canvas.write(seconds, _TEXT, theme.text, right, "midright")
-        canvas.write(_KEYS_HELP, _KEYS, theme.faint, complex(bar.left, bar.bottom + unit * _KEYS_TOP))
+        canvas.write(_keys_help(), _KEYS, theme.faint, complex(bar.left, bar.bottom + unit * _KEYS_TOP))
 
 
 def _speed_text(speed: float) -> str:
     """A speed, slow ones as a fraction."""
     return f"{speed:g}x" if speed >= 1.0 else f"1/{1.0 / speed:g}x"
+
+
+def _keys_help() -> str:
+    """The main keys, as the player's layout writes them."""
+    return f"Space: play / stop    , . : one tick    Left Right: 5 s    + -: speed    {key_name(Action.HELP)}: help"

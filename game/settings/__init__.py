@@ -1,1 +1,1 @@
-"""What the player chose, and where it is kept."""
+"""The player's settings, the file that holds them, and the keys that change them."""

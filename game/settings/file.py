@@ -13,13 +13,14 @@ import platformdirs
 
 from game.effects import EffectKind
 from game.settings.values import LOUDEST, THEMES, Settings
-from game.system.files import write_whole
+from game.system.files import sweep, write_whole
+from game.system.wording import quoted_path
 
 VERSION = 1
 _LARGEST = 64 * 1024
 
 
-def place() -> Path:
+def settings_path() -> Path:
     """Where the settings are kept."""
     return platformdirs.user_config_path("polar-breakout", appauthor=False) / "settings.json"
 
@@ -36,6 +37,7 @@ class SettingsFile:
 
     def load(self) -> Settings:
         """The settings that were kept; the defaults where there are none."""
+        sweep(self._path.parent)
         self._kept = self._read()
         return self._kept
 
@@ -48,7 +50,7 @@ class SettingsFile:
             write_whole(self._path, encoded(settings))
             self._kept = settings
         except OSError as error:
-            self.problem = f"settings not saved: {self._path}: {error.strerror or error}"
+            self.problem = f"settings not saved: {quoted_path(self._path)}: {error.strerror or error}"
 
     def _read(self) -> Settings:
         """What the file says."""
@@ -56,12 +58,12 @@ class SettingsFile:
             if not self._path.exists():
                 return Settings()
             if not self._path.is_file():
-                self.problem = f"settings not read: {self._path}: not a file; the defaults are used"
+                self.problem = f"settings not read: {quoted_path(self._path)}: not a file; the defaults are used"
                 return Settings()
             with self._path.open("rb") as file:
                 data = file.read(_LARGEST + 1)
         except OSError as error:
-            self.problem = f"settings not read: {self._path}: {error.strerror or error}; the defaults are used"
+            self.problem = f"settings not read: {quoted_path(self._path)}: {error.strerror or error}; the defaults are used"
             return Settings()
         try:
             said = msgspec.json.decode(data, type=dict[str, Any]) if len(data) <= _LARGEST else None
@@ -72,17 +74,17 @@ class SettingsFile:
             return Settings()
         self._newer = not _is_known(said.get("version", VERSION))
         if self._newer:
-            self.problem = f"settings of a newer version in {self._path}: changes will not be saved"
+            self.problem = f"settings of a newer version in {quoted_path(self._path)}: changes will not be saved"
         return decoded(said)
 
     def _put_aside(self) -> None:
-        """Move a file that cannot be read out of the way."""
+        """Rename a file that cannot be read, so that it is not lost when the settings are saved."""
         aside = self._path.with_name(f"{self._path.name}.bad-{time.strftime('%Y%m%d-%H%M%S')}")
         try:
             self._path.replace(aside)
-            self.problem = f"settings not readable: moved to {aside}; the defaults are used"
+            self.problem = f"settings not readable: moved to {quoted_path(aside)}; the defaults are used"
         except OSError as error:
-            self.problem = f"settings not readable: {self._path}: {error.strerror or error}; the defaults are used"
+            self.problem = f"settings not readable: {quoted_path(self._path)}: {error.strerror or error}; the defaults are used"
 
 
 def encoded(settings: Settings) -> bytes:

@@ -1,6 +1,6 @@
 """The keys that change a setting on every screen, and what is said about it."""
 
-from game.input.signals import Action
+from game.input.keys import Action
 from game.overlay.toast import Toast
 from game.settings.values import LOUDEST, Settings
 

@@ -1,4 +1,4 @@
-"""What the player has chosen, on every screen and in every game: a value, and the steps from one to another."""
+"""The player's settings as a value, and the changes that keys and the settings panel make to it."""
 
 from typing import NamedTuple
 
@@ -11,14 +11,18 @@ THEMES = {"dark": DARK, "light": LIGHT}
 
 
 class Settings(NamedTuple):
-    """One choice of everything."""
+    """All settings.
 
-    colours: str = "dark"  # a key of THEMES
+    colours: a key of THEMES. volume: 0 to LOUDEST. reduced_motion: no effect that moves the picture.
+    effects: whether there are any but the ball's trail. off: single effects that are not wanted.
+    """
+
+    colours: str = "dark"
     sound: bool = True
-    volume: int = 80  # 0 to LOUDEST
+    volume: int = 80
     reduced_motion: bool = False
-    effects: bool = True  # any but the trail
-    off: frozenset[EffectKind] = frozenset()  # effects that are not wanted
+    effects: bool = True
+    off: frozenset[EffectKind] = frozenset()
 
     @property
     def theme(self) -> Theme:

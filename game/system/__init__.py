@@ -1,1 +1,1 @@
-"""The operating system: command line, files, window, errors."""
+"""The operating system: command line, signals, output, files, window, errors."""

@@ -48,7 +48,7 @@ def on_display_lost(last_words: Callable[[], None]) -> object:
     def failed(display: int | None, error: "ctypes._Pointer[_Error]") -> int:
         return lost(display) if error.contents.code == _BAD_DRAWABLE else 0  # without the window there is nothing to draw on
 
-    kept = _ON_LOSS(lost), _ON_ERROR(failed)
-    x11.XSetIOErrorHandler(kept[0])
-    x11.XSetErrorHandler(kept[1])
-    return kept
+    handlers = _ON_LOSS(lost), _ON_ERROR(failed)
+    x11.XSetIOErrorHandler(handlers[0])
+    x11.XSetErrorHandler(handlers[1])
+    return handlers

@@ -13,7 +13,7 @@ def quiet_libraries() -> Iterator[None]:
         yield
         return
     try:
-        kept = os.dup(2)
+        saved = os.dup(2)
     except OSError:
         yield
         return
@@ -23,6 +23,6 @@ def quiet_libraries() -> Iterator[None]:
         os.dup2(nowhere, 2)
         yield
     finally:
-        os.dup2(kept, 2)
+        os.dup2(saved, 2)
         os.close(nowhere)
-        os.close(kept)
+        os.close(saved)

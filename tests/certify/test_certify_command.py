@@ -10,7 +10,7 @@ pytest.importorskip("flint", reason="the proofs need python-flint, the extra [pr
 from game.system.command_line import run
 from tools.certify import command, sources
 from tools.certify import run as runs
-from tools.certify.__main__ import app
+from tools.certify.commands import app
 
 NAME = "python -m tools.certify"
 
@@ -99,7 +99,7 @@ def test_ctrl_c_leaves_a_partial_result(capsys, monkeypatch, tmp_path):
     file = tmp_path / "result.json"
     code, out, _ = certify(capsys, "arena:1:2", "arena:1:4", "--json", file)
     assert code == 128 + signal.SIGINT
-    assert out.splitlines()[-1].endswith("; stopped by Ctrl-C")
+    assert out.splitlines()[-1].endswith("; stopped by a signal")
     assert json.loads(file.read_text())["partial"] is True
     assert "1 games and arenas" in out
 

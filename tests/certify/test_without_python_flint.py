@@ -3,7 +3,7 @@
 import sys
 
 from game.system.command_line import run
-from tools.certify.__main__ import app
+from tools.certify.commands import app
 
 
 def test_without_python_flint_it_is_exit_code_3(monkeypatch, capsys):

@@ -20,7 +20,7 @@ from game.rules import new_game, tick
 from game.system.command_line import run
 from tests.support.paths import ROOT
 from tools.crosscheck import cli
-from tools.crosscheck.__main__ import _PLAYERS, _VERDICTS, app
+from tools.crosscheck.commands import _PLAYERS, _VERDICTS, app
 from tools.crosscheck.comparisons.convergence import FACETS, Curve
 from tools.crosscheck.games.sources import PLAYERS, RANDOM, Source
 from tools.crosscheck.report.terminal import print_findings
@@ -188,8 +188,8 @@ def test_the_extras_are_shown(capsys, tmp_path: Path, monkeypatch):
         (["--corpus", "README.md"], "--corpus README.md: cannot write there"),
         (["no such.polar"], "no such.polar: cannot read replay"),
         (["."], "cannot read replay; expected a file, not a folder"),
-        (["--report", "no/such/folder/page.html"], "the folder no/such/folder does not exist"),
-        (["--json", "."], "--json .: is a folder"),
+        (["--report", "no/such/folder/page.html"], "there is no folder no/such/folder"),
+        (["--json", "."], "--json .: a folder"),
         (["--bogus"], "No such option"),
     ],
 )

@@ -1,15 +1,17 @@
 """Level files: what is accepted, and how everything else is refused in one line."""
 
+import math
 import re
 from pathlib import Path
 
+import msgspec
 import pytest
 
 from game import levels
 from game.levels import built_in, chosen, load_file, parse
 from game.rules import bricks_left, new_game
 from game.system.errors import BadInputError
-from physics import PERMANENT
+from physics import PERMANENT, Arena, Ball, Ring, advance
 from tests.support.level_text import GOOD, changed
 
 
@@ -55,12 +57,11 @@ def test_the_good_level_is_good():
         ),
         (
             GOOD + b"[[rings]]\nradius = 5.0\nhalf_width = 0.2\nhalf_angle = 14.0\ncount = 12\nlayers = -1\n",
-            r"rings\[0\]: level cannot be completed: rings\[1\] leaves the ball no way in",
+            r"rings\[0\]: level cannot be completed: rings\[1\] lets no ball in",
         ),
         (b"name = \nb = 1", r"not valid TOML; .*line 1, column 8"),
         (b"a = 1\na = 2\n", r"not valid TOML; .*line 2"),
         (b"\xff\xfe", r"not UTF-8 at byte 0"),
-        (b"\xef\xbb\xbf" + GOOD, r"not valid TOML"),
         (b"a = 1\0", r"not valid TOML"),
         (b"a = " + b"9" * 990, r"Expected|missing|unknown|not valid"),
         (b"a = " + b"[" * 900, r"not valid TOML"),
@@ -129,6 +130,157 @@ def test_the_arena_has_what_the_level_says():
         assert bricks_left(game) == sum(count for count in layers if count > 0)
         assert game.arena.rings[0].count == level.paddles.count
         assert len(game.arena.rings) == 1 + len(level.rings)
+
+
+def test_what_editors_write_is_accepted(tmp_path: Path):
+    """A byte order mark, as Notepad puts it before every file, and a name in capitals."""
+    own = tmp_path / "UPPER.TOML"
+    own.write_bytes(b"\xef\xbb\xbf" + GOOD.replace(b"\n", b"\r\n"))
+    assert load_file(own) == parse(GOOD, "x")
+    assert chosen(str(own)) == (parse(GOOD, "x"),)
+
+
+def test_a_number_is_a_number():
+    """With zeros before it, too; 10 is no level."""
+    assert chosen("0003") == built_in()[2:]
+    for wrong in ("00010", "0" * 8, "0" * 5000 + "3"):
+        with pytest.raises(BadInputError, match="no such level"):
+            chosen(wrong)
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "rule"),
+    [
+        ("half_angle = 10.0", "half_angle = 5e-324", r"rings\[0\]\.half_angle: Expected `float` >= 0.01"),
+        ("half_angle = 20.0", "half_angle = 5e-324", r"paddles\.half_angle: Expected `float` >= 0.01"),
+        ("radius = 0.25", "radius = 1e-150", r"ball\.radius: Expected `float` >= 0.001"),
+        ("radius = 0.25", "radius = 0.009", r"ball\.radius: must be at least 0.001 of ground_radius, 0.01"),
+        ("speed = 9.0", "speed = 0.3", r"ball\.speed: must be at least 0.3333, to cross the ground in 60 s"),
+        ("top_speed = 50.0", "top_speed = 1e-9", r"paddles\.top_speed: Expected `float` >= 1.0"),
+        ("acceleration = 400.0", "acceleration = 5e-324", r"paddles\.acceleration: Expected `float` >= 1.0"),
+    ],
+)
+def test_sizes_have_lower_bounds(old, new, rule):
+    """What nobody could see or wait for is refused, and the message has the bound."""
+    with pytest.raises(BadInputError, match=rule):
+        parse(changed(old, new), "x")
+
+
+def test_a_world_scaled_down_is_refused():
+    """Every length of a level divided by 1e150: its shape is the same, and nothing in it could be played."""
+    level = msgspec.to_builtins(parse(GOOD, "x"))
+
+    def scaled(value, key=""):
+        if isinstance(value, dict):
+            return {name: scaled(item, name) for name, item in value.items()}
+        if isinstance(value, list):
+            return [scaled(item, key) for item in value]
+        return value * 1e-150 if key in {"radius", "half_width", "speed", "ground_radius"} else value
+
+    with pytest.raises(msgspec.ValidationError, match="radius"):
+        msgspec.convert(scaled(level), levels.Level)
+
+
+LANE = """
+[[rings]]
+radius = 5.0
+half_width = 0.2
+half_angle = 70.0
+count = 2
+layers = -1
+[[rings]]
+radius = %r
+half_width = 0.2
+half_angle = 70.0
+count = 2
+layers = -1
+phase = 90.0
+"""
+
+
+def lane(play: float) -> bytes:
+    """A level with a lane between unbreakable rings, that much wider than the ball."""
+    return (
+        GOOD.decode().replace("radius = 3.0\nhalf_width = 0.4", "radius = 1.5\nhalf_width = 0.4") + LANE % (5.9 + play)
+    ).encode()
+
+
+@pytest.mark.parametrize(("play", "refused"), [(1.01, False), (0.99, True), (0.0, True), (-0.99, True), (-1.01, False)])
+def test_a_lane_that_the_ball_just_fits_into_is_refused(play, refused):
+    """From as much too narrow to as much too wide; what is narrower lets no ball in, what is wider lets it play."""
+    least = levels._least_play(parse(GOOD, "x").ball)
+    assert least >= 1e-3 * 0.25
+    found = [rule for rule in levels._broken_rules(parse_unchecked(lane(play * least))) if "the lane between" in rule[1]]
+    assert bool(found) is refused
+    assert not found or found[0][0] == "rings[1]"
+
+
+@pytest.mark.parametrize(("play", "dropped"), [(1.05, False), (0.95, True)])
+def test_the_least_play_is_what_a_tick_can_hold(play, dropped):
+    """A ball that flies straight across the narrowest lane loses no part of a tick; in a narrower one it does."""
+    spec = parse(GOOD, "x").ball
+    gap = 2 * spec.radius + play * levels._least_play(spec)
+    rings = Ring(5.0, 0.2, math.pi, 1), Ring(5.4 + gap, 0.2, math.pi, 1)
+    ball = Ball(complex(5.2 + gap / 2, 0.0), complex(spec.speed, 0.0), spec.radius)
+    arena = Arena((ball,), rings, ((PERMANENT,), (PERMANENT,)))
+    lost = 0
+    for _ in range(20):
+        step = advance(arena, 1 / 240, spec.speed)
+        arena, lost = step.arena, lost + step.dropped
+    assert bool(lost) is dropped
+
+
+@pytest.mark.parametrize(
+    ("key", "value", "what"),
+    [("radius = 5.0", "radius = 0.45", "the hole inside it"), ("half_angle = 70.0", "half_angle = 87.014", "a gate between")],
+)
+def test_holes_and_gates_that_the_ball_just_fits_into_are_refused(key, value, what):
+    """For the same reason as lanes."""
+    ring = LANE.partition("[[rings]]\nradius = %r")[0].replace(key, value)
+    if "radius" in key:
+        ring = ring.replace("half_width = 0.2", "half_width = 0.2001")
+    level = parse_unchecked(GOOD + ring.encode())
+    assert [rule for _, rule in levels._broken_rules(level) if what in rule]
+
+
+def test_the_lane_below_the_paddles_track_leaves_the_ball_some_play():
+    """Just as lanes between rings do."""
+    outer = 8.8 - 2 * 0.25  # of a ring under which the ball would just fit
+    for below, refused in ((0.5, True), (1.5, False)):
+        radius = outer - below * levels._least_play(parse(GOOD, "x").ball) - 0.4
+        level = parse_unchecked(changed("radius = 3.0", f"radius = {radius!r}"))
+        assert bool([rule for _, rule in levels._broken_rules(level) if "must fit below" in rule]) is refused
+
+
+def test_a_narrow_gate_is_allowed_and_warned_of():
+    """Narrower than 1.5 balls: one of 1.02 held a ball for ten minutes. Wider ones and the built-in levels are fine."""
+    for balls, warned in ((1.02, True), (1.49, True), (1.51, False), (6.0, False)):
+        half_angle = 90.0 - math.degrees(math.asin(balls * 0.25 / 4.8))
+        ring = LANE.partition("[[rings]]\nradius = %r")[0].replace("half_angle = 70.0", f"half_angle = {half_angle!r}")
+        found = levels.warnings(parse(GOOD + ring.encode(), "x"))
+        assert bool(found) is warned
+        assert not found or f"rings[1]: its widest gate is {balls} balls wide" in found[0]
+    assert not [line for level in built_in() for line in levels.warnings(level)]
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        GOOD + b'"' + b"k" * 900 + b'" = 1',
+        GOOD.replace(b'"Test"', b'"' + b"n" * 900 + b'"'),
+        GOOD + b'"a\\nb\\u001b[31m" = 1',
+        b"a = 1\n" + b"x" * 900 + b" = 1\n" + b"x" * 900 + b" = 1",
+        GOOD.replace(b"9.0\n[paddles]", b'"' + b"9" * 900 + b'"\n[paddles]'),
+    ],
+)
+def test_messages_quote_little_and_stay_on_one_line(data):
+    """At most 80 characters of a bad input, its line breaks and control characters as escapes."""
+    with pytest.raises(BadInputError) as caught:
+        parse(data, "level.toml")
+    message = str(caught.value)
+    assert message.isprintable()
+    assert max(len(run.group()) for run in re.finditer(r"(.)\1*", message)) <= 80
+    assert len(message) < 250
 
 
 def test_a_level_hash_is_of_the_content_not_of_the_file():

@@ -87,7 +87,7 @@ def test_without_a_display_it_is_one_line_and_exit_3():
         (["lab", "case-2?ball=x,1", "--screenshot", "a.png"], "'x' is not a number"),
         (["lab", "--screenshot", "none/a.png"], "there is no folder none"),
         (["lab", "--screenshot", "a.png", "--size", "1"], "expected WIDTHxHEIGHT"),
-        (["lab", "--screenshot", "a.png", "--theme", "blue"], "--theme blue: expected dark or light"),
+        (["lab", "--screenshot", "a.png", "--theme", "blue"], "'blue' is not one of 'dark', 'light'"),
         (["lab", "--headless", "--drags", "-1"], "--drags"),
         (["lab", "a", "b"], "unexpected extra argument"),
     ],
@@ -105,7 +105,7 @@ def test_bad_options_exit_2_with_one_line(capsys, monkeypatch, tmp_path, argumen
 def test_list_and_check_need_no_window():
     """`--list` and `--headless` do not import pygame."""
     program = (
-        "import sys; from game.__main__ import app; from game.system.command_line import run\n"
+        "import sys; from game.commands import app; from game.system.command_line import run\n"
         "for arguments in (['lab', '--list'], ['lab', '--headless', '--drags', '3']):\n"
         "    assert run(app, 'x', arguments) == 0\n"
         "assert 'pygame' not in sys.modules and 'pygame_gui' not in sys.modules\n"

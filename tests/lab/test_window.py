@@ -9,7 +9,7 @@ import pytest
 from game.app import _lab_opener
 from game.drawing.palette import DARK
 from game.drawing.text import Type
-from game.input.signals import PLAY_HELP
+from game.input.key_names import play_help
 from game.lab.kit.parameters import defaults
 from game.lab.kit.scene import Motion, picture_of
 from game.lab.registry import scene_named, scenes
@@ -287,7 +287,7 @@ def test_l_opens_the_lab_over_the_game_and_esc_comes_back():
     """L opens the lab over a game, which is paused; Esc comes back to its menu."""
     app = shared()
     app.open_lab = _lab_opener(Pymunk)
-    assert "L" in [keys for keys, _ in PLAY_HELP]
+    assert "L" in [keys for keys, _ in play_help()]
     desk = Desk(app, Title(app))
     desk.press(pygame.K_RETURN)
     assert isinstance(desk.screen, Play)

@@ -1,6 +1,6 @@
 """The game's command line, run in the tests' own process."""
 
-from game.__main__ import app
+from game.commands import app
 from game.system.command_line import run
 
 

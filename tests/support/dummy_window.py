@@ -8,6 +8,8 @@ os.environ["SDL_AUDIODRIVER"] = "dummy"
 import pygame
 
 from game.app import frame
+from game.input.keys import position_of
+from game.input.signals import KeyboardState
 from game.levels import built_in
 from game.screens.app_state import AppState
 from game.screens.title import Title
@@ -28,22 +30,25 @@ class Desk:
     def __init__(self, state, screen, size=SIZE):
         self.shared, self.screen = state, screen
         self.window = display.open_window("test", size)
+        self.down = set()
         pygame.event.clear()
 
     def press(self, *keys, mod=0):
         """Press and release keys, a frame each."""
         for key in keys:
-            pygame.event.post(pygame.Event(pygame.KEYDOWN, key=key, mod=mod))
-            pygame.event.post(pygame.Event(pygame.KEYUP, key=key, mod=mod))
+            self._post_key(pygame.KEYDOWN, key, mod)
+            self._post_key(pygame.KEYUP, key, mod)
             self.wait(FRAME)
 
     def hold(self, key):
         """Press a key and keep it down."""
-        pygame.event.post(pygame.Event(pygame.KEYDOWN, key=key, mod=0))
+        self.down.add(position_of(key))
+        self._post_key(pygame.KEYDOWN, key)
 
     def release(self, key):
         """Let a key go."""
-        pygame.event.post(pygame.Event(pygame.KEYUP, key=key, mod=0))
+        self.down.discard(position_of(key))
+        self._post_key(pygame.KEYUP, key)
 
     def move(self, place, *, held=False):
         """Move the mouse."""
@@ -63,7 +68,15 @@ class Desk:
         """Let time pass in frames; stops when the game is left."""
         for _ in range(max(round(seconds / FRAME), 1)):
             if self.screen is not None:
-                self.screen = frame(self.window, self.shared, self.screen, FRAME)
+                self.screen = frame(self.window, self.shared, self.screen, FRAME, self._keyboard)
+
+    def _post_key(self, kind, key, mod=0):
+        """A key of the US layout."""
+        pygame.event.post(pygame.Event(kind, key=key, scancode=position_of(key), mod=mod))
+
+    def _keyboard(self):
+        """The keys that are down."""
+        return KeyboardState(frozenset(self.down))
 
     def close(self):
         """Take the window away."""

@@ -35,7 +35,7 @@ class LabDesk(Desk):
 
     def wait_once(self, seconds):
         """Let one picture take so many seconds."""
-        self.screen = frame(self.window, self.shared, self.screen, seconds)
+        self.screen = frame(self.window, self.shared, self.screen, seconds, self._keyboard)
 
     def pixel(self, world, pane=0):
         """The pixel of a point of the world."""

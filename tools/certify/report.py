@@ -27,7 +27,7 @@ def verdict(outcome: CertificationRun) -> str:
     line += f"{undecided} and {unsure} undecided"
     if outcome.lost:
         line += f"; {len(outcome.lost)} sources lost"
-    return line + ("; stopped by Ctrl-C" if outcome.partial else "")
+    return line + ("; stopped by a signal" if outcome.partial else "")
 
 
 def lines(outcome: CertificationRun, *, every_case: bool) -> Iterator[str]:

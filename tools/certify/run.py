@@ -10,7 +10,7 @@ from tools.crosscheck.workers import Lost, results_of
 
 
 class CertificationRun(NamedTuple):
-    """What a run came to. lost: sources without a result, and why. partial: it was stopped by Ctrl-C."""
+    """What a run came to. lost: sources without a result, and why. partial: it was stopped by a signal."""
 
     tally: Totals
     lost: tuple[tuple[str, str], ...] = ()
@@ -22,7 +22,7 @@ def outcome(
 ) -> CertificationRun:
     """The sources in their order, until `impacts` are reached; None: all of them.
 
-    The same for any number of workers: results are taken in the order of the sources. After Ctrl-C, what there is until then.
+    The same for any number of workers: results are taken in the order of the sources. After a signal, what there is until then.
     tell: is called after each source, with its number from 1 on and the tally.
     """
     total, lost = no_totals(), list[tuple[str, str]]()

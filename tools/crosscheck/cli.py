@@ -1,8 +1,6 @@
 """The command's work, once the options are read and the machine is known to have pymunk."""
 
-import os
 import signal
-import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager, nullcontext
 from pathlib import Path
@@ -11,12 +9,11 @@ from typing import NamedTuple
 from rich.console import Console
 from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
 
+from game.system.files import check_target, check_working_directory, write_text
 from tools.crosscheck.comparisons.convergence import converged
 from tools.crosscheck.comparisons.free_run import free_run
 from tools.crosscheck.corpus.build import built_corpus, corpus_sources
-from tools.crosscheck.files import check_writable, write_whole
 from tools.crosscheck.games.sources import Source
-from tools.crosscheck.output import emit, text_console
 from tools.crosscheck.report.json_file import json_text
 from tools.crosscheck.report.terminal import print_corpus, print_findings
 from tools.crosscheck.results.findings import Findings
@@ -59,12 +56,10 @@ Tell = Callable[[int, int], None]
 
 def crosscheck(options: Options) -> int:
     """Run the harness; the exit code."""
-    check_writable(options.report, "--report")
-    check_writable(options.json, "--json")
-    with _ended_by_a_signal():
-        if options.corpus is not None:
-            return _corpus(options, options.corpus)
-        return _games(options)
+    check_working_directory()
+    check_target(options.report, "--report")
+    check_target(options.json, "--json")
+    return _games(options) if options.corpus is None else _corpus(options, options.corpus)
 
 
 def _games(options: Options) -> int:
@@ -78,12 +73,11 @@ def _games(options: Options) -> int:
     findings = Findings(result)
     if not result.partial:
         findings = _with_extras(findings, sources, options)
-    console, text = text_console()
+    console = Console()
     print_findings(console, findings, ContactVerdict[options.listed.upper()] if options.listed else None)
     for path in _written(findings, options):
         if result.partial:
             console.print(f"partial result: {path}", soft_wrap=True, highlight=False)
-    emit(text.getvalue())
     if result.partial:
         return 128 + signal.SIGINT
     return 0 if findings.agrees else 1
@@ -95,9 +89,7 @@ def _corpus(options: Options, folder: Path) -> int:
     total = len(corpus_sources()[:most])
     with _progress("games of the corpus, {task.fields[count]:,} contacts,", total) as tell:
         corpus = built_corpus(folder, most, options.facets, options.workers, tell)
-    console, text = text_console()
-    print_corpus(console, corpus, folder)
-    emit(text.getvalue())
+    print_corpus(Console(), corpus, folder)
     if not corpus.complete and not corpus.lost:
         return 128 + signal.SIGINT
     return 0 if corpus.agrees else 1
@@ -110,10 +102,10 @@ def _written(findings: Findings, options: Options) -> list[Path]:
         from tools.crosscheck.report.html_page import html_text  # noqa: PLC0415  # matplotlib takes a second to load
 
         written.append(_named(options.report, findings))
-        write_whole(written[-1], html_text(findings))
+        write_text(written[-1], html_text(findings))
     if options.json is not None:
         written.append(_named(options.json, findings))
-        write_whole(written[-1], json_text(findings))
+        write_text(written[-1], json_text(findings))
     return written
 
 
@@ -157,22 +149,3 @@ def _progress(what: str, total: int) -> Iterator[Tell]:
     with Progress(*columns, console=console, transient=True, disable=not console.is_terminal) as progress:
         task = progress.add_task("", total=total, count=0)
         yield lambda done, count: progress.update(task, completed=done, count=count)
-
-
-@contextmanager
-def _ended_by_a_signal() -> Iterator[None]:
-    """While the block runs, SIGTERM ends the program, and its worker processes, at once and with one line."""
-
-    def end(number: int, _: object) -> None:
-        os.write(sys.stderr.fileno(), f"polar-crosscheck: ended by {signal.Signals(number).name}\n".encode())
-        sys.exit(128 + number)
-
-    try:
-        before = signal.signal(signal.SIGTERM, end)
-    except ValueError:  # not in the main thread
-        yield
-        return
-    try:
-        yield
-    finally:
-        signal.signal(signal.SIGTERM, before)

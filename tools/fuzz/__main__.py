@@ -1,135 +1,19 @@
-"""The command line of the fuzzer: `python -m tools.fuzz`."""
+"""The fuzzer: `python -m tools.fuzz`."""
 
 import sys
-from typing import Annotated
 
-import typer
-from rich.console import Console
-from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, TimeRemainingColumn
+from game.system.start import prepare
 
-from game.system.command_line import run
-from game.system.errors import BadInputError, EnvironmentMissingError
-from tools.fuzz.arenas import TICK
-from tools.fuzz.campaign import SPARED, Failure, Tally, play, smallest, tallies
-from tools.fuzz.impacts import check_impacts, multiprecision
-
-app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
-
-_MOST = 10**12
-_CHUNK = 200
+PROGRAM = "python -m tools.fuzz"
 
 
 def main() -> None:
     """Run the command line and exit."""
-    sys.exit(run(app, "python -m tools.fuzz"))
+    prepare(PROGRAM)
+    from game.system.command_line import run  # noqa: PLC0415
+    from tools.fuzz.commands import app  # noqa: PLC0415  # takes time to load, in which a signal may come
 
-
-@app.command()
-def fuzz(
-    steps: Annotated[int, typer.Option(min=1, max=_MOST, help="Ball-steps: ticks, counted once for every ball.")] = 100_000,
-    seed: Annotated[int, typer.Option(min=0, max=2**63 - 1, help="Seed of the cases.")] = 1,
-    workers: Annotated[int, typer.Option(min=1, max=256, help="Processes to share the cases.")] = 1,
-    case: Annotated[str | None, typer.Option(metavar="SEED:INDEX", help="Play this one case again.")] = None,
-    impacts: Annotated[
-        int | None, typer.Option(min=1, max=_MOST, help="Check so many times of impact with 50 digits instead.")
-    ] = None,
-) -> int:
-    """Play random arenas and check every tick against an independent geometry.
-
-    Exit code 0: nothing found. 1: a promise was broken. 2: bad input. 3: no mpmath, for --impacts.
-    """
-    if case is not None:
-        return _again(*_numbers(case))
-    if impacts is not None:
-        return _impacts(impacts, seed)
-    return _campaign(steps, seed, workers)
-
-
-def _numbers(case: str) -> tuple[int, int]:
-    """The two numbers of SEED:INDEX."""
-    seed, _, index = case.partition(":")
-    if not (seed.isdecimal() and index.isdecimal() and seed.isascii() and index.isascii() and len(case) <= 40):
-        raise BadInputError(f"--case {case}: expected two whole numbers, SEED:INDEX")
-    return int(seed), int(index)
-
-
-def _again(seed: int, index: int) -> int:
-    """Play one case."""
-    tally = play(seed, index)
-    _say(f"case {seed}:{index}", tally, "done")
-    return _verdict(tally)
-
-
-def _campaign(steps: int, seed: int, workers: int) -> int:
-    """Play cases until the steps are done, one fails, or Ctrl-C."""
-    total, how = Tally(), "done"
-    with _bar() as bar:
-        task = bar.add_task("ball-steps", total=steps)
-        try:
-            for tally in tallies(seed, steps, workers):
-                total = total.plus(tally)
-                bar.update(task, completed=min(total.steps, steps))
-        except KeyboardInterrupt:
-            how = "stopped by Ctrl-C"
-    _say(f"seed {seed}", total, how)
-    return _verdict(total)
-
-
-def _impacts(count: int, seed: int) -> int:
-    """Check times of impact alone."""
-    try:
-        mpmath = multiprecision()
-    except ImportError:
-        raise EnvironmentMissingError("--impacts needs mpmath: pip install mpmath") from None
-    done, touches, faults, how = 0, 0, list[tuple[int, str]](), "done"
-    with _bar() as bar:
-        task = bar.add_task("times of impact", total=count)
-        try:
-            while done < count and not faults:
-                indices = range(done, min(done + _CHUNK, count))
-                more, faults = check_impacts(seed, indices, mpmath)
-                touches += more
-                done = indices.stop
-                bar.update(task, completed=done)
-        except KeyboardInterrupt:
-            how = "stopped by Ctrl-C"
-    print(f"seed {seed}: {done} times of impact, {touches} of them touches, {len(faults)} wrong; {how}")
-    for index, what in faults:
-        print(f"  impact {seed}:{index}: {what}")
-    return 1 if faults else 0
-
-
-def _verdict(tally: Tally) -> int:
-    """The exit code, after the shortest failure and how to see it again."""
-    if not tally.failures:
-        return 0
-    _show(min(tally.failures, key=lambda failure: (failure.tick, failure.number)))
-    return 1
-
-
-def _show(failure: Failure) -> None:
-    """The smallest arena that fails, and the commands that show it."""
-    print(f"case {failure.seed}:{failure.number} fails at tick {failure.tick}: {failure.what}")
-    print(f"again: python -m tools.fuzz --case {failure.seed}:{failure.number}")
-    if failure.what == SPARED:
-        return
-    least = smallest(failure)
-    print(f"its smallest form fails in one tick, advance(arena, {TICK!r}, {least.speed!r}): {least.what}")
-    print(f"arena = {least.arena!r}")
-
-
-def _say(name: str, tally: Tally, how: str) -> None:
-    """The line that sums a run up."""
-    print(
-        f"{name}: {tally.cases} cases, {tally.steps} ball-steps, {tally.hits} hits, {tally.dropped} dropped at the bound, "
-        f"{tally.freed} squeezed and freed, {len(tally.failures)} failed; {how}"
-    )
-
-
-def _bar() -> Progress:
-    """A progress bar on stderr."""
-    columns = TextColumn("{task.description}"), BarColumn(), MofNCompleteColumn(), TimeRemainingColumn()
-    return Progress(*columns, console=Console(stderr=True), transient=True)
+    sys.exit(run(app, PROGRAM))
 
 
 if __name__ == "__main__":

@@ -1,11 +1,12 @@
 """A campaign: cases by the number, the tally of what happened in them, and the smallest arena that fails."""
 
 import multiprocessing
-import signal
 from collections.abc import Generator, Iterator
 from contextlib import closing
 from typing import NamedTuple
 
+from game.system.ending import interrupts_blocked
+from game.system.files import check_working_directory
 from physics import Arena, FreeFlight, Step, advance
 from tools.fuzz.arenas import TICK, TICKS, random_case, steered, with_lost_balls_back
 from tools.fuzz.checks import first_fault
@@ -91,7 +92,10 @@ def _jobs(seed: int, workers: int) -> Generator[Tally, None, None]:
     if workers == 1:
         yield from map(_batch, batches)
         return
-    with multiprocessing.get_context("spawn").Pool(workers, _leave_interrupts_to_the_parent) as pool:
+    check_working_directory()
+    with interrupts_blocked():
+        made = multiprocessing.get_context("spawn").Pool(workers)
+    with made as pool:
         pending = [pool.apply_async(_batch, (next(batches),)) for _ in range(3 * workers)]
         while True:
             yield pending.pop(0).get()
@@ -105,11 +109,6 @@ def _batch(job: tuple[int, int]) -> Tally:
     for index in range(first, first + _CASES_PER_JOB):
         tally = tally.plus(play(seed, index))
     return tally
-
-
-def _leave_interrupts_to_the_parent() -> None:
-    """Ctrl-C reaches every process of the terminal; one of them is to answer."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)
 
 
 def smallest(failure: Failure) -> Failure:

@@ -3,6 +3,13 @@
 The first columns are processor time, the last two the clock's; with --window they include handing the picture to the display.
 """
 
+from game.system.start import prepare
+
+PROGRAM = "python -m tools.measure.frame"
+
+if __name__ == "__main__":
+    prepare(PROGRAM)  # before what takes time to load
+
 import gc
 import sys
 import time
@@ -22,8 +29,9 @@ from game.drawing.painter import Painter
 from game.drawing.palette import DARK
 from game.drawing.text import Type
 from game.effects import Effects, after
-from game.input.signals import Action, Pressed
-from game.input.view import FROM_ABOVE, TIPPED, View
+from game.input.keys import Action
+from game.input.signals import Pressed
+from game.input.view import FROM_ABOVE, TIPPED, Viewpoint
 from game.levels import built_in
 from game.overlay import hud
 from game.rules import Ticked, new_game, tick
@@ -82,7 +90,7 @@ class FrameTarget(NamedTuple):
 
 def main() -> None:
     """Run the command line and exit."""
-    sys.exit(run(app, "python -m tools.measure.frame"))
+    sys.exit(run(app, PROGRAM))
 
 
 def cases() -> tuple[FrameCase, ...]:
@@ -138,7 +146,7 @@ def timed(
     return size, taken[_WARM_UP:]
 
 
-def game_frames(level: int, view: View, orbit: float = 0.0) -> Iterator[Draw]:
+def game_frames(level: int, view: Viewpoint, orbit: float = 0.0) -> Iterator[Draw]:
     """Frames of an autopilot's game. orbit: radians that the camera turns in a frame."""
     pilot, effects, done = Autopilot(), Effects(), still(new_game(built_in()[level - 1 :], 1))
     for _ in range(_SERVED_TICKS):

@@ -1,5 +1,12 @@
 """What the lab's scenes cost: `python -m tools.measure.lab`. Processor time of a picture, of a tick, of a check."""
 
+from game.system.start import prepare
+
+PROGRAM = "python -m tools.measure.lab"
+
+if __name__ == "__main__":
+    prepare(PROGRAM)  # before what takes time to load
+
 import sys
 import time
 from collections.abc import Callable
@@ -27,7 +34,7 @@ class Cost(NamedTuple):
 
 def main() -> None:
     """Run the command line and exit."""
-    sys.exit(run(app, "python -m tools.measure.lab"))
+    sys.exit(run(app, PROGRAM))
 
 
 @app.command()

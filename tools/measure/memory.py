@@ -4,6 +4,13 @@ The window's own screens on SDL's dummy driver: the autopilot plays every level 
 above and in 3D by turns. What the process holds at the end is compared with what it held after the first minute.
 """
 
+from game.system.start import prepare
+
+PROGRAM = "python -m tools.measure.memory"
+
+if __name__ == "__main__":
+    prepare(PROGRAM)  # before what takes time to load
+
 import gc
 import os
 import sys
@@ -16,7 +23,7 @@ from rich.console import Console
 from rich.progress import Progress
 
 from game.app import frame
-from game.input.view import View
+from game.input.view import Viewpoint
 from game.levels import built_in
 from game.screens.app_state import AppState
 from game.screens.base import Screen
@@ -42,7 +49,7 @@ _MOST_GROWTH = 0.05
 
 def main() -> None:
     """Run the command line and exit."""
-    sys.exit(run(app, "python -m tools.measure.memory"))
+    sys.exit(run(app, PROGRAM))
 
 
 @app.command()
@@ -91,7 +98,7 @@ def held() -> float:
 def _later(window: pygame.Window, shared: AppState, screen: Screen, number: int) -> Screen:
     """The screen a frame later; another level when it is time for one, or the game has ended."""
     seconds = number // _RATE
-    shared.view = View(goal=float(seconds // _TURN % 2), tipped=shared.view.tipped)
+    shared.view = Viewpoint(goal=float(seconds // _TURN % 2), tipped=shared.view.tipped)
     following = frame(window, shared, screen, 1.0 / _RATE)
     stay = _TOUR if seconds < _TOUR * len(shared.catalogue) else _STAY
     if number % (stay * _RATE) == 0 or not isinstance(following, Play):

@@ -6,6 +6,13 @@ Warm starts find the libraries in memory. Before a cold one the system is made t
 root, Linux, and a machine on which nobody else is disturbed by it.
 """
 
+from game.system.start import prepare
+
+PROGRAM = "python -m tools.measure.startup"
+
+if __name__ == "__main__":
+    prepare(PROGRAM)  # before what takes time to load
+
 import os
 import subprocess
 import sys
@@ -29,14 +36,15 @@ _WARM, _COLD = 1.0, 2.0
 _PROGRAM = """
 import sys, time
 from game import __main__ as program
+from game import commands
 import game.app as app
 flip = app._flip
 def first(window):
     flip(window)
     print(time.time(), flush=True)
-    raise KeyboardInterrupt
+    sys.exit(0)
 app._flip = first
-program.place = lambda: program.Path({settings!r})
+commands.settings_path = lambda: commands.Path({settings!r})
 sys.argv = ["polar-breakout"]
 program.main()
 """
@@ -45,7 +53,7 @@ _CACHES = Path("/proc/sys/vm/drop_caches")
 
 def main() -> None:
     """Run the command line and exit."""
-    sys.exit(run(app, "python -m tools.measure.startup"))
+    sys.exit(run(app, PROGRAM))
 
 
 @app.command()

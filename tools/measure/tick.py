@@ -1,5 +1,12 @@
 """What a tick costs, beside pymunk's: `python -m tools.bench`. Processor time, in one process, in alternating rounds."""
 
+from game.system.start import prepare
+
+PROGRAM = "python -m tools.bench"
+
+if __name__ == "__main__":
+    prepare(PROGRAM)  # before what takes time to load
+
 import cmath
 import math
 import sys
@@ -42,7 +49,7 @@ class Play(NamedTuple):
 
 def main() -> None:
     """Run the command line and exit."""
-    sys.exit(run(app, "python -m tools.bench"))
+    sys.exit(run(app, PROGRAM))
 
 
 @app.command()

@@ -3,6 +3,14 @@
 Any program makes an animation of them, for example `magick -delay 5 FOLDER/*.png -layers optimize docs/tip.gif`.
 """
 
+from game.system.start import prepare
+
+PROGRAM = "python -m tools.measure.tipping_gif"
+
+if __name__ == "__main__":
+    prepare(PROGRAM)  # before what takes time to load
+
+import io
 import math
 import sys
 from pathlib import Path
@@ -18,12 +26,14 @@ from game.drawing.painter import Painter
 from game.drawing.palette import DARK
 from game.drawing.text import Type
 from game.effects import Effects, after
-from game.input.view import View
+from game.input.view import Viewpoint
 from game.levels import built_in
 from game.rules import new_game, tick
 from game.scene import scene_at, still
 from game.system.command_line import run
 from game.system.errors import BadInputError
+from game.system.files import write_whole
+from game.system.wording import quoted_path
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
@@ -35,7 +45,7 @@ _PAUSE, _TIP, _ORBIT = 10, 22, 26
 
 def main() -> None:
     """Run the command line and exit."""
-    sys.exit(run(app, "python -m tools.measure.tipping_gif"))
+    sys.exit(run(app, PROGRAM))
 
 
 @app.command()
@@ -46,7 +56,7 @@ def tipping(
 ) -> None:
     """Write a picture for every frame: from above, tipping over, orbiting a little, and back."""
     if not folder.is_dir():
-        raise BadInputError(f"{folder}: there is no such folder")
+        raise BadInputError(f"{quoted_path(folder)}: there is no such folder")
     done, pilot, effects = still(new_game(built_in()[_LEVEL:], _SEED)), Autopilot(), Effects()
     painter, type_ = Painter(), Type()
     surface = pygame.Surface((width, height), 0, 32)
@@ -57,14 +67,16 @@ def tipping(
         if number >= 0:
             seen = _views()[number].seen(layout((width, height), done.game.level.ground_radius))
             painter.paint(Canvas(surface, seen.camera, DARK, type_, seen.unit), scene_at(done, 1.0, effects))
-            pygame.image.save(surface, folder / f"{number:03}.png")
+            picture = io.BytesIO()
+            pygame.image.save(surface, picture, "picture.png")
+            write_whole(folder / f"{number:03}.png", picture.getvalue())
 
 
-def _views() -> list[View]:
+def _views() -> list[Viewpoint]:
     """Where every frame is seen from."""
-    above = [View()] * _PAUSE
-    over = [View(1.0, (step + 1.0) / _TIP) for step in range(_TIP)]
-    around = [View(1.0, 1.0, 0.35 * math.sin(math.tau * (step + 1.0) / _ORBIT)) for step in range(_ORBIT)]
+    above = [Viewpoint()] * _PAUSE
+    over = [Viewpoint(1.0, (step + 1.0) / _TIP) for step in range(_TIP)]
+    around = [Viewpoint(1.0, 1.0, 0.35 * math.sin(math.tau * (step + 1.0) / _ORBIT)) for step in range(_ORBIT)]
     return [*above, *over, *around, *reversed(over)]
 
 

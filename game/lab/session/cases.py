@@ -9,6 +9,7 @@ import platformdirs
 
 import game
 from game.system.errors import BadInputError
+from game.system.wording import quoted_path
 
 _CHECKOUT = Path(game.__file__).parent.parent / "tests" / "lab_cases.txt"
 _COMMENT = "#"
@@ -37,6 +38,7 @@ def save_case(line: str, path: Path) -> str:
         path.parent.mkdir(parents=True, exist_ok=True)
         with path.open("a", encoding="utf-8") as file:
             file.write(f"{line}\n")
-    except OSError as error:
-        raise BadInputError(f"lab: case not saved: {path}: {error.strerror or error}") from None
+    except (OSError, ValueError) as error:  # ValueError: what is there already is not UTF-8
+        reason = getattr(error, "strerror", None) or error
+        raise BadInputError(f"lab: case not saved: {quoted_path(path)}: {reason}") from None
     return f"saved in {path}"

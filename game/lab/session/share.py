@@ -8,6 +8,7 @@ from game.lab.kit.scene import Motion, Scene
 from game.lab.kit.second_engine import Engine
 from game.lab.registry import scene_named
 from game.system.errors import BadInputError
+from game.system.wording import quoted
 
 _TICK = "tick"
 _LONGEST = 4096
@@ -58,23 +59,23 @@ def _read(scene: Scene, rest: str, engine: Engine | None) -> tuple[Given, int]:
     for part in rest.split("&"):
         name, equals, text = part.partition("=")
         if not equals:
-            raise BadInputError(f"lab: part {part!r} of the share line: expected NAME=VALUE")
+            raise _refused(part, "expected NAME=VALUE")
         if name in values or (name == _TICK and tick is not None):
-            raise BadInputError(f"lab: part {part!r} of the share line: {name} is given twice")
+            raise _refused(part, f"{quoted(name)} is given twice")
         if name == _TICK and isinstance(scene.shows, Motion):
             tick = _tick(part, text, scene.shows)
         elif name in parameters:
             values[name] = _value(part, text, parameters[name])
         else:
             names = ", ".join([*parameters, *([_TICK] if isinstance(scene.shows, Motion) else [])])
-            raise BadInputError(f"lab: part {part!r} of the share line: {scene.name} has no {name!r}; expected {names}")
+            raise _refused(part, f"{scene.name} has no '{quoted(name)}'; expected {names}")
     return clamped(scene.parameters, defaults(scene.parameters, engine), values).given, tick or 0
 
 
 def _tick(part: str, text: str, motion: Motion) -> int:
     """The tick that a part names."""
     if not text.isdecimal() or not text.isascii() or len(text) > 9 or int(text) > motion.ticks:
-        raise BadInputError(f"lab: part {part!r} of the share line: expected a whole number from 0 to {motion.ticks}")
+        raise _refused(part, f"expected a whole number from 0 to {motion.ticks}")
     return int(text)
 
 
@@ -83,14 +84,14 @@ def _value(part: str, text: str, parameter: Parameter) -> complex:
     texts = text.split(",")
     if len(texts) != (2 if isinstance(parameter, Point) else 1):
         expected = "two numbers X,Y" if isinstance(parameter, Point) else "one number"
-        raise BadInputError(f"lab: part {part!r} of the share line: expected {expected}")
+        raise _refused(part, f"expected {expected}")
     numbers = [_number(part, text) for text in texts]
     for number in numbers:
         if not parameter.low <= number <= parameter.high:
             low, high = written_borders(parameter)
-            raise BadInputError(f"lab: part {part!r} of the share line: {plain(number)} is not from {low} to {high}")
+            raise _refused(part, f"{plain(number)} is not from {low} to {high}")
         if isinstance(parameter, Count) and number != round(number):
-            raise BadInputError(f"lab: part {part!r} of the share line: expected a whole number")
+            raise _refused(part, "expected a whole number")
     return complex(*numbers) if isinstance(parameter, Point) else numbers[0]
 
 
@@ -101,6 +102,11 @@ def written_borders(parameter: Parameter) -> tuple[str, str]:
     return written(parameter, parameter.low), written(parameter, parameter.high)
 
 
+def _refused(part: str, reason: str) -> BadInputError:
+    """The error for a part of a line that cannot be used."""
+    return BadInputError(f"lab: part '{quoted(part)}' of the share line: {reason}")
+
+
 def _number(part: str, text: str) -> float:
     """A finite number."""
     try:
@@ -108,7 +114,7 @@ def _number(part: str, text: str) -> float:
     except ValueError:
         number = math.nan
     if not math.isfinite(number) or "_" in text or text != text.strip():
-        raise BadInputError(f"lab: part {part!r} of the share line: {text!r} is not a number")
+        raise _refused(part, f"'{quoted(text)}' is not a number")
     return number
 
 

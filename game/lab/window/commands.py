@@ -31,34 +31,36 @@ class Command(Enum):
 class KeyBinding(NamedTuple):
     """Keys that ask for the same command.
 
-    keys: pygame's codes. written: how the help names them. meaning: what the command does, in a few words.
+    keys: pygame's codes. meaning: what the command does, in a few words.
     """
 
     keys: tuple[int, ...]
-    written: str
     command: Command
     meaning: str
 
 
 KEYS = (
-    KeyBinding((pygame.K_SPACE,), "Space", Command.PLAY, "run or pause"),
-    KeyBinding((pygame.K_PERIOD, pygame.K_RIGHT), ".  Right", Command.FORWARD, "one step forward"),
-    KeyBinding((pygame.K_COMMA, pygame.K_LEFT), ",  Left", Command.BACK, "one step back"),
-    KeyBinding((pygame.K_MINUS, pygame.K_KP_MINUS), "-", Command.SLOWER, "slower"),
-    KeyBinding((pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS), "+", Command.FASTER, "faster"),
-    KeyBinding((pygame.K_r,), "R", Command.RESTART, "restart; the settings stay"),
-    KeyBinding((pygame.K_d,), "D", Command.DEFAULTS, "the scene's defaults"),
-    KeyBinding((pygame.K_LEFTBRACKET, pygame.K_PAGEUP), "[", Command.PREVIOUS, "the scene before"),
-    KeyBinding((pygame.K_RIGHTBRACKET, pygame.K_PAGEDOWN), "]", Command.NEXT, "the scene after"),
-    KeyBinding((pygame.K_HOME,), "Home", Command.WHOLE, "show the whole scene again"),
-    KeyBinding((pygame.K_c,), "C", Command.COPY, "copy the share line"),
-    KeyBinding((pygame.K_s,), "S", Command.SAVE, "save as a case that pytest runs"),
-    KeyBinding((pygame.K_t,), "T", Command.THEME, "dark or light colours"),
-    KeyBinding((pygame.K_h, pygame.K_F1), "H  F1", Command.HELP, "this help"),
-    KeyBinding((pygame.K_ESCAPE,), "Esc", Command.LEAVE, "leave the lab"),
+    KeyBinding((pygame.K_SPACE,), Command.PLAY, "run or pause"),
+    KeyBinding((pygame.K_PERIOD, pygame.K_RIGHT), Command.FORWARD, "one step forward"),
+    KeyBinding((pygame.K_COMMA, pygame.K_LEFT), Command.BACK, "one step back"),
+    KeyBinding((pygame.K_MINUS, pygame.K_KP_MINUS), Command.SLOWER, "slower"),
+    KeyBinding((pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS), Command.FASTER, "faster"),
+    KeyBinding((pygame.K_r,), Command.RESTART, "restart; the settings stay"),
+    KeyBinding((pygame.K_d,), Command.DEFAULTS, "the scene's defaults"),
+    KeyBinding((pygame.K_LEFTBRACKET, pygame.K_PAGEUP), Command.PREVIOUS, "the scene before"),
+    KeyBinding((pygame.K_RIGHTBRACKET, pygame.K_PAGEDOWN), Command.NEXT, "the scene after"),
+    KeyBinding((pygame.K_HOME,), Command.WHOLE, "show the whole scene again"),
+    KeyBinding((pygame.K_c,), Command.COPY, "copy the share line"),
+    KeyBinding((pygame.K_s,), Command.SAVE, "save as a case that pytest runs"),
+    KeyBinding((pygame.K_t,), Command.THEME, "dark or light colours"),
+    KeyBinding((pygame.K_h, pygame.K_F1), Command.HELP, "this help"),
+    KeyBinding((pygame.K_ESCAPE,), Command.LEAVE, "leave the lab"),
 )
 
 TOGGLE_KEYS = {pygame.K_1 + number: toggle for number, toggle in enumerate(Toggle)}
+
+BOUND = frozenset([*TOGGLE_KEYS, *[key for one in KEYS for key in one.keys]])
+"""The codes of all keys that mean something."""
 
 MORE_HELP = (
     ("Drag a ring", "move what it stands on"),

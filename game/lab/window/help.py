@@ -5,6 +5,7 @@ import pygame
 from game.drawing.camera import unit_of
 from game.drawing.palette import Theme
 from game.drawing.text import Type
+from game.input.key_names import code_names
 from game.lab.window.commands import KEYS, MORE_HELP
 from game.screens.panel import dim, draw_panel
 
@@ -13,7 +14,7 @@ def draw_help(surface: pygame.Surface, theme: Theme, type_: Type) -> None:
     """A panel with the keys over what is drawn already."""
     size = surface.get_size()
     unit = unit_of(size)
-    lines = [*MORE_HELP, *[(key.written, key.meaning) for key in KEYS]]
+    lines = [*MORE_HELP, *[("  ".join(code_names(key.keys)), key.meaning) for key in KEYS]]
     width, height = unit * 30.0, unit * (5.6 + 1.3 * len(lines))
     panel = pygame.Rect(round((size[0] - width) / 2), round((size[1] - height) / 2), round(width), round(height))
     dim(surface, theme)

@@ -5,7 +5,9 @@ from collections.abc import Callable
 import pygame
 
 from game.drawing.palette import Theme
-from game.input.signals import Signal
+from game.input.keys import code_among, position_in
+from game.input.repeat import Repeat
+from game.input.signals import KeyboardState, Signal
 from game.lab.kit.handles import Handle, dragged
 from game.lab.kit.parameters import Clamped, clamped
 from game.lab.kit.picture import Picture, Toggle
@@ -14,12 +16,10 @@ from game.lab.session import session as sessions
 from game.lab.session.cases import case_file, save_case
 from game.lab.session.session import Session
 from game.lab.session.share import preset
-from game.lab.window import key_repeat
 from game.lab.window.canvas import PaneCanvas, write_words
-from game.lab.window.commands import TOGGLE_KEYS, Command, command_of
+from game.lab.window.commands import BOUND, TOGGLE_KEYS, Command, command_of
 from game.lab.window.dragging import Drag, PaneView, drag_at, draw_handles
 from game.lab.window.help import draw_help
-from game.lab.window.key_repeat import REPEATED, HeldKey
 from game.lab.window.layout import layout_of, pane_areas
 from game.lab.window.marks import draw_marks
 from game.lab.window.pan_zoom import PanZoom
@@ -34,6 +34,8 @@ SHOWN = frozenset(Toggle) - {Toggle.PYMUNK}
 _NOTICE_SECONDS = 5.0
 _MODIFIERS = pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META
 """Keys pressed together with one of these belong to the desktop."""
+_REPEATED = frozenset({Command.FORWARD, Command.BACK})
+"""Commands that a held key gives again and again: single steps."""
 
 _CHANGES: dict[Command, Callable[[Session], Session]] = {
     Command.PLAY: sessions.toggled,
@@ -58,7 +60,7 @@ class Lab:
         self._drawn: tuple[Session, Picture] | None = None
         self._side: tuple[tuple[tuple[int, int], Theme, str], Side] | None = None
         self._drag: Drag | None = None
-        self._held: HeldKey | None = None
+        self._repeat: tuple[Repeat, Command] | None = None
         self._pointer = -1 - 1j  # pixels
         self._pixels_per_point = 1 + 1j
         self._seconds = 0.0  # since the last picture
@@ -70,14 +72,17 @@ class Lab:
         """The scene as it stands."""
         return self._session
 
-    def answer(self, _signal: Signal, _size: tuple[int, int]) -> Screen | None:
-        """Nothing: the lab is given the window's events themselves."""
+    def answer(self, signal: Signal, _size: tuple[int, int]) -> Screen | None:
+        """Let go of a repeating key that is up; everything else is heard as an event of the window."""
+        if self._repeat is not None and isinstance(signal, KeyboardState) and self._repeat[0].position not in signal.down:
+            self._repeat = None
         return self
 
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> Screen | None:
         """React to an event of the window."""
         self._pixels_per_point = pixels_per_point
-        self._release(event)
+        if event.type == pygame.WINDOWFOCUSLOST:
+            self._repeat = None
         if self._help:
             self._help = event.type not in (pygame.KEYDOWN, pygame.MOUSEBUTTONDOWN)
             return self
@@ -93,12 +98,14 @@ class Lab:
     def advance(self, seconds: float, _size: tuple[int, int]) -> Screen | None:
         """Let time pass."""
         self._session = sessions.later(self._session, seconds)
+        if self._repeat is not None:
+            held, command = self._repeat
+            held, due = held.later(seconds)
+            self._repeat = held, command
+            if due:
+                self._obey(command)
         self._seconds += seconds
         self._notice_left -= seconds
-        if self._held is not None:
-            self._held, again = key_repeat.later(self._held, seconds)
-            if again:
-                self._obey(self._held.command)
         return self
 
     def draw(self, surface: pygame.Surface) -> None:
@@ -135,13 +142,6 @@ class Lab:
                 pygame.draw.line(sheet.surface, sheet.theme.panel_edge, view.area.topleft, view.area.bottomleft)
             draw_handles(canvas, given, view.handles, hovered if hovered in view.handles else None)
 
-    def _release(self, event: pygame.Event) -> None:
-        """Forget the held key when it comes up, or when another window has the keyboard."""
-        if event.type == pygame.WINDOWFOCUSLOST:
-            self._held = None
-        if event.type == pygame.KEYUP and self._held is not None and event.key == self._held.key:
-            self._held = None
-
     def _key(self, event: pygame.Event, size: tuple[int, int]) -> Screen | None:
         """React to a key. While a field is typed into, the key is the field's."""
         side = self._widgets(size)
@@ -151,11 +151,12 @@ class Lab:
                 return self
             _, request = side.hear(event)
             return self if request is None else self._do(request)
-        toggle, command = TOGGLE_KEYS.get(event.key), command_of(event.key)
+        key = code_among(event, BOUND)
+        toggle, command = TOGGLE_KEYS.get(key), command_of(key)
         request = toggle or command
         if request is None or event.mod & _MODIFIERS:
             return self
-        self._held = HeldKey(event.key, command) if command in REPEATED else None
+        self._repeat = None if command is None or command not in _REPEATED else (Repeat(position_in(event)), command)
         return self._do(request)
 
     def _mouse(self, event: pygame.Event, size: tuple[int, int]) -> None:

@@ -13,6 +13,7 @@ from game.levels import built_in
 from game.screens.app_state import AppState
 from game.screens.title import Title
 from game.settings.values import Settings
+from game.system.files import write_whole
 from game.system.window import open_window
 
 
@@ -32,4 +33,4 @@ def save_screenshot(scene: SharedScene, path: Path, size: tuple[int, int], colou
         window.destroy()
     picture = io.BytesIO()
     pygame.image.save(surface, picture, "screenshot.png")
-    path.write_bytes(picture.getvalue())
+    write_whole(path, picture.getvalue())

@@ -8,6 +8,7 @@ from pygame_gui.elements import UIButton, UICheckBox, UIDropDownMenu, UIHorizont
 
 from game.drawing.palette import Theme
 from game.drawing.text import Type
+from game.input.key_names import code_names
 from game.lab.kit.parameters import Count, Parameter, Point, plain, snapped, written
 from game.lab.kit.picture import Toggle
 from game.lab.registry import scenes
@@ -222,7 +223,9 @@ class Side:
     def _button(self, box: pygame.Rect, command: Command) -> UIButton:
         """A button, with a tool tip that names its key."""
         binding = next(one for one in KEYS if one.command is command)
-        button = UIButton(box, command.value, self._manager, tool_tip_text=f"{binding.meaning} ({binding.written})")
+        button = UIButton(
+            box, command.value, self._manager, tool_tip_text=f"{binding.meaning} ({'  '.join(code_names(binding.keys))})"
+        )
         self._commands[button] = command
         return button
 

@@ -9,8 +9,10 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from game.drawing.camera import Camera, bearing, layout, unit_of
-from game.input.signals import Action, Dragged, Hands, Pressed, Zoomed
-from game.input.view import FROM_ABOVE, LEAST_TILT, LEAST_ZOOM, MOST_TILT, MOST_ZOOM, TIPPED, View
+from game.input.hands import Hands
+from game.input.keys import Action
+from game.input.signals import Dragged, Pressed, Zoomed
+from game.input.view import FROM_ABOVE, LEAST_TILT, LEAST_ZOOM, MOST_TILT, MOST_ZOOM, TIPPED, Viewpoint
 from game.rules import POINTER_STEPS
 
 SIZES = st.tuples(st.integers(1, 8000), st.integers(1, 8000))
@@ -105,7 +107,7 @@ def test_the_way_from_one_view_to_the_other_has_no_jumps():
         pixels.append(view.seen(flat).camera.project(6 + 5j, 0.5))
     assert len(pixels) > 30
     assert max(abs(after - before) for before, after in pairwise(pixels)) < 12.0
-    view = view.after(Pressed(Action.TOP), 20.0).later(10.0)
+    view = view.after(Pressed(Action.FLAT), 20.0).later(10.0)
     assert view.seen(flat).camera == flat.camera
 
 
@@ -141,7 +143,7 @@ def test_the_tipped_arena_lies_on_the_surface(size, tilt):
 def test_the_wall_stays_in_sight(tilt, zoom):
     """However near the camera is, the arena's centre is in the middle of the surface, a seventh of its height up or down."""
     for azimuth in (0.0, 2.0, -2.0):
-        camera = View(1.0, 1.0, azimuth, tilt, zoom).seen(layout((1280, 800), 10.0)).camera
+        camera = Viewpoint(1.0, 1.0, azimuth, tilt, zoom).seen(layout((1280, 800), 10.0)).camera
         assert abs(camera.project(0j) - (640 + 400j)) < 800.0 / 7.0
 
 
@@ -149,7 +151,7 @@ def test_the_wall_stays_in_sight(tilt, zoom):
 @pytest.mark.parametrize("tilt", [LEAST_TILT, 0.9, MOST_TILT])
 def test_the_mouse_aims_at_paddles_from_every_side(azimuth, tilt):
     """The bearing of a pixel on the track is that of the point below it; of one on a paddle's top it is nearly the same."""
-    camera = View(1.0, 1.0, azimuth, tilt, 1.2).seen(layout((1280, 800), 10.0)).camera
+    camera = Viewpoint(1.0, 1.0, azimuth, tilt, 1.2).seen(layout((1280, 800), 10.0)).camera
     for angle in np.linspace(0.0, math.tau, 24, endpoint=False):
         point = 9.2 * complex(math.cos(angle), math.sin(angle))
         for height, most in ((0.0, 0.001), (0.3, 0.15)):

@@ -25,7 +25,7 @@ from game.drawing.solid.picture import SolidPicture
 from game.drawing.solid.prisms import Cut, ring_blocks, wedges_of
 from game.effects import Effects, after
 from game.effects.drops import Drop
-from game.input.view import FROM_ABOVE, TIPPED, View
+from game.input.view import FROM_ABOVE, TIPPED, Viewpoint
 from game.levels import built_in
 from game.replays.state_hash import state_hash
 from game.rules import new_game, tick
@@ -105,7 +105,7 @@ def sight(camera, pixel):
 
 
 VIEWS = [
-    View(1.0, 1.0, azimuth, math.radians(tilt))
+    Viewpoint(1.0, 1.0, azimuth, math.radians(tilt))
     for azimuth, tilt in itertools.product((0.0, 0.9, 2.2, -2.7, -1.1), (15.0, 45.0, 62.0, 76.0))
 ]
 
@@ -318,7 +318,7 @@ def test_tipping_leaves_the_game_alone():
     assert state_hash(game) == state_hash(game_after(4, 900)[0].game)
 
 
-@pytest.mark.parametrize(("level", "view"), [(4, TIPPED), (6, View(1.0, 1.0, 2.2, 1.2)), (5, View(1.0, 0.4))])
+@pytest.mark.parametrize(("level", "view"), [(4, TIPPED), (6, Viewpoint(1.0, 1.0, 2.2, 1.2)), (5, Viewpoint(1.0, 0.4))])
 def test_reference_pictures(level, view):
     """Fewer than 0.1 % of the pixels differ from pictures that somebody has looked at."""
     done, _ = game_after(level, 1500)
@@ -340,7 +340,7 @@ def test_what_is_painted_on_a_top_comes_after_it(content, tilt):
     count = len(every.slot)
     assert len(marks) >= 4
     for azimuth in np.linspace(0.0, math.tau, 61):
-        camera = View(1.0, 1.0, float(azimuth), tilt).seen(layout(SIZE, 10.0)).camera
+        camera = Viewpoint(1.0, 1.0, float(azimuth), tilt).seen(layout(SIZE, 10.0)).camera
         order = back_to_front(every, np.full(count, -azimuth), np.full(count, 2.0), np.ones(count, dtype=int), camera)
         rank = np.argsort(order)
         for mark in np.flatnonzero(np.isin(every.level, list(marks))):

@@ -16,7 +16,7 @@ from game.drawing.raster.quads import QuadRaster
 from game.drawing.solid import faces
 from game.drawing.solid.painters_order import back_to_front
 from game.effects import Effects, after
-from game.input.view import TIPPED, View
+from game.input.view import TIPPED, Viewpoint
 from game.levels import built_in
 from game.rules import new_game, tick
 from game.scene import scene_at
@@ -63,12 +63,12 @@ def flicker(pictures):
 
 
 MOVES = {
-    "orbit, low": [View(1.0, 1.0, 0.3 + 0.0008 * k, math.radians(72.0)) for k in range(36)],
-    "orbit": [View(1.0, 1.0, 0.3 + 0.0008 * k, math.radians(45.0)) for k in range(36)],
-    "orbit, high": [View(1.0, 1.0, 2.0 + 0.0008 * k, math.radians(20.0)) for k in range(36)],
-    "tipping": [View(1.0, 0.25 + 0.001 * k) for k in range(36)],
-    "tilting": [View(1.0, 1.0, 0.7, 0.6 + 0.001 * k) for k in range(36)],
-    "zooming": [View(1.0, 1.0, -2.0, 0.9, 1.0 + 0.001 * k) for k in range(36)],
+    "orbit, low": [Viewpoint(1.0, 1.0, 0.3 + 0.0008 * k, math.radians(72.0)) for k in range(36)],
+    "orbit": [Viewpoint(1.0, 1.0, 0.3 + 0.0008 * k, math.radians(45.0)) for k in range(36)],
+    "orbit, high": [Viewpoint(1.0, 1.0, 2.0 + 0.0008 * k, math.radians(20.0)) for k in range(36)],
+    "tipping": [Viewpoint(1.0, 0.25 + 0.001 * k) for k in range(36)],
+    "tilting": [Viewpoint(1.0, 1.0, 0.7, 0.6 + 0.001 * k) for k in range(36)],
+    "zooming": [Viewpoint(1.0, 1.0, -2.0, 0.9, 1.0 + 0.001 * k) for k in range(36)],
 }
 
 

@@ -17,7 +17,7 @@ from game.drawing.solid.debris_occlusion import occluded
 from game.effects import NOTHING
 from game.effects.bursts import Burst, BurstOrigin, Matter, lifetime
 from game.effects.debris import THROWS, pieces
-from game.input.view import FROM_ABOVE, TIPPED, View
+from game.input.view import FROM_ABOVE, TIPPED, Viewpoint
 from game.scene import scene_at
 from tests.support.games import game_after
 from tests.support.pictures import camera_of, canvas_of
@@ -117,7 +117,7 @@ def test_what_hides_a_point_is_found_as_by_marching(level):
     chance = np.random.default_rng(level)
     points = np.sqrt(chance.random(300)) * 9.0 * np.exp(1j * chance.random(300) * math.tau)
     heights = chance.random(300) * 1.5
-    for view in (TIPPED, View(1.0, 1.0, 2.0, 1.2), View(1.0, 0.5, -1.0, 0.9)):
+    for view in (TIPPED, Viewpoint(1.0, 1.0, 2.0, 1.2), Viewpoint(1.0, 0.5, -1.0, 0.9)):
         camera = camera_of(view, scene, SIZE)
         found = occluded(points, heights, scene, camera)
         marched = np.array([blocked(scene, camera, point, above) for point, above in zip(points, heights, strict=True)])

@@ -21,7 +21,7 @@ from game.drawing.slots.parts import LAYER_HEIGHT, PADDLE_HEIGHT, Slab
 from game.drawing.solid.prisms import Cut, pushed, ring_blocks
 from game.effects import ALL, FLASH_TICKS, NOTHING, Flash, Recoil, Wave, bursts
 from game.effects.waves import WAVE_TICKS, WaveTone
-from game.input.view import FROM_ABOVE, TIPPED, View
+from game.input.view import FROM_ABOVE, TIPPED, Viewpoint
 from game.levels import built_in
 from game.rules import PADDLES, EventKind, new_game, tick
 from game.scene import scene_at
@@ -212,10 +212,10 @@ def test_sounds_come_from_their_place_on_the_screen():
         return card.sides
 
     assert heard(FROM_ABOVE) == pytest.approx([0.6, -0.6, 0.0, 1.0])
-    front = heard(View(1.0, 1.0))
-    behind = heard(View(1.0, 1.0, math.pi))
+    front = heard(Viewpoint(1.0, 1.0))
+    behind = heard(Viewpoint(1.0, 1.0, math.pi))
     assert front[0] > 0.4 > -0.4 > front[1]
     assert behind[:2] == pytest.approx([front[1], front[0]])
-    aside = heard(View(1.0, 1.0, math.pi / 2.0))
+    aside = heard(Viewpoint(1.0, 1.0, math.pi / 2.0))
     assert abs(aside[0]) < 1e-9
     assert abs(aside[2]) > 0.4

@@ -1,5 +1,6 @@
 """Keys and mouse to controls."""
 
+import itertools
 import os
 
 os.environ["SDL_VIDEODRIVER"] = "dummy"
@@ -8,16 +9,30 @@ import pygame
 import pytest
 
 from game.drawing.camera import Camera
-from game.input.signals import KEYS, Action, Clicked, FocusLost, Hands, Moved, Pressed, Released, translated
+from game.input.hands import Hands
+from game.input.keys import BINDINGS, KEYS, Action, Binding, KeyTable, position_of
+from game.input.signals import (
+    Clicked,
+    Dragged,
+    FocusLost,
+    KeyboardState,
+    Moved,
+    Pressed,
+    Released,
+    Signal,
+    Zoomed,
+    translated,
+)
 from game.rules import POINTER_STEPS, Controls
 
 CAMERA = Camera(400 + 300j, 30.0)
 ONE = 1 + 1j
+ARROW_LEFT, ARROW_RIGHT = pygame.KSCAN_LEFT, pygame.KSCAN_RIGHT
 
 
-def key(code, kind=pygame.KEYDOWN, mod=0):
-    """A key's event."""
-    return pygame.Event(kind, key=code, mod=mod)
+def key(code, kind=pygame.KEYDOWN, mod=0, position=None):
+    """A key's event. position: as on the US layout, unless given."""
+    return pygame.Event(kind, key=code, mod=mod, scancode=position_of(code) if position is None else position)
 
 
 def after(*signals):
@@ -40,19 +55,88 @@ def test_right_turns_counter_clockwise(code):
     assert after(translated(key(code), ONE)).controls(CAMERA) == Controls(turn=1)
 
 
+LAYOUTS = {
+    "Russian": {"A": "ф", "D": "в", "P": "з", "H": "р", "O": "щ", "W": "ц", "S": "ы", ".": "ю"},  # noqa: RUF001
+    "Greek": {"A": "α", "D": "δ", "P": "π", "H": "η", "O": "ο", "W": "ς", "S": "σ", ".": "."},  # noqa: RUF001
+    "French": {"A": "q", "D": "d", "P": "p", "H": "h", "O": "o", "W": "z", "S": "s", "1": "&"},
+}
+MEANINGS = {
+    "A": Action.LEFT,
+    "D": Action.RIGHT,
+    "P": Action.PAUSE,
+    "H": Action.HELP,
+    "O": Action.SETTINGS,
+    "W": Action.UP,
+    "S": Action.DOWN,
+    ".": Action.STEP,
+    "1": Action.FLAT,
+}
+
+
+@pytest.mark.parametrize(
+    ("layout", "label"), [(layout, label) for layout, written in LAYOUTS.items() for label in written], ids=lambda x: x
+)
+def test_keys_mean_the_same_on_other_layouts(layout, label):
+    """The key at the US layout's A steers whatever is written there, and where no Latin letter is, commands go by position."""
+    position = position_of(ord(label.lower()))
+    signal = translated(key(ord(LAYOUTS[layout][label]), position=position), ONE)
+    assert signal == Pressed(MEANINGS[label], position)
+
+
+def test_commands_go_by_what_is_written():
+    """On a French keyboard the key with M on it mutes, the comma steps back, and A, where the US layout has Q, does nothing."""
+    assert translated(key(pygame.K_m, position=pygame.KSCAN_SEMICOLON), ONE).action is Action.MUTE
+    assert translated(key(pygame.K_COMMA, position=pygame.KSCAN_M), ONE).action is Action.STEP_BACK
+    assert translated(key(pygame.K_a, position=pygame.KSCAN_Q), ONE) is None
+
+
+def test_a_key_without_a_position_goes_by_its_code():
+    """Where the system does not know where a key is, it is taken for the US layout's."""
+    assert translated(key(pygame.K_a, position=0), ONE) == Pressed(Action.LEFT, pygame.KSCAN_A)
+    bare = pygame.Event(pygame.KEYDOWN, key=pygame.K_p, mod=0)
+    assert translated(bare, ONE) == Pressed(Action.PAUSE, pygame.KSCAN_P)
+
+
+def test_another_table_has_other_keys():
+    """Keys are rebound by giving the table other bindings."""
+    table = KeyTable([*[one for one in BINDINGS if one.action is not Action.LEFT], Binding(Action.LEFT, (pygame.K_j,))])
+    assert table.action(pygame.KSCAN_J, pygame.K_j) is Action.LEFT
+    assert table.action(pygame.KSCAN_A, pygame.K_a) is None
+    assert table.binding(Action.LEFT).codes == (pygame.K_j,)
+    with pytest.raises(KeyError):
+        KeyTable([]).binding(Action.LEFT)
+
+
 def test_the_last_key_pressed_wins_until_it_is_released():
     """Both directions held: the newer counts; released, the older counts again."""
-    both = after(Pressed(Action.LEFT), Pressed(Action.RIGHT))
+    left, right = (Action.LEFT, ARROW_LEFT), (Action.RIGHT, ARROW_RIGHT)
+    both = after(Pressed(*left), Pressed(*right))
     assert both.controls(CAMERA).turn == 1
-    assert both.after(Released(Action.RIGHT)).controls(CAMERA).turn == -1
-    assert both.after(Released(Action.LEFT)).controls(CAMERA).turn == 1
-    assert both.after(Released(Action.RIGHT)).after(Released(Action.LEFT)).controls(CAMERA) == Controls()
+    assert both.after(Released(*right)).controls(CAMERA).turn == -1
+    assert both.after(Released(*left)).controls(CAMERA).turn == 1
+    assert both.after(Released(*right)).after(Released(*left)).controls(CAMERA) == Controls()
 
 
-@pytest.mark.parametrize(("place", "turn"), [(500 + 300j, 0.0), (400 + 200j, 0.25), (300 + 300j, 0.5), (400 + 400j, 0.75)])
-def test_the_pointer_is_a_bearing(place, turn):
+def test_of_two_keys_for_one_action_each_counts():
+    """The left arrow held, A pressed and released: the paddles go on; the arrow released, they stop."""
+    both = after(Pressed(Action.LEFT, ARROW_LEFT), Pressed(Action.LEFT, pygame.KSCAN_A))
+    one = both.after(Released(Action.LEFT, pygame.KSCAN_A))
+    assert one.controls(CAMERA).turn == -1
+    assert one.after(Released(Action.LEFT, ARROW_LEFT)).controls(CAMERA).turn == 0
+
+
+def test_a_release_that_was_lost_is_noticed():
+    """A key that is held by the events but up by the keyboard's state is let go; one that is down stays held."""
+    hands = after(Pressed(Action.LEFT, ARROW_LEFT), Pressed(Action.RIGHT, ARROW_RIGHT))
+    assert hands.after(KeyboardState(frozenset({ARROW_LEFT, ARROW_RIGHT}))) == hands
+    assert hands.after(KeyboardState(frozenset({ARROW_LEFT}))).controls(CAMERA).turn == -1
+    assert hands.after(KeyboardState(frozenset())).controls(CAMERA).turn == 0
+
+
+@pytest.mark.parametrize(("pixel", "turn"), [(500 + 300j, 0.0), (400 + 200j, 0.25), (300 + 300j, 0.5), (400 + 400j, 0.75)])
+def test_the_pointer_is_a_bearing(pixel, turn):
     """Right, up, left, down of the centre are the four quarters of a turn."""
-    assert after(Moved(place, held=False)).controls(CAMERA) == Controls(pointer=int(turn * POINTER_STEPS))
+    assert after(Moved(pixel, held=False)).controls(CAMERA) == Controls(pointer=int(turn * POINTER_STEPS))
 
 
 def test_keys_take_over_from_the_mouse_until_it_moves_again():
@@ -72,8 +156,17 @@ def test_a_pointer_on_the_centre_points_nowhere():
 
 @pytest.mark.parametrize("signal", [Pressed(Action.SERVE), Clicked(10 + 10j)])
 def test_space_and_click_serve(signal):
-    """Either asks for the serve."""
+    """Either asks for the serve, once."""
     assert after(signal).controls(CAMERA).serve
+    assert not after(signal).after_tick().controls(CAMERA).serve
+
+
+def test_a_ball_is_given_up_once():
+    """Whatever else is held."""
+    for others in ((), (Pressed(Action.LEFT, ARROW_LEFT),)):
+        hands = after(*others, Pressed(Action.GIVE_UP))
+        assert hands.controls(CAMERA).give_up
+        assert not hands.after_tick().controls(CAMERA).give_up
 
 
 def test_losing_the_focus_lets_everything_go():
@@ -81,11 +174,31 @@ def test_losing_the_focus_lets_everything_go():
     assert after(Pressed(Action.LEFT), Pressed(Action.SERVE), FocusLost()) == Hands()
 
 
+def test_no_two_kinds_of_signal_are_equal():
+    """Signals of different kinds differ, whatever they hold; of one kind they are equal when they hold the same."""
+    action, one = Action.FULL_SCREEN, 1 + 0j
+    signals = [
+        Pressed(action),
+        Released(action),
+        KeyboardState(frozenset()),
+        Moved(one, held=False),
+        Clicked(one),
+        Dragged(one),
+        Zoomed(1.0),
+        FocusLost(),
+    ]
+    assert {type(signal) for signal in signals} == set(Signal.__args__)
+    for first, second in itertools.combinations(signals, 2):
+        assert first != second
+    assert Pressed(action) == Pressed(action)
+    assert Clicked(one) == Clicked(one)
+
+
 def test_events_become_signals():
     """Keys by the table, the mouse in pixels of the surface, focus; everything else means nothing."""
-    assert translated(key(pygame.K_p), ONE) == Pressed(Action.PAUSE)
-    assert translated(key(pygame.K_p, pygame.KEYUP), ONE) == Released(Action.PAUSE)
-    assert translated(key(pygame.K_RETURN, mod=pygame.KMOD_LALT), ONE) == Pressed(Action.FULL_SCREEN)
+    assert translated(key(pygame.K_p), ONE) == Pressed(Action.PAUSE, pygame.KSCAN_P)
+    assert translated(key(pygame.K_p, pygame.KEYUP), ONE) == Released(Action.PAUSE, pygame.KSCAN_P)
+    assert translated(key(pygame.K_RETURN, mod=pygame.KMOD_LALT), ONE).action is Action.FULL_SCREEN
     assert translated(key(pygame.K_F5), ONE) is None
     motion = pygame.Event(pygame.MOUSEMOTION, pos=(10, 20), rel=(1, 0), buttons=(1, 0, 0))
     assert translated(motion, 2 + 3j) == Moved(20 + 60j, held=True)
@@ -96,5 +209,8 @@ def test_events_become_signals():
 
 
 def test_every_action_has_a_key():
-    """Nothing can only be done by nobody."""
-    assert set(KEYS.values()) == set(Action)
+    """Nothing can only be done by nobody, and no key does two things."""
+    assert {one.action for one in BINDINGS} == set(Action)
+    claimed = [claim for one in BINDINGS for claim in (*one.codes, *one.positions)]
+    assert len(claimed) == len(set(claimed))
+    assert {pygame.KSCAN_A, pygame.KSCAN_LEFT, pygame.KSCAN_P} <= KEYS.positions

@@ -15,13 +15,13 @@ from game.replays import history as kept
 from game.replays.file import BLOCK, MAX_TICKS, Recorder, Recording, controls_of, decoded, load, played, save
 from game.replays.state_hash import FIELDS, field_checks, state_hash
 from game.replays.verify import verified
-from game.rules import POINTER_STEPS, Controls, new_game, tick
+from game.rules import LIVES, POINTER_STEPS, Controls, new_game, tick
 from game.system.errors import BadInputError
 from physics import PHYSICS_VERSION
 from tests.support.players import KeyPlayer, MousePlayer
 from tests.support.recordings import TICKS, recorded
 
-HEADER = b"polar-breakout replay 1\n"
+HEADER = b"polar-breakout replay 2\n"
 
 
 @pytest.fixture(scope="module")
@@ -58,7 +58,7 @@ def test_a_recording_plays_the_same_game(player, tmp_path: Path):
     assert loaded == recording
     assert [done.game for done in played(loaded)][-1] == end
     assert verified(loaded).divergence is None
-    assert verified(loaded).final_hash == state_hash(end)
+    assert state_hash(verified(loaded).game) == state_hash(end)
     assert [path.name for path in tmp_path.iterdir()] == ["game.polar"]
 
 
@@ -77,7 +77,7 @@ def test_runs_hold_any_controls():
     levels = built_in()
     game = new_game(levels, 0)
     plan = [
-        *[Controls(*one) for one in product((-1, 0, 1), (None, 0, POINTER_STEPS - 1), (False, True))],
+        *[Controls(*one) for one in product((-1, 0, 1), (None, 0, POINTER_STEPS - 1), (False, True), (False, True))],
         *[Controls(1)] * 70_000,
         Controls(),
     ]
@@ -85,7 +85,7 @@ def test_runs_hold_any_controls():
     for controls in plan:
         recorder.add(controls, game)
     assert list(controls_of(recorder.recording())) == plan
-    assert len(recorder.recording().runs) == 5 * (18 + 2 + 1)
+    assert len(recorder.recording().runs) == 5 * (36 + 2 + 1)
 
 
 def test_a_recorder_stops_at_the_longest_recording():
@@ -120,7 +120,7 @@ def test_foreign_and_newer_files_are_named(mouse, file_bytes):
     for data, reason in (
         (b"", "not a replay"),
         (b"polar-breakout replay \n", "not a replay"),
-        (b"polar-breakout replay 2\n" + file_bytes[len(HEADER) :], "format 2; this game reads format 1"),
+        (b"polar-breakout replay 3\n" + file_bytes[len(HEADER) :], "format 3; this game reads formats 1 to 2"),
         (file_bytes + b"x", "checksum"),
         (packed(body + b"x"), "something follows"),
         (packed(body[:-9]), "cut off"),
@@ -128,10 +128,43 @@ def test_foreign_and_newer_files_are_named(mouse, file_bytes):
         (packed(zlib.compress(b"\xc1")), "damaged replay"),
         (packed(zlib.compress(b"\x90")), "Expected `object`"),
         (newer, f"physics {PHYSICS_VERSION} and would play it differently"),
-        (b"\0" * (17 * 2**20), "too large"),
     ):
         with pytest.raises(BadInputError, match=reason):
             decoded(data, "x")
+
+
+def test_a_file_too_large_is_refused(tmp_path: Path):
+    """Without looking at what is in it."""
+    file = tmp_path / "large.polar"
+    file.write_bytes(HEADER + bytes(17 * 2**20))
+    with pytest.raises(BadInputError, match=r"large\.polar: replay too large; expected at most 16 MB"):
+        load(file)
+
+
+def test_the_format_before_is_read(mouse, file_bytes):
+    """A file of format 1 is a game in which no ball could be given up; a run that does so is not of that format."""
+    old = b"polar-breakout replay 1\n" + file_bytes[len(HEADER) :]
+    assert decoded(old, "x") == mouse
+    runs = mouse.runs[:2] + bytes([mouse.runs[2] | 16]) + mouse.runs[3:]
+    giving_up = altered(mouse, runs=runs)
+    assert any(controls.give_up for controls in controls_of(decoded(giving_up, "x")))
+    with pytest.raises(BadInputError, match="runs: unknown action"):
+        decoded(b"polar-breakout replay 1\n" + giving_up[len(HEADER) :], "x")
+
+
+def test_a_game_with_a_ball_given_up_plays_again(tmp_path: Path):
+    """The life it costs is lost in the recording, too."""
+    levels = built_in()
+    game, recorder = new_game(levels, 5), Recorder(levels, 5)
+    for number in range(300):
+        controls = Controls(serve=number == 10, give_up=number == 200)
+        game = tick(game, controls).game
+        recorder.add(controls, game)
+    assert game.lives == LIVES - 1
+    save(recorder.recording(), tmp_path / "game.polar")
+    loaded = load(tmp_path / "game.polar")
+    assert [controls.give_up for controls in controls_of(loaded)].index(True) == 200
+    assert verified(loaded) == (game, None)
 
 
 def test_contradictions_are_refused(mouse):
@@ -258,38 +291,76 @@ def data_folder(tmp_path: Path, monkeypatch):
     return folder
 
 
-def keep_games(keeper, count, ticks):
-    """Play some games of some ticks with the keeper watching."""
+def keep_games(history, count, ticks):
+    """Play some games of some ticks with the history watching."""
     for _ in range(count):
         game = new_game(built_in(), 1)
         for _ in range(ticks):
             game = tick(game, Controls()).game
-            keeper(Controls(), game)
-    keeper.close()
+            history(Controls(), game)
+    history.close()
 
 
 def test_games_are_kept_and_the_oldest_forgotten(data_folder, monkeypatch):
     """Every game of five seconds or more is kept under its own name; of 52, the newest 50 stay."""
     monkeypatch.setattr(kept, "_SHORTEST", 0.02)
-    keeper = kept.Keeper()
-    keep_games(keeper, 52, 5)
-    assert keeper.problem is None
-    assert len(kept.kept()) == 50
-    assert all(load(path).ticks == 5 for path in kept.kept())
+    history = kept.History()
+    keep_games(history, 52, 5)
+    assert history.problem is None
+    assert len(kept.kept_games()) == 50
+    assert all(load(path).ticks == 5 for path in kept.kept_games())
     assert data_folder.is_dir()
+
+
+def test_two_games_that_end_in_the_same_second_are_both_kept(data_folder, monkeypatch):
+    """In two windows, each with its own history."""
+    monkeypatch.setattr(kept, "_SHORTEST", 0.0)
+    monkeypatch.setattr(kept.time, "strftime", lambda _: "2026-01-01 00-00-00")
+    for ticks in (5, 6):
+        keep_games(kept.History(), 1, ticks)
+    assert sorted(path.name for path in data_folder.iterdir()) == ["2026-01-01 00-00-00-2.polar", "2026-01-01 00-00-00.polar"]
+    assert {load(path).ticks for path in kept.kept_games()} == {5, 6}
+
+
+def test_a_link_to_nothing_does_not_break_the_list(data_folder, monkeypatch):
+    """It is left out, as a folder and a pipe of that name are, and it is not forgotten with the oldest."""
+    monkeypatch.setattr(kept, "_SHORTEST", 0.0)
+    keep_games(kept.History(), 1, 5)
+    (data_folder / "gone.polar").symlink_to("nothing")
+    (data_folder / "folder.polar").mkdir()
+    assert len(kept.kept_games()) == 1
+    keep_games(kept.History(), 51, 5)
+    assert len(kept.kept_games()) == 50
+    assert (data_folder / "gone.polar").is_symlink()
+
+
+def test_what_a_killed_session_left_is_removed_at_the_next_start(data_folder):
+    """The kept games stay."""
+    data_folder.mkdir(parents=True)
+    (data_folder / ".polar-breakout-00.tmp").write_bytes(b"half a ga")
+    (data_folder / "game.polar").write_bytes(b"a game")
+    kept.History()
+    assert [path.name for path in data_folder.iterdir()] == ["game.polar"]
+
+
+def test_a_string_that_is_not_utf_8_is_refused(mouse):
+    """Its checksum may be right all the same."""
+    body = msgspec.msgpack.encode(mouse).replace(b"Carousel", b"\xff\xfe\x80ousel")
+    with pytest.raises(BadInputError, match=r"^x: damaged replay; [^\n]*utf-8[^\n]*$"):
+        decoded(packed(zlib.compress(body)), "x")
 
 
 def test_short_games_are_not_kept(data_folder):
     """A game of less than five seconds leaves no file."""
-    keep_games(kept.Keeper(), 1, 1199)
+    keep_games(kept.History(), 1, 1199)
     assert not data_folder.exists()
-    keep_games(kept.Keeper(), 1, 1200)
-    assert len(kept.kept()) == 1
+    keep_games(kept.History(), 1, 1200)
+    assert len(kept.kept_games()) == 1
 
 
 def test_a_named_recording_is_written_whatever_its_length(data_folder, tmp_path: Path):
     """`--record` gets even a short game of the window."""
-    keep_games(kept.Keeper(tmp_path / "mine.polar"), 1, 3)
+    keep_games(kept.History(tmp_path / "mine.polar"), 1, 3)
     assert load(tmp_path / "mine.polar").ticks == 3
     assert not data_folder.exists()
 
@@ -299,9 +370,9 @@ def test_play_goes_on_where_nothing_can_be_kept(tmp_path: Path, monkeypatch):
     (tmp_path / "data").write_text("a file where the folder should be")
     monkeypatch.setattr(kept, "folder", lambda: tmp_path / "data" / "replays")
     monkeypatch.setattr(kept, "_SHORTEST", 0.0)
-    keeper = kept.Keeper()
-    keep_games(keeper, 1, 5)
-    assert keeper.problem
+    history = kept.History()
+    keep_games(history, 1, 5)
+    assert history.problem
 
 
 def test_max_ticks_fit_the_largest_file():

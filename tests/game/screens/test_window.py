@@ -1,5 +1,7 @@
 """The window game, played by posted events on the dummy driver."""
 
+import signal
+
 import pygame
 import pytest
 
@@ -12,6 +14,7 @@ from game.screens.help import Help
 from game.screens.menu import Menu
 from game.screens.play import Play
 from game.screens.title import Title
+from game.system import ending
 from tests.support.dummy_window import FRAME, SIZE, Desk, shared
 
 
@@ -323,14 +326,21 @@ def test_play_returns_0_when_the_window_is_closed(monkeypatch):
     assert not pygame.display.get_init()
 
 
-def test_ctrl_c_leaves_quietly(monkeypatch):
-    """`play` returns 0 when it is interrupted."""
+def test_a_signal_ends_the_loop_after_a_frame(monkeypatch, request):
+    """The frame is done, the window is closed, and then the signal is heard: the command line makes a line of it."""
+    seen = []
 
-    def interrupted(*_):
-        raise KeyboardInterrupt
+    def looked(_window, _kept, screen, _seconds):
+        seen.append(screen)
+        signal.raise_signal(signal.SIGTERM)
+        return screen
 
-    monkeypatch.setattr(app, "frame", interrupted)
-    assert app.play(built_in(), 1, autopilot=True) == 0
+    monkeypatch.setattr(app, "frame", looked)
+    before = signal.signal(signal.SIGTERM, ending._handle)
+    request.addfinalizer(lambda: signal.signal(signal.SIGTERM, before))
+    with pytest.raises(KeyboardInterrupt):
+        app.play(built_in(), 1, autopilot=True)
+    assert len(seen) == 1
     assert not pygame.display.get_init()
 
 

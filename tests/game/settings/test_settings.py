@@ -162,18 +162,36 @@ def test_where_nothing_can_be_written_the_old_file_stays(tmp_path, monkeypatch):
     assert path.read_bytes() == before
 
 
+def test_a_link_is_followed(tmp_path):
+    """A dotfile manager keeps the file elsewhere: the link stays, the file there is written."""
+    (tmp_path / "kept").mkdir()
+    path = tmp_path / "settings.json"
+    path.symlink_to("kept/mine.json")
+    SettingsFile(path).keep(Settings(volume=30))
+    assert path.is_symlink()
+    assert SettingsFile(path).load().volume == 30
+    assert left(tmp_path / "kept") == ["mine.json"]
+
+
+def test_what_a_killed_session_left_is_removed_at_the_next_start(tmp_path):
+    """Before the settings are read."""
+    (tmp_path / ".polar-breakout-00.tmp").write_bytes(b'{"vol')
+    SettingsFile(tmp_path / "settings.json").load()
+    assert left(tmp_path) == []
+
+
 def test_headless_games_touch_no_settings(tmp_path):
     """A broken file stays where it is, and no folder is made."""
     code = f"""
 import pathlib
 from game.settings import file as settings_file
-from game.__main__ import app
+from game.commands import app
 from game.system.command_line import run
 def place():
     raise AssertionError("the settings were looked for")
-settings_file.place = place
-import game.__main__
-game.__main__.place = place
+settings_file.settings_path = place
+import game.commands
+game.commands.settings_path = place
 assert run(app, "x", ["--headless", "--autopilot", "--ticks", "300", "--screenshot", {str(tmp_path / "a.png")!r}]) == 0
 """
     subprocess.run(
@@ -185,7 +203,7 @@ assert run(app, "x", ["--headless", "--autopilot", "--ticks", "300", "--screensh
 def test_the_settings_are_in_the_users_folder(monkeypatch, tmp_path):
     """Under the program's name."""
     monkeypatch.setattr(settings_file.platformdirs, "user_config_path", lambda name, **_: tmp_path / name)
-    assert settings_file.place() == tmp_path / "polar-breakout" / "settings.json"
+    assert settings_file.settings_path() == tmp_path / "polar-breakout" / "settings.json"
 
 
 def test_every_effect_can_be_left_out_alone():

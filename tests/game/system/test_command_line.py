@@ -8,9 +8,12 @@ from pathlib import Path
 
 import pytest
 
+from game import levels
 from game.autopilot import Autopilot
 from game.input.view import FROM_ABOVE, TIPPED
 from game.levels import built_in
+from game.replays import file as replay
+from game.replays.verify import verified
 from game.rules import EventKind, new_game, tick
 from game.screenshot import save_screenshot
 from tests.support.command_line import polar
@@ -41,7 +44,7 @@ def test_headless_imports_no_pygame(tmp_path: Path):
     """A headless game, recorded and verified, and the list of levels never import pygame."""
     file = tmp_path / "game.polar"
     program = (
-        "import sys; from game.__main__ import app; from game.system.command_line import run\n"
+        "import sys; from game.commands import app; from game.system.command_line import run\n"
         f"for arguments in ({[*HEADLESS, '--record', str(file)]!r}, ['replay', '--verify', {str(file)!r}], ['levels']):\n"
         "    assert run(app, 'x', arguments) == 0\n"
         "assert 'pygame' not in sys.modules and 'numba' not in sys.modules and 'pymunk' not in sys.modules\n"
@@ -69,6 +72,25 @@ def test_headless_imports_no_pygame(tmp_path: Path):
         ([*HEADLESS, "--record", "."], "a folder; expected a file"),
         ([*HEADLESS, "--record", "none/x.polar"], "there is no folder none"),
         ([*HEADLESS, "--screenshot", "none/x.png"], "there is no folder none"),
+        ([*HEADLESS, "--record", "/dev/null"], "--record /dev/null: cannot be written; a device, not a regular file"),
+        ([*HEADLESS, "--screenshot", "a.txt"], "--screenshot a.txt: expected a name that ends in .png, not .txt"),
+        ([*HEADLESS, "--size", "100x100"], "--size: is for a picture; add --screenshot FILE"),
+        ([*HEADLESS, "--view", "3d"], "--view: is for a picture"),
+        (["--ticks", "5"], "--ticks: is for a headless game"),
+        (["--headless", "levels"], "--headless: is not for the command levels"),
+        (["--seed", "3", "replays"], "--seed: is not for the command replays"),
+        (["--record", "a.polar", "lab"], "--record: is not for the command lab"),
+        (["lab", "--list", "--headless"], "--headless: does nothing beside --list"),
+        (["lab", "case-2", "--list"], "scene: does nothing beside --list"),
+        (["lab", "--headless", "--screenshot", "a.png"], "--screenshot: does nothing beside --headless"),
+        (["lab", "--drags", "5"], "--drags: is for checking scenes"),
+        (["lab", "--theme", "light"], "--theme: is for a picture"),
+        (["lab", "--screenshot", "a.txt"], "expected a name that ends in .png"),
+        (["--level", "00010"], "--level 00010: no such level"),
+        (["--level", "x" * 5000], "x...x"),
+        (["--size", "9" * 5000, "--screenshot", "a.png"], "9...9"),
+        (["replay", "no\nne.polar"], "no\\nne.polar: cannot read replay"),
+        (["replay", "x" * 5000], "File name too long"),
         (["replay"], "FILES"),
         (["replay", "none.polar"], "cannot read replay"),
         (["replay", "--verify", "."], "not a folder"),
@@ -81,9 +103,45 @@ def test_bad_options_exit_2_with_one_line(capsys, monkeypatch, tmp_path, argumen
     monkeypatch.chdir(tmp_path)
     code, out, err = polar(capsys, *arguments)
     assert (code, out) == (2, "")
-    assert re.fullmatch(r"polar-breakout: [^\n]+\n", err)
+    assert re.fullmatch(r"polar-breakout: [^\n]{1,500}\n", err)
     assert reason.casefold() in err.casefold()
     assert list(tmp_path.iterdir()) == []
+
+
+def test_an_interrupted_recording_is_kept(tmp_path: Path):
+    """A signal ends a headless game early: what was played is written, and verifies."""
+    file = tmp_path / "game.polar"
+    code = (
+        "import os, signal, sys\n"
+        "from game.system.start import prepare\n"
+        "signal.signal(signal.SIGTERM, signal.SIG_DFL)\n"
+        "prepare('x')\n"
+        "from game import commands, headless\n"
+        "from game.system.command_line import run\n"
+        "tick = headless.tick\n"
+        "def counted(game, controls, advance):\n"
+        "    if game.tick == 100: os.kill(os.getpid(), signal.SIGTERM)\n"
+        "    return tick(game, controls, advance)\n"
+        "headless.tick = counted\n"
+        f"sys.exit(run(commands.app, 'x', {[*HEADLESS, '--record', str(file)]!r}))\n"
+    )
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout, done.stderr) == (143, "", "x: terminated\n")
+    recording = replay.load(file)
+    assert 100 <= recording.ticks < 110
+    assert verified(recording).divergence is None
+
+
+def test_a_narrow_gate_is_warned_of(capsys, tmp_path: Path):
+    """One line on stderr; the game is played."""
+    ring = "[[rings]]\nradius = 7.0\nhalf_width = 0.1\nhalf_angle = 87.6\ncount = 2\nlayers = -1\n"
+    file = tmp_path / "gate.toml"
+    first = Path(levels.__file__).parent / "levels" / "1-first-wall.toml"
+    file.write_text(first.read_text(encoding="utf-8") + ring, encoding="utf-8")
+    code, out, err = polar(capsys, *HEADLESS, "--level", file)
+    assert (code, out.count("\n"), err.count("\n")) == (0, 1, 1)
+    assert "warning: " in err
+    assert "rings[1]: its widest gate is 1.1" in err
 
 
 def test_a_divergence_exits_1(capsys, tmp_path: Path, monkeypatch):
@@ -119,7 +177,7 @@ def test_ctrl_c_is_one_line(capsys, monkeypatch):
     def interrupted(*_):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("game.__main__.autopilot_game", interrupted)
+    monkeypatch.setattr("game.commands.autopilot_game", interrupted)
     assert polar(capsys, *HEADLESS) == (130, "", "polar-breakout: interrupted\n")
 
 

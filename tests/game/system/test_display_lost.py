@@ -12,7 +12,7 @@ import pygame
 import pytest
 
 from game import app
-from game.__main__ import app as command
+from game.commands import app as command
 from game.levels import built_in
 from game.replays import file as replay
 from game.replays import history as kept
@@ -62,7 +62,7 @@ class Broken:
 
 def test_a_window_that_cannot_be_shown_any_more_ends_the_game_cleanly(monkeypatch, tmp_path, capsys):
     """The system says so by an error: the recorded game is written whole, and the exit code is 3."""
-    monkeypatch.setattr("game.__main__.place", lambda: tmp_path / "settings.json")
+    monkeypatch.setattr("game.commands.settings_path", lambda: tmp_path / "settings.json")
     monkeypatch.setattr(kept, "folder", lambda: tmp_path / "replays")
     monkeypatch.setattr(app.display, "open_window", lambda _title: pygame.display.init() or Broken(40))
     monkeypatch.setattr(app.display, "refresh_rate", lambda: 60)
@@ -142,10 +142,10 @@ def test_a_killed_x_server(children, tmp_path, autopilot):
 
 @NO_SERVER
 def test_being_ended_is_being_closed(children, tmp_path):
-    """SIGTERM, as a system sends it on shutting down: the game is kept, and nothing is said."""
+    """SIGTERM, as a system sends it on shutting down: the game is kept, one line, and exit code 128 + 15."""
     _, name = started_server(children)
     game, file = started_game(children, name, tmp_path, "--autopilot")
     game.terminate()
     _, err = game.communicate()
-    assert (game.returncode, err) == (0, "")
+    assert (game.returncode, err) == (143, "polar-breakout: terminated\n")
     assert verified(replay.load(file)).divergence is None

@@ -11,8 +11,8 @@ from typing import Any, NamedTuple
 
 from game.levels import built_in
 from game.system.errors import BadInputError
+from game.system.files import write_text
 from tools.crosscheck.corpus.part import PartJob, finished_part, made_part
-from tools.crosscheck.files import write_whole
 from tools.crosscheck.games.sources import AIMED, AUTOPILOT, RANDOM, Source
 from tools.crosscheck.results.coverage import ALL_CELLS
 from tools.crosscheck.run import AIMED_TICKS, versions
@@ -83,7 +83,7 @@ def built_corpus(folder: Path, most: int | None, facets: int, workers: int, tell
     except KeyboardInterrupt:
         interrupted = True
     manifest = _manifest([parts[number] for number in sorted(parts)], len(jobs))
-    write_whole(folder / MANIFEST, json.dumps(manifest, indent=1) + "\n")
+    write_text(folder / MANIFEST, json.dumps(manifest, indent=1) + "\n")
     return Corpus(manifest, not interrupted and len(parts) == len(jobs), lost)
 
 

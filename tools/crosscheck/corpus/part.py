@@ -21,8 +21,8 @@ import math
 from pathlib import Path
 from typing import Any, NamedTuple
 
+from game.system.files import write_text
 from tools.crosscheck.comparisons.game import Checked
-from tools.crosscheck.files import write_whole
 from tools.crosscheck.games.sources import Source
 from tools.crosscheck.results.measurements import Comparison, Samples
 from tools.crosscheck.results.rows import ContactRecord
@@ -50,11 +50,11 @@ def made_part(job: PartJob) -> dict[str, Any]:
     checked = check_game(Job(job.source, job.facets, recorded=True))
     lines = [_lines(record) for record in checked.rows.records]
     text = "".join([f'{{"game": {games}, "pymunk": {pymunks}}}\n' for games, pymunks in lines])
-    write_whole(_file(job, "jsonl"), text)
+    write_text(_file(job, "jsonl"), text)
     summary = _summary(job, checked)
     summary["games_sha256"] = _hash("".join([games + "\n" for games, _ in lines]))
     summary["file_sha256"] = _hash(text)
-    write_whole(_file(job, "json"), json.dumps(summary, indent=1) + "\n")
+    write_text(_file(job, "json"), json.dumps(summary, indent=1) + "\n")
     return summary
 
 

@@ -1,0 +1,156 @@
+"""What keys mean: one table from keys to actions, read by the window, the help and the tests alike.
+
+A key is known by two numbers. Its *position* (a scancode) says where it is on the keyboard, whatever the layout. Its *code*
+says what the layout writes on it. Steering goes by position, so that the two keys lie beside each other on every layout;
+commands go by what is written on the key, so that P pauses wherever P is.
+"""
+
+from collections.abc import Iterable, Mapping
+from enum import Enum, auto
+from typing import NamedTuple
+
+import pygame
+
+
+class Action(Enum):
+    """What a key means."""
+
+    LEFT = auto()
+    RIGHT = auto()
+    UP = auto()
+    DOWN = auto()
+    SERVE = auto()
+    CONFIRM = auto()
+    PAUSE = auto()
+    RESTART = auto()
+    BACK = auto()
+    HELP = auto()
+    FULL_SCREEN = auto()
+    MUTE = auto()
+    THEME = auto()
+    EFFECTS = auto()
+    SETTINGS = auto()
+    NORMALS = auto()
+    STEP_BACK = auto()
+    STEP = auto()
+    LESS = auto()
+    MORE = auto()
+    START = auto()
+    END = auto()
+    TIP = auto()
+    FLAT = auto()
+    SOLID = auto()
+    LAB = auto()
+    GIVE_UP = auto()
+
+
+class Binding(NamedTuple):
+    """The keys of one action.
+
+    codes: pygame.K_*, what is written on its keys; the first is the one that the help names.
+    positions: pygame.KSCAN_*, keys that mean the action wherever they are found there, whatever is written on them.
+    """
+
+    action: Action
+    codes: tuple[int, ...] = ()
+    positions: tuple[int, ...] = ()
+
+
+BINDINGS = (
+    Binding(Action.LEFT, positions=(pygame.KSCAN_LEFT, pygame.KSCAN_A)),
+    Binding(Action.RIGHT, positions=(pygame.KSCAN_RIGHT, pygame.KSCAN_D)),
+    Binding(Action.UP, (pygame.K_UP, pygame.K_w)),
+    Binding(Action.DOWN, (pygame.K_DOWN, pygame.K_s)),
+    Binding(Action.SERVE, (pygame.K_SPACE,)),
+    Binding(Action.CONFIRM, (pygame.K_RETURN, pygame.K_KP_ENTER)),
+    Binding(Action.PAUSE, (pygame.K_p, pygame.K_PAUSE)),
+    Binding(Action.RESTART, (pygame.K_r,)),
+    Binding(Action.BACK, (pygame.K_ESCAPE,)),
+    Binding(Action.HELP, (pygame.K_h, pygame.K_F1)),
+    Binding(Action.FULL_SCREEN, (pygame.K_F11,)),
+    Binding(Action.MUTE, (pygame.K_m,)),
+    Binding(Action.THEME, (pygame.K_t,)),
+    Binding(Action.EFFECTS, (pygame.K_e,)),
+    Binding(Action.SETTINGS, (pygame.K_o,)),
+    Binding(Action.NORMALS, (pygame.K_n,)),
+    Binding(Action.LAB, (pygame.K_l,)),
+    Binding(Action.GIVE_UP, (pygame.K_g,)),
+    Binding(Action.STEP_BACK, (pygame.K_COMMA,)),
+    Binding(Action.STEP, (pygame.K_PERIOD,)),
+    Binding(Action.LESS, (pygame.K_MINUS, pygame.K_KP_MINUS)),
+    Binding(Action.MORE, (pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS)),
+    Binding(Action.START, (pygame.K_HOME,)),
+    Binding(Action.END, (pygame.K_END,)),
+    Binding(Action.TIP, (pygame.K_TAB,)),
+    Binding(Action.FLAT, (pygame.K_1, pygame.K_KP_1)),
+    Binding(Action.SOLID, (pygame.K_2, pygame.K_KP_2)),
+)
+
+US_CODES: Mapping[int, int] = {
+    **{pygame.KSCAN_A + number: pygame.K_a + number for number in range(26)},
+    **{pygame.KSCAN_1 + number: pygame.K_1 + number for number in range(9)},
+    pygame.KSCAN_0: pygame.K_0,
+    pygame.KSCAN_COMMA: pygame.K_COMMA,
+    pygame.KSCAN_PERIOD: pygame.K_PERIOD,
+    pygame.KSCAN_MINUS: pygame.K_MINUS,
+    pygame.KSCAN_EQUALS: pygame.K_EQUALS,
+    pygame.KSCAN_LEFTBRACKET: pygame.K_LEFTBRACKET,
+    pygame.KSCAN_RIGHTBRACKET: pygame.K_RIGHTBRACKET,
+}
+"""Position to code of the printing keys that are bound to anything, on the US layout."""
+
+NAMED_KEY = 1 << 30
+"""Set in the code of a key without a character; the rest of such a code is the key's position."""
+
+
+def position_of(code: int) -> int:
+    """Where the US layout has a code; 0 where that is not known."""
+    if code & NAMED_KEY:
+        return code & ~NAMED_KEY
+    return next((position for position, known in US_CODES.items() if known == code), 0)
+
+
+class KeyTable:
+    """What keys mean, built from bindings; another set of bindings gives another table."""
+
+    def __init__(self, bindings: Iterable[Binding]) -> None:
+        """bindings: of two that claim the same key, the later one has it."""
+        self.bindings = tuple(bindings)
+        self._by_position = {position: one.action for one in self.bindings for position in one.positions}
+        self._by_code = {code: one.action for one in self.bindings for code in one.codes}
+
+    def action(self, position: int, code: int) -> Action | None:
+        """What a key means; None for one that means nothing. position: 0 where the system does not know it.
+
+        In this order: its position, what is written on it, and where that means nothing, what the US layout writes there.
+        The last is how letters work on layouts without Latin letters, and digits where they need the shift key.
+        """
+        found = self._by_position.get(position) or self._by_code.get(code)
+        return found or self._by_code.get(US_CODES.get(position, code))
+
+    @property
+    def positions(self) -> frozenset[int]:
+        """Where the keys are, those that go by their code where the US layout has them."""
+        return frozenset([*self._by_position, *[position_of(code) for code in self._by_code]]) - {0}
+
+    def binding(self, action: Action) -> Binding:
+        """The keys of an action; KeyError for an action without one."""
+        for one in self.bindings:
+            if one.action is action:
+                return one
+        raise KeyError(action)
+
+
+KEYS = KeyTable(BINDINGS)
+"""The game's keys."""
+
+
+def code_among(event: pygame.Event, known: Iterable[int]) -> int:
+    """The code of a key event, or what the US layout has at its position where the own one is not known."""
+    code = int(event.key)
+    return code if code in known else US_CODES.get(position_in(event), code)
+
+
+def position_in(event: pygame.Event) -> int:
+    """The position of a key event; 0 where it is not known. An event that was not made by SDL may have none."""
+    return int(getattr(event, "scancode", 0)) or position_of(event.key)

@@ -1,0 +1,1 @@
+"""Hostile files, hostile surroundings, signals and kills: what the program does when it is treated badly."""

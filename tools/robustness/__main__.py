@@ -1,0 +1,20 @@
+"""The campaign against the program's edges: `python -m tools.robustness`."""
+
+import sys
+
+from game.system.start import prepare
+
+PROGRAM = "python -m tools.robustness"
+
+
+def main() -> None:
+    """Run the command line and exit."""
+    prepare(PROGRAM)
+    from game.system.command_line import run  # noqa: PLC0415
+    from tools.robustness.commands import app  # noqa: PLC0415  # takes time to load, in which a signal may come
+
+    sys.exit(run(app, PROGRAM))
+
+
+if __name__ == "__main__":
+    main()
