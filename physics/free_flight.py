@@ -10,11 +10,11 @@ While a free flight lasts, a tick moves balls and rings and looks at nothing. Th
 import math
 from collections.abc import Sequence
 
-from physics.band import Stretch, band_stretches
 from physics.broad_phase import in_band, nearest_slot
-from physics.gap import gap_end
 from physics.polar import signed_difference
 from physics.shapes import Arena, Ball, Ring, unchecked
+from physics.sweep.band import Stretch, band_stretches
+from physics.sweep.gap import gap_end
 from physics.tolerances import ANGLE_SLACK, CLEARANCE, LARGEST, TOUCH
 from physics.vectors import cross, dot, length
 

@@ -130,9 +130,9 @@ def end_contact(ball: Ball, ring: Ring, slot: int, theta: float) -> Contact:
 def _nearest_end(p: complex, theta: float, radius: float, angle: float, half_width: float, half_angle: float) -> _NearestEnd:
     """The end on theta's side of the sector's middle: A, B, and the point nearest to p."""
     side = 1 if on_left(theta, angle) else -1
-    end = end_angle(angle, half_angle, side)
-    a, b = to_cartesian(radius - half_width, end), to_cartesian(radius + half_width, end)
-    return _NearestEnd(a, b, closest_point_on_line(a, b, p), quarter_turn(to_cartesian(1.0, end)) * side)
+    along = to_cartesian(1.0, end_angle(angle, half_angle, side))
+    a, b = along * (radius - half_width), along * (radius + half_width)
+    return _NearestEnd(a, b, closest_point_on_line(a, b, p), quarter_turn(along) * side)
 
 
 def _inside_contact(ball: Ball, ring: Ring, angle: float, theta: float, face: Contact) -> Contact:

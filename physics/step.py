@@ -8,7 +8,7 @@ from physics.bounce import bounce, bounce_off_two
 from physics.broad_phase import in_band
 from physics.escape import all_freed
 from physics.free_flight import FreeFlight, free_flight, still_known
-from physics.shapes import Arena, Ball, Contact, Ring, unchecked
+from physics.shapes import Arena, Ball, Contact, Feature, Ring, unchecked
 from physics.time_of_impact import Impact, first_impact, touched_now
 from physics.tolerances import MAX_IMPACTS, OVERLAP
 from physics.vectors import length
@@ -161,18 +161,28 @@ def _hits(
 ) -> tuple[Hit, ...]:
     """The hit of an impact, or the two hits of a bounce off two sectors at once. ball: at that moment."""
     contact, slot, ring = found.impact.contact, found.impact.slot, rings[found.ring]
-    distance = length(ball.position)
-    for k, other_ring in enumerate(rings):
-        near = in_band(distance, ball.radius * (1.0 + OVERLAP), other_ring)
-        touched = touched_now(ball, other_ring.turned(found.time), layers[k]) if near else (None, None)
-        for other in touched:
-            if other is not None:
-                after = bounce_off_two(ball, contact, ring, other.contact, other_ring, speed)
-                if after is not None:
-                    first = _hit(found, ball, found.ring, slot, contact, after, layers)
-                    second = _hit(found, ball, k, other.slot, other.contact, after, layers)
-                    return _in_order(first, second)
+    for k, other in _touched_besides(found, ball, rings, layers):
+        after = bounce_off_two(ball, contact, ring, other.contact, rings[k], speed)
+        if after is not None:
+            first = _hit(found, ball, found.ring, slot, contact, after, layers)
+            return _in_order(first, _hit(found, ball, k, other.slot, other.contact, after, layers))
     return (_hit(found, ball, found.ring, slot, contact, bounce(ball, contact, ring, speed), layers),)
+
+
+def _touched_besides(
+    found: _Next, ball: Ball, rings: tuple[Ring, ...], layers: Sequence[tuple[int, ...]]
+) -> list[tuple[int, Impact]]:
+    """What else the ball touches and approaches at the moment of an impact: ring and impact, in the order of the rings.
+
+    A ball above a sector is nearer to it than to any other of its ring.
+    """
+    above = found.impact.contact.feature in (Feature.OUTER_FACE, Feature.INNER_FACE)
+    distance, touched = length(ball.position), []
+    for k, ring in enumerate(rings):
+        if not (above and k == found.ring) and in_band(distance, ball.radius * (1.0 + OVERLAP), ring):
+            impacts = touched_now(ball, ring.turned(found.time), layers[k])
+            touched += [(k, impact) for impact in impacts if impact is not None]
+    return touched
 
 
 def _hit(

@@ -1,9 +1,9 @@
 """First touch of a moving ball with a turning ring, exact in time.
 
-The sweep says *when*, the source's functions say *what*. On each stretch of the flight in the ring's band (`physics.band`)
-the nearest slot is asked for. Where a stretch begins above a sector, that moment is the touch of a face: of an outer one
-flying inward, of an inner one flying outward. Where it begins over a gap, the touch can only be with one of the gap's two
-ends (`physics.gap`), at rest (`physics.resting_end`) or turning (`physics.turning_end`). At the moment of touch the narrow
+The sweep says *when*, the source's functions say *what*. On each stretch of the flight in the ring's band the nearest slot
+is asked for (`physics.sweep.band`). Where a stretch begins above a sector, that moment is the touch of a face: of an outer
+one flying inward, of an inner one flying outward. Where it begins over a gap, the touch can only be with one of the gap's two
+ends (`gap`), at rest (`resting_end`) or turning (`turning_end`, all in `physics.sweep`). At the moment of touch the narrow
 phase says what is touched, and with which normal.
 """
 
@@ -11,15 +11,15 @@ import math
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from physics.band import Stretch, band_stretches
 from physics.broad_phase import nearest_slot
-from physics.gap import End, angle_of_end, gap_end
 from physics.narrow_phase import contact, end_contact, is_over
 from physics.polar import signed_difference
-from physics.resting_end import touch_of_resting_end
 from physics.shapes import Ball, Contact, Feature, Ring
+from physics.sweep.band import Stretch, band_stretches
+from physics.sweep.gap import End, angle_of_end, gap_end
+from physics.sweep.resting_end import touch_of_resting_end
+from physics.sweep.turning_end import touch_of_turning_end
 from physics.tolerances import TOUCH
-from physics.turning_end import touch_of_turning_end
 from physics.vectors import dot, length
 
 

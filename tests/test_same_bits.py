@@ -163,7 +163,11 @@ def test_a_finding_knows_its_line():
         ("physics/vectors.py", "return math.sqrt(a.real * a.real + a.imag * a.imag)", "return abs(a)"),
         ("physics/narrow_phase.py", "return a + ab * (along / square)", "return a + ab * (p - a)"),
         ("physics/shapes.py", "quarter_turn(point) * self.spin", "point * 1j * self.spin"),
-        ("physics/escape.py", "for slot in _slots_near(ball, distance, bearing, ring)", "for slot in set(range(ring.count))"),
+        (
+            "physics/escape.py",
+            "for step in range(-_slots_aside(ball, ring), _slots_aside(ball, ring) + 1):",
+            "for step in set(range(ring.count)):",
+        ),
     ],
 )
 def test_the_real_modules_are_watched(module, good, bad):

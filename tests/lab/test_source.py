@@ -5,9 +5,8 @@ import math
 from hypothesis import assume, given
 
 from game.lab import source
-from physics import collision_response, length
 from tests.support import source_oracle
-from tests.support.strategies import angles, points, reals, units
+from tests.support.strategies import angles, points, reals
 
 
 @given(reals(-1e6, 1e6))
@@ -45,27 +44,3 @@ def test_the_normal_of_the_end_that_the_source_looks_at(p, ball_radius, radius, 
     assume(abs(distance - ball_radius) > 1e-9 and distance > 1e-6)
     assert (found is None) == (expected is None)
     assert found is None or abs(found - expected) < 1e-6
-
-
-@given(points(), units(), points(), reals(0.0, 1.0))
-def test_the_velocity_before_the_reset(v, normal, surface_velocity, friction):
-    """v_res is the sum that the source writes, and each of its terms is what its equation says."""
-    steps = source.response_steps(v, normal, surface_velocity, friction, 5.0)
-    expected = source_oracle.response_before_reset(v, normal, surface_velocity, friction)
-    assert abs(steps.before_reset - expected) < 1e-9
-    assert abs(steps.relative - steps.normal_part - steps.tangential_part) < 1e-9
-    assert abs(v + steps.normal_change + steps.tangential_change - steps.before_reset) < 1e-9
-    if steps.before_reset != v:
-        assert abs(steps.normal_change + 2.0 * steps.normal_part) < 1e-9
-        taken = friction * min(abs(steps.normal_part), abs(steps.tangential_part))
-        assert abs(abs(steps.tangential_change) - taken) < 1e-9
-
-
-@given(points(), units(), reals(0.0, 1.0), reals(1.0, 20.0))
-def test_the_result_is_that_of_the_physics(v, normal, friction, speed):
-    """Off a surface at rest it is v_res brought to the length v_0; a ball that separates has its own velocity."""
-    steps = source.response_steps(v, normal, 0j, friction, speed)
-    assert steps.result == collision_response(v, normal, 0j, friction, speed)
-    size = length(steps.before_reset)
-    assume(steps.before_reset != v and size > 1e-6 and abs(steps.normal_part) > 1e-6)
-    assert abs(steps.result - steps.before_reset * (speed / size)) < 1e-6

@@ -43,7 +43,7 @@ def test_the_ball_gets_away(label):
     after = end_bounce(values(carried.SCENE, label))
     assert not after.found.separates
     assert not after.found.overtaken
-    assert abs(after.by_source - after.found.steps.result) < 1e-12
+    assert abs(after.by_source - after.found.steps.velocity) < 1e-12
 
 
 @pytest.mark.parametrize(
@@ -150,7 +150,7 @@ def test_friction_bends_the_path():
     for label, different in (("against", True), ("straight on", False)):
         presets = [one for one in friction.SCENE.presets if one.label.startswith(label)]
         bounces = friction._friction_bounces(preset(friction.SCENE, presets[0].line)).bounces
-        angles = [friction._angle_to_normal(found.steps.result) for found in bounces]
+        angles = [friction._angle_to_normal(found.steps.velocity) for found in bounces]
         assert (len(set(angles)) == 3) is different
 
 
@@ -159,7 +159,7 @@ def test_the_axes_of_the_slides_do_not_fit():
     scene = axis_slip.SCENE
     assert axis_slip._two_readings(values(scene, "off the ground")).three.y > 5.0
     same = axis_slip._two_readings(values(scene, "n along x"))
-    assert abs(complex(same.three.x, same.three.z) - same.found.steps.result) < 1e-9
+    assert abs(complex(same.three.x, same.three.z) - same.found.steps.velocity) < 1e-9
     for label, literally in (("n along the other", False), ("approaching", False), ("leaving", True)):
         both = axis_slip._two_readings(values(scene, label))
         assert (both.literal_approach < 0.0, both.found.approach < 0.0) == (literally, not literally)

@@ -8,7 +8,8 @@ import pytest
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from physics import Ball, Ring, time_of_impact, turning_end
+from physics import Ball, Ring, time_of_impact
+from physics.sweep import turning_end
 from tests.support.impact_oracle import EXACT, checked_impact, gap, mirrored_scene
 from tests.support.strategies import angles, reals, rings
 from tools.fuzz.impacts import check_impacts

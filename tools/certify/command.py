@@ -11,7 +11,7 @@ from tools.certify.boxes.catalogue import boxes
 from tools.certify.boxes.subdivision import proof_of
 from tools.certify.exact_geometry import use_precision
 from tools.certify.report import functions_json_text, functions_lines, json_text, lines
-from tools.certify.run import RunResult, outcome
+from tools.certify.run import CertificationRun, outcome
 from tools.certify.sources import ClaimSource, SourcePlan
 from tools.certify.totals import Totals
 from tools.crosscheck.files import check_writable, write_whole
@@ -48,7 +48,7 @@ def certify_functions(pieces: int, json: Path | None) -> int:
     return 0 if all([proof.wrong is None and proof.proved > 0.0 for proof in proofs]) else 1
 
 
-def _with_progress(sources: "list[ClaimSource] | SourcePlan", impacts: int | None, workers: int) -> RunResult:
+def _with_progress(sources: "list[ClaimSource] | SourcePlan", impacts: int | None, workers: int) -> CertificationRun:
     """Run; where somebody watches, a bar shows how far it is."""
     console = Console(stderr=True)
     columns = (

@@ -10,13 +10,13 @@ from game import VERSION
 from physics import PHYSICS_VERSION
 from tools.certify.boxes.subdivision import Proof
 from tools.certify.certificate import NORMAL, NORMAL_WIDTH, ROUNDINGS, SEARCH_ENDS, Decision
-from tools.certify.run import RunResult
+from tools.certify.run import CertificationRun
 
 FORMAT = "polar-breakout certify 1"
 _SHOWN = 10
 
 
-def verdict(outcome: RunResult) -> str:
+def verdict(outcome: CertificationRun) -> str:
     """The line that says it."""
     tally = outcome.tally
     certified, undecided = (tally.number(impact=True, verdict=one) for one in (Decision.CERTIFIED, Decision.UNDECIDED))
@@ -30,7 +30,7 @@ def verdict(outcome: RunResult) -> str:
     return line + ("; stopped by Ctrl-C" if outcome.partial else "")
 
 
-def lines(outcome: RunResult, *, every_case: bool) -> Iterator[str]:
+def lines(outcome: CertificationRun, *, every_case: bool) -> Iterator[str]:
     """The whole report, the verdict last."""
     tally = outcome.tally
     certified = tally.number(impact=True, verdict=Decision.CERTIFIED)
@@ -52,7 +52,7 @@ def lines(outcome: RunResult, *, every_case: bool) -> Iterator[str]:
     yield verdict(outcome)
 
 
-def json_text(outcome: RunResult, options: dict[str, object]) -> str:
+def json_text(outcome: CertificationRun, options: dict[str, object]) -> str:
     """The outcome as JSON: one object; `format` changes when a key changes its meaning."""
     tally = outcome.tally
     kinds = [

@@ -9,7 +9,7 @@ from tools.certify.totals import Totals, no_totals, totals_of
 from tools.crosscheck.workers import Lost, results_of
 
 
-class RunResult(NamedTuple):
+class CertificationRun(NamedTuple):
     """What a run came to. lost: sources without a result, and why. partial: it was stopped by Ctrl-C."""
 
     tally: Totals
@@ -19,7 +19,7 @@ class RunResult(NamedTuple):
 
 def outcome(
     sources: Sequence[ClaimSource], impacts: int | None, workers: int, tell: Callable[[int, Totals], None]
-) -> RunResult:
+) -> CertificationRun:
     """The sources in their order, until `impacts` are reached; None: all of them.
 
     The same for any number of workers: results are taken in the order of the sources. After Ctrl-C, what there is until then.
@@ -37,8 +37,8 @@ def outcome(
                 if impacts is not None and total.impacts >= impacts:
                     break
     except KeyboardInterrupt:
-        return RunResult(total, tuple(lost), partial=True)
-    return RunResult(total, tuple(lost))
+        return CertificationRun(total, tuple(lost), partial=True)
+    return CertificationRun(total, tuple(lost))
 
 
 def _results(sources: Sequence[ClaimSource], workers: int) -> Generator[Totals | Lost, None, None]:

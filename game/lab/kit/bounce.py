@@ -3,8 +3,7 @@
 from typing import NamedTuple
 
 from game.lab.kit.cited_line import CitedLine, code_line
-from game.lab.source import ResponseSteps, response_steps
-from physics import collision_response, dot, length
+from physics import Response, dot, length, response_steps
 from physics.response import leaving_at
 from physics.tolerances import STOPPED
 
@@ -21,7 +20,7 @@ class Bounce(NamedTuple):
     surface_velocity: complex
     friction: float
     speed: float
-    steps: ResponseSteps
+    steps: Response
 
     @property
     def approach(self) -> float:
@@ -41,14 +40,14 @@ class Bounce(NamedTuple):
     @property
     def stopped(self) -> bool:
         """Whether v_res is 0 but for rounding."""
-        return not self.separates and length(self.steps.before_reset) <= STOPPED * self.speed
+        return not self.separates and length(self.steps.result) <= STOPPED * self.speed
 
     @property
     def overtaken(self) -> bool:
         """Whether the ball, brought to v_0 as the source does it, would be slower along the normal than the surface."""
         if self.separates or self.stopped:
             return False
-        v_res = self.steps.before_reset
+        v_res = self.steps.result
         return dot(v_res, self.normal) / length(v_res) * self.speed < self.surface_speed
 
 
@@ -61,10 +60,10 @@ def bounce(v: complex, normal: complex, surface_velocity: complex, friction: flo
 def response_line(found: Bounce) -> CitedLine:
     """The line of the collision response that decided the result."""
     if found.separates:
-        return code_line(collision_response, "if approach >= 0.0:")
+        return code_line(response_steps, "if approach >= 0.0:")
     if found.stopped:
-        return code_line(collision_response, "if length(result) <= STOPPED * speed:")
+        return code_line(response_steps, "if length(result) <= STOPPED * speed:")
     if found.overtaken:
         straight = found.surface_speed >= found.speed
         return code_line(leaving_at, "if normal_speed >= speed:" if straight else "return unit(normal * normal_speed + tangent")
-    return code_line(collision_response, "result = v - normal * (2.0 * approach) - across * grip")
+    return code_line(response_steps, "result = v + normal_change + tangential_change")

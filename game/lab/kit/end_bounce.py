@@ -59,13 +59,13 @@ def end_bounce(given: Given) -> EndBounce:
     ring = Ring(REACH, _HALF_WIDTH, _HALF_ANGLE, 1, -_HALF_ANGLE, u / REACH, mu)
     ball = Ball(complex(REACH, RADIUS), to_cartesian(speed, given.angle("heading")), RADIUS)
     found = bounce(ball.velocity, NORMAL, NORMAL * u, mu, speed)
-    return EndBounce(ball, ring, found, source.reset(ball.velocity, found.steps.before_reset, speed))
+    return EndBounce(ball, ring, found, source.slides_response(ball.velocity, NORMAL, NORMAL * u, mu, speed))
 
 
 def start(given: Given) -> EndFlight:
     """Right after the bounce."""
     after = end_bounce(given)
-    ball = Ball(after.ball.position, after.found.steps.result, after.ball.radius)
+    ball = Ball(after.ball.position, after.found.steps.velocity, after.ball.radius)
     return EndFlight(after.ring, source.SourceBall(ball.position, after.by_source), ball)
 
 

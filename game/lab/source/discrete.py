@@ -1,12 +1,10 @@
-"""The source's own loop, taken literally: the ball moves by a whole frame, then its overlap is tested once."""
+"""The source's own loop at any frame rate: everything moves by a whole frame, then the ball's overlap is tested once."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from game.lab.source import functions
-from game.lab.source.response_steps import response_steps
-from physics import Outcome, Ring, broad_phase_outcome, in_band, length, min_difference, narrow_phase_case_1, to_polar
-from physics.tolerances import STOPPED
+from physics import Ball, Outcome, Ring, broad_phase_outcome
+from physics.source_mode import nearest_living, normal_at, slides_response
 
 
 class SourceBall(NamedTuple):
@@ -36,12 +34,12 @@ def frame(ball: SourceBall, ball_radius: float, rings: Sequence[Ring], dt: float
     """The ball one frame later. rings: as they stand at the end of the frame. dt: seconds. speed: the ball's fixed speed."""
     if ball.velocity is None:
         return ball
-    p, v = ball.position + ball.velocity * dt, ball.velocity
+    moved = Ball(ball.position, ball.velocity, ball_radius).moved(dt)
     for ring in rings:
-        n = normal_at(p, ball_radius, ring)
+        n = normal_at(moved, ring, (1,) * ring.count)
         if n is not None:
-            return _answered(SourceBall(p, v), n, ring, speed)
-    return SourceBall(p, v)
+            return _answered(moved, n, ring, speed)
+    return SourceBall(moved.position, moved.velocity)
 
 
 def game_frame(game: SourceGame, ball_radius: float, ground_radius: float, dt: float, speed: float) -> SourceGame:
@@ -49,69 +47,31 @@ def game_frame(game: SourceGame, ball_radius: float, ground_radius: float, dt: f
     paddles, bricks, (p, v) = game.paddles.turned(dt), game.bricks.turned(dt), game.ball
     if v is None or game.over:
         return game._replace(paddles=paddles, bricks=bricks)
-    p = p + v * dt
-    moved = game._replace(ball=SourceBall(p, v), paddles=paddles, bricks=bricks)
-    match broad_phase_outcome(p, ball_radius, ground_radius, paddles, bricks):
+    ball = Ball(p + v * dt, v, ball_radius)
+    moved = game._replace(ball=SourceBall(ball.position, v), paddles=paddles, bricks=bricks)
+    match broad_phase_outcome(ball.position, ball_radius, ground_radius, paddles, [bricks]):
         case Outcome.GAME_OVER:
             return moved._replace(over=True)
         case Outcome.PADDLES:
-            n = normal_at(p, ball_radius, paddles)
-            return moved if n is None else moved._replace(ball=_answered(moved.ball, n, paddles, speed))
-        case Outcome.BRICKS if p != 0.0 and any(game.layers):
-            return _after_bricks(moved, ball_radius, speed)
+            n = normal_at(ball, paddles, (1,) * paddles.count)
+            return moved if n is None else moved._replace(ball=_answered(ball, n, paddles, speed))
+        case Outcome.BRICKS:
+            return _after_bricks(moved, ball, speed)
     return moved
 
 
-def normal_at(p: complex, ball_radius: float, ring: Ring) -> complex | None:
-    """The normal that the source finds for a ball at p: band, nearest sector, then case 1 or case 2; None without a contact."""
-    if p == 0.0 or not in_band(p, ball_radius, ring):
-        return None
-    return _sector_normal(p, ball_radius, ring, _nearest(p, ring, range(ring.count)))
-
-
-def _after_bricks(game: SourceGame, ball_radius: float, speed: float) -> SourceGame:
+def _after_bricks(game: SourceGame, ball: Ball, speed: float) -> SourceGame:
     """The game after the brick nearest in angle, of those that are left, was tested: one that is hit loses a layer."""
-    p, v = game.ball
-    slot = _nearest(p, game.bricks, [slot for slot in range(game.bricks.count) if game.layers[slot]])
-    n = _sector_normal(p, ball_radius, game.bricks, slot)
+    slot, n = nearest_living(ball.position, game.bricks, game.layers), normal_at(ball, game.bricks, game.layers)
     if n is None:
         return game
-    after = _answered(game.ball, n, game.bricks, speed)
-    hit = after.velocity != v and game.layers[slot] > 0
+    after = _answered(ball, n, game.bricks, speed)
+    hit = after.velocity != ball.velocity and slot is not None and game.layers[slot] > 0
     layers = tuple([count - (hit and index == slot) for index, count in enumerate(game.layers)])
     return game._replace(ball=after, layers=layers)
 
 
-def _nearest(p: complex, ring: Ring, slots: Sequence[int]) -> int:
-    """Of some slots the first that is nearest in angle: the source's search."""
-    theta = to_polar(p)[1]
-    return min(slots, key=lambda slot: min_difference(theta, ring.angle(slot)))
-
-
-def _sector_normal(p: complex, ball_radius: float, ring: Ring, slot: int) -> complex | None:
-    """Case 1 or case 2 with one sector."""
-    theta, angle = to_polar(p)[1], ring.angle(slot)
-    if min_difference(theta, angle) <= ring.half_angle:
-        return narrow_phase_case_1(p, ring.radius)
-    end = angle + functions.end_sign(theta, angle, ring.half_angle) * ring.half_angle
-    return functions.end_normal(p, ball_radius, *functions.end_points(ring.radius, ring.half_width, end))
-
-
-def _answered(ball: SourceBall, n: complex, ring: Ring, speed: float) -> SourceBall:
+def _answered(ball: Ball, n: complex, ring: Ring, speed: float) -> SourceBall:
     """The ball after the collision response to a contact with a ring."""
-    p, v = ball
-    if v is None:
-        return ball
-    steps = response_steps(v, n, ring.surface_velocity(p), ring.friction, speed)
-    return SourceBall(p, reset(v, steps.before_reset, speed))
-
-
-def reset(v: complex, before_reset: complex, speed: float) -> complex | None:
-    """v := v_0 v_res / |v_res|, the source's last equation; v itself where there was no bounce.
-
-    None for 0 / 0, also where v_res is 0 but for rounding.
-    """
-    if before_reset == v:
-        return v
-    size = length(before_reset)
-    return None if size <= STOPPED * speed else before_reset * (speed / size)
+    p, v, _ = ball
+    return SourceBall(p, slides_response(v, n, ring.surface_velocity(p), ring.friction, speed))

@@ -55,8 +55,11 @@ def _side(shorter: float) -> str:
 def _cited(a: float, b: float) -> CitedLine:
     """The line that returns the smaller angle."""
     if -math.pi < a - b <= math.pi:
-        return code_line(signed_difference, "if -math.pi < difference <= math.pi:")
-    return code_line(signed_difference, "return difference - math.tau if difference > math.pi else difference")
+        return code_line(signed_difference, "difference = a - b")
+    return code_line(
+        signed_difference,
+        "return difference - math.tau" if a - b > math.pi else "return difference + math.tau if difference <= -math.pi",
+    )
 
 
 def _note(a: float, b: float) -> str:

@@ -102,7 +102,7 @@ def _cited(both: _BothRulesForEnd) -> CitedLine:
     """The line that chooses the end."""
     if both.theirs.sign != both.ours.sign:
         return source_line("Narrow phase, case 2", "sign = 1 if on_left(θ, θ_p + φ_p) else -1")
-    return code_line(narrow_phase_case_2, "sign = 1.0 if on_left(theta, angle) else -1.0")
+    return code_line(narrow_phase_case_2, "end = _nearest_end(p, theta, radius, angle, half_width, half_angle)")
 
 
 def _note(both: _BothRulesForEnd) -> str:

@@ -40,7 +40,8 @@ def _rings(given: Given) -> tuple[Ring, Ring]:
 
 def _outcome(given: Given) -> Outcome:
     """What the broad phase says."""
-    return broad_phase_outcome(given.point("ball"), given.number("r"), given.number("r_g"), *_rings(given))
+    paddles, bricks = _rings(given)
+    return broad_phase_outcome(given.point("ball"), given.number("r"), given.number("r_g"), paddles, [bricks])
 
 
 def _picture(given: Given) -> Picture:
@@ -92,7 +93,8 @@ def _cited(outcome: Outcome) -> CitedLine:
     if outcome is Outcome.NO_COLLISION:
         return code_line(broad_phase_outcome, "return Outcome.NO_COLLISION")
     return code_line(
-        in_band, "return distance + ball_radius >= ring.inner_radius and distance - ball_radius <= ring.outer_radius"
+        in_band,
+        "distance + ball_radius >= ring.radius - ring.half_width and distance - ball_radius <= ring.radius + ring.half_width",
     )
 
 
@@ -116,7 +118,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
     gaps = [contact(Ball(p, 0j, r), ring, 0).gap for ring in (paddles, bricks)]
     margins = [abs(distance - r - r_g), *[abs(gap) for gap in gaps]]
     turned = to_cartesian(distance, normalize_angle(to_polar(p)[1] + 1.0))
-    elsewhere = broad_phase_outcome(turned, r, r_g, paddles, bricks)
+    elsewhere = broad_phase_outcome(turned, r, r_g, paddles, [bricks])
     touching = [gap <= 0.0 for gap in gaps]
     expected = (
         Outcome.GAME_OVER

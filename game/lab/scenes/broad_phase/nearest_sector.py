@@ -74,7 +74,7 @@ def _turned(theta: float, ring: Ring) -> float:
 
 def _cited() -> CitedLine:
     """The arithmetic that replaces the search."""
-    return code_line(nearest_slot, "return round(signed_difference(angle, ring.phase) / pitch) % ring.count")
+    return code_line(nearest_slot, "return round(signed_difference(theta, ring.phase) / pitch) % ring.count")
 
 
 def _note(given: Given, ring: Ring, ball: Ball) -> str:

@@ -25,7 +25,6 @@ from physics import (
     narrow_phase_case_1,
     to_cartesian,
 )
-from physics.narrow_phase import sector_contact
 
 _SAMPLES = 200
 
@@ -90,10 +89,10 @@ def _formula(case: _FaceCase) -> tuple[str, ...]:
 def _cited(case: _FaceCase) -> CitedLine:
     """The line that gives the sign; inside the material, the line that compares the depths."""
     if case.inside:
-        return code_line(sector_contact, "if half_angle < math.pi and inner < distance < outer:")
+        return code_line(contact, "if face.gap > -ball.radius or ring.half_angle == math.pi:")
     if case.applies:
         return code_line(narrow_phase_case_1, "return -n if length(p) < radius else n")
-    return code_line(sector_contact, "if abs(offset) <= half_angle:")
+    return code_line(contact, "if not is_over(ring, theta, angle):")
 
 
 def _note(case: _FaceCase) -> str:

@@ -23,9 +23,9 @@ from physics import (
     min_difference,
     narrow_phase_case_1,
     narrow_phase_case_2,
+    normalize_angle,
     on_left,
 )
-from physics.narrow_phase import end_contact
 
 _SAMPLES = 64
 _WORDS = {
@@ -70,7 +70,7 @@ class _EndCase(NamedTuple):
 def _case(given: Given) -> _EndCase:
     """The call that the values make."""
     ball = Ball(given.point("ball"), 0j, given.number("r"))
-    theta, angle, half_angle = angle_of(ball.position), given.angle("angle"), given.angle("half_angle")
+    theta, angle, half_angle = angle_of(ball.position), normalize_angle(given.angle("angle")), given.angle("half_angle")
     radius, half_width = given.number("radius"), given.number("half_width")
     sign = 1 if on_left(theta, angle) else -1
     a, b = source.end_points(radius, half_width, angle + sign * half_angle)
@@ -102,8 +102,11 @@ def _found(case: _EndCase, ring: Ring | None) -> Contact:
     """Where the ball and the sector are nearest."""
     if ring is not None and not case.applies:
         return contact(case.ball, ring, 0)
-    along = (case.b - case.a) / length(case.b - case.a)
-    return end_contact(case.ball.position, case.ball.radius, along, case.sign, length(case.a), length(case.b))
+    p, r = case.ball.position, case.ball.radius
+    q = closest_point_on_line(case.a, case.b, p)
+    normal = narrow_phase_case_2(p, math.inf, case.theta, case.radius, case.angle, case.half_width, case.half_angle)
+    feature = Feature.CORNER if q in (case.a, case.b) else Feature.END
+    return Contact(normal or 1 + 0j, q, length(p - q) - r, feature)
 
 
 def _formula(case: _EndCase, found: Contact) -> tuple[str, ...]:
@@ -128,9 +131,9 @@ def _cited(case: _EndCase, found: Contact) -> CitedLine:
     if not case.applies:
         return code_line(narrow_phase_case_1, "return -n if length(p) < radius else n")
     if found.gap >= 0.0:
-        return code_line(narrow_phase_case_2, "return found.normal if found.gap < 0.0 else None")
+        return code_line(narrow_phase_case_2, "if distance >= ball_radius:")
     return code_line(
-        end_contact, "normal = quarter_turn(end) * sign if feature == Feature.END or distance == 0.0 else unit(p - q)"
+        narrow_phase_case_2, "return unit(p - end.q) if end.q in (end.a, end.b) and distance > 0.0 else end.outward"
     )
 
 

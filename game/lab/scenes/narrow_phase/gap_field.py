@@ -13,7 +13,7 @@ from game.lab.kit.marks import FEATURE_WORDS, ball_marks, contact_marks, is_unit
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arc, Arrow, Field, Line, Mark, Picture, Role, Stroke, Toggle, Words, single
 from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
-from physics import Ball, Contact, Feature, Ring, contact, length, to_cartesian
+from physics import Ball, Contact, Feature, Ring, contact, length, narrow_phase_case_2, to_cartesian
 from physics.narrow_phase import end_contact, face_contact
 
 _BOX = ViewBox(1.5 + 1.6j, 10.2 + 6.2j)
@@ -157,12 +157,12 @@ def _distance(p: complex, ring: Ring) -> float:
 def _cited(found: Contact) -> CitedLine:
     """The line that found the normal."""
     if found.feature is Feature.CORNER:
-        return code_line(end_contact, "feature = Feature.CORNER if q in (a, b) else Feature.END")
+        return code_line(end_contact, "feature = Feature.CORNER if end.q in (end.a, end.b) else Feature.END")
     if found.feature is Feature.END:
         return code_line(
-            end_contact, "normal = quarter_turn(end) * sign if feature == Feature.END or distance == 0.0 else unit(p - q)"
+            narrow_phase_case_2, "return unit(p - end.q) if end.q in (end.a, end.b) and distance > 0.0 else end.outward"
         )
-    return code_line(face_contact, "if distance < radius:")
+    return code_line(face_contact, "if distance < ring.radius:")
 
 
 def _note(ball: Ball, ring: Ring) -> str:

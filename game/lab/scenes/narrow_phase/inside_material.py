@@ -25,7 +25,7 @@ from physics import (
     length,
     min_difference,
 )
-from physics.narrow_phase import face_contact, sector_contact
+from physics.narrow_phase import face_contact
 from physics.tolerances import OVERLAP
 
 _SAMPLES = 200
@@ -58,7 +58,7 @@ def _ball_inside(given: Given) -> _BallInside:
     """The ball and the sector that the values make."""
     ring = Ring(given.number("radius"), given.number("half_width"), given.angle("half_angle"), 1, given.angle("angle"))
     ball = Ball(given.point("ball"), 0j, given.number("r"))
-    face = face_contact(ball.position, ball.radius, ring.radius, ring.half_width)
+    face = face_contact(ball, ring)
     step = advance(Arena((ball,), (ring,), ((PERMANENT,),)), TICK, 1.0)
     return _BallInside(ball, ring, face, contact(ball, ring, 0), step)
 
@@ -114,7 +114,7 @@ def _cited(start: _BallInside) -> CitedLine:
     """The source's line where it is wrong, else the line of the physics."""
     if start.inside and start.found.feature is Feature.END:
         return source_line("Broad phase", "if min_difference(θ, θ_p) ≤ φ_p: return narrow_phase_case_1(p, r_p)")
-    return code_line(sector_contact, "if half_angle < math.pi and inner < distance < outer:")
+    return code_line(contact, "if face.gap > -ball.radius or ring.half_angle == math.pi:")
 
 
 def _note(start: _BallInside) -> str:

@@ -64,7 +64,7 @@ def _picture(given: Given) -> Picture:
     literal = complex(both.three.x, both.three.z)
     panes = (
         Pane(_marks(both, literal, Role.SOURCE), f"read literally:   height component v_y = {both.three.y:.2f}"),
-        Pane(_marks(both, both.found.steps.result, Role.GOOD), "here: both in the ground's plane"),
+        Pane(_marks(both, both.found.steps.velocity, Role.GOOD), "here: both in the ground's plane"),
     )
     return Picture(panes, _formula(both), _cited(both), _note(both))
 
@@ -89,13 +89,13 @@ def _formula(both: _TwoReadings) -> tuple[str, ...]:
         f"v · n = v_x n_x = {both.literal_approach + 0.0:.2f}",
         f"v after = ({three.x:.2f}, {three.y + 0.0:.2f}, {three.z:.2f})",
         f"here:   v = {two_decimals(v)},   n = {two_decimals(n)},   v · n = {both.found.approach:.2f}",
-        f"v after = v - 2 (v · n) n = {two_decimals(both.found.steps.before_reset)}",
+        f"v after = v - 2 (v · n) n = {two_decimals(both.found.steps.result)}",
     )
 
 
 def _cited(both: _TwoReadings) -> CitedLine:
     """The source's two vectors where they give another answer."""
-    if length(complex(both.three.x, both.three.z) - both.found.steps.result) < 1e-9:
+    if length(complex(both.three.x, both.three.z) - both.found.steps.velocity) < 1e-9:
         return response_line(both.found)
     return source_line("Collision response", "v = (v_x, 0, v_z),  n = (n_x, n_y, 0)")
 
@@ -120,13 +120,13 @@ def _check(given: Given) -> tuple[Claim, ...]:
     v, n, three = both.found.v, both.found.normal, both.three
     size = (three.x**2 + three.y**2 + three.z**2) ** 0.5
     along_x = abs(n.imag) < _ROUNDING
-    same = length(complex(three.x, three.z) - both.found.steps.result) < 1e-9 and abs(three.y) < 1e-9
+    same = length(complex(three.x, three.z) - both.found.steps.velocity) < 1e-9 and abs(three.y) < 1e-9
     return (
         Claim("the literal bounce has the speed v_0 in space", abs(size - both.found.speed) < 1e-9),
         Claim("it never changes the component v_z", three.z == v.imag),
         Claim("where n is along x, both readings are the same", not along_x or same),
         Claim("where n is along the other axis, it never bounces", abs(n.real) > _ROUNDING or both.literal_approach == 0.0),
-        Claim("ours stays in the plane at the speed v_0", abs(length(both.found.steps.result) - both.found.speed) < 1e-9),
+        Claim("ours stays in the plane at the speed v_0", abs(length(both.found.steps.velocity) - both.found.speed) < 1e-9),
     )
 
 
@@ -153,6 +153,7 @@ SCENE = Scene(
     view_box=ViewBox(0j, 5.4 + 5.4j),
     shows=_picture,
     check=_check,
+    rows=(12,),
     presets=(
         Preset("off the ground", "theta=50&heading=200"),
         Preset("n along x: no difference", "theta=0&heading=160"),

@@ -30,7 +30,7 @@ def _formula(after: EndBounce) -> tuple[str, ...]:
     if after.by_source is None:
         return (first, "v_res = 0: see the scene stopped-dead")
     leaves = dot(after.by_source, NORMAL)
-    reset = f"v_res = {two_decimals(steps.before_reset)},   v_0 v_res / |v_res| = {two_decimals(after.by_source)}"
+    reset = f"v_res = {two_decimals(steps.result)},   v_0 v_res / |v_res| = {two_decimals(after.by_source)}"
     if not found.overtaken:
         return (first, reset, f"its part along n is {leaves:.2f} ≥ u: the ball gets away")
     along = f"sqrt({v_0:g}² - {abs(u):g}²) = {math.sqrt(v_0 * v_0 - u * u):.2f}" if abs(u) < v_0 else "0, for |u| ≥ v_0"
@@ -39,7 +39,7 @@ def _formula(after: EndBounce) -> tuple[str, ...]:
         reset,
         f"its part along n is {leaves:.2f} < u: the surface would overtake the ball",
         f"so v = u n + t sqrt(v_0² - u²),   {along}",
-        f"v = {two_decimals(steps.result)},   |v| = {length(steps.result):.2f}",
+        f"v = {two_decimals(steps.velocity)},   |v| = {length(steps.velocity):.2f}",
     )
 
 
@@ -50,7 +50,7 @@ def _note(after: EndBounce) -> str:
         return "The ball flies away faster than the end comes after it."
     if found.surface_speed >= found.speed:
         return "u ≥ v_0: no velocity of length v_0 keeps up with this end. Every level keeps ω (r_p + w_p) < v_0."
-    if found.overtaken and length(found.steps.before_reset) < found.speed:
+    if found.overtaken and length(found.steps.result) < found.speed:
         return "The reset makes a slow v_res faster: the source's ball flies into the retreating end. Ours is carried."
     if found.overtaken:
         return "The bounce made the ball faster than v_0. After the reset the end would overtake it, so ours is carried."
@@ -60,7 +60,7 @@ def _note(after: EndBounce) -> str:
 def _check(given: Given) -> tuple[Claim, ...]:
     """The velocity of a carried ball is the best there is."""
     after = end_bounce(given)
-    found, v_res, v = after.found, after.found.steps.before_reset, after.found.steps.result
+    found, v_res, v = after.found, after.found.steps.result, after.found.steps.velocity
     u, v_0 = found.surface_speed, found.speed
     met = not found.separates
     fits = met and abs(u) < v_0

@@ -10,7 +10,7 @@ from game.lab.kit.marks import VELOCITY_SCALE, ring_marks, two_decimals
 from game.lab.kit.parameters import Given, Number
 from game.lab.kit.picture import Arrow, Disc, Mark, Pane, Picture, Role, Stroke, Toggle
 from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
-from physics import Ball, Ring, collision_response, contact, dot, length, to_cartesian
+from physics import Ball, Ring, contact, dot, length, response_steps, to_cartesian
 
 FRICTIONS = (0.0, 0.5, 1.0)
 _RADIUS, _HALF_WIDTH, _HALF_ANGLE = 6.0, 0.6, 0.5
@@ -51,7 +51,7 @@ def _marks(ball: Ball, ring: Ring, found: Bounce) -> tuple[Mark, ...]:
         (_TOP, found.surface_velocity, Role.TWO, "v_p", Stroke.THICK),
         (p, found.v, Role.PLAIN, "v before", Stroke.THICK),
         (p + found.v * VELOCITY_SCALE, steps.tangential_change, Role.FOUR, "Δv'_t", Stroke.DASHED),
-        (p, steps.result, Role.GOOD, "v after", Stroke.THICK),
+        (p, steps.velocity, Role.GOOD, "v after", Stroke.THICK),
     )
     return (
         *ring_marks(ring),
@@ -71,7 +71,7 @@ def _formula(bounces: tuple[Bounce, ...]) -> tuple[str, ...]:
         return (compared, "Δv · n is not below 0: they separate, nothing happens")
     normal, tangential = length(first.steps.normal_part), length(first.steps.tangential_part)
     changes = ",   ".join([f"{found.friction:g}: {length(found.steps.tangential_change):.2f}" for found in bounces])
-    angles = ",   ".join([f"{found.friction:g}: {_angle_to_normal(found.steps.result):.1f}°" for found in bounces])
+    angles = ",   ".join([f"{found.friction:g}: {_angle_to_normal(found.steps.velocity):.1f}°" for found in bounces])
     return (
         compared,
         f"|Δv_n| = {normal:.2f},   |Δv_t| = {tangential:.2f},   min(|Δv_n|, |Δv_t|) = {min(normal, tangential):.2f}",
@@ -88,8 +88,8 @@ def _angle_to_normal(velocity: complex) -> float:
 def _cited(found: Bounce) -> CitedLine:
     """The line with the friction, unless nothing is answered."""
     if found.separates:
-        return code_line(collision_response, "if approach >= 0.0:")
-    return code_line(collision_response, "grip = friction * min(-approach, slip) / slip if slip > 0.0 else 0.0")
+        return code_line(response_steps, "if approach >= 0.0:")
+    return code_line(response_steps, "grip = friction * min(-approach, slip) / slip if slip > 0.0 else 0.0")
 
 
 def _note(found: Bounce) -> str:
@@ -112,7 +112,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
     first = bounces[0]
     met = not first.separates
     normal, tangential = length(first.steps.normal_part), length(first.steps.tangential_part)
-    along = [dot(found.steps.before_reset, found.normal) for found in bounces]
+    along = [dot(found.steps.result, found.normal) for found in bounces]
     sliding = [length(_sliding(found)) for found in bounces]
     halves = abs(2.0 * length(bounces[1].steps.tangential_change) - length(bounces[2].steps.tangential_change))
     return (
@@ -121,13 +121,20 @@ def _check(given: Given) -> tuple[Claim, ...]:
         Claim("more friction leaves no more sliding", not met or sliding[0] >= sliding[1] - 1e-9 >= sliding[2] - 2e-9),
         Claim("half the friction is half the change", not met or halves < 1e-9),
         Claim("with μ_p = 1 and |Δv_t| ≤ |Δv_n| nothing slides", not met or tangential > normal or sliding[2] < 1e-9),
-        Claim("all three have the speed v_0", all([abs(length(found.steps.result) - found.speed) < 1e-9 for found in bounces])),
+        Claim(
+            "all three have the speed v_0", all([abs(length(found.steps.velocity) - found.speed) < 1e-9 for found in bounces])
+        ),
     )
+
+
+def _has_speed(found: Bounce) -> bool:
+    """Whether the velocity after the bounce has the length v_0."""
+    return abs(length(found.steps.velocity) - found.speed) < 1e-9
 
 
 def _sliding(found: Bounce) -> complex:
     """The tangential part of v_res relative to the surface."""
-    relative = found.steps.before_reset - found.surface_velocity
+    relative = found.steps.result - found.surface_velocity
     return relative - found.normal * dot(relative, found.normal)
 
 

@@ -56,7 +56,7 @@ def _picture(given: Given) -> Picture:
         _arrow(p, steps.normal_part, Role.THREE, "Δv_n", Stroke.DASHED),
         _arrow(p, steps.tangential_part, Role.FOUR, "Δv_t", Stroke.DASHED),
         _arrow(p, found.v, Role.PLAIN, "v before"),
-        _arrow(p, steps.result, Role.GOOD, "v after"),
+        _arrow(p, steps.velocity, Role.GOOD, "v after"),
     ]
     marks += second_opinion(given, ball, ring, (0,), touch)
     return single(tuple(marks), _formula(found), response_line(found), _note(found))
@@ -78,8 +78,8 @@ def _formula(found: Bounce) -> tuple[str, ...]:
         compared,
         f"Δv'_n = -2 Δv_n,   |Δv_n| = {normal:.2f}",
         f"Δv'_t = -μ min(|Δv_n|, |Δv_t|) Δv_t / |Δv_t|,   |Δv'_t| = {mu:g} · {min(normal, tangential):.2f}",
-        f"v_res = v + Δv'_n + Δv'_t = {two_decimals(steps.before_reset)},   |v_res| = {length(steps.before_reset):.2f}",
-        f"v := v_0 v_res / |v_res| = {two_decimals(steps.result)},   v_0 = {found.speed:g}",
+        f"v_res = v + Δv'_n + Δv'_t = {two_decimals(steps.result)},   |v_res| = {length(steps.result):.2f}",
+        f"v := v_0 v_res / |v_res| = {two_decimals(steps.velocity)},   v_0 = {found.speed:g}",
     )
 
 
@@ -99,8 +99,8 @@ def _note(found: Bounce) -> str:
 def _check(given: Given) -> tuple[Claim, ...]:
     """What must be true of every bounce."""
     _, _, touch, found = _paddle_bounce(given)
-    normal, after, speed, surface, mu = found.normal, found.steps.result, found.speed, found.surface_velocity, found.friction
-    v_res, tangential = found.steps.before_reset, found.steps.tangential_part
+    normal, after, speed, surface, mu = found.normal, found.steps.velocity, found.speed, found.surface_velocity, found.friction
+    v_res, tangential = found.steps.result, found.steps.tangential_part
     met = not found.separates
     ordinary = met and not found.stopped and not found.overtaken
     leaves = dot(after - surface, normal)

@@ -18,7 +18,7 @@ from game.lab.kit.marks import (
 from game.lab.kit.parameters import Given, Number
 from game.lab.kit.picture import Arrow, Line, Mark, Picture, Role, Stroke, Toggle, single
 from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
-from physics import Ball, Contact, Ring, collision_response, contact, cross, dot, length, to_cartesian, to_polar
+from physics import Ball, Contact, Ring, collision_response, contact, cross, dot, length, response_steps, to_cartesian, to_polar
 
 _RADIUS, _HALF_WIDTH, _HALF_ANGLE = 6.0, 0.6, 0.7
 _BALL_RADIUS = 0.5
@@ -58,7 +58,7 @@ def _picture(given: Given) -> Picture:
         mirrored = v + found.steps.normal_change
         marks.append(Arrow(p, mirrored * VELOCITY_SCALE, Role.FAINT, None, Stroke.DASHED, "mirrored"))
     marks.append(Arrow(p, v * VELOCITY_SCALE, Role.PLAIN, None, Stroke.THICK, "v before"))
-    marks.append(Arrow(p, found.steps.result * VELOCITY_SCALE, Role.GOOD, None, Stroke.THICK, "v after"))
+    marks.append(Arrow(p, found.steps.velocity * VELOCITY_SCALE, Role.GOOD, None, Stroke.THICK, "v after"))
     marks += second_opinion(given, ball, ring, (0,), touch)
     return single(tuple(marks), _formula(found), _cited(found), _note(found))
 
@@ -74,16 +74,16 @@ def _formula(found: Bounce) -> tuple[str, ...]:
     return (
         compared,
         f"|Δv_n| = {normal:.2f},   |Δv_t| = {tangential:.2f},   μ min(|Δv_n|, |Δv_t|) = {taken:.2f}",
-        f"v := v_0 v_res / |v_res| = {two_decimals(steps.result)}",
-        f"to the normal:   in {angle_between(-found.v, found.normal)},   out {angle_between(steps.result, found.normal)}",
+        f"v := v_0 v_res / |v_res| = {two_decimals(steps.velocity)}",
+        f"to the normal:   in {angle_between(-found.v, found.normal)},   out {angle_between(steps.velocity, found.normal)}",
     )
 
 
 def _cited(found: Bounce) -> CitedLine:
     """The branch that was taken."""
     if found.separates:
-        return code_line(collision_response, "if approach >= 0.0:")
-    return code_line(collision_response, "grip = friction * min(-approach, slip) / slip if slip > 0.0 else 0.0")
+        return code_line(response_steps, "if approach >= 0.0:")
+    return code_line(response_steps, "grip = friction * min(-approach, slip) / slip if slip > 0.0 else 0.0")
 
 
 def _note(found: Bounce) -> str:
@@ -100,7 +100,7 @@ def _note(found: Bounce) -> str:
 def _check(given: Given) -> tuple[Claim, ...]:
     """Mirror, time, and friction."""
     _, _, touch, found = _wall_bounce(given)
-    v, n, after, speed = found.v, found.normal, found.steps.result, found.speed
+    v, n, after, speed = found.v, found.normal, found.steps.velocity, found.speed
     mu, met = found.friction, not found.separates
     backwards = collision_response(-after, n, 0j, 0.0, speed)
     steeper = abs(cross(after, n)) <= abs(cross(v, n)) + 1e-9
@@ -138,7 +138,6 @@ SCENE = Scene(
     view_box=ViewBox(0.4 + 7.2j, 5.4 + 3.4j),
     shows=_picture,
     check=_check,
-    rows=(12,),
     presets=(
         Preset("smooth", "mu=0"),
         Preset("full friction", "mu=1"),

@@ -32,9 +32,9 @@ def _formula(after: EndBounce) -> tuple[str, ...]:
     return (
         compared,
         f"v_res · n = v · n - 2 Δv · n = 2 v_p · n - v · n = {2.0 * u - v:.2f}",
-        f"v_res = {two_decimals(steps.before_reset)},   |v_res| = {length(steps.before_reset):.3f}",
+        f"v_res = {two_decimals(steps.result)},   |v_res| = {length(steps.result):.3f}",
         f"the source:   v := v_0 v_res / |v_res| = {by_source}",
-        f"here:   v := {two_decimals(steps.result)}",
+        f"here:   v := {two_decimals(steps.velocity)}",
     )
 
 
@@ -63,7 +63,7 @@ def _note(after: EndBounce) -> str:
 def _check(given: Given) -> tuple[Claim, ...]:
     """v_res by its two parts, and what any answer must do."""
     after = end_bounce(given)
-    found, v_res, result = after.found, after.found.steps.before_reset, after.found.steps.result
+    found, v_res, result = after.found, after.found.steps.result, after.found.steps.velocity
     v, u = found.v, found.surface_speed
     met = not found.separates
     slip = abs(v.real)

@@ -11,7 +11,8 @@ from game.lab.kit.parameters import Count, Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, PointMark, Role, Stroke, Toggle
 from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
 from game.rules import TICK
-from physics import PERMANENT, Arena, Ball, Ring, advance, cross, in_band, length, time_of_impact, to_cartesian
+from physics import PERMANENT, Arena, Ball, Ring, advance, cross, in_band, length, to_cartesian
+from physics.time_of_impact import first_impact
 
 _RADIUS = 8.0
 _TICKS_PER_SECOND = round(1.0 / TICK)
@@ -83,7 +84,7 @@ def _next_frame(setup: _BallAndWall, state: _BothLoops) -> _BothLoops:
     """Both balls one frame later."""
     dt, wall = 1.0 / setup.rate, setup.wall
     theirs = source.frame(state.theirs, setup.ball.radius, (wall,), dt, setup.speed)
-    seen = in_band(theirs.position, setup.ball.radius, wall)
+    seen = in_band(length(theirs.position), setup.ball.radius, wall)
     after = advance(Arena((state.ours,), (wall,), ((PERMANENT,),)), dt, setup.speed)
     touched = [hit.contact.point + hit.contact.normal * setup.ball.radius for hit in after.hits]
     return state._replace(
@@ -122,7 +123,7 @@ def _formula(setup: _BallAndWall, state: _BothLoops) -> tuple[str, ...]:
     """How far the ball flies in a frame, and what the last test found."""
     r, w = setup.ball.radius, setup.wall.half_width
     distance = length(state.theirs.position)
-    overlap = "yes" if in_band(state.theirs.position, r, setup.wall) else "no"
+    overlap = "yes" if in_band(distance, r, setup.wall) else "no"
     return (
         f"a frame's flight:   v_0 / f = {setup.speed:g} / {setup.rate} = {setup.speed / setup.rate:.3f}",
         f"the wall and the ball:   2 (w_p + r) = {2.0 * (w + r):.3f}",
@@ -140,7 +141,7 @@ def _cited(setup: _BallAndWall, state: _BothLoops) -> CitedLine:
     """The test that found nothing, or the sweep."""
     if _is_out(setup, state):
         return source_line("Broad phase", "|p| + r ≥ r_p - w_p and |p| - r ≤ r_p + w_p")
-    return code_line(time_of_impact, "impact = _first_touch(ball, ring, stretch, alive)")
+    return code_line(first_impact, "impact = None if inward is None else _first_touch(ball, ring, inward, alive)")
 
 
 def _note(setup: _BallAndWall, state: _BothLoops) -> str:

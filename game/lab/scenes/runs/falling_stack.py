@@ -54,7 +54,7 @@ def _step(given: Given, state: _StackState) -> _StackState:
             falling = drops.after_hit(falling, hit.ring, hit.slot, hit.layers)
     bounces = [hit.contact.point + hit.contact.normal * _RADIUS for hit in step.hits]
     trail = (*state.trail, *bounces, step.arena.balls[0].position)[-_TRAIL:]
-    return _StackState(step.arena, drops.after_tick(falling), tuple(here), state.taken + len(here), trail)
+    return _StackState(step.arena, drops.fallen(falling), tuple(here), state.taken + len(here), trail)
 
 
 def _layers(state: _StackState) -> int:
@@ -121,7 +121,7 @@ def _cited(state: _StackState) -> CitedLine:
     """The line that lets a stack fall, after a hit; before it, the one that flies the ball."""
     if state.taken:
         return code_line(drops.after_hit, "return (*others, before._replace(height=before.height + 1.0))")
-    return code_line(advance, "return _flown(_all_freed(arena) if last is None else Step(arena, (), 0, 0), dt, speed)")
+    return code_line(advance, "return _flown(free, _moved_balls(arena, free), dt, speed)")
 
 
 def _note(state: _StackState) -> str:
@@ -161,7 +161,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
 def _settled(falling: tuple[Drop, ...]) -> tuple[Drop, ...]:
     """What is still falling two seconds later."""
     for _ in range(round(2.0 / TICK)):
-        falling = drops.after_tick(falling)
+        falling = drops.fallen(falling)
     return falling
 
 

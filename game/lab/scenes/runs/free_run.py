@@ -11,7 +11,8 @@ from game.lab.kit.parameters import Count, Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Picture, PointMark, Role, Stroke, Toggle, Words, single
 from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
 from game.rules import TICK
-from physics import PERMANENT, Arena, Ball, Ring, advance, contact, length, time_of_impact, to_cartesian
+from physics import PERMANENT, Arena, Ball, Ring, advance, contact, length, to_cartesian
+from physics.time_of_impact import first_impact
 
 _TICKS = 480
 _RADIUS = 0.4
@@ -111,7 +112,7 @@ def _formula(given: Given, state: _BothEngines) -> tuple[str, ...]:
 
 def _cited() -> CitedLine:
     """The line that computes the exact time, which the second engine does not."""
-    return code_line(time_of_impact, "impact = _first_touch(ball, ring, stretch, alive)")
+    return code_line(first_impact, "impact = None if inward is None else _first_touch(ball, ring, inward, alive)")
 
 
 def _note(given: Given, state: _BothEngines) -> str:

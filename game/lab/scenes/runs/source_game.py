@@ -11,7 +11,8 @@ from game.lab.kit.parameters import Count, Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, Role, Stroke, Toggle
 from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
 from game.rules import TICK
-from physics import PERMANENT, Arena, Ball, Ring, advance, contact, has_left, length, time_of_impact, to_cartesian
+from physics import PERMANENT, Arena, Ball, Ring, advance, contact, has_left, length, to_cartesian
+from physics.time_of_impact import first_impact
 
 _TICKS_PER_SECOND = round(1.0 / TICK)
 _GROUND = 10.0
@@ -139,7 +140,7 @@ def _cited(state: _BothGames) -> CitedLine:
     """The source's test, once it has found an overlap; before that, the sweep."""
     if state.deepest > 0.0:
         return source_line("Broad phase", "|p| + r ≥ r_p - w_p and |p| - r ≤ r_p + w_p")
-    return code_line(time_of_impact, "impact = _first_touch(ball, ring, stretch, alive)")
+    return code_line(first_impact, "impact = None if inward is None else _first_touch(ball, ring, inward, alive)")
 
 
 def _note(given: Given, state: _BothGames) -> str:

@@ -117,7 +117,7 @@ def _cited(state: _Squeeze) -> CitedLine:
     """The line that puts the ball outward, or the one that flies it."""
     if state.freed:
         return code_line(freed, "return _outward(ball, rings, layers)")
-    return code_line(advance, "return _flown(_all_freed(arena) if last is None else Step(arena, (), 0, 0), dt, speed)")
+    return code_line(advance, "return _flown(free, _moved_balls(arena, free), dt, speed)")
 
 
 def _note(given: Given, state: _Squeeze) -> str:

@@ -77,7 +77,7 @@ def _picture(given: Given, state: _ThreeGames) -> Picture:
         for title, axis, arena, trail in zip(titles, axes, state[:3], state.trails, strict=True)
     ]
     panes[0] = panes[0]._replace(marks=(*panes[0].marks, *_first(given)))
-    cited = code_line(Ring.angle_near, "return phase + (slot - turns * self.count) * pitch")
+    cited = code_line(Ring.angle, "return subtract_angles(self.phase, (self.count - slot) / self.count * math.tau)")
     return Picture(tuple(panes), _formula(given, state), cited, _note(given, state))
 
 

@@ -11,6 +11,7 @@ from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arc, Arrow, Circle, Line, Mark, Picture, PointMark, Role, Stroke, Toggle, single
 from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
 from physics import Ball, Contact, Feature, Impact, Ring, contact, cross, dot, length, time_of_impact, to_cartesian
+from physics.time_of_impact import first_impact
 
 _SCALE = 0.2
 _SAMPLES = 48
@@ -154,10 +155,10 @@ def _formula(flight: _FlightPast) -> tuple[str, ...]:
 def _cited(flight: _FlightPast) -> CitedLine:
     """The line that computes the time."""
     if flight.impact is None:
-        return code_line(time_of_impact, "return None")
+        return code_line(first_impact, "return impact")
     if flight.impact.contact.feature in {Feature.END, Feature.CORNER}:
-        return code_line(time_of_impact, "impact = _first_touch(ball, ring, stretch, alive)")
-    return code_line(time_of_impact, "for stretch in stretches(ball, ring, dt):")
+        return code_line(first_impact, "impact = None if inward is None else _first_touch(ball, ring, inward, alive)")
+    return code_line(first_impact, "inward, outward = band_stretches(ball, ring, dt)")
 
 
 def _note(flight: _FlightPast) -> str:

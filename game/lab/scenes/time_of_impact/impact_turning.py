@@ -9,9 +9,21 @@ from game.lab.kit.marks import ball_marks, contact_marks, ghost_marks
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import AnnularSector, Arrow, Circle, Line, Mark, Picture, PointMark, Role, Stroke, Toggle, single
 from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
-from physics import Ball, Contact, Impact, Ring, closest_point_on_line, contact, dot, length, time_of_impact, to_cartesian
+from physics import (
+    Ball,
+    Contact,
+    Impact,
+    Ring,
+    closest_point_on_line,
+    contact,
+    dot,
+    length,
+    normalize_angle,
+    time_of_impact,
+    to_cartesian,
+)
 from physics.narrow_phase import end_contact
-from physics.time_of_impact import safe_step
+from physics.sweep.turning_end import safe_step
 from physics.tolerances import MAX_STEPS, TOUCH
 
 _SCALE = 0.2
@@ -47,8 +59,7 @@ class _Search(NamedTuple):
     def contact(self, time: float) -> Contact:
         """Of the ball with the end."""
         angle = self.ring.phase + self.ring.half_angle + self.ring.spin * time
-        p = self.ball.moved(time).position
-        return end_contact(p, self.ball.radius, to_cartesian(1.0, angle), 1.0, self.ring.inner_radius, self.ring.outer_radius)
+        return end_contact(self.ball.moved(time), self.ring.turned(time), 0, normalize_angle(angle))
 
 
 def _search(given: Given) -> _Search:
@@ -129,16 +140,16 @@ def _formula(search: _Search) -> tuple[str, ...]:
 def _cited(search: _Search) -> CitedLine:
     """The line that ended the search."""
     if search.touch is None:
-        return code_line(safe_step, "if height <= -TOUCH or beyond >= horizon:")
+        return code_line(safe_step, "if height <= -touch or beyond >= horizon:")
     a, b = search.end(search.touch)
     p = search.ball.moved(search.touch).position
     beside = length(a) <= dot(p, b) / length(b) <= length(b)
-    return code_line(safe_step, "return 0.0 if height <= TOUCH and dy < 0.0" if beside else "if gap <= TOUCH and rate < 0.0:")
+    return code_line(safe_step, "return 0.0 if height <= touch and dy < 0.0" if beside else "if gap <= touch and rate < 0.0:")
 
 
 def _note(search: _Search) -> str:
     """What is special about these values."""
-    if search.now.gap <= TOUCH:
+    if search.now.gap <= TOUCH * (search.ring.outer_radius + search.ball.radius):
         return "The ball touches or overlaps the end at t = 0: the touch is at 0 if they approach, else the search goes on."
     if search.ring.spin == 0.0:
         return "ω = 0: the end is at rest, and the bound is exact. The engine then solves the equation in closed form."

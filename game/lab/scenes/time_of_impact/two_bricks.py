@@ -11,7 +11,9 @@ from game.lab.kit.marks import ring_marks, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, PointMark, Role, Stroke, Toggle
 from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
-from physics import PERMANENT, Arena, Ball, Hit, Ring, Step, advance, contact, dot, length, time_of_impact
+from physics import PERMANENT, Arena, Ball, Hit, Ring, Step, advance, contact, dot, length, response_steps, time_of_impact
+from physics.source_mode import normal_at
+from physics.time_of_impact import first_impact
 
 _RADIUS, _COUNT = 8.0, 4
 _RATE = 60
@@ -72,7 +74,7 @@ def _theirs(notch: _Notch) -> tuple[Mark, ...]:
     for _ in range(round(notch.dt * _RATE)):
         flight = source.frame(flight, ball.radius, (notch.ring,), 1.0 / _RATE, speed)
         positions.append(flight.position)
-        normal = source.normal_at(flight.position, ball.radius, notch.ring)
+        normal = normal_at(Ball(flight.position, 0j, ball.radius), notch.ring, (1,) * _COUNT)
         overlap = min([contact(Ball(flight.position, 0j, ball.radius), notch.ring, slot).gap for slot in range(_COUNT)]) < 0.0
         if normal is not None and overlap:
             marks.append(Circle(flight.position, ball.radius, Role.SOURCE, Toggle.CONTACTS))
@@ -121,7 +123,7 @@ def _formula(notch: _Notch) -> tuple[str, ...]:
     if notch.tie:
         first, other = notch.hits[0].contact.normal, notch.hits[1].contact.normal
         velocity = notch.ball.velocity
-        after = source.response_steps(velocity, first, 0j, 0.0, length(velocity)).before_reset
+        after = response_steps(velocity, first, 0j, 0.0, length(velocity)).result
         lines.append(f"the source answers only the first:   afterwards v · n of the other = {dot(after, other):.2f}")
     return tuple(lines)
 
@@ -130,7 +132,7 @@ def _cited(notch: _Notch) -> CitedLine:
     """The source's search for the nearest one, or our search in the order of time."""
     if notch.tie:
         return source_line("Broad phase", "if min_difference(θ, θ'_p) < min_difference(θ, θ_p): r_p, θ_p = r'_p, θ'_p")
-    return code_line(time_of_impact, "impact = _first_touch(ball, ring, stretch, alive)")
+    return code_line(first_impact, "impact = None if inward is None else _first_touch(ball, ring, inward, alive)")
 
 
 def _note(notch: _Notch) -> str:
@@ -140,7 +142,7 @@ def _note(notch: _Notch) -> str:
     if notch.step.dropped:
         return "After 32 bounces the rest of the tick is dropped and counted, so that no wedge can stop the game."
     if notch.tie:
-        return "Both are touched at the same time, and both are answered. The source answers one of them only."
+        return "Both are touched at the same time: one bounce answers both. The source answers one of them only."
     if len({hit.slot for hit in notch.hits}) > 1:
         return "One after the other: each bounce starts from the velocity after the one before."
     return "One brick only. Aim the ball at the notch."
@@ -168,9 +170,8 @@ def _check(given: Given) -> tuple[Claim, ...]:
             "the ball approaches each brick that it touches", all([dot(hit.before, hit.contact.normal) < 1e-9 for hit in hits])
         ),
         Claim("it leaves each at the speed v_0", all([_leaves(hit, speed) for hit in hits])),
-        Claim(
-            "each bounce starts from the velocity after the one before", all([a.after == b.before for a, b in pairwise(hits)])
-        ),
+        Claim("each bounce starts from the velocity after the one before", all([_follows(a, b) for a, b in pairwise(hits)])),
+        Claim("a flight that is its own mirror image stays so", not _is_mirrored(notch.ball) or _is_mirrored(end)),
         Claim("in the end the ball overlaps nothing", not notch.apart or min(_gaps(notch.ring, end)) > -1e-8),
         Claim("there are no more than 32", len(hits) <= 32),
         Claim(
@@ -178,6 +179,16 @@ def _check(given: Given) -> tuple[Claim, ...]:
             not (notch.apart and sharp) or tie or _first_is_one_on(hits, turned),
         ),
     )
+
+
+def _follows(one: Hit, other: Hit) -> bool:
+    """Whether a hit starts from the velocity after the one before, or both are one bounce off two bricks at once."""
+    return other.before == one.after or (one.time, one.before, one.after) == (other.time, other.before, other.after)
+
+
+def _is_mirrored(ball: Ball) -> bool:
+    """Whether a ball is on the x axis and flies along it, so that it is its own mirror image."""
+    return ball.position.imag == 0.0 and ball.velocity.imag == 0.0
 
 
 def _gaps(ring: Ring, ball: Ball) -> list[float]:

@@ -16,10 +16,10 @@ faster than Newton's. One step turns the ring by at most a radian, and three hal
 
 import math
 
-from physics.gap import End, angle_of_end
 from physics.narrow_phase import closest_point_on_line
 from physics.polar import signed_difference, to_cartesian
 from physics.shapes import Ball, Ring
+from physics.sweep.gap import End, angle_of_end
 from physics.tolerances import MAX_STEPS, TOUCH
 from physics.trig import direction
 from physics.vectors import cross, dot, length

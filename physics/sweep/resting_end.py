@@ -6,10 +6,10 @@ radius beside the segment, or the disc of that radius around a corner.
 
 import math
 
-from physics.gap import End, angle_of_end
 from physics.narrow_phase import end_contact
 from physics.polar import to_cartesian
 from physics.shapes import Ball, Ring
+from physics.sweep.gap import End, angle_of_end
 from physics.tolerances import TOUCH
 from physics.vectors import cross, dot, length
 
