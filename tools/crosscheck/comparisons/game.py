@@ -200,7 +200,8 @@ class _Checker:
             room = room_around(model, local, ball_radius, self._rooms.get((index, k), UNKNOWN), wanted)
             self._rooms[index, k] = room
             spare = room.room - abs(local - room.position) - wanted
-            free = min(free, spare if spin == 0.0 else 0.0)  # a ring that turns comes nearer by itself
+            rests = tick.level.rings[k].spin == 0.0
+            free = min(free, spare if rests else 0.0)  # a ring that turns, or is steered, comes nearer by itself
             if spare < 0.0:
                 near.append(k)
         self._free[index] = position, free
