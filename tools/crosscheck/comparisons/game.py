@@ -105,25 +105,27 @@ class _Checker:
 
     def check(self, tick: Tick) -> None:
         """Compare one tick."""
-        if tick.level is not self._level:
+        _, arena, dt, step, level = tick
+        balls, rings, layers = arena
+        if level is not self._level:
             self._start(tick)
-        self._phases.turn(tick.arena.rings)
-        balls = tick.arena.balls
+        self._phases.turn(rings)
         if not balls:
             return
-        undisturbed = balls is self._balls and tick.arena.layers is self._layers  # since the last tick, but by the physics
-        self._balls = tick.step.arena.balls
-        followed = bool(tick.step.hits) or tick.step.freed > 0 or tick.step.dropped > 0
-        if undisturbed and not followed and self._far_from_all(tick):
+        after = step.arena.balls
+        undisturbed = balls is self._balls and layers is self._layers  # since the last tick, but by the physics
+        self._balls = after
+        followed = bool(step.hits or step.freed or step.dropped)
+        if undisturbed and not followed and self._far_from_all(balls, after, dt):
             self._poses_checked.zeros += len(balls)
             return
         if followed:
             self._check_flights(tick)
         self._compare_layers(tick)
         suspect = False
-        for i, ball in enumerate(tick.step.arena.balls):
+        for i, ball in enumerate(after):
             near = self._near(tick, i, ball)
-            if near or not self._flies_straight(balls[i], ball, tick.dt):
+            if near or not self._flies_straight(balls[i], ball, dt):
                 suspect = True
             overlaps = [k for k in near if self._rooms[i, k].room < 0.0]
             self._poses_checked.zeros += not overlaps
@@ -207,14 +209,12 @@ class _Checker:
         self._free[index] = position, free
         return near
 
-    def _far_from_all(self, tick: Tick) -> bool:
+    def _far_from_all(self, before: Sequence[Ball], after: Sequence[Ball], dt: float) -> bool:
         """Whether every ball flies straight on in the free space between the rings' bands in which it was last seen."""
-        dt, noise = tick.dt, self._straight
-        for i, (start, end) in enumerate(zip(tick.arena.balls, tick.step.arena.balls, strict=True)):
+        for i, (p, v, _) in enumerate(before):
+            q, w, _ = after[i]
             center, radius = self._free.get(i, _NOWHERE)
-            p, v, _ = start
-            q, w, _ = end
-            if v != w or abs(q - center) >= radius or abs(p + v * dt - q) > noise:
+            if v != w or abs(q - center) >= radius or abs(p + v * dt - q) > self._straight:
                 return False
         return True
 
@@ -304,7 +304,7 @@ class _Checker:
     def _overlap(self, tick: Tick, index: int, ring: int) -> None:
         """A ball that pymunk finds in material."""
         depth = -self._rooms[index, ring].room
-        bound = rounding.contact_noise(self._models[ring].geometry.outer)
+        bound = rounding.contact_noise(self._models[ring].geometry.outer, tick.level.ball_radius)
         fine = depth <= bound
         what = "overlap at a tick's end" if fine else "the ball is in material: the game missed a bounce"
         verdict = ContactVerdict.EXACT if fine else ContactVerdict.UNEXPLAINED

@@ -93,7 +93,7 @@ class Moment(NamedTuple):
     def contact_noise(self) -> float:
         """World units: the bound for the gap at exact shapes."""
         together = TOGETHER * self.ball_radius if self.shared else 0.0
-        return rounding.contact_noise(self.model.geometry.outer) + together
+        return rounding.contact_noise(self.model.geometry.outer, self.ball_radius) + together
 
     def facet_bound(self, part: Part) -> float:
         """Radians: the bound for the chain's normal where the exact shape is this part."""
