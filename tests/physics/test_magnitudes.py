@@ -59,16 +59,31 @@ def test_the_search_is_right_at_every_size(size, spin):
     assert abs(gap(ball, ring, found.time, [0], mpmath)) < 1e-12 * size
 
 
+@pytest.mark.parametrize("aside", [0.0, 0.3, -0.6])
 @pytest.mark.parametrize("share", [1e-2, 1e-3, 1e-4, 1e-5])
-def test_a_hole_far_smaller_than_the_arena_is_entered_in_time(share):
-    """From far away: at a ten-thousandth the gap at impact had been 4.8e-7 of the ball's radius."""
+def test_a_hole_far_smaller_than_the_arena_is_crossed_in_time(share, aside):
+    """A ball from far away flies through a gap into the hole and meets its far face.
+
+    At a ten-thousandth of the arena the gap at impact had been 4.8e-7 of the ball's radius.
+    """
     hole = 10.0 * share
-    ring = Ring(5.0, 5.0 - hole, 0.5, 3, 0.3)
-    for aside in (0.0, 0.3, -0.6):
-        ball = Ball(complex(-12.0, 0.4 * hole * aside), 8 + 0j, 0.4 * hole)
-        found = time_of_impact(ball, ring, 3.0)
-        assert found is not None
-        assert abs(gap(ball, ring, found.time, [found.slot], mpmath)) < 1e-12
+    ring = Ring(5.0, 5.0 - hole, 1.2, 1)
+    ball = Ball(complex(-12.0, 0.4 * hole * aside), 8 + 0j, 0.4 * hole)
+    found = time_of_impact(ball, ring, 3.0)
+    assert found.contact.feature == Feature.INNER_FACE
+    assert abs(gap(ball, ring, found.time, [0], mpmath)) < 3e-10 * ball.radius
+
+
+@pytest.mark.parametrize("aside", [0.0, 0.3, -0.9])
+@pytest.mark.parametrize("share", [1e-2, 1e-3, 1e-4, 1e-5])
+def test_a_ring_far_smaller_than_the_arena_is_met_in_time(share, aside):
+    """A ball from far away meets its outer face."""
+    size = 10.0 * share
+    ring = Ring(size, 0.5 * size, math.pi, 1)
+    ball = Ball(complex(-12.0, 1.9 * size * aside), 8 + 0j, 0.4 * size)
+    found = time_of_impact(ball, ring, 3.0)
+    assert found.contact.feature == Feature.OUTER_FACE
+    assert abs(gap(ball, ring, found.time, [0], mpmath)) < 3e-10 * ball.radius
 
 
 @pytest.mark.parametrize("turn", [0.0, 0.5, 2.0, 3.1, 4.4])

@@ -7,7 +7,8 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from physics import PERMANENT, Arena, Ball, Feature, Ring, Step, advance
+from physics import PERMANENT, Arena, Ball, Contact, Feature, Ring, Step, advance, dot
+from physics.bounce import bounce, bounce_off_two
 from physics.tolerances import LEAST_SEPARATION, MAX_IMPACTS
 from tests.support.impact_oracle import SPINS, gap
 from tests.support.strategies import angles, reals
@@ -169,6 +170,17 @@ def test_a_ball_between_two_bricks_goes_straight_back_in_any_direction(turn):
     state, hits, *_ = played(arena([Ball(at(7.0, turn), at(-8.0, turn), 0.5)], bricks, layers=[(1,) * 8]), 60)
     assert len(hits) == 2
     assert abs(state.balls[0].velocity - at(8.0, turn)) < 1e-12
+
+
+def test_a_surface_never_pulls():
+    """Where one of two touched surfaces, pushing alone, makes the ball leave both, that one answers alone."""
+    resting = Ring(10.0, 0.5, 0.3, 1)
+    found = [Contact(normal, 10.0 * normal, 0.0, Feature.CORNER) for normal in (1 + 0j, 0.6 + 0.8j)]
+    ball = Ball(11 + 0j, -1 - 4.25j, R)
+    assert all(dot(contact.normal, ball.velocity) < 0.0 for contact in found)
+    assert bounce_off_two(ball, found[0], resting, found[1], resting, SPEED) is None
+    after = bounce(ball, found[1], resting, SPEED)
+    assert all(dot(contact.normal, after) > 0.0 for contact in found)
 
 
 def test_a_ball_in_the_mouth_of_a_ring_with_one_gap_goes_straight_back():

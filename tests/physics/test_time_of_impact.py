@@ -203,6 +203,18 @@ def test_a_ball_that_overlaps_an_end_meets_it_only_while_it_approaches(overlap, 
         assert time_of_impact(Ball(p, 20 * normal, R), paddle(spin), TICK / 4.0) is None
 
 
+@pytest.mark.parametrize("rate", [1e-6, 1e-3, 0.1, 0.4])
+def test_a_ball_that_leaves_a_resting_end_slowly_does_not_meet_it(rate):
+    """It touches, and separates at a small part of its speed: beside the straight end, and off a corner."""
+    for p, normal in ((at(10.0, 0.3) + INTO_THE_GAP * R, INTO_THE_GAP), (CORNER + 1j * ALONG * R, 1j * ALONG)):
+        along = -1j * normal
+        ball = Ball(p, normal * rate + along * 5.0, R)
+        assert time_of_impact(ball, paddle(), TICK) is None
+        assert time_of_impact(ball._replace(velocity=along * 5.0 - normal * rate), paddle(), TICK).time == pytest.approx(
+            0.0, abs=1e-9
+        )
+
+
 @pytest.mark.parametrize("spin", SPINS)
 def test_a_ball_that_covers_the_whole_hole_meets_what_it_overlaps(spin):
     """Wherever it goes from the middle of a hole too small for it, it goes deeper into a sector."""

@@ -89,7 +89,8 @@ class Certificate(NamedTuple):
     """The verdict on one flight.
 
     tick, ball: which flight. hit: the claim, None for a flight without an impact. rest: what is measured of a certified impact,
-    as floats rounded up: time_bound tau in s, time_off |t* - t| in s, gap_off |gap(t)|, normal_bound, normal_off.
+    as floats rounded up: time_bound tau in s, time_off |t* - t| in s, normal_bound, normal_off. short: the flight is not longer
+    than tau, so that point 2 says nothing of it.
     """
 
     verdict: Decision
@@ -101,6 +102,7 @@ class Certificate(NamedTuple):
     time_off: float = 0.0
     normal_bound: float = 0.0
     normal_off: float = 0.0
+    short: bool = False
 
 
 class _Scales(NamedTuple):
@@ -153,8 +155,8 @@ def _certificate(flight: StraightFlight, tick: ClaimedTick, rings: Sequence[Exac
     """The certificate of one flight."""
     ball, hit = exact_ball(flight), flight.hit
 
-    def verdict(proof: _Ruling, **measured: float) -> Certificate:
-        return Certificate(proof.verdict, proof.reason, tick.number, flight.ball, hit, **measured)
+    def verdict(proof: _Ruling) -> Certificate:
+        return Certificate(proof.verdict, proof.reason, tick.number, flight.ball, hit)
 
     if hit is not None and hit.before != flight.velocity:
         return verdict(_Ruling(Decision.REFUTED, Reason.PATH))
@@ -171,7 +173,13 @@ def _certificate(flight: StraightFlight, tick: ClaimedTick, rings: Sequence[Exac
     if before.verdict != Decision.CERTIFIED:
         return verdict(before)
     known, off, bound = _contact(hit, proof, ball, rings[hit.ring], _scales(flight, ring))
-    return verdict(known, time_bound=proof.bound, time_off=proof.late, normal_bound=bound, normal_off=off)
+    return verdict(known)._replace(
+        time_bound=proof.bound,
+        time_off=proof.late,
+        normal_bound=bound,
+        normal_off=off,
+        short=flight.stop - flight.start <= proof.bound,
+    )
 
 
 def _goes_on(flight: StraightFlight, tick: ClaimedTick) -> bool:

@@ -41,6 +41,7 @@ def lines(outcome: CertificationRun, *, every_case: bool) -> Iterator[str]:
         )
         yield f"certified impacts by feature: {features}"
         yield f"time: at most {tally.time_off:.2g} s off, every enclosure within {tally.time_bound:.2g} s"
+        yield f"after a flight no longer than that, so that only touch and normal are proved: {tally.short:,}"
         share = f"within {NORMAL:g} without any allowance: {tally.close / certified:.2%}"
         yield f"normal: at most {tally.normal_off:.2g} off; {share}"
     for (impact, one, reason), count in sorted(tally.counts.items(), key=lambda item: -item[1]):
@@ -71,6 +72,7 @@ def json_text(outcome: CertificationRun, options: dict[str, object]) -> str:
         "counts": kinds,
         "features": {name.name.lower(): count for name, count in sorted(tally.features.items())},
         "normals_within": tally.close,
+        "short_flights": tally.short,
         "worst": {
             "time_bound": tally.time_bound,
             "time_off": tally.time_off,

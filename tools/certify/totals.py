@@ -38,13 +38,15 @@ class DoubtfulClaim(NamedTuple):
 class Totals(NamedTuple):
     """The certificates of some sources.
 
-    features: certified impacts by the reported feature. close: those whose normal is within 1e-14 without any allowance. The
-    four maxima are of certified impacts: tau and |t* - t| in seconds, the bound of the normal and what it is off by.
+    features: certified impacts by the reported feature. close: those whose normal is within 1e-14 without any allowance.
+    short: those whose flight is not longer than tau. The four maxima are of certified impacts: tau and |t* - t| in seconds,
+    the bound of the normal and what it is off by.
     """
 
     counts: Counter[Category]
     features: Counter[Feature]
     close: int = 0
+    short: int = 0
     time_bound: float = 0.0
     time_off: float = 0.0
     normal_bound: float = 0.0
@@ -73,6 +75,7 @@ class Totals(NamedTuple):
             self.counts + other.counts,
             self.features + other.features,
             self.close + other.close,
+            self.short + other.short,
             max(self.time_bound, other.time_bound),
             max(self.time_off, other.time_off),
             max(self.normal_bound, other.normal_bound),
@@ -108,6 +111,7 @@ def totals_of(source: ClaimSource) -> Totals:
         counts,
         Counter([one.hit.contact.feature for one in impacts if one.hit is not None]),
         sum([one.normal_off <= NORMAL for one in impacts]),
+        sum([one.short for one in impacts]),
         max([one.time_bound for one in impacts], default=0.0),
         max([one.time_off for one in impacts], default=0.0),
         max([one.normal_bound for one in impacts], default=0.0),
