@@ -3,11 +3,13 @@
 import cmath
 import math
 from collections import Counter
+from itertools import pairwise
 
 import pytest
 
 from tools.crosscheck.games.aimed import SPECIAL
 from tools.crosscheck.games.sources import AIMED, Source, ticks_of
+from tools.crosscheck.games.trajectory import one_bounce
 from tools.crosscheck.pymunk_model.ring_model import Part
 from tools.crosscheck.results.coverage import ALL_CELLS, NAMES, Cell, Judged, cell_of, empty_cells, margins
 from tools.crosscheck.run import AIMED_TICKS, Job, check_game
@@ -59,11 +61,13 @@ def test_aimed_contacts_are_of_every_kind(aimed):
     assert len(ALL_CELLS) == math.prod(len(values) for values in NAMES.values()) == 3240
 
 
-def test_aimed_arenas_also_have_balls_inside_material_and_squeezed_ones(aimed):
-    """One arena in 41 each; pymunk confirms that the physics put them outside, or stopped them."""
+def test_aimed_arenas_are_also_of_other_kinds(aimed):
+    """One in 41, in turn: a ball inside material, a squeezed one, one in a notch. pymunk confirms what the physics did."""
     specials = AIMED_TICKS // SPECIAL
-    assert aimed.freed >= specials // 2
-    assert aimed.dropped == specials // 2
+    assert aimed.freed >= specials // 3
+    assert aimed.dropped == specials // 3
+    ticks = list(ticks_of(Source(None, AIMED, 4, AIMED_TICKS)))
+    assert sum(one_bounce(a, b) for tick in ticks for a, b in pairwise(tick.step.hits)) == specials // 3
 
 
 def test_the_same_seed_aims_the_same_contacts():

@@ -291,3 +291,43 @@ def test_the_bounds_hold_for_any_number_of_facets(facets):
     assert all(
         error <= bound for samples in rows.samples.values() for error, bound in zip(samples.errors, samples.bounds, strict=True)
     )
+
+
+@pytest.mark.parametrize(("start", "velocity"), [(7.0 + 0j, -8.0 + 0j), (3.0 + 0j, 8.0 + 0j)])
+def test_a_ball_between_two_bricks_bounces_off_both(start, velocity):
+    """Two hits that are one bounce: pymunk, which answers both walls in one step, sends the ball straight back, too."""
+    ring = Ring(5.0, 0.3, math.radians(20.0), 8, math.radians(22.5), friction=0.3)
+    arena = Arena((Ball(start, velocity, 0.5),), (ring,), ((2,) * 8,))
+    level = numbers_of_arena(arena, 8.0)
+    ticks = []
+    for number in range(100):
+        step = advance(arena, 1.0 / 240.0, 8.0)
+        ticks.append(Tick(number, arena, 1.0 / 240.0, step, level))
+        arena = step.arena
+    assert [len(tick.step.hits) for tick in ticks if tick.step.hits] == [2]
+    rows = checked_ticks(ticks, WANTED).rows
+    assert (rows.unexplained, rows.contacts) == (0, 2)
+    velocities = rows.samples[Comparison.VELOCITY, "corner"]
+    assert len(velocities) == 2
+    assert max(velocities.errors) < 1e-12
+    assert max(velocities.bounds) < 1e-9
+
+
+def test_paddles_that_start_to_turn_are_looked_at_again():
+    """Beside a paddle at rest a ball has room; the paddle then turns into it, no hit says so, and pymunk sees the overlap."""
+    paddles = Ring(9.0, 0.2, 0.3, 3)
+    position = 9.0 * complex(math.cos(0.45), math.sin(0.45))
+    arena = Arena((Ball(position, 0.01 + 0j, 0.25),), (paddles,), ((PERMANENT,) * 3,))
+    level = numbers_of_arena(arena, 0.01)
+    ticks = []
+    for number in range(40):
+        spin = 0.0 if number < 5 else 2.0
+        arena = arena._replace(rings=(arena.rings[0]._replace(spin=spin),))
+        moved, turned = arena.balls[0].moved(1.0 / 240.0), arena.rings[0].turned(1.0 / 240.0)
+        after = arena._replace(balls=(moved,), rings=(turned,))
+        step = advance(arena._replace(balls=()), 1.0 / 240.0, 8.0)._replace(arena=after)
+        ticks.append(Tick(number, arena, 1.0 / 240.0, step, level))
+        arena = after
+    rows = checked_ticks(ticks, WANTED).rows
+    assert "the ball is in material: the game missed a bounce" in what(rows, Comparison.PRESENCE_TICK)
+    assert "pymunk touches earlier than the game bounces (missed bounce)" in what(rows, Comparison.TIME)

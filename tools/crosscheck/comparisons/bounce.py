@@ -18,7 +18,7 @@ _ROUNDINGS = 64
 _SOLVER = Solver()
 
 
-class _Answer(NamedTuple):
+class SolvedBounce(NamedTuple):
     """What pymunk makes of a bounce, and how far rounding may have taken it.
 
     normal: of the shape, in the world. pushed: the surface's velocity. velocity: after the bounce, before the game's rules.
@@ -37,26 +37,26 @@ def compare_bounce(check: ContactCheck) -> None:
     """Compare the mirrored velocity, then the game's own with its friction and its fixed speed."""
     assert check.touched is not None
     moment, touched = check.moment, check.touched
-    answer = _mirrored(moment, touched)
-    check.measure(_compared_mirror(moment, answer))
+    answer = mirrored(moment, touched)
+    check.measure(compared_mirror(moment, answer))
     friction = moment.numbers.friction
     if friction > 0.0:
-        answer = _with_friction(moment, touched, answer, friction)
+        answer = with_friction(moment, touched, answer, friction)
     check.measure(_compared_velocity(moment, touched, answer))
 
 
-def _mirrored(moment: Moment, touched: ShapeContact) -> _Answer:
+def mirrored(moment: Moment, touched: ShapeContact) -> SolvedBounce:
     """pymunk's bounce without friction."""
     normal, pushed = moment.world(touched.normal), moment.pushed(touched)
     relative = moment.hit.before - pushed
     normal_error = moment.normal_noise + movement(moment.hit.before) / moment.ball_radius
     push_error = abs(moment.spin) * (moment.contact_noise + moment.model.geometry.outer * moment.normal_noise)
-    velocity_error = 2.0 * (abs(relative) * normal_error + push_error) + _rounding(moment)
+    velocity_error = 2.0 * (abs(relative) * normal_error + push_error) + velocity_rounding(moment)
     velocity = _SOLVER.bounced(_ball(moment, touched, normal), moment.surface(touched), 0.0)
-    return _Answer(normal, pushed, velocity, normal_error, push_error, velocity_error)
+    return SolvedBounce(normal, pushed, velocity, normal_error, push_error, velocity_error)
 
 
-def _with_friction(moment: Moment, touched: ShapeContact, answer: _Answer, friction: float) -> _Answer:
+def with_friction(moment: Moment, touched: ShapeContact, answer: SolvedBounce, friction: float) -> SolvedBounce:
     """pymunk's bounce with Coulomb's coefficient that makes its solver obey the source's law of friction.
 
     The source changes the tangential velocity by mu min(|dv_n|, |dv_t|); Coulomb's law by its coefficient times the change
@@ -70,7 +70,7 @@ def _with_friction(moment: Moment, touched: ShapeContact, answer: _Answer, frict
     return answer._replace(velocity=velocity, velocity_error=answer.velocity_error * (1.0 + friction))
 
 
-def _compared_mirror(moment: Moment, answer: _Answer) -> Compared:
+def compared_mirror(moment: Moment, answer: SolvedBounce) -> Compared:
     """The game's normal and contact point, put into the mirror's formula, against pymunk's bounce."""
     contact, before = moment.hit.contact, moment.hit.before
     approach = dot(before - 1j * moment.spin * contact.point, contact.normal)
@@ -82,7 +82,7 @@ def _compared_mirror(moment: Moment, answer: _Answer) -> Compared:
     return Compared(Comparison.BOUNCE, verdict, what, error, answer.velocity_error, ours, answer.velocity)
 
 
-def _compared_velocity(moment: Moment, touched: ShapeContact, answer: _Answer) -> Compared:
+def _compared_velocity(moment: Moment, touched: ShapeContact, answer: SolvedBounce) -> Compared:
     """Whether the game's velocity is pymunk's, with the source's and the game's rules applied to it.
 
     The rules: the speed is reset, |a/|a| - b/|b|| <= 2 |a - b| / (|a| + |b|); a ball that is stopped leaves along the
@@ -91,11 +91,11 @@ def _compared_velocity(moment: Moment, touched: ShapeContact, answer: _Answer) -
     """
     normal, pushed, result, normal_error, push_error, raw = answer
     after, speed = moment.hit.after, moment.speed
-    least = dot(pushed, normal) + _least_departure(moment, touched) * speed
+    least = dot(pushed, normal) + least_departure(moment, touched) * speed
     size = abs(result)
     stopped = size <= STOPPED * speed + raw
     expected = normal * speed if stopped else result * (speed / size)
-    bound = speed * raw / max(size - raw, raw) + _rounding(moment)
+    bound = speed * raw / max(size - raw, raw) + velocity_rounding(moment)
     ruled = stopped
     if dot(expected, normal) < least:
         expected = _carried(expected, normal, least, speed)
@@ -114,7 +114,7 @@ def _compared_velocity(moment: Moment, touched: ShapeContact, answer: _Answer) -
     return Compared(Comparison.VELOCITY, verdict, what, error, bound, after, result if ruled else expected)
 
 
-def _least_departure(moment: Moment, touched: ShapeContact) -> float:
+def least_departure(moment: Moment, touched: ShapeContact) -> float:
     """The game's rule: the fraction of its speed by which a ball leaves what could meet it again at once."""
     part = touched.shape.part
     follows = part == Part.INNER_CIRCLE or (moment.spin != 0.0 and part != Part.OUTER_CIRCLE)
@@ -135,7 +135,7 @@ def _carried(v: complex, normal: complex, least: float, speed: float) -> complex
     return normal * min(least, speed) + tangent * along
 
 
-def _rounding(moment: Moment) -> float:
+def velocity_rounding(moment: Moment) -> float:
     """World units per second: what rounding makes of a velocity."""
     rim = abs(moment.spin) * moment.model.geometry.outer
     return _ROUNDINGS * 2.0**-53 * (moment.speed + abs(moment.hit.before) + rim)

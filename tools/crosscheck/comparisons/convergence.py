@@ -162,7 +162,7 @@ def _time_curve(name: str, samples: list[_Sample]) -> Curve:
             contact = _chord_contact(sample, n)
             approach = -dot(contact.normal, velocity)
             times.append(abs(contact.gap) / approach)
-            noise = 2.0 * rounding.contact_noise(sample.geometry.outer) / approach
+            noise = 2.0 * rounding.contact_noise(sample.geometry.outer, sample.ball_radius) / approach
             slacks.append(times[-1] * 2.0 * half_facet(sample.geometry.half_angle, n) * abs(velocity) / approach + noise)
         derived.append(_weighted_mean(times, samples))
         bounds.append(_weighted_mean(slacks, samples))

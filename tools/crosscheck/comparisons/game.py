@@ -3,13 +3,14 @@
 import cmath
 import math
 import time
-from collections.abc import Iterable
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import islice
 from typing import NamedTuple
 
 from physics import Ball, Hit
 from tools.crosscheck.comparisons.bounce import compare_bounce
 from tools.crosscheck.comparisons.contact_check import ContactCheck
+from tools.crosscheck.comparisons.double_bounce import compare_double_bounce, compare_sole_bounce
 from tools.crosscheck.comparisons.hit_frame import CheckedTick, geometry_of, moment_of
 from tools.crosscheck.comparisons.normals import across, compare_normals
 from tools.crosscheck.comparisons.phases import PhaseBook
@@ -18,7 +19,7 @@ from tools.crosscheck.comparisons.set_free import compare_numbers, compare_set_f
 from tools.crosscheck.comparisons.target import LayerBook, compare_target
 from tools.crosscheck.comparisons.touch_time import compare_time, missed_touch
 from tools.crosscheck.games.level_numbers import LevelNumbers
-from tools.crosscheck.games.trajectory import Leg, Tick, flight_paths
+from tools.crosscheck.games.trajectory import Leg, Tick, flight_paths, one_bounce
 from tools.crosscheck.pymunk_model import rounding
 from tools.crosscheck.pymunk_model.presence import UNKNOWN, Room, room_around
 from tools.crosscheck.pymunk_model.ring_model import RingModel, ring_model
@@ -104,25 +105,27 @@ class _Checker:
 
     def check(self, tick: Tick) -> None:
         """Compare one tick."""
-        if tick.level is not self._level:
+        _, arena, dt, step, level = tick
+        balls, rings, layers = arena
+        if level is not self._level:
             self._start(tick)
-        self._phases.turn(tick.arena.rings)
-        balls = tick.arena.balls
+        self._phases.turn(rings)
         if not balls:
             return
-        undisturbed = balls is self._balls and tick.arena.layers is self._layers  # since the last tick, but by the physics
-        self._balls = tick.step.arena.balls
-        followed = bool(tick.step.hits) or tick.step.freed > 0 or tick.step.dropped > 0
-        if undisturbed and not followed and self._far_from_all(tick):
+        after = step.arena.balls
+        undisturbed = balls is self._balls and layers is self._layers  # since the last tick, but by the physics
+        self._balls = after
+        followed = bool(step.hits or step.freed or step.dropped)
+        if undisturbed and not followed and self._far_from_all(balls, after, dt):
             self._poses_checked.zeros += len(balls)
             return
         if followed:
             self._check_flights(tick)
         self._compare_layers(tick)
         suspect = False
-        for i, ball in enumerate(tick.step.arena.balls):
+        for i, ball in enumerate(after):
             near = self._near(tick, i, ball)
-            if near or not self._flies_straight(balls[i], ball, tick.dt):
+            if near or not self._flies_straight(balls[i], ball, dt):
                 suspect = True
             overlaps = [k for k in near if self._rooms[i, k].room < 0.0]
             self._poses_checked.zeros += not overlaps
@@ -199,20 +202,19 @@ class _Checker:
             room = room_around(model, local, ball_radius, self._rooms.get((index, k), UNKNOWN), wanted)
             self._rooms[index, k] = room
             spare = room.room - abs(local - room.position) - wanted
-            free = min(free, spare if spin == 0.0 else 0.0)  # a ring that turns comes nearer by itself
+            rests = tick.level.rings[k].spin == 0.0
+            free = min(free, spare if rests else 0.0)  # a ring that turns, or is steered, comes nearer by itself
             if spare < 0.0:
                 near.append(k)
         self._free[index] = position, free
         return near
 
-    def _far_from_all(self, tick: Tick) -> bool:
+    def _far_from_all(self, before: Sequence[Ball], after: Sequence[Ball], dt: float) -> bool:
         """Whether every ball flies straight on in the free space between the rings' bands in which it was last seen."""
-        dt, noise = tick.dt, self._straight
-        for i, (start, end) in enumerate(zip(tick.arena.balls, tick.step.arena.balls, strict=True)):
+        for i, (p, v, _) in enumerate(before):
+            q, w, _ = after[i]
             center, radius = self._free.get(i, _NOWHERE)
-            p, v, _ = start
-            q, w, _ = end
-            if v != w or abs(q - center) >= radius or abs(p + v * dt - q) > noise:
+            if v != w or abs(q - center) >= radius or abs(p + v * dt - q) > self._straight:
                 return False
         return True
 
@@ -235,37 +237,40 @@ class _Checker:
             else:
                 self._report_path(checked, index)
         compare_numbers(checked, freed, dropped, self.rows)
-        for hit in tick.step.hits:
-            if hit.ball not in current:  # its flight is no proof of where it hit; it has been reported
-                self._book.take_one(hit.ring, hit.slot)
+        for hits in _bounces(tick.step.hits):
+            if hits[0].ball not in current:  # its flight is no proof of where it hit; it has been reported
+                for hit in hits:
+                    self._book.take_one(hit.ring, hit.slot)
                 continue
-            leg = current[hit.ball].pop(0)
-            if self._check_hit(checked, hit, leg):
-                self._break(checked, hit, current)
+            legs = [current[hit.ball].pop(0) for hit in hits]
+            if self._check_bounce(checked, hits, legs):
+                self._break(checked, hits[0], current)
         for legs in current.values():
             self._check_no_touch(checked, legs[0])
         self._compare_phases(tick)
 
-    def _check_hit(self, checked: CheckedTick, hit: Hit, leg: Leg) -> bool:
-        """All comparisons of one hit; whether it emptied its slot."""
-        moment = moment_of(checked, hit, leg.end)
-        check = ContactCheck(moment)
-        compare_normals(check)
-        compare_time(check, checked, leg)
-        cell: Cell | None = None
-        if check.touched is None:
-            self._book.take_one(hit.ring, hit.slot)  # that there is nothing has been reported
-        else:
-            touched = check.touched
-            compare_target(check, checked, self._book)
-            compare_bounce(check)
-            part, width = touched.shape.part, across(touched, moment)
-            velocities = moment.world(touched.normal), moment.pushed(touched), hit.before
-            sector = moment.numbers.friction, moment.model.geometry.half_angle
-            cell = cell_of(Judged(part, width, *velocities, *sector, len(checked.tick.arena.balls)))
-        check.add_to(self.rows, cell, recorded=self._wanted.recorded)
-        layers = self._book.layers[hit.ring]
-        return any(alive and not left for alive, left in zip(moment.model.alive, layers, strict=True))
+    def _check_bounce(self, checked: CheckedTick, hits: list[Hit], legs: list[Leg]) -> bool:
+        """All comparisons of one bounce, off one sector or two at once; whether it emptied a slot."""
+        shared = len(hits) > 1
+        checks = [ContactCheck(moment_of(checked, hit, leg.end, shared=shared)) for hit, leg in zip(hits, legs, strict=True)]
+        for check, leg in zip(checks, legs, strict=True):
+            compare_normals(check)
+            compare_time(check, checked, leg)
+        touching = [check for check in checks if check.touched is not None]
+        for check in checks:
+            if check.touched is None:
+                self._book.take_one(check.moment.hit.ring, check.moment.hit.slot)  # that there is nothing has been reported
+            else:
+                compare_target(check, checked, self._book)
+        if len(touching) == 2:
+            compare_double_bounce(touching)
+        elif touching:
+            compare_bounce(touching[0])
+            compare_sole_bounce(touching[0], checked)
+        for check in checks:
+            check.add_to(self.rows, _cell(check), recorded=self._wanted.recorded)
+        models = [(check.moment.model, self._book.layers[check.moment.hit.ring]) for check in checks]
+        return any(alive and not left for model, layers in models for alive, left in zip(model.alive, layers, strict=True))
 
     def _break(self, checked: CheckedTick, hit: Hit, current: dict[int, list[Leg]]) -> None:
         """A brick is gone: up to that moment it could be touched by the other balls, from then on it cannot."""
@@ -299,7 +304,7 @@ class _Checker:
     def _overlap(self, tick: Tick, index: int, ring: int) -> None:
         """A ball that pymunk finds in material."""
         depth = -self._rooms[index, ring].room
-        bound = rounding.contact_noise(self._models[ring].geometry.outer)
+        bound = rounding.contact_noise(self._models[ring].geometry.outer, tick.level.ball_radius)
         fine = depth <= bound
         what = "overlap at a tick's end" if fine else "the ball is in material: the game missed a bounce"
         verdict = ContactVerdict.EXACT if fine else ContactVerdict.UNEXPLAINED
@@ -325,3 +330,28 @@ class _Checker:
         balls = tick.step.arena.balls
         position = balls[ball].position if ball < len(balls) else 0j
         return CheckedTick(tick, self._models, self._wanted.options).situation(ball, ring, position, tick.dt)
+
+
+def _bounces(hits: Sequence[Hit]) -> Iterator[list[Hit]]:
+    """The hits of a tick, those together that are one bounce."""
+    together: list[Hit] = []
+    for hit in hits:
+        if together and one_bounce(together[-1], hit):
+            together.append(hit)
+        else:
+            if together:
+                yield together
+            together = [hit]
+    if together:
+        yield together
+
+
+def _cell(check: ContactCheck) -> Cell | None:
+    """The kind of a contact, as pymunk judges it; None where it touches nothing."""
+    moment, touched = check.moment, check.touched
+    if touched is None:
+        return None
+    velocities = moment.world(touched.normal), moment.pushed(touched), moment.hit.before
+    sector = moment.numbers.friction, moment.model.geometry.half_angle
+    balls = len(moment.tick.arena.balls)
+    return cell_of(Judged(touched.shape.part, across(touched, moment), *velocities, *sector, balls))

@@ -5,6 +5,7 @@ import math
 from typing import NamedTuple
 
 from physics import Hit, Ring
+from tools.crosscheck.comparisons.rules import TOGETHER
 from tools.crosscheck.games.level_numbers import RingNumbers
 from tools.crosscheck.games.trajectory import Tick
 from tools.crosscheck.pymunk_model import facets, rounding
@@ -48,7 +49,8 @@ class Moment(NamedTuple):
     """A hit as both engines have to answer it.
 
     numbers: the level's, of the ring. position: of the ball's centre. ball_radius, speed: the level's. angle: of the ring's
-    frame, radians. spin: rad/s. local: the ball's centre in the ring's frame.
+    frame, radians. spin: rad/s. local: the ball's centre in the ring's frame. shared: whether the bounce is off two sectors
+    at once.
     """
 
     tick: Tick
@@ -60,6 +62,7 @@ class Moment(NamedTuple):
     spin: float
     local: complex
     options: str
+    shared: bool
 
     @property
     def ball_radius(self) -> float:
@@ -89,7 +92,8 @@ class Moment(NamedTuple):
     @property
     def contact_noise(self) -> float:
         """World units: the bound for the gap at exact shapes."""
-        return rounding.contact_noise(self.model.geometry.outer)
+        together = TOGETHER * self.ball_radius if self.shared else 0.0
+        return rounding.contact_noise(self.model.geometry.outer, self.ball_radius) + together
 
     def facet_bound(self, part: Part) -> float:
         """Radians: the bound for the chain's normal where the exact shape is this part."""
@@ -132,14 +136,14 @@ class Moment(NamedTuple):
         )
 
 
-def moment_of(checked: CheckedTick, hit: Hit, position: complex) -> Moment:
-    """The moment of a hit at which the ball's centre is at `position`."""
+def moment_of(checked: CheckedTick, hit: Hit, position: complex, *, shared: bool = False) -> Moment:
+    """The moment of a hit at which the ball's centre is at `position`. shared: whether another hit is part of the bounce."""
     tick = checked.tick
     ring, numbers = tick.arena.rings[hit.ring], tick.level.rings[hit.ring]
     spin = ring.spin if numbers.spin is None else numbers.spin
     angle = ring.phase + spin * hit.time
     local = position * cmath.rect(1.0, -angle)
-    return Moment(tick, hit, checked.models[hit.ring], numbers, position, angle, spin, local, checked.options)
+    return Moment(tick, hit, checked.models[hit.ring], numbers, position, angle, spin, local, checked.options, shared)
 
 
 def geometry_of(ring: Ring) -> Geometry:

@@ -11,3 +11,6 @@ LEAST_GRAZE = 1e-9
 
 STOPPED = 1e-12
 """Fraction of the ball's speed. A shorter velocity has no direction: the ball leaves along the normal."""
+
+TOGETHER = 1e-10
+"""Fraction of the ball's radius. Two sectors that the ball touches to within this much at once are answered by one bounce."""

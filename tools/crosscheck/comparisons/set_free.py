@@ -33,7 +33,7 @@ class _Move(NamedTuple):
 
 def _compare_move(checked: CheckedTick, move: _Move, rows: Rows) -> None:
     """Whether a ball that was put elsewhere overlapped material before, and does not after."""
-    noise = rounding.contact_noise(max(model.geometry.outer for model in checked.models))
+    noise = rounding.contact_noise(max([model.geometry.outer for model in checked.models]), checked.tick.level.ball_radius)
     room = _room(checked, move.after, move.time)
     wrong = []
     if _room(checked, move.before, move.time) > -noise:

@@ -74,7 +74,7 @@ def _nearer_ring(checked: CheckedTick, moment: Moment, distance: float) -> int |
     from_centre = abs(moment.position)
     for k, model in enumerate(checked.models):
         geometry = model.geometry
-        noise = rounding.contact_noise(max(geometry.outer, moment.model.geometry.outer))
+        noise = rounding.contact_noise(max(geometry.outer, moment.model.geometry.outer), moment.ball_radius)
         nearer = distance - noise
         if k == hit.ring or not model.living or abs(from_centre - geometry.radius) - geometry.half_width >= nearer:
             continue

@@ -58,7 +58,7 @@ def _windows(checked: CheckedTick, leg: Leg, hit_ring: int | None) -> dict[int, 
     windows = {}
     for k, (ring, model) in enumerate(zip(tick.arena.rings, checked.models, strict=True)):
         geometry = model.geometry
-        noise = rounding.contact_noise(geometry.outer) + _ROUNDING * geometry.outer
+        noise = rounding.contact_noise(geometry.outer, radius) + _ROUNDING * geometry.outer
         near = model.living and abs(distance - geometry.radius) - geometry.half_width <= reach + noise
         if near or k == hit_ring:
             turn = cmath.rect(1.0, -(ring.phase + ring.spin * leg.start))

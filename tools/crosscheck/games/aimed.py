@@ -10,7 +10,7 @@ import random
 from collections.abc import Iterator
 from typing import NamedTuple
 
-from physics import Arena, Ball, Ring, contact
+from physics import Arena, Ball, Ring, contact, time_of_impact
 from tools.crosscheck.games.level_numbers import UNBREAKABLE, numbers_of_arena
 from tools.crosscheck.games.trajectory import Advance, Tick
 from tools.crosscheck.results.coverage import ALL_CELLS, WIDTHS, Cell
@@ -29,9 +29,14 @@ _HALF_ANGLES = ((5.0, 19.0), (22.0, 85.0), (95.0, 165.0))
 """Degrees, by the cell's sector."""
 _STRIDE = 1009
 """Prime to the number of cells: any few cells in a row are of all kinds."""
+_TRIES = 200
+"""Arenas to draw for a cell. A ball that rolls along a face may meet its corner first; it is aimed anew."""
+_AS_AIMED = 1e-9
+"""Seconds."""
 SPECIAL = 41
-"""One arena in so many is of another kind. In turn, its first ball lies inside material, for the physics to put it outside; or
-a ball is squeezed between two ends that close in on it, until it has used up its bounces."""
+"""One arena in so many is of another kind. In turn, its first ball lies inside material, for the physics to put it outside; a
+ball is squeezed between two ends that close in on it, until it has used up its bounces; a ball flies into a notch and touches a
+face and an end at the same moment."""
 
 
 class _Aim(NamedTuple):
@@ -51,7 +56,7 @@ def aimed_ticks(seed: int, ticks: int, physics: Advance) -> Iterator[Tick]:
         cell = ALL_CELLS[(number - special) * _STRIDE % len(ALL_CELLS)]
         arena = _aimed_arena(chance, cell, chance.choice(sizes[cell.sector]))
         if rest == SPECIAL - 1:
-            arena = _squeezing_arena(chance) if special % 2 else _with_first_ball_inside(arena)
+            arena = (_with_first_ball_inside(arena), _squeezing_arena(chance), _notch_arena(chance))[special % 3]
         yield Tick(number, arena, TICK, physics(arena, TICK, _SPEED), numbers_of_arena(arena, _SPEED))
 
 
@@ -67,7 +72,7 @@ def _aimed_arena(chance: random.Random, cell: Cell, sizes: Ring) -> Arena:
     """A ring, and balls that touch it within a tick; the first of them as the cell says, and outside material until then."""
     friction = (0.0, chance.uniform(0.1, 0.9), 1.0)[cell.friction]
     ball_radius = chance.uniform(0.1, 0.35)
-    while True:
+    for _ in range(_TRIES):
         aim = _aim(chance, sizes, cell.feature, cell.width, cell.incidence)
         spin = 0.0 if cell.motion == 0 else chance.choice((-1.0, 1.0)) * chance.uniform(0.02, 0.3) * _SPEED / abs(aim.point)
         velocity = _velocity(aim, spin)
@@ -77,7 +82,8 @@ def _aimed_arena(chance: random.Random, cell: Cell, sizes: Ring) -> Arena:
         moment, angle = chance.uniform(0.1, 0.9) * TICK, chance.uniform(0.0, math.tau)
         ring = Ring(*sizes[:4], angle - spin * moment, spin, friction)
         first = _ball(aim, velocity, ball_radius, (angle, moment))
-        if all(contact(first, ring, slot).gap > 0.0 for slot in range(ring.count)):
+        met = time_of_impact(first, ring, TICK)
+        if met is not None and abs(met.time - moment) < _AS_AIMED and _is_free(first, ring):
             break
     balls = [first]
     if cell.balls:
@@ -87,6 +93,11 @@ def _aimed_arena(chance: random.Random, cell: Cell, sizes: Ring) -> Arena:
     lasting = len(balls) - 1  # no other ball breaks the brick that the first is aimed at
     layers = tuple([chance.choice((UNBREAKABLE, lasting + 1, lasting + 2, lasting + 3)) for _ in range(ring.count)])
     return Arena(tuple(balls), (ring,), (layers,))
+
+
+def _is_free(ball: Ball, ring: Ring) -> bool:
+    """Whether a ball overlaps no sector."""
+    return all([contact(ball, ring, slot).gap > 0.0 for slot in range(ring.count)])
 
 
 def _aim(chance: random.Random, ring: Ring, feature: int, width: int, incidence: int) -> _Aim:
@@ -146,3 +157,21 @@ def _squeezing_arena(chance: random.Random) -> Arena:
     outward = cmath.rect(1.0, angle)
     ball = Ball(outward * radius, outward * 1j * chance.choice((-_SPEED, _SPEED)), ball_radius)
     return Arena((ball,), tuple(rings), ((UNBREAKABLE,), (UNBREAKABLE,)))
+
+
+def _notch_arena(chance: random.Random) -> Arena:
+    """A ball that meets the outer face of one ring and the end of another, which stands on it, in one moment."""
+    moment, ball_radius = chance.uniform(0.1, 0.9) * TICK, chance.uniform(0.1, 0.3)
+    below, outer = 0.4, chance.uniform(3.0, 7.0)
+    distance = outer + ball_radius
+    end = cmath.rect(1.0, chance.uniform(0.0, math.tau))
+    outward = end * cmath.rect(1.0, math.asin(ball_radius / distance))
+    slant = math.radians(chance.uniform(15.0, 75.0))
+    velocity = -(outward * math.cos(slant) + 1j * end * math.sin(slant)) * _SPEED
+    spins = [chance.choice((0.0, 1.0)) * chance.uniform(-0.2, 0.2) * _SPEED / distance for _ in range(2)]
+    frictions = [chance.choice((0.0, chance.random(), 1.0)) for _ in range(2)]
+    half_angle = chance.uniform(0.3, 1.0)
+    floor = Ring(outer - below, below, 1.5, 1, cmath.phase(outward) - spins[0] * moment, spins[0], frictions[0])
+    wall = Ring(outer + 0.65, 0.6, half_angle, 1, cmath.phase(end) - half_angle - spins[1] * moment, spins[1], frictions[1])
+    ball = Ball(outward * distance - velocity * moment, velocity, ball_radius)
+    return Arena((ball,), (floor, wall), ((UNBREAKABLE,), (chance.choice((1, 2, UNBREAKABLE)),)))

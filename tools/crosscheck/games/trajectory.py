@@ -1,6 +1,7 @@
 """A trajectory: what the game did, tick by tick, and the straight legs its balls flew."""
 
 from collections.abc import Callable, Iterator
+from itertools import pairwise
 from typing import NamedTuple
 
 from physics import Arena, Hit, Step
@@ -65,6 +66,11 @@ class FlightPath(NamedTuple):
     freed_after: bool = False
 
 
+def one_bounce(hit: Hit, other: Hit) -> bool:
+    """Whether two hits are one bounce off two sectors at once."""
+    return (hit.ball, hit.time, hit.before, hit.after) == (other.ball, other.time, other.before, other.after)
+
+
 def flight_paths(tick: Tick, most_bounces: int) -> Iterator[FlightPath]:
     """The flight of every ball, rebuilt from its start, its hits' times and velocities, and nothing else.
 
@@ -76,7 +82,8 @@ def flight_paths(tick: Tick, most_bounces: int) -> Iterator[FlightPath]:
         hits.setdefault(hit.ball, []).append(hit)
     for index, (ball, end) in enumerate(zip(tick.arena.balls, tick.step.arena.balls, strict=True)):
         own = hits.get(index, [])
-        dropped = len(own) >= most_bounces
+        bounces = len(own) - sum([one_bounce(hit, later) for hit, later in pairwise(own)])
+        dropped = bounces >= most_bounces
         path = _followed(tick, index, own, ball.position, dropped=dropped)
         if not path.fits and tick.step.freed:
             start = _backwards(tick, own, end.position, end.velocity, dropped=dropped)
@@ -90,8 +97,12 @@ def _followed(tick: Tick, index: int, hits: list[Hit], start: complex, *, droppe
     """A ball's flight from a position."""
     ball, end = tick.arena.balls[index], tick.step.arena.balls[index]
     position, velocity, clock, fits = start, ball.velocity, 0.0, True
-    legs = []
+    legs: list[Leg] = []
     for hit in hits:
+        last_hit = legs[-1].hit if legs else None
+        if last_hit is not None and one_bounce(last_hit, hit):
+            legs.append(Leg(index, clock, position, hit.before, clock, hit))
+            continue
         fits = fits and hit.before == velocity and clock <= hit.time <= tick.dt
         leg = Leg(index, clock, position, velocity, hit.time, hit)
         legs.append(leg)
@@ -109,6 +120,6 @@ def _backwards(tick: Tick, hits: list[Hit], position: complex, velocity: complex
     """The position from which a ball's hits lead to its end."""
     clock = hits[-1].time if dropped else tick.dt
     for hit in reversed(hits):
-        position -= velocity * (clock - hit.time)
+        position -= velocity * (clock - hit.time)  # no time lies between two hits that are one bounce
         velocity, clock = hit.before, hit.time
     return position - velocity * clock

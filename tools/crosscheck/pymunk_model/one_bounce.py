@@ -1,6 +1,7 @@
 """One bounce, answered by pymunk's own solver."""
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import pymunk
@@ -79,6 +80,38 @@ class Solver:
         self._space.remove(wall)
         after = body.velocity
         return complex(after.x, after.y)
+
+
+class Wall(NamedTuple):
+    """A surface as a ball sees it at the moment of touch: a straight wall.
+
+    normal: unit, from the wall to the ball. distance: of the ball's centre. velocity: of the wall, whole.
+    """
+
+    normal: complex
+    distance: float
+    velocity: complex
+
+
+def bounced_off_walls(position: complex, velocity: complex, walls: Sequence[Wall]) -> complex:
+    """The ball's velocity after pymunk has let it bounce off several walls at once, without friction."""
+    space = pymunk.Space()
+    space.iterations = ITERATIONS
+    body = pymunk.Body(1.0, math.inf)
+    body.position, body.velocity = (position.real, position.imag), (velocity.real, velocity.imag)
+    disc = pymunk.Circle(body, max([wall.distance for wall in walls]) + SMALLEST_SKIN)
+    disc.elasticity = 1.0
+    space.add(body, disc)
+    for wall in walls:
+        moving = pymunk.Body(body_type=pymunk.Body.KINEMATIC)
+        moving.velocity = wall.velocity.real, wall.velocity.imag
+        point, along = position - wall.normal * wall.distance, wall.normal * 1j * wall.distance
+        a, b = point - along, point + along
+        segment = pymunk.Segment(moving, (a.real, a.imag), (b.real, b.imag), 0.0)
+        segment.elasticity = 1.0
+        space.add(moving, segment)
+    space.step(_INSTANT)
+    return complex(body.velocity.x, body.velocity.y)
 
 
 def movement(velocity: complex) -> float:

@@ -9,8 +9,8 @@ pymunk's side rounds three times and uses the C library's, good to 2^-53. Eight 
 coordinates on both sides, 4 times 2^-53, make 6.0e-15.
 """
 
-TOUCH = 1e-13
-"""World units. The game's search for a turning end stops at a gap this small (its documented accuracy)."""
+TOUCH = 1e-14
+"""Fraction of the ring's outer radius and the ball's together: the game's search stops at a gap this small, as it documents."""
 
 PHASE_GRID = 2.0**-50
 """Radians. The game rounds a ring's turning in one tick to a grid with this spacing, so by at most half of it."""
@@ -29,9 +29,9 @@ def normal_noise(outer: float, ball_radius: float) -> float:
     return (outer + ball_radius) / ball_radius * ANGLE_NOISE
 
 
-def contact_noise(outer: float) -> float:
+def contact_noise(outer: float, ball_radius: float) -> float:
     """World units: how far from exact touch a ball may be at the moment the game says that it touches."""
-    return position_noise(outer) + TOUCH
+    return position_noise(outer) + TOUCH * (outer + ball_radius)
 
 
 def phase_noise(ticks: int, turned: float) -> float:

@@ -65,6 +65,8 @@ _CHANGES: tuple[Change, ...] = (
     in_bounces.stale_speed,
     in_bounces.speed_at_the_centre,
     in_bounces.reversed_spin,
+    in_bounces.one_of_two,
+    in_bounces.crooked_double_bounce,
     in_bounces.far_separation,
     in_bounces.no_separation,
     in_bounces.far_graze,

@@ -2,9 +2,11 @@
 
 from collections.abc import Callable, Iterator
 from contextlib import AbstractContextManager, ExitStack, contextmanager
+from typing import Any
 
 import physics
 from physics import Ball, Impact, Ring, dot
+from physics.bounce import bounce_off_two
 from physics.time_of_impact import first_impact
 from physics.vectors import quarter_turn
 from tools.crosscheck.sabotage.replacing import constant, method, replaced
@@ -95,6 +97,21 @@ def speed_at_the_centre() -> AbstractContextManager[None]:
 def reversed_spin() -> AbstractContextManager[None]:
     """The surface moves in the opposite direction."""
     return replaced(_right, lambda v, normal, surface, friction, speed: _right(v, normal, -surface, friction, speed))
+
+
+def one_of_two() -> AbstractContextManager[None]:
+    """A ball that touches two sectors at once bounces off one of them only."""
+    return replaced(bounce_off_two, lambda *_: None)
+
+
+def crooked_double_bounce() -> AbstractContextManager[None]:
+    """A ball that touches two sectors at once leaves a millionth of a radian off."""
+
+    def crooked(*arguments: Any) -> complex | None:
+        after = bounce_off_two(*arguments)
+        return None if after is None else after + quarter_turn(after) * 1e-6
+
+    return replaced(bounce_off_two, crooked)
 
 
 def far_separation() -> AbstractContextManager[None]:
