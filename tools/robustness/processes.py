@@ -147,14 +147,14 @@ def fault(command: CommandRun, surroundings: str) -> str | None:
     return None if found is None else f"{command.name} with {surroundings}: {found}"
 
 
-class Ended(NamedTuple):
+class SignalAnswer(NamedTuple):
     """How a command answered a signal: the exit code, and what is wrong with it or None."""
 
     code: int
     fault: str | None
 
 
-def ended(command: CommandRun, number: signal.Signals, chance: Random) -> Ended:
+def ended(command: CommandRun, number: signal.Signals, chance: Random) -> SignalAnswer:
     """Send a signal to a command at a random moment after the first line of the project's own code has run."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -185,7 +185,7 @@ def ended(command: CommandRun, number: signal.Signals, chance: Random) -> Ended:
         leftovers = [path.name for path in folder.rglob(".polar-breakout-*")]
         if found is None and leftovers:
             found = f"left behind: {leftovers}"
-    return Ended(code, None if found is None else f"{command.name} with {number.name}: {found}")
+    return SignalAnswer(code, None if found is None else f"{command.name} with {number.name}: {found}")
 
 
 def _as_in_a_shell(code: int) -> int:
@@ -197,7 +197,7 @@ def _as_in_a_shell(code: int) -> int:
     return code if code >= 0 else 128 - code
 
 
-def ended_by_all(count: int, seed: int) -> Iterator[Ended]:
+def ended_by_all(count: int, seed: int) -> Iterator[SignalAnswer]:
     """So many signals, over all commands and kinds of signal in turn."""
     chance = Random(seed)
     pairs = [(command, number) for number in SIGNALS for command in COMMANDS]
