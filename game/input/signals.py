@@ -25,7 +25,7 @@ class Released:
 
 @dataclass(frozen=True)
 class KeyboardState:
-    """The keys that are down after all events of a frame, of those that mean anything. down: their positions."""
+    """The keys that are down after all events of a frame. down: their positions."""
 
     down: frozenset[int]
 
@@ -68,9 +68,6 @@ Signal = Pressed | Released | KeyboardState | Moved | Clicked | Dragged | Zoomed
 """Every kind is a class of its own, and a dataclass equals only its own class: no two kinds compare equal."""
 
 
-_POSITIONS = tuple(KEYS.positions)
-
-
 def translated(event: pygame.Event, pixels_per_point: complex) -> Signal | None:
     """What a window's event means; None for those that mean nothing here.
 
@@ -90,7 +87,8 @@ def translated(event: pygame.Event, pixels_per_point: complex) -> Signal | None:
 def keyboard_state() -> KeyboardState:
     """Which keys are down now, asked of the system: when too many events come at once, some are lost."""
     pressed = pygame.key.get_pressed()  # its own [] takes codes; the tuple below it is in the order of positions
-    return KeyboardState(frozenset([position for position in _POSITIONS if tuple.__getitem__(pressed, position)]))
+    is_down = tuple.__getitem__
+    return KeyboardState(frozenset([position for position in range(len(pressed)) if is_down(pressed, position)]))
 
 
 def _key(event: pygame.Event) -> Signal | None:

@@ -10,7 +10,7 @@ import pytest
 
 from game.drawing.camera import Camera
 from game.input.hands import Hands
-from game.input.keys import BINDINGS, KEYS, Action, Binding, KeyTable, position_of
+from game.input.keys import BINDINGS, Action, Binding, KeyTable, position_of
 from game.input.signals import (
     Clicked,
     Dragged,
@@ -213,4 +213,3 @@ def test_every_action_has_a_key():
     assert {one.action for one in BINDINGS} == set(Action)
     claimed = [claim for one in BINDINGS for claim in (*one.codes, *one.positions)]
     assert len(claimed) == len(set(claimed))
-    assert {pygame.KSCAN_A, pygame.KSCAN_LEFT, pygame.KSCAN_P} <= KEYS.positions
