@@ -1,6 +1,7 @@
 """What the player did, as values: a window's event becomes a signal, or nothing."""
 
 from dataclasses import dataclass
+from itertools import compress
 
 import pygame
 
@@ -87,8 +88,7 @@ def translated(event: pygame.Event, pixels_per_point: complex) -> Signal | None:
 def keyboard_state() -> KeyboardState:
     """Which keys are down now, asked of the system: when too many events come at once, some are lost."""
     pressed = pygame.key.get_pressed()  # its own [] takes codes; the tuple below it is in the order of positions
-    is_down = tuple.__getitem__
-    return KeyboardState(frozenset([position for position in range(len(pressed)) if is_down(pressed, position)]))
+    return KeyboardState(frozenset(compress(range(len(pressed)), tuple.__iter__(pressed))))
 
 
 def _key(event: pygame.Event) -> Signal | None:

@@ -21,6 +21,7 @@ from game.input.signals import (
     Released,
     Signal,
     Zoomed,
+    keyboard_state,
     translated,
 )
 from game.rules import POINTER_STEPS, Controls
@@ -131,6 +132,14 @@ def test_a_release_that_was_lost_is_noticed():
     assert hands.after(KeyboardState(frozenset({ARROW_LEFT, ARROW_RIGHT}))) == hands
     assert hands.after(KeyboardState(frozenset({ARROW_LEFT}))).controls(CAMERA).turn == -1
     assert hands.after(KeyboardState(frozenset())).controls(CAMERA).turn == 0
+
+
+def test_the_keyboards_state_is_in_positions(monkeypatch):
+    """Not in codes, which are what the library's own index takes."""
+    down = {ARROW_LEFT, pygame.KSCAN_A, pygame.KSCAN_PERIOD}
+    states = pygame.key.ScancodeWrapper(position in down for position in range(512))
+    monkeypatch.setattr(pygame.key, "get_pressed", lambda: states)
+    assert keyboard_state() == KeyboardState(frozenset(down))
 
 
 @pytest.mark.parametrize(("pixel", "turn"), [(500 + 300j, 0.0), (400 + 200j, 0.25), (300 + 300j, 0.5), (400 + 400j, 0.75)])
