@@ -8,6 +8,8 @@ from collections.abc import Callable, Iterator, Sequence
 from multiprocessing.connection import Connection, wait
 from typing import NamedTuple, TypeVar
 
+from game.system.ending import interrupts_blocked
+
 Job = TypeVar("Job")
 Result = TypeVar("Result")
 
@@ -28,7 +30,8 @@ class _Worker:
         context = multiprocessing.get_context("spawn")
         self.pipe, theirs = context.Pipe()
         self.process = context.Process(target=_serve, args=(theirs, function), daemon=True)
-        self.process.start()
+        with interrupts_blocked():
+            self.process.start()
         theirs.close()
         self.job: int | None = None
         self.since = 0.0

@@ -1,20 +1,13 @@
 """A campaign: cases by the number, the tally of what happened in them, and the smallest arena that fails."""
 
-import multiprocessing
-from collections import deque
-from collections.abc import Callable, Generator, Iterator
+from collections.abc import Iterator
 from contextlib import closing
-from itertools import islice
-from typing import NamedTuple, TypeVar
+from typing import NamedTuple
 
-from game.system.ending import interrupts_blocked
-from game.system.files import check_working_directory
 from physics import Arena, Step, advance
 from tools.fuzz.arenas import TICK, TICKS, random_case, steered, with_lost_balls_back
 from tools.fuzz.checks import first_fault
-
-Job = TypeVar("Job")
-Result = TypeVar("Result")
+from tools.fuzz.workers import shared_out
 
 SPARED = "a tick that was spared the search went another way than with it"
 """A fault that the tick alone does not show: it needs the one before."""
@@ -90,21 +83,6 @@ def tallies(seed: int, steps: int, workers: int) -> Iterator[Tally]:
             done += tally.steps
             if done >= steps or tally.failures:
                 return
-
-
-def shared_out(work: Callable[[Job], Result], jobs: Iterator[Job], workers: int) -> Generator[Result, None, None]:
-    """The results of jobs in the order of the jobs. work: importable by its name, where other processes share the jobs."""
-    if workers == 1:
-        yield from map(work, jobs)
-        return
-    check_working_directory()
-    with interrupts_blocked():
-        made = multiprocessing.get_context("spawn").Pool(workers)
-    with made as pool:
-        pending = deque([pool.apply_async(work, (job,)) for job in islice(jobs, 3 * workers)])
-        while pending:
-            yield pending.popleft().get()
-            pending.extend([pool.apply_async(work, (job,)) for job in islice(jobs, 1)])
 
 
 def _batch(job: tuple[int, int]) -> Tally:

@@ -12,8 +12,9 @@ from game.system.errors import BadInputError, EnvironmentMissingError
 from game.system.output import tell
 from game.system.wording import quoted
 from tools.fuzz.arenas import TICK
-from tools.fuzz.campaign import SPARED, Failure, Tally, play, shared_out, smallest, tallies
+from tools.fuzz.campaign import SPARED, Failure, Tally, play, smallest, tallies
 from tools.fuzz.impacts import checked_chunk, multiprecision
+from tools.fuzz.workers import shared_out
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 

@@ -27,6 +27,8 @@ _BAD, _MISSING = 2, 3
 """Exit codes: bad input, and something that the machine lacks."""
 SIGNALS = tuple([signal.Signals[name] for name in WORDS if name in signal.Signals.__members__])
 """Those that end a command; Windows has no SIGHUP."""
+_FROM_A_TERMINAL = 0.5
+"""How often a signal goes to all processes of a command, as a terminal sends it, and not to the first alone."""
 _LATEST = 3.0
 """Seconds after which a signal comes, at most."""
 _GIVE_UP = 300.0
@@ -172,7 +174,10 @@ def ended(command: CommandRun, number: signal.Signals, chance: Random) -> Signal
             while child.poll() is None and not _catches(child.pid, number):
                 time.sleep(0.001)
             time.sleep(chance.random() ** 2 * _LATEST)
-            os.kill(child.pid, number)
+            if chance.random() < _FROM_A_TERMINAL:
+                os.killpg(child.pid, number)
+            else:
+                os.kill(child.pid, number)
             out, err = child.communicate(timeout=_GIVE_UP)
         finally:
             _kill_group(child)
