@@ -47,6 +47,11 @@ class CommandRun(NamedTuple):
     ends: bool = True
 
     @property
+    def may_say_more(self) -> bool:
+        """Whether it may have something to say on stderr even when all is well: no display, or a machine too slow."""
+        return 1 in self.codes or self.arguments == _WITHOUT_DISPLAY
+
+    @property
     def starts_processes(self) -> bool:
         """Whether it shares its work with processes of its own."""
         return self.arguments[0] == "tools.crosscheck" or "--workers" in self.arguments
@@ -143,7 +148,9 @@ def fault(command: CommandRun, surroundings: str) -> str | None:
         )
     err = done.stderr.decode(errors="replace")
     codes = _codes(command, surroundings)
-    found = _wrong(err, done.stdout.decode(errors="replace"), 2 if surroundings == "full stdout" and 1 in command.codes else 1)
+    found = _wrong(
+        err, done.stdout.decode(errors="replace"), 2 if surroundings == "full stdout" and command.may_say_more else 1
+    )
     if found is None and done.returncode not in codes:
         found = f"exit code {done.returncode}: {err.strip()}"
     return None if found is None else f"{command.name} with {surroundings}: {found}"
