@@ -128,11 +128,6 @@ class KeyTable:
         found = self._by_position.get(position) or self._by_code.get(code)
         return found or self._by_code.get(US_CODES.get(position, code))
 
-    @property
-    def positions(self) -> frozenset[int]:
-        """Where the keys are, those that go by their code where the US layout has them."""
-        return frozenset([*self._by_position, *[position_of(code) for code in self._by_code]]) - {0}
-
     def binding(self, action: Action) -> Binding:
         """The keys of an action; KeyError for an action without one."""
         for one in self.bindings:

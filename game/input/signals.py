@@ -1,6 +1,7 @@
 """What the player did, as values: a window's event becomes a signal, or nothing."""
 
 from dataclasses import dataclass
+from itertools import compress
 
 import pygame
 
@@ -25,7 +26,7 @@ class Released:
 
 @dataclass(frozen=True)
 class KeyboardState:
-    """The keys that are down after all events of a frame, of those that mean anything. down: their positions."""
+    """The keys that are down after all events of a frame. down: their positions."""
 
     down: frozenset[int]
 
@@ -68,9 +69,6 @@ Signal = Pressed | Released | KeyboardState | Moved | Clicked | Dragged | Zoomed
 """Every kind is a class of its own, and a dataclass equals only its own class: no two kinds compare equal."""
 
 
-_POSITIONS = tuple(KEYS.positions)
-
-
 def translated(event: pygame.Event, pixels_per_point: complex) -> Signal | None:
     """What a window's event means; None for those that mean nothing here.
 
@@ -90,7 +88,7 @@ def translated(event: pygame.Event, pixels_per_point: complex) -> Signal | None:
 def keyboard_state() -> KeyboardState:
     """Which keys are down now, asked of the system: when too many events come at once, some are lost."""
     pressed = pygame.key.get_pressed()  # its own [] takes codes; the tuple below it is in the order of positions
-    return KeyboardState(frozenset([position for position in _POSITIONS if tuple.__getitem__(pressed, position)]))
+    return KeyboardState(frozenset(compress(range(len(pressed)), tuple.__iter__(pressed))))
 
 
 def _key(event: pygame.Event) -> Signal | None:

@@ -126,11 +126,14 @@ def deferred() -> Iterator[None]:
 
 @contextmanager
 def interrupts_blocked() -> Iterator[None]:
-    """A block whose new processes and threads never see Ctrl-C: a terminal sends it to all of them, and one is to answer."""
+    """A block whose new processes never see Ctrl-C or a closed terminal: they are sent to all, and one process is to answer."""
     if not hasattr(signal, "pthread_sigmask"):  # Windows
         yield
         return
-    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT})
+    from multiprocessing import resource_tracker  # noqa: PLC0415  # takes time to load
+
+    resource_tracker.ensure_running()  # or the first process would start it, which unblocks SIGINT on the way
+    before = signal.pthread_sigmask(signal.SIG_BLOCK, {signal.SIGINT, signal.SIGHUP})
     try:
         yield
     finally:

@@ -338,3 +338,31 @@ def test_ctrl_c_stops_with_a_summary(children, terminal, arguments):
     assert out.endswith("stopped by a signal\n")
     assert err.splitlines()[-1].endswith("python -m tools.fuzz: interrupted")
     assert "Traceback" not in err
+
+
+def test_times_of_impact_are_shared_by_workers(capsys):
+    """However many there are, the same cases are checked."""
+    for workers in ("1", "2"):
+        assert run(app, "fuzz", ["--impacts", "450", "--workers", workers]) == 0
+    first, again = capsys.readouterr().out.splitlines()
+    assert first == again
+    assert first.startswith("seed 1: 450 times of impact, ")
+
+
+@pytest.mark.parametrize(
+    ("arguments", "option"),
+    [
+        (["--case", "1:1", "--impacts", "5"], "--impacts: does nothing beside --case"),
+        (["--case", "1:1", "--seed", "5"], "--seed: does nothing beside --case"),
+        (["--impacts", "5", "--steps", "5"], "--steps: does nothing beside --impacts"),
+        (["--case", "x" * 5000], "expected two whole numbers"),
+    ],
+)
+def test_options_that_would_do_nothing_are_refused(capsys, arguments, option):
+    """In one line, before any work."""
+    assert run(app, "fuzz", arguments) == 2
+    out, err = capsys.readouterr()
+    assert out == ""
+    assert option in err
+    assert err.count("\n") == 1
+    assert len(err) < 200

@@ -80,6 +80,15 @@ def test_a_recorded_game_is_kept_whenever_a_signal_comes(number):
 
 
 @LINUX
+@pytest.mark.parametrize("number", processes.SIGNALS)
+def test_commands_that_share_their_work_end_in_one_line(number):
+    """Whether a signal goes to the first process alone, or to all of them, as a terminal sends it."""
+    command = next(command for command in COMMANDS if command.name == "tools.fuzz --steps 100000000 --workers 2")
+    for seed in range(2):
+        assert processes.ended(command, number, Random(seed)) == (128 + number, None)
+
+
+@LINUX
 def test_what_a_command_does_wrong_is_found():
     """Another exit code, a traceback, a second line."""
     assert "exit code 2" in processes.fault(CommandRun(("game", "--bogus")), "plain")

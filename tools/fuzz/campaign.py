@@ -1,15 +1,13 @@
 """A campaign: cases by the number, the tally of what happened in them, and the smallest arena that fails."""
 
-import multiprocessing
-from collections.abc import Generator, Iterator
+from collections.abc import Iterator
 from contextlib import closing
 from typing import NamedTuple
 
-from game.system.ending import interrupts_blocked
-from game.system.files import check_working_directory
 from physics import Arena, FreeFlight, Step, advance
 from tools.fuzz.arenas import TICK, TICKS, random_case, steered, with_lost_balls_back
 from tools.fuzz.checks import first_fault
+from tools.fuzz.workers import shared_out
 
 SPARED = "a tick that was spared the search went another way than with it"
 """A fault that the tick alone does not show: it needs the one before."""
@@ -78,28 +76,13 @@ def checked_tick(arena: Arena, speed: float, flight: FreeFlight | None = None) -
 def tallies(seed: int, steps: int, workers: int) -> Iterator[Tally]:
     """Tallies as they come, until the ball-steps are done, a case has failed, or the caller has enough."""
     done = 0
-    with closing(_jobs(seed, workers)) as jobs:
-        for tally in jobs:
+    batches = ((seed, first) for first in range(0, 10**15, _CASES_PER_JOB))
+    with closing(shared_out(_batch, batches, workers)) as done_batches:
+        for tally in done_batches:
             yield tally
             done += tally.steps
             if done >= steps or tally.failures:
                 return
-
-
-def _jobs(seed: int, workers: int) -> Generator[Tally, None, None]:
-    """Tallies of one batch of cases after another, in the order of their numbers."""
-    batches = ((seed, first) for first in range(0, 10**15, _CASES_PER_JOB))
-    if workers == 1:
-        yield from map(_batch, batches)
-        return
-    check_working_directory()
-    with interrupts_blocked():
-        made = multiprocessing.get_context("spawn").Pool(workers)
-    with made as pool:
-        pending = [pool.apply_async(_batch, (next(batches),)) for _ in range(3 * workers)]
-        while True:
-            yield pending.pop(0).get()
-            pending.append(pool.apply_async(_batch, (next(batches),)))
 
 
 def _batch(job: tuple[int, int]) -> Tally:

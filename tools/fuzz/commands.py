@@ -1,5 +1,6 @@
 """The options of the fuzzer: `python -m tools.fuzz`."""
 
+from contextlib import closing
 from typing import Annotated
 
 import typer
@@ -12,7 +13,8 @@ from game.system.output import tell
 from game.system.wording import quoted
 from tools.fuzz.arenas import TICK
 from tools.fuzz.campaign import SPARED, Failure, Tally, play, smallest, tallies
-from tools.fuzz.impacts import check_impacts, multiprecision
+from tools.fuzz.impacts import checked_chunk, multiprecision
+from tools.fuzz.workers import shared_out
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
@@ -40,8 +42,8 @@ def fuzz(
         refuse_ignored(context, "does nothing beside --case", "steps", "seed", "workers", "impacts")
         return _again(*_numbers(case))
     if impacts is not None:
-        refuse_ignored(context, "does nothing beside --impacts", "steps", "workers")
-        return _impacts(impacts, seed)
+        refuse_ignored(context, "does nothing beside --impacts", "steps")
+        return _impacts(impacts, seed, workers)
     return _campaign(steps, seed, workers)
 
 
@@ -76,28 +78,34 @@ def _campaign(steps: int, seed: int, workers: int) -> int:
     return _verdict(total)
 
 
-def _impacts(count: int, seed: int) -> int:
+def _impacts(count: int, seed: int, workers: int) -> int:
     """Check times of impact alone."""
     try:
-        mpmath = multiprecision()
+        multiprecision()
     except ImportError:
         raise EnvironmentMissingError("--impacts needs mpmath: pip install mpmath") from None
-    done, touches, faults, how = 0, 0, list[tuple[int, str]](), _STOPPED
+    chunks = ((seed, range(first, min(first + _CHUNK, count))) for first in range(0, count, _CHUNK))
+    done, touches, faults = 0, 0, list[tuple[int, str]]()
     try:
-        with _bar() as bar:
+        with _bar() as bar, closing(shared_out(checked_chunk, chunks, workers)) as answers:
             task = bar.add_task("times of impact", total=count)
-            while done < count and not faults:
-                indices = range(done, min(done + _CHUNK, count))
-                more, faults = check_impacts(seed, indices, mpmath)
-                touches += more
-                done = indices.stop
+            for checked, more, found in answers:
+                done, touches, faults = done + checked, touches + more, faults + found
                 bar.update(task, completed=done)
-        how = "done"
-    finally:
-        tell(f"seed {seed}: {done} times of impact, {touches} of them touches, {len(faults)} wrong; {how}")
+                if faults:
+                    break
+    except KeyboardInterrupt:
+        tell(_impacts_line(seed, done, touches, len(faults), _STOPPED))
+        raise
+    tell(_impacts_line(seed, done, touches, len(faults), "done"))
     for index, what in faults:
         tell(f"  impact {seed}:{index}: {what}")
     return 1 if faults else 0
+
+
+def _impacts_line(seed: int, done: int, touches: int, wrong: int, how: str) -> str:
+    """The line that sums up the times of impact checked."""
+    return f"seed {seed}: {done} times of impact, {touches} of them touches, {wrong} wrong; {how}"
 
 
 def _verdict(tally: Tally) -> int:

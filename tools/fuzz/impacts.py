@@ -100,6 +100,12 @@ def check_impacts(seed: int, indices: Sequence[int], mpmath: Any) -> tuple[int, 
     return touches, faults
 
 
+def checked_chunk(job: tuple[int, range]) -> tuple[int, int, list[tuple[int, str]]]:
+    """How many cases of a seed were checked, how many of them touch, and the faults found. job: the seed and the indices."""
+    seed, indices = job
+    return (len(indices), *check_impacts(seed, indices, multiprecision()))
+
+
 def _random_ring(chance: Random) -> Ring:
     """Paddles or bricks: narrow and wide sectors, full rings, thin and thick ones, at rest and up to a turn a tick."""
     radius = chance.uniform(0.5, 9.0)

@@ -117,10 +117,8 @@ def _other_value(value: Any, chance: Random) -> Any:
     if isinstance(value, bytes) and chance.random() < 0.7:
         return chance.choice((_inserted, _cut, _flipped))(value, chance)
     if isinstance(value, list) and value and chance.random() < 0.7:
-        level = dict(chance.choice(value))
-        name = chance.choice(sorted(level))
-        level[name] = _other_value(level[name], chance)
-        return [level]
+        index = chance.randrange(len(value))
+        return [*value[:index], _other_value(value[index], chance), *value[index + 1 :]]
     if isinstance(value, dict) and value and chance.random() < 0.8:
         name = chance.choice(sorted(value))
         return {**value, name: _other_value(value[name], chance)}

@@ -27,6 +27,8 @@ _BAD, _MISSING = 2, 3
 """Exit codes: bad input, and something that the machine lacks."""
 SIGNALS = tuple([signal.Signals[name] for name in WORDS if name in signal.Signals.__members__])
 """Those that end a command; Windows has no SIGHUP."""
+_FROM_A_TERMINAL = 0.5
+"""How often a signal goes to all processes of a command, as a terminal sends it, and not to the first alone."""
 _LATEST = 3.0
 """Seconds after which a signal comes, at most."""
 _GIVE_UP = 300.0
@@ -43,6 +45,11 @@ class CommandRun(NamedTuple):
     arguments: tuple[str, ...]
     codes: frozenset[int] = frozenset({0})
     ends: bool = True
+
+    @property
+    def may_say_more(self) -> bool:
+        """Whether it may have something to say on stderr even when all is well: no display, or a machine too slow."""
+        return 1 in self.codes or self.arguments == _WITHOUT_DISPLAY
 
     @property
     def starts_processes(self) -> bool:
@@ -141,20 +148,22 @@ def fault(command: CommandRun, surroundings: str) -> str | None:
         )
     err = done.stderr.decode(errors="replace")
     codes = _codes(command, surroundings)
-    found = _wrong(err, done.stdout.decode(errors="replace"), 2 if surroundings == "full stdout" and 1 in command.codes else 1)
+    found = _wrong(
+        err, done.stdout.decode(errors="replace"), 2 if surroundings == "full stdout" and command.may_say_more else 1
+    )
     if found is None and done.returncode not in codes:
         found = f"exit code {done.returncode}: {err.strip()}"
     return None if found is None else f"{command.name} with {surroundings}: {found}"
 
 
-class Ended(NamedTuple):
+class SignalAnswer(NamedTuple):
     """How a command answered a signal: the exit code, and what is wrong with it or None."""
 
     code: int
     fault: str | None
 
 
-def ended(command: CommandRun, number: signal.Signals, chance: Random) -> Ended:
+def ended(command: CommandRun, number: signal.Signals, chance: Random) -> SignalAnswer:
     """Send a signal to a command at a random moment after the first line of the project's own code has run."""
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -172,7 +181,10 @@ def ended(command: CommandRun, number: signal.Signals, chance: Random) -> Ended:
             while child.poll() is None and not _catches(child.pid, number):
                 time.sleep(0.001)
             time.sleep(chance.random() ** 2 * _LATEST)
-            os.kill(child.pid, number)
+            if chance.random() < _FROM_A_TERMINAL:
+                os.killpg(child.pid, number)
+            else:
+                os.kill(child.pid, number)
             out, err = child.communicate(timeout=_GIVE_UP)
         finally:
             _kill_group(child)
@@ -185,7 +197,7 @@ def ended(command: CommandRun, number: signal.Signals, chance: Random) -> Ended:
         leftovers = [path.name for path in folder.rglob(".polar-breakout-*")]
         if found is None and leftovers:
             found = f"left behind: {leftovers}"
-    return Ended(code, None if found is None else f"{command.name} with {number.name}: {found}")
+    return SignalAnswer(code, None if found is None else f"{command.name} with {number.name}: {found}")
 
 
 def _as_in_a_shell(code: int) -> int:
@@ -197,7 +209,7 @@ def _as_in_a_shell(code: int) -> int:
     return code if code >= 0 else 128 - code
 
 
-def ended_by_all(count: int, seed: int) -> Iterator[Ended]:
+def ended_by_all(count: int, seed: int) -> Iterator[SignalAnswer]:
     """So many signals, over all commands and kinds of signal in turn."""
     chance = Random(seed)
     pairs = [(command, number) for number in SIGNALS for command in COMMANDS]

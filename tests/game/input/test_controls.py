@@ -10,7 +10,7 @@ import pytest
 
 from game.drawing.camera import Camera
 from game.input.hands import Hands
-from game.input.keys import BINDINGS, KEYS, Action, Binding, KeyTable, position_of
+from game.input.keys import BINDINGS, Action, Binding, KeyTable, position_of
 from game.input.signals import (
     Clicked,
     Dragged,
@@ -21,6 +21,7 @@ from game.input.signals import (
     Released,
     Signal,
     Zoomed,
+    keyboard_state,
     translated,
 )
 from game.rules import POINTER_STEPS, Controls
@@ -133,6 +134,14 @@ def test_a_release_that_was_lost_is_noticed():
     assert hands.after(KeyboardState(frozenset())).controls(CAMERA).turn == 0
 
 
+def test_the_keyboards_state_is_in_positions(monkeypatch):
+    """Not in codes, which are what the library's own index takes."""
+    down = {ARROW_LEFT, pygame.KSCAN_A, pygame.KSCAN_PERIOD}
+    states = pygame.key.ScancodeWrapper(position in down for position in range(512))
+    monkeypatch.setattr(pygame.key, "get_pressed", lambda: states)
+    assert keyboard_state() == KeyboardState(frozenset(down))
+
+
 @pytest.mark.parametrize(("pixel", "turn"), [(500 + 300j, 0.0), (400 + 200j, 0.25), (300 + 300j, 0.5), (400 + 400j, 0.75)])
 def test_the_pointer_is_a_bearing(pixel, turn):
     """Right, up, left, down of the centre are the four quarters of a turn."""
@@ -213,4 +222,3 @@ def test_every_action_has_a_key():
     assert {one.action for one in BINDINGS} == set(Action)
     claimed = [claim for one in BINDINGS for claim in (*one.codes, *one.positions)]
     assert len(claimed) == len(set(claimed))
-    assert {pygame.KSCAN_A, pygame.KSCAN_LEFT, pygame.KSCAN_P} <= KEYS.positions
