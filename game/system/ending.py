@@ -26,6 +26,8 @@ from game.system.output import lost, say
 WORDS = {"SIGINT": "interrupted", "SIGTERM": "terminated", "SIGHUP": "hung up"}
 """The signals, and what is said about them."""
 
+_REMINDER = 5.0
+"""Seconds after which a signal is raised again if the work goes on."""
 _PATIENCE = 5.0
 """Seconds after which one more signal ends the program inside a block that defers signals."""
 
@@ -75,6 +77,8 @@ _signals = _Signals()
 def watch_signals(program: str) -> None:
     """Have signals end the program at once, with one line, but for `working` blocks. program: its name in that line."""
     _signals.program, _signals.doing = program, _Doing.LOADING
+    if hasattr(signal, "setitimer"):  # not on Windows
+        signal.signal(signal.SIGALRM, _handle_again)
     for name in WORDS:
         number = getattr(signal, name, None)  # Windows has no SIGHUP
         if number is not None and signal.getsignal(number) is not signal.SIG_IGN:
@@ -91,6 +95,7 @@ def working() -> Iterator[None]:
         yield
     finally:
         _signals.doing = _Doing.ENDING if before is _Doing.LOADING else before
+        _remind(0.0)
 
 
 def pending() -> bool:
@@ -146,12 +151,25 @@ def _handle(number: int, _frame: FrameType | None) -> None:
         _signals.received = number
     if _signals.doing is not _Doing.WORKING:
         _end_now()
+    _remind(_REMINDER)
     if not _signals.deferrals:
         raise Ended
     if not _signals.pending:
         _signals.pending, _signals.since = True, time.monotonic()
     elif time.monotonic() - _signals.since > _PATIENCE:
         _end_now()
+
+
+def _handle_again(_number: int, frame: FrameType | None) -> None:
+    """The work goes on some time after a signal: the exception was lost, as in C code that clears errors while it imports."""
+    if _signals.doing is _Doing.WORKING and not _signals.pending:
+        _handle(_received(), frame)
+
+
+def _remind(seconds: float) -> None:
+    """Have the signal handled again after some time; 0 for never."""
+    if _signals.program and hasattr(signal, "setitimer"):
+        signal.setitimer(signal.ITIMER_REAL, seconds)
 
 
 def _received() -> int:

@@ -148,6 +148,24 @@ print("not reached")
     assert (done.returncode, done.stdout, done.stderr) == (143, "", "program: terminated\n")
 
 
+@pytest.mark.parametrize(
+    "rest", ["time.sleep(60)", "with ending.deferred():\n    while not ending.pending(): time.sleep(0.01)"]
+)
+def test_a_signal_whose_exception_is_lost_is_raised_again(rest):
+    """Code that swallows every exception, as some libraries do while they are imported, does not keep the program alive."""
+    work = f"""
+ending._REMINDER = 0.1
+for _ in range(3):
+    try:
+        os.kill(me, signal.SIGTERM) if _ == 0 else time.sleep(60)
+    except BaseException:
+        pass
+{rest}
+"""
+    done = command(work)
+    assert (done.returncode, done.stdout, done.stderr) == (143, "", "program: terminated\n")
+
+
 def test_other_exceptions_in_a_destructor_are_still_told():
     """They are mistakes of the program."""
     done = command("class Late:\n    def __del__(self):\n        raise ValueError('a mistake')\nLate()")
