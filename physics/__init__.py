@@ -2,11 +2,12 @@
 
 After the lecture "Collision detection and response in the assignment" by Marek Trtík, PA199, Masaryk University ("the
 source"). Its functions are here under their own names, and they are the ones that run: a moving ball's first touch is
-searched for in time, and at that moment the source's functions say what is touched and how the ball leaves.
+searched for in time, and at that moment the source's functions say what is touched and how the ball leaves. One is not needed
+for that, the search over a list, `broad_phase`: `nearest_slot` finds the same sector by arithmetic.
 
 The plane is the complex plane, x to the right and y up. Angles are radians, counter-clockwise; a normalised angle is in
 [0, 2 pi). Lengths are world units, times seconds. Normals are unit vectors from the obstacle to the ball; a gap is > 0
-apart, 0 touching, < 0 overlapping. Everything is a pure function of immutable values, and imports nothing but `math`.
+apart, 0 touching, < 0 overlapping. Everything is a pure function of immutable values, and needs only the standard library.
 
     >>> paddles = Ring(radius=9.0, half_width=0.2, half_angle=0.4, count=3, spin=0.5)
     >>> impact = time_of_impact(Ball(position=7 + 0j, velocity=8 + 1j, radius=0.25), paddles, dt=1.0)

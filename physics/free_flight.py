@@ -2,7 +2,8 @@
 
 A ball outside a ring's band touches nothing of it before it enters the band. Inside the band it touches nothing before
 its way around the centre, its own size and the ring's turning have used up the angle to the next sector on either side.
-Only a ring that turns can be steered: it is taken to be as fast at its rim as the ball, or as it is where that is more.
+For a ring that turns, steering is allowed for: its rim is taken to be as fast as the ball, or as it is where that is more. If
+a ring at rest is started, or one is turned faster than that, what was known is dropped and computed anew.
 
 While a free flight lasts, a tick moves balls and rings and looks at nothing. That changes no bit of the result.
 """

@@ -40,7 +40,7 @@ def contact(ball: Ball, ring: Ring, slot: int) -> Contact:
 def is_over(ring: Ring, theta: float, angle: float) -> bool:
     """Whether an angle theta lies within a sector with its middle at `angle`: the source's question, case 1 or case 2.
 
-    A closed ring has no gap, though rounding leaves one of a few grid lines where two of its sectors join.
+    A closed ring has no gap, though rounding leaves one of a few lines of the angle grid where two of its sectors join (JOINT).
     """
     closed = 2.0 * ring.half_angle * ring.count >= math.tau
     return min_difference(theta, angle) <= (ring.half_angle + JOINT if closed else ring.half_angle)
@@ -66,7 +66,7 @@ def narrow_phase_case_2(
 
     theta, angle: radians, normalised. half_angle: radians, in (0, pi]. p, ball_radius, radius, half_width: world units.
     radius, angle: the sector's middle (the source's r_p, theta_p). The result is a unit vector from the obstacle to the ball.
-    Touching means a distance in [0, ball_radius): where the source leaves out the distance 0, the normal is the end's own.
+    Touching means a distance in [0, ball_radius). At the distance 0, which the source leaves out, the normal is the end's own.
     Which end is decided by the side of the sector's middle on which theta lies; that is right however wide the sector is.
     """
     end = _nearest_end(p, theta, radius, angle, half_width, half_angle)
@@ -124,6 +124,7 @@ def end_contact(ball: Ball, ring: Ring, slot: int, theta: float) -> Contact:
     assert normal is not None, "an infinite ball touches every end"
     end = _nearest_end(p, theta, radius, angle, half_width, half_angle)
     feature = Feature.CORNER if end.q in (end.a, end.b) else Feature.END
+    # The normal is made anew because a compiler of these functions cannot know from the assertion that it is no None.
     return Contact(complex(normal.real, normal.imag), end.q, length(p - end.q) - ball_radius, feature)
 
 

@@ -205,9 +205,9 @@ class Contact(NamedTuple):
 
     Attributes:
         normal: unit vector, from the sector towards the ball.
-        point: on the sector's surface, world units.
+        point: x + iy on the sector's surface, world units from the arena's centre.
         gap: between the two, world units; > 0 apart, 0 touching, < 0 overlapping by -gap.
-        feature: the part of the sector.
+        feature: the part of the sector: `Feature.OUTER_FACE`, `INNER_FACE`, `END` or `CORNER`.
     """
 
     normal: complex

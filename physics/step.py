@@ -14,7 +14,7 @@ from physics.tolerances import MAX_IMPACTS, OVERLAP
 from physics.vectors import length
 
 _LOOK_AHEAD = 256
-"""Ticks for which it is asked how long nothing is touched."""
+"""Ticks: how far ahead the free flight is computed."""
 
 
 class Hit(NamedTuple):
@@ -76,8 +76,9 @@ def advance(arena: Arena, dt: float, speed: float, flight: FreeFlight | None = N
     dt: seconds, finite and >= 0, else ValueError; 0 changes nothing. speed: every ball's fixed speed after a bounce, world
     units per second, > 0. Each ball flies from impact to impact. A hit takes one layer from its slot at once, so that a ball
     that comes later in the same tick meets what is left. Equal times are answered in the order of ball, ring, slot.
-    flight: `Step.flight` of the tick before. Where the arena is still that tick's, but for the spin of a turning ring, a
-    ball in free flight is not looked after anew; it changes no bit of the result.
+    flight: `Step.flight` of the tick before, opaque; None on the first call. Where the arena is still that tick's, but for the
+    spin of a turning ring, the search is skipped for as long as the flight lasts; it changes no bit of the result.
+    Balls that overlap material are first moved out of it. A ball bounces at most MAX_IMPACTS (32) times in a tick.
     """
     seconds = 0.0
     if flight is not None:
@@ -89,7 +90,7 @@ def advance(arena: Arena, dt: float, speed: float, flight: FreeFlight | None = N
             raise ValueError(f"dt must be finite and at least 0, not {dt}")
         if dt == 0.0:
             return Step(arena, (), 0, 0, flight)
-        free = arena if flight is not None else all_freed(arena)  # what a flight is known of overlaps nothing
+        free = arena if flight is not None else all_freed(arena)  # in an arena with a known flight nothing overlaps
         near = flight is not None and seconds > 0.0  # the flight ends in this tick
         _, seconds, turning = (free, 0.0, ()) if near else free_flight(free, dt if flight is None else _LOOK_AHEAD * dt)
         if seconds < dt or free is not arena:

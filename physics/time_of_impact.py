@@ -43,7 +43,7 @@ def time_of_impact(ball: Ball, ring: Ring, dt: float, alive: Sequence[int] | Non
     ball and ring are given at time 0; dt: seconds, finite and >= 0, else ValueError. alive: one entry per slot, 0 where
     the slot is empty; None for a ring with all its sectors.
     A ball that touches or overlaps a sector at time 0 has its impact at 0 if it approaches it, and none with that
-    sector while it separates from it. A graze that brings the ball no nearer than TOUCH may be either.
+    sector while it separates from it. A graze that brings the ball no nearer than TOUCH may count as a touch or not.
     """
     if not 0.0 <= dt < math.inf:
         raise ValueError(f"dt must be finite and at least 0, not {dt}")
@@ -51,7 +51,7 @@ def time_of_impact(ball: Ball, ring: Ring, dt: float, alive: Sequence[int] | Non
 
 
 def first_impact(ball: Ball, ring: Ring, dt: float, alive: Sequence[int]) -> Impact | None:
-    """`time_of_impact` for a dt that is known to be right and a ring whose slots are given."""
+    """`time_of_impact` without its checks: dt is valid, and alive is given."""
     inward, outward = band_stretches(ball, ring, dt)
     impact = None if inward is None else _first_touch(ball, ring, inward, alive)
     if impact is None and outward is not None:
