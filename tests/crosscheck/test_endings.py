@@ -72,6 +72,28 @@ def test_sigterm_ends_the_workers_at_once():
         wait_for(lambda: all(gone(pid) for pid in workers))
 
 
+def test_ctrl_c_in_a_terminal_is_answered_once():
+    """A terminal sends it to the workers, too, also while they load: one line, what was checked, and no worker is left."""
+    with started("--workers", "2", "--ticks", "200000", stdout=subprocess.PIPE) as process:
+        wait_for(lambda: len(children(process.pid)) >= 2)  # one of them tracks resources
+        workers = children(process.pid)
+        os.killpg(process.pid, signal.SIGINT)
+        out, err = process.communicate(timeout=PATIENCE)
+        assert (process.returncode, err) == (128 + signal.SIGINT, "polar-crosscheck: interrupted\n")
+        assert "PARTIAL (0 of " in out
+        wait_for(lambda: all(gone(pid) for pid in workers))
+
+
+def test_a_working_directory_that_is_gone_is_one_line(tmp_path: Path):
+    """Worker processes could not start in it."""
+    code = f"import os; os.rmdir({str(tmp_path)!r}); from tools.crosscheck.__main__ import main; main()"
+    environment = os.environ | {"PYTHONPATH": str(ROOT)}
+    command = [sys.executable, "-c", code, *SHORT]
+    done = subprocess.run(command, cwd=tmp_path, env=environment, capture_output=True, text=True, check=False)
+    assert (done.returncode, done.stdout, done.stderr.count("\n")) == (3, "", 1)
+    assert done.stderr.startswith("polar-crosscheck: no working directory")
+
+
 def test_workers_end_without_their_parent():
     """A parent that is killed cannot end them: they notice, and say nothing."""
     with started("--workers", "2", "--ticks", "3000", stdout=subprocess.DEVNULL) as process:

@@ -58,16 +58,16 @@ def test_a_game_in_the_window_is_kept_only_if_it_can_be_verified(capsys, monkeyp
 
 
 def flown_in_a_window(physics, seconds, size=SIZE):
-    """The picture of a game of the autopilot after some seconds, and the game."""
+    """The picture of a game of the autopilot after some seconds, the game, and the layout."""
     state = shared(autopilot=True)
     state.physics = physics
     desk = Desk(state, Play(state, built_in()), size)
     desk.wait(seconds)
     picture = pygame.Surface(size, 0, 32)
     desk.screen.draw(picture)
-    game = desk.screen._ticked.game
+    game, seen = desk.screen._ticked.game, desk.screen._layout(size)
     desk.close()
-    return picture, game
+    return picture, game, seen
 
 
 def test_the_window_flies_what_it_is_given():
@@ -81,7 +81,7 @@ def test_the_window_flies_what_it_is_given():
 def test_a_line_on_the_screen_says_so(size):
     """The note stands alone at the lower edge, in the middle, whole; a game without a note leaves no room for one."""
     state = shared()
-    without, given = (flown_in_a_window(physics, 0.1, size)[0] for physics in (SWEPT, SOURCE))
+    (without, *_), (given, _, seen) = (flown_in_a_window(physics, 0.1, size) for physics in (SWEPT, SOURCE))
     unit = state.canvas(given).unit
     room = pygame.Rect(0, size[1] - round(unit * 1.5), size[0], round(unit * 1.5))
 
@@ -96,6 +96,7 @@ def test_a_line_on_the_screen_says_so(size):
     assert abs(box.centerx - size[0] / 2.0) <= 2.0
     assert min(box.left, size[0] - box.right) >= unit * 0.7
     assert ink(given).count() > 100
+    assert seen.camera.project(-1j * seen.ground_radius).imag < room.top + box.top
     assert ink(without).overlap_area(ink(given), (0, 0)) != ink(given).count()
 
 

@@ -326,6 +326,14 @@ def test_play_returns_0_when_the_window_is_closed(monkeypatch):
     assert not pygame.display.get_init()
 
 
+def test_another_keyboard_layout_is_noticed(playing, monkeypatch):
+    """The names of the keys are asked anew when the player switches to another layout."""
+    noticed = []
+    monkeypatch.setattr(app, "layout_changed", lambda: noticed.append(True))
+    playing.post(pygame.KEYMAPCHANGED)
+    assert noticed == [True]
+
+
 def test_a_signal_ends_the_loop_after_a_frame(monkeypatch, request):
     """The frame is done, the window is closed, and then the signal is heard: the command line makes a line of it."""
     seen = []
