@@ -42,6 +42,8 @@ Smaller, and rounding of their normals decides how a ball bounces off both.
 MAX_IMPACTS = 32
 """Impacts of one ball in one tick. What is left of the tick after them is dropped, and counted.
 
+A bounce off two sectors at once is one impact, with two hits.
+
 The longest chain in a game's tick is 4; only a squeezed ball comes here.
 """
 

@@ -70,10 +70,11 @@ def _flight(index: int, before: Arena, step: Step, dt: float) -> Iterator[str]:
     """One ball from impact to impact: no material on the way, no hit without contact, and it ends where it is said to."""
     ball, clock = before.balls[index], 0.0
     layers = list(before.layers)
-    left = MAX_IMPACTS
+    left, last = MAX_IMPACTS, None
     for hit in step.hits:
         if hit.ball == index:
-            left -= 1
+            left -= (hit.time, hit.before) != last  # a bounce off two sectors at once is one, with two hits
+            last = hit.time, hit.before
             yield from _clear(index, ball, clock, hit.time, before.rings, layers)
             ball = Ball(ball.position + ball.velocity * (hit.time - clock), hit.after, ball.radius)
             clock = hit.time

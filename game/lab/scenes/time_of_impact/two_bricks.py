@@ -173,7 +173,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
         Claim("each bounce starts from the velocity after the one before", all([_follows(a, b) for a, b in pairwise(hits)])),
         Claim("a flight that is its own mirror image stays so", not _is_mirrored(notch.ball) or _is_mirrored(end)),
         Claim("in the end the ball overlaps nothing", not notch.apart or min(_gaps(notch.ring, end)) > -1e-8),
-        Claim("there are no more than 32", len(hits) <= 32),
+        Claim("there are no more than 32 bounces", len({(hit.time, hit.before) for hit in hits}) <= 32),
         Claim(
             "turned by a quarter, the first bounce is one slot on",
             not (notch.apart and sharp) or tie or _first_is_one_on(hits, turned),
