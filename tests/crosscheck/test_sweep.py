@@ -137,3 +137,13 @@ def test_a_ball_that_a_turning_end_follows_is_met_again(model):
     assert nearest(spin, start + leaving * window.early, window.early) > -NOISE
     before = [window.early * k / 100.0 for k in range(1, 100)]
     assert all(nearest(spin, start + leaving * t, t) > 0.0 for t in before)
+
+
+def test_a_ball_that_comes_to_an_end_from_beyond_its_corner_is_met():
+    """Nearly along the end, over its corner: a larger ball would touch the corner, this one touches the end behind it."""
+    turning = RingModel(Geometry(8.276450018258025, 0.5046063336358122, 0.11492789802502813, 3), 8)
+    turn = cmath.rect(1.0, -5.858395620018938)
+    position, velocity = 7.462821171083563 - 2.128144085411947j, 7.953329274782134 - 0.8628751050375074j
+    flight = BallFlight(position * turn, velocity * turn, 0.248823214445567, 0.20608280666327908)
+    window = first_touch(turning, flight, 1.0 / 240.0, NOISE)
+    assert window.early <= 0.0030116947330265003 <= window.late < window.early + 1e-8

@@ -146,8 +146,7 @@ class _Curve(NamedTuple):
 def _convex_touch(start: pymunk.PointQueryInfo, flight: BallFlight, span: float, noise: float) -> Window:
     """The touch with one end or corner within `span` seconds, by sweeps along straight pieces of the curve.
 
-    start: pymunk's query of the shape at the flight's start. Of a ball that comes to an end over its corner, pymunk's query of
-    the segment gives the moment at which it has passed; the corner's own answer is earlier, and counts.
+    start: pymunk's query of the shape at the flight's start.
     """
     position, velocity, ball_radius, spin = flight
     speed = abs(velocity)
@@ -236,8 +235,26 @@ def _time_to_shape(start: pymunk.PointQueryInfo, p: complex, v: complex, ball_ra
         return 0.0 if leaving < 0.0 else NEVER
     duration = _duration(p, v, start.distance)
     q = p + v * duration
-    found = start.shape.segment_query((p.real, p.imag), (q.real, q.imag), ball_radius)
-    return NEVER if found is None else found.alpha * duration
+    shapes = [start.shape, *_overlooked_ends(start.shape, p, ball_radius)]
+    found = [shape.segment_query((p.real, p.imag), (q.real, q.imag), ball_radius) for shape in shapes]
+    return min([hit.alpha * duration for hit in found if hit is not None], default=NEVER)
+
+
+def _overlooked_ends(shape: pymunk.Shape, p: complex, ball_radius: float) -> list[pymunk.Circle]:
+    """The end points of a segment, for a ball that starts between the two lines beside it, at its radius from it.
+
+    pymunk's query of a segment then sees a ball that comes in over an end point leave at best, and not enter.
+    """
+    if not isinstance(shape, pymunk.Segment):
+        return []
+    a, normal = complex(*shape.a), complex(*shape.normal)
+    if abs(((p - a).conjugate() * normal).real) > ball_radius:
+        return []
+    body = pymunk.Body(body_type=pymunk.Body.STATIC)
+    ends = [pymunk.Circle(body, 0.0, end) for end in (shape.a, shape.b)]
+    for end in ends:
+        end.cache_bb()
+    return ends
 
 
 def _duration(p: complex, v: complex, reach: float) -> float:
