@@ -28,6 +28,7 @@ def crosscheck() -> None:
     """Run the console script `polar-crosscheck` and exit."""
     _own_game_first()
     try:
+        import game  # noqa: F401, PLC0415  # it looks for its own `tools` first
         from tools.crosscheck.__main__ import main  # noqa: PLC0415  # only now is it certain which tools those are
 
         main()
