@@ -3,7 +3,7 @@
 test      the README's own test line, in a fresh environment
 lint      lint, format, types, who imports whom
 docs      the documentation site, its warnings as errors
-package   sdist and wheel: both are checked, every command of the installed wheel runs, the sdist is complete and passes some of its tests
+package   sdist and wheel: both are checked, every command of the wheel runs, the sdist is complete and passes some tests
 frozen    an application that needs no Python: it plays a level and holds the lab's claims
 """
 
