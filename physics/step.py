@@ -13,7 +13,7 @@ from physics.time_of_impact import Impact, first_impact, touched_now
 from physics.tolerances import MAX_IMPACTS, OVERLAP
 from physics.vectors import length
 
-_LOOK_AHEAD = 256
+LOOK_AHEAD = 256
 """Ticks for which it is asked how long nothing is touched."""
 
 
@@ -91,7 +91,7 @@ def advance(arena: Arena, dt: float, speed: float, flight: FreeFlight | None = N
             return Step(arena, (), 0, 0, flight)
         free = arena if flight is not None else all_freed(arena)  # what a flight is known of overlaps nothing
         near = flight is not None and seconds > 0.0  # the flight ends in this tick
-        _, seconds, turning = (free, 0.0, ()) if near else free_flight(free, dt if flight is None else _LOOK_AHEAD * dt)
+        _, seconds, turning = (free, 0.0, ()) if near else free_flight(free, dt if flight is None else LOOK_AHEAD * dt)
         if seconds < dt or free is not arena:
             return _flown(free, _moved_balls(arena, free), dt, speed)
     # Free flight, in the fewest operations: most ticks of a game are these lines and nothing else.
@@ -131,9 +131,14 @@ def answer_impacts(
     clocks, impacts = [0.0] * len(balls), [0] * len(balls)
     hits: list[Hit] = []
     pending: list[_Next] = []
-    for i in range(len(balls)):
-        _look_ahead(pending, i, balls[i], 0.0, rings, layers, dt)
-    while len(pending) > 0:
+    stale = list(range(len(balls)))  # whose next impact is not known
+    while True:
+        for j in stale:
+            following = _next_impact(j, balls[j], clocks[j], rings, layers, dt)
+            if following is not None:
+                pending.append(following)
+        if len(pending) == 0:
+            break
         found = _earliest(pending)
         i = found.ball
         there = balls[i].moved(found.time - clocks[i])
@@ -143,11 +148,13 @@ def answer_impacts(
         for hit in answered:
             hits.append(hit)
             set_layers(layers, hit.ring, hit.slot, hit.layers)
-        before, pending = pending, [other for other in pending if other.ball != i and _is_there(other, layers)]
-        for other in before:
-            j = other.ball
-            if (j == i or not _is_there(other, layers)) and impacts[j] < MAX_IMPACTS:
-                _look_ahead(pending, j, balls[j], clocks[j], rings, layers, dt)
+        stale = []
+        for n in range(len(pending) - 1, -1, -1):
+            j = pending[n].ball
+            if j == i or not _is_there(pending[n], layers):
+                pending.pop(n)
+                if impacts[j] < MAX_IMPACTS:
+                    stale.append(j)
     dropped = 0
     for i in range(len(balls)):
         if impacts[i] < MAX_IMPACTS:
@@ -155,21 +162,6 @@ def answer_impacts(
         else:
             dropped += 1
     return hits, dropped
-
-
-def _look_ahead(
-    pending: list[_Next],
-    index: int,
-    ball: Ball,
-    clock: float,
-    rings: Sequence[Ring],
-    layers: Sequence[tuple[int, ...]],
-    dt: float,
-) -> None:
-    """Add the first impact of a ball, given where it is at `clock`, to the pending ones, if there is one."""
-    following = _next_impact(index, ball, clock, rings, layers, dt)
-    if following is not None:
-        pending.append(following)
 
 
 def _next_impact(
@@ -195,6 +187,7 @@ def _hits(found: _Next, ball: Ball, rings: Sequence[Ring], layers: Sequence[tupl
     for k, other in _touched_besides(found, ball, rings, layers):
         after = bounce_off_two(ball, contact, ring, other.contact, rings[k], speed)
         if after is not None:
+            after = complex(after.real, after.imag)  # for the compiler, which takes it for one that may be None still
             first = _hit(found, ball, found.ring, slot, contact, after, layers)
             return _in_order(first, _hit(found, ball, k, other.slot, other.contact, after, layers))
     return [_hit(found, ball, found.ring, slot, contact, bounce(ball, contact, ring, speed), layers)]
