@@ -4,7 +4,7 @@ Only this package of the physics imports numpy and numba, and nothing of the phy
 """
 
 from physics.batch.batch import Batch, Steps
-from physics.batch.compiled import Compiled, compiled
+from physics.batch.compilation import Compiled, compiled
 from physics.batch.hits import HIT
 
 __all__ = ["HIT", "Batch", "Compiled", "Steps", "compiled"]

@@ -8,7 +8,7 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from physics.batch.compiled import check_subnormals, compiled
+from physics.batch.compilation import check_subnormals, compiled
 from physics.batch.games import Complexes, Floats, Games, Integers
 from physics.batch.hits import HIT
 from physics.shapes import Arena, Ball, Ring
@@ -42,7 +42,7 @@ class Batch:
     arenas: at least one. dt: seconds a tick, finite and > 0. speed: every ball's speed after a bounce, world units per second,
     > 0. ground_radius: world units, > 0.
     Raises ValueError, naming the argument; ImportError, naming the extra, without numba; RuntimeError where subnormal floats
-    count as 0. The first batch of a machine takes the time to compile (`physics.batch.compiled`).
+    count as 0. The first batch of a machine takes the time to compile (`physics.batch.compilation`).
     """
 
     def __init__(self, arenas: Sequence[Arena], *, dt: float, speed: float, ground_radius: float = math.inf) -> None:

@@ -2,8 +2,8 @@
 
 The state of all games is arrays. `play` does for each game what `physics.advance` does in a sequence of ticks, by the same
 functions. Three pieces of `advance` cannot be compiled as they stand, since they build and compare tuples whose length is
-known at run time only, and are written here on arrays: flying freely (`_fly_freely`), moving balls out of material, and
-remembering the free flight (`known`, `seconds`). `tests/physics/test_batch.py` compares them with `advance` at every tick.
+known at run time only, and are written here on arrays and lists: flying freely, moving balls out of material, and remembering
+the free flight (`known`, `seconds`). `tests/physics/test_batch.py` compares them with `advance` at every tick.
 """
 
 from typing import Any, NamedTuple
@@ -82,91 +82,97 @@ def play(
     hits: rows of `HIT`, of which `count` are filled; filled further. Returns the game and tick to go on with, once there are
     more rows, and the count; the game is `last` when all is done.
     """
-    room = 2 * MAX_IMPACTS * games.positions.shape[1]
+    known, remaining, positions, velocities = games.known, games.seconds, games.positions, games.velocities
+    phases, spins, radii = games.phases, games.spins, games.ball_radii
+    balls, rings = _balls(games, first), _rings(games, first)  # written over for every game: a new list costs more
+    room = 2 * MAX_IMPACTS * len(balls)
     for g in range(first, last):
         while tick < ticks:
-            free, seconds = 0, games.seconds[g]
-            if games.known[g] != 0:
+            free, seconds = 0, remaining[g]
+            if known[g] != 0:
                 while tick + free < ticks and dt <= seconds:
                     seconds -= dt
                     free += 1
             if free > 0:
-                games.seconds[g] = seconds
-                _fly_freely(games, g, free, dt)
+                remaining[g] = seconds
                 tick += free
-            elif not _look_ahead(games, g, dt):
-                if count + room > len(hits):
-                    return g, tick, count
-                count = _flown(games, g, tick, dt, speed, hits, count)
-                tick += 1
+                for i in range(len(balls)):
+                    positions[g, i] = _flown_freely(Ball(positions[g, i], velocities[g, i], radii[g, i]), free, dt).position
+                for k in range(len(rings)):
+                    if spins[g, k] != 0.0:
+                        phases[g, k] = _turned(phases[g, k], spins[g, k], free, dt)
+                continue
+            if count + room > len(hits):
+                return g, tick, count
+            for i in range(len(balls)):
+                balls[i] = Ball(positions[g, i], velocities[g, i], radii[g, i])
+            for k in range(len(rings)):
+                rings[k] = _with_turn(rings[k], phases[g, k], spins[g, k])
+            layers = games.layers[g]
+            moved = _free(balls, rings, layers) if known[g] == 0 else 0
+            seconds = 0.0  # a free flight that ends within this tick is not asked for anew
+            if moved == 0 and not (known[g] != 0 and remaining[g] > 0.0):
+                seconds = _seconds_of_free_flight(balls, rings, layers, LOOK_AHEAD * dt if known[g] != 0 else dt)
+            known[g] = 1
+            remaining[g] = seconds if seconds >= dt else 0.0
+            if seconds >= dt:
+                continue
+            found, dropped = answer_impacts(balls, rings, layers, dt, speed)
+            for hit in found:
+                _write(hits[count], g, tick, hit)
+                count += 1
+            for k in range(len(rings)):
+                if rings[k].spin != 0.0:
+                    rings[k] = rings[k].turned(dt)
+                    phases[g, k] = rings[k].phase
+            if dropped > 0:
+                moved += _free(balls, rings, layers)
+            for i in range(len(balls)):
+                positions[g, i], velocities[g, i] = balls[i].position, balls[i].velocity
+            games.dropped[g] += dropped
+            games.freed[g] += moved
+            tick += 1
         tick = 0
     return last, 0, count
 
 
-def _fly_freely(games: Games, g: int, ticks: int, dt: float) -> None:
-    """Move balls and turn rings for some ticks in which nothing is touched."""
-    for i in range(games.positions.shape[1]):
-        ball = Ball(games.positions[g, i], games.velocities[g, i], games.ball_radii[g, i])
-        for _ in range(ticks):
-            ball = ball.moved(dt)
-        games.positions[g, i] = ball.position
-    for k in range(games.spins.shape[1]):
-        if games.spins[g, k] != 0.0:
-            ring = _ring(games, g, k)
-            for _ in range(ticks):
-                ring = ring.turned(dt)
-            games.phases[g, k] = ring.phase
+def _flown_freely(ball: Ball, ticks: int, dt: float) -> Ball:
+    """The ball after some ticks in which it touches nothing."""
+    for _ in range(ticks):
+        ball = ball.moved(dt)
+    return ball
 
 
-def _look_ahead(games: Games, g: int, dt: float) -> bool:
-    """Find out for how long nothing is touched; whether that is at least a tick.
-
-    A ball that overlaps material is moved out of it first. A free flight that ends within this tick is not asked for anew.
-    """
-    known, ending = games.known[g] != 0, games.seconds[g] > 0.0
-    games.known[g], games.seconds[g] = 1, 0.0
-    if known and ending:
-        return False
-    balls, rings, layers = _balls(games, g), _rings(games, g), games.layers[g]
-    if not known and _free(games, g, balls, rings) > 0:
-        return False
-    seconds = LOOK_AHEAD * dt if known else dt
-    for ball in balls:
-        seconds = clear_time(ball, rings, layers, seconds)
-    if seconds < dt:
-        return False
-    games.seconds[g] = seconds
-    return True
+def _turned(phase: float, spin: float, ticks: int, dt: float) -> float:
+    """The phase of a ring after some ticks."""
+    ring = Ring(1.0, 0.5, 0.1, 1, phase, spin, 0.0)  # its other fields do not matter
+    for _ in range(ticks):
+        ring = ring.turned(dt)
+    return ring.phase
 
 
-def _flown(games: Games, g: int, tick: int, dt: float, speed: float, hits: npt.NDArray[Any], count: int) -> int:
-    """A tick in which something may be touched; the number of hits, those of this tick added."""
-    balls, rings, layers = _balls(games, g), _rings(games, g), games.layers[g]
-    found, dropped = answer_impacts(balls, rings, layers, dt, speed)
-    for hit in found:
-        _write(hits[count], g, tick, hit)
-        count += 1
-    for i in range(len(balls)):
-        games.positions[g, i], games.velocities[g, i] = balls[i].position, balls[i].velocity
-    for k in range(len(rings)):
-        if rings[k].spin != 0.0:
-            games.phases[g, k] = rings[k].turned(dt).phase
-    if dropped > 0:
-        games.dropped[g] += dropped
-        _free(games, g, balls, _rings(games, g))
-    return count
-
-
-def _free(games: Games, g: int, balls: list[Ball], rings: list[Ring]) -> int:
-    """Move the balls that overlap material out of it; how many there were."""
+def _free(balls: list[Ball], rings: list[Ring], layers: Any) -> int:
+    """Move the balls that overlap material out of it, in place; how many there were."""
     number = 0
     for i in range(len(balls)):
-        ball = freed(balls[i], rings, games.layers[g])
+        ball = freed(balls[i], rings, layers)
         if ball.position != balls[i].position:
-            games.positions[g, i] = ball.position
+            balls[i] = ball
             number += 1
-    games.freed[g] += number
     return number
+
+
+def _seconds_of_free_flight(balls: list[Ball], rings: list[Ring], layers: Any, horizon: float) -> float:
+    """Seconds, at most `horizon`, for which no ball touches anything."""
+    seconds = horizon
+    for ball in balls:
+        seconds = clear_time(ball, rings, layers, seconds)
+    return seconds
+
+
+def _with_turn(ring: Ring, phase: float, spin: float) -> Ring:
+    """The ring with another phase and spin."""
+    return Ring(ring.radius, ring.half_width, ring.half_angle, ring.count, phase, spin, ring.friction)
 
 
 def _balls(games: Games, g: int) -> list[Ball]:

@@ -205,7 +205,7 @@ def nan_at(shape, where):
 @pytest.mark.parametrize(
     ("argument", "named"),
     [
-        ({"spins": np.zeros(3)}, r"spins must be a float64 array of shape \(2, 4\), not float64 of shape \(3,\)"),
+        ({"spins": np.zeros(3)}, r"spins must be a float64 array of shape \(2, 5\), not float64 of shape \(3,\)"),
         ({"spins": np.zeros((2, 5), np.float32)}, "spins must be .* not float32"),
         ({"spins": [[0.0] * 5] * 2}, "spins must be .* not list"),
         ({"spins": nan_at((2, 5), (1, 0))}, "spins must be finite .* not nan at game 1, ring 0"),

@@ -62,7 +62,7 @@ def check_subnormals() -> None:
 
 
 _LOCK = threading.Lock()
-_NOT_COMPILED = {"physics.batch", "physics.batch.batch", "physics.batch.compiled", "physics.batch.hits"}
+_NOT_COMPILED = {"physics.batch", "physics.batch.batch", "physics.batch.compilation", "physics.batch.hits"}
 
 
 def compiled(progress: Callable[[float], None] | None = None) -> Compiled:
