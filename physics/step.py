@@ -148,13 +148,7 @@ def answer_impacts(
         for hit in answered:
             hits.append(hit)
             set_layers(layers, hit.ring, hit.slot, hit.layers)
-        stale = []
-        for n in range(len(pending) - 1, -1, -1):
-            j = pending[n].ball
-            if j == i or not _is_there(pending[n], layers):
-                pending.pop(n)
-                if impacts[j] < MAX_IMPACTS:
-                    stale.append(j)
+        stale = [j for j in _withdrawn(pending, i, layers) if impacts[j] < MAX_IMPACTS]
     dropped = 0
     for i in range(len(balls)):
         if impacts[i] < MAX_IMPACTS:
@@ -208,7 +202,7 @@ def _touched_besides(
         if not (above and k == found.ring) and in_band(distance, ball.radius * (1.0 + OVERLAP), ring):
             for impact in touched_now(ball, ring.turned(found.time), layers[k]):
                 if impact is not None:
-                    touched.append((k, impact))
+                    touched.append((k, impact))  # noqa: PERF401  # what compiles
     return touched
 
 
@@ -234,6 +228,15 @@ def _earliest(pending: Sequence[_Next]) -> _Next:
         if (other.time, other.ball) < (found.time, found.ball):
             found = other
     return found
+
+
+def _withdrawn(pending: list[_Next], ball: int, layers: Sequence[tuple[int, ...]]) -> list[int]:
+    """The balls whose pending impact is none any more after a hit of `ball`; their impacts are taken out."""
+    balls = []
+    for n in range(len(pending) - 1, -1, -1):
+        if pending[n].ball == ball or not _is_there(pending[n], layers):
+            balls.append(pending.pop(n).ball)  # noqa: PERF401  # two things are done
+    return balls
 
 
 def _is_there(found: _Next, layers: Sequence[tuple[int, ...]]) -> bool:

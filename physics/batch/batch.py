@@ -127,9 +127,7 @@ class Batch:
                 for ring, phase, spin in zip(self._rings, games.phases[game], games.spins[game], strict=True)
             ]
         )
-        layers = tuple(
-            [tuple(row[: ring.count].tolist()) for ring, row in zip(self._rings, games.layers[game], strict=True)]
-        )
+        layers = tuple([tuple(row[: ring.count].tolist()) for ring, row in zip(self._rings, games.layers[game], strict=True)])
         return Arena(balls, rings, layers)
 
     def put(self, game: int, arena: Arena) -> None:
@@ -224,5 +222,8 @@ def _arrays(arenas: Sequence[Arena]) -> Games:
         np.array([ring.half_angle for ring in rings], np.float64),
         np.array([ring.count for ring in rings], np.int64),
         np.array([ring.friction for ring in rings], np.float64),
-        *[np.zeros(len(arenas), kind) for kind in (np.int64, np.float64, np.int64, np.int64)],
+        np.zeros(len(arenas), np.int64),
+        np.zeros(len(arenas)),
+        np.zeros(len(arenas), np.int64),
+        np.zeros(len(arenas), np.int64),
     )

@@ -135,9 +135,7 @@ def no_games() -> loop.Games:
     real, integer = np.empty((0, 0)), np.empty(0, np.int64)
     plane, row = np.empty((0, 0), np.complex128), np.empty(0)
     layers = np.empty((0, 0, 0), np.int64)
-    return loop.Games(
-        plane, plane, real, real, real, layers, row, row, row, integer, row, integer, row, integer, integer
-    )
+    return loop.Games(plane, plane, real, real, real, layers, row, row, row, integer, row, integer, row, integer, integer)
 
 
 def _register() -> None:
@@ -152,7 +150,7 @@ def _register() -> None:
     _register_members()
 
     @overload(unchecked)
-    def _unchecked(cls, fields):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+    def _unchecked(cls, fields):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
         whole = cls.instance_class
         return lambda cls, fields: whole(*fields)  # noqa: ARG005
 

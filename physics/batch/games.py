@@ -61,15 +61,17 @@ class Games(NamedTuple):
 
 
 def steer(games: Games, spins: Floats, first: int, last: int) -> None:
-    """Give the rings of the games from `first` to below `last` these spins, (G, K), rad/s, and forget what that makes untrue."""
+    """Give the rings of the games from `first` to below `last` these spins, (G, K), rad/s; forget what that makes untrue."""
+    balls, rings = _balls(games, first), _rings(games, first)
     for g in range(first, last):
-        for k in range(spins.shape[1]):
+        for k in range(len(rings)):
             spin = spins[g, k]
             if spin != games.spins[g, k]:
                 if games.known[g] != 0:
-                    old = _ring(games, g, k)
-                    games.spins[g, k] = spin
-                    if not may_be_steered(old, _ring(games, g, k), _balls(games, g)):
+                    for i in range(len(balls)):
+                        balls[i] = Ball(games.positions[g, i], games.velocities[g, i], games.ball_radii[g, i])
+                    old = _with_turn(rings[k], games.phases[g, k], games.spins[g, k])
+                    if not may_be_steered(old, _with_turn(old, old.phase, spin), balls):
                         games.known[g] = 0
                 games.spins[g, k] = spin
 
@@ -88,33 +90,17 @@ def play(
     room = 2 * MAX_IMPACTS * len(balls)
     for g in range(first, last):
         while tick < ticks:
-            free, seconds = 0, remaining[g]
-            if known[g] != 0:
-                while tick + free < ticks and dt <= seconds:
-                    seconds -= dt
-                    free += 1
+            free, remaining[g] = _ticks_of_free_flight(known[g] != 0, remaining[g], dt, ticks - tick)
             if free > 0:
-                remaining[g] = seconds
+                _fly_freely(positions, velocities, radii, phases, spins, g, free, dt)
                 tick += free
-                for i in range(len(balls)):
-                    positions[g, i] = _flown_freely(Ball(positions[g, i], velocities[g, i], radii[g, i]), free, dt).position
-                for k in range(len(rings)):
-                    if spins[g, k] != 0.0:
-                        phases[g, k] = _turned(phases[g, k], spins[g, k], free, dt)
                 continue
             if count + room > len(hits):
                 return g, tick, count
-            for i in range(len(balls)):
-                balls[i] = Ball(positions[g, i], velocities[g, i], radii[g, i])
-            for k in range(len(rings)):
-                rings[k] = _with_turn(rings[k], phases[g, k], spins[g, k])
+            _read(balls, rings, positions, velocities, radii, phases, spins, g)
             layers = games.layers[g]
-            moved = _free(balls, rings, layers) if known[g] == 0 else 0
-            seconds = 0.0  # a free flight that ends within this tick is not asked for anew
-            if moved == 0 and not (known[g] != 0 and remaining[g] > 0.0):
-                seconds = _seconds_of_free_flight(balls, rings, layers, LOOK_AHEAD * dt if known[g] != 0 else dt)
-            known[g] = 1
-            remaining[g] = seconds if seconds >= dt else 0.0
+            moved, seconds = _looked_ahead(known[g] != 0, remaining[g], balls, rings, layers, dt)
+            known[g], remaining[g] = 1, seconds
             if seconds >= dt:
                 continue
             found, dropped = answer_impacts(balls, rings, layers, dt, speed)
@@ -122,9 +108,8 @@ def play(
                 _write(hits[count], g, tick, hit)
                 count += 1
             for k in range(len(rings)):
-                if rings[k].spin != 0.0:
-                    rings[k] = rings[k].turned(dt)
-                    phases[g, k] = rings[k].phase
+                rings[k] = rings[k].turned(dt) if rings[k].spin != 0.0 else rings[k]
+                phases[g, k] = rings[k].phase
             if dropped > 0:
                 moved += _free(balls, rings, layers)
             for i in range(len(balls)):
@@ -134,6 +119,26 @@ def play(
             tick += 1
         tick = 0
     return last, 0, count
+
+
+def _ticks_of_free_flight(known: bool, seconds: float, dt: float, most: int) -> tuple[int, float]:  # noqa: FBT001
+    """How many of the next ticks, at most so many, touch nothing, and the seconds of free flight after them."""
+    free = 0
+    while known and free < most and dt <= seconds:
+        seconds -= dt
+        free += 1
+    return free, seconds
+
+
+def _fly_freely(
+    positions: Complexes, velocities: Complexes, radii: Floats, phases: Floats, spins: Floats, g: int, ticks: int, dt: float
+) -> None:
+    """Move balls and turn rings for some ticks in which nothing is touched."""
+    for i in range(positions.shape[1]):
+        positions[g, i] = _flown_freely(Ball(positions[g, i], velocities[g, i], radii[g, i]), ticks, dt).position
+    for k in range(spins.shape[1]):
+        if spins[g, k] != 0.0:
+            phases[g, k] = _turned(phases[g, k], spins[g, k], ticks, dt)
 
 
 def _flown_freely(ball: Ball, ticks: int, dt: float) -> Ball:
@@ -151,6 +156,46 @@ def _turned(phase: float, spin: float, ticks: int, dt: float) -> float:
     return ring.phase
 
 
+def _read(
+    balls: list[Ball],
+    rings: list[Ring],
+    positions: Complexes,
+    velocities: Complexes,
+    radii: Floats,
+    phases: Floats,
+    spins: Floats,
+    g: int,
+) -> None:
+    """Write the balls and rings of a game over those of another."""
+    for i in range(len(balls)):
+        balls[i] = Ball(positions[g, i], velocities[g, i], radii[g, i])
+    for k in range(len(rings)):
+        rings[k] = _with_turn(rings[k], phases[g, k], spins[g, k])
+
+
+def _looked_ahead(
+    known: bool,  # noqa: FBT001
+    remaining: float,
+    balls: list[Ball],
+    rings: list[Ring],
+    layers: Any,
+    dt: float,
+) -> tuple[int, float]:
+    """How many balls were moved out of material, in place, and the seconds of free flight; 0 where they are less than a tick.
+
+    known: whether no ball overlaps anything. A flight that ends within this tick is not asked for anew.
+    """
+    if known and remaining > 0.0:
+        return 0, 0.0
+    moved = 0 if known else _free(balls, rings, layers)
+    if moved > 0:
+        return moved, 0.0
+    seconds = LOOK_AHEAD * dt if known else dt
+    for ball in balls:
+        seconds = clear_time(ball, rings, layers, seconds)
+    return 0, seconds if seconds >= dt else 0.0
+
+
 def _free(balls: list[Ball], rings: list[Ring], layers: Any) -> int:
     """Move the balls that overlap material out of it, in place; how many there were."""
     number = 0
@@ -160,14 +205,6 @@ def _free(balls: list[Ball], rings: list[Ring], layers: Any) -> int:
             balls[i] = ball
             number += 1
     return number
-
-
-def _seconds_of_free_flight(balls: list[Ball], rings: list[Ring], layers: Any, horizon: float) -> float:
-    """Seconds, at most `horizon`, for which no ball touches anything."""
-    seconds = horizon
-    for ball in balls:
-        seconds = clear_time(ball, rings, layers, seconds)
-    return seconds
 
 
 def _with_turn(ring: Ring, phase: float, spin: float) -> Ring:

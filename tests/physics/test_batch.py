@@ -76,7 +76,9 @@ def random_spins(batch, case, chance):
     for g in range(len(batch)):
         for k, ring in enumerate(case.arena.rings):
             if ring.spin != 0.0 and chance.random() < 0.1:
-                spins[g, k] = chance.choice((0.0, 1.5, *[0.99] * 6)) * chance.uniform(-1.0, 1.0) * case.speed / ring.outer_radius
+                spins[g, k] = (
+                    chance.choice((0.0, 1.5, *[0.99] * 6)) * chance.uniform(-1.0, 1.0) * case.speed / ring.outer_radius
+                )
     return spins
 
 
@@ -136,7 +138,8 @@ def test_a_squeezed_ball_is_dropped_and_put_outside_as_in_the_scalar_engine():
     ends = [Arena((Ball(9.9 + 0.01j * k, 8j, 0.25),), (left, right), ((PERMANENT,),) * 2) for k in range(4)]
     inner, outer = Ring(10.0, 0.5, math.pi, 1), Ring(11.5 + 1e-6, 0.5, math.pi, 1)
     faces = [Arena((Ball(10.75 + 5e-7 + 0j, 12.5 / TICK + 0j, 0.25),), (inner, outer), ((PERMANENT,),) * 2)]
-    for arenas, speed in ((ends, 8.0), (faces, 12.5 / TICK)):
+    for games, speed in ((ends, 8.0), (faces, 12.5 / TICK)):
+        arenas = games
         played, batch, flights = Played(), Batch(arenas, dt=TICK, speed=speed), [None] * len(arenas)
         for _ in range(60):
             steps, _done = compared(batch, arenas, flights, batch.spins.copy(), speed)
