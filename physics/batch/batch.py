@@ -9,13 +9,15 @@ import numpy as np
 import numpy.typing as npt
 
 from physics.batch.compilation import check_subnormals, compiled
-from physics.batch.games import Complexes, Floats, Games, Integers
+from physics.batch.games import Complexes, Floats, Games, Integers, Layers
 from physics.batch.hits import HIT
-from physics.shapes import Arena, Ball, Ring
+from physics.shapes import PERMANENT, Arena, Ball, Ring
 from physics.tolerances import LARGEST, MAX_IMPACTS, SMALLEST
 
 _ROWS = 4096
 """Rows for hits that a step begins with, beside those that one tick may need; more are made as they are needed."""
+
+_MOST_LAYERS = 2**31 - 1
 
 
 class Steps(NamedTuple):
@@ -85,7 +87,7 @@ class Batch:
         return _seen(self._games.spins)
 
     @property
-    def layers(self) -> Integers:
+    def layers(self) -> Layers:
         """(games, rings, slots of the fullest ring); 0 beyond a ring's count. Read-only, and changed by every step."""
         return _seen(self._games.layers)
 
@@ -133,10 +135,10 @@ class Batch:
     def put(self, game: int, arena: Arena) -> None:
         """Replace one game: a lost ball comes back, bricks are laid anew. ValueError where the arena has another shape."""
         _check_shape("arena", arena, self.arena(game))
-        for mine, new in zip(self._games[:6], _arrays([arena])[:6], strict=True):
-            mine[game] = new[0]
-        self._games.known[game] = 0
-        self._games.seconds[game] = 0.0
+        mine, new = self._games, _arrays([arena])
+        mine.positions[game], mine.velocities[game], mine.ball_radii[game] = new.positions, new.velocities, new.ball_radii
+        mine.phases[game], mine.spins[game], mine.layers[game] = new.phases, new.spins, new.layers
+        mine.known[game], mine.seconds[game] = 0, 0.0
 
     def _part(self, spins: Floats | None, first: int, last: int, ticks: int) -> npt.NDArray[Any]:
         """The hits of some of the games, these advanced."""
@@ -195,6 +197,9 @@ def _check_shape(name: str, arena: Arena, model: Arena) -> None:
             raise ValueError(f"{name}.rings[{k}] must be the first arena's but for phase and spin, not {ring}")
         if len(layers) != ring.count:
             raise ValueError(f"{name}.layers[{k}] must have {ring.count} entries, not {len(layers)}")
+        for left in layers:
+            if not (isinstance(left, int) and PERMANENT <= left <= _MOST_LAYERS):
+                raise ValueError(f"{name}.layers[{k}] must be whole numbers from {PERMANENT} to {_MOST_LAYERS}, not {left}")
 
 
 def _fixed(ring: Ring) -> tuple[float, ...]:
@@ -206,7 +211,7 @@ def _arrays(arenas: Sequence[Arena]) -> Games:
     """The arrays of these arenas, which have one shape."""
     rings = arenas[0].rings
     shape, balls = (len(arenas), len(rings)), (len(arenas), len(arenas[0].balls))
-    layers = np.zeros((*shape, max([ring.count for ring in rings], default=0)), np.int64)
+    layers = np.zeros((*shape, max([ring.count for ring in rings], default=0)), np.int32)
     for g, arena in enumerate(arenas):
         for k, row in enumerate(arena.layers):
             layers[g, k, : len(row)] = row

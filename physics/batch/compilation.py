@@ -134,7 +134,7 @@ def no_games() -> loop.Games:
     """The arrays of no game at all: the types to compile for."""
     real, integer = np.empty((0, 0)), np.empty(0, np.int64)
     plane, row = np.empty((0, 0), np.complex128), np.empty(0)
-    layers = np.empty((0, 0, 0), np.int64)
+    layers = np.empty((0, 0, 0), np.int32)
     return loop.Games(plane, plane, real, real, real, layers, row, row, row, integer, row, integer, row, integer, integer)
 
 

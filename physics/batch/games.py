@@ -20,6 +20,7 @@ from physics.tolerances import MAX_IMPACTS
 Floats = npt.NDArray[np.float64]
 Complexes = npt.NDArray[np.complex128]
 Integers = npt.NDArray[np.int64]
+Layers = npt.NDArray[np.int32]
 
 
 class Games(NamedTuple):
@@ -48,7 +49,7 @@ class Games(NamedTuple):
     ball_radii: Floats
     phases: Floats
     spins: Floats
-    layers: Integers
+    layers: Layers
     ring_radii: Floats
     half_widths: Floats
     half_angles: Floats
