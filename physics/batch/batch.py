@@ -195,6 +195,8 @@ def _check_shape(name: str, arena: Arena, model: Arena) -> None:
     for k, (ring, same, layers) in enumerate(zip(arena.rings, model.rings, arena.layers, strict=True)):
         if _fixed(ring) != _fixed(same):
             raise ValueError(f"{name}.rings[{k}] must be the first arena's but for phase and spin, not {ring}")
+        if arena is not model and layers is model.layers[k]:
+            continue
         if len(layers) != ring.count:
             raise ValueError(f"{name}.layers[{k}] must have {ring.count} entries, not {len(layers)}")
         for left in layers:
