@@ -1,13 +1,17 @@
 """The compiled batch is the scalar engine, to the bit, at every tick: state, hits, balls dropped and freed."""
 
 import math
+import re
+import subprocess
+import sys
 from random import Random
 
 import numpy as np
 import pytest
 
 from physics import PERMANENT, Arena, Ball, Ring, advance
-from physics.batch import Batch
+from physics.batch import Batch, compiled
+from tests.support.paths import ROOT
 from tools.fuzz.arenas import TICK, random_case, served
 
 pytest.importorskip("numba", reason="the batch needs the extra [batch]")
@@ -242,3 +246,21 @@ def test_a_batch_of_other_shapes_is_refused_when_put():
     batch = Batch([arena], dt=TICK, speed=8.0)
     with pytest.raises(ValueError, match="arena must have 1 balls, as the first, not 2"):
         batch.put(0, arena._replace(balls=arena.balls * 2))
+
+
+def test_another_process_loads_what_this_one_compiled():
+    """From disk, without compiling again."""
+    compiled()
+    code = "from physics.batch import compiled; print(compiled().cached)"
+    done = subprocess.run([sys.executable, "-c", code], cwd=ROOT, capture_output=True, text=True, check=True)
+    assert done.stdout == "True\n"
+
+
+def test_the_example_of_the_page_runs():
+    """As it stands; some balls are lost in its second, and some bricks are hit."""
+    text = (ROOT / "docs" / "batch.md").read_text(encoding="utf-8")
+    (example,) = re.findall(r"^```python\n(.*?)^```$", text, re.MULTILINE | re.DOTALL)
+    seen = {}
+    exec(example, seen)  # noqa: S102  # the project's own page
+    assert len(seen["steps"].hits) > 0
+    assert seen["steps"].hits["ring"].max() == 1
