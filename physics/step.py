@@ -13,7 +13,7 @@ from physics.time_of_impact import Impact, first_impact, touched_now
 from physics.tolerances import MAX_IMPACTS, OVERLAP
 from physics.vectors import length
 
-_LOOK_AHEAD = 256
+LOOK_AHEAD = 256
 """Ticks: how far ahead the free flight is computed."""
 
 
@@ -92,7 +92,7 @@ def advance(arena: Arena, dt: float, speed: float, flight: FreeFlight | None = N
             return Step(arena, (), 0, 0, flight)
         free = arena if flight is not None else all_freed(arena)  # in an arena with a known flight nothing overlaps
         near = flight is not None and seconds > 0.0  # the flight ends in this tick
-        _, seconds, turning = (free, 0.0, ()) if near else free_flight(free, dt if flight is None else _LOOK_AHEAD * dt)
+        _, seconds, turning = (free, 0.0, ()) if near else free_flight(free, dt if flight is None else LOOK_AHEAD * dt)
         if seconds < dt or free is not arena:
             return _flown(free, _moved_balls(arena, free), dt, speed)
     # Free flight, in the fewest operations: most ticks of a game are these lines and nothing else.
@@ -112,36 +112,55 @@ def _flown(arena: Arena, freed: int, dt: float, speed: float) -> Step:
 
     freed: how many balls had to be moved for that.
     """
-    balls, rings, layers = list(arena.balls), arena.rings, list(arena.layers)
+    balls, layers = list(arena.balls), list(arena.layers)
+    hits, dropped = answer_impacts(balls, arena.rings, layers, dt, speed)
+    turned = tuple([ring.turned(dt) if ring.spin != 0.0 else ring for ring in arena.rings])
+    end = Arena(tuple(balls), turned, tuple(layers))
+    if dropped > 0:
+        stuck, end = end, all_freed(end)
+        freed += _moved_balls(stuck, end)
+    return Step(end, tuple(hits), dropped, freed, (end, 0.0, ()))
+
+
+def answer_impacts(
+    balls: list[Ball], rings: Sequence[Ring], layers: list[tuple[int, ...]], dt: float, speed: float
+) -> tuple[list[Hit], int]:
+    """Fly the balls to the tick's end, in place: the hits on the way, and how many balls were dropped.
+
+    layers: changed in place too, with every hit. The rings are given at the tick's start, and are not turned.
+    """
     clocks, impacts = [0.0] * len(balls), [0] * len(balls)
     hits: list[Hit] = []
-    upcoming = [_next_impact(i, ball, 0.0, rings, layers, dt) for i, ball in enumerate(balls)]
-    while pending := [found for found in upcoming if found is not None]:
-        found = min(pending, key=_time_and_ball)
+    pending: list[_Next] = []
+    stale = list(range(len(balls)))  # whose next impact is not known
+    while True:
+        for j in stale:
+            following = _next_impact(j, balls[j], clocks[j], rings, layers, dt)
+            if following is not None:
+                pending.append(following)
+        if len(pending) == 0:
+            break
+        found = _earliest(pending)
         i = found.ball
         there = balls[i].moved(found.time - clocks[i])
         answered = _hits(found, there, rings, layers, speed)
-        hits += answered
         balls[i], clocks[i] = unchecked(Ball, (there.position, answered[0].after, there.radius)), found.time
         impacts[i] += 1
         for hit in answered:
-            layers[hit.ring] = _with_slot(layers[hit.ring], hit.slot, hit.layers)
-        for j, later in enumerate(upcoming):
-            if j == i or (later is not None and layers[later.ring][later.impact.slot] == 0):
-                free = impacts[j] < MAX_IMPACTS
-                upcoming[j] = _next_impact(j, balls[j], clocks[j], rings, layers, dt) if free else None
-    dropped = [count >= MAX_IMPACTS for count in impacts]
-    moved = [ball if out else ball.moved(dt - clock) for ball, clock, out in zip(balls, clocks, dropped, strict=True)]
-    turned = tuple([ring.turned(dt) if ring.spin != 0.0 else ring for ring in rings])
-    end = Arena(tuple(moved), turned, tuple(layers))
-    if any(dropped):
-        stuck, end = end, all_freed(end)
-        freed += _moved_balls(stuck, end)
-    return Step(end, tuple(hits), sum(dropped), freed, (end, 0.0, ()))
+            hits.append(hit)
+            set_layers(layers, hit.ring, hit.slot, hit.layers)
+        stale = [j for j in _withdrawn(pending, i, layers) if impacts[j] < MAX_IMPACTS]
+    dropped = 0
+    for i in range(len(balls)):
+        if impacts[i] < MAX_IMPACTS:
+            balls[i] = balls[i].moved(dt - clocks[i])
+        else:
+            dropped += 1
+    return hits, dropped
 
 
 def _next_impact(
-    index: int, ball: Ball, clock: float, rings: tuple[Ring, ...], layers: Sequence[tuple[int, ...]], dt: float
+    index: int, ball: Ball, clock: float, rings: Sequence[Ring], layers: Sequence[tuple[int, ...]], dt: float
 ) -> _Next | None:
     """The first impact of a ball, given where it is at `clock`, before the tick ends."""
     rest = dt - clock
@@ -157,32 +176,34 @@ def _next_impact(
     return first
 
 
-def _hits(
-    found: _Next, ball: Ball, rings: tuple[Ring, ...], layers: Sequence[tuple[int, ...]], speed: float
-) -> tuple[Hit, ...]:
+def _hits(found: _Next, ball: Ball, rings: Sequence[Ring], layers: Sequence[tuple[int, ...]], speed: float) -> list[Hit]:
     """The hit of an impact, or the two hits of a bounce off two sectors at once. ball: at that moment."""
     contact, slot, ring = found.impact.contact, found.impact.slot, rings[found.ring]
     for k, other in _touched_besides(found, ball, rings, layers):
         after = bounce_off_two(ball, contact, ring, other.contact, rings[k], speed)
         if after is not None:
+            after = complex(after.real, after.imag)  # for the compiler, which takes it for one that may be None still
             first = _hit(found, ball, found.ring, slot, contact, after, layers)
             return _in_order(first, _hit(found, ball, k, other.slot, other.contact, after, layers))
-    return (_hit(found, ball, found.ring, slot, contact, bounce(ball, contact, ring, speed), layers),)
+    return [_hit(found, ball, found.ring, slot, contact, bounce(ball, contact, ring, speed), layers)]
 
 
 def _touched_besides(
-    found: _Next, ball: Ball, rings: tuple[Ring, ...], layers: Sequence[tuple[int, ...]]
+    found: _Next, ball: Ball, rings: Sequence[Ring], layers: Sequence[tuple[int, ...]]
 ) -> list[tuple[int, Impact]]:
     """What else the ball touches and approaches at the moment of an impact: ring and impact, in the order of the rings.
 
     A ball above a sector is nearer to it than to any other of its ring.
     """
-    above = found.impact.contact.feature in (Feature.OUTER_FACE, Feature.INNER_FACE)
-    distance, touched = length(ball.position), []
+    feature = found.impact.contact.feature
+    above = feature == Feature.OUTER_FACE or feature == Feature.INNER_FACE  # noqa: PLR1714  # what compiles
+    distance = length(ball.position)
+    touched: list[tuple[int, Impact]] = []
     for k, ring in enumerate(rings):
         if not (above and k == found.ring) and in_band(distance, ball.radius * (1.0 + OVERLAP), ring):
-            impacts = touched_now(ball, ring.turned(found.time), layers[k])
-            touched += [(k, impact) for impact in impacts if impact is not None]
+            for impact in touched_now(ball, ring.turned(found.time), layers[k]):
+                if impact is not None:
+                    touched.append((k, impact))  # noqa: PERF401  # what compiles
     return touched
 
 
@@ -194,21 +215,40 @@ def _hit(
     return Hit(found.time, found.ball, k, slot, contact, ball.velocity, after, left)
 
 
-def _in_order(first: Hit, second: Hit) -> tuple[Hit, ...]:
+def _in_order(first: Hit, second: Hit) -> list[Hit]:
     """Two hits at one moment in the order of ring and slot; one where both are ends of the same sector."""
     if (first.ring, first.slot) == (second.ring, second.slot):
-        return (first,)
-    return (first, second) if (first.ring, first.slot) < (second.ring, second.slot) else (second, first)
+        return [first]
+    return [first, second] if (first.ring, first.slot) < (second.ring, second.slot) else [second, first]
 
 
-def _time_and_ball(found: _Next) -> tuple[float, int]:
-    """The order in which impacts are answered."""
-    return found.time, found.ball
+def _earliest(pending: Sequence[_Next]) -> _Next:
+    """The impact that is answered first: of equally early ones that of the lowest ball."""
+    found = pending[0]
+    for other in pending:
+        if (other.time, other.ball) < (found.time, found.ball):
+            found = other
+    return found
 
 
-def _with_slot(layers: tuple[int, ...], slot: int, left: int) -> tuple[int, ...]:
-    """A ring's layers with one slot changed."""
-    return (*layers[:slot], left, *layers[slot + 1 :])
+def _withdrawn(pending: list[_Next], ball: int, layers: Sequence[tuple[int, ...]]) -> list[int]:
+    """The balls whose pending impact is none any more after a hit of `ball`; their impacts are taken out."""
+    balls = []
+    for n in range(len(pending) - 1, -1, -1):
+        if pending[n].ball == ball or not _is_there(pending[n], layers):
+            balls.append(pending.pop(n).ball)  # noqa: PERF401  # two things are done
+    return balls
+
+
+def _is_there(found: _Next, layers: Sequence[tuple[int, ...]]) -> bool:
+    """Whether the sector of an impact has not been broken meanwhile."""
+    return layers[found.ring][found.impact.slot] != 0
+
+
+def set_layers(layers: list[tuple[int, ...]], ring: int, slot: int, left: int) -> None:
+    """Write what is left in one slot."""
+    before = layers[ring]
+    layers[ring] = (*before[:slot], left, *before[slot + 1 :])
 
 
 def _moved_balls(before: Arena, after: Arena) -> int:

@@ -26,6 +26,14 @@ WRONG = {
         "game/levels.py": "def f():\n    from tests import support",
     },
     "The physics knows neither the game nor the tools": {"physics/vectors.py": "def f():\n    from game import VERSION"},
+    "The physics is plain Python: arrays and compiled code are the batch's alone": {
+        "physics/trig.py": "import numpy",
+        "physics/sweep/band.py": "def f():\n    import numba",
+    },
+    "The batch is for tools and other programs: neither the physics nor the game imports it": {
+        "physics/step.py": "import physics.batch",
+        "game/rules.py": "def f():\n    from physics.batch import Batch",
+    },
     "The game runs on the hand-written physics: a second engine reaches it through its command line alone": {
         "game/app.py": "def f():\n    from tools import bench",
         "game/commands.py": "from tools.crosscheck import run",
@@ -86,8 +94,9 @@ def test_a_wrong_import_breaks_its_contract_and_is_named(broken, name):
 
 
 def strangers(graph):
-    """What the modules of the physics import of others, but for the little that they may."""
-    imported = {name for module in graph.modules for name in graph.find_modules_directly_imported_by(module)}
+    """What the modules of the physics, all but the batch, import of others, but for the little that they may."""
+    modules = {module for module in graph.modules if not module.startswith("physics.batch")}
+    imported = {name for module in modules for name in graph.find_modules_directly_imported_by(module)}
     return {name for name in imported if name.partition(".")[0] not in {"physics", *PURE_STDLIB}}
 
 

@@ -1,0 +1,183 @@
+"""The physics compiled by numba: the same functions, no copy of them.
+
+`register_jitable` tells numba that a function called from compiled code may be compiled as it stands. The methods and
+properties of `Ball` and `Ring` are handed over one by one, since numba takes a NamedTuple for a bare tuple.
+
+numba keeps compiled code on disk, but sees a change only in the file of the function that is called first. That function is
+therefore a closure over the hash of all sources of the physics, which numba makes part of the key.
+"""
+
+import functools
+import hashlib
+import sys
+import threading
+import time
+from collections.abc import Callable
+from importlib import resources
+from inspect import isfunction
+from typing import Any, NamedTuple
+
+import numpy as np
+
+import physics
+from physics.batch import games as loop
+from physics.batch.hits import HIT
+from physics.shapes import Ball, Ring, unchecked
+from physics.step import set_layers
+
+
+class Compiled(NamedTuple):
+    """The compiled loop.
+
+    Attributes:
+        steer: `physics.batch.games.steer`.
+        play: `physics.batch.games.play`.
+        seconds: that compiling took, or loading.
+        cached: whether it was loaded from disk.
+    """
+
+    steer: Callable[..., None]
+    play: Callable[..., tuple[int, int, int]]
+    seconds: float
+    cached: bool
+
+
+def check_numba() -> None:
+    """Raise ImportError, with what to do, where numba cannot be imported."""
+    try:
+        import numba  # noqa: F401, PLC0415  # only whether it can be
+    except (ImportError, OSError) as error:
+        wanted = "install the extra [batch]: python -m pip install 'polar-breakout[batch]'"
+        raise ImportError(f"physics.batch needs numba, which cannot be imported ({error}); {wanted}") from None
+
+
+def check_subnormals() -> None:
+    """Raise RuntimeError where this thread's processor takes subnormal floats for 0: every bit might differ.
+
+    A shared library built with fast-math switches that on for the whole process as it is loaded.
+    """
+    smallest = sys.float_info.min
+    if not (smallest * 0.5 > 0.0 and 2.0 * (smallest * 0.5) == smallest):
+        raise RuntimeError("flush-to-zero is switched on in this process, probably by a library built with fast-math")
+
+
+_LOCK = threading.Lock()
+_NOT_COMPILED = {"physics.batch", "physics.batch.batch", "physics.batch.compilation", "physics.batch.hits"}
+
+
+def compiled(progress: Callable[[float], None] | None = None) -> Compiled:
+    """The loop, compiled now unless it was before in this process, or lies on disk.
+
+    progress: called about once a second while it is compiled, with the seconds since the start.
+    Raises ImportError, naming the extra, where numba cannot be imported.
+    """
+    check_numba()
+    with _LOCK:
+        done = threading.Event()
+        start = time.perf_counter()
+
+        def report() -> None:
+            while progress is not None and not done.wait(1.0):
+                progress(time.perf_counter() - start)
+
+        reporter = threading.Thread(target=report, daemon=True)
+        reporter.start()
+        try:
+            return _compiled()
+        finally:
+            done.set()
+            reporter.join()
+
+
+def sources_hash() -> str:
+    """SHA-256 of all sources of the physics."""
+    digest = hashlib.sha256()
+    folders = [resources.files(physics)]
+    while folders:
+        for item in sorted(folders.pop().iterdir(), key=lambda item: item.name):
+            if item.is_dir():
+                folders.append(item)
+            elif item.name.endswith(".py"):
+                digest.update(item.name.encode() + b"\0" + item.read_bytes() + b"\0")
+    return digest.hexdigest()
+
+
+@functools.cache
+def _compiled() -> Compiled:
+    """Compile or load; once in a process."""
+    import numba  # noqa: PLC0415  # an extra
+
+    start = time.perf_counter()
+    _register()
+    key = sources_hash()
+    to_steer, to_play = loop.steer, loop.play
+
+    @numba.njit(cache=True, nogil=True)  # type: ignore[untyped-decorator, unused-ignore]
+    def steer(games, spins, first, last):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+        _ = key
+        to_steer(games, spins, first, last)
+
+    @numba.njit(cache=True, nogil=True)  # type: ignore[untyped-decorator, unused-ignore]
+    def play(games, first, last, tick, ticks, dt, speed, hits, count):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+        _ = key
+        return to_play(games, first, last, tick, ticks, dt, speed, hits, count)
+
+    games = numba.typeof(no_games())
+    integer, real = numba.int64, numba.float64
+    steer.compile((games, real[:, ::1], integer, integer))
+    play.compile((games, integer, integer, integer, integer, real, real, numba.typeof(np.empty(0, HIT)), integer))
+    hits = sum(play.stats.cache_hits.values())
+    return Compiled(steer, play, time.perf_counter() - start, hits > 0)
+
+
+def no_games() -> loop.Games:
+    """The arrays of no game at all: the types to compile for."""
+    real, integer = np.empty((0, 0)), np.empty(0, np.int64)
+    plane, row = np.empty((0, 0), np.complex128), np.empty(0)
+    layers = np.empty((0, 0, 0), np.int32)
+    return loop.Games(plane, plane, real, real, real, layers, row, row, row, integer, row, integer, row, integer, integer)
+
+
+def _register() -> None:
+    """Tell numba of every function of the physics, and of the methods and properties of Ball and Ring."""
+    from numba.extending import overload, register_jitable  # noqa: PLC0415  # an extra
+
+    for name in sorted(sys.modules):
+        if name.startswith("physics.") and name not in _NOT_COMPILED:
+            for function in list(vars(sys.modules[name]).values()):
+                if isfunction(function) and function.__module__ == name and function is not set_layers:
+                    register_jitable(function)
+    _register_members()
+
+    @overload(unchecked)
+    def _unchecked(cls, fields):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
+        whole = cls.instance_class
+        return lambda cls, fields: whole(*fields)  # noqa: ARG005
+
+    @overload(set_layers)
+    def _set_layers(layers, ring, slot, left):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
+        def write(layers, ring, slot, left):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+            layers[ring, slot] = left
+
+        return write
+
+
+def _register_members() -> None:
+    """The methods and properties. numba knows a NamedTuple's class, but nothing that the class has beside its fields."""
+    from numba.core.types import BaseNamedTuple  # noqa: PLC0415  # an extra
+    from numba.extending import overload_attribute, overload_method  # noqa: PLC0415
+
+    def of(cls: type, value: Any, function: Any) -> Any:
+        """The function for values of this class; None, which leaves the name to others, for all others."""
+        return function if getattr(value, "instance_class", None) is cls else None
+
+    overload_method(BaseNamedTuple, "theta", strict=False)(lambda self: of(Ball, self, Ball.theta))
+    overload_method(BaseNamedTuple, "moved", strict=False)(lambda self, time: of(Ball, self, Ball.moved))  # noqa: ARG005
+    overload_method(BaseNamedTuple, "angle", strict=False)(lambda self, slot: of(Ring, self, Ring.angle))  # noqa: ARG005
+    overload_method(BaseNamedTuple, "turned", strict=False)(lambda self, time: of(Ring, self, Ring.turned))  # noqa: ARG005
+    overload_method(BaseNamedTuple, "surface_velocity", strict=False)(
+        lambda self, point: of(Ring, self, Ring.surface_velocity)  # noqa: ARG005
+    )
+    for name in ("inner_radius", "outer_radius"):
+        getter = getattr(Ring, name).fget
+        overload_attribute(BaseNamedTuple, name, strict=False)(lambda self, getter=getter: of(Ring, self, getter))
