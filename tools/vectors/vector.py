@@ -95,10 +95,19 @@ def _drawn(plan: Plan, chance: Random, seen: set[tuple[str, tuple[float, ...]]])
     count = 0
     while count < plan.amount:
         arguments = tuple([number + 0.0 for number in plan.draw(chance)])
-        if (plan.function, arguments) not in seen and is_stable(plan.function, arguments):
+        new = (plan.function, arguments) not in seen
+        if new and is_asked(plan.function, arguments) and is_stable(plan.function, arguments):
             seen.add((plan.function, arguments))
             count += 1
             yield ChosenInput(plan.function, plan.trap, arguments)
+
+
+def is_asked(function: str, arguments: tuple[float, ...]) -> bool:
+    """Whether the slides ever ask for that: case 2 only where the ball's angle is outside of the sector's."""
+    if function != "narrow_phase_case_2":
+        return True
+    _, _, _, theta, _, theta_p, _, phi_p = arguments
+    return bool(SlideFunctions().min_difference(theta, theta_p) > phi_p)
 
 
 def is_stable(function: str, arguments: tuple[float, ...]) -> bool:

@@ -118,7 +118,7 @@ def _case_2_plans() -> tuple[Plan, ...]:
 
     def far(chance: Random) -> tuple[float, ...]:
         px, py, r, _, *sector = _at_end(chance, chance.choice([-1, 1]), usual, middle)
-        p = short(complex(px, py) * polar_point(1.0, chance.uniform(1.2, 2.0)))
+        p = short(complex(px, py) * polar_point(1.0, chance.uniform(1.2, 2.0) * chance.choice([-1, 1])))
         return p.real, p.imag, r, angle_of(p), *sector
 
     name = "narrow_phase_case_2"

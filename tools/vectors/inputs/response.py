@@ -28,13 +28,21 @@ def response_plans() -> tuple[Plan, ...]:
         Plan(name, "moving paddle", 80, lambda c: _call(c, mu=_between(c), sliding=3.0)),
         Plan(name, "paddle along n", 80, lambda c: _call(c, mu=_between(c), sliding=1.0, coming=(-0.4, 0.4))),
         Plan(name, "separating", 80, lambda c: _call(c, mu=_between(c), sliding=1.0, away=True)),
-        Plan(name, "carried", 60, lambda c: _call(c, mu=_between(c), sliding=2.0, coming=(0.5, 0.95))),
+        Plan(name, "carried", 60, _carried),
     )
 
 
 def _between(chance: Random) -> float:
     """A friction between 0 and 1."""
     return decimal(chance, 0.1, 0.9)
+
+
+def _carried(chance: Random) -> tuple[float, ...]:
+    """A grazing ball, and a surface that comes after it almost as fast as the ball is, and drags it sideways."""
+    n, speed, side = unit(chance), chance.choice(_SPEEDS), chance.choice([-1, 1])
+    v = _tidy(n * complex(-0.28, 0.96 * side) * speed)
+    v_p = _tidy(n * complex(decimal(chance, 0.8, 0.97), decimal(chance, 2.0, 4.0) * side) * speed)
+    return v.real, v.imag, n.real, n.imag, v_p.real, v_p.imag, decimal(chance, 0.5, 1.0), speed
 
 
 def _call(
