@@ -14,7 +14,7 @@ MOST_ENDINGS = 5
 
 
 class CheckedVector(NamedTuple):
-    """A vector and the answer. right: the answer is the source's, or a topic's beyond it. topic: its name, "" for the source's."""
+    """A vector and the answer. right: it is the source's, or a topic's beyond it. topic: its name, "" for the source's."""
 
     vector: ConformanceVector
     reply: Reply

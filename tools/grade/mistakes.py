@@ -174,6 +174,16 @@ _ANGLES = (
     ),
     NamedMistake("degrees for radians", _Degrees, "Sine, cosine and atan2 work in radians, and a full turn is 2π, not 360."),
     NamedMistake(
+        "degrees for radians",
+        _without("to_cartesian", lambda _, r, a: _Degrees().to_cartesian(r, a)),
+        "The angle is in radians already, and so is what sine and cosine take.",
+    ),
+    NamedMistake(
+        "degrees for radians",
+        _without("to_polar", lambda _, p: _Degrees().to_polar(p)),
+        "atan2 answers in radians, and so must you.",
+    ),
+    NamedMistake(
         "x and y swapped",
         _without("to_polar", lambda f, p: (abs(p), f.normalize_angle(math.atan2(p.real, p.imag)))),
         "It is atan2(y, x), with y first.",

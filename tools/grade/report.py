@@ -88,15 +88,15 @@ def _function_lines(found: FunctionGrade, findings: FunctionFindings) -> Iterato
         return
     wrong = [f"{trap} ({count - right} of {count})" for trap, (right, count) in found.traps.items() if right < count]
     yield f"    wrong at: {', '.join(wrong)}"
-    smallest = found.wrong[0]
-    yield f"    simplest: {call_text(smallest)}"
-    yield f"      expected {result_text(smallest.vector.expected)}, got {answer_text(smallest)}"
+    if findings.simplest is not None:
+        yield f"    simplest: {call_text(findings.simplest)}"
+        yield f"      expected {result_text(findings.simplest.vector.expected)}, got {answer_text(findings.simplest)}"
     if findings.lab_line is not None:
         yield f"      python -m game lab '{findings.lab_line}'"
     for mistake in findings.mistakes:
         yield f"    mistake: {mistake.name}. {mistake.hint}"
     problems = [checked for checked in found.wrong if checked.reply.problem is not None]
-    if problems and problems[0] is not smallest:
+    if problems and problems[0] is not findings.simplest:
         yield f"    no answer: {len(problems)} times, such as {answer_text(problems[0])}"
 
 

@@ -42,8 +42,8 @@ def _record(found: FunctionGrade, findings: FunctionFindings) -> dict[str, objec
         "mistakes": [{"name": mistake.name, "hint": mistake.hint} for mistake in findings.mistakes],
         "beyond": {topic: {"source": own, "beyond": beyond} for topic, (own, beyond) in found.topics.items()},
     }
-    if found.wrong:
-        smallest = found.wrong[0]
+    smallest = findings.simplest
+    if smallest is not None:
         record["simplest"] = {
             "id": smallest.vector.name,
             "trap": smallest.vector.trap,

@@ -42,7 +42,7 @@ def _in_quadrant(chance: Random, number: int) -> tuple[float, float]:
 
 
 def _sums() -> tuple[Plan, ...]:
-    """Sums and differences of normalised angles that stay in range, and that leave it. Slide 11 lets functions assert normalised ones."""
+    """Sums and differences that stay in range, and that leave it; of normalised angles, which slide 11 lets one assert."""
     return (
         Plan("add_angles", "in range", 160, lambda c: (decimal(c, 0.0, 3.1), decimal(c, 0.01, 3.1))),
         Plan("add_angles", "seam crossed", 240, lambda c: (decimal(c, 3.2, _TURN), decimal(c, 3.2, _TURN))),
