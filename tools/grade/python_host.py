@@ -91,7 +91,7 @@ def _plain(result: Any) -> Any:
 
 def _problem(error: BaseException, path: Path) -> str:
     """Where and why the student's code failed, in one line."""
-    words = " ".join(f"{type(error).__name__}: {error}".split()).removesuffix(": ")
+    words = " ".join(f"{type(error).__name__}: {error}".split()).removesuffix(":")
     if isinstance(error, SyntaxError) and error.filename == str(path):
         return f"line {error.lineno}: {words}"
     lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]

@@ -27,9 +27,9 @@ def angle_plans() -> tuple[Plan, ...]:
         Plan("normalize_angle", "below 0", 120, lambda c: (decimal(c, -_TURN, -0.01),)),
         Plan("normalize_angle", "above 2 pi", 120, lambda c: (decimal(c, 6.29, 12.56),)),
         Plan("normalize_angle", "several turns", 120, lambda c: (c.choice([-1, 1]) * decimal(c, 12.57, 60.0),)),
-        Plan("to_cartesian", "in range", 120, lambda c: (decimal(c, 0.1, 14.0), decimal(c, 0.01, _TURN))),
-        Plan("to_cartesian", "below 0", 120, lambda c: (decimal(c, 0.1, 14.0), decimal(c, -_TURN, -0.01))),
-        Plan("to_cartesian", "above 2 pi", 120, lambda c: (decimal(c, 0.1, 14.0), decimal(c, 6.29, 12.56))),
+        Plan("to_cartesian", "in range", 120, lambda c: (decimal(c, 0.1, 10.0), decimal(c, 0.01, _TURN))),
+        Plan("to_cartesian", "below 0", 120, lambda c: (decimal(c, 0.1, 10.0), decimal(c, -_TURN, -0.01))),
+        Plan("to_cartesian", "above 2 pi", 120, lambda c: (decimal(c, 0.1, 10.0), decimal(c, 6.29, 12.56))),
         *[Plan("to_polar", f"quadrant {k}", 100, lambda c, k=k: _in_quadrant(c, k)) for k in (1, 2, 3, 4)],  # type: ignore[misc]
     )
     return (*one, *_sums(), *_comparisons())
