@@ -98,7 +98,7 @@ def test_junit_has_a_suite_for_each_function(capsys, mine, tmp_path):
 
 
 def test_a_teachers_file_sets_what_counts(capsys, mine, tmp_path):
-    """A function that must be there and is not has no points; weights weigh; what is not listed is shown, and does not count."""
+    """A function that must be there and is not has no points; what is not listed is shown, and does not count."""
     scheme = tmp_path / "scheme.toml"
     scheme.write_text('title = "Homework 3"\nfunctions = ["add_angles", "on_left"]\nweights = { add_angles = 3 }\n')
     code, out, _ = graded(capsys, mine(ANGLES + "def to_polar(p): return 1\n"), "--scheme", scheme)
@@ -186,7 +186,8 @@ def test_a_command_is_graded(capsys, tmp_path):
     program.write_text(
         "import json, sys\nfor line in sys.stdin:\n    q = json.loads(line)\n"
         "    known = q['function'] == 'add_angles'\n"
-        "    print(json.dumps({'result': sum(q['arguments']) % 6.283185307179586} if known else {'undefined': True}), flush=True)\n"
+        "    answer = {'result': sum(q['arguments']) % 6.283185307179586} if known else {'undefined': True}\n"
+        "    print(json.dumps(answer), flush=True)\n"
     )
     code, out, _ = graded(capsys, "--command", f"{sys.executable} {program}")
     assert (code, out.splitlines()[-1]) == (0, "RIGHT: score 100.0 of 100, 1 of 1 functions right, seed 0")
@@ -194,6 +195,12 @@ def test_a_command_is_graded(capsys, tmp_path):
 
 def test_points_may_be_of_the_students_own_kind(capsys, mine):
     """A file with make_point gets its points so; pairs and tuples are answers, too."""
-    text = "def make_point(x, y): return {'x': x, 'y': y}\ndef narrow_phase_case_1(p, r_p):\n    d = (p['x'] ** 2 + p['y'] ** 2) ** 0.5\n    s = -1 if d < r_p else 1\n    return s * p['x'] / d, s * p['y'] / d\n"
+    text = (
+        "def make_point(x, y): return {'x': x, 'y': y}\n"
+        "def narrow_phase_case_1(p, r_p):\n"
+        "    d = (p['x'] ** 2 + p['y'] ** 2) ** 0.5\n"
+        "    s = -1 if d < r_p else 1\n"
+        "    return s * p['x'] / d, s * p['y'] / d\n"
+    )
     code, out, _ = graded(capsys, mine(text))
     assert (code, out.splitlines()[-1]) == (0, "RIGHT: score 100.0 of 100, 1 of 1 functions right, seed 0")

@@ -27,7 +27,8 @@ def subtract_angles(a, b):
 
 def with_fault(fault):
     """A file whose min_difference does something else where a is 1.5, and is right elsewhere."""
-    return f"{RIGHT}def min_difference(a, b):\n    if a == 1.5:\n        {fault}\n    d = subtract_angles(a, b)\n    return min(d, 6.283185307179586 - d)\n"
+    rest = "    d = subtract_angles(a, b)\n    return min(d, 6.283185307179586 - d)\n"
+    return f"{RIGHT}def min_difference(a, b):\n    if a == 1.5:\n        {fault}\n{rest}"
 
 
 def chosen(published):
@@ -178,7 +179,7 @@ def test_ctrl_c_ends_the_students_program(children, tmp_path):
         os.kill(number, 0)
 
 
-def test_the_clock_is_the_default(monkeypatch):
+def test_the_clock_is_the_default():
     """A wait ends with the next line, or without one when the time is over."""
     lines = queue.SimpleQueue()
     lines.put(b"first")

@@ -45,7 +45,7 @@ ORACLE = {
 
 @pytest.mark.parametrize("seed", [0, 1, 2])
 def test_the_results_are_the_slides(seed):
-    """A transcription that shares no code with the vectors' own answers the same, to the tolerance; and divides by zero where they do."""
+    """A transcription that shares no code with the vectors answers the same, and divides by zero where they are undefined."""
     for vector in vectors(seed):
         try:
             found = ORACLE[vector.function](vector.arguments)

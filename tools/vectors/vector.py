@@ -111,18 +111,19 @@ def is_asked(function: str, arguments: tuple[float, ...]) -> bool:
 
 
 def is_stable(function: str, arguments: tuple[float, ...]) -> bool:
-    """Whether small changes of the arguments change every accepted answer a little only."""
+    """Whether small changes of the arguments, one at a time, change every accepted answer a little only."""
     kind = SIGNATURES[function].result
-    shifts = Random(len(arguments))
+    shifted = [
+        (*arguments[:k], number + step, *arguments[k + 1 :])
+        for k, number in enumerate(arguments)
+        for step in (-_DISTURBANCE, _DISTURBANCE)
+    ]
     for functions in (SlideFunctions(), *[topic.functions() for topic in alternatives(function).values()]):
         try:
-            answers = [
-                answer(functions, function, [a + shifts.uniform(-1.0, 1.0) * step for a in arguments])
-                for step in (0.0, _DISTURBANCE, _DISTURBANCE, _DISTURBANCE)
-            ]
+            found = answer(functions, function, arguments)
+            if not all([agrees(kind, answer(functions, function, other), found, _JUMP) for other in shifted]):
+                return False
         except ZeroDivisionError:
-            return False
-        if not all([agrees(kind, other, answers[0], _JUMP) for other in answers[1:]]):
             return False
     return True
 
