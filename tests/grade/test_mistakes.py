@@ -5,6 +5,8 @@ import subprocess
 
 import pytest
 
+import physics
+from game.lab.session.share import parsed
 from tests.grade.wrong_files import RIGHT, WRONG_FILES
 from tests.support.paths import ROOT
 from tools.grade.findings import all_findings
@@ -138,6 +140,36 @@ def test_the_lab_shows_vectors_of_every_function(published):
         assert len([line for line in lines if line is not None]) > (0.4 if name == "collision_response" else 0.9) * len(
             lines
         ), name
+
+
+def test_the_lab_draws_what_it_is_given(published):
+    """A line of every function and trap opens, and its scene's claims hold."""
+    seen = set()
+    for vector in published:
+        line = lab_line(vector) if (vector.function, vector.trap) not in seen else None
+        if line is not None:
+            seen.add((vector.function, vector.trap))
+            scene, given, _ = parsed(line)
+            assert scene.shows(given).panes
+            assert [claim for claim in scene.check(given) if not claim.holds] == [], line
+    assert {function for function, _ in seen} == set(SIGNATURES)
+
+
+def test_the_lab_shows_a_bounce_turned(published):
+    """The scene's bounce, its normal upwards, is the vector's, turned."""
+    count = 0
+    for vector in published:
+        line = lab_line(vector) if vector.function == "collision_response" and vector.defined and not vector.also else None
+        if line is None:
+            continue
+        given = parsed(line).given
+        speed, spin = given.number("speed"), given.number("spin") if "paddle" in line else 0.0
+        v, friction = physics.to_cartesian(speed, given.angle("heading")), given.number("mu")
+        after = physics.collision_response(v, 1j, -9.5 * spin + 0j, friction, speed)
+        normal = complex(*vector.arguments[2:4])
+        assert abs(after - complex(*vector.expected) * 1j / normal) < 1e-9 * speed, line
+        count += 1
+    assert count > 200
 
 
 CPP_MISTAKES = {

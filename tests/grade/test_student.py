@@ -121,6 +121,13 @@ def test_a_result_of_the_wrong_kind_is_wrong(students, published, fault):
     assert one_lost(students(with_fault(fault)), published).problem is None
 
 
+def test_the_students_code_finds_its_own_modules(students, published, tmp_path):
+    """Those beside the file, whatever they are called; and none of the grading's."""
+    (tmp_path / "report.py").write_text("TURN = 6.283185307179586")
+    text = with_fault("import scheme").replace("6.283185307179586", "report.TURN")
+    assert one_lost(students(f"import report\n{text}"), published).problem.endswith("No module named 'scheme'")
+
+
 def test_what_the_students_code_prints_is_no_answer(students, published):
     """A line printed for every call changes nothing."""
     text = with_fault("return 9").replace("    d = sub", "    print('d is', a - b)\n    d = sub")

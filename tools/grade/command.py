@@ -5,7 +5,7 @@ import shutil
 import sys
 from pathlib import Path
 
-from game.system.errors import BadInputError
+from game.system.errors import BadInputError, EnvironmentMissingError
 from tools.crosscheck.files import check_writable, write_whole
 from tools.grade.findings import all_findings
 from tools.grade.grading import grade
@@ -14,6 +14,8 @@ from tools.grade.report_files import json_text, junit_text
 from tools.grade.scheme import Scheme, load_scheme
 from tools.grade.student import Limits, Student, Wait, next_line
 from tools.vectors.vector import vectors
+
+_HOST = Path(__file__).with_name("python_host.py")
 
 
 def grade_program(
@@ -48,12 +50,14 @@ def grade_program(
 
 def chosen_program(file: Path | None, command: str | None) -> list[str]:
     """The program to ask: a Python file's host, or a command. BadInputError unless it is exactly one of them, and is there."""
+    if not _HOST.is_file():
+        raise EnvironmentMissingError("grading runs files of this package, and cannot do so from a zip archive: unpack it")
     if (file is None) is (command is None):
         raise BadInputError("expected a Python file or --command, one of them")
     if file is not None:
         if not file.is_file():
             raise BadInputError(f"{file}: no such file")
-        return [sys.executable, str(Path(__file__).with_name("python_host.py")), str(file.resolve())]
+        return [sys.executable, str(_HOST), str(file.resolve())]
     try:
         words = shlex.split(command or "", posix=sys.platform != "win32")
     except ValueError as error:

@@ -26,7 +26,7 @@ def angle_plans() -> tuple[Plan, ...]:
         Plan("normalize_angle", "in range", 80, lambda c: (decimal(c, 0.01, _TURN),)),
         Plan("normalize_angle", "below 0", 120, lambda c: (decimal(c, -_TURN, -0.01),)),
         Plan("normalize_angle", "above 2 pi", 120, lambda c: (decimal(c, 6.29, 12.56),)),
-        Plan("normalize_angle", "several turns", 120, lambda c: (c.choice([-1, 1]) * decimal(c, 12.57, 60.0),)),
+        Plan("normalize_angle", "several turns", 120, lambda c: (c.choice([-1, 1]) * decimal(c, 12.57, 18.84),)),
         Plan("to_cartesian", "in range", 120, lambda c: (decimal(c, 0.1, 10.0), decimal(c, 0.01, _TURN))),
         Plan("to_cartesian", "below 0", 120, lambda c: (decimal(c, 0.1, 10.0), decimal(c, -_TURN, -0.01))),
         Plan("to_cartesian", "above 2 pi", 120, lambda c: (decimal(c, 0.1, 10.0), decimal(c, 6.29, 12.56))),
