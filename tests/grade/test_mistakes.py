@@ -75,7 +75,7 @@ def test_the_games_own_functions_have_full_marks(students, published):
 @pytest.mark.parametrize("wrong", WRONG_FILES, ids=lambda wrong: f"{wrong.name}: {wrong.wrong.strip()}")
 def test_a_mistake_is_found_and_named(students, published, wrong):
     """In just the functions that it makes wrong, by one name in all of them; and the lab shows a wrong answer."""
-    found = graded(students(wrong.text()), published)
+    found = graded(students(wrong.text()), [vector for vector in published if vector.number % 3 == 1])
     findings = all_findings(found)
     assert wrong_functions(found) == wrong.functions
     assert not found.right

@@ -14,7 +14,7 @@ from types import ModuleType
 from typing import Any
 
 sys.path[0] = str(Path(__file__).resolve().parents[2])  # in place of this folder, whose modules the student must not find
-from tools.vectors.signatures import SIGNATURES, Signature
+from tools.vectors.signatures import SIGNATURES, Signature  # noqa: E402
 
 del sys.path[0]
 
