@@ -193,6 +193,17 @@ def test_a_command_is_graded(capsys, tmp_path):
     assert (code, out.splitlines()[-1]) == (0, "RIGHT: score 100.0 of 100, 1 of 1 functions right, seed 0")
 
 
+@pytest.mark.parametrize(("words", "problem"), [("exit()", "(exit code 0)"), ("print('hello')", "not an answer: hello")])
+def test_a_program_that_answers_nothing_is_bad_input(capsys, tmp_path, words, problem):
+    """It is said after the first question, not after thousands."""
+    program = tmp_path / "student.py"
+    program.write_text(f"import sys\nsys.stdin.readline()\n{words}\n")
+    code, out, err = graded(capsys, "--command", f"{sys.executable} {program}")
+    assert (code, out, len(err.splitlines())) == (2, "", 1)
+    assert "the program answers no question" in err
+    assert problem in err
+
+
 def test_points_may_be_of_the_students_own_kind(capsys, mine):
     """A file with make_point gets its points so; pairs and tuples are answers, too."""
     text = (

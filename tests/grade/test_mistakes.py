@@ -109,9 +109,16 @@ def test_a_mistake_beside_a_refinement_is_named(students, published):
     assert [mistake.name for mistake in named] == ["normal the wrong way round"]
 
 
-def test_an_unknown_mistake_has_no_name(students, published):
-    """Nothing is guessed."""
-    text = RIGHT.read_text(encoding="utf-8").replace("change_n = -2 * dv_n", "change_n = -2.3 * dv_n + 0.1")
+@pytest.mark.parametrize(
+    ("line", "wrong"),
+    [
+        ("change_n = -2 * dv_n", "change_n = -2.3 * dv_n + 0.1"),
+        ("change_t = -mu_p *", "change_t = -(mu_p if mu_p < 0.5 else 0) *"),
+    ],
+)
+def test_an_unknown_mistake_has_no_name(students, published, line, wrong):
+    """Nothing is guessed, also where a mistake would explain the wrong answers, but not the right ones."""
+    text = RIGHT.read_text(encoding="utf-8").replace(line, wrong)
     found = graded(students(text), [vector for vector in published if vector.function == "collision_response"])
     assert wrong_functions(found) == {"collision_response"}
     assert all_findings(found)["collision_response"].mistakes == ()

@@ -1,5 +1,6 @@
 """A student's program that loops, crashes, prints garbage or eats memory: it costs the questions that it fails, and no more."""
 
+import contextlib
 import os
 import queue
 import signal
@@ -168,7 +169,11 @@ def test_what_the_program_has_started_ends_with_it(students, tmp_path):
         stat = Path(f"/proc/{number}/stat")
         return stat.exists() and stat.read_text().split()[2] == "Z"  # ended, and not yet waited for by its new parent
 
-    eventually(ended)
+    try:
+        eventually(ended)
+    finally:
+        with contextlib.suppress(ProcessLookupError):
+            os.kill(number, signal.SIGKILL)
 
 
 @posix

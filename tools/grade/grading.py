@@ -4,6 +4,7 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from game.system.errors import BadInputError
 from tools.grade.scheme import Scheme
 from tools.grade.student import Reply, Student
 from tools.vectors.signatures import SIGNATURES, agrees
@@ -102,7 +103,13 @@ class Grade(NamedTuple):
 
 
 def grade(student: Student, vectors: Sequence[ConformanceVector], scheme: Scheme, seed: int = 0) -> Grade:
-    """Ask about every vector, function by function. What the scheme does not count is asked, too, at a weight of 0."""
+    """Ask about every vector, function by function. What the scheme does not count is asked, too, at a weight of 0.
+
+    BadInputError is raised for a program that does not survive a first question, about a function that nobody has.
+    """
+    reply = student.ask("ready", [0.0])
+    if reply.ended:
+        raise BadInputError(f"the program answers no question: {reply.problem}")
     functions = []
     for name in SIGNATURES:
         checked = _checked(student, [vector for vector in vectors if vector.function == name], scheme)
