@@ -5,8 +5,6 @@ from pathlib import Path
 
 import pytest
 
-pytest.importorskip("mpmath", reason="the expected results need mpmath, the extra [grade]")
-
 from tests.support.paths import ROOT
 from tools.grade.student import Limits, Student, next_line
 from tools.vectors.vector import vectors
