@@ -39,7 +39,7 @@ from game.scene import scene_at, still
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.help import Help
-from game.screens.play import Play
+from game.screens.play import PlayScreen
 from game.screens.settings_panel import SettingsPanel
 from game.screens.title import Title
 from game.system import window as display
@@ -170,7 +170,7 @@ def game_frames(level: int, view: Viewpoint, orbit: float = 0.0) -> Iterator[Dra
 def panel_frames(level: int, panel: Callable[[AppState, Screen], Screen], *, opening: bool = False) -> Iterator[Draw]:
     """Frames of a panel over a game. opening: each is the first of a panel that has just been opened."""
     state = AppState(built_in(), level - 1, 1, Title, autopilot=True)
-    play: Screen = Play(state, built_in()[level - 1 :])
+    play: Screen = PlayScreen(state, built_in()[level - 1 :])
     shown = panel(state, play)
     while True:
         yield (panel(state, play) if opening else shown).draw
