@@ -27,7 +27,7 @@ def list_scenes() -> None:
         for scene in chapter_scenes:
             table.add_row(scene.name, scene.title, ", ".join([str(row) for row in scene.rows]))
     Console().print(table)
-    tell('"Beyond the source": the last table of docs/algorithm.md')
+    tell('"Beyond the source" is a table in docs/algorithm.md')
 
 
 def check_scenes(line: str | None, drags: int, engine: Engine | None) -> None:

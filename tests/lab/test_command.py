@@ -28,7 +28,7 @@ def test_the_list_has_the_chapters_and_says_where_the_rows_are(capsys):
     _, out, _ = polar(capsys, "lab", "--list")
     lines = out.splitlines()
     assert 'rows of "Beyond the source"' in lines[0]
-    assert lines[-1].endswith("docs/algorithm.md")
+    assert lines[-1].endswith("is a table in docs/algorithm.md")
     heads = [line.strip() for line in lines if line.startswith("-- ")]
     assert heads == ["-- angles", "-- broad phase", "-- narrow phase", "-- response", "-- time of impact", "-- runs"]
     listed = [scene for chapter in chapters().values() for scene in chapter]
