@@ -10,7 +10,8 @@ PROGRAM = "polar-breakout"
 def main() -> None:
     """Run the command line and exit."""
     prepare(PROGRAM)
-    from game.commands import app  # noqa: PLC0415  # takes time to load, in which a signal may come
+    # Imported after `prepare`, so that Ctrl+C during the slow load is handled.
+    from game.commands import app  # noqa: PLC0415
     from game.system.command_line import run  # noqa: PLC0415
 
     sys.exit(run(app, PROGRAM))

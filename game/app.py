@@ -21,7 +21,7 @@ from game.replays.file import Recording
 from game.replays.playback import Playback
 from game.screens.app_state import AppState, Recorder
 from game.screens.base import Listener, Screen
-from game.screens.play import Play
+from game.screens.play import PlayScreen
 from game.screens.title import Title
 from game.screens.watch import Watch
 from game.second_opinion import Compare
@@ -75,7 +75,7 @@ def play(
     catalogue = built_in() if levels[0] in built_in() else levels
     state = _state(catalogue, services, catalogue.index(levels[0]), seed)
     state.recorder, state.autopilot, state.physics = recorder, autopilot, physics
-    return _shown(state, lambda: Play(state, levels) if autopilot else Title(state), services, Audio)
+    return _shown(state, lambda: PlayScreen(state, levels) if autopilot else Title(state), services, Audio)
 
 
 def watch(recording: Recording, services: Services = NO_SERVICES) -> int:

@@ -61,7 +61,8 @@ def play(
     context: typer.Context,
     level: Annotated[str, typer.Option(help="Start at a level: its number, its name, or a TOML file of one's own.")] = "1",
     seed: Annotated[
-        int | None, typer.Option(min=0, max=2**63 - 1, help="Seed of the game's chance.", show_default="random")
+        int | None,
+        typer.Option(min=0, max=2**63 - 1, help="Seed of the game's chance.", show_default="1 if --headless, else random"),
     ] = None,
     headless: Annotated[bool, typer.Option("--headless", help="Play without a window and print one result line.")] = False,
     autopilot: Annotated[bool, typer.Option("--autopilot", help="Let the program play.")] = False,
@@ -73,7 +74,7 @@ def play(
     ] = "swept",
     screenshot: Annotated[Path | None, typer.Option(help="Draw the last tick of a headless game into this PNG file.")] = None,
     size: Annotated[str, typer.Option(metavar="WxH", help="Size of the screenshot in pixels.")] = "1280x800",
-    view: Annotated[Literal["top", "3d"], typer.Option(help="Where the screenshot is seen from.")] = "top",
+    view: Annotated[Literal["flat", "solid"], typer.Option(help="The screenshot's view: from above, or in 3D.")] = "flat",
     version: Annotated[bool, typer.Option("--version", help="Print the version.")] = False,
 ) -> None:
     """Play the circular Breakout; without options, in a window."""
@@ -101,8 +102,8 @@ def play(
     if headless:
         last = _play_headless(_ChosenGame(levels, 1 if seed is None else seed, record, _PHYSICS[physics]), ticks)
         if screenshot is not None:
-            _save_screenshot(last, screenshot, pixels, tipped=view == "3d")
-        tell(result_line(last.game))
+            _save_screenshot(last, screenshot, pixels, solid=view == "solid")
+        tell(result_line(last.game, physics))
         return
     seed = random.SystemRandom().getrandbits(32) if seed is None else seed
     _play_in_window(_ChosenGame(levels, seed, record, _PHYSICS[physics]), autopilot=autopilot)
@@ -115,11 +116,17 @@ def list_levels() -> None:
     from rich.table import Table  # noqa: PLC0415
 
     table = Table(box=None, pad_edge=False)
-    for heading, justify in (("#", "right"), ("name", "left"), ("bricks", "right"), ("description", "left")):
+    for heading, justify in (
+        ("#", "right"),
+        ("name", "left"),
+        ("bricks", "right"),
+        ("layers", "right"),
+        ("description", "left"),
+    ):
         table.add_column(heading, justify="right" if justify == "right" else "left", no_wrap=heading == "name")
     for number, level in enumerate(built_in(), 1):
-        bricks = sum([layers for ring in level.rings for layers in ring.slots() if layers > 0])
-        table.add_row(str(number), level.name, str(bricks), level.description)
+        stacks = [layers for ring in level.rings for layers in ring.slots() if layers > 0]
+        table.add_row(str(number), level.name, str(len(stacks)), str(sum(stacks)), level.description)
     Console().print(table)
 
 
@@ -315,7 +322,7 @@ def _second_engine() -> Engine:
 def _demonstrate(chosen_game: _ChosenGame) -> None:
     """A short game of the autopilot and a picture of how it stands."""
     last = _play_headless(chosen_game, _DEMO_TICKS)
-    tell(result_line(last.game))
+    tell(result_line(last.game, "swept" if chosen_game.physics is SWEPT else "source"))
     for folder in _picture_folders():
         path = free_path(folder, "polar-breakout.png")
         with contextlib.suppress(BadInputError):
@@ -331,14 +338,14 @@ def _picture_folders() -> Iterator[Path]:
         yield Path(tempfile.gettempdir())
 
 
-def _save_screenshot(last: _Last, path: Path, size: tuple[int, int], *, tipped: bool = False) -> None:
+def _save_screenshot(last: _Last, path: Path, size: tuple[int, int], *, solid: bool = False) -> None:
     """Draw a game into a PNG file; BadInputError where it cannot be written."""
     check_pygame()
-    from game.input.view import FROM_ABOVE, TIPPED  # noqa: PLC0415  # pygame, only where it is needed
+    from game.input.view import FLAT, SOLID  # noqa: PLC0415  # pygame, only where it is needed
     from game.screenshot import save_screenshot  # noqa: PLC0415
 
     try:
-        save_screenshot(last.game, path, size, view=TIPPED if tipped else FROM_ABOVE, effects=after_all(last.passed))
+        save_screenshot(last.game, path, size, view=SOLID if solid else FLAT, effects=after_all(last.passed))
     except OSError as error:
         raise BadInputError(f"--screenshot {quoted_path(path)}: cannot write; {error.strerror or error}") from None
 

@@ -4,10 +4,10 @@ import sys
 from collections.abc import Callable, Iterable
 
 from game.autopilot import Autopilot
-from game.levels import Level
+from game.levels import Level, number_of
 from game.replays.file import Recorder
 from game.replays.state_hash import state_hash
-from game.rules import Advance, Game, Phase, Ticked, bricks_left, new_game, tick
+from game.rules import Advance, Game, Phase, Ticked, layers_left, new_game, tick
 from game.system.ending import pending
 from physics import advance as swept_advance
 
@@ -41,11 +41,16 @@ def autopilot_game(
     return game
 
 
-def result_line(game: Game) -> str:
-    """The one line that says how a game stands."""
+def result_line(game: Game, physics: str = "swept") -> str:
+    """The one line that says how a game stands.
+
+    level: its number among those that come with the game, as the window shows it. layers: still to be broken in it.
+    physics: name of what flew the balls, as `--physics` takes it.
+    """
+    number, _ = number_of(game.level, game.levels)
     return (
-        f"ticks={game.tick} level={game.number + 1} phase={game.phase.name.lower()} score={game.score} "
-        f"lives={game.lives} bricks={bricks_left(game)} hash={state_hash(game)}"
+        f"ticks={game.tick} seed={game.seed} physics={physics} level={number} phase={game.phase.name.lower()} "
+        f"score={game.score} lives={game.lives} layers={layers_left(game)} hash={state_hash(game)}"
     )
 
 

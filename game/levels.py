@@ -116,6 +116,12 @@ def built_in() -> tuple[Level, ...]:
     return tuple([parse(file.read_bytes(), file.name) for file in found])
 
 
+def number_of(level: Level, levels: tuple[Level, ...]) -> tuple[int, int]:
+    """A level's number, from 1, and the number of levels: of those that come with the game, else of the levels being played."""
+    known = built_in() if level in built_in() else levels
+    return known.index(level) + 1, len(known)
+
+
 def chosen(wanted: str) -> tuple[Level, ...]:
     """The levels to play from a name, a number or a file on: the rest of the built-in ones, or the file's alone."""
     levels = built_in()

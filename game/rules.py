@@ -34,19 +34,29 @@ POINTER_STEPS = 65536
 PADDLES = 0
 """Index of the paddles in `Arena.rings`."""
 BEST_COMBO = 8
-"""Bricks in a row that multiply the points the most."""
+"""Combo length from which the multiplier stops growing."""
 
 _POINTS_PER_BRICK = 10
+"""Points for a layer, times the combo."""
 _POINTS_PER_LIFE = 100
+"""Points for every life that is left when a level is cleared."""
 _AIM_RANGE = math.radians(55.0)
+"""Radians: the most that a serve is aimed off the centre, to either side."""
 _AIM_PERIOD = 480
+"""Ticks of one full swing of the aim."""
 _SERVE_GAP = 1e-6
+"""Between the ball to be served and its paddle, in radii of the ball: it must not touch."""
 _CLEARED_TICKS = 480
+"""Ticks after which the next level begins by itself."""
 _CLEARED_LEAST = 60
+"""Ticks before the player can go on to it."""
 _IDLE_CONTACTS = 12
+"""Contacts without a brick after which the balls are nudged."""
 _IDLE_STEP = 3
+"""Further contacts without a brick until the next nudge."""
 _NUDGE_LEAST = math.radians(5.0)
 _NUDGE_MORE = math.radians(15.0)
+"""Radians: a nudge turns the velocity by at least the first of them, and by up to the second more."""
 
 
 Advance = Callable[[Arena, float, float, FreeFlight | None], Step]
@@ -57,9 +67,9 @@ class Controls(NamedTuple):
     """What the player asks for in one tick."""
 
     turn: int = 0  # -1 clockwise, 0, +1 counter-clockwise
-    pointer: int | None = None  # where the nearest paddle shall go, in 1/POINTER_STEPS of a turn; turn goes first
+    pointer: int | None = None  # where the nearest paddle shall go, in 1/POINTER_STEPS of a turn; `turn` has precedence
     serve: bool = False  # launch the ball, or go on after a cleared level
-    give_up: bool = False  # the balls in play count as lost: out of reach, they might never come back
+    give_up: bool = False  # gives up the balls in play: they count as lost
 
 
 class Phase(IntEnum):
@@ -124,8 +134,8 @@ class Ticked(NamedTuple):
 
     game: Game
     events: tuple[Event, ...]
-    step: Step  # of the physics, from the arena `moving` to the game's
-    moving: Arena  # the arena that the physics advanced: as before the tick, the paddles' new spin set
+    step: Step  # of the physics; while no ball is in play it advanced the rings of `moving` without balls
+    moving: Arena  # the arena before the tick, with the paddles' new spin; outside PLAYING the step left out its balls
 
 
 def new_game(levels: tuple[Level, ...], seed: int) -> Game:
@@ -149,7 +159,7 @@ def tick(game: Game, controls: Controls, advance: Advance = physics.advance) -> 
     return Ticked(later, (), step, arena)
 
 
-def bricks_left(game: Game) -> int:
+def layers_left(game: Game) -> int:
     """Layers still to be broken in the level."""
     return sum([layers for ring in game.arena.layers for layers in ring if layers > 0])
 
@@ -160,7 +170,7 @@ def paddle_ring(game: Game) -> Ring:
 
 
 def aim(game: Game) -> float:
-    """Angle of the serve off the straight line to the centre, radians: swings to and fro, twice per 4 seconds."""
+    """Angle of the serve off the straight line to the centre, radians: swings to and fro; one full swing takes 2 s."""
     cycle = (game.phase_tick % _AIM_PERIOD) / _AIM_PERIOD
     return _AIM_RANGE * (4.0 * abs(cycle - 0.5) - 1.0) * -1.0
 

@@ -11,7 +11,7 @@ from game.drawing.painter import Painter
 from game.drawing.palette import DARK, Theme
 from game.drawing.text import Type
 from game.effects import NOTHING, Effects
-from game.input.view import FROM_ABOVE, Viewpoint
+from game.input.view import FLAT, Viewpoint
 from game.overlay import hud
 from game.rules import Game
 from game.scene import scene_at, still
@@ -23,7 +23,7 @@ def save_screenshot(
     path: Path,
     size: tuple[int, int],
     theme: Theme = DARK,
-    view: Viewpoint = FROM_ABOVE,
+    view: Viewpoint = FLAT,
     effects: Effects = NOTHING,
 ) -> None:
     """Draw a game as the window shows it, and save it as PNG; OSError where it cannot be written. size: pixels."""

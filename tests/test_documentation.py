@@ -8,6 +8,7 @@ import pytest
 
 import game
 import physics
+from game.levels import BallSpec, Level, PaddleSpec, RingSpec
 from tests.support.paths import ROOT
 
 PAGES = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md")])
@@ -106,3 +107,11 @@ def test_the_citation_names_this_version():
     cited = re.search(r"^version: (.+)$", (ROOT / "CITATION.cff").read_text(encoding="utf-8"), re.MULTILINE)
     assert cited
     assert cited.group(1) == game.VERSION
+
+
+@pytest.mark.parametrize("table", [Level, BallSpec, PaddleSpec, RingSpec])
+def test_the_page_of_levels_names_every_key(table):
+    """A key that a level's file may have has its row, or its part of one."""
+    rows = [line for line in (ROOT / "docs" / "levels.md").read_text(encoding="utf-8").splitlines() if line.startswith("| `")]
+    named = {name for row in rows for name in re.findall(r"[a-z_]+", row.split("|")[1])}
+    assert set(table.__struct_fields__) <= named

@@ -6,7 +6,8 @@ from game.system.start import prepare
 def main() -> None:
     """Run the command line and exit."""
     prepare("python -m tools.bench")
-    from tools.measure.tick import main as bench  # noqa: PLC0415  # takes time to load, in which a signal may come
+    # Imported after `prepare`, so that Ctrl+C during the slow load is handled.
+    from tools.measure.tick import main as bench  # noqa: PLC0415
 
     bench()
 

@@ -1,4 +1,7 @@
-"""A whole scene drawn through a camera: the order of drawing, and nothing else."""
+"""A whole scene drawn through a camera: the order of drawing.
+
+Over the picture, and not from here: the contact normals of both engines and panels (game/screens), figures (game/overlay).
+"""
 
 import pygame
 
@@ -31,14 +34,14 @@ class Painter:
         pops.draw(canvas, scene)
 
     def _paint_flat(self, canvas: Canvas, scene: Scene) -> None:
-        """All but the words, from straight above: what lies on the ground shows over the rings, which are flat, too."""
+        """All but the words, from straight above: waves and trail are drawn over the rings, as nothing has height here."""
         self._flat.draw(canvas, scene, slot_contents(scene))
         _draw_on_ground(canvas, scene)
         debris.draw(canvas, scene)
         self._balls.draw(canvas, scene)
 
     def _paint_solid(self, canvas: Canvas, scene: Scene) -> None:
-        """All but the words, tipped: what lies on the ground comes first, for nothing that stands there can be behind it."""
+        """All but the words, in 3D: first what lies on the ground, since a standing block can hide it, never the reverse."""
         self._solid.draw_ground(canvas, scene)
         _draw_on_ground(canvas, scene)
         blocks = self._solid.draw_blocks(canvas, scene, slot_contents(scene))
@@ -54,7 +57,10 @@ def _draw_on_ground(canvas: Canvas, scene: Scene) -> None:
 
 
 def _shake(surface: pygame.Surface, scene: Scene, camera: Camera) -> None:
-    """Move the whole picture by whole pixels: nothing is drawn anew, and the mouse means the same positions as before."""
+    """Move the whole picture by whole pixels: nothing is drawn anew. What a mouse position means is not shifted.
+
+    The offset is conjugated, since y points up in the world and down on the screen.
+    """
     offset = scene.shaken.conjugate() * scene.ground_radius * camera.scale
     across, down = round(offset.real), round(offset.imag)
     if across or down:

@@ -98,4 +98,4 @@ def _fitted(flat: Layout, tilt: float, closeness: float) -> tuple[float, float]:
     return max(scale, 1e-3), (above - below) / 2.0
 
 
-FROM_ABOVE, TIPPED = Viewpoint(), Viewpoint(1.0, 1.0)
+FLAT, SOLID = Viewpoint(), Viewpoint(1.0, 1.0)

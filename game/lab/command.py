@@ -6,24 +6,28 @@ from rich.console import Console
 from rich.table import Table
 
 from game.lab.kit.second_engine import Engine
-from game.lab.registry import scenes
+from game.lab.registry import chapters, scenes
 from game.lab.session.checks import Report, report
 from game.lab.session.share import parsed
 from game.system.errors import BadInputError, CheckFailedError
-from game.system.output import say
+from game.system.output import say, tell
 from game.system.wording import quoted_path
 
 _SEED = 1
 
 
 def list_scenes() -> None:
-    """Print every scene's name, title, and the rows of the documentation's table "Beyond the source" that it shows."""
+    """Print every scene's name, title, and the rows of the documentation's table "Beyond the source", chapter by chapter."""
     table = Table(box=None, pad_edge=False)
-    for heading in ("scene", "title", "beyond"):
+    for heading in ("scene", "title", 'rows of "Beyond the source"'):
         table.add_column(heading, no_wrap=heading == "scene")
-    for scene in scenes():
-        table.add_row(scene.name, scene.title, ", ".join([str(row) for row in scene.rows]))
+    for chapter, chapter_scenes in chapters().items():
+        table.add_section()
+        table.add_row(f"-- {chapter}")
+        for scene in chapter_scenes:
+            table.add_row(scene.name, scene.title, ", ".join([str(row) for row in scene.rows]))
     Console().print(table)
+    tell('"Beyond the source" is a table in docs/algorithm.md')
 
 
 def check_scenes(line: str | None, drags: int, engine: Engine | None) -> None:
@@ -45,7 +49,7 @@ def check_scenes(line: str | None, drags: int, engine: Engine | None) -> None:
 
 
 def save_picture(line: str | None, path: Path, size: tuple[int, int], theme: str, engine: Engine | None) -> None:
-    """Draw a scene into a PNG file; BadInputError where it cannot be written."""
+    """Draw a scene into a PNG file and say where it is; BadInputError where it cannot be written."""
     from game.lab.window.screenshot import save_screenshot  # noqa: PLC0415  # pygame, only where it is needed
 
     shared = parsed(scenes()[0].name if line is None else line, engine)
@@ -53,6 +57,7 @@ def save_picture(line: str | None, path: Path, size: tuple[int, int], theme: str
         save_screenshot(shared, path, size, theme)
     except OSError as error:
         raise BadInputError(f"--screenshot {quoted_path(path)}: cannot write; {error.strerror or error}") from None
+    tell(f"picture: {path.absolute()}")
 
 
 def _raise_failures(reports: list[Report]) -> None:

@@ -11,8 +11,8 @@ from game.effects import Streak
 from game.effects.streaks import BUMP_TICKS, ENDED_TICKS, NO_STREAK
 from game.input.key_names import key_name
 from game.input.keys import Action
-from game.levels import built_in
-from game.rules import BEST_COMBO, LIVES, Game, bricks_left
+from game.levels import number_of
+from game.rules import BEST_COMBO, LIVES, Game, layers_left
 
 # Lengths are in units of text.
 _EDGE = 0.8
@@ -39,7 +39,7 @@ class Readings(NamedTuple):
 
     score, combo, lives: of the game.
     level_number: from 1. level_count, level_name: of all levels, and of this one.
-    bricks: layers left.
+    layers: left to be broken.
     muted: whether the sound is off.
     badge: what kind of game this is, when it is not simply played.
     streak: the bricks in a row with their effect; NO_STREAK for players who want none, who see the combo alone.
@@ -51,7 +51,7 @@ class Readings(NamedTuple):
     level_number: int
     level_count: int
     level_name: str
-    bricks: int
+    layers: int
     muted: bool = False
     badge: str = ""
     streak: Streak = NO_STREAK
@@ -59,10 +59,9 @@ class Readings(NamedTuple):
 
 def readings(game: Game, streak: Streak = NO_STREAK, *, muted: bool = False, badge: str = "") -> Readings:
     """The figures of a game. The other arguments are those of `Readings`."""
-    levels = built_in() if game.level in built_in() else game.levels
-    number = levels.index(game.level) + 1
-    left = bricks_left(game)
-    return Readings(game.score, game.combo, game.lives, number, len(levels), game.level.name, left, muted, badge, streak)
+    number, count = number_of(game.level, game.levels)
+    left = layers_left(game)
+    return Readings(game.score, game.combo, game.lives, number, count, game.level.name, left, muted, badge, streak)
 
 
 def draw(canvas: Canvas, shown: Readings, layout: Layout) -> None:
@@ -83,7 +82,7 @@ def draw(canvas: Canvas, shown: Readings, layout: Layout) -> None:
     state = "   ".join(filter(None, [shown.badge, f"sound off ({key_name(Action.MUTE)})" if shown.muted else ""]))
     lines = (
         (f"{key_name(Action.HELP)}  help", theme.faint),
-        (f"{shown.bricks} layers left", theme.text),
+        (f"{shown.layers} layers left", theme.text),
         (state, theme.accent),
     )
     for text, colour in lines:

@@ -12,7 +12,7 @@ from game.drawing.canvas import Canvas
 from game.drawing.painter import Painter
 from game.drawing.palette import Theme
 from game.drawing.text import Type
-from game.input.view import FROM_ABOVE, Viewpoint
+from game.input.view import FLAT, Viewpoint
 from game.levels import Level
 from game.overlay.toast import Toast
 from game.rules import Controls, Game, Ticked
@@ -57,7 +57,7 @@ class AppState:
     autopilot: bool = False
     settings: Settings = field(default_factory=Settings)
     full_screen: bool = False
-    view: Viewpoint = FROM_ABOVE
+    view: Viewpoint = FLAT
     compare: Compare | None = None
     open_lab: "Callable[[AppState, Screen], Screen] | None" = None
     shows_normals: bool = False

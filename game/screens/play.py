@@ -36,7 +36,7 @@ _NOTE, _NOTE_ROOM, _NOTE_BOTTOM, _NOTE_MARGIN = 0.95, 1.6, 0.3, 0.8
 """The line about the physics: size of its letters, height left to it, from it to the lower edge and to the sides."""
 
 
-class Play:
+class PlayScreen:
     """One game from its first serve on."""
 
     def __init__(self, state: AppState, levels: tuple[Level, ...]) -> None:
@@ -115,7 +115,7 @@ class Play:
 
     def restarted(self) -> Screen:
         """The same levels from their first serve."""
-        return Play(self._state, self._levels)
+        return PlayScreen(self._state, self._levels)
 
     def _tick(self, camera: Camera) -> None:
         """Run one tick and tell the recorder."""
@@ -155,7 +155,7 @@ def _draw_note(canvas: Canvas, note: str) -> None:
     canvas.write(note, size, canvas.theme.accent, pixel, "midbottom")
 
 
-def _pause_menu(state: AppState, play: Play) -> Menu:
+def _pause_menu(state: AppState, play: PlayScreen) -> Menu:
     """What to do with a game that was interrupted."""
     entries = (
         Entry("Go on", lambda: play, Action.PAUSE),
@@ -168,13 +168,13 @@ def _pause_menu(state: AppState, play: Play) -> Menu:
     return menu
 
 
-def _restart_menu(state: AppState, play: Play) -> Menu:
+def _restart_menu(state: AppState, play: PlayScreen) -> Menu:
     """The question before a game is thrown away."""
     entries = (Entry("Restart", play.restarted, Action.RESTART), Entry("Go on", lambda: play, Action.PAUSE))
     return Menu(state, play, "Restart?", ("This game ends; the score is lost.",), entries, back=lambda: play)
 
 
-def _end_menu(state: AppState, play: Play, *, won: bool, score: int) -> Menu:
+def _end_menu(state: AppState, play: PlayScreen, *, won: bool, score: int) -> Menu:
     """The end of a game."""
     entries = (
         Entry("Play again", play.restarted, Action.RESTART),

@@ -13,7 +13,7 @@ from game.screens.base import Screen
 from game.screens.demo import Demo
 from game.screens.help import Help
 from game.screens.panel import index_at
-from game.screens.play import Play
+from game.screens.play import PlayScreen
 from game.screens.settings_panel import SettingsPanel
 from game.screens.thumbnail import thumbnail
 
@@ -150,7 +150,7 @@ class Title:
 
     def _started(self) -> Screen:
         """The game from the chosen level on."""
-        return Play(self._state, self._state.catalogue[self._state.chosen :])
+        return PlayScreen(self._state, self._state.catalogue[self._state.chosen :])
 
 
 def _keys_help() -> str:

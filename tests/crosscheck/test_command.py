@@ -24,8 +24,9 @@ from tools.crosscheck.commands import _PLAYERS, _VERDICTS, app
 from tools.crosscheck.comparisons.convergence import FACETS, Curve
 from tools.crosscheck.games.sources import PLAYERS, RANDOM, Source
 from tools.crosscheck.report.terminal import print_findings
+from tools.crosscheck.report.words import BOUNDS, TERMS, compared_games, pace
 from tools.crosscheck.results.findings import Findings
-from tools.crosscheck.results.measurements import ContactVerdict
+from tools.crosscheck.results.measurements import VERDICT_MEANINGS, ContactVerdict
 from tools.crosscheck.run import Job, RunResult, check_game, default_sources
 from tools.crosscheck.sabotage.suite import suite_jobs
 from tools.crosscheck.workers import Lost
@@ -73,8 +74,37 @@ def test_agreement_is_exit_code_0_and_one_verdict_line(capsys):
     assert max(len(line) for line in out.splitlines()) <= 80
     assert "…" not in out
     words = ("what was hit", "normal, exact shape", "presence every tick", "time of first touch", "bounce, no friction")
-    for word in (*words, "phase, rebuilt", "contacts by kind", "cells with a contact:", "Not compared:"):
+    for word in (*words, "phase, rebuilt", "contacts by kind", "Not compared:"):
         assert word in out
+
+
+def test_the_terminal_says_what_was_compared_and_what_its_words_mean(capsys):
+    """First the game with its level, seed and player; then every bound and term; no rate of a run too short to have one."""
+    _, out, _ = crosscheck(capsys, *SHORT)
+    assert out.splitlines()[0] == "compared: level 6, seed 1, autopilot, at most 1,500 ticks"
+    for word in (*BOUNDS, *TERMS):
+        assert re.search(rf"^{word} +\S", out, re.MULTILINE), word
+    for meaning in VERDICT_MEANINGS.values():
+        assert meaning.split()[0] in out
+    assert re.search(r"\d+ contacts compared in \d\.\d\d s, presence", out)
+    assert "per second of a core" not in out
+
+
+def test_empty_cells_are_listed_only_where_contacts_of_every_kind_are_meant(capsys):
+    """A single game meets few of the kinds, and says nothing by that; aimed contacts are to meet all."""
+    assert "cells with a contact:" not in crosscheck(capsys, *SHORT)[1]
+    aimed = crosscheck(capsys, "--level", "aimed", "--ticks", "200")[1]
+    assert "cells with a contact:" in aimed
+    assert "more; --json names all" in aimed
+
+
+def test_many_games_are_counted_and_a_long_run_has_a_rate():
+    """Four games and more are not named one by one; from ten seconds of comparing on the rate is said."""
+    result = RunResult([Job(source, 64) for source in default_sources(1, 100)])
+    assert compared_games(result) == f"compared: {len(result.jobs)} games; --report names each"
+    assert "0 contacts compared in 0.00 s" in pace(result)
+    result.checking = 10.0
+    assert "0 contacts compared per second of a core" in pace(result)
 
 
 def test_disagreement_is_exit_code_1_with_a_command_to_repeat_it(capsys):

@@ -102,19 +102,19 @@ def test_mistakes_about_bricks_are_named(name, part):
 def test_a_mistake_is_made_in_the_code_path_and_not_in_the_report():
     """A game in which bricks lose two layers is over sooner: its score is another one."""
 
-    def bricks_left():
+    def layers_left():
         tick = None
         current = game.rules.new_game(game.levels.chosen("1"), 3)
         pilot = game.autopilot.Autopilot()
         for _ in range(2400):
             tick = game.rules.tick(current, pilot.controls(current))
             current = tick.game
-        return game.rules.bricks_left(current)
+        return game.rules.layers_left(current)
 
-    right = bricks_left()
+    right = layers_left()
     with MISTAKES["two-layers"].change():
-        assert bricks_left() < right
-    assert bricks_left() == right
+        assert layers_left() < right
+    assert layers_left() == right
 
 
 def patched():

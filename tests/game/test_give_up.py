@@ -6,7 +6,7 @@ import pytest
 from game.levels import built_in
 from game.rules import LIVES, TICK, Controls, Event, EventKind, Phase, new_game, tick
 from game.screens import play
-from game.screens.play import Play
+from game.screens.play import PlayScreen
 from tests.support.dummy_window import FRAME, Desk, shared
 
 
@@ -45,7 +45,7 @@ def playing(monkeypatch):
     monkeypatch.setattr(play, "_OFFER_TICKS", 24)
     told = []
     kept = shared(recorder=lambda controls, after: told.append((controls, after)))
-    desk = Desk(kept, Play(kept, built_in()))
+    desk = Desk(kept, PlayScreen(kept, built_in()))
     desk.told = told
     desk.press(pygame.K_SPACE)
     yield desk

@@ -9,10 +9,11 @@ import pytest
 
 from game import levels
 from game.levels import built_in, chosen, load_file, parse
-from game.rules import bricks_left, new_game
+from game.rules import layers_left, new_game
 from game.system.errors import BadInputError
 from physics import PERMANENT, Arena, Ball, Ring, advance
 from tests.support.level_text import GOOD, changed
+from tests.support.paths import ROOT
 
 
 def test_the_good_level_is_good():
@@ -127,7 +128,7 @@ def test_the_arena_has_what_the_level_says():
     for number, level in enumerate(built_in()):
         game = new_game(built_in()[number:], 0)
         layers = [count for ring in level.rings for count in ring.slots()]
-        assert bricks_left(game) == sum(count for count in layers if count > 0)
+        assert layers_left(game) == sum(count for count in layers if count > 0)
         assert game.arena.rings[0].count == level.paddles.count
         assert len(game.arena.rings) == 1 + len(level.rings)
 
@@ -302,3 +303,10 @@ def test_a_gap_wider_than_the_ball_opens_a_wall():
 def parse_unchecked(data: bytes) -> levels.Level:
     """A level whose arena nobody has looked at."""
     return levels.msgspec.convert(levels._toml(data, "x"), levels.Level)
+
+
+def test_the_files_of_the_levels_are_called_as_the_levels():
+    """A file's name is the level's number and its name, in lower case with hyphens."""
+    folder = ROOT / "game" / "levels"
+    expected = [f"{number}-{level.name.casefold().replace(' ', '-')}.toml" for number, level in enumerate(built_in(), 1)]
+    assert sorted(file.name for file in folder.iterdir()) == expected

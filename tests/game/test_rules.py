@@ -15,7 +15,7 @@ from game.rules import (
     EventKind,
     Phase,
     aim,
-    bricks_left,
+    layers_left,
     new_game,
     paddle_ring,
     tick,
@@ -175,7 +175,7 @@ def test_the_last_brick_clears_the_level_and_the_next_begins():
         later, events = after(game, most, controls)
         assert later.number == 1
         assert EventKind.LEVEL_STARTED in kinds(events)
-        assert bricks_left(later) == bricks_left(new_game(built_in()[1:], 1))
+        assert layers_left(later) == layers_left(new_game(built_in()[1:], 1))
 
 
 def test_the_last_level_wins_the_game():

@@ -10,7 +10,7 @@ import pytest
 
 from game.lab import command
 from game.lab.kit.scene import Claim
-from game.lab.registry import scenes
+from game.lab.registry import chapters, scenes
 from game.lab.session.share import parsed
 from tests.support.command_line import polar
 
@@ -21,6 +21,20 @@ def test_the_list_names_every_scene(capsys):
     assert (code, err) == (0, "")
     for scene in scenes():
         assert re.search(rf"^{scene.name} ", out, re.MULTILINE)
+
+
+def test_the_list_has_the_chapters_and_says_where_the_rows_are(capsys):
+    """Every scene stands below its chapter; the last line names the page of the table that the numbers are rows of."""
+    _, out, _ = polar(capsys, "lab", "--list")
+    lines = out.splitlines()
+    assert 'rows of "Beyond the source"' in lines[0]
+    assert lines[-1].endswith("is a table in docs/algorithm.md")
+    heads = [line.strip() for line in lines if line.startswith("-- ")]
+    assert heads == ["-- angles", "-- broad phase", "-- narrow phase", "-- response", "-- time of impact", "-- runs"]
+    listed = [scene for chapter in chapters().values() for scene in chapter]
+    assert listed == list(scenes())
+    names = [scene.name for scene in listed]
+    assert [name for line in lines if (name := line.partition(" ")[0]) in names] == names
 
 
 def test_headless_checks_every_scene(capsys):
@@ -52,7 +66,7 @@ def test_a_picture_is_drawn_without_a_display(tmp_path):
         done = subprocess.run(
             [sys.executable, "-m", "game", *arguments], env=environment, capture_output=True, text=True, check=False
         )
-        assert (done.returncode, done.stderr) == (0, "")
+        assert (done.returncode, done.stdout, done.stderr) == (0, f"picture: {file}\n", "")
         pictures.append(pygame.image.load(file))
     assert [picture.get_size() for picture in pictures] == [(640, 480)] * 2
     assert pictures[0].get_at((300, 200)) != pictures[1].get_at((300, 200))

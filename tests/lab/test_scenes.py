@@ -20,7 +20,7 @@ from game.lab.kit.cited_line import code_line
 from game.lab.kit.differences import DIFFERENCES
 from game.lab.kit.handles import dragged
 from game.lab.kit.parameters import Point, defaults
-from game.lab.kit.scene import Claim, Scene, picture_of, started
+from game.lab.kit.scene import Claim, LabScene, picture_of, started
 from game.lab.registry import scenes
 from game.lab.session.checks import after_drags, failures, lines, report
 from tests.support.lab_scenes import counting_scene, state_at
@@ -196,5 +196,5 @@ def test_a_scene_that_runs_is_a_function_of_its_tick():
 
 def test_scenes_are_values():
     """A scene is a tuple of values and functions."""
-    assert all([isinstance(scene, Scene) for scene in scenes()])
+    assert all([isinstance(scene, LabScene) for scene in scenes()])
     assert all([not inspect.isgeneratorfunction(scene.check) for scene in scenes()])

@@ -3,6 +3,7 @@
 import pytest
 
 from game.lab.kit.end_bounce import end_bounce
+from game.lab.kit.picture import Arrow, Stroke, Toggle
 from game.lab.registry import scene_named
 from game.lab.scenes.narrow_phase import inside_material
 from game.lab.scenes.response import axis_slip, carried, friction, stopped_dead
@@ -152,6 +153,21 @@ def test_friction_bends_the_path():
         bounces = friction._friction_bounces(preset(friction.SCENE, presets[0].line)).bounces
         angles = [friction._angle_to_normal(found.steps.velocity) for found in bounces]
         assert (len(set(angles)) == 3) is different
+
+
+def test_friction_is_drawn_with_its_normal():
+    """The toggle "normals" hides n and nothing else; the change by friction is a whole line, however short it is."""
+    (_, middle, _) = friction._picture(preset(friction.SCENE, "spin=0.4")).panes
+    arrows = {mark.label: mark for mark in middle.marks if isinstance(mark, Arrow)}
+    assert [label for label, mark in arrows.items() if mark.toggle is Toggle.NORMALS] == ["n"]
+    assert arrows["n"].vector == pytest.approx(friction._NORMAL_LENGTH * 1j)
+    assert arrows["Δv'_t"].stroke is not Stroke.DASHED
+
+
+def test_the_angle_after_friction_is_above_0_clockwise():
+    """A ball that leaves to the right of the normal has turned clockwise from it."""
+    assert friction._angle_to_normal(1 + 1j) == 45.0
+    assert friction._angle_to_normal(-1 + 1j) == -45.0
 
 
 def test_the_axes_of_the_slides_do_not_fit():

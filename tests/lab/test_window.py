@@ -24,7 +24,7 @@ from game.lab.window.screen import Lab
 from game.lab.window.screenshot import save_screenshot
 from game.lab.window.words import TextSheet, draw_head, draw_words
 from game.screens.menu import Menu
-from game.screens.play import Play
+from game.screens.play import PlayScreen
 from game.screens.title import Title
 from game.settings.values import THEMES
 from tests.support.dummy_window import FRAME, Desk, shared
@@ -290,7 +290,7 @@ def test_l_opens_the_lab_over_the_game_and_esc_comes_back():
     assert "L" in [keys for keys, _ in play_help()]
     desk = Desk(app, Title(app))
     desk.press(pygame.K_RETURN)
-    assert isinstance(desk.screen, Play)
+    assert isinstance(desk.screen, PlayScreen)
     desk.press(pygame.K_l)
     assert isinstance(desk.screen, Lab)
     desk.press(pygame.K_ESCAPE)

@@ -10,7 +10,7 @@ from game.drawing.camera import layout
 from game.drawing.canvas import Canvas
 from game.drawing.palette import DARK
 from game.drawing.text import Type
-from game.input.view import FROM_ABOVE
+from game.input.view import FLAT
 
 
 def camera_of(view, scene, size):
@@ -18,6 +18,6 @@ def camera_of(view, scene, size):
     return view.seen(layout(size, scene.ground_radius)).camera
 
 
-def canvas_of(scene, size, view=FROM_ABOVE, theme=DARK, camera=None):
+def canvas_of(scene, size, view=FLAT, theme=DARK, camera=None):
     """A new surface for a scene, black. camera: instead of the view's."""
     return Canvas(pygame.Surface(size, 0, 32), camera or camera_of(view, scene, size), theme, Type(), 10.0)

@@ -16,7 +16,7 @@ SPEED = 8.0
 EDGE = 14.0
 
 
-class Play(RuleBasedStateMachine):
+class FuzzedGame(RuleBasedStateMachine):
     """An arena, ticks of any length, and everything that rules may do between two ticks."""
 
     @initialize(count=st.integers(1, 4), per_row=st.integers(1, 12), fill=reals(0.2, 1.0), friction=reals(0.0, 1.0))
@@ -96,5 +96,5 @@ class Play(RuleBasedStateMachine):
             assert all(cmath.isfinite(ball.position) and cmath.isfinite(ball.velocity) for ball in self.arena.balls)
 
 
-TestPlay = Play.TestCase
+TestPlay = FuzzedGame.TestCase
 TestPlay.settings = settings(max_examples=40, stateful_step_count=25, deadline=None)

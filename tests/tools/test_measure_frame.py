@@ -13,7 +13,7 @@ from tools.measure import frame as frames
 @pytest.mark.parametrize("opened", [frames._plain, frames._window])
 def test_every_frame_is_timed(opened):
     """As many times as asked for, none of them nothing, on a surface and in a window, which is closed again."""
-    case = frames.FrameCase("3D", (160, 100), lambda level: frames.game_frames(level, frames.TIPPED, 0.02))
+    case = frames.FrameCase("3D", (160, 100), lambda level: frames.game_frames(level, frames.SOLID, 0.02))
     size, taken = frames.timed(case, 7, 25, opened)
     assert size == (160, 100)
     assert len(taken) == 25

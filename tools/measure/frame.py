@@ -31,7 +31,7 @@ from game.drawing.text import Type
 from game.effects import Effects, after
 from game.input.keys import Action
 from game.input.signals import Pressed
-from game.input.view import FROM_ABOVE, TIPPED, Viewpoint
+from game.input.view import FLAT, SOLID, Viewpoint
 from game.levels import built_in
 from game.overlay import hud
 from game.rules import Ticked, new_game, tick
@@ -39,7 +39,7 @@ from game.scene import scene_at, still
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.help import Help
-from game.screens.play import Play
+from game.screens.play import PlayScreen
 from game.screens.settings_panel import SettingsPanel
 from game.screens.title import Title
 from game.system import window as display
@@ -97,11 +97,11 @@ def cases() -> tuple[FrameCase, ...]:
     """All that is timed."""
     small, large = (1280, 800), (3840, 2160)
     return (
-        FrameCase("top-down", small, lambda level: game_frames(level, FROM_ABOVE)),
-        FrameCase("3D", small, lambda level: game_frames(level, TIPPED)),
-        FrameCase("3D, orbiting", small, lambda level: game_frames(level, TIPPED, 0.02)),
-        FrameCase("top-down", large, lambda level: game_frames(level, FROM_ABOVE)),
-        FrameCase("3D", large, lambda level: game_frames(level, TIPPED)),
+        FrameCase("top-down", small, lambda level: game_frames(level, FLAT)),
+        FrameCase("3D", small, lambda level: game_frames(level, SOLID)),
+        FrameCase("3D, orbiting", small, lambda level: game_frames(level, SOLID, 0.02)),
+        FrameCase("top-down", large, lambda level: game_frames(level, FLAT)),
+        FrameCase("3D", large, lambda level: game_frames(level, SOLID)),
         FrameCase("pause", small, lambda level: panel_frames(level, _paused)),
         FrameCase("settings", small, lambda level: panel_frames(level, SettingsPanel)),
         FrameCase("help", small, lambda level: panel_frames(level, Help)),
@@ -170,7 +170,7 @@ def game_frames(level: int, view: Viewpoint, orbit: float = 0.0) -> Iterator[Dra
 def panel_frames(level: int, panel: Callable[[AppState, Screen], Screen], *, opening: bool = False) -> Iterator[Draw]:
     """Frames of a panel over a game. opening: each is the first of a panel that has just been opened."""
     state = AppState(built_in(), level - 1, 1, Title, autopilot=True)
-    play: Screen = Play(state, built_in()[level - 1 :])
+    play: Screen = PlayScreen(state, built_in()[level - 1 :])
     shown = panel(state, play)
     while True:
         yield (panel(state, play) if opening else shown).draw

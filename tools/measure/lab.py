@@ -17,7 +17,7 @@ from rich.console import Console
 from rich.table import Table
 
 from game.lab.kit.parameters import defaults
-from game.lab.kit.scene import Motion, Scene, picture_of, started, stepped
+from game.lab.kit.scene import LabScene, Motion, picture_of, started, stepped
 from game.lab.registry import scenes
 from game.system.command_line import run
 
@@ -50,7 +50,7 @@ def bench(rounds: Annotated[int, typer.Option(min=1, max=100_000, help="Times ea
     Console(width=100).print(table)
 
 
-def scene_cost(scene: Scene, rounds: int) -> Cost:
+def scene_cost(scene: LabScene, rounds: int) -> Cost:
     """What a scene costs at its defaults, the first time left out."""
     given = defaults(scene.parameters)
     states = [started(scene, given)]

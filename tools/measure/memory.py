@@ -27,7 +27,7 @@ from game.input.view import Viewpoint
 from game.levels import built_in
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.play import Play
+from game.screens.play import PlayScreen
 from game.screens.title import Title
 from game.settings.values import Settings
 from game.sound.mixer import Audio
@@ -101,14 +101,14 @@ def _later(window: pygame.Window, shared: AppState, screen: Screen, number: int)
     shared.view = Viewpoint(goal=float(seconds // _TURN % 2), tipped=shared.view.tipped)
     following = frame(window, shared, screen, 1.0 / _RATE)
     stay = _TOUR if seconds < _TOUR * len(shared.catalogue) else _STAY
-    if number % (stay * _RATE) == 0 or not isinstance(following, Play):
+    if number % (stay * _RATE) == 0 or not isinstance(following, PlayScreen):
         return _level(shared, seconds // stay)
     return following
 
 
 def _level(shared: AppState, number: int) -> Screen:
     """A game from one of the levels on, by turns."""
-    return Play(shared, shared.catalogue[number % len(shared.catalogue) :])
+    return PlayScreen(shared, shared.catalogue[number % len(shared.catalogue) :])
 
 
 if __name__ == "__main__":

@@ -10,8 +10,9 @@ PROGRAM = "python -m tools.robustness"
 def main() -> None:
     """Run the command line and exit."""
     prepare(PROGRAM)
+    # Imported after `prepare`, so that Ctrl+C during the slow load is handled.
     from game.system.command_line import run  # noqa: PLC0415
-    from tools.robustness.commands import app  # noqa: PLC0415  # takes time to load, in which a signal may come
+    from tools.robustness.commands import app  # noqa: PLC0415
 
     sys.exit(run(app, PROGRAM))
 

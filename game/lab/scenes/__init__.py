@@ -2,11 +2,5 @@
 
 from game.lab.scenes import angles, broad_phase, narrow_phase, response, runs, time_of_impact
 
-SCENES = (
-    *angles.SCENES,
-    *broad_phase.SCENES,
-    *narrow_phase.SCENES,
-    *response.SCENES,
-    *time_of_impact.SCENES,
-    *runs.SCENES,
-)
+CHAPTERS = (angles, broad_phase, narrow_phase, response, time_of_impact, runs)
+SCENES = tuple([scene for chapter in CHAPTERS for scene in chapter.SCENES])

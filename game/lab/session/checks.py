@@ -10,7 +10,7 @@ import numpy as np
 from game.lab.kit.handles import dragged
 from game.lab.kit.parameters import Count, Given, Parameter, Point, clamped, defaults
 from game.lab.kit.picture import Field
-from game.lab.kit.scene import Motion, Scene, picture_of, started
+from game.lab.kit.scene import LabScene, Motion, picture_of, started
 from game.lab.kit.second_engine import Engine
 from game.lab.session.share import SharedScene, preset, share_line
 
@@ -30,13 +30,13 @@ class FailedClaim(NamedTuple):
 class Report(NamedTuple):
     """The result of checking one scene. settings: how many were checked. claims: how many, of all settings together."""
 
-    scene: Scene
+    scene: LabScene
     settings: int
     claims: int
     failures: tuple[FailedClaim, ...]
 
 
-def report(scene: Scene, drags: int, seed: int, engine: Engine | None = None, more: tuple[Given, ...] = ()) -> Report:
+def report(scene: LabScene, drags: int, seed: int, engine: Engine | None = None, more: tuple[Given, ...] = ()) -> Report:
     """Check a scene's claims at its defaults, its presets, after random drags, and at more settings."""
     checked = [*lines(scene, engine), *more, *after_drags(scene, drags, seed, engine)]
     found = [failure for given in checked for failure in failures(scene, given)]
@@ -44,7 +44,7 @@ def report(scene: Scene, drags: int, seed: int, engine: Engine | None = None, mo
     return Report(scene, len(checked), claims * len(checked), tuple(found))
 
 
-def failures(scene: Scene, given: Given) -> tuple[FailedClaim, ...]:
+def failures(scene: LabScene, given: Given) -> tuple[FailedClaim, ...]:
     """The claims that do not hold at some values, and any number of the picture that is not finite."""
     line = share_line(SharedScene(scene, given))
     found = [FailedClaim(line, claim.fact) for claim in scene.check(given) if not claim.holds]
@@ -53,12 +53,12 @@ def failures(scene: Scene, given: Given) -> tuple[FailedClaim, ...]:
     return tuple(found)
 
 
-def lines(scene: Scene, engine: Engine | None = None) -> tuple[Given, ...]:
+def lines(scene: LabScene, engine: Engine | None = None) -> tuple[Given, ...]:
     """The defaults and the presets."""
     return (defaults(scene.parameters, engine), *[preset(scene, one.line, engine) for one in scene.presets])
 
 
-def after_drags(scene: Scene, count: int, seed: int, engine: Engine | None = None) -> Iterator[Given]:
+def after_drags(scene: LabScene, count: int, seed: int, engine: Engine | None = None) -> Iterator[Given]:
     """The values after each of many random drags and slider moves, some far out of range; of a scene that runs, every 50th."""
     chance = random.Random(seed)
     given = defaults(scene.parameters, engine)
@@ -68,7 +68,7 @@ def after_drags(scene: Scene, count: int, seed: int, engine: Engine | None = Non
             yield given
 
 
-def _dragged_somewhere(scene: Scene, given: Given, chance: random.Random) -> Given:
+def _dragged_somewhere(scene: LabScene, given: Given, chance: random.Random) -> Given:
     """The values after one drag of one handle, or one slider."""
     if scene.handles and chance.random() < 0.7:
         handle = scene.handles[int(chance.random() * len(scene.handles))]
@@ -77,7 +77,7 @@ def _dragged_somewhere(scene: Scene, given: Given, chance: random.Random) -> Giv
     return clamped(scene.parameters, given, {parameter.name: _some_value(parameter, chance)}).given
 
 
-def _somewhere(scene: Scene, given: Given, chance: random.Random) -> complex:
+def _somewhere(scene: LabScene, given: Given, chance: random.Random) -> complex:
     """A point of the world: mostly anywhere around the view box, at times the centre or the position of another handle."""
     kind = chance.random()
     if kind < 0.05:

@@ -6,7 +6,7 @@ from typing import Any, NamedTuple
 
 from game.lab.kit.parameters import Clamped, Given, defaults
 from game.lab.kit.picture import Picture
-from game.lab.kit.scene import Motion, Scene, picture_of, started, stepped
+from game.lab.kit.scene import LabScene, Motion, picture_of, started, stepped
 from game.lab.kit.second_engine import Engine
 from game.lab.session.share import SharedScene, share_line
 
@@ -24,7 +24,7 @@ class Session(NamedTuple):
     rest: the part of a tick that is due but not yet run, in [0, 1). notes: what the last change had to clamp or refuse.
     """
 
-    scene: Scene
+    scene: LabScene
     given: Given
     states: tuple[Any, ...]
     tick: int = 0
@@ -60,7 +60,7 @@ def opened(shared: SharedScene) -> Session:
     return at_tick(new, shared.tick) if shared.tick else new._replace(playing=new.runs)
 
 
-def fresh(scene: Scene, engine: Engine | None) -> Session:
+def fresh(scene: LabScene, engine: Engine | None) -> Session:
     """A scene at its defaults."""
     return opened(SharedScene(scene, defaults(scene.parameters, engine)))
 

@@ -4,7 +4,7 @@ import math
 from typing import NamedTuple
 
 from game.lab.kit.parameters import Count, Given, Parameter, Point, clamped, defaults, plain, written
-from game.lab.kit.scene import Motion, Scene
+from game.lab.kit.scene import LabScene, Motion
 from game.lab.kit.second_engine import Engine
 from game.lab.registry import scene_named
 from game.system.errors import BadInputError
@@ -17,7 +17,7 @@ _LONGEST = 4096
 class SharedScene(NamedTuple):
     """A scene with its values, at a tick."""
 
-    scene: Scene
+    scene: LabScene
     given: Given
     tick: int = 0
 
@@ -46,12 +46,12 @@ def parsed(line: str, engine: Engine | None = None) -> SharedScene:
     return SharedScene(scene, given, tick)
 
 
-def preset(scene: Scene, line: str, engine: Engine | None = None) -> Given:
+def preset(scene: LabScene, line: str, engine: Engine | None = None) -> Given:
     """The values of one of a scene's presets."""
     return _read(scene, line, engine)[0]
 
 
-def _read(scene: Scene, rest: str, engine: Engine | None) -> tuple[Given, int]:
+def _read(scene: LabScene, rest: str, engine: Engine | None) -> tuple[Given, int]:
     """The values and the tick after the question mark."""
     parameters = {parameter.name: parameter for parameter in scene.parameters}
     values: dict[str, complex] = {}

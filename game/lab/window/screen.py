@@ -121,7 +121,7 @@ class Lab:
         draw_head(sheet, self._session.scene)
         draw_words(sheet, picture)
         side.show(self._session, self._shown, picture.toggles)
-        draw_small_print(sheet, side.bottom, (f"state {sessions.state_hash(self._session)}", self._session.line))
+        draw_small_print(sheet, side.bottom, (f"state hash {sessions.state_hash(self._session)}", self._session.line))
         side.draw(surface, self._session, self._seconds, self._pixels_per_point)
         self._seconds = 0.0
         if self._help:

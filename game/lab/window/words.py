@@ -8,7 +8,7 @@ from game.drawing.palette import Colour, Theme
 from game.drawing.text import Type
 from game.lab.kit.differences import differences_line
 from game.lab.kit.picture import Picture
-from game.lab.kit.scene import Scene
+from game.lab.kit.scene import LabScene
 from game.lab.window.layout import WindowLayout
 
 _LINE = 1.25
@@ -29,7 +29,7 @@ class TextSheet(NamedTuple):
         return self.layout.unit
 
 
-def draw_head(sheet: TextSheet, scene: Scene) -> float:
+def draw_head(sheet: TextSheet, scene: LabScene) -> float:
     """The title, the idea, and where the scene goes beyond the source; returns where they end, pixels."""
     unit, theme, head = sheet.unit, sheet.theme, sheet.layout.head
     pygame.draw.rect(sheet.surface, theme.background, head)

@@ -12,7 +12,7 @@ from game.drawing.camera import Camera, bearing, layout, unit_of
 from game.input.hands import Hands
 from game.input.keys import Action
 from game.input.signals import Dragged, Pressed, Zoomed
-from game.input.view import FROM_ABOVE, LEAST_TILT, LEAST_ZOOM, MOST_TILT, MOST_ZOOM, TIPPED, Viewpoint
+from game.input.view import FLAT, LEAST_TILT, LEAST_ZOOM, MOST_TILT, MOST_ZOOM, SOLID, Viewpoint
 from game.rules import POINTER_STEPS
 
 SIZES = st.tuples(st.integers(1, 8000), st.integers(1, 8000))
@@ -100,7 +100,7 @@ def test_a_pixel_beyond_the_horizon_still_has_a_bearing(tilt):
 
 def test_the_way_from_one_view_to_the_other_has_no_jumps():
     """A point moves by a few pixels a frame while the camera tips, and after tipping back it is where it was."""
-    flat, view = layout((1280, 800), 10.0), FROM_ABOVE.after(Pressed(Action.TIP), 20.0)
+    flat, view = layout((1280, 800), 10.0), FLAT.after(Pressed(Action.TIP), 20.0)
     pixels = [flat.camera.project(6 + 5j)]
     while view.tipped < 1.0:
         view = view.later(1.0 / 60.0)
@@ -113,25 +113,25 @@ def test_the_way_from_one_view_to_the_other_has_no_jumps():
 
 def test_players_who_want_no_motion_get_a_cut():
     """Without smooth motion the camera is tipped in the next frame."""
-    assert FROM_ABOVE.after(Pressed(Action.SOLID), 20.0).later(0.0, smooth=False).tipped == 1.0
+    assert FLAT.after(Pressed(Action.SOLID), 20.0).later(0.0, smooth=False).tipped == 1.0
 
 
 def test_dragging_and_zooming_stay_within_bounds():
     """Tilt and zoom stay within their bounds however far the mouse goes, and seen from above a drag turns nothing."""
-    view = TIPPED
+    view = SOLID
     for drag in (1e5 + 1e5j, -3e5 - 2e5j):
         view = view.after(Dragged(drag), 20.0).after(Zoomed(drag.real), 20.0)
         assert math.radians(10.0) < view.tilt < math.radians(80.0)
         assert 0.5 < view.zoom < 4.0
         assert abs(view.azimuth) <= math.pi
-    assert FROM_ABOVE.after(Dragged(50 + 0j), 20.0).after(Zoomed(2.0), 20.0) == FROM_ABOVE
+    assert FLAT.after(Dragged(50 + 0j), 20.0).after(Zoomed(2.0), 20.0) == FLAT
 
 
 @pytest.mark.parametrize("tilt", [0.2, 0.9, 1.3])
 @pytest.mark.parametrize("size", [(800, 600), (1280, 800), (600, 900), (3840, 2160)])
 def test_the_tipped_arena_lies_on_the_surface(size, tilt):
     """Every point of the rim is on the surface, from every side."""
-    camera = TIPPED._replace(tilt=tilt, azimuth=0.7).seen(layout(size, 10.0)).camera
+    camera = SOLID._replace(tilt=tilt, azimuth=0.7).seen(layout(size, 10.0)).camera
     for angle in np.linspace(0.0, math.tau, 90):
         pixel = camera.project(10.0 * complex(math.cos(angle), math.sin(angle)))
         assert 0.0 <= pixel.real <= size[0]

@@ -25,7 +25,7 @@ from game.drawing.solid.picture import SolidPicture
 from game.drawing.solid.prisms import Cut, ring_blocks, wedges_of
 from game.effects import Effects, after
 from game.effects.drops import Drop
-from game.input.view import FROM_ABOVE, TIPPED, Viewpoint
+from game.input.view import FLAT, SOLID, Viewpoint
 from game.levels import built_in
 from game.replays.state_hash import state_hash
 from game.rules import new_game, tick
@@ -260,7 +260,7 @@ def test_blocks_cover_as_many_pixels_as_they_should(phase, size):
     base = scene_at(game_after(0, 0)[0], 1.0, Effects())._replace(balls=(), aim=None)
     ring = base.rings[1]._replace(phase=phase)
     scene = base._replace(rings=(base.rings[0], ring), layers=(base.layers[0], (1,) * ring.count))
-    camera = seen_from(FROM_ABOVE, scene, size)._replace(tilt=1e-7)
+    camera = seen_from(FLAT, scene, size)._replace(tilt=1e-7)
     pixels = pygame.surfarray.array3d(painted(scene, camera, size)).astype(float)
     brick, ground = np.array(layer_colour(DARK, 1), float), np.array(DARK.ground, float)
     columns, rows = np.indices(pixels.shape[:2]) + 0.5
@@ -277,7 +277,7 @@ def test_all_but_upright_the_blocks_look_as_from_above(level, size):
     """Just before the camera is upright the silhouettes and the tops' colours are those of the top-down picture."""
     done, _ = game_after(level, 900)
     scene = scene_at(done, 0.4, Effects())._replace(aim=None, trails=())
-    flat = seen_from(FROM_ABOVE, scene, size)
+    flat = seen_from(FLAT, scene, size)
     pictures = [
         pygame.surfarray.array3d(painted(scene, camera, size)).astype(int) for camera in (flat, flat._replace(tilt=1e-7))
     ]
@@ -290,7 +290,7 @@ def test_all_but_upright_the_blocks_look_as_from_above(level, size):
 def test_any_size_can_be_drawn(size, tmp_path):
     """Pictures of one pixel, very wide and very high ones have the size that was asked for."""
     path = tmp_path / "picture.png"
-    save_screenshot(game_after(5, 300)[0].game, path, size, view=TIPPED)
+    save_screenshot(game_after(5, 300)[0].game, path, size, view=SOLID)
     assert pygame.image.load(path).get_size() == size
 
 
@@ -299,7 +299,7 @@ def test_eight_thousand_pixels_can_be_drawn():
     scene = scene_at(game_after(4, 300)[0], 0.5, Effects())
     painter = Painter()
     for size in ((7680, 4320), (320, 200)):
-        canvas = canvas_of(scene, size, TIPPED)
+        canvas = canvas_of(scene, size, SOLID)
         painter.paint(canvas, scene)
         middle = pygame.surfarray.array3d(canvas.surface)[size[0] // 3 : size[0] * 2 // 3, size[1] // 4 : size[1] * 2 // 3]
         assert len(np.unique(middle[::8, ::8].reshape(-1, 3), axis=0)) > 20
@@ -318,7 +318,7 @@ def test_tipping_leaves_the_game_alone():
     assert state_hash(game) == state_hash(game_after(4, 900)[0].game)
 
 
-@pytest.mark.parametrize(("level", "view"), [(4, TIPPED), (6, Viewpoint(1.0, 1.0, 2.2, 1.2)), (5, Viewpoint(1.0, 0.4))])
+@pytest.mark.parametrize(("level", "view"), [(4, SOLID), (6, Viewpoint(1.0, 1.0, 2.2, 1.2)), (5, Viewpoint(1.0, 0.4))])
 def test_reference_pictures(level, view):
     """Fewer than 0.1 % of the pixels differ from pictures that somebody has looked at."""
     done, _ = game_after(level, 1500)

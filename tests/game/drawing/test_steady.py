@@ -16,7 +16,7 @@ from game.drawing.raster.quads import QuadRaster
 from game.drawing.solid import faces
 from game.drawing.solid.painters_order import back_to_front
 from game.effects import Effects, after
-from game.input.view import TIPPED, Viewpoint
+from game.input.view import SOLID, Viewpoint
 from game.levels import built_in
 from game.rules import new_game, tick
 from game.scene import scene_at
@@ -88,7 +88,7 @@ def test_a_wrong_order_flickers(level, monkeypatch):
 
 def test_a_cached_picture_equals_a_fresh_one():
     """Through hits, falls, a moving camera and a change of size, a used painter draws what a new one draws."""
-    game, pilot, effects, painter, view = new_game(built_in()[4:], 3), Autopilot(), Effects(), Painter(), TIPPED
+    game, pilot, effects, painter, view = new_game(built_in()[4:], 3), Autopilot(), Effects(), Painter(), SOLID
     compared = fell = 0
     for number in range(3000):
         done = tick(game, pilot.controls(game))
@@ -150,7 +150,7 @@ def test_a_tile_that_shows_the_same_is_not_drawn_again(monkeypatch):
     counts = []
     for seen in (scene, scene, turned):
         drawn.clear()
-        painter.paint(canvas_of(seen, (1280, 800), TIPPED), seen)
+        painter.paint(canvas_of(seen, (1280, 800), SOLID), seen)
         counts.append(len(drawn))
     assert counts[0] > 10
     assert counts[1] == 0

@@ -17,7 +17,7 @@ from game.drawing.solid.debris_occlusion import occluded
 from game.effects import NOTHING
 from game.effects.bursts import Burst, BurstOrigin, Matter, lifetime
 from game.effects.debris import THROWS, pieces
-from game.input.view import FROM_ABOVE, TIPPED, Viewpoint
+from game.input.view import FLAT, SOLID, Viewpoint
 from game.scene import scene_at
 from tests.support.games import game_after
 from tests.support.pictures import camera_of, canvas_of
@@ -117,7 +117,7 @@ def test_what_hides_a_point_is_found_as_by_marching(level):
     chance = np.random.default_rng(level)
     points = np.sqrt(chance.random(300)) * 9.0 * np.exp(1j * chance.random(300) * math.tau)
     heights = chance.random(300) * 1.5
-    for view in (TIPPED, Viewpoint(1.0, 1.0, 2.0, 1.2), Viewpoint(1.0, 0.5, -1.0, 0.9)):
+    for view in (SOLID, Viewpoint(1.0, 1.0, 2.0, 1.2), Viewpoint(1.0, 0.5, -1.0, 0.9)):
         camera = camera_of(view, scene, SIZE)
         found = occluded(points, heights, scene, camera)
         marched = np.array([blocked(scene, camera, point, above) for point, above in zip(points, heights, strict=True)])
@@ -131,7 +131,7 @@ def test_a_gap_hides_nothing():
     paddles, pitch = scene.rings[0], math.tau / scene.rings[0].count
     within = paddles.radius * np.exp(1j * (paddles.phase + pitch * np.arange(paddles.count)))
     between = within * np.exp(0.5j * pitch)
-    found = occluded(np.concatenate([within, between]), np.zeros(2 * paddles.count), scene, camera_of(TIPPED, scene, SIZE))
+    found = occluded(np.concatenate([within, between]), np.zeros(2 * paddles.count), scene, camera_of(SOLID, scene, SIZE))
     assert found.tolist() == [True] * paddles.count + [False] * paddles.count
 
 
@@ -153,7 +153,7 @@ def blocked(scene, camera, point, above):
     return False
 
 
-@pytest.mark.parametrize("view", [FROM_ABOVE, TIPPED], ids=["flat", "tipped"])
+@pytest.mark.parametrize("view", [FLAT, SOLID], ids=["flat", "tipped"])
 def test_shards_have_the_colour_of_their_layer(view):
     """On an empty surface every pixel that changes is a shade of it, or of it and white light."""
     scene = scene_of(0)._replace(layers=tuple([(0,) * len(ring) for ring in scene_of(0).layers]))
@@ -171,7 +171,7 @@ def test_shards_have_the_colour_of_their_layer(view):
 def test_nothing_to_draw_draws_nothing():
     """Without bursts the surface stays as it is, and with pieces that a wall hides, too."""
     scene = scene_of(4)
-    canvas = canvas_of(scene, SIZE, TIPPED)
+    canvas = canvas_of(scene, SIZE, SOLID)
     debris_picture.draw(canvas, scene._replace(bursts=()))
     tower = scene.rings[1]
     inside = BurstOrigin(tower.radius, 0.0, tower.angle(0), 0.0)

@@ -13,13 +13,13 @@ import pytest
 from game.autopilot import Autopilot
 from game.effects import ALL, EffectKind
 from game.effects.hit_stop import SECONDS
-from game.input.view import TIPPED
+from game.input.view import SOLID
 from game.levels import built_in
 from game.replays.file import Recorder
 from game.replays.state_hash import state_hash
 from game.replays.verify import verified
 from game.rules import EventKind, new_game, tick
-from game.screens.play import Play
+from game.screens.play import PlayScreen
 from game.settings.values import Settings
 from tests.support.dummy_window import SIZE, shared
 
@@ -46,7 +46,7 @@ def played(settings, view=None, seconds=1.0 / 60.0):
     app = shared(LEVEL, 7, recorded, autopilot=True)
     app.change(settings)
     app.view = app.view if view is None else view
-    screen, surface, frames = Play(app, built_in()[LEVEL:]), pygame.Surface((96, 72), 0, 32), 0
+    screen, surface, frames = PlayScreen(app, built_in()[LEVEL:]), pygame.Surface((96, 72), 0, 32), 0
     while recorded.recorder.ticks < TICKS:
         screen = screen.advance(seconds, SIZE)
         if frames % 5 == 0:
@@ -88,7 +88,7 @@ def test_a_recording_does_not_know_what_was_seen(bare, settings):
 def test_tipped_and_at_another_frame_rate(bare):
     """A tipped camera and another frame rate change nothing in the recording, and it verifies."""
     for seconds in (1.0 / 144.0, 0.11):
-        recording, _ = played(Settings(), TIPPED, seconds)
+        recording, _ = played(Settings(), SOLID, seconds)
         assert recording == bare
     assert verified(bare).divergence is None
 
@@ -100,7 +100,7 @@ def test_a_held_breath_takes_time_but_no_tick():
         told = []
         app = shared(0, 1, lambda _controls, after, told=told: told.append(state_hash(after)))
         app.change(settings)
-        screen = Play(app, built_in())
+        screen = PlayScreen(app, built_in())
         counts = []
         for _ in range(1500):
             screen._hands = screen._hands._replace(serve=len(told) > 50)

@@ -21,7 +21,7 @@ from game.drawing.slots.parts import LAYER_HEIGHT, PADDLE_HEIGHT, Slab
 from game.drawing.solid.prisms import Cut, pushed, ring_blocks
 from game.effects import ALL, FLASH_TICKS, NOTHING, Flash, Recoil, Wave, bursts
 from game.effects.waves import WAVE_TICKS, WaveTone
-from game.input.view import FROM_ABOVE, TIPPED, Viewpoint
+from game.input.view import FLAT, SOLID, Viewpoint
 from game.levels import built_in
 from game.rules import PADDLES, EventKind, new_game, tick
 from game.scene import scene_at
@@ -30,7 +30,7 @@ from tests.support.games import game_after
 from tests.support.pictures import canvas_of
 
 SIZE = (900, 700)
-VIEWS = pytest.mark.parametrize("view", [FROM_ABOVE, TIPPED], ids=["flat", "tipped"])
+VIEWS = pytest.mark.parametrize("view", [FLAT, SOLID], ids=["flat", "tipped"])
 
 
 def scene_of(level=4, ticks=0):
@@ -38,7 +38,7 @@ def scene_of(level=4, ticks=0):
     return scene_at(game_after(level, ticks)[0], 1.0, NOTHING)._replace(aim=None, balls=())
 
 
-def painted(scene, view=FROM_ABOVE):
+def painted(scene, view=FLAT):
     """A scene as an array of colours, and the camera that saw it."""
     canvas = canvas_of(scene, SIZE, view)
     Painter().paint(canvas, scene)
@@ -98,8 +98,8 @@ def test_a_struck_paddle_is_farther_out_in_3d():
     ring = scene.rings[PADDLES]
     away = scene._replace(recoils=(Recoil(0, 1.0, 16),))
     out = away.recoils[0].out
-    rest, camera = painted(scene, TIPPED)
-    picture, _ = painted(away, TIPPED)
+    rest, camera = painted(scene, SOLID)
+    picture, _ = painted(away, SOLID)
     height = PADDLE_HEIGHT * LAYER_HEIGHT * scene.ground_radius
     top = cmath.exp(1j * ring.angle(0)) * (ring.radius + out)
     assert at(picture, camera, top, height) == DARK.paddle_top
@@ -211,7 +211,7 @@ def test_sounds_come_from_their_place_on_the_screen():
         app.play_sounds(placed, view.seen(flat).camera)
         return card.sides
 
-    assert heard(FROM_ABOVE) == pytest.approx([0.6, -0.6, 0.0, 1.0])
+    assert heard(FLAT) == pytest.approx([0.6, -0.6, 0.0, 1.0])
     front = heard(Viewpoint(1.0, 1.0))
     behind = heard(Viewpoint(1.0, 1.0, math.pi))
     assert front[0] > 0.4 > -0.4 > front[1]

@@ -7,7 +7,7 @@ from game import app
 from game.input.repeat import FIRST, NEXT, Repeat
 from game.input.signals import KeyboardState
 from game.lab.registry import scenes
-from game.screens.play import Play
+from game.screens.play import PlayScreen
 from game.screens.title import Title
 from tests.support.dummy_window import FRAME, Desk, shared
 from tests.support.lab_desk import LabDesk
@@ -32,7 +32,7 @@ def playing():
     desk = Desk(kept, Title(kept))
     desk.told = told
     desk.press(pygame.K_RETURN)
-    assert isinstance(desk.screen, Play)
+    assert isinstance(desk.screen, PlayScreen)
     yield desk
     desk.close()
 

@@ -12,14 +12,14 @@ from game.input.signals import Action, Pressed
 from game.levels import built_in
 from game.screens.help import Help
 from game.screens.menu import Entry, Menu
-from game.screens.play import Play
+from game.screens.play import PlayScreen
 from game.screens.settings_panel import SettingsPanel
 from tests.support.dummy_window import shared
 
 SIZE = (640, 400)
 
 
-class Under(Play):
+class Under(PlayScreen):
     """A game that counts how often it is drawn."""
 
     drawn = 0

@@ -9,7 +9,7 @@ from game.drawing.palette import LIGHT
 from game.drawing.raster.primitives import draw_box
 from game.effects import EffectKind
 from game.screens.menu import Menu
-from game.screens.play import Play
+from game.screens.play import PlayScreen
 from game.screens.settings_panel import SettingsPanel, _boxes, _volume_bar
 from game.screens.settings_rows import EFFECTS, ROWS
 from game.screens.title import Title
@@ -37,7 +37,7 @@ def test_they_open_from_the_title_the_game_and_its_pause(desk):
     desk.press(pygame.K_RETURN, pygame.K_o)
     assert isinstance(desk.screen, SettingsPanel)
     desk.press(pygame.K_o)
-    assert isinstance(desk.screen, Play)
+    assert isinstance(desk.screen, PlayScreen)
     desk.press(pygame.K_p, pygame.K_DOWN, pygame.K_DOWN, pygame.K_RETURN)
     assert isinstance(desk.screen, SettingsPanel)
     desk.press(pygame.K_ESCAPE)

@@ -12,7 +12,7 @@ from game.replays.state_hash import state_hash
 from game.rules import Phase, new_game, tick
 from game.screens.help import Help
 from game.screens.menu import Menu
-from game.screens.play import Play
+from game.screens.play import PlayScreen
 from game.screens.title import Title
 from game.system import ending
 from tests.support.dummy_window import FRAME, SIZE, Desk, shared
@@ -38,7 +38,7 @@ def desk(ticks):
 def playing(desk):
     """The app in a game before its first serve."""
     desk.press(pygame.K_RETURN)
-    assert isinstance(desk.screen, Play)
+    assert isinstance(desk.screen, PlayScreen)
     return desk
 
 
@@ -62,7 +62,7 @@ def test_a_whole_evening(desk, ticks):
     desk.wait(1.0)
     assert len(ticks) > stopped
     desk.press(pygame.K_r, pygame.K_r)
-    assert isinstance(desk.screen, Play)
+    assert isinstance(desk.screen, PlayScreen)
     desk.wait(0.1)
     assert ticks[-1][1].tick < 30
     desk.press(pygame.K_ESCAPE, pygame.K_DOWN, pygame.K_DOWN, pygame.K_DOWN, pygame.K_RETURN)
@@ -95,7 +95,7 @@ def test_escape_twice_loses_nothing(playing, ticks):
     playing.press(pygame.K_SPACE)
     playing.wait(0.1)
     playing.press(pygame.K_ESCAPE, pygame.K_ESCAPE)
-    assert isinstance(playing.screen, Play)
+    assert isinstance(playing.screen, PlayScreen)
     before = len(ticks)
     playing.wait(1.0)
     assert len(ticks) > before
@@ -142,7 +142,7 @@ def test_after_a_pause_there_is_a_moment_to_get_ready(playing, ticks):
 def test_help_opens_over_everything_and_closes_again(desk):
     """H and F1 open it over the title, a game and its pause; a key of the game closes it, any other does not."""
     for opens in (pygame.K_h, pygame.K_F1):
-        for screen in (Title, Play, Menu):
+        for screen in (Title, PlayScreen, Menu):
             assert isinstance(desk.screen, screen)
             desk.press(opens)
             assert isinstance(desk.screen, Help)
@@ -151,7 +151,7 @@ def test_help_opens_over_everything_and_closes_again(desk):
                 assert isinstance(desk.screen, Help)
                 desk.press(pygame.K_ESCAPE)
             assert isinstance(desk.screen, screen)
-            desk.press({Title: pygame.K_RETURN, Play: pygame.K_p, Menu: pygame.K_p}[screen])
+            desk.press({Title: pygame.K_RETURN, PlayScreen: pygame.K_p, Menu: pygame.K_p}[screen])
         desk.press(pygame.K_p, pygame.K_UP, pygame.K_UP, pygame.K_RETURN)
 
 
@@ -204,7 +204,7 @@ def test_the_title_plays_by_itself(desk):
 def test_losing_every_ball_ends_the_game(playing, ticks):
     """Serving without steering loses all balls. Keys pressed meanwhile choose nothing in the menu that follows; R restarts."""
     for _ in range(4000):
-        if not isinstance(playing.screen, Play):
+        if not isinstance(playing.screen, PlayScreen):
             break
         playing.hold(pygame.K_SPACE)
         playing.hold(pygame.K_RIGHT)
@@ -220,8 +220,8 @@ def test_losing_every_ball_ends_the_game(playing, ticks):
 def test_winning_ends_the_game_too():
     """After the autopilot has cleared the only level there is a menu that says so."""
     state = shared(autopilot=True)
-    screen = Play(state, built_in()[:1])
-    while isinstance(screen, Play):
+    screen = PlayScreen(state, built_in()[:1])
+    while isinstance(screen, PlayScreen):
         screen = screen.advance(0.25, SIZE)
     assert screen._title == "You won"
 
@@ -249,7 +249,7 @@ def test_full_screen_and_back(playing):
     assert playing.window.size == SIZE
     playing.press(pygame.K_RETURN, mod=pygame.KMOD_ALT)
     assert playing.window.size == desktop
-    assert isinstance(playing.screen, Play)
+    assert isinstance(playing.screen, PlayScreen)
 
 
 @pytest.mark.parametrize("size", [(1, 1), (3, 900), (900, 3), (3840, 2160), (800, 600)])
@@ -261,7 +261,7 @@ def test_any_window_size_in_play(desk, size):
     desk.press(pygame.K_p)
     desk.window.size = SIZE
     desk.press(pygame.K_p)
-    assert isinstance(desk.screen, Play)
+    assert isinstance(desk.screen, PlayScreen)
 
 
 def test_minimising_pauses(playing):

@@ -10,7 +10,7 @@ import pytest
 
 from game import levels
 from game.autopilot import Autopilot
-from game.input.view import FROM_ABOVE, TIPPED
+from game.input.view import FLAT, SOLID
 from game.levels import built_in
 from game.replays import file as replay
 from game.replays.verify import verified
@@ -23,12 +23,29 @@ HEADLESS = ["--headless", "--autopilot", "--seed", "7", "--ticks", "500"]
 
 
 def test_a_headless_game_prints_one_line(capsys):
-    """The result line has ticks, level, phase, score, lives, bricks and hash, and is the same every time."""
+    """The result line says how the game stands and what repeats it, and is the same every time."""
     first, again = polar(capsys, *HEADLESS), polar(capsys, *HEADLESS)
-    pattern = r"ticks=500 level=1 phase=\w+ score=\d+ lives=\d bricks=\d+ hash=[0-9a-f]{64}\n"
+    pattern = r"ticks=500 seed=7 physics=swept level=1 phase=\w+ score=\d+ lives=\d layers=\d+ hash=[0-9a-f]{64}\n"
     assert first == again
     assert re.fullmatch(pattern, first[1])
     assert polar(capsys, *HEADLESS[:-3], "8", *HEADLESS[-2:])[1] != first[1]
+
+
+def test_the_physics_of_the_line_is_the_one_that_was_flown(capsys):
+    """With --physics source the line says so; without --seed the seed is 1."""
+    code, out, _ = polar(capsys, "--headless", "--autopilot", "--ticks", "300", "--physics", "source")
+    assert code == 0
+    assert out.startswith("ticks=300 seed=1 physics=source level=1 ")
+
+
+def test_the_list_of_levels_counts_bricks_and_layers(capsys):
+    """A stack of several layers is one brick."""
+    _, out, _ = polar(capsys, "levels")
+    towers = next(level for level in levels.built_in() if level.name == "Towers")
+    stacks = [layers for ring in towers.rings for layers in ring.slots() if layers > 0]
+    assert len(stacks) < sum(stacks)
+    assert out.split("\n", 1)[0].split()[:4] == ["#", "name", "bricks", "layers"]
+    assert re.search(rf"Towers +{len(stacks)} +{sum(stacks)} ", out)
 
 
 def test_a_recorded_game_verifies(capsys, tmp_path: Path):
@@ -75,7 +92,7 @@ def test_headless_imports_no_pygame(tmp_path: Path):
         ([*HEADLESS, "--record", "/dev/null"], "--record /dev/null: cannot be written; a device, not a regular file"),
         ([*HEADLESS, "--screenshot", "a.txt"], "--screenshot a.txt: expected a name that ends in .png, not .txt"),
         ([*HEADLESS, "--size", "100x100"], "--size: is for a picture; add --screenshot FILE"),
-        ([*HEADLESS, "--view", "3d"], "--view: is for a picture"),
+        ([*HEADLESS, "--view", "solid"], "--view: is for a picture"),
         (["--ticks", "5"], "--ticks: is for a headless game"),
         (["--headless", "levels"], "--headless: is not for the command levels"),
         (["--seed", "3", "replays"], "--seed: is not for the command replays"),
@@ -213,7 +230,7 @@ def test_a_screenshot_shows_the_effects_of_the_last_ticks(capsys, tmp_path: Path
         game = done.game
         if not hit and any(event.kind == EventKind.BRICK_HIT for event in done.events):
             hit = game.tick
-    for view, seen in (("top", FROM_ABOVE), ("3d", TIPPED)):
+    for view, seen in (("flat", FLAT), ("solid", SOLID)):
         path, bare = tmp_path / "shown.png", tmp_path / "bare.png"
         shot = ("--screenshot", path, "--view", view, "--size", "640x400")
         assert polar(capsys, *HEADLESS[:-1], game.tick, *shot)[0] == 0

@@ -11,6 +11,7 @@ from tools.crosscheck.report.words import (
     BOUNDS,
     COMPARISON_NAMES,
     NOT_COMPARED,
+    TERMS,
     UNITS,
     bound_source,
     number,
@@ -70,8 +71,8 @@ def _measured(findings: Findings) -> Iterator[str]:
     """The table."""
     yield '<h2>Measured</h2>\n<div class="wide"><table class="numbers">'
     yield (
-        "<thead><tr><th>feature</th><th>count</th><th>median</th><th>p99</th><th>maximum</th><th>bound</th><th>of it</th>"
-        "<th>from</th></tr></thead>"
+        "<thead><tr><th>feature</th><th>count</th><th>median</th><th>p99</th><th>maximum</th><th>bound</th><th>% of bound</th>"
+        "<th>bound from</th></tr></thead>"
     )
     last = None
     for key, summary in summaries(findings.result):
@@ -88,9 +89,9 @@ def _measured(findings: Findings) -> Iterator[str]:
         numbers = "".join(f"<td>{cell}</td>" for cell in cells)
         yield f'<tr{style}><th>{key[1]}</th>{numbers}<td class="word">{bound_source(key)}</td></tr>'
     yield "</tbody></table></div>"
-    yield '<p class="note"><b>bound</b>: the one that the largest error is held to; <b>of it</b>: the largest share that any '
-    yield "error takes of its own bound; <b>from</b>: what the bound is derived from.</p>"
-    yield "<dl>" + "".join(f"<dt>{word}</dt><dd>{escape(meaning)}</dd>" for word, meaning in BOUNDS.items()) + "</dl>"
+    yield '<p class="note"><b>bound</b>: the one that the largest error is held to; <b>% of bound</b>: the largest share that '
+    yield "any error takes of its own bound; <b>bound from</b>: what the bound is derived from.</p>"
+    yield "<dl>" + "".join(f"<dt>{word}</dt><dd>{escape(meaning)}</dd>" for word, meaning in (BOUNDS | TERMS).items()) + "</dl>"
 
 
 _UNIT_WORDS = {

@@ -9,12 +9,15 @@ from rich.table import Table
 from rich.text import Text
 
 from tools.crosscheck.corpus.build import MANIFEST, Corpus
+from tools.crosscheck.games.sources import AIMED
 from tools.crosscheck.report.words import (
     BOUNDS,
     COMPARISON_NAMES,
     NOT_COMPARED,
+    TERMS,
     UNITS,
     bound_source,
+    compared_games,
     counted,
     number,
     pace,
@@ -25,7 +28,7 @@ from tools.crosscheck.report.words import (
 )
 from tools.crosscheck.results.coverage import ALL_CELLS, NAMES, empty_cells, margins
 from tools.crosscheck.results.findings import Findings
-from tools.crosscheck.results.measurements import FEATURES, VERDICT_NAMES, ContactVerdict, Measurement
+from tools.crosscheck.results.measurements import FEATURES, VERDICT_MEANINGS, VERDICT_NAMES, ContactVerdict, Measurement
 from tools.crosscheck.results.rows import Rows
 from tools.crosscheck.run import RunResult
 from tools.crosscheck.sabotage.suite import SabotageResult
@@ -37,13 +40,14 @@ _EMPTY_SHOWN = 5
 def print_findings(console: Console, findings: Findings, listed: ContactVerdict | None) -> None:
     """The tables, the disagreements and the verdict. listed: the verdict whose measurements are listed one by one."""
     result = findings.result
+    console.print(Text(compared_games(result)))
     console.print(_table(result))
-    for word, meaning in BOUNDS.items():
-        console.print(Text(f"{word:>8}  {meaning}", style="dim"))
+    console.print(_legend(BOUNDS | TERMS))
     console.print()
     console.print(_verdicts(result))
     console.print(_coverage(result.rows))
-    _print_empty_cells(console, result.rows)
+    if any([job.source.level == AIMED for job in result.jobs]):  # no other games are meant to meet every kind
+        _print_empty_cells(console, result.rows)
     console.print(Text(NOT_COMPARED, style="dim"))
     for source, why in result.lost:
         console.print(Text(f"lost: {source.name}: {why}", style="bold red"))
@@ -92,9 +96,9 @@ def measurement_line(measurement: Measurement) -> str:
 def _table(result: RunResult) -> Table:
     table = Table(box=box.SIMPLE_HEAD, padding=0, pad_edge=False)
     table.add_column("ours and pymunk", no_wrap=True)
-    for heading in ("count", "median", "p99", "maximum", "bound", "of it"):
+    for heading in ("count", "median", "p99", "maximum", "bound", "% of\nbound"):
         table.add_column(heading, justify="right", no_wrap=True)
-    table.add_column("from", no_wrap=True)
+    table.add_column("bound\nfrom", no_wrap=True)
     last = None
     for key, summary in summaries(result):
         if key[0] != last:
@@ -113,13 +117,22 @@ def _table(result: RunResult) -> Table:
     return table
 
 
+def _legend(meanings: dict[str, str]) -> Table:
+    """Words of the table and what they mean."""
+    table = Table.grid(padding=(0, 2))
+    for word, meaning in meanings.items():
+        table.add_row(Text(word, style="dim"), Text(meaning, style="dim"))
+    return table
+
+
 def _verdicts(result: RunResult) -> Table:
     table = Table(box=box.SIMPLE_HEAD, pad_edge=False)
     table.add_column("contacts by verdict")
     table.add_column("count", justify="right")
+    table.add_column("meaning")
     for kind, count in result.rows.verdicts.items():
         style = "bold red" if kind == ContactVerdict.UNEXPLAINED and count else None
-        table.add_row(VERDICT_NAMES[kind], f"{count:,}", style=style)
+        table.add_row(VERDICT_NAMES[kind], f"{count:,}", VERDICT_MEANINGS[kind], style=style)
     if result.rows.elsewhere:
         table.add_row("unexplained, away from contacts", f"{result.rows.elsewhere:,}", style="bold red")
     return table

@@ -3,6 +3,7 @@
 import math
 from collections.abc import Iterator
 
+from tools.crosscheck.games.sources import AIMED, AUTOPILOT, RANDOM, Source
 from tools.crosscheck.results.findings import Findings
 from tools.crosscheck.results.measurements import Comparison, Key, Measurement, Summary
 from tools.crosscheck.run import RunResult
@@ -33,13 +34,22 @@ UNITS = {
 }
 BOUNDS = {
     "same": "ring, slot, feature and layers must be the same",
-    "noise": "rounding: 7e-15 R, for normals 7e-15 (R + r)/r (derived in rounding.py)",
-    "facet": "half a facet's angle, d/2; outside asin(R/(R + r) sin d/2)",
-    "window": "touch of a ball larger and of one smaller by the noise",
-    "mirror": "2 |w| e: a mirror turned by e turns the relative velocity w by 2e",
+    "noise": "rounding: 7e-15 R, for normals 7e-15 (R + r)/r; R: the ring's outer radius, r: the ball's radius "
+    "(derived in tools/crosscheck/pymunk_model/rounding.py)",
+    "facet": "d/2, d: the angle of a facet; on outer faces asin(R/(R + r) sin d/2)",
+    "window": "the times of touch of a ball larger and of one smaller by the noise",
+    "mirror": "2 |w| e: a normal off by e, its noise, turns w, the velocity relative to the surface, by 2e; and rounding",
     "grid": "half a step of the game's grid of angles, 2^-51, for every tick",
 }
 """Where bounds come from, by the word in the table."""
+TERMS = {
+    "pose": "where a ball and the rings stand at one tick",
+    "presence": "does the ball touch anything in a pose? Its error is the depth of an overlap, or the gap at a contact",
+    "phase, rebuilt": "the rings' phases, against those computed again from the level and the recorded spins",
+    "length, speed": "world units; world units per second",
+    "wrong": "1 for a wrong answer, 0 for a right one",
+}
+"""What the words of the table mean."""
 
 NOT_COMPARED = (
     "Not compared: what the rules do between ticks (a serve, a nudge, a lost ball, the score). How the player's controls "
@@ -56,6 +66,8 @@ def bound_source(key: Key) -> str:
     return _SOURCES.get(comparison, "noise")
 
 
+_LONG_RUN = 10.0
+"""Seconds of comparing from which a rate is said."""
 _SOURCES = {
     Comparison.TARGET: "same",
     Comparison.TIME: "window",
@@ -130,12 +142,34 @@ def counted(count: int, noun: str) -> str:
 
 
 def pace(result: RunResult) -> str:
-    """How fast the comparisons were."""
-    rate = result.rows.contacts / result.checking if result.checking else 0.0
+    """How fast the comparisons were: a rate where they took long enough to have one."""
+    contacts, seconds = result.rows.contacts, result.checking
+    compared = (
+        f"{contacts / seconds:,.0f} contacts compared per second of a core"
+        if seconds >= _LONG_RUN
+        else f"{counted(contacts, 'contact')} compared in {seconds:.2f} s"
+    )
     return (
-        f"{result.ticks:,} ticks; {rate:,.0f} contacts compared per second of a core, presence at every tick included; "
+        f"{result.ticks:,} ticks; {compared}, presence at every tick included; "
         f"pymunk's models took {result.building:.1f} s, the games themselves {result.playing:.1f} s"
     )
+
+
+_LISTED = 3
+
+
+def compared_games(result: RunResult) -> str:
+    """Which games were compared: each by its level, seed and player where they are few."""
+    names = [_game_words(job.source) for job in result.jobs]
+    return "compared: " + ("; ".join(names) if len(names) <= _LISTED else f"{len(names):,} games; --report names each")
+
+
+def _game_words(source: Source) -> str:
+    """One game: a replay's file, or level, seed and player, and the longest time."""
+    if source.replay is not None:
+        return source.replay
+    by = f", {AUTOPILOT}" if source.player == AUTOPILOT and source.level not in {RANDOM, AIMED} else ""
+    return f"{source.name}{by}, at most {source.ticks:,} ticks"
 
 
 def _row_order(key: Key) -> tuple[int, int]:

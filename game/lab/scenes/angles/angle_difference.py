@@ -7,7 +7,7 @@ from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import angle_arc, degrees, ray
 from game.lab.kit.parameters import Given, Number
 from game.lab.kit.picture import Circle, Line, Mark, Picture, PointMark, Role, Stroke, Words, single
-from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import add_angles, min_difference, normalize_angle, on_left, signed_difference, subtract_angles, to_cartesian
 
 _RADIUS = 4.0
@@ -103,7 +103,7 @@ def _between(a: float, b: float) -> float:
     return math.acos(min(max(turn.real, -1.0), 1.0))
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="angle-difference",
     title="The difference of two angles, across the polar axis",
     idea="Two directions enclose two angles. The smaller one counts, also where it lies across the polar axis.",

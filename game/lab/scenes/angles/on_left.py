@@ -9,7 +9,7 @@ from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import degrees, ray
 from game.lab.kit.parameters import Given, Number
 from game.lab.kit.picture import AnnularSector, Arrow, Disc, Line, Mark, Pane, Picture, PointMark, Role, Stroke, Toggle
-from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import (
     closest_point_on_line,
     length,
@@ -140,7 +140,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
     )
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="on-left",
     title="Which end? on_left and the wide sector",
     idea="Seen from an end of a wide sector, a ball beyond the other end is still on the left. The sector's middle decides.",

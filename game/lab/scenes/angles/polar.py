@@ -8,7 +8,7 @@ from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import angle_arc, degrees, ray, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Line, Mark, Picture, PointMark, Role, Stroke, Words, single
-from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import length, normalize_angle, to_cartesian, to_polar
 
 _TINY = 1e-15
@@ -94,7 +94,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
     )
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="polar",
     title="Polar coordinates and normalised angles",
     idea="A point is a distance and an angle. Angles are normalised to [0, 2π) once, and compared only then.",

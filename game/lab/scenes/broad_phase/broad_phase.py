@@ -8,7 +8,7 @@ from game.lab.kit.handles import Handle
 from game.lab.kit.marks import ball_marks, ray
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Annulus, Circle, Line, Mark, Picture, Role, Stroke, Toggle, Words, single
-from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import (
     Ball,
     Outcome,
@@ -143,7 +143,7 @@ def _on_axis(name: str, label: str, turn: float) -> Handle:
     )
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="broad-phase",
     title="Broad phase: four outcomes",
     idea="The distance from the centre alone says which ring a ball can touch; most of the time it can touch none.",

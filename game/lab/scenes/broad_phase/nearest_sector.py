@@ -7,7 +7,7 @@ from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import ball_marks, contact_marks, degrees, ray, ring_marks, second_opinion
 from game.lab.kit.parameters import Count, Given, Number, Point
 from game.lab.kit.picture import Line, Mark, Picture, Role, Stroke, Words, single
-from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import (
     Ball,
     Ring,
@@ -126,7 +126,7 @@ def _inside(ring: Ring, ball: Ball) -> bool:
     return ring.inner_radius < length(ball.position) < ring.outer_radius
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="nearest-sector",
     title="Broad phase: the nearest sector",
     idea="The source searches a list for the angle nearest to the ball's; evenly spaced slots turn the search into a division.",

@@ -9,7 +9,7 @@ from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import ball_marks, contact_marks, degrees, is_unit, ray, ring_marks, second_opinion, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Mark, Picture, Role, Stroke, Toggle, single
-from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import (
     Ball,
     Contact,
@@ -141,7 +141,7 @@ def _distance_to_outline(ring: Ring, p: complex) -> float:
     return min([*arcs, *[length(p - closest_point_on_line(a, b, p)) for a, b in ends]])
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="case-1",
     title="Narrow phase, case 1: a face",
     idea="Within the sector's angle a face is nearest, so the normal is radial; the middle radius decides its sign.",

@@ -9,7 +9,7 @@ from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import ball_marks, contact_marks, degrees, is_unit, ray, second_opinion
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import AnnularSector, Line, Mark, Picture, PointMark, Role, Stroke, Toggle, single
-from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import (
     Ball,
     Contact,
@@ -170,7 +170,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
     )
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="case-2",
     title="Narrow phase, case 2: an end and its corners",
     idea="Outside of the sector's angle the nearer end is a segment AB; the normal points from its closest point to the ball.",

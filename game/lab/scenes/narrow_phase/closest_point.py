@@ -6,7 +6,7 @@ from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import two_decimals
 from game.lab.kit.parameters import Given, Point
 from game.lab.kit.picture import Line, Mark, Picture, PointMark, Role, Stroke, Toggle, single
-from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import closest_point_on_line, dot, length
 
 _SAMPLES = 64
@@ -65,7 +65,7 @@ def _cited(along: float, square: float) -> CitedLine:
     return code_line(closest_point_on_line, "if along >= square:" if along >= square else "return a + ab * (along / square)")
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="closest-point",
     title="The closest point on a line, and on a segment",
     idea="An end of a sector is a segment, not a line: clamping the foot of the perpendicular to it is what makes the corners.",

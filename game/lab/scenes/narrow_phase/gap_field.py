@@ -12,7 +12,7 @@ from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import FEATURE_WORDS, ball_marks, contact_marks, is_unit, outline_points, second_opinion, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arc, Arrow, Field, Line, Mark, Picture, Role, Stroke, Toggle, Words, single
-from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import Ball, Contact, Feature, Ring, contact, length, narrow_phase_case_2, to_cartesian
 from physics.narrow_phase import end_contact, face_contact
 
@@ -198,7 +198,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
     )
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="gap-field",
     title="The field of the gap and of its normals",
     idea="The gap has no jumps anywhere around a sector, and the normal is its gradient: at faces, ends and corners alike.",

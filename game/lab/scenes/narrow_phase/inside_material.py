@@ -8,7 +8,7 @@ from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import FEATURE_WORDS, ball_marks, contact_marks, outline_points, ring_marks, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Line, Mark, Picture, Role, Stroke, Toggle, Words, single
-from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from game.rules import TICK
 from physics import (
     PERMANENT,
@@ -152,7 +152,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
     )
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="inside-material",
     title="A ball inside the material",
     idea="That θ within the sector means a face is true only for a ball outside. One inside leaves through the nearest side.",

@@ -8,7 +8,7 @@ from game.lab.kit.cited_line import CitedLine, source_line
 from game.lab.kit.marks import VELOCITY_SCALE, ring_marks, two_decimals
 from game.lab.kit.parameters import Given, Number
 from game.lab.kit.picture import Arrow, Disc, Mark, Pane, Picture, Role, Toggle
-from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import Ball, Ring, contact, length, to_cartesian
 
 _RADIUS, _HALF_WIDTH, _HALF_ANGLE = 2.0, 0.35, 0.6
@@ -130,7 +130,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
     )
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="axis-slip",
     title="Response: the axes of v and n",
     idea="The source writes v = (v_x, 0, v_z) but n = (n_x, n_y, 0). Read literally, a bounce lifts the ball off the ground.",

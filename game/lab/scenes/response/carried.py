@@ -8,7 +8,7 @@ from game.lab.kit.end_bounce import NORMAL, REACH, EndBounce, EndFlight, end_bou
 from game.lab.kit.marks import two_decimals
 from game.lab.kit.parameters import Given, Number
 from game.lab.kit.picture import Picture
-from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Motion, Preset, ViewBox
 from physics import cross, dot, length, to_cartesian
 
 _DIRECTIONS, _RUN = 72, 30
@@ -84,7 +84,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
     )
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="carried",
     title="Response: the carried ball",
     idea="Reset to v_0, the ball would be slower than the end that hit it. It is carried: its speed along n is the end's.",

@@ -9,12 +9,14 @@ from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import VELOCITY_SCALE, ring_marks, two_decimals
 from game.lab.kit.parameters import Given, Number
 from game.lab.kit.picture import Arrow, Disc, Mark, Pane, Picture, Role, Stroke, Toggle
-from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import Ball, Ring, contact, dot, length, response_steps, to_cartesian
 
 FRICTIONS = (0.0, 0.5, 1.0)
 _RADIUS, _HALF_WIDTH, _HALF_ANGLE = 6.0, 0.6, 0.5
 _BALL_RADIUS = 0.5
+_NORMAL_LENGTH = 1.2
+"""World units drawn for the unit normal."""
 _TOP = complex(0.0, _RADIUS + _HALF_WIDTH)
 """The touched point: the highest of the outer face, where the normal is the y axis."""
 
@@ -45,19 +47,20 @@ def _picture(given: Given) -> Picture:
 
 
 def _marks(ball: Ball, ring: Ring, found: Bounce) -> tuple[Mark, ...]:
-    """The paddle, the ball, its velocity before and after, and the change by friction."""
+    """The paddle, the ball, the normal, the velocity before and after, and the change by friction."""
     p, steps = ball.position, found.steps
     arrows = (
         (_TOP, found.surface_velocity, Role.TWO, "v_p", Stroke.THICK),
         (p, found.v, Role.PLAIN, "v before", Stroke.THICK),
-        (p + found.v * VELOCITY_SCALE, steps.tangential_change, Role.FOUR, "Δv'_t", Stroke.DASHED),
+        (p + found.v * VELOCITY_SCALE, steps.tangential_change, Role.FOUR, "Δv'_t", Stroke.SOLID),
         (p, steps.velocity, Role.GOOD, "v after", Stroke.THICK),
     )
     return (
         *ring_marks(ring),
         Disc(p, ball.radius, Role.BALL),
+        Arrow(_TOP, found.normal * _NORMAL_LENGTH, Role.OURS, Toggle.NORMALS, Stroke.SOLID, "n"),
         *[
-            Arrow(start, velocity * VELOCITY_SCALE, role, Toggle.NORMALS if label == "Δv'_t" else None, stroke, label)
+            Arrow(start, velocity * VELOCITY_SCALE, role, None, stroke, label)
             for start, velocity, role, label, stroke in arrows
         ],
     )
@@ -76,7 +79,7 @@ def _formula(bounces: tuple[Bounce, ...]) -> tuple[str, ...]:
         compared,
         f"|Δv_n| = {normal:.2f},   |Δv_t| = {tangential:.2f},   min(|Δv_n|, |Δv_t|) = {min(normal, tangential):.2f}",
         f"|Δv'_t| = μ_p min(|Δv_n|, |Δv_t|)   for μ_p = {changes}",
-        f"angle between v after and n   for μ_p = {angles}",
+        f"angle from n to v after, above 0 clockwise,   for μ_p = {angles}",
     )
 
 
@@ -127,18 +130,13 @@ def _check(given: Given) -> tuple[Claim, ...]:
     )
 
 
-def _has_speed(found: Bounce) -> bool:
-    """Whether the velocity after the bounce has the length v_0."""
-    return abs(length(found.steps.velocity) - found.speed) < 1e-9
-
-
 def _sliding(found: Bounce) -> complex:
     """The tangential part of v_res relative to the surface."""
     relative = found.steps.result - found.surface_velocity
     return relative - found.normal * dot(relative, found.normal)
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="friction",
     title="Response: friction 0, 1/2 and 1",
     idea="Friction takes μ_p min(|Δv_n|, |Δv_t|) from the sliding, so that the paddle's own motion bends the ball's path.",

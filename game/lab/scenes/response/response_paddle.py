@@ -8,7 +8,7 @@ from game.lab.kit.bounce import Bounce, bounce, response_line
 from game.lab.kit.marks import VELOCITY_SCALE, ball_marks, contact_marks, ring_marks, second_opinion, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Mark, Picture, Role, Stroke, single
-from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import Ball, Contact, Ring, collision_response, contact, dot, length, to_cartesian
 
 _RADIUS, _HALF_WIDTH, _HALF_ANGLE = 9.0, 0.5, 0.35
@@ -122,7 +122,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
     )
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="response-paddle",
     title="Response: a moving paddle with friction",
     idea="The bounce is computed relative to the touched surface, so the paddle's motion and its friction aim the ball.",

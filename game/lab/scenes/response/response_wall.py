@@ -17,7 +17,7 @@ from game.lab.kit.marks import (
 )
 from game.lab.kit.parameters import Given, Number
 from game.lab.kit.picture import Arrow, Line, Mark, Picture, Role, Stroke, Toggle, single
-from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import Ball, Contact, Ring, collision_response, contact, cross, dot, length, response_steps, to_cartesian, to_polar
 
 _RADIUS, _HALF_WIDTH, _HALF_ANGLE = 6.0, 0.6, 0.7
@@ -115,7 +115,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
     )
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="response-wall",
     title="Response: a wall at rest",
     idea="A smooth wall is a mirror. Friction slows the sliding, and the reset to v_0 turns the ball towards the normal.",

@@ -9,7 +9,7 @@ from game.lab.kit.end_bounce import NORMAL, EndBounce, EndFlight, end_bounce, le
 from game.lab.kit.marks import two_decimals
 from game.lab.kit.parameters import Given, Number
 from game.lab.kit.picture import Picture
-from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Motion, Preset, ViewBox
 from physics import dot, length
 
 _RUN = 30
@@ -93,7 +93,7 @@ def _same(one: float, other: float) -> bool:
     return abs(one - other) < 1e-9
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="stopped-dead",
     title="Response: v_res = 0",
     idea="An end that retreats at half the ball's speed takes all of it: the source's v_res / |v_res| is then 0 / 0.",

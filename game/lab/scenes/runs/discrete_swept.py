@@ -9,7 +9,7 @@ from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import VELOCITY_SCALE, ring_marks
 from game.lab.kit.parameters import Count, Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, PointMark, Role, Stroke, Toggle
-from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Motion, Preset, ViewBox
 from game.rules import TICK
 from physics import PERMANENT, Arena, Ball, Ring, advance, cross, in_band, length, to_cartesian
 from physics.time_of_impact import first_impact
@@ -193,7 +193,7 @@ def _flown(setup: _BallAndWall, ball: Ball, frames: int) -> Ball:
     return arena.balls[0]
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="discrete-swept",
     title="Discrete against swept",
     idea="Tested once a frame, a fast ball is before the wall and then behind it. The time of impact misses nothing.",

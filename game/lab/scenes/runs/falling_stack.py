@@ -10,7 +10,7 @@ from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import VELOCITY_SCALE, ring_marks
 from game.lab.kit.parameters import Count, Given, Number
 from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, Role, Stroke, Toggle, Words
-from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Motion, Preset, ViewBox
 from game.rules import TICK
 from physics import PERMANENT, Arena, Ball, Hit, Ring, advance, contact, length, to_cartesian
 
@@ -165,7 +165,7 @@ def _settled(falling: tuple[Drop, ...]) -> tuple[Drop, ...]:
     return falling
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="falling-stack",
     title="The falling stack",
     idea="A hit takes the lowest layer of a stack at once. What is left falls, which is a picture and changes no collision.",

@@ -9,7 +9,7 @@ from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import VELOCITY_SCALE, ring_marks
 from game.lab.kit.parameters import Count, Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Picture, PointMark, Role, Stroke, Toggle, Words, single
-from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Motion, Preset, ViewBox
 from game.rules import TICK
 from physics import PERMANENT, Arena, Ball, Ring, advance, contact, length, to_cartesian
 from physics.time_of_impact import first_impact
@@ -161,7 +161,7 @@ def _gaps(arena: Arena) -> list[float]:
     return [contact(arena.balls[0], ring, slot).gap for ring in arena.rings for slot in range(ring.count)]
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="free-run",
     title="A free run beside pymunk",
     idea="Two engines agree until the first bounce, which the discrete steps of the second one find late.",

@@ -7,7 +7,7 @@ from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import VELOCITY_SCALE, ring_marks
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, PointMark, Role, Stroke, Toggle
-from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Motion, Preset, ViewBox
 from game.levels import BallSpec, Level, PaddleSpec, RingSpec
 from game.rules import LIVES, PADDLES, TICK, Controls, EventKind, Game, Phase, new_game, tick
 from physics import Ball, has_left, length, to_cartesian
@@ -154,7 +154,7 @@ def _is_out(ball: Ball) -> bool:
     return length(ball.position) - ball.radius > _GROUND
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="game-over-once",
     title="Game over, once",
     idea="The source's rule holds in every frame after the ball has left. Here it costs one life; the last one ends the game.",

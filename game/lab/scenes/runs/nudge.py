@@ -8,7 +8,7 @@ from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import ring_marks
 from game.lab.kit.parameters import Count, Given, Number
 from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, PointMark, Role, Stroke, Toggle
-from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Motion, Preset, ViewBox
 from game.levels import BallSpec, Level, PaddleSpec, RingSpec
 from game.rules import TICK, Controls, EventKind, Game, Phase, new_game, tick
 from physics import Arena, Ball, advance, cross, dot, length, to_cartesian
@@ -157,7 +157,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
     )
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="nudge",
     title="The nudge",
     idea="A ball that bounces on without meeting a brick is turned a little, by the game's seeded random numbers.",

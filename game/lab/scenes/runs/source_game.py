@@ -9,7 +9,7 @@ from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import VELOCITY_SCALE, ring_marks
 from game.lab.kit.parameters import Count, Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, Role, Stroke, Toggle
-from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Motion, Preset, ViewBox
 from game.rules import TICK
 from physics import PERMANENT, Arena, Ball, Ring, advance, contact, has_left, length, to_cartesian
 from physics.time_of_impact import first_impact
@@ -188,7 +188,7 @@ def _same(one: float, other: float) -> bool:
     return abs(one - other) < 1e-9
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="source-game",
     title="The source's whole game against the swept one",
     idea="One test a frame finds every contact late, in an overlap, or not at all. Exact times of impact need no overlap.",

@@ -20,7 +20,7 @@ from game.lab.kit.picture import (
     Toggle,
     single,
 )
-from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Motion, Preset, ViewBox
 from game.rules import TICK
 from physics import PERMANENT, Arena, Ball, Ring, advance, contact, length, to_cartesian
 from physics.escape import freed
@@ -163,7 +163,7 @@ def _gaps(arena: Arena) -> list[float]:
     return [contact(arena.balls[0], ring, 0).gap for ring in arena.rings]
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="squeezed",
     title="The squeezed ball",
     idea="Two ends close on the ball, and no motion at v_0 can free it: after 32 bounces in a tick it is put outward.",

@@ -9,7 +9,7 @@ from game.lab.kit.cited_line import code_line
 from game.lab.kit.marks import VELOCITY_SCALE, degrees, ray, ring_marks
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, Role, Stroke, Toggle
-from game.lab.kit.scene import Claim, Motion, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Motion, Preset, ViewBox
 from game.rules import TICK
 from physics import PERMANENT, Arena, Ball, Hit, Ring, advance, contact, direction, dot, length, to_cartesian
 
@@ -156,7 +156,7 @@ def _keeps(arena: Arena, speed: float) -> bool:
     return abs(length(arena.balls[0].velocity) - speed) < 1e-9
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="symmetry",
     title="Turned and mirrored",
     idea="The physics knows no special direction and no preferred sense of turning: turned or mirrored, a game is the same.",

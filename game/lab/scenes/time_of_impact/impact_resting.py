@@ -9,7 +9,7 @@ from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import FEATURE_WORDS, ball_marks, contact_marks, ring_marks, second_opinion
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arc, Arrow, Circle, Line, Mark, Picture, PointMark, Role, Stroke, Toggle, single
-from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import Ball, Contact, Feature, Impact, Ring, contact, cross, dot, length, time_of_impact, to_cartesian
 from physics.time_of_impact import first_impact
 
@@ -207,7 +207,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
     )
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="impact-resting",
     title="Time of impact: a sector at rest",
     idea="The ball touches where its centre meets the sector grown by r: arcs, corners and ends give one equation each.",

@@ -8,7 +8,7 @@ from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import ball_marks, contact_marks, ghost_marks
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import AnnularSector, Arrow, Circle, Line, Mark, Picture, PointMark, Role, Stroke, Toggle, single
-from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import (
     Ball,
     Contact,
@@ -203,7 +203,7 @@ def _turned(search: _Search) -> bool:
     return abs(touch - search.touch) < 1e-8
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="impact-turning",
     title="Time of impact: a turning end",
     idea="No formula gives the time of the touch: each step of the search is so short that it cannot pass the touch.",

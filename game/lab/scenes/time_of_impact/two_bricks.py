@@ -10,7 +10,7 @@ from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import ring_marks, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, PointMark, Role, Stroke, Toggle
-from game.lab.kit.scene import Claim, Preset, Scene, ViewBox
+from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import PERMANENT, Arena, Ball, Hit, Ring, Step, advance, contact, dot, length, response_steps, time_of_impact
 from physics.source_mode import normal_at
 from physics.time_of_impact import first_impact
@@ -218,7 +218,7 @@ def _first_is_one_on(hits: tuple[Hit, ...], turned: tuple[Hit, ...]) -> bool:
     return abs(hits[0].time - turned[0].time) < 1e-8 and turned[0].slot == (hits[0].slot + 1) % _COUNT
 
 
-SCENE = Scene(
+SCENE = LabScene(
     name="two-bricks",
     title="Two bricks at once",
     idea="A ball in a notch touches both of its sides. Every contact is answered, in the order of time.",

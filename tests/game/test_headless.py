@@ -1,0 +1,33 @@
+"""A game without a window, and the line that says how it stands."""
+
+import pytest
+
+from game.headless import autopilot_game, result_line
+from game.levels import built_in, parse
+from game.overlay.hud import readings
+from game.rules import new_game
+from tests.support.level_text import GOOD
+
+
+def values(line):
+    """The words of a result line."""
+    return dict(word.split("=") for word in line.split())
+
+
+@pytest.mark.parametrize("levels", [built_in(), built_in()[1:], built_in()[6:], (parse(GOOD, "good"),)])
+def test_the_line_and_the_window_name_the_same_level_and_layers(levels):
+    """Whatever level a game starts at, the result line and the window have one number for it, and one for its layers."""
+    game = new_game(levels, 3)
+    said, shown = values(result_line(game)), readings(game)
+    assert (said["level"], said["layers"]) == (str(shown.level_number), str(shown.layers))
+
+
+def test_a_game_begun_at_level_2_says_level_2():
+    """The number counts all levels that come with the game, not those that are played."""
+    assert values(result_line(autopilot_game(built_in()[1:], 7, 10)))["level"] == "2"
+
+
+def test_the_line_says_what_repeats_the_game():
+    """Seed and physics are in the line."""
+    said = values(result_line(new_game(built_in(), 77), "source"))
+    assert (said["seed"], said["physics"]) == ("77", "source")
