@@ -10,7 +10,7 @@ from game.lab.session.share import parsed
 from game.system.command_line import run
 from tests.grade.wrong_files import RIGHT, WRONG_FILES
 from tools.grade import command
-from tools.grade.__main__ import app
+from tools.grade.commands import app
 
 SIGN = WRONG_FILES[0]
 ANGLES = "def add_angles(a, b):\n    return (a + b) % 6.283185307179586\n"

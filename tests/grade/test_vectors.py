@@ -9,7 +9,7 @@ import pytest
 
 from game.system.command_line import run
 from tests.support import source_oracle
-from tools.vectors.__main__ import app
+from tools.vectors.commands import app
 from tools.vectors.files import COLUMNS, FORMAT, csv_text, json_text
 from tools.vectors.inputs.angles import angle_plans
 from tools.vectors.inputs.detection import detection_plans

@@ -70,11 +70,12 @@ def _flight(index: int, before: Arena, step: Step, dt: float) -> Iterator[str]:
     """One ball from impact to impact: no material on the way, no hit without contact, and it ends where it is said to."""
     ball, clock = before.balls[index], 0.0
     layers = list(before.layers)
-    left, last = MAX_IMPACTS, None
+    left = MAX_IMPACTS
+    last: Hit | None = None
     for hit in step.hits:
         if hit.ball == index:
-            left -= (hit.time, hit.before) != last  # a bounce off two sectors at once is one, with two hits
-            last = hit.time, hit.before
+            left -= last is None or not _is_one_bounce(last, hit)
+            last = hit
             yield from _clear(index, ball, clock, hit.time, before.rings, layers)
             ball = Ball(ball.position + ball.velocity * (hit.time - clock), hit.after, ball.radius)
             clock = hit.time
@@ -95,6 +96,12 @@ def _flight(index: int, before: Arena, step: Step, dt: float) -> Iterator[str]:
         1.0 + math.hypot(end.real, end.imag)
     ):
         yield f"ball {index} is at {there}, its hits lead to {end}"
+
+
+def _is_one_bounce(one: Hit, other: Hit) -> bool:
+    """Whether two hits of a ball, one after the other, are one bounce off two sectors at once."""
+    same = (one.time, one.before, one.after) == (other.time, other.before, other.after)
+    return same and (one.ring, one.slot) != (other.ring, other.slot)
 
 
 def _clear(

@@ -6,7 +6,8 @@ import sys
 from pathlib import Path
 
 from game.system.errors import BadInputError, EnvironmentMissingError
-from tools.crosscheck.files import check_writable, write_whole
+from game.system.files import check_target, write_text
+from game.system.output import tell
 from tools.grade.findings import all_findings
 from tools.grade.grading import grade
 from tools.grade.report import report_lines
@@ -28,8 +29,8 @@ def grade_program(
     wait: Wait = next_line,
 ) -> int:
     """Grade a program that speaks the line protocol; the exit code."""
-    check_writable(json, "--json")
-    check_writable(junit, "--junit")
+    check_target(json, "--json")
+    check_target(junit, "--junit")
     scheme = Scheme() if scheme_file is None else load_scheme(scheme_file)
     student = Student(program, limits, wait)
     try:
@@ -40,11 +41,11 @@ def grade_program(
         raise BadInputError("none of the source's functions is defined; docs/grading.md has their names")
     findings = all_findings(found)
     for line in report_lines(found, findings):
-        print(line)  # noqa: T201  # the command's output
+        tell(line)
     if json is not None:
-        write_whole(json, json_text(found, findings))
+        write_text(json, json_text(found, findings))
     if junit is not None:
-        write_whole(junit, junit_text(found, findings))
+        write_text(junit, junit_text(found, findings))
     return 0 if found.right else 1
 
 
