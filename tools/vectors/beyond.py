@@ -39,7 +39,7 @@ class Carried(SlideFunctions):
             return v_0 * n
         tangent = self.point(-n.imag, n.real)
         sense = 1 if velocity.real * tangent.real + velocity.imag * tangent.imag >= 0 else -1
-        return pace * n + sense * self.library.sqrt(v_0 * v_0 - pace * pace) * tangent
+        return pace * n + sense * self.maths.sqrt(v_0 * v_0 - pace * pace) * tangent
 
 
 class Topic:

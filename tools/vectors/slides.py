@@ -24,7 +24,7 @@ class SlideFunctions:
     """
 
     def __init__(self, library: Any = math, point: Any = complex) -> None:
-        self.library = library
+        self.maths = library
         self.point = point
         self.tau = 2 * library.pi
 
@@ -42,11 +42,11 @@ class SlideFunctions:
 
     def to_polar(self, p: Plane) -> tuple[Scalar, Scalar]:
         """(radius, angle) of a point (slide 11)."""
-        return abs(p), self.normalize_angle(self.library.atan2(p.imag, p.real))
+        return abs(p), self.normalize_angle(self.maths.atan2(p.imag, p.real))
 
     def to_cartesian(self, radius: Scalar, angle: Scalar) -> Plane:
         """The point at a radius and an angle (slide 5)."""
-        return self.point(radius * self.library.cos(angle), radius * self.library.sin(angle))
+        return self.point(radius * self.maths.cos(angle), radius * self.maths.sin(angle))
 
     def min_difference(self, a: Scalar, b: Scalar) -> Scalar:
         """The angle between two directions, the shorter way round (slide 3)."""
