@@ -156,8 +156,10 @@ class Ring(_RingFields):
         # Between 4 and 8 floats are the grid itself. The turn is rounded, not the sum: then every sum is exact.
         turn = (turn + 6.0) - 6.0 if -2.0 < turn < 2.0 else _long_turn(turn)
         there = phase + turn
-        if not 0.0 <= there < _TURN:
-            there = there + _TURN if there < 0.0 else (phase - _TURN) + turn
+        if there < 0.0:
+            there += _TURN
+        elif there >= _TURN:
+            there = (phase - _TURN) + turn
         return unchecked(Ring, (radius, half_width, half_angle, count, there, spin, friction))
 
     def steered(self, spin: float) -> "Ring":

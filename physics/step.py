@@ -85,7 +85,7 @@ def advance(arena: Arena, dt: float, speed: float, flight: FreeFlight | None = N
         known, seconds, turning = flight
         if known is not arena:
             flight = still_known(flight, arena)
-    if flight is None or not 0.0 < dt <= seconds:
+    if flight is None or not dt <= seconds or dt <= 0.0:
         if not 0.0 <= dt < math.inf:
             raise ValueError(f"dt must be finite and at least 0, not {dt}")
         if dt == 0.0:
