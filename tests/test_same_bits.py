@@ -9,7 +9,7 @@ RULES_OF_THE_GAME = ("rules", "autopilot")
 
 
 def simulation():
-    """The modules in which the state evolves: the physics and the game's rules."""
+    """The modules in which the state evolves: the physics, but for its batch, which is compared with it, and the rules."""
     physics = [path for path in sorted((ROOT / "physics").rglob("*.py")) if "batch" not in path.parts]
     game = [
         path for name in RULES_OF_THE_GAME for path in [ROOT / "game" / f"{name}.py", *(ROOT / "game" / name).rglob("*.py")]
