@@ -10,7 +10,7 @@ from tests.support.children import Children
 # No profile has a deadline or a check by the clock: a busy machine is not a wrong answer.
 TIMELESS = settings(deadline=None, suppress_health_check=[HealthCheck.too_slow])
 # The same examples on every run of a build.
-settings.register_profile("ci", TIMELESS, derandomize=True, max_examples=100, print_blob=True)
+settings.register_profile("ci", TIMELESS, derandomize=True, max_examples=200, print_blob=True)
 # At the desk: other examples every time.
 settings.register_profile("desk", TIMELESS, max_examples=100)
 # Before a release: pytest --hypothesis-profile=long
