@@ -9,7 +9,7 @@ from rich.console import Console
 from physics import Arena
 from physics.batch import Batch, compiled
 from physics.batch.compilation import check_numba
-from tools.measure.tick import BALL_RADIUS, CHECK_EVERY, GROUND, SPEED, TICK, served
+from tools.measure.standard_arena import BALL_RADIUS, CHECK_EVERY, GROUND, SPEED, TICK, served
 
 
 def missing() -> str | None:

@@ -10,7 +10,6 @@ PROGRAM = "python -m tools.bench"
 if __name__ == "__main__":
     prepare(PROGRAM)  # before what takes time to load
 
-import cmath
 import json
 import math
 import platform
@@ -30,23 +29,16 @@ from rich.table import Table
 from game.system.command_line import run
 from game.system.errors import EnvironmentMissingError
 from physics import PERMANENT, Arena, Ball, FreeFlight, Ring, advance
+from tools.measure.standard_arena import BALL_RADIUS, CHECK_EVERY, GROUND, SPEED, TICK, arena, served
 
 if TYPE_CHECKING:
     from tools.measure.many_games import ManyGames
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
-TICK = 1.0 / 240.0
-SPEED = 8.0
-BALL_RADIUS = 0.25
-GROUND = 12.0
-BRICK_ROWS = (2.6, 3.8, 5.0)
 FACETS = 16
 
-_PADDLES = Ring(10.0, 0.3, 0.35, 3, 0.0, 0.72)  # as fast as a level lets them turn: 0.93 of the ball at the rim
 _WARM_UP = 1000
-CHECK_EVERY = 20
-"""Ticks between two looks at where the ball is, the same for every contender."""
 
 
 BALLS_IN_A_SPACE = 100
@@ -160,13 +152,6 @@ def _as_json(plays: list[Play], times: list[list[float]], rounds: int, ticks: in
     return json.dumps(about | {"rounds": rounds, "ticks": ticks, "rows": rows}, indent=1) + "\n"
 
 
-def arena(per_row: int) -> Arena:
-    """The standard arena, with so many bricks in each of the three rows."""
-    rows = [Ring(radius, 0.4, 0.9 * math.pi / per_row, per_row) for radius in BRICK_ROWS]
-    layers = (PERMANENT,) * 3, *[(1,) * per_row for _ in rows]
-    return Arena((served(Random(1)),), (_PADDLES, *rows), layers)
-
-
 def ours(per_row: int) -> Callable[[int], None]:
     """Ticks of `physics.advance`."""
     state, full, chance = arena(per_row), arena(per_row).layers, Random(1)
@@ -185,12 +170,6 @@ def ours(per_row: int) -> Callable[[int], None]:
         state, last = now, flight
 
     return play
-
-
-def served(chance: Random) -> Ball:
-    """A ball between bricks and paddles, somewhere, going somewhere."""
-    position, velocity = cmath.rect(7.0, chance.random() * math.tau), cmath.rect(SPEED, chance.random() * math.tau)
-    return Ball(position, velocity, BALL_RADIUS)
 
 
 def theirs(model: Callable[[Any, Any, Ring], list[Any]], balls: int = 1, *, turning: bool = True) -> Callable[[int], float]:
