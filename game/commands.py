@@ -14,10 +14,11 @@ from game import VERSION
 from game.chosen_physics import SOURCE, SWEPT, ChosenPhysics
 from game.effects import LONGEST, after_all
 from game.headless import autopilot_game, result_line
+from game.kept.scores import objection
+from game.kept.store import Kept, data_folder
 from game.lab.kit.second_engine import Engine
 from game.levels import Level, built_in, chosen, warnings
 from game.replays import file as replay
-from game.replays.history import History, kept_games
 from game.replays.verify import verified
 from game.rules import Game, Ticked
 from game.second_opinion import Compare, NormalPair
@@ -133,8 +134,29 @@ def list_levels() -> None:
 @app.command("replays")
 def list_replays() -> None:
     """List the games kept from the window, newest first."""
-    for path in kept_games():
+    for path in Kept(data_folder()).games.paths():
         tell(str(path))
+
+
+@app.command("scores")
+def list_scores(
+    verify: Annotated[bool, typer.Option("--verify", help="Play every score's replay again and compare the points.")] = False,
+) -> None:
+    """List the high scores, best first; with --verify, prove them."""
+    kept = Kept(data_folder())
+    for line in kept.problems:
+        say(f"polar-breakout: {line}")
+    failed, scores = 0, sorted(kept.scores.value.entries, key=lambda score: (score.difficulty, -score.score))
+    for score in scores:
+        line = f"{score.difficulty:6} {score.score:>9,}  {score.name or '-':16}  {score.date:10}  {score.last}"
+        if not verify:
+            tell(line)
+            continue
+        why = "no folder" if kept.games.folder is None else objection(score, kept.games.folder)
+        failed += why is not None
+        tell(f"{line}  {'verified' if why is None else quoted(f'NOT VERIFIED: {why}', 200)}")
+    if failed:
+        raise CheckFailedError(f"{failed} of {len(scores)} scores could not be verified")
 
 
 @app.command("replay")
@@ -153,7 +175,7 @@ def watch_replay(
     from game.app import Services, watch  # noqa: PLC0415  # pygame, only where it is needed
 
     with _settings() as settings:
-        watch(recording, Services(_second_opinion(), _second_engine, settings, _say_lost))
+        watch(recording, Services(_second_opinion(), _second_engine, settings, lost=_say_lost))
 
 
 @app.command("lab")
@@ -255,33 +277,32 @@ def _play_in_window(chosen_game: _ChosenGame, *, autopilot: bool) -> None:
     from game.app import play as play_in_window  # noqa: PLC0415
 
     levels, seed, record, physics = chosen_game
-    history = History(record) if physics is SWEPT else None  # replays are verified with the swept physics
+    kept = Kept(data_folder(), record)
+    games = kept.games if physics is SWEPT else None  # replays are verified with the swept physics
 
     def lost() -> None:
         """Xlib ends the program: what there is of the game is written at once."""
-        _close(history)
-        kept = "" if history is None else "; games of five seconds and more are kept (polar-breakout replays)"
-        say(f"polar-breakout: the display is gone{kept}")
+        _close(kept)
+        told = "" if games is None else "; games of five seconds and more are kept (polar-breakout replays)"
+        say(f"polar-breakout: the display is gone{told}")
 
     with deferred():
         try:
             with _settings() as settings:
-                services = Services(_second_opinion(), _second_engine, settings, lost)
-                play_in_window(levels, seed, services, recorder=history, autopilot=autopilot, physics=physics)
+                services = Services(_second_opinion(), _second_engine, settings, kept, lost)
+                play_in_window(levels, seed, services, recorder=games, autopilot=autopilot, physics=physics)
         except EnvironmentMissingError as error:
             say(f"polar-breakout: {error}; playing 20 s without a window instead")
             _demonstrate(chosen_game)
         finally:
-            _close(history)
+            _close(kept)
 
 
-def _close(history: History | None) -> None:
-    """Write the game that is being played, if any is kept, and say if that was not possible."""
-    if history is None:
-        return
-    history.close()
-    if history.problem is not None:
-        say(f"polar-breakout: game not kept: {history.problem}")
+def _close(kept: Kept) -> None:
+    """Write the game that is being played, and say what could not be read or written."""
+    kept.game_done()
+    for line in kept.problems:
+        say(f"polar-breakout: {line}")
 
 
 @contextlib.contextmanager
