@@ -144,14 +144,18 @@ def load_file(path: Path) -> Level:
 
 def parse(data: bytes, source: str) -> Level:
     """A level from the bytes of a TOML file; `source` names it in errors."""
+    return checked(draft(data, source), source)
+
+
+def draft(data: bytes, source: str) -> Level:
+    """A level that fits the format, and need not be a possible arena: what is on the way to one in the editor."""
     try:
-        level = msgspec.convert(_toml(data, source), Level)
+        return msgspec.convert(_toml(data, source), Level)
     except msgspec.ValidationError as error:
         what, _, where = str(error).partition(" - at ")
         key = where.strip("`").removeprefix("$.")
         named = f"{quoted(key)}: " if key else ""
         raise BadInputError(f"{source}: {named}{quoted_message(what)}{_suggestion(what)}") from None
-    return checked(level, source)
 
 
 def checked(level: Level, source: str) -> Level:
