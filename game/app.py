@@ -21,9 +21,10 @@ from game.levels import Level, built_in
 from game.overlay import toast
 from game.replays.file import Recording
 from game.replays.playback import Playback
+from game.rules import Ruleset
 from game.screens.app_state import AppState, Recorder
 from game.screens.base import Listener, Screen, Still, Typist
-from game.screens.menus.difficulty import difficulty_index
+from game.screens.menus.difficulty import ruleset_of
 from game.screens.menus.level_select import LevelSelect
 from game.screens.play import PlayScreen
 from game.screens.title import Title
@@ -76,16 +77,18 @@ def play(
     recorder: Recorder | None = None,
     autopilot: bool = False,
     physics: ChosenPhysics = SWEPT,
+    ruleset: Ruleset | None = None,
 ) -> int:
     """Open a window with the title, the first of the levels chosen, and play until it is closed; the exit code.
 
     recorder: told every tick of every game played. autopilot: it plays, from the first serve on, without a title.
-    physics: that the games are flown on.
+    physics: that the games are flown on. ruleset: of the games; None for the one chosen last.
     Raises EnvironmentMissingError without a display, DisplayLostError when it goes away.
     """
     catalogue = built_in() if levels[0] in built_in() else levels
     state = _state(catalogue, services, catalogue.index(levels[0]), seed)
     state.recorder, state.autopilot, state.physics = recorder, autopilot, physics
+    state.ruleset = ruleset or state.ruleset
     return _shown(state, lambda: PlayScreen(state, levels) if autopilot else Title(state), services, Audio)
 
 
@@ -119,7 +122,7 @@ def _state(catalogue: tuple[Level, ...], services: Services, chosen: int, seed: 
     state.open_levels = lambda state: LevelSelect(state, Title(state))
     if services.kept is not None:
         state.kept = services.kept
-        state.difficulty = difficulty_index(state.kept.progress.value.last_difficulty)
+        state.ruleset = ruleset_of(state.kept.progress.value.last_difficulty)
         if state.kept.problems:
             state.toast = toast.Toast(state.kept.problems[0], left=_TOLD_SECONDS)
     return state

@@ -84,7 +84,7 @@ class Games:
         """Record one tick; the first tick of a game begins a new recording, its end writes it."""
         if after.tick == 1:
             self.close()
-            self._recorder, self.last = Recorder(after.levels, after.seed), None
+            self._recorder, self.last = Recorder(after.levels, after.seed, after.ruleset), None
         if self._recorder is None:
             return
         self._recorder.add(controls, after)
@@ -174,6 +174,7 @@ def _described(name: str, game: Game, sha256: str) -> KeptGame:
         first=game.levels[0].name,
         last=game.level.name,
         won=game.phase == Phase.WON,
+        difficulty=game.ruleset.difficulty.name.lower() if game.ruleset.arcade else "source",
         date=time.strftime("%Y-%m-%d %H:%M"),
         sha256=sha256,
     )

@@ -16,7 +16,7 @@ from game.input.view import FLAT, Viewpoint
 from game.kept.store import Kept
 from game.levels import Level
 from game.overlay.toast import Toast
-from game.rules import Controls, Game, Ticked
+from game.rules import Controls, Game, Ruleset, Ticked
 from game.screens.base import Screen
 from game.screens.level_pictures import LevelPictures
 from game.second_opinion import Compare, NormalPair
@@ -27,6 +27,8 @@ from game.sound.mixer import Audio
 Recorder = Callable[[Controls, Game], None]
 """Told every tick of a played game: its controls, and the game after it. `tick` is 1 after the first tick of a new game."""
 
+SOURCE = "source"
+"""The name under which scores by the source's rules are kept."""
 _PIXELS = Camera(0j, 1.0)
 """For what is no picture of the world."""
 
@@ -38,11 +40,10 @@ class AppState:
     catalogue: levels that the title offers; chosen: index of one of them.
     seed: of every new game.
     open_title: makes the title's screen; open_levels: the choice of levels over it, None where there is none.
-    difficulty: index in DIFFICULTIES, of new games.
     kept: scores, progress and finished games.
     recorder: told every tick that is played; None for nobody.
     autopilot: whether it plays instead of the player.
-    physics: that games are flown on.
+    physics: that games are flown on. ruleset: of new games.
     settings: the player's, as they hold now; settings_file: where they outlive the session.
     full_screen: whether the window is; wants_full_screen: whether it shall be, as the settings say; None for no wish.
     settings_tab: index of the part of the settings that was open last.
@@ -64,7 +65,6 @@ class AppState:
     autopilot: bool = False
     settings: Settings = field(default_factory=Settings)
     open_levels: "Callable[[AppState], Screen] | None" = None
-    difficulty: int = 1
     kept: Kept = field(default_factory=lambda: Kept(None))
     full_screen: bool = False
     wants_full_screen: bool | None = None
@@ -79,9 +79,15 @@ class AppState:
     away: bool = False
     shown: object = None
     physics: ChosenPhysics = SWEPT
+    ruleset: Ruleset = Ruleset()
     painter: Painter = field(default_factory=Painter)
     type: Type = field(default_factory=Type)
     pictures: LevelPictures = field(default_factory=LevelPictures)
+
+    @property
+    def difficulty(self) -> str:
+        """The name under which scores and bests of new games are kept."""
+        return self.ruleset.difficulty.name.lower() if self.ruleset.arcade else SOURCE
 
     @property
     def theme(self) -> Theme:

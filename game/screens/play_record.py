@@ -6,7 +6,6 @@ from game.replays.file import load
 from game.rules import EventKind, Game, Ticked
 from game.screens.app_state import AppState
 from game.screens.ghost import Ghost
-from game.screens.menus.difficulty import DIFFICULTIES
 from game.system.errors import BadInputError
 
 
@@ -44,7 +43,7 @@ class PlayRecord:
     def _note(self, game: Game) -> None:
         """A level was finished."""
         result = game.results[-1]
-        difficulty = DIFFICULTIES[self._state.difficulty]
+        difficulty = self._state.difficulty
         self.done = Best(game.level.name, difficulty, result.score, int(result.rank), result.ticks, start=self._start)
         self.before = self._state.kept.level_done(self.done)
 
@@ -52,7 +51,7 @@ class PlayRecord:
         """The best run of a level, where its replay is still there."""
         self.ghost = None
         kept, folder = self._state.kept, self._state.kept.games.folder
-        best = kept.progress.value.best(self._levels[number].name, DIFFICULTIES[self._state.difficulty])
+        best = kept.progress.value.best(self._levels[number].name, self._state.difficulty)
         if not self.counts or folder is None or best is None or not best.replay:
             return
         try:

@@ -12,7 +12,6 @@ from game.language import tr
 from game.rules import Game, Phase
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.menus.difficulty import DIFFICULTIES
 from game.screens.menus.high_scores import HighScores
 from game.screens.menus.results import Figure, Results
 from game.screens.play_record import PlayRecord
@@ -76,7 +75,7 @@ def game_results(state: AppState, play: Played, game: Game, record: PlayRecord) 
     line = tr("Every level is cleared.") if won else tr("The last ball is gone in {level}.").format(level=game.level.name)
     entries = _after_game(state, play, game)
     menu = Results(state, play, title, line, figures, entries, back=lambda: state.open_title(state))
-    difficulty = DIFFICULTIES[state.difficulty]
+    difficulty = state.difficulty
     if not record.counts or not state.kept.scores.value.qualifies(game.score, difficulty):
         return menu
     score = Score("", game.score, difficulty, game.levels[0].name, game.level.name, won, time.strftime("%Y-%m-%d"))

@@ -24,7 +24,7 @@ class HighScores(Panel):
         """Open at the present difficulty. entered: the score that was just made, marked; entries: where it leads then."""
         super().__init__(state, under)
         self._entered, self._entries = entered, entries
-        self._tab = state.difficulty
+        self._tab = DIFFICULTIES.index(state.difficulty)
 
     def content(self) -> Content:
         """The table of one difficulty."""
@@ -35,7 +35,7 @@ class HighScores(Panel):
         rows += [(self._line(number, score),) for number, score in enumerate(table, 1)]
         if not table:
             rows.append((Text(tr("Nobody yet: the first game that ends with points stands here."), 1.1, faint=True),))
-        names = tuple([difficulty_name(index) for index in range(len(DIFFICULTIES))])
+        names = tuple([difficulty_name(name) for name in DIFFICULTIES])
         footer = back_row(tr("Back"), self.back)
         if self._entries:
             footer = (tuple([Button(one.label, one.chosen, centred=True) for one in self._entries]),)

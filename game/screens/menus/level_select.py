@@ -14,7 +14,7 @@ from game.language import tr
 from game.levels import Level
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.menus.difficulty import DIFFICULTIES, difficulty_choice, difficulty_name
+from game.screens.menus.difficulty import difficulty_choice, difficulty_name
 from game.screens.play import PlayScreen
 from game.screens.toolkit.focus import Focus
 from game.screens.toolkit.icons import draw_lock
@@ -132,7 +132,7 @@ class LevelSelect(Panel):
         """A level's card."""
         state, level = self.state, self.state.catalogue[index]
         progress, names = state.kept.progress.value, [level.name for level in state.catalogue]
-        best, is_open = progress.best(level.name, DIFFICULTIES[state.difficulty]), progress.is_open(index, names)
+        best, is_open = progress.best(level.name, state.difficulty), progress.is_open(index, names)
         tip = level.description if is_open else tr("Finish {level} to open this one.").format(level=names[index - 1])
         if best is not None:
             words = tr("Best at {difficulty}: {score} points, rank {rank}, {time}")

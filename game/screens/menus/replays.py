@@ -10,7 +10,7 @@ from game.kept.games import MOST, KeptGame
 from game.language import tr
 from game.overlay.toast import Toast
 from game.screens.base import Screen
-from game.screens.menus.difficulty import DIFFICULTIES, difficulty_name
+from game.screens.menus.difficulty import difficulty_name
 from game.screens.menus.level_select import clock
 from game.screens.menus.replay_file import opened_replay
 from game.screens.toolkit.items import Cells, Item, Text
@@ -129,9 +129,7 @@ def _rule() -> str:
 def _played(game: KeptGame) -> str:
     """What was played, in words."""
     words = [game.first if game.first == game.last else f"{game.first} - {game.last}"] if game.first else []
-    if game.difficulty in DIFFICULTIES:
-        words.append(difficulty_name(DIFFICULTIES.index(game.difficulty)))
-    return ", ".join(words)
+    return ", ".join([word for word in (*words, difficulty_name(game.difficulty)) if word])
 
 
 def _share_folder() -> str:
