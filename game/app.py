@@ -122,9 +122,9 @@ def _state(catalogue: tuple[Level, ...], services: Services, chosen: int, seed: 
     state.open_levels = lambda state: LevelSelect(state, Title(state))
     if services.kept is not None:
         state.kept = services.kept
-        state.ruleset = ruleset_of(state.kept.progress.value.last_difficulty)
         if state.kept.problems:
             state.toast = toast.Toast(state.kept.problems[0], left=_TOLD_SECONDS)
+    state.ruleset = ruleset_of(state.kept.progress.value.last_difficulty)
     return state
 
 
@@ -231,17 +231,19 @@ def frame(
 
 def _draw(window: pygame.Window, state: AppState, screen: Screen, surface: pygame.Surface) -> None:
     """Show a screen, unless it is one that looks as it did in the frame before."""
-    looks: object = None
-    if isinstance(screen, Still):
-        words = None if state.toast is None else (state.toast.text, state.toast.level)
-        looks = (screen, surface.get_size(), screen.looks, words)
-        if looks == state.shown:
-            return
+    if isinstance(screen, Still) and _looks(state, screen, surface) == state.shown:
+        return
     screen.draw(surface)
     if state.toast is not None:
         toast.draw(state.canvas(surface), state.toast)
     _flip(window)
-    state.shown = looks
+    state.shown = _looks(state, screen, surface) if isinstance(screen, Still) else None
+
+
+def _looks(state: AppState, screen: Still, surface: pygame.Surface) -> tuple[object, ...]:
+    """All that the picture on the window depends on."""
+    told = None if state.toast is None else (state.toast.text, state.toast.level)
+    return screen, surface.get_size(), screen.looks, told
 
 
 def _surface(window: pygame.Window) -> pygame.Surface:

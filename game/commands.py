@@ -164,6 +164,26 @@ def list_levels() -> None:
     Console().print(table)
 
 
+@app.command("screens")
+def save_screens(
+    pictures: Annotated[Path, typer.Option(metavar="DIR", help="The folder that gets a PNG file of every screen.")],
+    only: Annotated[str, typer.Option(help="A part of the names of the screens wanted.")] = "",
+    size: Annotated[str, typer.Option(metavar="WxH", help="Size of the pictures in pixels.")] = "1280x800",
+    theme: Annotated[Literal["dark", "light"], typer.Option(help="Their colours.")] = "dark",
+) -> None:
+    """Draw every screen of the game, with made-up scores, into a folder."""
+    pixels = _size(size)
+    check_pygame()
+    from game.screens.gallery import save_pictures  # noqa: PLC0415  # pygame, only where it is needed
+
+    try:
+        pictures.mkdir(parents=True, exist_ok=True)
+        for path in save_pictures(pictures, pixels, theme, only):
+            tell(str(path))
+    except OSError as error:
+        raise BadInputError(f"--pictures {quoted_path(pictures)}: cannot write; {error.strerror or error}") from None
+
+
 @app.command("replays")
 def list_replays() -> None:
     """List the games kept from the window, newest first."""
@@ -266,7 +286,7 @@ def _verify(files: list[Path]) -> None:
 
 
 class _ChosenGame(NamedTuple):
-    """The game that the options ask for. ruleset: None where they say nothing. record: the file of its replay; None for none."""
+    """The game that the options ask for. ruleset: None where they say nothing. record: file of its replay, None for none."""
 
     levels: tuple[Level, ...]
     seed: int

@@ -2,6 +2,7 @@
 
 import math
 from functools import cache
+from itertools import pairwise
 
 import pygame
 
@@ -118,7 +119,7 @@ def _paddle(canvas: Canvas, origin: complex, radius: float, turned: float) -> No
 def _path(canvas: Canvas, points: tuple[complex, ...], colour: Colour, *, arrow: bool) -> None:
     """A line through some pixels, with a head at its end."""
     width = max(round(canvas.unit * 0.14), 1)
-    for start, end in zip(points, points[1:], strict=False):
+    for start, end in pairwise(points):
         pygame.draw.aaline(canvas.surface, colour, (start.real, start.imag), (end.real, end.imag), width)
     if arrow:
         along = (points[-1] - points[-2]) / abs(points[-1] - points[-2]) * canvas.unit
