@@ -16,6 +16,7 @@ from game.kept.store import Kept
 from game.levels import built_in
 from game.replays.file import Recorder
 from game.replays.playback import Playback
+from game.rules import Ruleset
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.menus.credits import Credits
@@ -68,7 +69,7 @@ def _saved(path: Path, screen: Screen, size: tuple[int, int]) -> Path:
 
 def sample_state(folder: Path, colours: str = "dark") -> AppState:
     """What all screens share, with made-up scores and games, which are kept in a folder."""
-    state = AppState(built_in(), 0, 7, Title, kept=Kept(folder))
+    state = AppState(built_in(), 0, 7, Title, kept=Kept(folder), ruleset=Ruleset())
     state.settings = state.settings._replace(colours=colours)
     replays = folder / "replays"
     replays.mkdir(exist_ok=True)

@@ -1,7 +1,7 @@
 """The drawings of the help: the arena, bricks, and how a ball is aimed."""
 
 import math
-from functools import cache
+from functools import cache, lru_cache
 from itertools import pairwise
 
 import pygame
@@ -33,9 +33,13 @@ def draw_arena(canvas: Canvas, box: pygame.Rect) -> None:
     side = min(box.width, box.height)
     pictures = _level_pictures()
     pictures.next_frame()
-    picture = pictures.picture(built_in()[1], side, canvas.theme)
+    picture = pictures.picture(built_in()[1], side, canvas.theme, whole=True)
     if picture is not None:
         canvas.surface.blit(picture, picture.get_rect(center=box.center))
+
+
+_sample = lru_cache(maxsize=64)(brick_sample)
+"""Samples of bricks, cached."""
 
 
 def draw_bricks(canvas: Canvas, box: pygame.Rect) -> None:
@@ -45,7 +49,7 @@ def draw_bricks(canvas: Canvas, box: pygame.Rect) -> None:
     size = (max(round(min(unit * 4.0, pitch * 0.9)), 1), max(round(unit * 2.0), 1))
     for index, layers in enumerate(_SAMPLES):
         middle = complex(box.left + pitch * (index + 0.5), box.top + unit * 1.2)
-        card = brick_sample(size, unit * 2.0, layers, theme)
+        card = _sample(size, unit * 2.0, layers, theme)
         canvas.surface.blit(card, card.get_rect(center=(round(middle.real), round(middle.imag))))
         words = tr("steel") if layers == PERMANENT else str(layers)
         canvas.write(words, 1.0, theme.faint, middle + 1.5j * unit, "midtop")
