@@ -169,6 +169,16 @@ def checked(level: Level, source: str) -> Level:
     return level
 
 
+def level_schema() -> str:
+    """The JSON schema of level files: keys, types, ranges. The rules between the numbers are those of `checked`."""
+    schema = {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "Polar Breakout level",
+        **msgspec.json.schema(Level),
+    }
+    return msgspec.json.format(msgspec.json.encode(schema), indent=2).decode()
+
+
 def warnings(level: Level) -> list[str]:
     """What is allowed in a level and yet makes it tedious to play: key and reason, a line each."""
     widths = [(number, _widest_gate(ring)) for number, ring in enumerate(level.rings)]
