@@ -12,6 +12,7 @@ from game.drawing.canvas import Canvas
 from game.drawing.painter import Painter
 from game.drawing.palette import Theme
 from game.drawing.text import Type
+from game.input.devices import Devices
 from game.input.view import FLAT, Viewpoint
 from game.levels import Level
 from game.overlay.toast import Toast
@@ -46,6 +47,7 @@ class AppState:
     open_lab: makes the lab's screen, over another one; None where there is no lab.
     audio: the sound; None without.
     toast: words that are shown for a moment.
+    devices: what the player has in hand.
     painter, type: draw all pictures and all text, and cache them.
     """
 
@@ -65,6 +67,7 @@ class AppState:
     settings_file: SettingsFile | None = None
     toast: Toast | None = None
     physics: ChosenPhysics = SWEPT
+    devices: Devices = field(default_factory=Devices)
     painter: Painter = field(default_factory=Painter)
     type: Type = field(default_factory=Type)
 

@@ -120,7 +120,7 @@ class PlayScreen:
     def _tick(self, camera: Camera) -> None:
         """Run one tick and tell the recorder."""
         game = self._ticked.game
-        controls = self._hands.controls(camera) if self._pilot is None else self._pilot.controls(game)
+        controls = self._hands.controls(camera, game) if self._pilot is None else self._pilot.controls(game)
         self._hands = self._hands.after_tick()
         self._ticked = tick(game, controls, self._state.physics.advance)
         touched = self._ticked.game.phase != Phase.PLAYING or any(
