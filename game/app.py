@@ -15,7 +15,7 @@ from game.lab.kit.second_engine import Engine
 from game.lab.registry import scenes
 from game.lab.session import session
 from game.lab.session.share import parsed
-from game.language import tr
+from game.language import system_prefers, tr
 from game.levels import Level, built_in
 from game.overlay import toast
 from game.overlay.toast import Toast
@@ -128,6 +128,7 @@ def _shown(state: AppState, opened: Callable[[], Screen], services: Services, au
     handler = on_display_lost(lambda: _save(state, services.lost))  # noqa: F841  # must live as long as the window
     with deferred():
         try:
+            system_prefers([locale["language"] for locale in pygame.system.get_pref_locales()])
             state.devices.pads.listen()
             state.audio = None if audio is None else audio()
             state.change(state.settings if state.settings_file is None else state.settings_file.load())

@@ -18,9 +18,11 @@ from game.input.signals import (
     Signal,
     Squeezed,
 )
-from game.rules import POINTER_STEPS, TICK, Controls, Game, paddle_ring
+from game.rules import POINTER_STEPS, TICK, Controls, Game, Phase, paddle_ring
 
 _TURNS = (Action.LEFT, Action.RIGHT)
+_ANY_BUTTON = frozenset({*_TURNS, Action.UP, Action.DOWN, Action.SERVE, Action.CONFIRM})
+"""What a player with one button may have bound it to."""
 _STICK_PIXELS = 100.0
 """From the arena's centre to the pixel that a stick points to: any distance has the same bearing."""
 
@@ -34,6 +36,8 @@ class Hands(NamedTuple):
     stick: direction that a gamepad's stick points to, of length 1, to the right and up; 0 for none.
     spin: asked for by triggers, -1.0 to 1.0 of the paddles' top speed.
     serve, give_up: whether that was asked for since the last tick.
+    turned: +1 or -1, the other one after every press of a key, a button, or on the screen; pressed: whether there was one since
+    the last tick. They are what counts for a player with one button.
     """
 
     held: tuple[Pressed, ...] = ()
@@ -42,6 +46,8 @@ class Hands(NamedTuple):
     spin: float = 0.0
     serve: bool = False
     give_up: bool = False
+    turned: int = 1
+    pressed: bool = False
 
     def after(self, signal: Signal) -> "Hands":
         """What is held after one more signal.
@@ -68,8 +74,8 @@ class Hands(NamedTuple):
             case Moved() | Pointed() | Squeezed():
                 hands = self._pointed(signal)
             case FocusLost():
-                hands = Hands()
-        return hands
+                return Hands(turned=self.turned)
+        return hands._replace(turned=-hands.turned, pressed=True) if _is_press(signal) else hands
 
     def controls(self, camera: Camera, game: Game) -> Controls:
         """The controls of the next tick. The last turning key pressed wins."""
@@ -80,9 +86,14 @@ class Hands(NamedTuple):
         pixel = camera.centre + self.stick.conjugate() * _STICK_PIXELS if self.stick else self.pointer
         return Controls(0, _bearing_steps(pixel, camera), self.serve, self.give_up)
 
+    def one_button_controls(self, game: Game) -> Controls:
+        """The controls of the next tick for a player with one button: a press serves, and reverses the paddles in play."""
+        turn = self.turned if game.phase == Phase.PLAYING else 0
+        return Controls(turn, None, self.pressed, self.give_up)
+
     def after_tick(self) -> "Hands":
         """What is still held once a tick has been given its controls: what is asked for once is asked for no more."""
-        return self._replace(serve=False, give_up=False)
+        return self._replace(serve=False, give_up=False, pressed=False)
 
     def _pointed(self, signal: Moved | Pointed | Squeezed) -> "Hands":
         """What is held after the mouse, a stick or a trigger has moved."""
@@ -97,6 +108,15 @@ class Hands(NamedTuple):
     def _without(self, position: int) -> tuple[Pressed, ...]:
         """The held keys but one."""
         return tuple([key for key in self.held if key.position != position])
+
+
+def _is_press(signal: Signal) -> bool:
+    """Whether a player with one button may have meant that one."""
+    match signal:
+        case Pressed(action, position):
+            return action in _ANY_BUTTON and not of_stick(position)
+        case _:
+            return isinstance(signal, Clicked)
 
 
 def _bearing_steps(pixel: complex | None, camera: Camera) -> int | None:

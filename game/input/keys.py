@@ -7,42 +7,24 @@ commands go by what is written on the key, so that P pauses wherever P is. A key
 """
 
 from collections.abc import Iterable, Mapping
-from enum import Enum, auto
 from typing import NamedTuple
 
 import pygame
 
+from game.input.actions import Action
 
-class Action(Enum):
-    """What a key means."""
-
-    LEFT = auto()
-    RIGHT = auto()
-    UP = auto()
-    DOWN = auto()
-    SERVE = auto()
-    CONFIRM = auto()
-    PAUSE = auto()
-    RESTART = auto()
-    BACK = auto()
-    HELP = auto()
-    FULL_SCREEN = auto()
-    MUTE = auto()
-    THEME = auto()
-    EFFECTS = auto()
-    SETTINGS = auto()
-    NORMALS = auto()
-    STEP_BACK = auto()
-    STEP = auto()
-    LESS = auto()
-    MORE = auto()
-    START = auto()
-    END = auto()
-    TIP = auto()
-    FLAT = auto()
-    SOLID = auto()
-    LAB = auto()
-    GIVE_UP = auto()
+__all__ = [
+    "BINDINGS",
+    "KEYS",
+    "NAMED_KEY",
+    "US_CODES",
+    "Action",
+    "Binding",
+    "KeyTable",
+    "code_among",
+    "position_in",
+    "position_of",
+]
 
 
 class Binding(NamedTuple):

@@ -13,7 +13,10 @@ from game.drawing.painter import Painter
 from game.drawing.palette import Theme
 from game.drawing.text import Type
 from game.input.devices import Devices
+from game.input.keys import KEYS
+from game.input.rebinding import bindings, checked
 from game.input.view import FLAT, Viewpoint
+from game.language import choose
 from game.levels import Level
 from game.overlay.toast import Toast
 from game.rules import Controls, Game, Ticked
@@ -86,8 +89,10 @@ class AppState:
         return Canvas(surface, camera, self.theme, self.type, unit_of(surface.get_size()))
 
     def change(self, settings: Settings, told: Toast | None = None) -> None:
-        """Let other settings hold, on the screen and in what sounds now. told: words to show about it."""
+        """Let other settings hold: on the screen, in what sounds now, for keys and texts. told: words to show about it."""
         self.settings = settings
+        KEYS.change(bindings(checked(settings.own_keys)))
+        choose(settings.language)
         if told is not None:
             self.toast = told
         if self.audio is not None:
