@@ -14,12 +14,13 @@ from game import VERSION
 from game.chosen_physics import SOURCE, SWEPT, ChosenPhysics
 from game.effects import LONGEST, after_all
 from game.headless import autopilot_game, result_line
+from game.kept.scores import objection
+from game.kept.store import Kept, data_folder
 from game.lab.kit.second_engine import Engine
 from game.levels import Level, built_in, chosen, warnings
 from game.replays import file as replay
-from game.replays.history import History, kept_games
 from game.replays.verify import verified
-from game.rules import Game, Ticked
+from game.rules import SOURCE_RULES, Difficulty, Game, Ruleset, Ticked
 from game.second_opinion import Compare, NormalPair
 from game.settings.file import SettingsFile, settings_path
 from game.system.command_line import refuse_ignored
@@ -49,6 +50,8 @@ _GAME_OPTIONS = (
     "ticks",
     "record",
     "physics",
+    "rules",
+    "difficulty",
     "screenshot",
     *_PICTURE_OPTIONS,
     "version",
@@ -62,7 +65,12 @@ def play(
     level: Annotated[str, typer.Option(help="Start at a level: its number, its name, or a TOML file of one's own.")] = "1",
     seed: Annotated[
         int | None,
-        typer.Option(min=0, max=2**63 - 1, help="Seed of the game's chance.", show_default="1 if --headless, else random"),
+        typer.Option(
+            min=0,
+            max=2**63 - 1,
+            help="Decides the power-ups, where the aim of each serve begins, and nudges; the same seed is the same chance.",
+            show_default="1 if --headless, else random",
+        ),
     ] = None,
     headless: Annotated[bool, typer.Option("--headless", help="Play without a window and print one result line.")] = False,
     autopilot: Annotated[bool, typer.Option("--autopilot", help="Let the program play.")] = False,
@@ -72,6 +80,17 @@ def play(
         Literal["swept", "source"],
         typer.Option(help="What flies the balls: exact times of impact, or the slides' own test once a frame."),
     ] = "swept",
+    rules: Annotated[
+        Literal["arcade", "source"] | None,
+        typer.Option(
+            help="The game's own rules, or the source's: one speed, no power-ups, no turn by where a paddle is hit.",
+            show_default="arcade; source if --physics source",
+        ),
+    ] = None,
+    difficulty: Annotated[
+        Literal["easy", "normal", "hard"] | None,
+        typer.Option(help="Of the arcade rules.", show_default="normal; in the window the one chosen last"),
+    ] = None,
     screenshot: Annotated[Path | None, typer.Option(help="Draw the last tick of a headless game into this PNG file.")] = None,
     size: Annotated[str, typer.Option(metavar="WxH", help="Size of the screenshot in pixels.")] = "1280x800",
     view: Annotated[Literal["flat", "solid"], typer.Option(help="The screenshot's view: from above, or in 3D.")] = "flat",
@@ -92,6 +111,7 @@ def play(
         refuse_ignored(context, "is for a picture; add --screenshot FILE", *_PICTURE_OPTIONS)
     if record is not None and physics == "source":
         raise BadInputError("--record: a replay is verified with the swept physics; leave out --physics source")
+    ruleset = _ruleset(context, rules, difficulty, physics)
     check_target(record, "--record")
     check_target(screenshot, "--screenshot", ".png")
     levels = chosen(level)
@@ -100,13 +120,27 @@ def play(
     if headless and not autopilot:
         raise BadInputError("--headless: nobody plays; add --autopilot")
     if headless:
-        last = _play_headless(_ChosenGame(levels, 1 if seed is None else seed, record, _PHYSICS[physics]), ticks)
+        last = _play_headless(_ChosenGame(levels, 1 if seed is None else seed, ruleset, record, _PHYSICS[physics]), ticks)
         if screenshot is not None:
             _save_screenshot(last, screenshot, pixels, solid=view == "solid")
         tell(result_line(last.game, physics))
         return
     seed = random.SystemRandom().getrandbits(32) if seed is None else seed
-    _play_in_window(_ChosenGame(levels, seed, record, _PHYSICS[physics]), autopilot=autopilot)
+    _play_in_window(_ChosenGame(levels, seed, ruleset, record, _PHYSICS[physics]), autopilot=autopilot)
+
+
+def _ruleset(context: typer.Context, rules: str | None, difficulty: str | None, physics: str) -> Ruleset | None:
+    """The rules that the options ask for, None where they say nothing; BadInputError for options that contradict each other."""
+    if rules == "arcade" and physics == "source":
+        raise BadInputError(
+            "--rules arcade: the slides' own algorithm is played by the source's rules; leave out one of the two"
+        )
+    if rules == "source" or physics == "source":
+        refuse_ignored(context, "is for the arcade rules", "difficulty")
+        return SOURCE_RULES
+    if rules is None and difficulty is None:
+        return None
+    return Ruleset(Difficulty[(difficulty or "normal").upper()])
 
 
 @app.command("levels")
@@ -133,8 +167,29 @@ def list_levels() -> None:
 @app.command("replays")
 def list_replays() -> None:
     """List the games kept from the window, newest first."""
-    for path in kept_games():
+    for path in Kept(data_folder()).games.paths():
         tell(str(path))
+
+
+@app.command("scores")
+def list_scores(
+    verify: Annotated[bool, typer.Option("--verify", help="Play every score's replay again and compare the points.")] = False,
+) -> None:
+    """List the high scores, best first; with --verify, prove them."""
+    kept = Kept(data_folder())
+    for line in kept.problems:
+        say(f"polar-breakout: {line}")
+    failed, scores = 0, sorted(kept.scores.value.entries, key=lambda score: (score.difficulty, -score.score))
+    for score in scores:
+        line = f"{score.difficulty:6} {score.score:>9,}  {score.name or '-':16}  {score.date:10}  {score.last}"
+        if not verify:
+            tell(line)
+            continue
+        why = "no folder" if kept.games.folder is None else objection(score, kept.games.folder)
+        failed += why is not None
+        tell(f"{line}  {'verified' if why is None else quoted(f'NOT VERIFIED: {why}', 200)}")
+    if failed:
+        raise CheckFailedError(f"{failed} of {len(scores)} scores could not be verified")
 
 
 @app.command("replay")
@@ -153,7 +208,7 @@ def watch_replay(
     from game.app import Services, watch  # noqa: PLC0415  # pygame, only where it is needed
 
     with _settings() as settings:
-        watch(recording, Services(_second_opinion(), _second_engine, settings, _say_lost))
+        watch(recording, Services(_second_opinion(), _second_engine, settings, lost=_say_lost))
 
 
 @app.command("lab")
@@ -211,10 +266,11 @@ def _verify(files: list[Path]) -> None:
 
 
 class _ChosenGame(NamedTuple):
-    """The game that the options ask for. record: the file of its replay; None for none."""
+    """The game that the options ask for. ruleset: None where they say nothing. record: the file of its replay; None for none."""
 
     levels: tuple[Level, ...]
     seed: int
+    ruleset: Ruleset | None
     record: Path | None
     physics: ChosenPhysics
 
@@ -228,8 +284,9 @@ class _Last(NamedTuple):
 
 def _play_headless(chosen_game: _ChosenGame, ticks: int) -> _Last:
     """A game of the autopilot without a window, recorded if asked for; a signal ends it early, what was played is kept."""
-    levels, seed, record, physics = chosen_game
-    recorder = None if record is None else replay.Recorder(levels, seed)
+    levels, seed, chosen_rules, record, physics = chosen_game
+    ruleset = chosen_rules or Ruleset()
+    recorder = None if record is None else replay.Recorder(levels, seed, ruleset)
     passed, cut_short = deque[Ticked](maxlen=LONGEST), 0
 
     def told(ticked: Ticked) -> None:
@@ -239,7 +296,7 @@ def _play_headless(chosen_game: _ChosenGame, ticks: int) -> _Last:
         cut_short += ticked.step.dropped > 0
 
     with deferred():
-        game = autopilot_game(levels, seed, ticks, recorder, told, physics.advance)
+        game = autopilot_game(levels, seed, ticks, recorder, told, physics.advance, ruleset)
         if recorder is not None and record is not None:
             replay.save(recorder.recording(), record)
         if cut_short:
@@ -254,34 +311,33 @@ def _play_in_window(chosen_game: _ChosenGame, *, autopilot: bool) -> None:
     from game.app import Services  # noqa: PLC0415  # pygame, only where it is needed
     from game.app import play as play_in_window  # noqa: PLC0415
 
-    levels, seed, record, physics = chosen_game
-    history = History(record) if physics is SWEPT else None  # replays are verified with the swept physics
+    levels, seed, ruleset, record, physics = chosen_game
+    kept = Kept(data_folder(), record)
+    games = kept.games if physics is SWEPT else None  # replays are verified with the swept physics
 
     def lost() -> None:
         """Xlib ends the program: what there is of the game is written at once."""
-        _close(history)
-        kept = "" if history is None else "; games of five seconds and more are kept (polar-breakout replays)"
-        say(f"polar-breakout: the display is gone{kept}")
+        _close(kept)
+        told = "" if games is None else "; games of five seconds and more are kept (polar-breakout replays)"
+        say(f"polar-breakout: the display is gone{told}")
 
     with deferred():
         try:
             with _settings() as settings:
-                services = Services(_second_opinion(), _second_engine, settings, lost)
-                play_in_window(levels, seed, services, recorder=history, autopilot=autopilot, physics=physics)
+                services = Services(_second_opinion(), _second_engine, settings, kept, lost)
+                play_in_window(levels, seed, services, recorder=games, autopilot=autopilot, physics=physics, ruleset=ruleset)
         except EnvironmentMissingError as error:
             say(f"polar-breakout: {error}; playing 20 s without a window instead")
             _demonstrate(chosen_game)
         finally:
-            _close(history)
+            _close(kept)
 
 
-def _close(history: History | None) -> None:
-    """Write the game that is being played, if any is kept, and say if that was not possible."""
-    if history is None:
-        return
-    history.close()
-    if history.problem is not None:
-        say(f"polar-breakout: game not kept: {history.problem}")
+def _close(kept: Kept) -> None:
+    """Write the game that is being played, and say what could not be read or written."""
+    kept.game_done()
+    for line in kept.problems:
+        say(f"polar-breakout: {line}")
 
 
 @contextlib.contextmanager

@@ -10,10 +10,10 @@ import pytest
 
 from game.input.signals import Action, Pressed
 from game.levels import built_in
-from game.screens.help import Help
-from game.screens.menu import Entry, Menu
+from game.screens.menus.help import Help
+from game.screens.menus.settings_panel import SettingsPanel
 from game.screens.play import PlayScreen
-from game.screens.settings_panel import SettingsPanel
+from game.screens.toolkit.menu import Entry, Menu
 from tests.support.dummy_window import shared
 
 SIZE = (640, 400)

@@ -8,11 +8,11 @@ from game.drawing.camera import unit_of
 from game.drawing.palette import LIGHT
 from game.drawing.raster.primitives import draw_box
 from game.effects import EffectKind
-from game.screens.menu import Menu
+from game.screens.menus.settings_panel import SettingsPanel, _boxes, _volume_bar
+from game.screens.menus.settings_rows import EFFECTS, ROWS
 from game.screens.play import PlayScreen
-from game.screens.settings_panel import SettingsPanel, _boxes, _volume_bar
-from game.screens.settings_rows import EFFECTS, ROWS
 from game.screens.title import Title
+from game.screens.toolkit.menu import Menu
 from game.settings.file import SettingsFile
 from game.settings.values import Settings
 from tests.support.dummy_window import FRAME, SIZE, Desk, shared

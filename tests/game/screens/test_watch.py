@@ -10,7 +10,7 @@ from game.lab.window.screen import Lab
 from game.levels import built_in
 from game.replays.file import Recorder
 from game.replays.playback import Playback
-from game.screens.settings_panel import SettingsPanel
+from game.screens.menus.settings_panel import SettingsPanel
 from game.screens.watch import SPEEDS, Watch
 from game.settings.values import Settings
 from tests.support.dummy_window import FRAME, SIZE, Desk, shared

@@ -10,10 +10,10 @@ from game.drawing.palette import DARK, LIGHT
 from game.levels import built_in
 from game.replays.state_hash import state_hash
 from game.rules import Phase, new_game, tick
-from game.screens.help import Help
-from game.screens.menu import Menu
+from game.screens.menus.help import Help
 from game.screens.play import PlayScreen
 from game.screens.title import Title
+from game.screens.toolkit.menu import Menu
 from game.system import ending
 from tests.support.dummy_window import FRAME, SIZE, Desk, shared
 
