@@ -243,7 +243,7 @@ def _draw(window: pygame.Window, state: AppState, screen: Screen, surface: pygam
             return
     screen.draw(surface)
     if state.toast is not None:
-        toast.draw(state.canvas(surface), state.toast)
+        toast.draw(state.words(state.canvas(surface)), state.toast)
     _flip(window)
     state.shown = looks
 

@@ -103,7 +103,7 @@ class AppState:
     @property
     def text_scale(self) -> float:
         """How much larger than usual the player wants texts."""
-        return float(getattr(self.settings, "text_size", 100)) / 100.0
+        return self.settings.text_size / 100.0
 
     def levels(self) -> Screen:
         """The choice of levels, or the title where there is none."""
@@ -117,6 +117,10 @@ class AppState:
     def canvas(self, surface: pygame.Surface, camera: Camera = _PIXELS) -> Canvas:
         """A canvas in the settings' colours. camera: of what is drawn, unless it is text and boxes alone."""
         return Canvas(surface, camera, self.theme, self.type, unit_of(surface.get_size()))
+
+    def words(self, canvas: Canvas) -> Canvas:
+        """The same canvas for words that are as large as the player wants them."""
+        return canvas._replace(unit=canvas.unit * self.text_scale)
 
     def change(self, settings: Settings, told: Toast | None = None) -> None:
         """Let other settings hold: on the screen, in what sounds now, for keys and texts. told: words to show about it."""

@@ -119,12 +119,13 @@ class PlayScreen:
             contact_normals.draw(canvas, self._normals)
         badge = aids.badge(state.settings) if self._pilot is None else tr("autopilot")
         shown = hud.readings(self._ticked.game, self._effects.streak, muted=not state.settings.sound, badge=badge)
-        hud.draw(canvas, shown, seen)
+        words = state.words(canvas)
+        hud.draw(words, shown, seen)
         play_buttons.draw(canvas, seen, self._hovered)
         told = self._notice()
         if told is not None:
-            notice.draw(canvas, told, scene)
-        captions.draw(canvas, self._captions)
+            notice.draw(words, told, scene)
+        captions.draw(words, self._captions)
         if state.physics.note:
             _draw_note(canvas, state.physics.note)
 
