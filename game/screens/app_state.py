@@ -12,8 +12,12 @@ from game.drawing.canvas import Canvas
 from game.drawing.painter import Painter
 from game.drawing.palette import Theme
 from game.drawing.text import Type
+from game.input.devices import Devices
+from game.input.keys import KEYS
+from game.input.rebinding import bindings, checked
 from game.input.view import FLAT, Viewpoint
 from game.kept.store import Kept
+from game.language import choose
 from game.levels import Level
 from game.overlay.toast import Toast
 from game.rules import SOURCE_RULES, Controls, Game, Ruleset, Ticked
@@ -52,6 +56,7 @@ class AppState:
     open_lab: makes the lab's screen, over another one; None where there is no lab.
     audio: the sound; None without.
     toast: words that are shown for a moment.
+    devices: what the player has in hand.
     away: whether the player is in another window. shown: all that the picture on the window depended on when it was drawn;
     None where it has to be drawn again.
     painter, type: draw all pictures and all text, and cache them; pictures: those of the levels.
@@ -81,6 +86,7 @@ class AppState:
     physics: ChosenPhysics = SWEPT
     ruleset: Ruleset = SOURCE_RULES
     two_players: bool = False
+    devices: Devices = field(default_factory=Devices)
     painter: Painter = field(default_factory=Painter)
     type: Type = field(default_factory=Type)
     pictures: LevelPictures = field(default_factory=LevelPictures)
@@ -98,7 +104,7 @@ class AppState:
     @property
     def text_scale(self) -> float:
         """How much larger than usual the player wants texts."""
-        return float(getattr(self.settings, "text_size", 100)) / 100.0
+        return self.settings.text_size / 100.0
 
     def levels(self) -> Screen:
         """The choice of levels, or the title where there is none."""
@@ -113,9 +119,15 @@ class AppState:
         """A canvas in the settings' colours. camera: of what is drawn, unless it is text and boxes alone."""
         return Canvas(surface, camera, self.theme, self.type, unit_of(surface.get_size()))
 
+    def words(self, canvas: Canvas) -> Canvas:
+        """The same canvas for words that are as large as the player wants them."""
+        return canvas._replace(unit=canvas.unit * self.text_scale)
+
     def change(self, settings: Settings, told: Toast | None = None) -> None:
-        """Let other settings hold, on the screen and in what sounds now. told: words to show about it."""
+        """Let other settings hold: on the screen, in what sounds now, for keys and texts. told: words to show about it."""
         self.settings = settings
+        KEYS.change(bindings(checked(settings.own_keys)))
+        choose(settings.language)
         if told is not None:
             self.toast = told
         if self.audio is not None:

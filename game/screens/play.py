@@ -17,8 +17,9 @@ from game.input.keys import Action
 from game.input.signals import Clicked, FocusLost, KeyboardState, Moved, Pressed, Released, Signal
 from game.language import tr
 from game.levels import Level, number_of
-from game.overlay import hud, notice
-from game.rules import TICK, EventKind, Phase, new_game, tick
+from game.overlay import captions, hud, notice
+from game.overlay.captions import Caption
+from game.rules import TICK, Controls, EventKind, Phase, new_game, tick
 from game.scene import scene_at, still
 from game.screens import ghost, play_buttons
 from game.screens.app_state import AppState
@@ -29,6 +30,7 @@ from game.screens.play_record import PlayRecord
 from game.screens.play_results import game_results, level_results
 from game.screens.toolkit.menu import Entry, Menu
 from game.second_opinion import NormalPair
+from game.settings import aids
 
 _READY_SECONDS = 0.6
 """After a pause with a ball in play, until it flies on."""
@@ -60,6 +62,7 @@ class PlayScreen:
         self._ready = 0.0  # seconds until play goes on after a pause
         self._stop = 0.0  # seconds of hit-stop left
         self._pilot = Autopilot() if state.autopilot else None
+        self._captions: tuple[Caption, ...] = ()
         self._untouched = 0  # ticks with a ball in play since a paddle touched it
         self._hovered: Action | None = None  # what the button means that the mouse is on
         self._told = -1  # number of the level whose results were shown last
@@ -101,9 +104,10 @@ class PlayScreen:
         if self._ready > 0.0:
             self._ready -= seconds
             return self
+        self._captions = captions.later(self._captions, seconds)
         stopped = min(self._stop, max(seconds, 0.0))
         self._stop -= stopped
-        self._due = due(self._due.rest, seconds - stopped)
+        self._due = due(self._due.rest, (seconds - stopped) * self._state.settings.speed / 100.0)
         self._record.prepare()
         camera = self._layout(size).camera
         for _ in range(self._due.ticks):
@@ -124,13 +128,15 @@ class PlayScreen:
             ghost.draw(canvas, racing)
         if state.shows_normals:
             contact_normals.draw(canvas, self._normals)
-        badge = "" if self._pilot is None else "autopilot"
+        badge = aids.badge(state.settings) if self._pilot is None else tr("autopilot")
         shown = hud.readings(self._ticked.game, self._effects.streak, muted=not state.settings.sound, badge=badge)
-        hud.draw(canvas, shown, seen)
+        words = state.words(canvas)
+        hud.draw(words, shown, seen)
         play_buttons.draw(canvas, seen, self._hovered)
         told = self._notice()
         if told is not None:
-            notice.draw(canvas, told, scene)
+            notice.draw(words, told, scene)
+        captions.draw(words, self._captions)
         if state.physics.note:
             _draw_note(canvas, state.physics.note)
 
@@ -190,9 +196,7 @@ class PlayScreen:
     def _tick(self, camera: Camera) -> None:
         """Run one tick and tell the recorder."""
         game = self._ticked.game
-        controls = self._hands.controls(camera) if self._pilot is None else self._pilot.controls(game)
-        if self._second.held:
-            controls = controls._replace(second_turn=self._second.controls(camera).turn)
+        controls = self._controls(camera) if self._pilot is None else self._pilot.controls(game)
         self._hands = self._hands.after_tick()
         self._ticked = tick(game, controls, self._state.physics.advance)
         touched = self._ticked.game.phase != Phase.PLAYING or any(
@@ -202,9 +206,20 @@ class PlayScreen:
         self._effects = effects.after(self._effects, self._ticked, self._state.settings.shown)
         self._normals = self._state.normals_after(self._normals, self._ticked)
         self._state.play_sounds(self._ticked, camera)
+        if self._state.settings.captions:
+            self._captions = captions.after(self._captions, self._ticked, camera)
         if self._state.recorder is not None:
             self._state.recorder(controls, self._ticked.game)
         self._record.after_tick(self._ticked)
+
+    def _controls(self, camera: Camera) -> Controls:
+        """What the player asks for in the next tick."""
+        if self._state.settings.one_button:
+            return self._hands.one_button_controls(self._ticked.game)
+        controls = self._hands.controls(camera, self._ticked.game)
+        if self._second.held:
+            controls = controls._replace(second_turn=self._second.controls(camera, self._ticked.game).turn)
+        return controls
 
     def _paused(self, panel: Screen) -> Screen:
         """A panel over the game; keys that were held when it opened are let go."""

@@ -116,7 +116,7 @@ class Watch:
         if state.shows_normals:
             contact_normals.draw(canvas, self._normals)
         shown = hud.readings(self._shown.game, self._effects.streak, muted=not state.settings.sound, badge="replay")
-        hud.draw(canvas, shown, seen)
+        hud.draw(state.words(canvas), shown, seen)
         play_buttons.draw(canvas, seen, self._hovered, play_buttons.WATCHING)
         self._draw_timeline(canvas)
 

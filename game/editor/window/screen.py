@@ -21,7 +21,7 @@ from game.language import tr
 from game.levels import Level
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.menu import Entry, Menu
+from game.screens.toolkit.menu import Entry, Menu
 from game.system.errors import BadInputError
 from game.system.files import write_text
 

@@ -4,12 +4,12 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from game.effects import MOVING, PLAIN, EffectKind
-from game.input.key_names import key_names
-from game.input.keys import Action
 from game.language import tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.toolkit.items import Cells, Choice, Heading, Slider, Switch
+from game.screens.menus.access_rows import access_rows
+from game.screens.menus.control_rows import control_rows
+from game.screens.toolkit.items import Choice, Heading, Slider, Switch
 from game.screens.toolkit.layout import Row
 from game.settings.values import LOUDEST, Settings
 
@@ -111,21 +111,10 @@ def _sound(state: AppState, _panel: Screen) -> tuple[Row, ...]:
     )
 
 
-def _keys(_state: AppState, _panel: Screen) -> tuple[Row, ...]:
-    """What every key does."""
-    shown = (
-        (tr("Turn clockwise"), Action.RIGHT),
-        (tr("Turn counter-clockwise"), Action.LEFT),
-        (tr("Serve"), Action.SERVE),
-        (tr("Pause"), Action.PAUSE),
-        (tr("Help"), Action.HELP),
-    )
-    return tuple([(Cells(((name, 1.0, "left"), ("   ".join(key_names(action)), 1.0, "left"))),) for name, action in shown])
-
-
 PARTS = (
     Part(lambda: tr("Picture"), _picture),
     Part(lambda: tr("Effects"), _effects),
     Part(lambda: tr("Sound"), _sound),
-    Part(lambda: tr("Keys"), _keys),
+    Part(lambda: tr("Keys"), control_rows),
+    Part(lambda: tr("Access"), access_rows),
 )

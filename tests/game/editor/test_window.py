@@ -2,6 +2,7 @@
 
 import pygame
 import pytest
+from game.screens.menu import Menu
 
 from game.editor.command import NEW, editing_session, file_to_edit, keep_unsaved
 from game.editor.file_watch import WatchedFile
@@ -13,7 +14,6 @@ from game.input.keys import Action
 from game.input.signals import Pressed
 from game.levels import built_in, load_file
 from game.screens.app_state import AppState
-from game.screens.menu import Menu
 from game.screens.title import Title
 from game.system.errors import BadInputError
 
