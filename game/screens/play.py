@@ -122,9 +122,10 @@ class PlayScreen:
         canvas = state.canvas(surface, seen.camera)
         scene = scene_at(self._ticked, self._due.alpha, self._effects)
         state.painter.paint(canvas, scene)
-        racing = None if self._record.ghost is None else self._record.ghost.game
+        racing = None if self._record.ghost is None or not state.settings.ghost else self._record.ghost.game
         if racing is not None:
             ghost.draw(canvas, racing)
+            ghost.draw_lead(canvas, self._ticked.game, racing)
         if state.shows_normals:
             contact_normals.draw(canvas, self._normals)
         badge = aids.badge(state.settings) if self._pilot is None else tr("autopilot")

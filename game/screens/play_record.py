@@ -28,6 +28,7 @@ class PlayRecord:
         self.counts = not state.autopilot and state.physics is SWEPT and state.recorder is not None
         self.ranked = self.counts and all([_is_built_in(level) for level in levels])
         self._start = 0
+        self.speed = 100  # per cent, the slowest so far
         self.done: Best | None = None
         self.before: Best | None = None
         self.ghost: Ghost | None = None
@@ -36,7 +37,8 @@ class PlayRecord:
             self._open_ghost(0)
 
     def prepare(self) -> None:
-        """Bring the ghost a little nearer to its start."""
+        """Note how slow the game is played now, and bring the ghost a little nearer to its start."""
+        self.speed = min(self.speed, self._state.settings.speed)
         if self.ghost is not None:
             self.ghost.prepare()
 

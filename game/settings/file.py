@@ -115,6 +115,7 @@ def decoded(said: dict[str, Any]) -> Settings:
         text_size=_whole(said, "text_size", TEXT_SIZES, default.text_size),
         one_button=_flag(said, "one_button", default.one_button),
         captions=_flag(said, "captions", default.captions),
+        ghost=_flag(said, "ghost", default.ghost),
         vision=_one_of(said, "vision", VISIONS, default.vision),
         language=_one_of(said, "language", (SYSTEM, *CODES), default.language),
         own_keys=decoded_keys(said.get("own_keys")),

@@ -71,6 +71,7 @@ def _picture(state: AppState, _panel: Screen) -> tuple[Row, ...]:
         (colours,),
         (screen,),
         (_switch(state, tr("Reduced motion"), "reduced_motion", motion),),
+        (_switch(state, tr("Ghost"), "ghost", tr("Pale outlines show your best run of the level beside you.")),),
     )
 
 
