@@ -173,13 +173,22 @@ class Panel:
         steps = {Action.LEFT: -1, Action.RIGHT: 1}.get(action, 0)
         tabs = self.content().tabs
         self._changes += 1
+        if not steps and self._read_on(laid, size, 1.0 if action is Action.DOWN else -1.0):
+            return
         if focus is None:
-            self._scroll_by({Action.UP: -1.0, Action.DOWN: 1.0}.get(action, 0.0) * _WHEEL * self.unit(size), size)
-        elif steps and focus.row == TABS:
+            return
+        if steps and focus.row == TABS:
             self.open_tab((self._tab + steps) % len(tabs))
         elif not steps or _shares_row(laid, focus) or (spot := _spot_at(laid, focus)) is None or not spot.item.stepped(steps):
             self._focus = moved_focus(laid, focus, action, self._tab if tabs else None)
             self._show_focus(size)
+
+    def _read_on(self, laid: Laid, size: tuple[int, int], direction: float) -> bool:
+        """Scroll a body that can only be read, -1.0 up or 1.0 down; whether there was more of it."""
+        before = self._scroll
+        if not any([spot.in_body and spot.item.focusable for spot in laid.spots]):
+            self._scroll_by(direction * _WHEEL * self.unit(size), size)
+        return self._scroll != before
 
     def _accepted(self, size: tuple[int, int]) -> Screen | None:
         """Use the item that has the focus."""
