@@ -60,6 +60,7 @@ class PlayRecord:
         difficulty = self._state.difficulty
         self.done = Best(record_name(game.level), difficulty, result.score, int(result.rank), result.ticks, start=self._start)
         self.before = self._state.kept.level_done(self.done)
+        self._state.tell_problem()
 
     def _open_ghost(self, number: int) -> None:
         """The best run of a level, where its replay is still there."""
