@@ -4,7 +4,7 @@ import math
 
 from game.rules.chance import drawn
 from game.rules.shape import shaped
-from game.rules.speed import speed_now
+from game.rules.speed import with_speed_now
 from game.rules.state import PADDLES, POINTER_STEPS, SERVE_GAP, Controls, Event, EventKind, Game, Phase, Ticked, in_phase
 from physics import Arena, Ball, Step, direction, normalize_angle, signed_difference
 
@@ -47,7 +47,7 @@ def before_serve(game: Game) -> Game:
             paddle_hits=0, waited=0, burst=0, drops=(), powers=(), held=(), aim_start=int(chance * _AIM_PERIOD)
         )
         game = shaped(game._replace(arena=game.arena._replace(balls=())))
-    game = game._replace(speed=speed_now(game))
+    game = with_speed_now(game, [])
     return game._replace(arena=with_served_ball(game, game.arena))
 
 
