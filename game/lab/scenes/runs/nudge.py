@@ -116,7 +116,7 @@ def _last_nudge(state: _NudgedGame) -> str:
 def _cited(state: _NudgedGame) -> CitedLine:
     """The line that nudges; before the first nudge, the source's friction, which changes nothing here."""
     if state.nudges:
-        return code_line(tick, "return _played(game, arena")
+        return code_line(tick, "return played(game, arena")
     return source_line("Collision response", "Δv'_t = -μ_p min{|Δv_n|, |Δv_t|} Δv_t / |Δv_t|")
 
 
