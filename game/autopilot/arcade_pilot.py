@@ -7,6 +7,7 @@ from game.autopilot.prediction import LOOK, crossing, pointer_to, without_paddle
 from game.autopilot.source_pilot import SERVE_WAIT, serve_delay
 from game.rules import HARMFUL, TICK, Controls, Drop, Game, Phase, PowerUp, paddle_ring
 from game.rules.pierce import without_bricks
+from game.rules.steering import top_spin
 from game.rules.turn import place_turn, turned
 from physics import Arena, Ball, Ring, angle_of, direction, length, normalize_angle, signed_difference
 
@@ -116,7 +117,7 @@ def _best_target(game: Game, first: _Arrival, others: list[_Arrival]) -> float:
     """The best of the targets that a paddle can reach; the ball's own bearing where it will fly elsewhere before."""
     if first.broken:
         return first.bearing
-    paddles, top = paddle_ring(game), math.radians(game.level.paddles.top_speed)
+    paddles, top = paddle_ring(game), top_spin(game)
     best, best_worth = first.bearing, -math.inf
     for share in _SHARES:
         target = normalize_angle(first.bearing - share * paddles.half_angle)
@@ -155,7 +156,7 @@ def _worth(game: Game, first: _Arrival, share: float, top: float) -> float:
 
 def _missed(game: Game, target: float, first: _Arrival, others: list[_Arrival]) -> float:
     """What the balls that come soon after the first ask of the paddles beyond their reach."""
-    paddles, top = paddle_ring(game), math.radians(game.level.paddles.top_speed)
+    paddles, top = paddle_ring(game), top_spin(game)
     missed = 0.0
     for other in others:
         time = (other.tick - first.tick) * TICK
@@ -176,7 +177,7 @@ def _worthwhile_drop(game: Game, left: float, target: float | None) -> Drop | No
 
     left: seconds until then; target: where a paddle shall be then.
     """
-    paddles, top = paddle_ring(game), math.radians(game.level.paddles.top_speed)
+    paddles, top = paddle_ring(game), top_spin(game)
     found: Drop | None = None
     earliest = math.inf
     for drop in game.drops:
