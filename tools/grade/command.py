@@ -4,8 +4,10 @@ import shlex
 import shutil
 import sys
 from pathlib import Path
+from typing import NamedTuple
 
-from game.system.errors import BadInputError, EnvironmentMissingError
+from game.student.program import Limits, Student, Wait, next_line, python_host
+from game.system.errors import BadInputError
 from game.system.files import check_target, write_text
 from game.system.output import tell
 from tools.grade.findings import all_findings
@@ -13,14 +15,18 @@ from tools.grade.grading import grade
 from tools.grade.report import report_lines
 from tools.grade.report_files import json_text, junit_text
 from tools.grade.scheme import Scheme, load_scheme
-from tools.grade.student import Limits, Student, Wait, next_line
 from tools.vectors.vector import vectors
 
-_HOST = Path(__file__).with_name("python_host.py")
+
+class Program(NamedTuple):
+    """What is graded: a command, and the Python file that it runs, if any."""
+
+    command: list[str]
+    file: Path | None = None
 
 
 def grade_program(
-    program: list[str],
+    program: Program,
     scheme_file: Path | None,
     seed: int,
     limits: Limits,
@@ -32,7 +38,7 @@ def grade_program(
     check_target(json, "--json")
     check_target(junit, "--junit")
     scheme = Scheme() if scheme_file is None else load_scheme(scheme_file)
-    student = Student(program, limits, wait)
+    student = Student(program.command, limits, wait, program.file)
     try:
         found = grade(student, vectors(seed), scheme, seed)
     finally:
@@ -49,20 +55,18 @@ def grade_program(
     return 0 if found.right else 1
 
 
-def chosen_program(file: Path | None, command: str | None) -> list[str]:
+def chosen_program(file: Path | None, command: str | None, limits: Limits) -> Program:
     """The program to ask: a Python file's host, or a command. BadInputError unless it is exactly one of them, and is there."""
-    if not _HOST.is_file():
-        raise EnvironmentMissingError("grading runs files of this package, and cannot do so from a zip archive: unpack it")
     if (file is None) is (command is None):
         raise BadInputError("expected a Python file or --command, one of them")
     if file is not None:
         if not file.is_file():
             raise BadInputError(f"{file}: no such file")
-        return [sys.executable, str(_HOST), str(file.resolve())]
+        return Program(python_host(limits, file), file.resolve())
     try:
         words = shlex.split(command or "", posix=sys.platform != "win32")
     except ValueError as error:
         raise BadInputError(f"--command {command}: {error}") from None
     if not words or shutil.which(words[0]) is None:
         raise BadInputError(f"--command {command}: no such program")
-    return words
+    return Program(words)

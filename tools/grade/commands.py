@@ -33,8 +33,8 @@ def grade(
     Exit code 0: all that counts is right. 1: something is wrong. 2: bad input. 3: no mpmath.
     """
     check_environment()
+    from game.student.program import Limits  # noqa: PLC0415
     from tools.grade.command import chosen_program, grade_program  # noqa: PLC0415  # need mpmath, just looked for
-    from tools.grade.student import Limits  # noqa: PLC0415
 
     limits = Limits(time_limit, start_limit, memory)
-    return grade_program(chosen_program(file, command), scheme, seed, limits, json, junit)
+    return grade_program(chosen_program(file, command, limits), scheme, seed, limits, json, junit)
