@@ -217,23 +217,27 @@ class _Running:
             self._errors.append(line)
 
 
+def parsed_answer(answer: object) -> Reply:
+    """The reply that an object of the line protocol means; `ended` where it is none of them."""
+    key, value = next(iter(answer.items())) if isinstance(answer, dict) and len(answer) == 1 else ("", None)
+    match key:
+        case "unusable":
+            raise BadInputError(str(value))
+        case "undefined":
+            return Reply(defined=False)
+        case "error":
+            return Reply(problem=str(value))
+        case "result":
+            return Reply(value)
+    return Reply(problem=f"not an answer: {_quoted(json.dumps(answer))}", ended=True)
+
+
 def _parsed(line: bytes) -> Reply:
     """The reply in a line; `ended` where it is none, since what else the program will print is unknown."""
-    try:
-        answer = json.loads(line)
-    except (ValueError, RecursionError):
-        answer = None
-    if not isinstance(answer, dict) or len(answer) != 1:
-        return Reply(problem=f"not an answer: {_quoted(line.decode(errors='replace').strip())}", ended=True)
-    ((key, value),) = answer.items()
-    if key == "unusable":
-        raise BadInputError(str(value))
-    if key == "undefined":
-        return Reply(defined=False)
-    if key == "error":
-        return Reply(problem=str(value))
-    if key == "result":
-        return Reply(value)
+    with contextlib.suppress(ValueError, RecursionError):
+        reply = parsed_answer(json.loads(line))
+        if not reply.ended:
+            return reply
     return Reply(problem=f"not an answer: {_quoted(line.decode(errors='replace').strip())}", ended=True)
 
 
