@@ -3,6 +3,7 @@
 import gc
 import time
 from collections.abc import Callable
+from pathlib import Path
 from typing import NamedTuple
 
 import pygame
@@ -99,6 +100,32 @@ def lab(line: str | None, services: Services = NO_SERVICES) -> int:
         return Lab(state, session.opened(opened))
 
     return _shown(state, first, services)
+
+
+def edit(path: Path, services: Services = NO_SERVICES) -> int:
+    """Open a window with the editor on a level file until it is left; the exit code. Unsaved changes go into a file beside it.
+
+    Raises BadInputError for a file that is no level. Other errors are those of `play`.
+    """
+    from game.editor.command import editing_session, keep_unsaved  # noqa: PLC0415  # only where it is needed
+    from game.editor.file_watch import WatchedFile  # noqa: PLC0415
+    from game.editor.window.screen import Editor  # noqa: PLC0415
+
+    file = WatchedFile(path)
+    session = editing_session(file)
+    state = _state(built_in(), services, 0, 0)
+    editors: list[Editor] = []
+
+    def first() -> Screen:
+        editors.append(Editor(state, session, file))
+        return editors[0]
+
+    try:
+        return _shown(state, first, services, Audio)
+    finally:
+        for editor in editors:
+            if not editor.discarded:
+                keep_unsaved(editor.session, path)
 
 
 def _state(catalogue: tuple[Level, ...], services: Services, chosen: int, seed: int) -> AppState:

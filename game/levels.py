@@ -144,14 +144,18 @@ def load_file(path: Path) -> Level:
 
 def parse(data: bytes, source: str) -> Level:
     """A level from the bytes of a TOML file; `source` names it in errors."""
+    return checked(draft(data, source), source)
+
+
+def draft(data: bytes, source: str) -> Level:
+    """A level that fits the format, and need not be a possible arena: what is on the way to one in the editor."""
     try:
-        level = msgspec.convert(_toml(data, source), Level)
+        return msgspec.convert(_toml(data, source), Level)
     except msgspec.ValidationError as error:
         what, _, where = str(error).partition(" - at ")
         key = where.strip("`").removeprefix("$.")
         named = f"{quoted(key)}: " if key else ""
         raise BadInputError(f"{source}: {named}{quoted_message(what)}{_suggestion(what)}") from None
-    return checked(level, source)
 
 
 def checked(level: Level, source: str) -> Level:
@@ -163,6 +167,16 @@ def checked(level: Level, source: str) -> Level:
     except ValueError as error:  # a size that the physics does not take
         raise BadInputError(f"{source}: {error}") from None
     return level
+
+
+def level_schema() -> str:
+    """The JSON schema of level files: keys, types, ranges. The rules between the numbers are those of `checked`."""
+    schema = {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "Polar Breakout level",
+        **msgspec.json.schema(Level),
+    }
+    return msgspec.json.format(msgspec.json.encode(schema), indent=2).decode()
 
 
 def warnings(level: Level) -> list[str]:
