@@ -1,9 +1,14 @@
 """The physics that a game can be flown on: the engine's swept one, the slides' own algorithm, a player's own functions."""
 
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
 from typing import NamedTuple, Protocol
 
 import physics
 from game.rules import Advance
+from game.student.functions_file import FunctionsFile
+from game.student.own_physics import OwnPhysics
 from physics import source_mode
 
 
@@ -37,3 +42,20 @@ SWEPT: ChosenPhysics = _FixedPhysics(physics.advance)
 SOURCE: ChosenPhysics = _FixedPhysics(
     source_mode.advance, "The slides' own algorithm: one test a frame, errors included (--physics source)"
 )
+NAMED: dict[str, ChosenPhysics] = {"swept": SWEPT, "source": SOURCE}
+"""Those that `--physics` takes."""
+
+
+@contextmanager
+def functions_of(path: Path | None) -> Iterator[FunctionsFile | None]:
+    """A player's file of functions, ended afterwards; None for no path. Errors are those of `FunctionsFile`."""
+    if path is None:
+        yield None
+        return
+    with FunctionsFile(path) as file:
+        yield file
+
+
+def flown_on(name: str, functions: FunctionsFile | None) -> ChosenPhysics:
+    """The physics of a player's functions, or without them the one of a name."""
+    return NAMED[name] if functions is None else OwnPhysics(functions)

@@ -11,7 +11,7 @@ from typing import Annotated, Literal, NamedTuple
 import typer
 
 from game import VERSION
-from game.chosen_physics import SOURCE, SWEPT, ChosenPhysics
+from game.chosen_physics import SWEPT, ChosenPhysics, flown_on, functions_of
 from game.editor.command import file_to_edit
 from game.effects import LONGEST, after_all
 from game.headless import autopilot_game, result_line
@@ -23,6 +23,7 @@ from game.replays.verify import verified
 from game.rules import Game, Ticked
 from game.second_opinion import Compare, NormalPair
 from game.settings.file import SettingsFile, settings_path
+from game.student.functions_file import FunctionsFile
 from game.system.command_line import refuse_ignored
 from game.system.ending import deferred
 from game.system.errors import BadInputError, CheckFailedError, EnvironmentMissingError
@@ -50,11 +51,14 @@ _GAME_OPTIONS = (
     "ticks",
     "record",
     "physics",
+    "with_",
     "screenshot",
     *_PICTURE_OPTIONS,
     "version",
 )
-_PHYSICS = {"swept": SWEPT, "source": SOURCE}
+
+
+_WITH_HELP = "A Python file with any of the source's functions: they take the place of ours (docs/student.md)."
 
 
 @app.callback()
@@ -73,6 +77,7 @@ def play(
         Literal["swept", "source"],
         typer.Option(help="What flies the balls: exact times of impact, or the slides' own test once a frame."),
     ] = "swept",
+    with_: Annotated[Path | None, typer.Option("--with", help=_WITH_HELP)] = None,
     screenshot: Annotated[Path | None, typer.Option(help="Draw the last tick of a headless game into this PNG file.")] = None,
     size: Annotated[str, typer.Option(metavar="WxH", help="Size of the screenshot in pixels.")] = "1280x800",
     view: Annotated[Literal["flat", "solid"], typer.Option(help="The screenshot's view: from above, or in 3D.")] = "flat",
@@ -91,8 +96,7 @@ def play(
         refuse_ignored(context, "is for a headless game; add --headless --autopilot", "ticks")
     if screenshot is None:
         refuse_ignored(context, "is for a picture; add --screenshot FILE", *_PICTURE_OPTIONS)
-    if record is not None and physics == "source":
-        raise BadInputError("--record: a replay is verified with the swept physics; leave out --physics source")
+    _refuse_physics(context, physics, with_, record)
     check_target(record, "--record")
     check_target(screenshot, "--screenshot", ".png")
     levels = chosen(level)
@@ -100,14 +104,18 @@ def play(
         say(f"polar-breakout: warning: {quoted(level)}: {line}")
     if headless and not autopilot:
         raise BadInputError("--headless: nobody plays; add --autopilot")
-    if headless:
-        last = _play_headless(_ChosenGame(levels, 1 if seed is None else seed, record, _PHYSICS[physics]), ticks)
+    if not headless:
+        seed = random.SystemRandom().getrandbits(32) if seed is None else seed
+    with functions_of(with_) as own:
+        game = _ChosenGame(levels, 1 if seed is None else seed, record, flown_on(physics, own), own)
+        if not headless:
+            _play_in_window(game, autopilot=autopilot)
+            return
+        last = _play_headless(game, ticks)
         if screenshot is not None:
             _save_screenshot(last, screenshot, pixels, solid=view == "solid")
-        tell(result_line(last.game, physics))
-        return
-    seed = random.SystemRandom().getrandbits(32) if seed is None else seed
-    _play_in_window(_ChosenGame(levels, seed, record, _PHYSICS[physics]), autopilot=autopilot)
+        tell(result_line(last.game, physics if own is None else "own"))
+        _check_own(own)
 
 
 @app.command("levels")
@@ -225,13 +233,29 @@ def _verify(files: list[Path]) -> None:
         raise CheckFailedError(f"{len(failed)} of {len(files)} replays diverged")
 
 
+def _refuse_physics(context: typer.Context, physics: str, own: Path | None, record: Path | None) -> None:
+    """BadInputError for options that do not go with the physics that is asked for."""
+    if own is not None and physics == "swept":
+        refuse_ignored(context, "own functions fly as the slides have it; leave out --physics swept", "physics")
+    if record is not None and (physics == "source" or own is not None):
+        option = "--physics source" if own is None else "--with"
+        raise BadInputError(f"--record: a replay is verified with the swept physics; leave out {option}")
+
+
+def _check_own(own: FunctionsFile | None) -> None:
+    """CheckFailedError where a player's functions have failed in a game that is over."""
+    if own is not None and own.broken:
+        raise CheckFailedError(f"{own.broken}; from there on the slides' own functions answered")
+
+
 class _ChosenGame(NamedTuple):
-    """The game that the options ask for. record: the file of its replay; None for none."""
+    """The game that the options ask for. record: the file of its replay; None for none. own: the player's functions."""
 
     levels: tuple[Level, ...]
     seed: int
     record: Path | None
     physics: ChosenPhysics
+    own: FunctionsFile | None = None
 
 
 class _Last(NamedTuple):
@@ -243,7 +267,7 @@ class _Last(NamedTuple):
 
 def _play_headless(chosen_game: _ChosenGame, ticks: int) -> _Last:
     """A game of the autopilot without a window, recorded if asked for; a signal ends it early, what was played is kept."""
-    levels, seed, record, physics = chosen_game
+    levels, seed, record, physics, _ = chosen_game
     recorder = None if record is None else replay.Recorder(levels, seed)
     passed, cut_short = deque[Ticked](maxlen=LONGEST), 0
 
@@ -269,7 +293,7 @@ def _play_in_window(chosen_game: _ChosenGame, *, autopilot: bool) -> None:
     from game.app import Services  # noqa: PLC0415  # pygame, only where it is needed
     from game.app import play as play_in_window  # noqa: PLC0415
 
-    levels, seed, record, physics = chosen_game
+    levels, seed, record, physics, own = chosen_game
     history = History(record) if physics is SWEPT else None  # replays are verified with the swept physics
 
     def lost() -> None:
@@ -281,7 +305,7 @@ def _play_in_window(chosen_game: _ChosenGame, *, autopilot: bool) -> None:
     with deferred():
         try:
             with _settings() as settings:
-                services = Services(_second_opinion(), _second_engine, settings, lost)
+                services = Services(_second_opinion(), _second_engine, settings, lost, own)
                 play_in_window(levels, seed, services, recorder=history, autopilot=autopilot, physics=physics)
         except EnvironmentMissingError as error:
             say(f"polar-breakout: {error}; playing 20 s without a window instead")

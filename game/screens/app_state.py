@@ -21,6 +21,7 @@ from game.second_opinion import Compare, NormalPair
 from game.settings.file import SettingsFile
 from game.settings.values import LOUDEST, Settings
 from game.sound.mixer import Audio
+from game.student.functions_file import FunctionsFile
 
 Recorder = Callable[[Controls, Game], None]
 """Told every tick of a played game: its controls, and the game after it. `tick` is 1 after the first tick of a new game."""
@@ -38,7 +39,7 @@ class AppState:
     open_title: makes the title's screen.
     recorder: told every tick that is played; None for nobody.
     autopilot: whether it plays instead of the player.
-    physics: that games are flown on.
+    physics: that games are flown on. functions: the player's own, which the lab shows beside ours; None without.
     settings: the player's, as they hold now; settings_file: where they outlive the session.
     full_screen: whether the window is.
     view: from where the player looks at the arena.
@@ -65,6 +66,7 @@ class AppState:
     settings_file: SettingsFile | None = None
     toast: Toast | None = None
     physics: ChosenPhysics = SWEPT
+    functions: FunctionsFile | None = None
     painter: Painter = field(default_factory=Painter)
     type: Type = field(default_factory=Type)
 

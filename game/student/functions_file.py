@@ -18,6 +18,8 @@ _LOOK_EVERY = 1.0
 """Seconds between two looks at whether the file was saved."""
 _LARGEST_FILE = 1 << 20
 """Bytes."""
+_LISTED = 4
+"""Functions that are named; of more, the number."""
 _SHORT = 56
 """Characters of a problem in `news`."""
 
@@ -79,9 +81,12 @@ class FunctionsFile:
             return tr("{problem}; the slides' own functions answer until it is saved again").format(problem=self.problem)
         if self.problem:
             return tr("{problem}; the version before goes on").format(problem=self.problem)
-        return tr("Yours, from {file}: {functions}; the rest is the slides'").format(
-            file=self.name, functions=", ".join(sorted(self.own)) or tr("nothing yet")
-        )
+        if len(self.own) > _LISTED:
+            return tr("Your functions, from {file}: {count}; the rest is the slides'").format(
+                file=self.name, count=len(self.own)
+            )
+        names = ", ".join(sorted(self.own)) or tr("nothing yet")
+        return tr("Yours, from {file}: {functions}; the rest is the slides'").format(file=self.name, functions=names)
 
     def refresh(self) -> str:
         """Look at the file, at most once a second, and read it again if it was saved; news in a few words, "" for none.

@@ -114,7 +114,7 @@ def _problem(error: BaseException, path: Path) -> str:
     """Where and why the student's code failed, in one line."""
     words = " ".join(f"{type(error).__name__}: {error}".split()).removesuffix(":")
     if isinstance(error, SyntaxError) and error.filename == str(path):
-        return f"line {error.lineno}: {words}"
+        return f"line {error.lineno}: {type(error).__name__}: {error.msg}"
     if (line := wrong_result_line(error)) is not None:
         return f"line {line}: {error}"
     lines = [frame.lineno for frame in traceback.extract_tb(error.__traceback__) if frame.filename == str(path)]
