@@ -47,13 +47,18 @@ NAMED: dict[str, ChosenPhysics] = {"swept": SWEPT, "source": SOURCE}
 
 
 @contextmanager
-def functions_of(path: Path | None) -> Iterator[FunctionsFile | None]:
-    """A player's file of functions, ended afterwards; None for no path. Errors are those of `FunctionsFile`."""
+def functions_of(path: Path | None, *, checked: bool = False) -> Iterator[FunctionsFile | None]:
+    """A player's file of functions, ended afterwards; None for no path. Errors are those of `FunctionsFile`.
+
+    checked: whether CheckFailedError is raised in the end where anything has been wrong with the file.
+    """
     if path is None:
         yield None
         return
     with FunctionsFile(path) as file:
         yield file
+        if checked:
+            file.check()
 
 
 def flown_on(name: str, functions: FunctionsFile | None) -> ChosenPhysics:

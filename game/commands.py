@@ -58,7 +58,8 @@ _GAME_OPTIONS = (
 )
 
 
-_WITH_HELP = "A Python file with any of the source's functions: they take the place of ours (docs/student.md)."
+_LAB_OPTIONS = ("headless", "drags", "screenshot", "size", "theme", "with_")
+_WITH_HELP = "A Python file with any of the source's functions, in place of ours or beside them (docs/student.md)."
 
 
 @app.callback()
@@ -106,7 +107,7 @@ def play(
         raise BadInputError("--headless: nobody plays; add --autopilot")
     if not headless:
         seed = random.SystemRandom().getrandbits(32) if seed is None else seed
-    with functions_of(with_) as own:
+    with functions_of(with_, checked=headless) as own:
         game = _ChosenGame(levels, 1 if seed is None else seed, record, flown_on(physics, own), own)
         if not headless:
             _play_in_window(game, autopilot=autopilot)
@@ -115,7 +116,6 @@ def play(
         if screenshot is not None:
             _save_screenshot(last, screenshot, pixels, solid=view == "solid")
         tell(result_line(last.game, physics if own is None else "own"))
-        _check_own(own)
 
 
 @app.command("levels")
@@ -192,31 +192,37 @@ def open_lab(
     screenshot: Annotated[Path | None, typer.Option(help="Draw the scene into this PNG file.")] = None,
     size: Annotated[str, typer.Option(metavar="WxH", help="Size of the screenshot in pixels.")] = "1280x800",
     theme: Annotated[Literal["dark", "light"], typer.Option(help="Colours of the screenshot.")] = "dark",
+    with_: Annotated[Path | None, typer.Option("--with", help=_WITH_HELP)] = None,
 ) -> None:
     """Open the lab: scenes of the collision detection one can touch."""
     from game.lab import command  # noqa: PLC0415  # its scenes, only where they are needed
 
     if list_:
-        refuse_ignored(context, "does nothing beside --list", "scene", "headless", "drags", "screenshot", "size", "theme")
+        refuse_ignored(context, "does nothing beside --list", "scene", *_LAB_OPTIONS)
         command.list_scenes()
         return
     if headless:
         refuse_ignored(context, "does nothing beside --headless", "screenshot", "size", "theme")
-        command.check_scenes(scene, drags, _second_engine())
-        return
-    refuse_ignored(context, "is for checking scenes; add --headless", "drags")
+    else:
+        refuse_ignored(context, "is for checking scenes; add --headless", "drags")
     if screenshot is None:
         refuse_ignored(context, "is for a picture; add --screenshot FILE", "size", "theme")
-        check_pygame()
-        from game.app import Services, lab  # noqa: PLC0415  # pygame, only where it is needed
-
-        with _settings() as settings:
-            lab(scene, Services(engine=_second_engine, settings=settings, lost=_say_lost))
-        return
     pixels = _size(size)
     check_target(screenshot, "--screenshot", ".png")
-    check_pygame()
-    command.save_picture(scene, screenshot, pixels, theme, _second_engine())
+    with functions_of(with_) as own:
+        if headless:
+            command.check_scenes(scene, drags, _second_engine())
+            if own is not None:
+                command.check_yours(scene, drags, own)
+        elif screenshot is not None:
+            check_pygame()
+            command.save_picture(scene, screenshot, pixels, theme, _second_engine(), own)
+        else:
+            check_pygame()
+            from game.app import Services, lab  # noqa: PLC0415  # pygame, only where it is needed
+
+            with _settings() as settings:
+                lab(scene, Services(engine=_second_engine, settings=settings, lost=_say_lost, functions=own))
 
 
 def _verify(files: list[Path]) -> None:
@@ -240,12 +246,6 @@ def _refuse_physics(context: typer.Context, physics: str, own: Path | None, reco
     if record is not None and (physics == "source" or own is not None):
         option = "--physics source" if own is None else "--with"
         raise BadInputError(f"--record: a replay is verified with the swept physics; leave out {option}")
-
-
-def _check_own(own: FunctionsFile | None) -> None:
-    """CheckFailedError where a player's functions have failed in a game that is over."""
-    if own is not None and own.broken:
-        raise CheckFailedError(f"{own.broken}; from there on the slides' own functions answered")
 
 
 class _ChosenGame(NamedTuple):

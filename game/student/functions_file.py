@@ -9,7 +9,7 @@ from typing import Self
 
 from game.language import tr
 from game.student.program import Limits, Lines, Reply, Student, Wait, next_line, parsed_answer, python_host
-from game.system.errors import BadInputError
+from game.system.errors import BadInputError, CheckFailedError
 from game.system.wording import quoted_path
 
 OWN_LIMITS = Limits(answer=2.0, start=20.0, memory=1024)
@@ -130,6 +130,11 @@ class FunctionsFile:
         if self._student is not None:
             self._student.close()
             self._student = None
+
+    def check(self) -> None:
+        """Raise CheckFailedError where anything has been wrong with the file."""
+        if self.broken:
+            raise CheckFailedError(f"{self.broken}; from there on the slides' own functions answered")
 
     def close(self) -> None:
         """End the child process."""
