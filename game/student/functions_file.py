@@ -116,9 +116,12 @@ class FunctionsFile:
             return None
         return reply.result
 
-    def calls(self, calls: Sequence[tuple[str, Sequence[float]]]) -> list[Reply]:
-        """The answers to calls of the source's functions, each with its flat list of numbers; one that fails has a problem."""
-        answers = self.ask("calls", calls) if calls else []
+    def calls(self, calls: Sequence[tuple[str, Sequence[float]]], *, composed: bool = False) -> list[Reply]:
+        """The answers to calls of the source's functions, each with its flat list of numbers; one that fails has a problem.
+
+        composed: of the slides' functions with the file's in their place, so that every function has an answer.
+        """
+        answers = self.ask("composed" if composed else "calls", calls) if calls else []
         if not isinstance(answers, list) or len(answers) != len(calls):
             return [Reply(problem=self.problem)] * len(calls)
         return [parsed_answer(answer) for answer in answers]

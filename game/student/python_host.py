@@ -2,8 +2,9 @@
 
 Run as a file in the child process. What the student's code prints goes to stderr, so that it cannot be taken for an answer.
 An answer that takes longer than SECONDS, and a crash, end the process with a trace on stderr that names the student's line.
-Besides the functions of the source it is asked `load` (a path and the text to take for that file), `calls` (any number of
-functions with their arguments), `bounces` and `advance` (game/student/flight.py).
+Besides the functions of the source it is asked `load` (a path and the text to take for that file), `calls` and `composed` (any
+number of functions with their arguments: the file's alone, or the slides' that call the file's), `bounces` and `advance`
+(game/student/flight.py).
 """
 
 import faulthandler
@@ -21,7 +22,7 @@ from typing import Any, NoReturn
 sys.path[0] = str(Path(__file__).resolve().parents[2])  # in place of this folder, whose modules the student must not find
 from game.student.flight import bounces, own_advance  # noqa: E402
 from game.student.own_functions import PYTHON_ORDER, OwnFunctions, is_written, plain, values_of, wrong_result_line  # noqa: E402
-from game.student.signatures import SIGNATURES  # noqa: E402
+from game.student.signatures import SIGNATURES, answer  # noqa: E402
 
 del sys.path[0]
 for _name in [name for name in sys.modules if name.partition(".")[0] == "game"]:
@@ -62,22 +63,22 @@ def main() -> None:
             if name == "load":
                 path = Path(arguments[0])
                 file = _StudentsFile(path, arguments[1])
-                answer: Mapping[str, object] = {"result": sorted(file.functions.own)}
+                said: Mapping[str, object] = {"result": sorted(file.functions.own)}
             else:
                 file = file or _StudentsFile(path)
-                answer = _answered(file, name, arguments, path)
+                said = _answered(file, name, arguments, path)
         except BaseException as error:  # noqa: BLE001  # whatever the student's code raises is its answer
             problem = _problem(error, path)
-            answer = {"error": problem} if file or name == "load" else {"unusable": f"{path.name}, {problem}"}
+            said = {"error": problem} if file or name == "load" else {"unusable": f"{path.name}, {problem}"}
         faulthandler.cancel_dump_traceback_later()
-        answers.write(json.dumps(answer) + "\n")
+        answers.write(json.dumps(said) + "\n")
         answers.flush()
 
 
 def _answered(file: _StudentsFile, name: str, arguments: list[Any], path: Path) -> Mapping[str, object]:
     """The answer to one question."""
-    if name == "calls":
-        return {"result": [_called(file, call, path) for call in arguments]}
+    if name in {"calls", "composed"}:
+        return {"result": [_called(file, call, path, composed=name == "composed") for call in arguments]}
     if name == "bounces":
         return {"result": bounces(file.functions, *arguments)}
     if name == "advance":
@@ -85,10 +86,10 @@ def _answered(file: _StudentsFile, name: str, arguments: list[Any], path: Path) 
     return _answer(file.module, name, arguments)
 
 
-def _called(file: _StudentsFile, call: list[Any], path: Path) -> Mapping[str, object]:
+def _called(file: _StudentsFile, call: list[Any], path: Path, *, composed: bool) -> Mapping[str, object]:
     """The answer to one of several calls, an error included."""
     try:
-        return _answer(file.module, *call)
+        return {"result": answer(file.functions, *call)} if composed else _answer(file.module, *call)
     except Exception as error:  # noqa: BLE001  # the other calls are answered
         return {"error": _problem(error, path)}
 
