@@ -211,8 +211,9 @@ def open_lab(
     check_target(screenshot, "--screenshot", ".png")
     with functions_of(with_) as own:
         if headless:
-            command.check_scenes(scene, drags, _second_engine())
-            if own is not None:
+            if own is None:
+                command.check_scenes(scene, drags, _second_engine())
+            else:
                 command.check_yours(scene, drags, own)
         elif screenshot is not None:
             check_pygame()

@@ -150,7 +150,7 @@ def test_a_teachers_file_that_cannot_be_used(capsys, tmp_path, text, words):
         ("def on_left(a, b:\n    pass\n", "mine.py, line 1: SyntaxError"),
         ("\nimport nothing_of_that_name\n", "mine.py, line 2: ModuleNotFoundError"),
         ("raise SystemExit\n", "mine.py, line 1: SystemExit"),
-        ("x = 1\n", "none of the source's functions is defined"),
+        ("x = 1\n", "none of the source's functions is written yet"),
     ],
 )
 def test_a_file_that_cannot_be_used(capsys, mine, text, words):

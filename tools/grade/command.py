@@ -44,7 +44,7 @@ def grade_program(
     finally:
         student.close()
     if not any([function.defined for function in found.functions]):
-        raise BadInputError("none of the source's functions is defined; docs/grading.md has their names")
+        raise BadInputError("none of the source's functions is written yet; docs/grading.md has their names")
     findings = all_findings(found)
     for line in report_lines(found, findings):
         tell(line)
