@@ -152,6 +152,7 @@ def test_memory_without_end(students, published):
     assert reply.problem == "line 8: MemoryError"
 
 
+@posix
 def test_a_function_that_always_ends_the_program_is_given_up(students, published):
     """After some endings the other questions of that function are lost; the next function is asked."""
     text = f"{RIGHT}def min_difference(a, b):\n    import posix; posix._exit(1)\n"
