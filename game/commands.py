@@ -2,7 +2,6 @@
 
 import contextlib
 import random
-import tempfile
 from collections import deque
 from collections.abc import Iterator
 from pathlib import Path
@@ -13,14 +12,15 @@ import typer
 from game import VERSION
 from game.chosen_physics import SWEPT, ChosenPhysics, flown_on, functions_of
 from game.editor.command import file_to_edit
-from game.effects import LONGEST, after_all
+from game.effects import LONGEST
 from game.headless import autopilot_game, result_line
 from game.lab.kit.second_engine import Engine
 from game.levels import Level, chosen, level_schema, warnings
+from game.picture_file import PlayedGame, picture_folders, save_picture, size_of
 from game.replays import file as replay
 from game.replays.history import History, kept_games
 from game.replays.verify import verified
-from game.rules import Game, Ticked
+from game.rules import SOURCE_RULES, Difficulty, Ruleset, Ticked
 from game.second_opinion import Compare, NormalPair
 from game.settings.file import SettingsFile, settings_path
 from game.student.functions_file import FunctionsFile
@@ -52,6 +52,8 @@ _GAME_OPTIONS = (
     "record",
     "physics",
     "with_",
+    "rules",
+    "difficulty",
     "screenshot",
     *_PICTURE_OPTIONS,
     "version",
@@ -68,7 +70,12 @@ def play(
     level: Annotated[str, typer.Option(help="Start at a level: its number, its name, or a TOML file of one's own.")] = "1",
     seed: Annotated[
         int | None,
-        typer.Option(min=0, max=2**63 - 1, help="Seed of the game's chance.", show_default="1 if --headless, else random"),
+        typer.Option(
+            min=0,
+            max=2**63 - 1,
+            help="Decides the power-ups, where the aim of each serve begins, and nudges; the same seed is the same chance.",
+            show_default="1 if --headless, else random",
+        ),
     ] = None,
     headless: Annotated[bool, typer.Option("--headless", help="Play without a window and print one result line.")] = False,
     autopilot: Annotated[bool, typer.Option("--autopilot", help="Let the program play.")] = False,
@@ -79,6 +86,14 @@ def play(
         typer.Option(help="What flies the balls: exact times of impact, or the slides' own test once a frame."),
     ] = "swept",
     with_: Annotated[Path | None, typer.Option("--with", help=_WITH_HELP)] = None,
+    rules: Annotated[
+        Literal["arcade", "source"] | None,
+        typer.Option(
+            help="The game's own rules, or the source's: one speed, no power-ups, no turn by where a paddle is hit.",
+            show_default="arcade; source if --physics source",
+        ),
+    ] = None,
+    difficulty: Annotated[Literal["easy", "normal", "hard"], typer.Option(help="Of the arcade rules.")] = "normal",
     screenshot: Annotated[Path | None, typer.Option(help="Draw the last tick of a headless game into this PNG file.")] = None,
     size: Annotated[str, typer.Option(metavar="WxH", help="Size of the screenshot in pixels.")] = "1280x800",
     view: Annotated[Literal["flat", "solid"], typer.Option(help="The screenshot's view: from above, or in 3D.")] = "flat",
@@ -91,13 +106,15 @@ def play(
     if version:
         tell(f"polar-breakout {VERSION}")
         return
-    pixels = _size(size)
+    pixels = size_of(size)
     if not headless:
         refuse_ignored(context, "draws a headless game; add --headless --autopilot", "screenshot")
         refuse_ignored(context, "is for a headless game; add --headless --autopilot", "ticks")
     if screenshot is None:
         refuse_ignored(context, "is for a picture; add --screenshot FILE", *_PICTURE_OPTIONS)
     _refuse_physics(context, physics, with_, record)
+    flown = physics if with_ is None else "source"
+    ruleset = _ruleset(context, rules, difficulty, flown)
     check_target(record, "--record")
     check_target(screenshot, "--screenshot", ".png")
     levels = chosen(level)
@@ -108,14 +125,26 @@ def play(
     if not headless:
         seed = random.SystemRandom().getrandbits(32) if seed is None else seed
     with functions_of(with_, checked=headless) as own:
-        game = _ChosenGame(levels, 1 if seed is None else seed, record, flown_on(physics, own), own)
+        game = _ChosenGame(levels, 1 if seed is None else seed, ruleset, record, flown_on(physics, own), own)
         if not headless:
             _play_in_window(game, autopilot=autopilot)
             return
         last = _play_headless(game, ticks)
         if screenshot is not None:
-            _save_screenshot(last, screenshot, pixels, solid=view == "solid")
+            save_picture(last, screenshot, pixels, solid=view == "solid")
         tell(result_line(last.game, physics if own is None else "own"))
+
+
+def _ruleset(context: typer.Context, rules: str | None, difficulty: str, physics: str) -> Ruleset:
+    """The rules that the options ask for; BadInputError for options that contradict each other."""
+    if rules == "arcade" and physics == "source":
+        raise BadInputError(
+            "--rules arcade: the slides' own algorithm is played by the source's rules; leave out one of the two"
+        )
+    if rules == "source" or physics == "source":
+        refuse_ignored(context, "is for the arcade rules", "difficulty")
+        return SOURCE_RULES
+    return Ruleset(Difficulty[difficulty.upper()])
 
 
 @app.command("levels")
@@ -207,7 +236,7 @@ def open_lab(
         refuse_ignored(context, "is for checking scenes; add --headless", "drags")
     if screenshot is None:
         refuse_ignored(context, "is for a picture; add --screenshot FILE", "size", "theme")
-    pixels = _size(size)
+    pixels = size_of(size)
     check_target(screenshot, "--screenshot", ".png")
     with functions_of(with_) as own:
         if headless:
@@ -254,22 +283,16 @@ class _ChosenGame(NamedTuple):
 
     levels: tuple[Level, ...]
     seed: int
+    ruleset: Ruleset
     record: Path | None
     physics: ChosenPhysics
     own: FunctionsFile | None = None
 
 
-class _Last(NamedTuple):
-    """How a game ended, and the ticks before whose effects are still to be seen."""
-
-    game: Game
-    passed: deque[Ticked]
-
-
-def _play_headless(chosen_game: _ChosenGame, ticks: int) -> _Last:
+def _play_headless(chosen_game: _ChosenGame, ticks: int) -> PlayedGame:
     """A game of the autopilot without a window, recorded if asked for; a signal ends it early, what was played is kept."""
-    levels, seed, record, physics, _ = chosen_game
-    recorder = None if record is None else replay.Recorder(levels, seed)
+    levels, seed, ruleset, record, physics, _ = chosen_game
+    recorder = None if record is None else replay.Recorder(levels, seed, ruleset)
     passed, cut_short = deque[Ticked](maxlen=LONGEST), 0
 
     def told(ticked: Ticked) -> None:
@@ -279,13 +302,13 @@ def _play_headless(chosen_game: _ChosenGame, ticks: int) -> _Last:
         cut_short += ticked.step.dropped > 0
 
     with deferred():
-        game = autopilot_game(levels, seed, ticks, recorder, told, physics.advance)
+        game = autopilot_game(levels, seed, ticks, recorder, told, physics.advance, ruleset)
         if recorder is not None and record is not None:
             replay.save(recorder.recording(), record)
         if cut_short:
             ticks_were = "1 tick was" if cut_short == 1 else f"{cut_short} ticks were"
             say(f"polar-breakout: {ticks_were} cut short: a ball is held in a lane too narrow")
-    return _Last(game, passed)
+    return PlayedGame(game, passed)
 
 
 def _play_in_window(chosen_game: _ChosenGame, *, autopilot: bool) -> None:
@@ -294,7 +317,7 @@ def _play_in_window(chosen_game: _ChosenGame, *, autopilot: bool) -> None:
     from game.app import Services  # noqa: PLC0415  # pygame, only where it is needed
     from game.app import play as play_in_window  # noqa: PLC0415
 
-    levels, seed, record, physics, own = chosen_game
+    levels, seed, ruleset, record, physics, own = chosen_game
     history = History(record) if physics is SWEPT else None  # replays are verified with the swept physics
 
     def lost() -> None:
@@ -307,7 +330,7 @@ def _play_in_window(chosen_game: _ChosenGame, *, autopilot: bool) -> None:
         try:
             with _settings() as settings:
                 services = Services(_second_opinion(), _second_engine, settings, lost, own)
-                play_in_window(levels, seed, services, recorder=history, autopilot=autopilot, physics=physics)
+                play_in_window(levels, seed, services, recorder=history, autopilot=autopilot, physics=physics, ruleset=ruleset)
         except EnvironmentMissingError as error:
             say(f"polar-breakout: {error}; playing 20 s without a window instead")
             _demonstrate(chosen_game)
@@ -363,39 +386,9 @@ def _demonstrate(chosen_game: _ChosenGame) -> None:
     """A short game of the autopilot and a picture of how it stands."""
     last = _play_headless(chosen_game, _DEMO_TICKS)
     tell(result_line(last.game, "swept" if chosen_game.physics is SWEPT else "source"))
-    for folder in _picture_folders():
+    for folder in picture_folders():
         path = free_path(folder, "polar-breakout.png")
         with contextlib.suppress(BadInputError):
-            _save_screenshot(last, path, (1280, 800))
+            save_picture(last, path, (1280, 800))
             tell(f"picture: {path.absolute()}")
             return
-
-
-def _picture_folders() -> Iterator[Path]:
-    """Where a picture may be saved that nobody has named a file for: the working directory, else the one for such files."""
-    yield Path()
-    with contextlib.suppress(OSError):  # there may be none
-        yield Path(tempfile.gettempdir())
-
-
-def _save_screenshot(last: _Last, path: Path, size: tuple[int, int], *, solid: bool = False) -> None:
-    """Draw a game into a PNG file; BadInputError where it cannot be written."""
-    check_pygame()
-    from game.input.view import FLAT, SOLID  # noqa: PLC0415  # pygame, only where it is needed
-    from game.screenshot import save_screenshot  # noqa: PLC0415
-
-    try:
-        save_screenshot(last.game, path, size, view=SOLID if solid else FLAT, effects=after_all(last.passed))
-    except OSError as error:
-        raise BadInputError(f"--screenshot {quoted_path(path)}: cannot write; {error.strerror or error}") from None
-
-
-def _size(text: str) -> tuple[int, int]:
-    """Width and height from "WxH"."""
-    width, cross, height = text.partition("x")
-    if not (cross and width.isdecimal() and height.isdecimal()):
-        raise BadInputError(f"--size {quoted(text)}: expected WIDTHxHEIGHT in pixels, such as 1280x800")
-    pixels = int(width[:9]), int(height[:9])
-    if not all([16 <= length <= 16384 for length in pixels]):
-        raise BadInputError(f"--size {quoted(text)}: expected 16 to 16384 pixels each way")
-    return pixels

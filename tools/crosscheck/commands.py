@@ -19,6 +19,7 @@ _MOST_GAMES = 100_000
 _MOST_WORKERS = 256
 _VERDICTS = ("grazing", "tie", "rule", "unexplained")
 _NOT_WITH_OWN = ("facets", "workers", "report", "json", "convergence", "free_run", "tick", "listed", "sabotage", "corpus")
+_DIFFICULTIES = ("easy", "normal", "hard")
 _PLAYERS = ("autopilot", "mouse", "keys")
 
 
@@ -32,7 +33,7 @@ def crosscheck(
             min=1,
             max=_MOST_GAMES,
             help="How many games to play.",
-            show_default="two of each level, random arenas and aimed contacts, if nothing is named",
+            show_default="three of each level, random arenas and aimed contacts, if nothing is named",
         ),
     ] = None,
     seed: Annotated[int, typer.Option(min=0, max=2**62, help="Seed of the first game; the next ones count up.")] = 1,
@@ -46,6 +47,12 @@ def crosscheck(
     ] = None,
     ticks: Annotated[int, typer.Option(min=1, max=MAX_TICKS, help="Longest game, in ticks of 1/240 s.")] = 14_400,
     player: Annotated[str | None, typer.Option(help=f"Who plays: {', '.join(_PLAYERS)}.", show_default="autopilot")] = None,
+    arcade: Annotated[
+        str | None,
+        typer.Option(
+            help=f"Play by the arcade rules, at a difficulty: {', '.join(_DIFFICULTIES)}.", show_default="source's rules"
+        ),
+    ] = None,
     facets: Annotated[int, typer.Option(min=FEWEST, max=MOST, help="Facets of each arc in pymunk's chain.")] = 64,
     workers: Annotated[int, typer.Option(min=1, max=_MOST_WORKERS, help="Processes to share the games.")] = 1,
     report: Annotated[Path | None, typer.Option(help="Write a page with tables and pictures to this HTML file.")] = None,
@@ -78,9 +85,10 @@ def crosscheck(
 
     _one_of("--list", listed, _VERDICTS)
     _one_of("--player", player, _PLAYERS)
+    _one_of("--arcade", arcade, _DIFFICULTIES)
     if sabotage is not None:
         _one_of("--sabotage", sabotage, ("all", *MISTAKES))
-    choice = Choice(tuple(replays or ()), games, seed, level, ticks, player)
+    choice = Choice(tuple(replays or ()), games, seed, level, ticks, player, arcade)
     if with_ is not None:
         from tools.crosscheck.own import compare_own  # noqa: PLC0415
 

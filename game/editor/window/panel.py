@@ -37,7 +37,7 @@ def draw_panel(canvas: Canvas, seen: EditorLayout, session: EditorSession, selec
     level, theme = session.document.level, canvas.theme
     title = f"{level.name} *" if session.changed else level.name
     _write_fitted(canvas, title, TITLE, theme.accent if session.changed else theme.text, seen.title)
-    heading = tr("Ring {number} of {count}    Tab: next").format(number=session.ring + 1, count=len(level.rings))
+    heading = tr("rings[{index}]    Tab: next of {count}").format(index=session.ring, count=len(level.rings))
     _write(canvas, heading, HEADING, theme.faint, seen.ring_heading)
     _write(canvas, tr("Ball and paddles"), HEADING, theme.faint, seen.arena_heading)
     for index, (row, box) in enumerate(seen.rows):
