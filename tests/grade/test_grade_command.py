@@ -63,6 +63,15 @@ def test_a_wrong_file_is_exit_code_1(capsys, mine):
     assert parsed(line).scene.name == "case-1"
 
 
+def test_a_wrong_answer_is_drawn(capsys, mine, tmp_path):
+    """A picture for each wrong function; none for the right ones."""
+    text = ANGLES + "def narrow_phase_case_1(p, r_p):\n    return p / abs(p)\n"
+    code, out, _ = graded(capsys, mine(text), "--pictures", tmp_path / "pictures")
+    assert (code, out.splitlines()[-1]) == (1, f"picture: {tmp_path / 'pictures' / 'narrow_phase_case_1.png'}")
+    assert [path.name for path in (tmp_path / "pictures").iterdir()] == ["narrow_phase_case_1.png"]
+    assert (tmp_path / "pictures" / "narrow_phase_case_1.png").read_bytes().startswith(b"\x89PNG")
+
+
 def test_a_file_may_define_only_some_functions(capsys, mine):
     """The others do not count."""
     code, out, _ = graded(capsys, mine(ANGLES))

@@ -12,6 +12,7 @@ from game.system.files import check_target, write_text
 from game.system.output import tell
 from tools.grade.findings import all_findings
 from tools.grade.grading import grade
+from tools.grade.pictures import drawn
 from tools.grade.report import report_lines
 from tools.grade.report_files import json_text, junit_text
 from tools.grade.scheme import Scheme, load_scheme
@@ -32,6 +33,7 @@ def grade_program(
     limits: Limits,
     json: Path | None,
     junit: Path | None,
+    pictures: Path | None = None,
     wait: Wait = next_line,
 ) -> int:
     """Grade a program that speaks the line protocol; the exit code."""
@@ -52,6 +54,8 @@ def grade_program(
         write_text(json, json_text(found, findings))
     if junit is not None:
         write_text(junit, junit_text(found, findings))
+    for picture in () if pictures is None else drawn(findings, pictures, program.file):
+        tell(f"picture: {picture}")
     return 0 if found.right else 1
 
 

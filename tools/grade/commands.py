@@ -28,6 +28,9 @@ def grade(
     memory: Annotated[int, typer.Option(min=64, max=2**20, help="Mebibytes that the program may use (Linux).")] = 2048,
     json: Annotated[Path | None, typer.Option(help="Write the grade to this JSON file.")] = None,
     junit: Annotated[Path | None, typer.Option(help="Write the grade to this JUnit XML file.")] = None,
+    pictures: Annotated[
+        Path | None, typer.Option(help="Draw the simplest wrong answer of each function into this folder, as the lab shows it.")
+    ] = None,
     template: Annotated[
         Path | None, typer.Option(help="Write a file to begin with, every function still to be written, and end.")
     ] = None,
@@ -44,4 +47,4 @@ def grade(
     from tools.grade.command import chosen_program, grade_program  # noqa: PLC0415  # need mpmath, just looked for
 
     limits = Limits(time_limit, start_limit, memory)
-    return grade_program(chosen_program(file, command, limits), scheme, seed, limits, json, junit)
+    return grade_program(chosen_program(file, command, limits), scheme, seed, limits, json, junit, pictures)
