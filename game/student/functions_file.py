@@ -20,8 +20,6 @@ _LARGEST_FILE = 1 << 20
 """Bytes."""
 _LISTED = 4
 """Functions that are named; of more, the number."""
-_SHORT = 56
-"""Characters of a problem in `news`."""
 
 
 class FunctionsFile:
@@ -184,4 +182,4 @@ class FunctionsFile:
         """Remember a problem."""
         self.problem = f"{self.name}, {problem}" if problem.startswith("line ") else f"{self.name}: {problem}"
         self.broken = self.broken or self.problem
-        self._news = self.problem if len(self.problem) <= _SHORT else f"{self.problem[:_SHORT]}..."
+        self._news = ": ".join(self.problem.split(": ")[:2])  # where and what; `note` has the rest

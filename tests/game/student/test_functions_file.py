@@ -30,7 +30,7 @@ def test_a_saved_file_is_read_again(tmp_path):
             return file.calls([("on_left", [1.0, 2.0])])[0].result
 
         assert (answer(), file.note) == (True, "Yours, from mine.py: on_left; the rest is the slides'")
-        assert saved(BROKEN) == "mine.py, line 1: SyntaxError: expected ':'"
+        assert saved(BROKEN) == "mine.py, line 1: SyntaxError"
         assert (answer(), file.note) == (True, "mine.py, line 1: SyntaxError: expected ':'; the version before goes on")
         assert saved(BETTER) == "mine.py: read again"
         assert (answer(), file.problem) == (False, "")
@@ -38,7 +38,7 @@ def test_a_saved_file_is_read_again(tmp_path):
         assert (
             file.ask("bounces", [[[5.0, 0.0, 1.0, 0.0, 9.0]], [[5.0, 1.0, 0.1, 1, 0.5, 0.0, 0.0]] * 2, [[1], [1]], 1.0]) is None
         )
-        assert (file.refresh(), file.own) == ("mine.py, line 2: ZeroDivisionError: division by zero", frozenset())
+        assert (file.refresh(), file.own) == ("mine.py, line 2: ZeroDivisionError", frozenset())
         assert file.note.endswith("; the slides' own functions answer until it is saved again")
         path.unlink()
         clock[0] += 1.0
@@ -56,8 +56,8 @@ def test_the_window_says_so(own):
         desk.wait(60 * FRAME)
         assert state.toast is None
         desk.wait(120 * FRAME)
-        assert state.toast.text.startswith("mine.py, line 2: AttributeError: 'complex' object has")
-        assert state.physics.note.startswith("mine.py, line 2: AttributeError")
+        assert state.toast.text == "mine.py, line 2: AttributeError"
+        assert state.physics.note.startswith("mine.py, line 2: AttributeError: 'complex' object has no")
         tick = desk.screen._ticked.game.tick
         desk.wait(10 * FRAME)
         assert desk.screen._ticked.game.tick > tick
