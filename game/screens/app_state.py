@@ -21,6 +21,7 @@ from game.second_opinion import Compare, NormalPair
 from game.settings.file import SettingsFile
 from game.settings.values import LOUDEST, Settings
 from game.sound.mixer import Audio
+from game.student.functions_file import FunctionsFile
 
 Recorder = Callable[[Controls, Game], None]
 """Told every tick of a played game: its controls, and the game after it. `tick` is 1 after the first tick of a new game."""
@@ -39,6 +40,7 @@ class AppState:
     recorder: told every tick that is played; None for nobody.
     autopilot: whether it plays instead of the player.
     physics: that games are flown on. ruleset: of new games.
+    functions: the player's own, which the lab shows beside ours; None without.
     settings: the player's, as they hold now; settings_file: where they outlive the session.
     full_screen: whether the window is.
     view: from where the player looks at the arena.
@@ -65,6 +67,7 @@ class AppState:
     settings_file: SettingsFile | None = None
     toast: Toast | None = None
     physics: ChosenPhysics = SWEPT
+    functions: FunctionsFile | None = None
     ruleset: Ruleset = SOURCE_RULES
     painter: Painter = field(default_factory=Painter)
     type: Type = field(default_factory=Type)

@@ -16,6 +16,7 @@ from game.input.keys import Action
 from game.input.signals import FocusLost, Pressed, Signal
 from game.levels import Level
 from game.overlay import hud, notice
+from game.overlay.toast import Toast
 from game.rules import TICK, EventKind, Phase, new_game, tick
 from game.scene import scene_at, still
 from game.screens.app_state import AppState
@@ -31,6 +32,8 @@ _OFFER_TICKS = round(20.0 / TICK)
 """Without a paddle's touch, until the player may give up the ball."""
 _END_TICKS = 200
 """From the end of the game to the menu that says so: nobody who is still playing chooses an entry by accident."""
+_NEWS_SECONDS = 5.0
+"""How long news of the physics is shown."""
 # Lengths are in units of text.
 _NOTE, _NOTE_ROOM, _NOTE_BOTTOM, _NOTE_MARGIN = 0.95, 1.6, 0.3, 0.8
 """The line about the physics: size of its letters, height left to it, from it to the lower edge and to the sides."""
@@ -72,6 +75,8 @@ class PlayScreen:
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
         """Run the ticks that are due; a panel when the game has ended."""
         self._state.view = self._state.view.later(seconds, smooth=not self._state.settings.reduced_motion)
+        if news := self._state.physics.news():
+            self._state.toast = Toast(news, left=_NEWS_SECONDS)
         if self._ready > 0.0:
             self._ready -= seconds
             return self
