@@ -2,12 +2,19 @@
 
 from typing import NamedTuple
 
+from game.drawing.colour_vision import VISIONS, seen_by
 from game.drawing.palette import DARK, LIGHT, Theme
 from game.effects import ALL, MOVING, PLAIN, EffectKind, Shown
+from game.input.actions import DEFAULT_KEYS, OwnKeys
+from game.language import SYSTEM
 
 LOUDEST = 100
 VOLUME_STEP = 10
 THEMES = {"dark": DARK, "light": LIGHT}
+SPEEDS = (50, 100)
+"""The least and the most of the game's speed, per cent."""
+TEXT_SIZES = (100, 200)
+"""The least and the most of the size of text, per cent."""
 
 
 class Settings(NamedTuple):
@@ -15,6 +22,11 @@ class Settings(NamedTuple):
 
     colours: a key of THEMES. volume: 0 to LOUDEST. reduced_motion: no effect that moves the picture.
     effects: whether there are any but the ball's trail. off: single effects that are not wanted.
+    speed: of the game, per cent, within SPEEDS. text_size: per cent, within TEXT_SIZES.
+    one_button: whether the paddles turn by themselves and any press reverses them.
+    captions: whether words say what sounds say. ghost: whether the best run of a level is raced.
+    vision: one of VISIONS, whose colours the player tells apart.
+    language: its code, or SYSTEM. own_keys: the player's.
     """
 
     colours: str = "dark"
@@ -23,11 +35,19 @@ class Settings(NamedTuple):
     reduced_motion: bool = False
     effects: bool = True
     off: frozenset[EffectKind] = frozenset()
+    speed: int = SPEEDS[1]
+    text_size: int = TEXT_SIZES[0]
+    one_button: bool = False
+    captions: bool = False
+    ghost: bool = True
+    vision: str = VISIONS[0]
+    language: str = SYSTEM
+    own_keys: OwnKeys = DEFAULT_KEYS
 
     @property
     def theme(self) -> Theme:
         """The colours."""
-        return THEMES[self.colours]
+        return seen_by(self.vision, THEMES[self.colours])
 
     @property
     def shown(self) -> Shown:
