@@ -24,7 +24,7 @@ class Aim(NamedTuple):
 class Scene(NamedTuple):
     """Everything in the arena.
 
-    ground_radius: world units.
+    ground_radius: world units. ground: name of its pattern.
     rings: all of them; ring 0 is the paddles.
     layers: per ring and slot, as in `physics.Arena`.
     tallest: per ring, layers of its highest stack when the level began.
@@ -36,6 +36,7 @@ class Scene(NamedTuple):
     """
 
     ground_radius: float
+    ground: str
     rings: tuple[Ring, ...]
     layers: tuple[tuple[int, ...], ...]
     tallest: tuple[int, ...]
@@ -67,6 +68,7 @@ def scene_at(ticked: Ticked, alpha: float, effects: Effects) -> Scene:
         balls = _balls_at(ticked, rings[PADDLES], alpha)
     return Scene(
         game.level.ground_radius,
+        "plain",
         rings,
         game.arena.layers,
         (0, *[max(ring.slots()) for ring in game.level.rings]),

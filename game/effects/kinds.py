@@ -18,13 +18,14 @@ class EffectKind(StrEnum):
     WAVES = "waves"
     SHAKE = "shake"
     HIT_STOP = "hit_stop"
+    DEPTH = "depth"
 
 
 Shown = frozenset[EffectKind]
 """The effects that the player wants to see."""
 
 ALL: Shown = frozenset(EffectKind)
-PLAIN: Shown = frozenset({EffectKind.TRAIL})
-"""What is left for players who want no effects: the trail says where the ball goes."""
+PLAIN: Shown = frozenset({EffectKind.TRAIL, EffectKind.DEPTH})
+"""What is left for players who want no effects: the trail says where the ball goes, and light and shadow stand still."""
 MOVING: Shown = frozenset({EffectKind.FLASH, EffectKind.RING, EffectKind.WAVES, EffectKind.SHAKE, EffectKind.HIT_STOP})
 """What reduced motion does without."""

@@ -73,6 +73,7 @@ EFFECTS = (
     _effect(EffectKind.COMBO, "Combo counter", "The counter of bricks in a row springs with every brick."),
     _effect(EffectKind.WAVES, "Waves", "Circles run over the ground when a level begins or ends, or a ball is lost."),
     _effect(EffectKind.SHAKE, "Shake", "Great moments shake the arena."),
+    _effect(EffectKind.DEPTH, "Light and shadow", "The arena has depth: bricks throw shadows, the rim glows."),
     _effect(EffectKind.HIT_STOP, "Hit-stop", "On great moments the game holds its breath for a tenth of a second."),
 )
 ROWS = (*GENERAL, *EFFECTS)

@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from game.drawing.palette import DARK, LIGHT, Theme
+from game.drawing.palette import DARK, LIGHT, Theme, without_depth
 from game.effects import ALL, MOVING, PLAIN, EffectKind, Shown
 
 LOUDEST = 100
@@ -27,7 +27,8 @@ class Settings(NamedTuple):
     @property
     def theme(self) -> Theme:
         """The colours."""
-        return THEMES[self.colours]
+        theme = THEMES[self.colours]
+        return theme if EffectKind.DEPTH in self.shown else without_depth(theme)
 
     @property
     def shown(self) -> Shown:

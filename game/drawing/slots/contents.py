@@ -21,8 +21,6 @@ class ContentKind(IntEnum):
 
     EMPTY = auto()
     PADDLE = auto()
-    RECOILING = auto()
-    """A paddle that is out of its slot for a moment: the slot shows the track, and the paddle is drawn apart."""
     BRICKS = auto()
     STEEL = auto()
     GHOST = auto()

@@ -158,7 +158,7 @@ def parts(content: SlotContent, shape: SlotShape, drop: float, theme: Theme) -> 
             return _steel(content, shape, theme)
         case ContentKind.GHOST:
             return (_ghost(content, shape, theme),)
-        case ContentKind.EMPTY | ContentKind.RECOILING:
+        case ContentKind.EMPTY:
             return ()
 
 
