@@ -19,6 +19,7 @@ from game.levels import Level, built_in
 from game.overlay import toast
 from game.replays.file import Recording
 from game.replays.playback import Playback
+from game.rules import SOURCE_RULES, Ruleset
 from game.screens.app_state import AppState, Recorder
 from game.screens.base import Listener, Screen
 from game.screens.play import PlayScreen
@@ -65,16 +66,17 @@ def play(
     recorder: Recorder | None = None,
     autopilot: bool = False,
     physics: ChosenPhysics = SWEPT,
+    ruleset: Ruleset = SOURCE_RULES,
 ) -> int:
     """Open a window with the title, the first of the levels chosen, and play until it is closed; the exit code.
 
     recorder: told every tick of every game played. autopilot: it plays, from the first serve on, without a title.
-    physics: that the games are flown on.
+    physics: that the games are flown on. ruleset: of the games.
     Raises EnvironmentMissingError without a display, DisplayLostError when it goes away.
     """
     catalogue = built_in() if levels[0] in built_in() else levels
     state = _state(catalogue, services, catalogue.index(levels[0]), seed)
-    state.recorder, state.autopilot, state.physics = recorder, autopilot, physics
+    state.recorder, state.autopilot, state.physics, state.ruleset = recorder, autopilot, physics, ruleset
     return _shown(state, lambda: PlayScreen(state, levels) if autopilot else Title(state), services, Audio)
 
 
