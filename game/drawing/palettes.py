@@ -102,14 +102,16 @@ NAMES = (CLASSIC, *_PALETTES)
 
 @cache
 def themed(theme: Theme, palette: str) -> Theme:
-    """A theme with a level's palette; a theme for a purpose, such as high contrast, as it is. palette: one of `NAMES`."""
-    if palette == CLASSIC or theme not in (DARK, LIGHT):
+    """A theme with a level's palette; one whose bricks have colours for a purpose, as it is. palette: one of `NAMES`."""
+    base = next((base for base in (DARK, LIGHT) if base.layers == theme.layers), None)
+    if palette == CLASSIC or base is None:
         return theme
-    dark, light = _PALETTES[palette]
-    own = dark if theme == DARK else light
+    own = _PALETTES[palette][0 if base is DARK else 1]
     background, ground, line, rim, accent, paddle, paddle_top, trail = [_colour(digits) for digits in own.plain.split()]
     layers = tuple([_colour(digits) for digits in own.layers.split()])
-    theme = theme._replace(background=background, ground=ground, ground_line=line, rim=rim, accent=accent)
+    if theme.background == base.background:  # and not that of a card which the arena is drawn on
+        theme = theme._replace(background=background)
+    theme = theme._replace(ground=ground, ground_line=line, rim=rim, accent=accent)
     return theme._replace(paddle=paddle, paddle_top=paddle_top, trail=trail, layers=layers)
 
 

@@ -74,6 +74,10 @@ EFFECTS = (
     _effect(EffectKind.WAVES, "Waves", "Circles run over the ground when a level begins or ends, or a ball is lost."),
     _effect(EffectKind.SHAKE, "Shake", "Great moments shake the arena."),
     _effect(EffectKind.DEPTH, "Light and shadow", "The arena has depth: bricks throw shadows, the rim glows."),
+    _effect(EffectKind.LIGHTS, "Lights", "What is struck throws light on the arena; balls shine."),
+    _effect(EffectKind.SWIRL, "Swirls", "Gravity wells turn, power-ups float."),
+    _effect(EffectKind.ENTRY, "Entry", "The wall is built up when a level begins."),
+    _effect(EffectKind.SLOW_MOTION, "Slow motion", "Time slows down before the last brick breaks."),
     _effect(EffectKind.HIT_STOP, "Hit-stop", "On great moments the game holds its breath for a tenth of a second."),
 )
 ROWS = (*GENERAL, *EFFECTS)

@@ -21,7 +21,7 @@ from game.drawing.slots.parts import LAYER_HEIGHT, SlotShape, parts
 from game.drawing.solid.faces import ProjectedBlocks, projected, shadows, visible_faces
 from game.drawing.solid.painters_order import widest
 from game.drawing.solid.prisms import Blocks, Cut, joined, pushed, ring_blocks
-from game.effects import Drop
+from game.effects import FallingStack
 from game.rules import PADDLES
 from game.scene import Scene
 
@@ -50,14 +50,14 @@ class _RingKey(NamedTuple):
     cut: how they are cut.
     tallest: layers of the ring's highest stack that may ever stand there.
     contents: of its slots.
-    drops: stacks of it that are falling.
+    falling: stacks of it that are falling.
     theme: the colours.
     """
 
     cut: Cut
     tallest: int
     contents: tuple[SlotContent, ...]
-    drops: tuple[Drop, ...]
+    falling: tuple[FallingStack, ...]
     theme: Theme
 
 
@@ -140,13 +140,13 @@ def _ring_key(canvas: Canvas, scene: Scene, k: int, contents: tuple[SlotContent,
         scale,
         _FRINGE / finer / scale,
     )
-    drops = tuple([drop for drop in scene.drops if drop.ring == k])
-    return _RingKey(cut, scene.tallest[k], contents, drops, canvas.theme)
+    falling = tuple([stack for stack in scene.falling if stack.ring == k])
+    return _RingKey(cut, scene.tallest[k], contents, falling, canvas.theme)
 
 
 def _cut(key: _RingKey) -> Blocks:
     """The blocks of a ring. Lines may be thinner than a pixel, for what is drawn here is scaled down."""
-    falling = {drop.slot: drop.height for drop in key.drops}
+    falling = {stack.slot: stack.height for stack in key.falling}
     cut = key.cut
     shape = SlotShape(cut.radius, cut.half_width, cut.half_angle, key.tallest, finest=0.0)
     piles = [(slot, parts(one, shape, falling.get(slot, 0.0), key.theme)) for slot, one in enumerate(key.contents)]

@@ -30,6 +30,9 @@ SHAPE = SlotShape(5.0, 0.6, 0.3, 6, 0.0)
 CONTENTS = [
     SlotContent(ContentKind.PADDLE),
     SlotContent(ContentKind.STEEL),
+    SlotContent(ContentKind.BUMPER),
+    SlotContent(ContentKind.SHIELD, 1),
+    *[SlotContent(ContentKind.GROWING, layers) for layers in (1, 3)],
     *[SlotContent(ContentKind.BRICKS, layers) for layers in range(1, 10)],
 ]
 EVERY = pytest.mark.parametrize("content", CONTENTS)
