@@ -15,6 +15,7 @@ from game.effects import EffectKind
 from game.settings.values import LOUDEST, THEMES, Settings
 from game.system.files import sweep, write_whole
 from game.system.wording import quoted_path
+from game.unlocks import BALLS, TRAILS
 
 VERSION = 1
 _LARGEST = 64 * 1024
@@ -105,6 +106,12 @@ def decoded(said: dict[str, Any]) -> Settings:
     )
     if isinstance(volume := said.get("volume"), int | float) and not isinstance(volume, bool):
         settings = settings._replace(volume=round(min(max(volume, 0), LOUDEST)))
+    if isinstance(music := said.get("music"), int | float) and not isinstance(music, bool):
+        settings = settings._replace(music=round(min(max(music, 0), LOUDEST)))
+    if isinstance(ball := said.get("ball"), str) and ball in BALLS:
+        settings = settings._replace(ball=ball)
+    if isinstance(trail := said.get("trail"), str) and trail in TRAILS:
+        settings = settings._replace(trail=trail)
     if isinstance(off := said.get("off"), list):
         settings = settings._replace(off=frozenset([kind for kind in EffectKind if kind in off]))
     return settings

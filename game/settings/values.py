@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from game.drawing.palette import DARK, LIGHT, Theme, without_depth
 from game.effects import ALL, MOVING, PLAIN, EffectKind, Shown
+from game.unlocks import PLAIN_BALL, PLAIN_TRAIL
 
 LOUDEST = 100
 VOLUME_STEP = 10
@@ -14,6 +15,7 @@ class Settings(NamedTuple):
     """All settings.
 
     colours: a key of THEMES. volume: 0 to LOUDEST. reduced_motion: no effect that moves the picture.
+    music: its volume beside all else, 0 to LOUDEST; 0 for none. ball, trail: how balls look, and what they leave behind.
     effects: whether there are any but the ball's trail. off: single effects that are not wanted.
     """
 
@@ -23,6 +25,9 @@ class Settings(NamedTuple):
     reduced_motion: bool = False
     effects: bool = True
     off: frozenset[EffectKind] = frozenset()
+    music: int = 60
+    ball: str = PLAIN_BALL
+    trail: str = PLAIN_TRAIL
 
     @property
     def theme(self) -> Theme:
