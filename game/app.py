@@ -10,13 +10,15 @@ import pygame
 from game.chosen_physics import SWEPT, ChosenPhysics
 from game.input.key_names import layout_changed
 from game.input.keys import Action
-from game.input.signals import FocusLost, KeyboardState, Pressed, Signal, keyboard_state, translated
+from game.input.signals import FocusLost, KeyboardState, PadChanged, Pressed, Signal, keyboard_state
 from game.lab.kit.second_engine import Engine
 from game.lab.registry import scenes
 from game.lab.session import session
 from game.lab.session.share import parsed
+from game.language import system_prefers, tr
 from game.levels import Level, built_in
 from game.overlay import toast
+from game.overlay.toast import Toast
 from game.replays.file import Recording
 from game.replays.playback import Playback
 from game.rules import SOURCE_RULES, Ruleset
@@ -128,6 +130,8 @@ def _shown(state: AppState, opened: Callable[[], Screen], services: Services, au
     handler = on_display_lost(lambda: _save(state, services.lost))  # noqa: F841  # must live as long as the window
     with deferred():
         try:
+            system_prefers([locale["language"] for locale in pygame.system.get_pref_locales()])
+            state.devices.pads.listen()
             state.audio = None if audio is None else audio()
             state.change(state.settings if state.settings_file is None else state.settings_file.load())
             run(window, state, opened())
@@ -224,13 +228,24 @@ def _following(
 ) -> Screen | None:
     """The screen after one event. size: of the surface, pixels."""
     pixels_per_point = _pixels_per_point(window, size)
-    signal = translated(event, pixels_per_point)
+    signals = tuple(state.devices.signals(event, size, pixels_per_point))
     if isinstance(screen, Listener):
-        if isinstance(signal, Pressed) and signal.action is Action.FULL_SCREEN:
+        if any([isinstance(signal, Pressed) and signal.action is Action.FULL_SCREEN for signal in signals]):
             _toggle_full_screen(window, state)
             return screen
         return screen.hear(event, size, pixels_per_point)
-    if signal is None or (not _means_speed(signal, screen) and _answered_here(signal, window, state)):
+    following: Screen | None = screen
+    for signal in signals:
+        if following is not None:
+            following = _following_signal(signal, size, window, state, following)
+    return following
+
+
+def _following_signal(
+    signal: Signal, size: tuple[int, int], window: pygame.Window, state: AppState, screen: Screen
+) -> Screen | None:
+    """The screen after one signal. size: of the surface, pixels."""
+    if not _means_speed(signal, screen) and _answered_here(signal, window, state):
         return screen
     if isinstance(signal, Pressed) and signal.action is Action.LAB and state.open_lab is not None:
         left = screen.answer(FocusLost(), size)  # a game in play pauses
@@ -245,6 +260,8 @@ def _answered_here(signal: Signal, window: pygame.Window, state: AppState) -> bo
             _toggle_full_screen(window, state)
         case Pressed(Action.NORMALS):
             state.shows_normals = not state.shows_normals and state.compare is not None
+        case PadChanged(name, there):
+            state.toast = Toast((tr("Gamepad: {name}") if there else tr("Gamepad gone: {name}")).format(name=name))
         case Pressed(action) if (now := changed(state.settings, action)) is not None:
             state.change(*now)
         case _:

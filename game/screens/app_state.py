@@ -12,7 +12,11 @@ from game.drawing.canvas import Canvas
 from game.drawing.painter import Painter
 from game.drawing.palette import Theme
 from game.drawing.text import Type
+from game.input.devices import Devices
+from game.input.keys import KEYS
+from game.input.rebinding import bindings, checked
 from game.input.view import FLAT, Viewpoint
+from game.language import choose
 from game.levels import Level
 from game.overlay.toast import Toast
 from game.rules import SOURCE_RULES, Controls, Game, Ruleset, Ticked
@@ -47,6 +51,7 @@ class AppState:
     open_lab: makes the lab's screen, over another one; None where there is no lab.
     audio: the sound; None without.
     toast: words that are shown for a moment.
+    devices: what the player has in hand.
     painter, type: draw all pictures and all text, and cache them.
     """
 
@@ -67,6 +72,7 @@ class AppState:
     toast: Toast | None = None
     physics: ChosenPhysics = SWEPT
     ruleset: Ruleset = SOURCE_RULES
+    devices: Devices = field(default_factory=Devices)
     painter: Painter = field(default_factory=Painter)
     type: Type = field(default_factory=Type)
 
@@ -86,8 +92,10 @@ class AppState:
         return Canvas(surface, camera, self.theme, self.type, unit_of(surface.get_size()), *looks)
 
     def change(self, settings: Settings, told: Toast | None = None) -> None:
-        """Let other settings hold, on the screen and in what sounds now. told: words to show about it."""
+        """Let other settings hold: on the screen, in what sounds now, for keys and texts. told: words to show about it."""
         self.settings = settings
+        KEYS.change(bindings(checked(settings.own_keys)))
+        choose(settings.language)
         if told is not None:
             self.toast = told
         if self.audio is not None:

@@ -14,9 +14,11 @@ from game.input.hands import Hands
 from game.input.key_names import key_name
 from game.input.keys import Action
 from game.input.signals import FocusLost, Pressed, Signal
+from game.language import tr
 from game.levels import Level
-from game.overlay import hud, notice
-from game.rules import TICK, EventKind, Phase, new_game, tick
+from game.overlay import captions, hud, notice
+from game.overlay.captions import Caption
+from game.rules import TICK, Controls, EventKind, Phase, new_game, tick
 from game.scene import scene_at, still
 from game.screens.app_state import AppState
 from game.screens.base import Screen
@@ -24,6 +26,7 @@ from game.screens.help import Help
 from game.screens.menu import Entry, Menu
 from game.screens.settings_panel import SettingsPanel
 from game.second_opinion import NormalPair
+from game.settings import aids
 
 _READY_SECONDS = 0.6
 """After a pause with a ball in play, until it flies on."""
@@ -50,6 +53,7 @@ class PlayScreen:
         self._ready = 0.0  # seconds until play goes on after a pause
         self._stop = 0.0  # seconds of hit-stop left
         self._pilot = Autopilot() if state.autopilot else None
+        self._captions: tuple[Caption, ...] = ()
         self._untouched = 0  # ticks with a ball in play since a paddle touched it
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
@@ -75,9 +79,10 @@ class PlayScreen:
         if self._ready > 0.0:
             self._ready -= seconds
             return self
+        self._captions = captions.later(self._captions, seconds)
         stopped = min(self._stop, max(seconds, 0.0))
         self._stop -= stopped
-        self._due = due(self._due.rest, seconds - stopped)
+        self._due = due(self._due.rest, (seconds - stopped) * self._state.settings.speed / 100.0)
         camera = self._layout(size).camera
         for _ in range(self._due.ticks):
             self._tick(camera)
@@ -97,7 +102,7 @@ class PlayScreen:
         state.painter.paint(canvas, scene)
         if state.shows_normals:
             contact_normals.draw(canvas, self._normals)
-        badge = "" if self._pilot is None else "autopilot"
+        badge = aids.badge(state.settings) if self._pilot is None else tr("autopilot")
         shown = hud.readings(self._ticked.game, self._effects.streak, muted=not state.settings.sound, badge=badge)
         hud.draw(canvas, shown, seen)
         told = notice.READY if self._ready > 0.0 else notice.notice(self._ticked.game)
@@ -105,6 +110,7 @@ class PlayScreen:
             told = notice.Notice("Out of reach?", f"{key_name(Action.GIVE_UP)}: give up this ball; it costs a life")
         if told is not None:
             notice.draw(canvas, told, scene)
+        captions.draw(canvas, self._captions)
         if state.physics.note:
             _draw_note(canvas, state.physics.note)
 
@@ -120,7 +126,7 @@ class PlayScreen:
     def _tick(self, camera: Camera) -> None:
         """Run one tick and tell the recorder."""
         game = self._ticked.game
-        controls = self._hands.controls(camera) if self._pilot is None else self._pilot.controls(game)
+        controls = self._controls(camera) if self._pilot is None else self._pilot.controls(game)
         self._hands = self._hands.after_tick()
         self._ticked = tick(game, controls, self._state.physics.advance)
         touched = self._ticked.game.phase != Phase.PLAYING or any(
@@ -130,8 +136,16 @@ class PlayScreen:
         self._effects = effects.after(self._effects, self._ticked, self._state.settings.shown)
         self._normals = self._state.normals_after(self._normals, self._ticked)
         self._state.play_sounds(self._ticked, camera)
+        if self._state.settings.captions:
+            self._captions = captions.after(self._captions, self._ticked, camera)
         if self._state.recorder is not None:
             self._state.recorder(controls, self._ticked.game)
+
+    def _controls(self, camera: Camera) -> Controls:
+        """What the player asks for in the next tick."""
+        if self._state.settings.one_button:
+            return self._hands.one_button_controls(self._ticked.game)
+        return self._hands.controls(camera, self._ticked.game)
 
     def _paused(self, panel: Screen) -> Screen:
         """A panel over the game; keys that were held when it opened are let go."""

@@ -2,13 +2,22 @@
 
 from typing import NamedTuple
 
+from game.drawing.colour_vision import VISIONS, seen_by
 from game.drawing.palette import DARK, LIGHT, Theme, without_depth
 from game.effects import ALL, MOVING, PLAIN, EffectKind, Shown
+from game.input.actions import DEFAULT_KEYS, OwnKeys
+from game.language import SYSTEM
 from game.unlocks import PLAIN_BALL, PLAIN_TRAIL
 
 LOUDEST = 100
 VOLUME_STEP = 10
 THEMES = {"dark": DARK, "light": LIGHT}
+SPEEDS = (50, 100)
+"""The least and the most of the game's speed, per cent."""
+SPEED_STEP = 5
+TEXT_SIZES = (100, 200)
+"""The least and the most of the size of text, per cent."""
+TEXT_STEP = 10
 
 
 class Settings(NamedTuple):
@@ -17,6 +26,11 @@ class Settings(NamedTuple):
     colours: a key of THEMES. volume: 0 to LOUDEST. reduced_motion: no effect that moves the picture.
     music: its volume beside all else, 0 to LOUDEST; 0 for none. ball, trail: how balls look, and what they leave behind.
     effects: whether there are any but the ball's trail. off: single effects that are not wanted.
+    speed: of the game, per cent, within SPEEDS. text_size: per cent, within TEXT_SIZES.
+    one_button: whether the paddles turn by themselves and any press reverses them.
+    captions: whether words say what sounds say.
+    vision: one of VISIONS, whose colours the player tells apart.
+    language: its code, or SYSTEM. own_keys: the player's.
     """
 
     colours: str = "dark"
@@ -25,14 +39,21 @@ class Settings(NamedTuple):
     reduced_motion: bool = False
     effects: bool = True
     off: frozenset[EffectKind] = frozenset()
+    speed: int = SPEEDS[1]
+    text_size: int = TEXT_SIZES[0]
+    one_button: bool = False
+    captions: bool = False
+    vision: str = VISIONS[0]
     music: int = 60
     ball: str = PLAIN_BALL
     trail: str = PLAIN_TRAIL
+    language: str = SYSTEM
+    own_keys: OwnKeys = DEFAULT_KEYS
 
     @property
     def theme(self) -> Theme:
         """The colours."""
-        theme = THEMES[self.colours]
+        theme = seen_by(self.vision, THEMES[self.colours])
         return theme if EffectKind.DEPTH in self.shown else without_depth(theme)
 
     @property
@@ -53,3 +74,11 @@ class Settings(NamedTuple):
     def toggled(self, kind: EffectKind) -> "Settings":
         """An effect wanted or not wanted any more."""
         return self._replace(off=self.off ^ {kind})
+
+    def faster(self, steps: int) -> "Settings":
+        """The game some steps faster, or slower below 0."""
+        return self._replace(speed=min(max(self.speed + steps * SPEED_STEP, SPEEDS[0]), SPEEDS[1]))
+
+    def larger_text(self, steps: int) -> "Settings":
+        """Text some steps larger, or smaller below 0."""
+        return self._replace(text_size=min(max(self.text_size + steps * TEXT_STEP, TEXT_SIZES[0]), TEXT_SIZES[1]))

@@ -9,11 +9,15 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from game.drawing.colour_vision import VISIONS
 from game.drawing.palette import LIGHT
 from game.effects import ALL, MOVING, PLAIN, EffectKind
+from game.input.actions import Action, OwnKeys
+from game.input.rebinding import bindings, checked
+from game.language import CODES, SYSTEM, choose
 from game.settings import file as settings_file
 from game.settings.file import VERSION, SettingsFile, decoded, encoded
-from game.settings.values import Settings
+from game.settings.values import SPEEDS, TEXT_SIZES, Settings
 from tests.support.paths import ROOT
 
 CHOSEN = Settings("light", False, 30, True, False, frozenset({EffectKind.SHAKE, EffectKind.TRAIL}))
@@ -26,6 +30,13 @@ choices = st.builds(
     st.booleans(),
     st.booleans(),
     st.frozensets(st.sampled_from(EffectKind)),
+    speed=st.integers(*SPEEDS),
+    text_size=st.integers(*TEXT_SIZES),
+    vision=st.sampled_from(VISIONS),
+    language=st.sampled_from([SYSTEM, *CODES]),
+    own_keys=st.dictionaries(st.sampled_from(Action), st.lists(st.integers(0, 511)).map(tuple)).map(
+        lambda keys: OwnKeys(tuple(sorted(keys.items(), key=lambda choice: choice[0].value)))
+    ),
 )
 anything = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False) | st.text(),
@@ -52,6 +63,12 @@ def test_any_value_gives_settings_that_can_be_played(said):
     assert found.theme is not None
     assert 0 <= found.volume <= 100
     assert found.off <= ALL
+    assert SPEEDS[0] <= found.speed <= SPEEDS[1]
+    assert TEXT_SIZES[0] <= found.text_size <= TEXT_SIZES[1]
+    assert found.vision in VISIONS
+    choose(found.language)
+    choose("en")
+    assert bindings(checked(found.own_keys))
     assert all(isinstance(flag, bool) for flag in (found.sound, found.reduced_motion, found.effects))
     if isinstance(said.get("reduced_motion"), bool):
         assert found.reduced_motion == said["reduced_motion"]
