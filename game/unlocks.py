@@ -91,6 +91,29 @@ TRAILS: dict[str, Condition] = {
 """What balls may leave behind, and what must have been done for it."""
 
 
+def ball_names() -> dict[str, str]:
+    """What the balls are called, in the player's language."""
+    return {
+        PLAIN_BALL: tr("Pearl"),
+        "marble": tr("Marble"),
+        "target": tr("Target"),
+        "ember": tr("Ember"),
+        "eclipse": tr("Eclipse"),
+        "prism": tr("Prism"),
+    }
+
+
+def trail_names() -> dict[str, str]:
+    """What the trails are called, in the player's language."""
+    return {
+        PLAIN_TRAIL: tr("Comet"),
+        "ribbon": tr("Ribbon"),
+        "beads": tr("Beads"),
+        "rings": tr("Rings"),
+        "spectrum": tr("Spectrum"),
+    }
+
+
 def unlocked(conditions: dict[str, Condition], feats: Iterable[Feat]) -> tuple[str, ...]:
     """The names of `BALLS` or of `TRAILS` that a player may choose. feats: of any levels, of one level more than one may be."""
     best: dict[str, Feat] = {}

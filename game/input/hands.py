@@ -1,5 +1,6 @@
 """What the player holds down, so that every tick can be given its controls."""
 
+import cmath
 import math
 from typing import NamedTuple
 
@@ -23,6 +24,8 @@ from game.rules import POINTER_STEPS, TICK, Controls, Game, Phase, paddle_ring
 _TURNS = (Action.LEFT, Action.RIGHT)
 _ANY_BUTTON = frozenset({*_TURNS, Action.UP, Action.DOWN, Action.SERVE, Action.CONFIRM})
 """What a player with one button may have bound it to."""
+_AIMING_SHARE = 0.8
+"""Before the serve the mouse aims within this share of the paddles' inner radius; beyond it, it moves them."""
 _STICK_PIXELS = 100.0
 """From the arena's centre to the pixel that a stick points to: any distance has the same bearing."""
 
@@ -33,7 +36,8 @@ class Hands(NamedTuple):
     held: the steering keys that are down, in the order in which they were pressed. Keys, not actions: two keys can mean the
     same, and one of them may come up while the other stays down.
     pointer: pixels; None while something else has the paddles.
-    stick: direction that a gamepad's stick points to, of length 1, to the right and up; 0 for none.
+    stick: direction that a gamepad's left stick points to, of length 1, to the right and up; 0 for none. aiming: that of
+    the right stick.
     spin: asked for by triggers, -1.0 to 1.0 of the paddles' top speed.
     serve, give_up: whether that was asked for since the last tick.
     turned: +1 or -1, the other one after every press of a key, a button, or on the screen; pressed: whether there was one since
@@ -43,6 +47,7 @@ class Hands(NamedTuple):
     held: tuple[Pressed, ...] = ()
     pointer: complex | None = None
     stick: complex = 0j
+    aiming: complex = 0j
     spin: float = 0.0
     serve: bool = False
     give_up: bool = False
@@ -79,12 +84,16 @@ class Hands(NamedTuple):
 
     def controls(self, camera: Camera, game: Game) -> Controls:
         """The controls of the next tick. The last turning key pressed wins."""
+        turn, pointer, aim = 0, None, self._aim(camera, game)
         if self.held:
-            return Controls(1 if self.held[-1].action is Action.RIGHT else -1, None, self.serve, self.give_up)
-        if self.spin:
-            return Controls(0, _spun(game, self.spin), self.serve, self.give_up)
-        pixel = camera.centre + self.stick.conjugate() * _STICK_PIXELS if self.stick else self.pointer
-        return Controls(0, _bearing_steps(pixel, camera), self.serve, self.give_up)
+            turn = 1 if self.held[-1].action is Action.RIGHT else -1
+        elif self.spin:
+            pointer = _spun(game, self.spin)
+        elif self.stick:
+            pointer = _bearing_steps(_pixel_of(self.stick, camera), camera)
+        elif aim is None:
+            pointer = _bearing_steps(self.pointer, camera)
+        return Controls(turn, pointer, self.serve, self.give_up, aim)
 
     def one_button_controls(self, game: Game) -> Controls:
         """The controls of the next tick for a player with one button: a press serves, and reverses the paddles in play."""
@@ -100,10 +109,25 @@ class Hands(NamedTuple):
         match signal:
             case Moved(pixel):
                 return self if self.held or self.stick or self.spin else self._replace(pointer=pixel)
+            case Pointed(direction, True):
+                return self._replace(aiming=direction)
             case Pointed(direction):
                 return self._replace(stick=direction, pointer=None)
             case Squeezed(spin):
                 return self._replace(spin=spin, pointer=None)
+
+    def _aim(self, camera: Camera, game: Game) -> int | None:
+        """Where the ball shall be served to: where the right stick points, or to the mouse if that is well inside."""
+        if game.phase != Phase.SERVING or not game.arena.balls:
+            return None
+        if self.aiming:
+            return _bearing_steps(_pixel_of(self.aiming, camera), camera)
+        if self.pointer is None:
+            return None
+        target = camera.unproject(self.pointer)
+        if abs(target) > _AIMING_SHARE * paddle_ring(game).inner_radius:
+            return None
+        return _steps(cmath.phase(target - game.arena.balls[0].position))
 
     def _without(self, position: int) -> tuple[Pressed, ...]:
         """The held keys but one."""
@@ -117,6 +141,11 @@ def _is_press(signal: Signal) -> bool:
             return action in _ANY_BUTTON and not of_stick(position)
         case _:
             return isinstance(signal, Clicked)
+
+
+def _pixel_of(direction: complex, camera: Camera) -> complex:
+    """A pixel in a direction from the arena's centre."""
+    return camera.centre + direction.conjugate() * _STICK_PIXELS
 
 
 def _bearing_steps(pixel: complex | None, camera: Camera) -> int | None:

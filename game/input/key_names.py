@@ -5,22 +5,14 @@ from functools import cache
 
 import pygame
 
-from game.input.keys import KEYS, NAMED_KEY, US_CODES, Action, position_of
+from game.input.keys import CONTROL_CODES, KEYS, NAMED_KEY, US_CODES, Action, position_of
 from game.language import tr, tr_noop
 
 _CHARACTERS = range(ord("!"), 0x600)
 """Codes of keys with a character: Latin, Greek, Cyrillic, Armenian, Hebrew."""
-_CONTROLS = {
-    pygame.KSCAN_RETURN: pygame.K_RETURN,
-    pygame.KSCAN_ESCAPE: pygame.K_ESCAPE,
-    pygame.KSCAN_BACKSPACE: pygame.K_BACKSPACE,
-    pygame.KSCAN_TAB: pygame.K_TAB,
-    pygame.KSCAN_SPACE: pygame.K_SPACE,
-    pygame.KSCAN_DELETE: pygame.K_DELETE,
-}
-"""Position to code of the keys that have a code below those with a character: the same on all layouts."""
 _WORDS = {
     "return": tr_noop("Enter"),
+    "enter": tr_noop("Keypad Enter"),
     "escape": tr_noop("Esc"),
     "space": tr_noop("Space"),
     "tab": tr_noop("Tab"),
@@ -148,7 +140,8 @@ def watch_help() -> tuple[tuple[str, str], ...]:
 
 def _without_keypad(names: Iterable[str]) -> tuple[str, ...]:
     """The names, each once, but for those of the keypad: they are in brackets."""
-    return tuple(dict.fromkeys([name for name in names if len(name) == 1 or not name.startswith("[")]))
+    keypad = tr(_WORDS["enter"])
+    return tuple(dict.fromkeys([name for name in names if len(name) == 1 or not (name.startswith("[") or name == keypad)]))
 
 
 def _all(*actions: Action) -> str:
@@ -158,12 +151,12 @@ def _all(*actions: Action) -> str:
 
 def _code_at(position: int) -> int:
     """The code of the key at a position."""
-    return _CONTROLS.get(position) or _codes_by_position().get(position, position | NAMED_KEY)
+    return CONTROL_CODES.get(position) or _codes_by_position().get(position, position | NAMED_KEY)
 
 
 def _positions_with(code: int) -> list[int]:
     """Where the present layout has a code."""
-    return [position for keys in (_CONTROLS, _codes_by_position()) for position, known in keys.items() if known == code]
+    return [position for keys in (CONTROL_CODES, _codes_by_position()) for position, known in keys.items() if known == code]
 
 
 def _name_of(code: int) -> str:

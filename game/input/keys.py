@@ -15,6 +15,7 @@ from game.input.actions import Action
 
 __all__ = [
     "BINDINGS",
+    "CONTROL_CODES",
     "KEYS",
     "NAMED_KEY",
     "US_CODES",
@@ -84,6 +85,16 @@ US_CODES: Mapping[int, int] = {
 }
 """Position to code of the printing keys that are bound to anything, on the US layout."""
 
+CONTROL_CODES: Mapping[int, int] = {
+    pygame.KSCAN_RETURN: pygame.K_RETURN,
+    pygame.KSCAN_ESCAPE: pygame.K_ESCAPE,
+    pygame.KSCAN_BACKSPACE: pygame.K_BACKSPACE,
+    pygame.KSCAN_TAB: pygame.K_TAB,
+    pygame.KSCAN_SPACE: pygame.K_SPACE,
+    pygame.KSCAN_DELETE: pygame.K_DELETE,
+}
+"""Position to code of the keys whose codes are below those of characters: the same on all layouts."""
+
 NAMED_KEY = 1 << 30
 """Set in the code of a key without a character; the rest of such a code is the key's position."""
 
@@ -92,7 +103,7 @@ def position_of(code: int) -> int:
     """Where the US layout has a code; 0 where that is not known."""
     if code & NAMED_KEY:
         return code & ~NAMED_KEY
-    return next((position for position, known in US_CODES.items() if known == code), 0)
+    return next((position for position, known in (*CONTROL_CODES.items(), *US_CODES.items()) if known == code), 0)
 
 
 class KeyTable:

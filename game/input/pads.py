@@ -1,7 +1,8 @@
 """Gamepads: plugged in and pulled out at any time, their buttons, sticks and triggers as signals.
 
 The left stick does two things: it points, as the paddles follow its angle; and pushed to one side it is a key of that
-direction, as menus know it. Gamepads are known by SDL's table of them, which names buttons by where they are on all.
+direction, as menus know it. The right stick points too: it aims the serve. Gamepads are known by SDL's table of them, which
+names buttons by where they are on all.
 """
 
 import contextlib
@@ -33,6 +34,7 @@ class _Pad:
     number: int
     axes: dict[int, int] = field(default_factory=dict)
     points: bool = False
+    aims: bool = False
     pushed: complex = 0
 
     def share(self, axis: int) -> float:
@@ -115,6 +117,8 @@ class Pads:
         pad.axes[event.axis] = event.value
         if event.axis in (pygame.CONTROLLER_AXIS_LEFTX, pygame.CONTROLLER_AXIS_LEFTY):
             yield from self._stick(pad)
+        elif event.axis in (pygame.CONTROLLER_AXIS_RIGHTX, pygame.CONTROLLER_AXIS_RIGHTY):
+            yield from self._right_stick(pad)
         elif event.axis in (pygame.CONTROLLER_AXIS_TRIGGERLEFT, pygame.CONTROLLER_AXIS_TRIGGERRIGHT):
             left, right = (
                 max(pad.share(axis) - _TRIGGER_SLACK, 0.0) / (1.0 - _TRIGGER_SLACK)
@@ -122,6 +126,15 @@ class Pads:
             )
             self._last = pad.number if left or right else self._last
             yield Squeezed(right - left)
+
+    def _right_stick(self, pad: _Pad) -> Iterator[Signal]:
+        """The right stick moved."""
+        at = complex(pad.share(pygame.CONTROLLER_AXIS_RIGHTX), -pad.share(pygame.CONTROLLER_AXIS_RIGHTY))
+        aims = abs(at) >= (_LET_GO if pad.aims else _PUSHED)
+        if aims or pad.aims:
+            self._last = pad.number
+            yield Pointed(at / abs(at) if aims else 0j, aims=True)
+        pad.aims = aims
 
     def _stick(self, pad: _Pad) -> Iterator[Signal]:
         """The left stick moved."""

@@ -68,9 +68,14 @@ class Zoomed:
 
 @dataclass(frozen=True)
 class Pointed:
-    """A gamepad's stick points somewhere. direction: of length 1, to the right and up; 0 once the stick is let go."""
+    """A gamepad's stick points somewhere.
+
+    direction: of length 1, to the right and up; 0 once the stick is let go. aims: it is the right stick, which aims the serve;
+    the left one moves the paddles.
+    """
 
     direction: complex
+    aims: bool = False
 
 
 @dataclass(frozen=True)

@@ -15,8 +15,6 @@ SECONDS = 2.2
 """For which a caption is shown."""
 _MOST = 3
 """Captions at a time."""
-_LEFT_OUT = frozenset({EventKind.PADDLE_HIT, EventKind.NUDGED, EventKind.LEVEL_STARTED})
-"""Events whose sounds say nothing that is not seen at the paddle, or that have none."""
 _WORDS = {
     EventKind.SERVED: tr_noop("ball served"),
     EventKind.BRICK_HIT: tr_noop("brick struck"),
@@ -25,8 +23,26 @@ _WORDS = {
     EventKind.LEVEL_CLEARED: tr_noop("level cleared"),
     EventKind.GAME_WON: tr_noop("game won"),
     EventKind.GAME_OVER: tr_noop("game over"),
+    EventKind.DROP_RELEASED: tr_noop("power-up on its way"),
+    EventKind.DROP_CAUGHT: tr_noop("power-up caught"),
+    EventKind.DROP_LOST: tr_noop("power-up missed"),
+    EventKind.POWER_ENDED: tr_noop("power-up ended"),
+    EventKind.LIFE_GAINED: tr_noop("one life more"),
+    EventKind.BALL_CAUGHT: tr_noop("ball sticks to the paddle"),
+    EventKind.SPEED_UP: tr_noop("balls faster"),
+    EventKind.SHIELD_HIT: tr_noop("shield used up"),
+    EventKind.BUMPER_HIT: tr_noop("bumper struck"),
+    EventKind.BRICK_REGROWN: tr_noop("brick grown again"),
+    EventKind.CORE_BROKEN: tr_noop("core broken"),
 }
-_ON_ITS_POSITION = frozenset({EventKind.BRICK_HIT, EventKind.WALL_HIT, EventKind.BALL_LOST})
+"""What sounds say, but for those that say only what is seen where one looks: paddles' hits, nudges, balls that meet."""
+_ON_ITS_POSITION = frozenset(
+    {
+        EventKind.BALL_LOST,
+        EventKind.DROP_RELEASED,
+        EventKind.BRICK_REGROWN,
+    }
+)
 """Events of which it helps to know where."""
 _DIRECTIONS = (
     tr_noop("right"),
@@ -43,6 +59,10 @@ _SIZE, _PITCH, _MARGIN, _RIGHT, _BOTTOM = 1.1, 1.9, 0.6, 0.8, 5.2
 """Size of letters, from line to line, from words to the plate's ends, and from the plates to the surface's edges."""
 _PLATE, _CORNER, _EDGE_LINE = 1.6, 0.4, 0.06
 """Height of a plate, radius of its corners and width of its edge."""
+
+_WIDEST, _HIGHEST = 0.34, 0.62
+"""Share of the surface's width for the words, which are smaller where they need more; and of its height, above which only the
+newest caption may be."""
 
 
 class Caption(NamedTuple):
@@ -69,7 +89,7 @@ class Caption(NamedTuple):
 def after(captions: tuple[Caption, ...], ticked: Ticked, camera: Camera) -> tuple[Caption, ...]:
     """The captions after a tick, the newest last; the same sound once more counts on."""
     for event in ticked.events:
-        if event.kind not in _LEFT_OUT:
+        if event.kind in _WORDS:
             captions = _with(captions, event, camera)
     return captions
 
@@ -84,9 +104,14 @@ def draw(canvas: Canvas, captions: tuple[Caption, ...]) -> None:
     """The captions in the lower right, where no ball and no paddle comes, the newest lowest."""
     theme, unit, (width, height) = canvas.theme, canvas.unit, canvas.size
     for index, caption in enumerate(reversed(captions)):
-        words = canvas.type.rendered(caption.text, unit * _SIZE, theme.text)
+        bottom = height - unit * (_BOTTOM + _PITCH * index)
+        if index and bottom - unit * _PLATE < height * _HIGHEST:
+            return
+        wide = canvas.type.rendered(caption.text, unit * _SIZE, theme.text).get_width()
+        size = _SIZE * min(width * _WIDEST / wide, 1.0)
+        words = canvas.type.rendered(caption.text, unit * size, theme.text)
         plate = pygame.Rect(0, 0, round(words.get_width() + 2.0 * unit * _MARGIN), round(unit * _PLATE))
-        plate.bottomright = (round(width - unit * _RIGHT), round(height - unit * (_BOTTOM + _PITCH * index)))
+        plate.bottomright = (round(width - unit * _RIGHT), round(bottom))
         draw_box(canvas.surface, plate, unit * _CORNER, theme.panel, theme.panel_edge, unit * _EDGE_LINE)
         canvas.surface.blit(words, words.get_rect(center=plate.center))
 

@@ -14,10 +14,8 @@ VOLUME_STEP = 10
 THEMES = {"dark": DARK, "light": LIGHT}
 SPEEDS = (50, 100)
 """The least and the most of the game's speed, per cent."""
-SPEED_STEP = 5
 TEXT_SIZES = (100, 200)
 """The least and the most of the size of text, per cent."""
-TEXT_STEP = 10
 
 
 class Settings(NamedTuple):
@@ -74,11 +72,3 @@ class Settings(NamedTuple):
     def toggled(self, kind: EffectKind) -> "Settings":
         """An effect wanted or not wanted any more."""
         return self._replace(off=self.off ^ {kind})
-
-    def faster(self, steps: int) -> "Settings":
-        """The game some steps faster, or slower below 0."""
-        return self._replace(speed=min(max(self.speed + steps * SPEED_STEP, SPEEDS[0]), SPEEDS[1]))
-
-    def larger_text(self, steps: int) -> "Settings":
-        """Text some steps larger, or smaller below 0."""
-        return self._replace(text_size=min(max(self.text_size + steps * TEXT_STEP, TEXT_SIZES[0]), TEXT_SIZES[1]))

@@ -1,6 +1,8 @@
 """Keys and mouse to controls."""
 
+import cmath
 import itertools
+import math
 import os
 
 os.environ["SDL_VIDEODRIVER"] = "dummy"
@@ -29,10 +31,11 @@ from game.input.signals import (
     translated,
 )
 from game.levels import built_in
-from game.rules import POINTER_STEPS, Controls, new_game
+from game.rules import POINTER_STEPS, Controls, Phase, new_game
 
 CAMERA = Camera(400 + 300j, 30.0)
-GAME = new_game(built_in(), 1)
+WAITING = new_game(built_in(), 1)
+GAME = WAITING._replace(phase=Phase.PLAYING)
 ONE = 1 + 1j
 ARROW_LEFT, ARROW_RIGHT = pygame.KSCAN_LEFT, pygame.KSCAN_RIGHT
 
@@ -162,6 +165,36 @@ def test_keys_take_over_from_the_mouse_until_it_moves_again():
     released = hands.after(Released(Action.LEFT))
     assert released.controls(CAMERA, GAME) == Controls()
     assert released.after(Moved(500 + 300j, held=False)).controls(CAMERA, GAME) == Controls(pointer=0)
+
+
+def test_the_serve_is_aimed_at_the_mouse_or_by_the_right_stick():
+    """Before the serve: the ball flies to where the mouse is, inside of the paddles, which it moves from beyond them."""
+    ball = WAITING.arena.balls[0].position
+    inside, outside = 3 + 1j, 9.9 + 0j
+    aimed = after(Moved(CAMERA.project(inside), held=False)).controls(CAMERA, WAITING)
+    assert aimed.pointer is None
+    offset = cmath.phase((inside - ball) / cmath.rect(1.0, aimed.aim * math.tau / POINTER_STEPS))
+    assert offset == pytest.approx(0.0, abs=math.tau / POINTER_STEPS)
+    assert after(Moved(CAMERA.project(outside), held=False)).controls(CAMERA, WAITING) == Controls(pointer=0)
+    both = after(Pointed(1 + 0j), Pointed(1j, aims=True))
+    assert both.controls(CAMERA, WAITING) == Controls(pointer=0, aim=POINTER_STEPS // 4)
+    assert both.controls(CAMERA, GAME) == Controls(pointer=0)
+    assert after(Pressed(Action.LEFT, ARROW_LEFT)).controls(CAMERA, WAITING) == Controls(turn=-1)
+
+
+def test_one_button_serves_and_reverses():
+    """Any press: of a key, a button, on the screen; before the serve the paddles stand still."""
+    hands, turns = Hands(), []
+    assert hands.one_button_controls(WAITING) == Controls()
+    presses = (Pressed(Action.SERVE), Clicked(1 + 1j), Pressed(Action.LEFT, ARROW_LEFT), Pressed(Action.UP, pygame.KSCAN_UP))
+    for press in presses:
+        hands = hands.after(press)
+        assert hands.one_button_controls(WAITING).serve
+        turns.append(hands.one_button_controls(GAME).turn)
+        hands = hands.after_tick()
+        assert not hands.one_button_controls(WAITING).serve
+    assert turns == [-1, 1, -1, 1]
+    assert hands.after(Moved(3 + 3j, held=False)).after(Pressed(Action.MUTE)).one_button_controls(GAME) == Controls(turn=1)
 
 
 def test_a_pointer_on_the_centre_points_nowhere():

@@ -11,9 +11,9 @@ from pygame._sdl2 import controller
 
 from game.input.hands import Hands
 from game.rules import Phase, paddle_ring
-from game.screens.menu import Menu
 from game.screens.play import PlayScreen
 from game.screens.title import Title
+from game.screens.toolkit.menu import Menu
 from tests.support.dummy_window import FRAME, Desk, shared
 from tests.support.virtual_pad import VirtualPad, library
 
@@ -51,6 +51,16 @@ def tap(desk, pad, button):
     desk.wait(2 * FRAME)
 
 
+def choose(desk, pad, label):
+    """Go down to a button and accept it."""
+    for _ in range(20):
+        spots = desk.screen._laid(desk.window.size).spots
+        if any((spot.row, spot.column) == desk.screen._focus and spot.item.label == label for spot in spots):
+            break
+        tap(desk, pad, pygame.CONTROLLER_BUTTON_DPAD_DOWN)
+    tap(desk, pad, pygame.CONTROLLER_BUTTON_A)
+
+
 def game_of(desk):
     """The game being played."""
     assert isinstance(desk.screen, PlayScreen)
@@ -60,13 +70,13 @@ def game_of(desk):
 def test_a_gamepad_alone_chooses_serves_steers_pauses_and_leaves(desk, pad):
     """The paddle stands where the stick points, from the title through a game and its pause menu to the title and out."""
     assert "Gamepad" in desk.shared.toast.text
-    tap(desk, pad, pygame.CONTROLLER_BUTTON_DPAD_RIGHT)
-    assert desk.shared.chosen == 1
-    pad.push(X, -1.0)
+    tap(desk, pad, pygame.CONTROLLER_BUTTON_DPAD_DOWN)
+    assert desk.screen._focus.row == 1
+    pad.push(Y, -1.0)
     desk.wait(3 * FRAME)
-    pad.push(X, 0.0)
+    pad.push(Y, 0.0)
     desk.wait(3 * FRAME)
-    assert desk.shared.chosen == 0
+    assert desk.screen._focus.row == 0
     tap(desk, pad, pygame.CONTROLLER_BUTTON_A)
     for angle in (30.0, 135.0, 260.0):
         pad.push(X, math.cos(math.radians(angle)))
@@ -81,11 +91,9 @@ def test_a_gamepad_alone_chooses_serves_steers_pauses_and_leaves(desk, pad):
     assert game_of(desk).phase == Phase.PLAYING
     tap(desk, pad, pygame.CONTROLLER_BUTTON_START)
     assert isinstance(desk.screen, Menu)
-    for _ in range(3):
-        tap(desk, pad, pygame.CONTROLLER_BUTTON_DPAD_DOWN)
-    tap(desk, pad, pygame.CONTROLLER_BUTTON_A)
+    choose(desk, pad, "Title")
     assert isinstance(desk.screen, Title)
-    tap(desk, pad, pygame.CONTROLLER_BUTTON_B)
+    choose(desk, pad, "Quit")
     assert desk.screen is None
 
 
@@ -116,7 +124,7 @@ def test_a_gamepad_pulled_out_pauses_the_game_that_it_plays(desk, pad):
     pad.pull_out()
     desk.wait(3 * FRAME)
     assert isinstance(desk.screen, Menu)
-    assert screen._hands == Hands()
+    assert screen._hands._replace(turned=1) == Hands()
     other = VirtualPad(SDL)
     desk.wait(3 * FRAME)
     tap(desk, other, pygame.CONTROLLER_BUTTON_A)
