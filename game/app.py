@@ -38,6 +38,7 @@ from game.second_opinion import Compare
 from game.settings.file import SettingsFile
 from game.settings.keys import changed
 from game.sound.mixer import Audio
+from game.student.functions_file import FunctionsFile
 from game.system import window as display
 from game.system.display_lost import on_display_lost
 from game.system.ending import deferred, pending
@@ -60,6 +61,7 @@ class Services(NamedTuple):
     engine: makes the engine that the lab compares with.
     settings: the file of the player's settings. kept: scores, progress and finished games.
     lost: told when the display is gone and the program is about to end without returning from here.
+    functions: the player's own, for the lab to show beside ours.
     """
 
     compare: Compare | None = None
@@ -67,6 +69,7 @@ class Services(NamedTuple):
     settings: SettingsFile | None = None
     kept: Kept | None = None
     lost: Callable[[], None] | None = None
+    functions: FunctionsFile | None = None
 
 
 NO_SERVICES = Services()
@@ -142,7 +145,7 @@ def edit(path: Path, services: Services = NO_SERVICES) -> int:
 def _state(catalogue: tuple[Level, ...], services: Services, chosen: int, seed: int) -> AppState:
     """The state that a window begins with."""
     state = AppState(catalogue, chosen, seed, Title, compare=services.compare, settings_file=services.settings)
-    state.open_lab = _lab_opener(services.engine)
+    state.open_lab, state.functions = _lab_opener(services.engine), services.functions
     state.open_levels = lambda state: LevelSelect(state, Title(state))
     if services.kept is not None:
         state.kept = services.kept

@@ -29,6 +29,8 @@ from game.second_opinion import Compare, NormalPair
 from game.settings.file import SettingsFile
 from game.settings.values import LOUDEST, Settings
 from game.sound.mixer import Audio
+from game.sound.music.mood import mood_of
+from game.student.functions_file import FunctionsFile
 
 Recorder = Callable[[Controls, Game], None]
 """Told every tick of a played game: its controls, and the game after it. `tick` is 1 after the first tick of a new game."""
@@ -54,6 +56,7 @@ class AppState:
     recorder: told every tick that is played; None for nobody.
     autopilot: whether it plays instead of the player.
     physics: that games are flown on. ruleset: of new games. two_players: whether two steer the paddles.
+    functions: the player's own, which the lab shows beside ours; None without.
     settings: the player's, as they hold now; settings_file: where they outlive the session.
     full_screen: whether the window is; wants_full_screen: whether it shall be, as the settings say; None for no wish.
     settings_tab: index of the part of the settings that was open last.
@@ -93,6 +96,7 @@ class AppState:
     away: bool = False
     shown: object = None
     physics: ChosenPhysics = SWEPT
+    functions: FunctionsFile | None = None
     ruleset: Ruleset = SOURCE_RULES
     two_players: bool = False
     devices: Devices = field(default_factory=Devices)
@@ -126,7 +130,8 @@ class AppState:
 
     def canvas(self, surface: pygame.Surface, camera: Camera = _PIXELS) -> Canvas:
         """A canvas in the settings' colours. camera: of what is drawn, unless it is text and boxes alone."""
-        return Canvas(surface, camera, self.theme, self.type, unit_of(surface.get_size()))
+        looks = self.settings.ball, self.settings.trail
+        return Canvas(surface, camera, self.theme, self.type, unit_of(surface.get_size()), *looks)
 
     def words(self, canvas: Canvas) -> Canvas:
         """The same canvas for words that are as large as the player wants them."""
@@ -142,6 +147,7 @@ class AppState:
         if self.audio is not None:
             self.audio.muted = not settings.sound
             self.audio.volume = settings.volume / LOUDEST
+            self.audio.music_volume = settings.music / LOUDEST
 
     def save_settings(self) -> None:
         """Write the settings down for the next session."""
@@ -156,8 +162,11 @@ class AppState:
             self.toast = Toast(problems[-1], left=_TOLD_SECONDS)
 
     def play_sounds(self, ticked: Ticked, camera: Camera) -> None:
-        """Make the sounds of a tick, each where its event is on the screen."""
-        if self.audio is not None and ticked.events:
+        """Make the sounds of a tick, each where its event is on the screen; the music follows the game."""
+        if self.audio is None:
+            return
+        self.audio.follow(mood_of(ticked.game))
+        if ticked.events:
             reach = ticked.game.level.ground_radius
             self.audio.play(ticked.events, lambda position: camera.side(position, reach), ticked.game.combo)
 

@@ -9,6 +9,7 @@ from game.drawing.camera import Camera, Layout, layout, unit_of
 from game.drawing.canvas import Canvas
 from game.effects import EffectKind, Effects
 from game.effects.hit_stop import hit_stop_seconds
+from game.effects.slow_motion import pace
 from game.fixed_step import Due, due
 from game.input.hands import Hands
 from game.input.key_names import key_name
@@ -18,6 +19,7 @@ from game.language import tr
 from game.levels import Level, number_of
 from game.overlay import captions, hud, notice
 from game.overlay.captions import Caption
+from game.overlay.toast import Toast
 from game.rules import TICK, Controls, EventKind, Phase, new_game, tick
 from game.scene import scene_at, still
 from game.screens import ghost, play_buttons
@@ -39,6 +41,8 @@ _END_TICKS = 200
 """From the end of the game to the results: nobody who is still playing chooses an entry by accident."""
 _CLEARED_TICKS = 150
 """From the last brick of a level to its results: it is seen breaking first."""
+_NEWS_SECONDS = 5.0
+"""How long news of the physics is shown."""
 _SECOND_PLAYERS = (pygame.KSCAN_A, pygame.KSCAN_D)
 """Positions of the second player's keys, where two play."""
 # Lengths are in units of text.
@@ -100,13 +104,16 @@ class PlayScreen:
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
         """Run the ticks that are due; a panel when a level or the game has ended."""
         self._state.view = self._state.view.later(seconds, smooth=not self._state.settings.reduced_motion)
+        if news := self._state.physics.news():
+            self._state.toast = Toast(news, left=_NEWS_SECONDS)
         if self._ready > 0.0:
             self._ready -= seconds
             return self
         self._captions = captions.later(self._captions, seconds)
         stopped = min(self._stop, max(seconds, 0.0))
         self._stop -= stopped
-        self._due = due(self._due.rest, (seconds - stopped) * self._state.settings.speed / 100.0)
+        slowed = pace(self._ticked.game) if EffectKind.SLOW_MOTION in self._state.settings.shown else 1.0
+        self._due = due(self._due.rest, (seconds - stopped) * slowed * self._state.settings.speed / 100.0)
         self._record.prepare()
         camera = self._layout(size).camera
         for _ in range(self._due.ticks):
@@ -148,7 +155,7 @@ class PlayScreen:
     def _notice(self) -> notice.Notice | None:
         """What to tell the player; nothing where the results are about to say it."""
         if 0.0 < self._ready < _READY_SECONDS:
-            return notice.READY
+            return notice.ready()
         game = self._ticked.game
         if game.phase in (Phase.OVER, Phase.WON):
             return None

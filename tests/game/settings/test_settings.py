@@ -18,6 +18,7 @@ from game.language import CODES, SYSTEM, choose
 from game.settings import file as settings_file
 from game.settings.file import VERSION, SettingsFile, decoded, encoded
 from game.settings.values import SPEEDS, TEXT_SIZES, Settings
+from game.unlocks import BALLS, TRAILS
 from tests.support.paths import ROOT
 
 CHOSEN = Settings("light", False, 30, True, False, frozenset({EffectKind.SHAKE, EffectKind.TRAIL}))
@@ -33,6 +34,9 @@ choices = st.builds(
     speed=st.integers(*SPEEDS),
     text_size=st.integers(*TEXT_SIZES),
     vision=st.sampled_from(VISIONS),
+    music=st.integers(0, 100),
+    ball=st.sampled_from(list(BALLS)),
+    trail=st.sampled_from(list(TRAILS)),
     language=st.sampled_from([SYSTEM, *CODES]),
     own_keys=st.dictionaries(st.sampled_from(Action), st.lists(st.integers(0, 511)).map(tuple)).map(
         lambda keys: OwnKeys(tuple(sorted(keys.items(), key=lambda choice: choice[0].value)))
@@ -238,10 +242,10 @@ def test_reduced_motion_does_without_what_moves_the_picture():
     assert {EffectKind.SHAKE, EffectKind.FLASH, EffectKind.HIT_STOP} <= MOVING
 
 
-def test_without_effects_only_the_trail_is_left():
-    """And not even that for those who do not want it."""
-    assert Settings(effects=False).shown == PLAIN == {EffectKind.TRAIL}
-    assert Settings(effects=False, off=frozenset({EffectKind.TRAIL})).shown == frozenset()
+def test_without_effects_only_the_trail_and_the_arenas_light_are_left():
+    """And not even these for those who do not want them."""
+    assert Settings(effects=False).shown == PLAIN == {EffectKind.TRAIL, EffectKind.DEPTH}
+    assert Settings(effects=False, off=PLAIN).shown == frozenset()
 
 
 def test_the_volume_goes_in_steps_and_ends_at_its_ends():
