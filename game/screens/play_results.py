@@ -55,7 +55,10 @@ def level_results(state: AppState, play: Played, game: Game, record: PlayRecord)
         Figure(tr("Score so far"), game.score),
     )
     rank = RANKS[int(result.rank)]
-    return Results(state, play, tr("Level cleared"), game.level.name, figures, entries, rank, back=play.went_on)
+    line = game.level.name
+    if record.earned:
+        line = tr("{level}. Yours from now on, in the settings: {things}").format(level=line, things=", ".join(record.earned))
+    return Results(state, play, tr("Level cleared"), line, figures, entries, rank, back=play.went_on)
 
 
 def game_results(state: AppState, play: Played, game: Game, record: PlayRecord) -> Screen:
