@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import pygame
 
@@ -20,6 +21,7 @@ from game.kept.store import Kept
 from game.language import choose
 from game.levels import Level
 from game.overlay.toast import Toast
+from game.own_levels import OwnLevels
 from game.rules import SOURCE_RULES, Controls, Game, Ruleset, Ticked
 from game.screens.base import Screen
 from game.screens.level_pictures import LevelPictures
@@ -28,6 +30,7 @@ from game.settings.file import SettingsFile
 from game.settings.values import LOUDEST, Settings
 from game.sound.mixer import Audio
 from game.sound.music.mood import mood_of
+from game.student.functions_file import FunctionsFile
 
 Recorder = Callable[[Controls, Game], None]
 """Told every tick of a played game: its controls, and the game after it. `tick` is 1 after the first tick of a new game."""
@@ -45,10 +48,13 @@ class AppState:
     catalogue: levels that the title offers; chosen: index of one of them.
     seed: of every new game.
     open_title: makes the title's screen; open_levels: the choice of levels over it, None where there is none.
+    own_levels: reads the player's; open_editor: makes the editor's screen for one of their files, None for a new one, with a
+    function that leads back; None where there is no editor.
     kept: scores, progress and finished games.
     recorder: told every tick that is played; None for nobody.
     autopilot: whether it plays instead of the player.
     physics: that games are flown on. ruleset: of new games. two_players: whether two steer the paddles.
+    functions: the player's own, which the lab shows beside ours; None without.
     settings: the player's, as they hold now; settings_file: where they outlive the session.
     full_screen: whether the window is; wants_full_screen: whether it shall be, as the settings say; None for no wish.
     settings_tab: index of the part of the settings that was open last.
@@ -71,6 +77,8 @@ class AppState:
     autopilot: bool = False
     settings: Settings = field(default_factory=Settings)
     open_levels: "Callable[[AppState], Screen] | None" = None
+    own_levels: Callable[[], OwnLevels] = lambda: OwnLevels((), (), ())
+    open_editor: "Callable[[AppState, Callable[[], Screen | None], Path | None], Screen] | None" = None
     kept: Kept = field(default_factory=lambda: Kept(None))
     full_screen: bool = False
     wants_full_screen: bool | None = None
@@ -85,6 +93,7 @@ class AppState:
     away: bool = False
     shown: object = None
     physics: ChosenPhysics = SWEPT
+    functions: FunctionsFile | None = None
     ruleset: Ruleset = SOURCE_RULES
     two_players: bool = False
     devices: Devices = field(default_factory=Devices)

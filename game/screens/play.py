@@ -4,7 +4,6 @@ import pygame
 
 from game import effects
 from game.autopilot import Autopilot
-from game.chosen_physics import SWEPT
 from game.drawing import contact_normals
 from game.drawing.camera import Camera, Layout, layout, unit_of
 from game.drawing.canvas import Canvas
@@ -20,6 +19,7 @@ from game.language import tr
 from game.levels import Level, number_of
 from game.overlay import captions, hud, notice
 from game.overlay.captions import Caption
+from game.overlay.toast import Toast
 from game.rules import TICK, Controls, EventKind, Phase, new_game, tick
 from game.scene import scene_at, still
 from game.screens import ghost, play_buttons
@@ -41,6 +41,8 @@ _END_TICKS = 200
 """From the end of the game to the results: nobody who is still playing chooses an entry by accident."""
 _CLEARED_TICKS = 150
 """From the last brick of a level to its results: it is seen breaking first."""
+_NEWS_SECONDS = 5.0
+"""How long news of the physics is shown."""
 _SECOND_PLAYERS = (pygame.KSCAN_A, pygame.KSCAN_D)
 """Positions of the second player's keys, where two play."""
 # Lengths are in units of text.
@@ -67,7 +69,7 @@ class PlayScreen:
         self._untouched = 0  # ticks with a ball in play since a paddle touched it
         self._hovered: Action | None = None  # what the button means that the mouse is on
         self._told = -1  # number of the level whose results were shown last
-        self._record = PlayRecord(state, levels, counts=self._pilot is None and state.physics is SWEPT)
+        self._record = PlayRecord(state, levels)
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
         """Take the player's controls into account, or open a panel."""
@@ -102,6 +104,8 @@ class PlayScreen:
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
         """Run the ticks that are due; a panel when a level or the game has ended."""
         self._state.view = self._state.view.later(seconds, smooth=not self._state.settings.reduced_motion)
+        if news := self._state.physics.news():
+            self._state.toast = Toast(news, left=_NEWS_SECONDS)
         if self._ready > 0.0:
             self._ready -= seconds
             return self
@@ -125,9 +129,10 @@ class PlayScreen:
         canvas = state.canvas(surface, seen.camera)
         scene = scene_at(self._ticked, self._due.alpha, self._effects)
         state.painter.paint(canvas, scene)
-        racing = None if self._record.ghost is None else self._record.ghost.game
+        racing = None if self._record.ghost is None or not state.settings.ghost else self._record.ghost.game
         if racing is not None:
             ghost.draw(canvas, racing)
+            ghost.draw_lead(canvas, self._ticked.game, racing)
         if state.shows_normals:
             contact_normals.draw(canvas, self._normals)
         badge = aids.badge(state.settings) if self._pilot is None else tr("autopilot")

@@ -52,7 +52,10 @@ class HighScores(Panel):
     def _line(self, number: int, score: Score) -> Cells:
         """A line of the table."""
         until = tr("the end") if score.won else score.last
-        words = (str(number), "", score.name or "-", f"{score.score:,}", "", until, score.date)
+        name = score.name or "-"
+        if score.speed < 100:
+            name = tr("{name} ({speed} %)").format(name=name, speed=score.speed)
+        words = (str(number), "", name, f"{score.score:,}", "", until, score.date)
         cells = tuple([(word, *column) for word, column in zip(words, _COLUMNS, strict=True)])
         tip = tr("Watch this game.") if score.replay else tr("No replay of this game was kept.")
         return Cells(cells, lambda: self._watched(score), tip, strong=score == self._entered)

@@ -78,6 +78,7 @@ def _picture(state: AppState, _panel: Screen) -> tuple[Row, ...]:
         (colours,),
         (screen,),
         (_switch(state, tr("Reduced motion"), "reduced_motion", motion),),
+        (_switch(state, tr("Ghost"), "ghost", tr("Pale outlines show your best run of the level beside you.")),),
         (_unlockable(state, tr("Ball"), "ball", BALLS, ball_names()),),
         (_unlockable(state, tr("Trail"), "trail", TRAILS, trail_names()),),
     )

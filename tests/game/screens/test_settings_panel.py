@@ -64,11 +64,12 @@ def test_every_row_changes_something_and_changes_it_back(desk):
                 continue
             before = desk.shared.settings
             desk.focus(spot.item.label)
-            desk.press(pygame.K_RETURN)
+            desk.press(pygame.K_LEFT if isinstance(spot.item, Slider) and spot.item.level == 1.0 else pygame.K_RETURN)
             assert desk.shared.settings != before, spot.item.label
             options = len(spot.item.options) if isinstance(spot.item, Choice) else 2
             for _ in range(options - 1):
-                desk.press(pygame.K_LEFT if isinstance(spot.item, Slider) else pygame.K_RETURN)
+                back = pygame.K_RIGHT if before.speed > desk.shared.settings.speed else pygame.K_LEFT
+                desk.press(back if isinstance(spot.item, Slider) else pygame.K_RETURN)
             assert desk.shared.settings == before, spot.item.label
             changed += 1
         desk.press(pygame.K_ESCAPE)
@@ -182,10 +183,11 @@ def test_items_are_inside_the_panel_and_apart(desk, size):
     for index in range(len(PARTS)):
         panel.open_tab(index)
         laid = panel._laid(size)
-        boxes = [spot.box for spot in laid.spots]
         assert pygame.Rect(0, 0, *size).contains(laid.plate)
-        assert all(laid.plate.contains(box) for box in boxes) or laid.over
-        assert all(len(box.collidelistall(boxes)) == 1 for box in boxes)
+        assert laid.plate.contains(laid.body)
+        for boxes in ([spot.box for spot in laid.spots if spot.in_body is inside] for inside in (True, False)):
+            assert all(laid.plate.contains(box) for box in boxes) or laid.over
+            assert all(len(box.collidelistall(boxes)) == 1 for box in boxes)
 
 
 def test_reduced_motion_lets_the_camera_cut(desk):
