@@ -30,7 +30,7 @@ _POINTS_PER_LIFE = 100
 _BUMPER_POINTS = 5
 _BURST_TICKS = 240
 """Ticks for which a bumper makes the balls faster."""
-_PAR_START, _PAR_PER_LAYER = 20.0, 2.0
+_PAR_START, _PAR_PER_LAYER = 15.0, 1.5
 """Seconds: a level's par is the first, and the second for every layer."""
 _POINTS_PER_SECOND = 10
 """Points for every whole second below par."""
