@@ -14,11 +14,12 @@ from game.chosen_physics import SWEPT, ChosenPhysics, flown_on, functions_of
 from game.editor.command import file_to_edit
 from game.effects import LONGEST
 from game.headless import autopilot_game, result_line
+from game.kept.scores import objection
+from game.kept.store import Kept, data_folder
 from game.lab.kit.second_engine import Engine
 from game.levels import Level, chosen, level_schema, warnings
 from game.picture_file import PlayedGame, picture_folders, save_picture, size_of
 from game.replays import file as replay
-from game.replays.history import History, kept_games
 from game.replays.verify import verified
 from game.rules import SOURCE_RULES, Difficulty, Ruleset, Ticked
 from game.second_opinion import Compare, NormalPair
@@ -93,7 +94,10 @@ def play(
             show_default="arcade; source if --physics source",
         ),
     ] = None,
-    difficulty: Annotated[Literal["easy", "normal", "hard"], typer.Option(help="Of the arcade rules.")] = "normal",
+    difficulty: Annotated[
+        Literal["easy", "normal", "hard"] | None,
+        typer.Option(help="Of the arcade rules.", show_default="normal; in the window the one chosen last"),
+    ] = None,
     screenshot: Annotated[Path | None, typer.Option(help="Draw the last tick of a headless game into this PNG file.")] = None,
     size: Annotated[str, typer.Option(metavar="WxH", help="Size of the screenshot in pixels.")] = "1280x800",
     view: Annotated[Literal["flat", "solid"], typer.Option(help="The screenshot's view: from above, or in 3D.")] = "flat",
@@ -135,8 +139,8 @@ def play(
         tell(result_line(last.game, physics if own is None else "own"))
 
 
-def _ruleset(context: typer.Context, rules: str | None, difficulty: str, physics: str) -> Ruleset:
-    """The rules that the options ask for; BadInputError for options that contradict each other."""
+def _ruleset(context: typer.Context, rules: str | None, difficulty: str | None, physics: str) -> Ruleset | None:
+    """The rules that the options ask for, None where they say nothing; BadInputError for options that contradict each other."""
     if rules == "arcade" and physics == "source":
         raise BadInputError(
             "--rules arcade: the slides' own algorithm is played by the source's rules; leave out one of the two"
@@ -144,7 +148,9 @@ def _ruleset(context: typer.Context, rules: str | None, difficulty: str, physics
     if rules == "source" or physics == "source":
         refuse_ignored(context, "is for the arcade rules", "difficulty")
         return SOURCE_RULES
-    return Ruleset(Difficulty[difficulty.upper()])
+    if rules is None and difficulty is None:
+        return None
+    return Ruleset(Difficulty[(difficulty or "normal").upper()])
 
 
 @app.command("levels")
@@ -182,11 +188,52 @@ def edit_level(
         edit(path, Services(settings=settings, lost=_say_lost))
 
 
+@app.command("screens")
+def save_screens(
+    pictures: Annotated[Path, typer.Option(metavar="DIR", help="The folder that gets a PNG file of every screen.")],
+    only: Annotated[str, typer.Option(help="A part of the names of the screens wanted.")] = "",
+    size: Annotated[str, typer.Option(metavar="WxH", help="Size of the pictures in pixels.")] = "1280x800",
+    theme: Annotated[Literal["dark", "light"], typer.Option(help="Their colours.")] = "dark",
+) -> None:
+    """Draw every screen of the game, with made-up scores, into a folder."""
+    pixels = size_of(size)
+    check_pygame()
+    from game.screens.gallery import save_pictures  # noqa: PLC0415  # pygame, only where it is needed
+
+    try:
+        pictures.mkdir(parents=True, exist_ok=True)
+        for path in save_pictures(pictures, pixels, theme, only):
+            tell(str(path))
+    except OSError as error:
+        raise BadInputError(f"--pictures {quoted_path(pictures)}: cannot write; {error.strerror or error}") from None
+
+
 @app.command("replays")
 def list_replays() -> None:
     """List the games kept from the window, newest first."""
-    for path in kept_games():
+    for path in Kept(data_folder()).games.paths():
         tell(str(path))
+
+
+@app.command("scores")
+def list_scores(
+    verify: Annotated[bool, typer.Option("--verify", help="Play every score's replay again and compare the points.")] = False,
+) -> None:
+    """List the high scores, best first; with --verify, prove them."""
+    kept = Kept(data_folder())
+    for line in kept.problems:
+        say(f"polar-breakout: {line}")
+    failed, scores = 0, sorted(kept.scores.value.entries, key=lambda score: (score.difficulty, -score.score))
+    for score in scores:
+        line = f"{score.difficulty:6} {score.score:>9,}  {score.name or '-':16}  {score.date:10}  {score.last}"
+        if not verify:
+            tell(line)
+            continue
+        why = "no folder" if kept.games.folder is None else objection(score, kept.games.folder)
+        failed += why is not None
+        tell(f"{line}  {'verified' if why is None else quoted(f'NOT VERIFIED: {why}', 200)}")
+    if failed:
+        raise CheckFailedError(f"{failed} of {len(scores)} scores could not be verified")
 
 
 @app.command("replay")
@@ -205,7 +252,7 @@ def watch_replay(
     from game.app import Services, watch  # noqa: PLC0415  # pygame, only where it is needed
 
     with _settings() as settings:
-        watch(recording, Services(_second_opinion(), _second_engine, settings, _say_lost))
+        watch(recording, Services(_second_opinion(), _second_engine, settings, lost=_say_lost))
 
 
 @app.command("lab")
@@ -279,11 +326,14 @@ def _refuse_physics(context: typer.Context, physics: str, own: Path | None, reco
 
 
 class _ChosenGame(NamedTuple):
-    """The game that the options ask for. record: the file of its replay; None for none. own: the player's functions."""
+    """The game that the options ask for.
+
+    ruleset: None where they say nothing. record: the file of its replay; None for none. own: the player's functions.
+    """
 
     levels: tuple[Level, ...]
     seed: int
-    ruleset: Ruleset
+    ruleset: Ruleset | None
     record: Path | None
     physics: ChosenPhysics
     own: FunctionsFile | None = None
@@ -291,7 +341,8 @@ class _ChosenGame(NamedTuple):
 
 def _play_headless(chosen_game: _ChosenGame, ticks: int) -> PlayedGame:
     """A game of the autopilot without a window, recorded if asked for; a signal ends it early, what was played is kept."""
-    levels, seed, ruleset, record, physics, _ = chosen_game
+    levels, seed, chosen_rules, record, physics, _ = chosen_game
+    ruleset = chosen_rules or Ruleset()
     recorder = None if record is None else replay.Recorder(levels, seed, ruleset)
     passed, cut_short = deque[Ticked](maxlen=LONGEST), 0
 
@@ -318,33 +369,32 @@ def _play_in_window(chosen_game: _ChosenGame, *, autopilot: bool) -> None:
     from game.app import play as play_in_window  # noqa: PLC0415
 
     levels, seed, ruleset, record, physics, own = chosen_game
-    history = History(record) if physics is SWEPT else None  # replays are verified with the swept physics
+    kept = Kept(data_folder(), record)
+    games = kept.games if physics is SWEPT else None  # replays are verified with the swept physics
 
     def lost() -> None:
         """Xlib ends the program: what there is of the game is written at once."""
-        _close(history)
-        kept = "" if history is None else "; games of five seconds and more are kept (polar-breakout replays)"
-        say(f"polar-breakout: the display is gone{kept}")
+        _close(kept)
+        told = "" if games is None else "; games of five seconds and more are kept (polar-breakout replays)"
+        say(f"polar-breakout: the display is gone{told}")
 
     with deferred():
         try:
             with _settings() as settings:
-                services = Services(_second_opinion(), _second_engine, settings, lost, own)
-                play_in_window(levels, seed, services, recorder=history, autopilot=autopilot, physics=physics, ruleset=ruleset)
+                services = Services(_second_opinion(), _second_engine, settings, kept, lost, own)
+                play_in_window(levels, seed, services, recorder=games, autopilot=autopilot, physics=physics, ruleset=ruleset)
         except EnvironmentMissingError as error:
             say(f"polar-breakout: {error}; playing 20 s without a window instead")
             _demonstrate(chosen_game)
         finally:
-            _close(history)
+            _close(kept)
 
 
-def _close(history: History | None) -> None:
-    """Write the game that is being played, if any is kept, and say if that was not possible."""
-    if history is None:
-        return
-    history.close()
-    if history.problem is not None:
-        say(f"polar-breakout: game not kept: {history.problem}")
+def _close(kept: Kept) -> None:
+    """Write the game that is being played, and say what could not be read or written."""
+    kept.game_done()
+    for line in kept.problems:
+        say(f"polar-breakout: {line}")
 
 
 @contextlib.contextmanager
