@@ -3,6 +3,7 @@
 import gc
 import time
 from collections.abc import Callable
+from pathlib import Path
 from typing import NamedTuple
 
 import pygame
@@ -117,6 +118,32 @@ def lab(line: str | None, services: Services = NO_SERVICES) -> int:
     return _shown(state, first, services)
 
 
+def edit(path: Path, services: Services = NO_SERVICES) -> int:
+    """Open a window with the editor on a level file until it is left; the exit code. Unsaved changes go into a file beside it.
+
+    Raises BadInputError for a file that is no level. Other errors are those of `play`.
+    """
+    from game.editor.command import editing_session, keep_unsaved  # noqa: PLC0415  # only where it is needed
+    from game.editor.file_watch import WatchedFile  # noqa: PLC0415
+    from game.editor.window.screen import Editor  # noqa: PLC0415
+
+    file = WatchedFile(path)
+    session = editing_session(file)
+    state = _state(built_in(), services, 0, 0)
+    editors: list[Editor] = []
+
+    def first() -> Screen:
+        editors.append(Editor(state, session, file))
+        return editors[0]
+
+    try:
+        return _shown(state, first, services, Audio)
+    finally:
+        for editor in editors:
+            if not editor.discarded:
+                keep_unsaved(editor.session, path)
+
+
 def _state(catalogue: tuple[Level, ...], services: Services, chosen: int, seed: int) -> AppState:
     """The state that a window begins with."""
     state = AppState(catalogue, chosen, seed, Title, compare=services.compare, settings_file=services.settings)
@@ -124,9 +151,9 @@ def _state(catalogue: tuple[Level, ...], services: Services, chosen: int, seed: 
     state.open_levels = lambda state: LevelSelect(state, Title(state))
     if services.kept is not None:
         state.kept = services.kept
-        state.ruleset = ruleset_of(state.kept.progress.value.last_difficulty)
         if state.kept.problems:
             state.toast = toast.Toast(state.kept.problems[0], left=_TOLD_SECONDS)
+    state.ruleset = ruleset_of(state.kept.progress.value.last_difficulty)
     return state
 
 
@@ -235,17 +262,19 @@ def frame(
 
 def _draw(window: pygame.Window, state: AppState, screen: Screen, surface: pygame.Surface) -> None:
     """Show a screen, unless it is one that looks as it did in the frame before."""
-    looks: object = None
-    if isinstance(screen, Still):
-        words = None if state.toast is None else (state.toast.text, state.toast.level)
-        looks = (screen, surface.get_size(), screen.looks, words)
-        if looks == state.shown:
-            return
+    if isinstance(screen, Still) and _looks(state, screen, surface) == state.shown:
+        return
     screen.draw(surface)
     if state.toast is not None:
         toast.draw(state.words(state.canvas(surface)), state.toast)
     _flip(window)
-    state.shown = looks
+    state.shown = _looks(state, screen, surface) if isinstance(screen, Still) else None
+
+
+def _looks(state: AppState, screen: Still, surface: pygame.Surface) -> tuple[object, ...]:
+    """All that the picture on the window depends on."""
+    told = None if state.toast is None else (state.toast.text, state.toast.level)
+    return screen, surface.get_size(), screen.looks, told
 
 
 def _surface(window: pygame.Window) -> pygame.Surface:

@@ -12,12 +12,13 @@ import typer
 
 from game import VERSION
 from game.chosen_physics import SOURCE, SWEPT, ChosenPhysics
+from game.editor.command import file_to_edit
 from game.effects import LONGEST, after_all
 from game.headless import autopilot_game, result_line
 from game.kept.scores import objection
 from game.kept.store import Kept, data_folder
 from game.lab.kit.second_engine import Engine
-from game.levels import Level, built_in, chosen, warnings
+from game.levels import Level, chosen, level_schema, warnings
 from game.replays import file as replay
 from game.replays.verify import verified
 from game.rules import SOURCE_RULES, Difficulty, Game, Ruleset, Ticked
@@ -144,24 +145,58 @@ def _ruleset(context: typer.Context, rules: str | None, difficulty: str | None, 
 
 
 @app.command("levels")
-def list_levels() -> None:
-    """List the levels that come with the game."""
-    from rich.console import Console  # noqa: PLC0415  # not for a game, which starts the sooner
-    from rich.table import Table  # noqa: PLC0415
+def show_levels(
+    pictures: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Draw every level into a PNG file in this folder.")
+    ] = None,
+    schema: Annotated[bool, typer.Option("--schema", help="Print the JSON schema of level files, for text editors.")] = False,
+) -> None:
+    """List the levels that come with the game, and one's own."""
+    from game.level_listing import list_levels, save_pictures  # noqa: PLC0415  # not for a game, which starts the sooner
 
-    table = Table(box=None, pad_edge=False)
-    for heading, justify in (
-        ("#", "right"),
-        ("name", "left"),
-        ("bricks", "right"),
-        ("layers", "right"),
-        ("description", "left"),
-    ):
-        table.add_column(heading, justify="right" if justify == "right" else "left", no_wrap=heading == "name")
-    for number, level in enumerate(built_in(), 1):
-        stacks = [layers for ring in level.rings for layers in ring.slots() if layers > 0]
-        table.add_row(str(number), level.name, str(len(stacks)), str(sum(stacks)), level.description)
-    Console().print(table)
+    if schema:
+        tell(level_schema())
+    elif pictures is None:
+        list_levels()
+    else:
+        check_pygame()
+        save_pictures(pictures)
+
+
+@app.command("edit")
+def edit_level(
+    file: Annotated[
+        Path | None,
+        typer.Argument(help="A level file, new or not; a name alone is one in the folder of own levels.", show_default=False),
+    ] = None,
+) -> None:
+    """Open the level editor."""
+    path = file_to_edit(file)
+    check_pygame()
+    from game.app import Services, edit  # noqa: PLC0415  # pygame, only where it is needed
+
+    with _settings() as settings:
+        edit(path, Services(settings=settings, lost=_say_lost))
+
+
+@app.command("screens")
+def save_screens(
+    pictures: Annotated[Path, typer.Option(metavar="DIR", help="The folder that gets a PNG file of every screen.")],
+    only: Annotated[str, typer.Option(help="A part of the names of the screens wanted.")] = "",
+    size: Annotated[str, typer.Option(metavar="WxH", help="Size of the pictures in pixels.")] = "1280x800",
+    theme: Annotated[Literal["dark", "light"], typer.Option(help="Their colours.")] = "dark",
+) -> None:
+    """Draw every screen of the game, with made-up scores, into a folder."""
+    pixels = _size(size)
+    check_pygame()
+    from game.screens.gallery import save_pictures  # noqa: PLC0415  # pygame, only where it is needed
+
+    try:
+        pictures.mkdir(parents=True, exist_ok=True)
+        for path in save_pictures(pictures, pixels, theme, only):
+            tell(str(path))
+    except OSError as error:
+        raise BadInputError(f"--pictures {quoted_path(pictures)}: cannot write; {error.strerror or error}") from None
 
 
 @app.command("replays")
@@ -266,7 +301,7 @@ def _verify(files: list[Path]) -> None:
 
 
 class _ChosenGame(NamedTuple):
-    """The game that the options ask for. ruleset: None where they say nothing. record: the file of its replay; None for none."""
+    """The game that the options ask for. ruleset: None where they say nothing. record: file of its replay, None for none."""
 
     levels: tuple[Level, ...]
     seed: int

@@ -36,6 +36,7 @@ __all__ = [
     "checked",
     "chosen",
     "draft",
+    "level_schema",
     "load_file",
     "number_of",
     "parse",
@@ -109,6 +110,16 @@ def checked(level: Level, source: str) -> Level:
     except ValueError as error:  # a size that the physics does not take
         raise BadInputError(f"{source}: {error}") from None
     return level
+
+
+def level_schema() -> str:
+    """The JSON schema of level files: keys, types, ranges. The rules between the numbers are those of `checked`."""
+    schema = {
+        "$schema": "https://json-schema.org/draft/2020-12/schema",
+        "title": "Polar Breakout level",
+        **msgspec.json.schema(Level),
+    }
+    return msgspec.json.format(msgspec.json.encode(schema), indent=2).decode()
 
 
 def _suggestion(what: str) -> str:

@@ -1,7 +1,7 @@
 """A versioned JSON file of the user's data folder: read whatever is there, changed under a lock, written whole.
 
-No file keeps the game from starting. One that cannot be read is moved aside; one of a newer version is left alone; where nothing
-can be written, the changes hold for the session. `problem` says in one line what went wrong last.
+No file keeps the game from starting. One that cannot be read is moved aside, one of a newer version is left alone. Where
+nothing can be written, the changes hold for the session. `problem` says in one line what went wrong last.
 """
 
 import time

@@ -60,5 +60,5 @@ class Progress(msgspec.Struct, frozen=True):
         return msgspec.structs.replace(self, bests=[*others, done])
 
     def is_open(self, index: int, levels: list[str]) -> bool:
-        """Whether a level may be begun: the first, every finished one, and the one after a finished one. levels: names in order."""
+        """Whether a level may be begun: the first, every finished one, and the one after it. levels: names in order."""
         return index == 0 or self.finished(levels[index]) or self.finished(levels[index - 1])

@@ -20,7 +20,7 @@ from game.kept.store import Kept
 from game.language import choose
 from game.levels import Level
 from game.overlay.toast import Toast
-from game.rules import Controls, Game, Ruleset, Ticked
+from game.rules import SOURCE_RULES, Controls, Game, Ruleset, Ticked
 from game.screens.base import Screen
 from game.screens.level_pictures import LevelPictures
 from game.second_opinion import Compare, NormalPair
@@ -47,7 +47,7 @@ class AppState:
     kept: scores, progress and finished games.
     recorder: told every tick that is played; None for nobody.
     autopilot: whether it plays instead of the player.
-    physics: that games are flown on. ruleset: of new games.
+    physics: that games are flown on. ruleset: of new games. two_players: whether two steer the paddles.
     settings: the player's, as they hold now; settings_file: where they outlive the session.
     full_screen: whether the window is; wants_full_screen: whether it shall be, as the settings say; None for no wish.
     settings_tab: index of the part of the settings that was open last.
@@ -84,8 +84,9 @@ class AppState:
     away: bool = False
     shown: object = None
     physics: ChosenPhysics = SWEPT
+    ruleset: Ruleset = SOURCE_RULES
+    two_players: bool = False
     devices: Devices = field(default_factory=Devices)
-    ruleset: Ruleset = Ruleset()
     painter: Painter = field(default_factory=Painter)
     type: Type = field(default_factory=Type)
     pictures: LevelPictures = field(default_factory=LevelPictures)

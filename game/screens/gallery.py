@@ -16,6 +16,7 @@ from game.kept.store import Kept
 from game.levels import built_in
 from game.replays.file import Recorder
 from game.replays.playback import Playback
+from game.rules import Ruleset
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.menus.credits import Credits
@@ -68,14 +69,14 @@ def _saved(path: Path, screen: Screen, size: tuple[int, int]) -> Path:
 
 def sample_state(folder: Path, colours: str = "dark") -> AppState:
     """What all screens share, with made-up scores and games, which are kept in a folder."""
-    state = AppState(built_in(), 0, 7, Title, kept=Kept(folder))
+    state = AppState(built_in(), 0, 7, Title, kept=Kept(folder), ruleset=Ruleset())
     state.settings = state.settings._replace(colours=colours)
     replays = folder / "replays"
     replays.mkdir(exist_ok=True)
     names, done = ("Ada", "Grace", "Emmy", "Sofia", "Hypatia"), max(len(state.catalogue) * 2 // 3, 1)
     for index, level in enumerate(state.catalogue[:done]):
         best = Best(level.name, "normal", 1500 + 431 * index, index % 4, 240 * (41 + 13 * index))
-        state.kept.progress.update(lambda held, best=best: held.after(best))
+        state.kept.level_done(best)
     for index, name in enumerate(names):
         last = state.catalogue[min(done + 1 - index, len(state.catalogue) - 1)].name
         points, date = 21_470 - 3170 * index, f"2026-11-{25 - index}"

@@ -38,9 +38,9 @@ class LevelPictures:
         waited, self.waiting, self._budget = self.waiting, False, 1
         return waited
 
-    def picture(self, level: Level, side: int, theme: Theme) -> pygame.Surface | None:
-        """A level's picture, `side` pixels square; None where it has to wait for the next frame."""
-        key = (level.content_hash(), side, theme)
+    def picture(self, level: Level, side: int, theme: Theme, *, whole: bool = False) -> pygame.Surface | None:
+        """A level's picture, `side` pixels square; None where it has to wait for the next frame. whole: with the paddles."""
+        key = (level.content_hash(), side, theme, whole)
         if key in self._drawn:
             self._drawn.move_to_end(key)
             return self._drawn[key]
@@ -48,19 +48,20 @@ class LevelPictures:
             self.waiting = True
             return None
         self._budget -= 1
-        self._drawn[key] = thumbnail(level, side, theme)
+        self._drawn[key] = thumbnail(level, side, theme, whole=whole)
         if len(self._drawn) > _MOST:
             self._drawn.popitem(last=False)
         return self._drawn[key]
 
 
-def thumbnail(level: Level, side: int, theme: Theme) -> pygame.Surface:
-    """The level before its first serve on the panel's colour, `side` pixels square."""
+def thumbnail(level: Level, side: int, theme: Theme, *, whole: bool = False) -> pygame.Surface:
+    """The level before its first serve on the panel's colour, `side` pixels square: its wall, or with the paddles as well."""
     side = max(side, 1)
     large = pygame.Surface((side * _FINER, side * _FINER))
     scene = scene_at(still(new_game((level,), 0)), 1.0, NOTHING)._replace(aim=None)
     wall = max([ring.outer_radius for ring in scene.rings[PADDLES + 1 :]], default=0.0)
     reach = min(max(wall * _AROUND, scene.rings[PADDLES].inner_radius * _LEAST), level.ground_radius)
+    reach = level.ground_radius if whole else reach
     camera = Camera(complex(side, side) * _FINER / 2.0, side * _FINER * _RADIUS / reach)
     Painter().paint(Canvas(large, camera, theme._replace(background=theme.panel), Type(), 1.0), scene)
     return pygame.transform.smoothscale(large, (side, side))

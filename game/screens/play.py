@@ -14,7 +14,7 @@ from game.fixed_step import Due, due
 from game.input.hands import Hands
 from game.input.key_names import key_name
 from game.input.keys import Action
-from game.input.signals import Clicked, FocusLost, Moved, Pressed, Signal
+from game.input.signals import Clicked, FocusLost, KeyboardState, Moved, Pressed, Released, Signal
 from game.language import tr
 from game.levels import Level, number_of
 from game.overlay import captions, hud, notice
@@ -40,6 +40,8 @@ _END_TICKS = 200
 """From the end of the game to the results: nobody who is still playing chooses an entry by accident."""
 _CLEARED_TICKS = 150
 """From the last brick of a level to its results: it is seen breaking first."""
+_SECOND_PLAYERS = (pygame.KSCAN_A, pygame.KSCAN_D)
+"""Positions of the second player's keys, where two play."""
 # Lengths are in units of text.
 _NOTE, _NOTE_ROOM, _NOTE_BOTTOM, _NOTE_MARGIN = 0.95, 1.6, 0.3, 0.8
 """The line about the physics: size of its letters, height left to it, from it to the lower edge and to the sides."""
@@ -55,6 +57,7 @@ class PlayScreen:
         self._effects = Effects()
         self._normals: tuple[NormalPair, ...] = ()
         self._hands = Hands()
+        self._second = Hands()  # of the second player; empty where there is one
         self._due = Due(0, 0.0)
         self._ready = 0.0  # seconds until play goes on after a pause
         self._stop = 0.0  # seconds of hit-stop left
@@ -83,9 +86,17 @@ class PlayScreen:
                 return self._paused(SettingsPanel(self._state, self))
             case Pressed(Action.GIVE_UP) if not self._may_give_up:
                 return self
-        self._hands = self._hands.after(signal)
+        self._hold(signal)
         self._state.view = self._state.view.after(signal, unit_of(size))
         return self
+
+    def _hold(self, signal: Signal) -> None:
+        """Note what a player holds down; where two play, the second one's keys are not the first one's."""
+        keys = isinstance(signal, Pressed | Released) and signal.position in _SECOND_PLAYERS
+        if self._state.two_players and (keys or isinstance(signal, KeyboardState)):
+            self._second = self._second.after(signal)
+        if not (self._state.two_players and keys):
+            self._hands = self._hands.after(signal)
 
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
         """Run the ticks that are due; a panel when a level or the game has ended."""
@@ -205,11 +216,14 @@ class PlayScreen:
         """What the player asks for in the next tick."""
         if self._state.settings.one_button:
             return self._hands.one_button_controls(self._ticked.game)
-        return self._hands.controls(camera, self._ticked.game)
+        controls = self._hands.controls(camera, self._ticked.game)
+        if self._second.held:
+            controls = controls._replace(second_turn=self._second.controls(camera, self._ticked.game).turn)
+        return controls
 
     def _paused(self, panel: Screen) -> Screen:
         """A panel over the game; keys that were held when it opened are let go."""
-        self._hands = self._hands.after(FocusLost())
+        self._hands, self._second = self._hands.after(FocusLost()), Hands()
         if self._ticked.game.phase == Phase.PLAYING:
             self._ready = _READY_SECONDS
         return panel

@@ -70,14 +70,8 @@ class Watch:
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
         """Play, stop, step, seek, or leave."""
-        state, seen = self._state, self._layout(size)
-        match signal:
-            case Moved(pixel):
-                self._hovered = play_buttons.action_at(seen, pixel, play_buttons.WATCHING)
-            case Clicked(pixel) if (action := play_buttons.action_at(seen, pixel, play_buttons.WATCHING)) is not None:
-                signal = Pressed(action)
-            case Clicked(pixel) if not self._on_timeline(pixel, size):
-                signal = self._clicked(pixel, size)
+        state = self._state
+        signal = self._on_buttons(signal, size)
         match signal:
             case Pressed(Action.BACK):
                 return self._back()
@@ -126,13 +120,19 @@ class Watch:
         play_buttons.draw(canvas, seen, self._hovered, play_buttons.WATCHING)
         self._draw_timeline(canvas)
 
-    def _clicked(self, pixel: complex, size: tuple[int, int]) -> Signal:
-        """What a click means: on the speed the next one, the slowest after the fastest; elsewhere play or stop."""
-        if pixel.imag > size[1] - unit_of(size) * _ROOM and pixel.real > self._timeline(size).right:
-            if self._speed == len(SPEEDS) - 1:
-                self._speed = -1
-            return Pressed(Action.MORE)
-        return Pressed(Action.PAUSE)
+    def _on_buttons(self, signal: Signal, size: tuple[int, int]) -> Signal:
+        """What a signal means: a click on a button is its key; on the speed the next one; on the arena play or stop."""
+        seen = self._layout(size)
+        match signal:
+            case Moved(pixel):
+                self._hovered = play_buttons.action_at(seen, pixel, play_buttons.WATCHING)
+            case Clicked(pixel) if (action := play_buttons.action_at(seen, pixel, play_buttons.WATCHING)) is not None:
+                return Pressed(action)
+            case Clicked(pixel) if pixel.imag > size[1] - unit_of(size) * _ROOM and pixel.real > self._timeline(size).right:
+                self._speed = (self._speed + 1) % len(SPEEDS)
+            case Clicked(pixel) if not self._on_timeline(pixel, size):
+                return Pressed(Action.PAUSE)
+        return signal
 
     def _toggle(self) -> None:
         """Play or stop; at the end, play from the beginning."""

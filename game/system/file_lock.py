@@ -13,16 +13,17 @@ except ImportError:  # Windows
     import msvcrt
 
 _PATIENCE = 2.0
-"""Seconds that another process is waited for. One that holds a lock for longer hangs, and waiting on would hang this one too."""
+"""Seconds that another process is waited for: one that holds a lock for longer hangs, and would hang this one too."""
 _PAUSE = 0.01
 """Seconds between two attempts."""
 
 
 @contextmanager
 def locked(path: Path) -> Iterator[bool]:
-    """Hold the lock of a file for as long as the block runs; whether it could be had. The lock is a file `.NAME.lock` beside it.
+    """Hold the lock of a file for as long as the block runs; whether it could be had.
 
-    OSError where that file cannot be made. It stays: to remove it would let two processes hold two locks of one name.
+    The lock is a file `.NAME.lock` beside it; OSError where that cannot be made. It stays: once it were removed, two processes
+    could hold two locks of one name.
     """
     descriptor = os.open(path.with_name(f".{path.name}.lock"), os.O_CREAT | os.O_RDWR, 0o666)
     try:

@@ -40,9 +40,9 @@ def open_window(title: str, size: tuple[int, int] | None = None, position: tuple
         os.environ.setdefault("SDL_FRAMEBUFFER_ACCELERATION", "0")
     try:
         fitting = _fitting(size)
-        known = position is not None and size is not None and _is_on_desktop(position, fitting)
-        chosen = {"position": position} if known else {}
-        window = pygame.Window(title, fitting, resizable=True, allow_high_dpi=True, **chosen)
+        window = pygame.Window(title, fitting, resizable=True, allow_high_dpi=True)
+        if position is not None and size is not None and _is_on_desktop(position, fitting):
+            window.position = position
         window.get_surface()
     except pygame.error as error:
         pygame.display.quit()

@@ -24,6 +24,16 @@ def ruleset_of(name: str) -> Ruleset:
     return Ruleset(Difficulty[name.upper()]) if name in DIFFICULTIES else Ruleset()
 
 
+def players_choice(state: AppState) -> Choice:
+    """The item that chooses how many play on this machine."""
+
+    def choose(index: int) -> None:
+        state.two_players = index == 1
+
+    tip = tr("Two together: one has the arrow keys, mouse or gamepad, the other A and D; who holds a key steers.")
+    return Choice(tr("Players"), (tr("One"), tr("Two together")), int(state.two_players), choose, tip)
+
+
 def difficulty_choice(state: AppState) -> Choice:
     """The item that chooses it, and remembers it."""
 
@@ -32,7 +42,5 @@ def difficulty_choice(state: AppState) -> Choice:
         state.kept.progress.update(lambda held: msgspec.structs.replace(held, last_difficulty=DIFFICULTIES[index]))
 
     names = tuple([difficulty_name(name) for name in DIFFICULTIES])
-    tip = tr(
-        "Easy: slower balls, wider paddles, more lives. Source's rules: one speed and no power-ups. Each has its own scores."
-    )
+    tip = tr("Easy: slower balls, wider paddles, more lives. Source's rules: one speed, no power-ups. Each has its own scores.")
     return Choice(tr("Difficulty"), names, DIFFICULTIES.index(state.difficulty), choose, tip)

@@ -55,7 +55,7 @@ def _game() -> tuple[Row, ...]:
         tr("Every step of a brick is one layer, and takes one hit. Steel never breaks."),
         tr("Bricks in a row, without a paddle between them, multiply the points: up to eight times."),
     )
-    beside = Text("  ".join(words), 1.15, width_share=1.25)
+    beside = Text("\n".join(words), 1.15, width_share=1.25)
     return (
         (Drawing(12.5, pictures.draw_arena), beside),
         (Text(""),),

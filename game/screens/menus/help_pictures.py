@@ -1,7 +1,8 @@
 """The drawings of the help: the arena, bricks, and how a ball is aimed."""
 
 import math
-from functools import cache
+from functools import cache, lru_cache
+from itertools import pairwise
 
 import pygame
 
@@ -32,9 +33,13 @@ def draw_arena(canvas: Canvas, box: pygame.Rect) -> None:
     side = min(box.width, box.height)
     pictures = _level_pictures()
     pictures.next_frame()
-    picture = pictures.picture(built_in()[1], side, canvas.theme)
+    picture = pictures.picture(built_in()[1], side, canvas.theme, whole=True)
     if picture is not None:
         canvas.surface.blit(picture, picture.get_rect(center=box.center))
+
+
+_sample = lru_cache(maxsize=64)(brick_sample)
+"""Samples of bricks, cached."""
 
 
 def draw_bricks(canvas: Canvas, box: pygame.Rect) -> None:
@@ -44,7 +49,7 @@ def draw_bricks(canvas: Canvas, box: pygame.Rect) -> None:
     size = (max(round(min(unit * 4.0, pitch * 0.9)), 1), max(round(unit * 2.0), 1))
     for index, layers in enumerate(_SAMPLES):
         middle = complex(box.left + pitch * (index + 0.5), box.top + unit * 1.2)
-        card = brick_sample(size, unit * 2.0, layers, theme)
+        card = _sample(size, unit * 2.0, layers, theme)
         canvas.surface.blit(card, card.get_rect(center=(round(middle.real), round(middle.imag))))
         words = tr("steel") if layers == PERMANENT else str(layers)
         canvas.write(words, 1.0, theme.faint, middle + 1.5j * unit, "midtop")
@@ -118,7 +123,7 @@ def _paddle(canvas: Canvas, origin: complex, radius: float, turned: float) -> No
 def _path(canvas: Canvas, points: tuple[complex, ...], colour: Colour, *, arrow: bool) -> None:
     """A line through some pixels, with a head at its end."""
     width = max(round(canvas.unit * 0.14), 1)
-    for start, end in zip(points, points[1:], strict=False):
+    for start, end in pairwise(points):
         pygame.draw.aaline(canvas.surface, colour, (start.real, start.imag), (end.real, end.imag), width)
     if arrow:
         along = (points[-1] - points[-2]) / abs(points[-1] - points[-2]) * canvas.unit

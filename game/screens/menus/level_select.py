@@ -14,7 +14,7 @@ from game.language import tr
 from game.levels import Level
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.menus.difficulty import difficulty_choice, difficulty_name
+from game.screens.menus.difficulty import difficulty_choice, difficulty_name, players_choice
 from game.screens.play import PlayScreen
 from game.screens.toolkit.focus import Focus
 from game.screens.toolkit.icons import draw_lock
@@ -91,13 +91,13 @@ class LevelSelect(Panel):
 
     @property
     def looks(self) -> tuple[object, ...]:
-        """The pictures come one by one."""
-        return *super().looks, self.state.difficulty
+        """The choices above the levels are kept elsewhere."""
+        return *super().looks, self.state.difficulty, self.state.two_players
 
     def content(self) -> Content:
         """The difficulty, and the chapters."""
         state = self.state
-        rows: list[Row] = [(difficulty_choice(state),)]
+        rows: list[Row] = [(difficulty_choice(state), players_choice(state))]
         cards = [self._card(index) for index in range(len(state.catalogue))]
         for chapter, group in groupby(cards, key=lambda card: chapter_of(card.level)):
             found = list(group)

@@ -11,7 +11,7 @@ from game.screens.menus.access_rows import access_rows
 from game.screens.menus.control_rows import control_rows
 from game.screens.toolkit.items import Choice, Heading, Slider, Switch
 from game.screens.toolkit.layout import Row
-from game.settings.values import LOUDEST
+from game.settings.values import LOUDEST, Settings
 
 
 class Part(NamedTuple):
@@ -44,7 +44,7 @@ def _switch(state: AppState, label: str, field: str, tip: str) -> Switch:
     on = bool(getattr(state.settings, field))
 
     def turned() -> None:
-        state.change(state.settings._replace(**{field: not on}))
+        state.change(Settings(**{**state.settings._asdict(), field: not on}))
 
     return Switch(label, on, turned, tip, (tr("off"), tr("on")))
 

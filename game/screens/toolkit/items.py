@@ -76,7 +76,10 @@ class Item:
 
 @dataclass(frozen=True)
 class Text(Item):
-    """Words in as many lines as they need. size: of the letters; faint: in the second colour; anchor: left or centred."""
+    """Words in as many lines as they need; a line break begins a paragraph.
+
+    size: of the letters. faint: in the second colour. centred: the lines, else they begin at the left.
+    """
 
     text: str
     size: float = 1.05
@@ -91,15 +94,20 @@ class Text(Item):
 
     def height(self, type_: Type, unit: float, width: float) -> float:
         """As many lines as the words take."""
-        return len(type_.wrapped(self.text, unit * self.size, width)) * self.size * _LINE + 0.25
+        return len(self._lines(type_, unit, width)) * self.size * _LINE + 0.25
 
     def draw(self, canvas: Canvas, box: pygame.Rect, *, focused: bool) -> None:  # noqa: ARG002  # it never is
         """The lines, one below the other."""
         colour = canvas.theme.faint if self.faint else canvas.theme.text
         anchor, x = ("midtop", box.centerx) if self.centred else ("topleft", box.left)
-        for index, line in enumerate(canvas.type.wrapped(self.text, canvas.unit * self.size, box.width)):
+        for index, line in enumerate(self._lines(canvas.type, canvas.unit, box.width)):
             pixel = complex(x, box.top + canvas.unit * self.size * _LINE * index)
             write_fitting(canvas, line, self.size, colour, pixel, anchor, box.width)
+
+    def _lines(self, type_: Type, unit: float, width: float) -> list[str]:
+        """The lines, an empty one between two paragraphs."""
+        paragraphs = [type_.wrapped(paragraph, unit * self.size, width) for paragraph in self.text.split("\n")]
+        return [line for lines in paragraphs for line in ("", *lines)][1:]
 
 
 @dataclass(frozen=True)

@@ -170,7 +170,7 @@ class Panel:
             self._scroll_by({Action.UP: -1.0, Action.DOWN: 1.0}.get(action, 0.0) * _WHEEL * self.unit(size), size)
         elif steps and focus.row == TABS:
             self.open_tab((self._tab + steps) % len(tabs))
-        elif not steps or (spot := _spot_at(laid, focus)) is None or not spot.item.stepped(steps):
+        elif not steps or _shares_row(laid, focus) or (spot := _spot_at(laid, focus)) is None or not spot.item.stepped(steps):
             self._focus = moved_focus(laid, focus, action, self._tab if tabs else None)
             self._show_focus(size)
 
@@ -255,6 +255,11 @@ def _spot_at(laid: Laid, focus: Focus | None) -> Spot | None:
         if focus is not None and (spot.row, spot.column) == focus and spot.item.focusable:
             return spot
     return None
+
+
+def _shares_row(laid: Laid, focus: Focus) -> bool:
+    """Whether there are other items to be used beside the one that has the focus: left and right lead to these then."""
+    return len([spot for spot in laid.spots if spot.row == focus.row and spot.item.focusable]) > 1
 
 
 def _pointed_spot(laid: Laid, pixel: complex) -> Spot | None:

@@ -1,5 +1,7 @@
 """What panels over another screen are drawn with."""
 
+from functools import lru_cache
+
 import pygame
 
 from game.drawing.canvas import Canvas
@@ -12,8 +14,8 @@ _VEIL = 165
 """How much the screen below is covered by the background's colour, of 255."""
 _FOCUS_CORNER, _FOCUS_EDGE = 0.5, 0.1
 """Of the box around the item that has the focus: radius of its corners, width of its edge; units of text."""
-_TINT, _RESTING_EDGE = 0.14, 0.06
-"""Share of the accent in the box of the focused item, and the edge of a box without the focus, units of text."""
+_FOCUS_TINT, _TINT, _RESTING_EDGE = 0.38, 0.14, 0.06
+"""Share of the edge's colour in the box with the focus and in one without it, and the edge of the latter, units of text."""
 _SMALLEST = 0.55
 """Letters are made smaller to fit, but not below this share of their size; the rest of the words is then cut off."""
 
@@ -40,11 +42,20 @@ def draw_focus(canvas: Canvas, box: pygame.Rect, *, focused: bool, resting: bool
     """The box of an item that has the focus. resting: one without it has a box too."""
     theme, unit = canvas.theme, canvas.unit
     if focused:
-        fill = mixed(theme.panel, theme.accent, _TINT)
+        fill = mixed(theme.panel, theme.panel_edge, _FOCUS_TINT)
         draw_box(canvas.surface, box, unit * _FOCUS_CORNER, fill, theme.accent, unit * _FOCUS_EDGE)
     elif resting:
-        fill = mixed(theme.panel, theme.panel_edge, _TINT)
-        draw_box(canvas.surface, box, unit * _FOCUS_CORNER, fill, theme.panel_edge, unit * _RESTING_EDGE)
+        canvas.surface.blit(_resting_box(box.size, theme, unit), box)
+
+
+@lru_cache(maxsize=64)
+def _resting_box(size: tuple[int, int], theme: Theme, unit: float) -> pygame.Surface:
+    """The box of an item without the focus, on the panel's colour: there are many of a size, and round corners take time."""
+    picture = pygame.Surface((max(size[0], 1), max(size[1], 1)), 0, 32)
+    picture.fill(theme.panel)
+    fill = mixed(theme.panel, theme.panel_edge, _TINT)
+    draw_box(picture, picture.get_rect(), unit * _FOCUS_CORNER, fill, theme.panel_edge, unit * _RESTING_EDGE)
+    return picture
 
 
 def write_fitting(

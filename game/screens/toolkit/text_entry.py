@@ -36,8 +36,7 @@ class TextEntry(Panel):
     def content(self) -> Content:
         """The field, the letters, and what to do with them."""
         keys: list[Row] = [(Drawing(2.6, self._draw_field),)]
-        for line in _LETTERS:
-            keys.append(tuple([Button(letter, self._typed(letter), centred=True) for letter in line]))
+        keys += [tuple([Button(letter, self._typed(letter), centred=True) for letter in line]) for line in _LETTERS]
         space = Button(tr("Space"), self._typed(" "), centred=True, width_share=2.0)
         erase = Button(tr("Erase"), self._erase, centred=True)
         keys.append((space, erase))
