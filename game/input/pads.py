@@ -64,6 +64,11 @@ class Pads:
         with contextlib.suppress(pygame.error):
             controller.init()
 
+    def close(self) -> None:
+        """Let go of all gamepads, and of the system's part for them."""
+        self._pads.clear()
+        controller.quit()
+
     def signals(self, event: pygame.Event) -> Iterator[Signal]:
         """What an event means; nothing if it is not of a gamepad."""
         handlers: dict[int, Callable[[pygame.Event], Iterator[Signal]]] = {

@@ -16,6 +16,7 @@ class PlayRecord:
         """Begin with a new game; what the one before has left is written. counts: whether bests and scores are kept."""
         self._state, self._levels, self.counts = state, levels, counts
         self._start = 0
+        self.slowest = state.settings.speed  # per cent, of the whole game
         self.done: Best | None = None
         self.before: Best | None = None
         self.ghost: Ghost | None = None
@@ -31,6 +32,7 @@ class PlayRecord:
     def after_tick(self, ticked: Ticked) -> None:
         """Note the begin and the end of a level."""
         game = ticked.game
+        self.slowest = min(self.slowest, self._state.settings.speed)
         if self.ghost is not None:
             self.ghost.after_tick(game)
         for event in ticked.events:

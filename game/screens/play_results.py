@@ -79,6 +79,7 @@ def game_results(state: AppState, play: Played, game: Game, record: PlayRecord) 
     if not record.counts or not state.kept.scores.value.qualifies(game.score, difficulty):
         return menu
     score = Score("", game.score, difficulty, game.levels[0].name, game.level.name, won, time.strftime("%Y-%m-%d"))
+    score = msgspec.structs.replace(score, speed=record.slowest)
     if kept_game is not None:
         score = msgspec.structs.replace(score, replay=kept_game.file, sha256=kept_game.sha256)
     entered = Entry(tr("Enter your name"), _name_entry(state, play, score, entries))

@@ -7,7 +7,6 @@ os.environ["SDL_VIDEODRIVER"] = "dummy"
 
 import pygame
 import pytest
-from pygame._sdl2 import controller
 
 from game.input.hands import Hands
 from game.rules import Phase, paddle_ring
@@ -30,7 +29,7 @@ def desk():
     state.devices.pads.listen()
     found.wait(FRAME)
     yield found
-    controller.quit()
+    state.devices.pads.close()
     found.close()
 
 
