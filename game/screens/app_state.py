@@ -27,6 +27,7 @@ from game.second_opinion import Compare, NormalPair
 from game.settings.file import SettingsFile
 from game.settings.values import LOUDEST, Settings
 from game.sound.mixer import Audio
+from game.sound.music.mood import mood_of
 
 Recorder = Callable[[Controls, Game], None]
 """Told every tick of a played game: its controls, and the game after it. `tick` is 1 after the first tick of a new game."""
@@ -117,7 +118,8 @@ class AppState:
 
     def canvas(self, surface: pygame.Surface, camera: Camera = _PIXELS) -> Canvas:
         """A canvas in the settings' colours. camera: of what is drawn, unless it is text and boxes alone."""
-        return Canvas(surface, camera, self.theme, self.type, unit_of(surface.get_size()))
+        looks = self.settings.ball, self.settings.trail
+        return Canvas(surface, camera, self.theme, self.type, unit_of(surface.get_size()), *looks)
 
     def words(self, canvas: Canvas) -> Canvas:
         """The same canvas for words that are as large as the player wants them."""
@@ -133,6 +135,7 @@ class AppState:
         if self.audio is not None:
             self.audio.muted = not settings.sound
             self.audio.volume = settings.volume / LOUDEST
+            self.audio.music_volume = settings.music / LOUDEST
 
     def save_settings(self) -> None:
         """Write the settings down for the next session."""
@@ -140,8 +143,11 @@ class AppState:
             self.settings_file.keep(self.settings)
 
     def play_sounds(self, ticked: Ticked, camera: Camera) -> None:
-        """Make the sounds of a tick, each where its event is on the screen."""
-        if self.audio is not None and ticked.events:
+        """Make the sounds of a tick, each where its event is on the screen; the music follows the game."""
+        if self.audio is None:
+            return
+        self.audio.follow(mood_of(ticked.game))
+        if ticked.events:
             reach = ticked.game.level.ground_radius
             self.audio.play(ticked.events, lambda position: camera.side(position, reach), ticked.game.combo)
 

@@ -20,6 +20,7 @@ from game.settings.own_keys import decoded_keys, encoded_keys
 from game.settings.values import LOUDEST, SPEEDS, TEXT_SIZES, THEMES, Settings
 from game.system.files import sweep, write_whole
 from game.system.wording import quoted_path
+from game.unlocks import BALLS, TRAILS
 
 VERSION = 2
 """1 had no fields after `off`."""
@@ -116,6 +117,9 @@ def decoded(said: dict[str, Any]) -> Settings:
         one_button=_flag(said, "one_button", default.one_button),
         captions=_flag(said, "captions", default.captions),
         vision=_one_of(said, "vision", VISIONS, default.vision),
+        music=_whole(said, "music", (0, LOUDEST), default.music),
+        ball=_one_of(said, "ball", BALLS, default.ball),
+        trail=_one_of(said, "trail", TRAILS, default.trail),
         language=_one_of(said, "language", (SYSTEM, *CODES), default.language),
         own_keys=decoded_keys(said.get("own_keys")),
     )

@@ -6,7 +6,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from game.effects import Flash
-from game.rules import PADDLES
+from game.rules import PADDLES, PowerUp
 from game.scene import Scene
 from physics import PERMANENT
 
@@ -21,10 +21,13 @@ class ContentKind(IntEnum):
 
     EMPTY = auto()
     PADDLE = auto()
-    RECOILING = auto()
-    """A paddle that is out of its slot for a moment: the slot shows the track, and the paddle is drawn apart."""
+    STICKY_PADDLE = auto()
     BRICKS = auto()
     STEEL = auto()
+    BUMPER = auto()
+    SHIELD = auto()
+    GROWING = auto()
+    """Bricks that grow again."""
     GHOST = auto()
     """An empty slot whose last brick has just gone: its light is left for a moment."""
 
@@ -53,18 +56,34 @@ def slot_contents(scene: Scene) -> Contents:
     flashes: dict[int, list[Flash]] = {}
     for flash in scene.flashes:
         flashes.setdefault(flash.ring, []).append(flash)
-    return tuple(
-        [
-            paddle_contents(len(layers), flashes.get(k, [])) if k == PADDLES else wall_contents(layers, flashes.get(k, []))
-            for k, layers in enumerate(scene.layers)
-        ]
-    )
+    return tuple([_ring_contents(scene, k, flashes.get(k, [])) for k in range(len(scene.layers))])
 
 
 @lru_cache(maxsize=8)
 def resting_contents(layers: tuple[tuple[int, ...], ...]) -> Contents:
     """What stands in the slots while nothing glows. layers: per ring and slot, as in `physics.Arena`."""
     return tuple([paddle_contents(len(ring), []) if k == PADDLES else _resting(ring) for k, ring in enumerate(layers)])
+
+
+def _ring_contents(scene: Scene, k: int, flashes: list[Flash]) -> tuple[SlotContent, ...]:
+    """What stands in the slots of one ring. flashes: of this ring."""
+    layers = scene.layers[k]
+    if k == PADDLES:
+        sticky = any([power.kind == PowerUp.STICKY for power in scene.powers])
+        contents = paddle_contents(len(layers), flashes)
+        return _renamed(contents, ContentKind.PADDLE, ContentKind.STICKY_PADDLE) if sticky else contents
+    contents = wall_contents(layers, flashes)
+    if k == scene.shield:
+        return _renamed(contents, ContentKind.BRICKS, ContentKind.SHIELD)
+    if k in scene.bumpers:
+        return _renamed(contents, ContentKind.STEEL, ContentKind.BUMPER)
+    return _renamed(contents, ContentKind.BRICKS, ContentKind.GROWING) if k in scene.growing else contents
+
+
+@lru_cache(maxsize=64)
+def _renamed(contents: tuple[SlotContent, ...], before: ContentKind, after: ContentKind) -> tuple[SlotContent, ...]:
+    """The contents with another kind in place of one."""
+    return tuple([content._replace(kind=after) if content.kind is before else content for content in contents])
 
 
 def paddle_contents(count: int, flashes: list[Flash]) -> tuple[SlotContent, ...]:

@@ -238,10 +238,10 @@ def test_reduced_motion_does_without_what_moves_the_picture():
     assert {EffectKind.SHAKE, EffectKind.FLASH, EffectKind.HIT_STOP} <= MOVING
 
 
-def test_without_effects_only_the_trail_is_left():
-    """And not even that for those who do not want it."""
-    assert Settings(effects=False).shown == PLAIN == {EffectKind.TRAIL}
-    assert Settings(effects=False, off=frozenset({EffectKind.TRAIL})).shown == frozenset()
+def test_without_effects_only_the_trail_and_the_arenas_light_are_left():
+    """And not even these for those who do not want them."""
+    assert Settings(effects=False).shown == PLAIN == {EffectKind.TRAIL, EffectKind.DEPTH}
+    assert Settings(effects=False, off=PLAIN).shown == frozenset()
 
 
 def test_the_volume_goes_in_steps_and_ends_at_its_ends():

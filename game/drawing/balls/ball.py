@@ -6,10 +6,12 @@ from typing import NamedTuple
 import numpy as np
 import pygame
 
+from game.drawing.balls import marks
+from game.drawing.balls.skins import surface_colours
 from game.drawing.camera import Camera, Points
 from game.drawing.canvas import Canvas
 from game.drawing.light import ScreenLight, ball_light
-from game.drawing.palette import Theme, mixed
+from game.drawing.palette import Theme
 from game.drawing.solid.ball_occlusion import occluding_quads
 from game.drawing.solid.faces import ProjectedBlocks
 from game.scene import Scene
@@ -34,13 +36,14 @@ _WHITE = np.array((255.0, 255.0, 255.0))
 class _BallLook(NamedTuple):
     """What a ball's picture depends on.
 
-    theme, light: as everywhere.
+    theme, light: as everywhere. skin: its name.
     size: radius, in steps of which there are _SIZES per pixel.
     across, down: offset of the centre within its pixel, in steps of which there are _OFFSETS per pixel.
     """
 
     theme: Theme
     light: ScreenLight
+    skin: str
     size: int
     across: int
     down: int
@@ -58,6 +61,7 @@ class BallPictures:
         camera = canvas.camera
         for ball in sorted(scene.balls, key=lambda ball: -(ball.position * camera.turning).imag):
             self._draw_ball(canvas, ball, blocks)
+            marks.draw(canvas, scene, ball)
 
     def _draw_ball(self, canvas: Canvas, ball: Ball, blocks: ProjectedBlocks | None) -> None:
         """One ball."""
@@ -65,7 +69,7 @@ class BallPictures:
         centre, radius = _on_screen(ball, camera)
         left, top = math.floor(centre.real), math.floor(centre.imag)
         across, down = int((centre.real - left) * _OFFSETS), int((centre.imag - top) * _OFFSETS)
-        picture = self._picture(_BallLook(canvas.theme, ball_light(camera), round(radius * _SIZES), across, down))
+        picture = self._picture(_BallLook(canvas.theme, ball_light(camera), canvas.ball, round(radius * _SIZES), across, down))
         corner = complex(left - picture.get_width() // 2, top - picture.get_height() // 2)
         if blocks is not None:
             hidden = occluding_quads(blocks, camera, ball.position, centre, radius + _MARGIN)
@@ -92,17 +96,18 @@ def _ball_picture(look: _BallLook) -> pygame.Surface:
     theme, light, radius = look.theme, look.light, look.size / _SIZES
     reach = math.ceil(radius) + 2
     side = 2 * reach + 1
-    pixels = np.arange(side) + 0.5 - reach
+    pixels = np.arange(side, dtype=np.float64) + 0.5 - reach
     right = (pixels - (look.across + 0.5) / _OFFSETS)[:, None] / max(radius, 0.5)
     up = ((look.down + 0.5) / _OFFSETS - pixels)[None, :] / max(radius, 0.5)
     distance = np.hypot(right, up)
     out = np.sqrt(np.maximum(1.0 - distance * distance, 0.0))
     facing = right * light.right + up * light.up + out * light.out
+    own, gloss = surface_colours(look.skin, theme, right, up)
     shade = np.clip(0.5 + 0.6 * facing, 0.0, 1.0)[:, :, None] ** 1.3
     shine = np.clip(2.0 * out * facing - light.out, 0.0, 1.0)[:, :, None] ** 24.0
-    dark = np.array(mixed(theme.ball, _DARK, _DARK_SHARE), dtype=np.float64)
-    rgb = dark + (np.array(theme.ball, dtype=np.float64) - dark) * shade
-    rgb += (_WHITE - rgb) * 0.7 * shine
+    dark = own + (np.array(_DARK, dtype=np.float64) - own) * _DARK_SHARE
+    rgb = dark + (own - dark) * shade
+    rgb += (_WHITE - rgb) * gloss * shine
     picture = pygame.Surface((side, side), pygame.SRCALPHA)
     pygame.surfarray.pixels3d(picture)[:] = rgb.astype(np.uint8)
     cover = np.clip((1.0 - distance) * radius + 0.5, 0.0, 1.0)

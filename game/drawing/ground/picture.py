@@ -1,6 +1,7 @@
-"""The ground with its rim and the paddles' track as any camera sees them: circles of the ground, anti-aliased.
+"""The ground with its rim, its pattern and the paddles' track as any camera sees them, anti-aliased.
 
-A row of pixels sees a straight line of the ground, parallel to the screen: where it meets a circle is a square root.
+Around the centre the colours are smooth: discs, one for every colour that a screen can show. Lines are circles of the ground: a
+row of pixels sees a straight line of the ground, parallel to the screen, and where it meets a circle is a square root.
 """
 
 import math
@@ -12,6 +13,8 @@ from numpy.typing import NDArray
 
 from game.drawing.camera import Camera
 from game.drawing.canvas import Canvas
+from game.drawing.ground.colours import Disc, discs_around, discs_of_ground, ground_colours
+from game.drawing.ground.patterns import PLAIN, marks
 from game.drawing.palette import Colour, Theme, mixed
 from game.drawing.raster.annulus import Floats, columns_between
 from game.drawing.raster.pixels import packed, pairs, pixels_of, unpacked
@@ -28,22 +31,37 @@ _EDGE_SHADE = 0.6
 _EDGE_PIECES, _EDGE_FINER = 180, 2
 """Quadrilaterals that the disc's side is cut into, and rows and columns of their drawing per pixel."""
 _DISC_CORNERS = 128
+_MARKS_FINER, _MANY_PIXELS = 2, 6_000_000
+"""Rows and columns per pixel of the drawing of the marks on the ground; on surfaces with so many pixels one is fine enough."""
 _TRACK, _TRACK_PIXELS = 0.03, 1.0
 """The paddles' track is so many world units wide, and so many pixels more."""
+
+
+class Ground(NamedTuple):
+    """What the ground is.
+
+    radius: world units.
+    track: radius of the circle that the paddles run on; None for none.
+    pattern: its name.
+    """
+
+    radius: float
+    track: float | None = None
+    pattern: str = PLAIN
 
 
 class _CircleLine(NamedTuple):
     """A circular line of the ground.
 
     inner, width: its inner radius and its width, world units.
-    within, colour, outside: colours inside of the circle, of the line, and outside; None leaves there what is drawn already.
+    colour: of the line.
+    edge: whether the ground ends there.
     """
 
     inner: float
     width: float
-    within: Colour
     colour: Colour
-    outside: Colour | None
+    edge: bool
 
 
 class _CirclePixels(NamedTuple):
@@ -59,28 +77,43 @@ class _CirclePixels(NamedTuple):
     scale: Floats
 
 
-def track_width(scale: float) -> float:
-    """Width of the paddles' track, world units. scale: pixels per world unit."""
-    return _TRACK + _TRACK_PIXELS / scale
-
-
-def ground_picture(canvas: Canvas, radius: float, track: float | None = None) -> pygame.Surface:
-    """A picture of the ground alone, as large as a canvas. track: radius of the circle that the paddles run on."""
-    camera, theme = canvas.camera, canvas.theme
+def ground_picture(canvas: Canvas, ground: Ground) -> pygame.Surface:
+    """A picture of the ground without its pattern, as large as a canvas: from every azimuth the same."""
+    camera, theme, radius = canvas.camera, canvas.theme, ground.radius
     picture = pygame.Surface(canvas.size, 0, canvas.surface)
     picture.fill(theme.background)
     rim = max(_LEAST_RIM / camera.scale, _RIM)
-    _draw_edge(picture, camera, radius + rim, theme)
     fringe = _fringe(camera, radius)
-    around = np.exp(1j * np.linspace(0.0, math.tau, _DISC_CORNERS, endpoint=False))
-    disc = camera.projected(around * max(radius - fringe / 2.0, 0.0), 0.0)
-    pygame.draw.polygon(picture, theme.ground, pairs(disc))
-    _draw_line(picture, camera, _CircleLine(radius, rim, theme.ground, theme.rim, None), fringe)
-    if track is not None:
-        width = track_width(camera.scale)
-        line = _CircleLine(track - width / 2.0, width, theme.ground, theme.ground_line, theme.ground)
-        _draw_line(picture, camera, line, fringe)
+    _draw_discs(picture, camera, discs_around(theme), radius)
+    _draw_edge(picture, camera, radius + rim, theme)
+    _draw_discs(picture, camera, discs_of_ground(theme), radius - fringe / 2.0)
+    _draw_line(picture, camera, theme, ground, _CircleLine(radius, rim, theme.rim, edge=True))
+    if ground.track is not None:
+        width = _TRACK + _TRACK_PIXELS / camera.scale
+        track = _CircleLine(ground.track - width / 2.0, width, theme.ground_line, edge=False)
+        _draw_line(picture, camera, theme, ground, track)
     return picture
+
+
+def draw_pattern(canvas: Canvas, ground: Ground) -> None:
+    """The ground's pattern and the marks at its rim, over its picture."""
+    drawn, theme = marks(ground.pattern), canvas.theme
+    corners = drawn.corners * ground.radius
+    colours = ground_colours(theme, np.abs(drawn.corners.mean(axis=1)).astype(np.float32))
+    strength = drawn.strength.astype(np.float32)[:, None]
+    colours += (np.array(theme.ground_line, dtype=np.float32) - np.array(theme.ground, dtype=np.float32)) * strength
+    raster = QuadRaster()
+    shades = packed(raster.canvas, np.clip(colours, 0.0, 255.0))
+    finer = _MARKS_FINER if canvas.size[0] * canvas.size[1] < _MANY_PIXELS else 1
+    pixels = canvas.camera.projected(corners * canvas.camera.turning, 0.0)
+    raster.draw(canvas.surface, fine_pixels(pixels, finer), shades, finer)
+
+
+def _draw_discs(picture: pygame.Surface, camera: Camera, discs: tuple[Disc, ...], radius: float) -> None:
+    """Discs, the largest first. radius: that of the ground, world units."""
+    around = np.exp(1j * np.linspace(0.0, math.tau, _DISC_CORNERS, endpoint=False))
+    for disc in discs:
+        pygame.draw.polygon(picture, disc.colour, pairs(camera.projected(around * max(radius * disc.share, 0.0), 0.0)))
 
 
 def _draw_edge(picture: pygame.Surface, camera: Camera, radius: float, theme: Theme) -> None:
@@ -101,14 +134,16 @@ def _fringe(camera: Camera, radius: float) -> float:
     return min(_FRINGE / camera.scale * (1.0 + camera.closeness * radius * sine) ** 2 / cosine, radius / 2.0)
 
 
-def _draw_line(picture: pygame.Surface, camera: Camera, line: _CircleLine, fringe: float) -> None:
-    """A circular line and what is near it. fringe: world units on both sides."""
+def _draw_line(picture: pygame.Surface, camera: Camera, theme: Theme, ground: Ground, line: _CircleLine) -> None:
+    """A circular line and what is near it."""
+    fringe = _fringe(camera, ground.radius)
     pixels = _pixels_between(picture, camera, max(line.inner - fringe, 0.0), line.inner + line.width + fringe)
     if not len(pixels.pixel):
         return
     there = pixels_of(picture)
-    within, colour = (np.array(one, dtype=np.float32) for one in (line.within, line.colour))
-    outside = unpacked(picture, there[pixels.pixel]) if line.outside is None else np.array(line.outside, dtype=np.float32)
+    shares, colour = pixels.radius / np.float32(ground.radius), np.array(line.colour, dtype=np.float32)
+    within = ground_colours(theme, shares)
+    outside = within if not line.edge else unpacked(picture, there[pixels.pixel])
     past_inner = np.clip((pixels.radius - line.inner) * pixels.scale + 0.5, 0.0, 1.0)[:, None]
     past_outer = np.clip((pixels.radius - line.inner - line.width) * pixels.scale + 0.5, 0.0, 1.0)[:, None]
     drawn = within + (colour - within) * past_inner
