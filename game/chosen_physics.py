@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 import physics
+from game.language import tr_noop
 from game.rules import Advance
 from physics import source_mode
 
@@ -18,4 +19,6 @@ class ChosenPhysics(NamedTuple):
 
 
 SWEPT = ChosenPhysics(physics.advance)
-SOURCE = ChosenPhysics(source_mode.advance, "The slides' own algorithm: one test a frame, errors included (--physics source)")
+SOURCE = ChosenPhysics(
+    source_mode.advance, tr_noop("The slides' own algorithm: one test a frame, errors included (--physics source)")
+)

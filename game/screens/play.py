@@ -138,7 +138,7 @@ class PlayScreen:
             notice.draw(words, told, scene)
         captions.draw(words, self._captions)
         if state.physics.note:
-            _draw_note(canvas, state.physics.note)
+            _draw_note(canvas, tr(state.physics.note))
 
     @property
     def _may_give_up(self) -> bool:
@@ -163,7 +163,7 @@ class PlayScreen:
         """Which level is being played, in words."""
         game = self._ticked.game
         number, _ = number_of(game.level, game.levels)
-        return tr("Level {number}: {name}").format(number=number, name=game.level.name)
+        return tr("Level {number}: {name}").format(number=number, name=tr(game.level.name))
 
     def restarted(self) -> Screen:
         """The same levels from their first serve."""

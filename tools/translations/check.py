@@ -87,7 +87,7 @@ def _texts_in(path: Path) -> Iterator[Text]:
         constants = [one.value for one in arguments if isinstance(one, ast.Constant) and isinstance(one.value, str)]
         if len(constants) == len(arguments):
             yield Text(*constants)
-        elif call.func.id != "tr" or any([isinstance(one, ast.JoinedStr | ast.BinOp) for one in ast.walk(call)]):
+        elif call.func.id != "tr" or any([isinstance(one, ast.JoinedStr | ast.BinOp) for one in arguments]):
             raise CheckFailedError(f"{path}:{call.lineno}: a text is put together before it is translated")
 
 

@@ -52,7 +52,7 @@ class HighScores(Panel):
 
     def _line(self, number: int, score: Score) -> Cells:
         """A line of the table."""
-        until = tr("the end") if score.won else score.last
+        until = tr("the end") if score.won else tr(score.last)
         slower = score.speed < SPEEDS[1]
         speed = tr("{percent} %").format(percent=score.speed) if slower else ""
         words = (str(number), "", score.name or "-", f"{score.score:,}", speed, until, score.date)
