@@ -8,7 +8,7 @@ import cmath
 import math
 from typing import NamedTuple, TypedDict
 
-from game.effects import Burst, Effects, FallingStack, Flash, Light, Pop, Recoil, Trail, Wave
+from game.effects import Burst, EffectKind, Effects, FallingStack, Flash, Light, Pop, Recoil, Trail, Wave
 from game.rules import BEST_COMBO, PADDLES, TICK, ActivePower, Drop, EventKind, Game, Phase, Ticked, held_balls
 from game.rules.turn import place_turn
 from physics import Ball, Ring, Step, direction, signed_difference
@@ -53,7 +53,7 @@ class Scene(NamedTuple):
     wells: of the level. core: share that is left of what a growing wall guards; None without such a wall.
     held_aims: where balls that stick to a paddle will go.
     clock: seconds, for what moves by itself; it stands still for players who want no such motion.
-    lights, shining: as in `Effects`.
+    lights, entry: as in `Effects`. shining: whether balls give light.
     """
 
     ground_radius: float
@@ -84,6 +84,7 @@ class Scene(NamedTuple):
     held_aims: tuple[Aim, ...] = ()
     lights: tuple[Light, ...] = ()
     shining: bool = False
+    entry: int | None = None
 
 
 def still(game: Game) -> Ticked:
@@ -117,9 +118,10 @@ def scene_at(ticked: Ticked, alpha: float, effects: Effects) -> Scene:
         effects.waves,
         0j if effects.shake is None else effects.shake.offset,
         min(game.combo / BEST_COMBO, 1.0),
-        clock=(effects.clock + alpha) * TICK if effects.clock else 0.0,
+        clock=(game.tick + alpha) * TICK if EffectKind.SWIRL in effects.steady else 0.0,
         lights=effects.lights,
-        shining=effects.shining,
+        shining=EffectKind.LIGHTS in effects.steady,
+        entry=effects.entry,
         **_arcade(ticked, alpha),
     )
 

@@ -7,7 +7,7 @@ a file of its own; all of them are fed by the rules' events.
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from game.effects import bursts, falling, flashes, lights, pops, recoils, shakes, streaks, trails, waves
+from game.effects import bursts, entry, falling, flashes, lights, pops, recoils, shakes, streaks, trails, waves
 from game.effects.bursts import Burst
 from game.effects.falling import FallingStack
 from game.effects.flashes import FLASH_TICKS, Flash
@@ -58,8 +58,9 @@ class Effects(NamedTuple):
     flashes, pops, falling, bursts, recoils, waves: those that have not faded, from old to new.
     shake: of the whole picture; None while it rests.
     streak: the bricks in a row.
-    clock: ticks since the level began; 0 for players who want nothing to move by itself.
-    lights: those that have not faded. shining: whether balls give light, too.
+    lights: those that have not faded.
+    entry: ticks since the wall began to be built; None once it stands.
+    steady: of what goes on without an event, swirls and the light of balls, what the player wants.
     """
 
     trails: tuple[Trail, ...] = ()
@@ -71,12 +72,13 @@ class Effects(NamedTuple):
     waves: tuple[Wave, ...] = ()
     shake: Shake | None = None
     streak: Streak = NO_STREAK
-    clock: int = 0
     lights: tuple[Light, ...] = ()
-    shining: bool = False
+    entry: int | None = None
+    steady: Shown = frozenset()
 
 
 NOTHING = Effects()
+_STEADY: Shown = frozenset({EffectKind.SWIRL, EffectKind.LIGHTS})
 
 
 def after(effects: Effects, ticked: Ticked, shown: Shown = ALL) -> Effects:
@@ -93,9 +95,9 @@ def after(effects: Effects, ticked: Ticked, shown: Shown = ALL) -> Effects:
         waves.after_tick(effects.waves, ticked) if EffectKind.WAVES in shown else (),
         shakes.after_tick(effects.shake, ticked) if EffectKind.SHAKE in shown else None,
         streaks.after_tick(effects.streak, ticked) if EffectKind.COMBO in shown else NO_STREAK,
-        effects.clock + 1 if EffectKind.SWIRL in shown else 0,
         lights.after_tick(effects.lights, ticked) if EffectKind.LIGHTS in shown else (),
-        EffectKind.LIGHTS in shown,
+        entry.after_tick(effects.entry, ticked) if EffectKind.ENTRY in shown else None,
+        shown & _STEADY,
     )
 
 

@@ -10,6 +10,7 @@ from game.drawing.camera import Camera, Layout, layout, unit_of
 from game.drawing.canvas import Canvas
 from game.effects import EffectKind, Effects
 from game.effects.hit_stop import hit_stop_seconds
+from game.effects.slow_motion import pace
 from game.fixed_step import Due, due
 from game.input.hands import Hands
 from game.input.key_names import key_name
@@ -107,7 +108,8 @@ class PlayScreen:
         self._captions = captions.later(self._captions, seconds)
         stopped = min(self._stop, max(seconds, 0.0))
         self._stop -= stopped
-        self._due = due(self._due.rest, (seconds - stopped) * self._state.settings.speed / 100.0)
+        slowed = pace(self._ticked.game) if EffectKind.SLOW_MOTION in self._state.settings.shown else 1.0
+        self._due = due(self._due.rest, (seconds - stopped) * slowed * self._state.settings.speed / 100.0)
         self._record.prepare()
         camera = self._layout(size).camera
         for _ in range(self._due.ticks):
@@ -148,7 +150,7 @@ class PlayScreen:
     def _notice(self) -> notice.Notice | None:
         """What to tell the player; nothing where the results are about to say it."""
         if 0.0 < self._ready < _READY_SECONDS:
-            return notice.READY
+            return notice.ready()
         game = self._ticked.game
         if game.phase in (Phase.OVER, Phase.WON):
             return None

@@ -6,6 +6,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from game.effects import Flash
+from game.effects.entry import GLOW, arrival, order
 from game.rules import PADDLES, PowerUp
 from game.scene import Scene
 from physics import PERMANENT
@@ -73,11 +74,27 @@ def _ring_contents(scene: Scene, k: int, flashes: list[Flash]) -> tuple[SlotCont
         contents = paddle_contents(len(layers), flashes)
         return _renamed(contents, ContentKind.PADDLE, ContentKind.STICKY_PADDLE) if sticky else contents
     contents = wall_contents(layers, flashes)
+    if scene.entry is not None:
+        contents = _entering(scene, k, contents, scene.entry)
     if k == scene.shield:
         return _renamed(contents, ContentKind.BRICKS, ContentKind.SHIELD)
     if k in scene.bumpers:
         return _renamed(contents, ContentKind.STEEL, ContentKind.BUMPER)
     return _renamed(contents, ContentKind.BRICKS, ContentKind.GROWING) if k in scene.growing else contents
+
+
+def _entering(scene: Scene, k: int, contents: tuple[SlotContent, ...], entry: int) -> tuple[SlotContent, ...]:
+    """The contents of a ring while the wall is built up. entry: ticks since that began."""
+    numbers = order(tuple([ring.radius for ring in scene.rings]))
+    come = [arrival(entry, numbers[k], len(numbers) - 1, slot, len(contents)) for slot in range(len(contents))]
+    return tuple([_arrived(content, share) for content, share in zip(contents, come, strict=True)])
+
+
+def _arrived(content: SlotContent, come: float) -> SlotContent:
+    """The content of a slot whose brick has come so far. come: as `arrival` says."""
+    if come < 0.0 or content.kind is ContentKind.EMPTY:
+        return _EMPTY
+    return content._replace(glow=max(content.glow, math.ceil(GLOW * (1.0 - come) * GLOW_STEPS)))
 
 
 @lru_cache(maxsize=64)

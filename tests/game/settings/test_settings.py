@@ -18,6 +18,7 @@ from game.language import CODES, SYSTEM, choose
 from game.settings import file as settings_file
 from game.settings.file import VERSION, SettingsFile, decoded, encoded
 from game.settings.values import SPEEDS, TEXT_SIZES, Settings
+from game.unlocks import BALLS, TRAILS
 from tests.support.paths import ROOT
 
 CHOSEN = Settings("light", False, 30, True, False, frozenset({EffectKind.SHAKE, EffectKind.TRAIL}))
@@ -33,6 +34,9 @@ choices = st.builds(
     speed=st.integers(*SPEEDS),
     text_size=st.integers(*TEXT_SIZES),
     vision=st.sampled_from(VISIONS),
+    music=st.integers(0, 100),
+    ball=st.sampled_from(list(BALLS)),
+    trail=st.sampled_from(list(TRAILS)),
     language=st.sampled_from([SYSTEM, *CODES]),
     own_keys=st.dictionaries(st.sampled_from(Action), st.lists(st.integers(0, 511)).map(tuple)).map(
         lambda keys: OwnKeys(tuple(sorted(keys.items(), key=lambda choice: choice[0].value)))
