@@ -22,11 +22,13 @@ from game.language import system_prefers, tr
 from game.levels import Level, built_in
 from game.overlay import toast
 from game.overlay.toast import Toast
+from game.own_levels import own_levels
 from game.replays.file import Recording
 from game.replays.playback import Playback
 from game.rules import Ruleset
 from game.screens.app_state import AppState, Recorder
 from game.screens.base import Listener, Screen, Still, Typist
+from game.screens.editors import OpenEditors
 from game.screens.menus.difficulty import ruleset_of
 from game.screens.menus.level_select import LevelSelect
 from game.screens.play import PlayScreen
@@ -92,7 +94,12 @@ def play(
     state = _state(catalogue, services, catalogue.index(levels[0]), seed)
     state.recorder, state.autopilot, state.physics = recorder, autopilot, physics
     state.ruleset = ruleset or state.ruleset
-    return _shown(state, lambda: PlayScreen(state, levels) if autopilot else Title(state), services, Audio)
+    editors = OpenEditors()
+    state.own_levels, state.open_editor = own_levels, editors.opened
+    try:
+        return _shown(state, lambda: PlayScreen(state, levels) if autopilot else Title(state), services, Audio)
+    finally:
+        editors.keep_unsaved()
 
 
 def watch(recording: Recording, services: Services = NO_SERVICES) -> int:
@@ -123,25 +130,15 @@ def edit(path: Path, services: Services = NO_SERVICES) -> int:
 
     Raises BadInputError for a file that is no level. Other errors are those of `play`.
     """
-    from game.editor.command import editing_session, keep_unsaved  # noqa: PLC0415  # only where it is needed
+    from game.editor.command import editing_session  # noqa: PLC0415  # only where it is needed
     from game.editor.file_watch import WatchedFile  # noqa: PLC0415
-    from game.editor.window.screen import Editor  # noqa: PLC0415
 
-    file = WatchedFile(path)
-    session = editing_session(file)
-    state = _state(built_in(), services, 0, 0)
-    editors: list[Editor] = []
-
-    def first() -> Screen:
-        editors.append(Editor(state, session, file))
-        return editors[0]
-
+    editing_session(WatchedFile(path))  # says what is wrong with it before a window opens
+    state, desk = _state(built_in(), services, 0, 0), OpenEditors()
     try:
-        return _shown(state, first, services, Audio)
+        return _shown(state, lambda: desk.opened(state, lambda: None, path), services, Audio)
     finally:
-        for editor in editors:
-            if not editor.discarded:
-                keep_unsaved(editor.session, path)
+        desk.keep_unsaved()
 
 
 def _state(catalogue: tuple[Level, ...], services: Services, chosen: int, seed: int) -> AppState:

@@ -10,7 +10,6 @@ from msgspec import Meta
 from game.kept.progress import Count, Digest, Word
 from game.replays.file import decoded
 from game.replays.verify import verified
-from game.settings.values import SPEEDS
 from game.system.errors import BadInputError
 from game.system.files import read_input
 
@@ -26,8 +25,8 @@ class Score(msgspec.Struct, frozen=True):
     """One line of the table.
 
     name: the player's. score: points. difficulty: its name. first, last: names of the levels where the game began and ended.
-    won: whether the last level was finished. date: "2026-01-31". replay: name of its file; sha256: of that file, in hex.
-    speed: the least at which it was played, per cent.
+    won: whether the last level was finished. speed: of the game in per cent, the slowest that it was played at.
+    date: "2026-01-31". replay: name of its file; sha256: of that file, in hex.
     """
 
     name: Annotated[str, Meta(max_length=LONGEST_NAME)]
@@ -36,10 +35,10 @@ class Score(msgspec.Struct, frozen=True):
     first: Word = ""
     last: Word = ""
     won: bool = False
+    speed: Annotated[int, Meta(ge=1, le=100)] = 100
     date: Annotated[str, Meta(max_length=20)] = ""
     replay: Word = ""
     sha256: Digest = ""
-    speed: Annotated[int, Meta(ge=SPEEDS[0], le=SPEEDS[1])] = SPEEDS[1]
 
 
 class Scores(msgspec.Struct, frozen=True):

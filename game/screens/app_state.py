@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import pygame
 
@@ -20,6 +21,7 @@ from game.kept.store import Kept
 from game.language import choose
 from game.levels import Level
 from game.overlay.toast import Toast
+from game.own_levels import OwnLevels
 from game.rules import SOURCE_RULES, Controls, Game, Ruleset, Ticked
 from game.screens.base import Screen
 from game.screens.level_pictures import LevelPictures
@@ -45,6 +47,8 @@ class AppState:
     catalogue: levels that the title offers; chosen: index of one of them.
     seed: of every new game.
     open_title: makes the title's screen; open_levels: the choice of levels over it, None where there is none.
+    own_levels: reads the player's; open_editor: makes the editor's screen for one of their files, None for a new one, with a
+    function that leads back; None where there is no editor.
     kept: scores, progress and finished games.
     recorder: told every tick that is played; None for nobody.
     autopilot: whether it plays instead of the player.
@@ -71,6 +75,8 @@ class AppState:
     autopilot: bool = False
     settings: Settings = field(default_factory=Settings)
     open_levels: "Callable[[AppState], Screen] | None" = None
+    own_levels: Callable[[], OwnLevels] = lambda: OwnLevels((), (), ())
+    open_editor: "Callable[[AppState, Callable[[], Screen | None], Path | None], Screen] | None" = None
     kept: Kept = field(default_factory=lambda: Kept(None))
     full_screen: bool = False
     wants_full_screen: bool | None = None

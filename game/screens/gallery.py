@@ -7,8 +7,10 @@ from tempfile import TemporaryDirectory
 
 import pygame
 
+from game.autopilot import Autopilot
 from game.headless import autopilot_game
-from game.input.signals import Clicked, Moved
+from game.input.keys import Action
+from game.input.signals import Clicked, Moved, Pressed
 from game.kept.games import KeptGame
 from game.kept.progress import Best
 from game.kept.scores import Score
@@ -16,7 +18,7 @@ from game.kept.store import Kept
 from game.levels import built_in
 from game.replays.file import Recorder
 from game.replays.playback import Playback
-from game.rules import Ruleset
+from game.rules import Ruleset, new_game, tick
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.menus.credits import Credits
@@ -97,6 +99,7 @@ def _screens() -> Iterator[tuple[str, Callable[[AppState], Screen]]]:
     yield "title-asks", lambda state: Title(state).back() or Title(state)
     yield "levels", lambda state: LevelSelect(state, Title(state))
     yield "play", _played
+    yield "ghost", _raced
     yield "pause", lambda state: _clicked(_played(state), 0)
     yield "level-cleared", lambda state: _results(state, "Level cleared", "A")
     yield "game-over", lambda state: _results(state, "Game over", "")
@@ -133,6 +136,23 @@ def _played(state: AppState) -> Screen:
     """The autopilot in the middle of a level."""
     state.autopilot = True
     return _later(PlayScreen(state, state.catalogue[3:]), _PLAY_SECONDS)
+
+
+def _raced(state: AppState) -> Screen:
+    """A game beside the ghost of the best run, which the autopilot has played."""
+    games, levels = state.kept.games, state.catalogue[3:4]
+    game, pilot = new_game(levels, 4, state.ruleset), Autopilot()
+    for _ in range(_WATCH_TICKS):
+        controls = pilot.controls(game)
+        game = tick(game, controls).game
+        games(controls, game)
+    state.kept.level_done(Best(levels[0].name, "normal", 99_999))
+    state.kept.game_done()
+    state.recorder = games
+    play = PlayScreen(state, levels)
+    _later(play, 0.5)
+    play.answer(Pressed(Action.SERVE), (1280, 800))
+    return _later(play, 1.1)
 
 
 def _clicked(screen: Screen, _index: int) -> Screen:

@@ -7,6 +7,7 @@ import pygame
 
 from game.drawing.canvas import Canvas
 from game.drawing.palette import mixed
+from game.language import tr
 from game.replays.file import Recording, played
 from game.rules import PADDLES, Game, Phase, Ticked
 from physics import direction
@@ -16,6 +17,9 @@ _BUDGET = 0.004
 _PALE = 0.4
 """Share of the way from the ground's colour to the text's."""
 _ARC_STEPS = 12
+# Lengths are in units of text.
+_EDGE, _CAPTION, _FIGURE = 0.8, 0.9, 1.5
+"""From the words to the surface's edge, and sizes of letters."""
 
 
 class Ghost:
@@ -74,15 +78,24 @@ def draw(canvas: Canvas, game: Game) -> None:
     width = max(round(canvas.unit * 0.09), 1)
     paddles = game.arena.rings[PADDLES]
     for slot in range(paddles.count):
-        middle = paddles.angle(slot)
-        for radius in (paddles.inner_radius, paddles.outer_radius):
-            points = []
-            for step in range(_ARC_STEPS + 1):
-                angle = middle + paddles.half_angle * (2.0 * step / _ARC_STEPS - 1.0)
-                pixel = camera.project(radius * direction(angle))
-                points.append((pixel.real, pixel.imag))
-            pygame.draw.aalines(canvas.surface, colour, False, points)
+        outline = []
+        for step in range(_ARC_STEPS + 1):
+            towards = direction(paddles.angle(slot) + paddles.half_angle * (2.0 * step / _ARC_STEPS - 1.0))
+            outer, inner = camera.project(paddles.outer_radius * towards), camera.project(paddles.inner_radius * towards)
+            outline.append((outer.real, outer.imag))
+            outline.insert(0, (inner.real, inner.imag))
+        pygame.draw.aalines(canvas.surface, colour, True, outline)  # closed
     for ball in game.arena.balls:
         pixel = camera.project(ball.position)
         radius = ball.radius * camera.scale_at(ball.position)
         pygame.draw.aacircle(canvas.surface, colour, (pixel.real, pixel.imag), max(radius, 2.0), width)
+
+
+def draw_lead(canvas: Canvas, game: Game, ghost: Game) -> None:
+    """How many points of the level the player is ahead of the ghost, at the left edge half way up."""
+    theme, unit = canvas.theme, canvas.unit
+    lead = (game.score - game.score_before) - (ghost.score - ghost.score_before)
+    corner = complex(unit * _EDGE, canvas.size[1] / 2.0 - unit)
+    box = canvas.write(tr("BEST RUN"), _CAPTION, theme.faint, corner)
+    colour = theme.accent if lead > 0 else theme.danger if lead < 0 else theme.text
+    canvas.write(f"{lead:+,}", _FIGURE, colour, complex(box.left, box.bottom + unit * 0.1))

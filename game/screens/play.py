@@ -4,7 +4,6 @@ import pygame
 
 from game import effects
 from game.autopilot import Autopilot
-from game.chosen_physics import SWEPT
 from game.drawing import contact_normals
 from game.drawing.camera import Camera, Layout, layout, unit_of
 from game.drawing.canvas import Canvas
@@ -67,7 +66,7 @@ class PlayScreen:
         self._untouched = 0  # ticks with a ball in play since a paddle touched it
         self._hovered: Action | None = None  # what the button means that the mouse is on
         self._told = -1  # number of the level whose results were shown last
-        self._record = PlayRecord(state, levels, counts=self._pilot is None and state.physics is SWEPT)
+        self._record = PlayRecord(state, levels)
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
         """Take the player's controls into account, or open a panel."""
@@ -125,9 +124,10 @@ class PlayScreen:
         canvas = state.canvas(surface, seen.camera)
         scene = scene_at(self._ticked, self._due.alpha, self._effects)
         state.painter.paint(canvas, scene)
-        racing = None if self._record.ghost is None else self._record.ghost.game
+        racing = None if self._record.ghost is None or not state.settings.ghost else self._record.ghost.game
         if racing is not None:
             ghost.draw(canvas, racing)
+            ghost.draw_lead(canvas, self._ticked.game, racing)
         if state.shows_normals:
             contact_normals.draw(canvas, self._normals)
         badge = aids.badge(state.settings) if self._pilot is None else tr("autopilot")

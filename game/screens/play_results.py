@@ -76,10 +76,11 @@ def game_results(state: AppState, play: Played, game: Game, record: PlayRecord) 
     entries = _after_game(state, play, game)
     menu = Results(state, play, title, line, figures, entries, back=lambda: state.open_title(state))
     difficulty = state.difficulty
-    if not record.counts or not state.kept.scores.value.qualifies(game.score, difficulty):
+    if not record.ranked or not state.kept.scores.value.qualifies(game.score, difficulty):
         return menu
-    score = Score("", game.score, difficulty, game.levels[0].name, game.level.name, won, time.strftime("%Y-%m-%d"))
-    score = msgspec.structs.replace(score, speed=record.slowest)
+    score = Score(
+        "", game.score, difficulty, game.levels[0].name, game.level.name, won, record.speed, time.strftime("%Y-%m-%d")
+    )
     if kept_game is not None:
         score = msgspec.structs.replace(score, replay=kept_game.file, sha256=kept_game.sha256)
     entered = Entry(tr("Enter your name"), _name_entry(state, play, score, entries))

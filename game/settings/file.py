@@ -116,6 +116,7 @@ def decoded(said: dict[str, Any]) -> Settings:
         text_size=_whole(said, "text_size", TEXT_SIZES, default.text_size),
         one_button=_flag(said, "one_button", default.one_button),
         captions=_flag(said, "captions", default.captions),
+        ghost=_flag(said, "ghost", default.ghost),
         vision=_one_of(said, "vision", VISIONS, default.vision),
         music=_whole(said, "music", (0, LOUDEST), default.music),
         ball=_one_of(said, "ball", BALLS, default.ball),

@@ -26,7 +26,7 @@ class Settings(NamedTuple):
     effects: whether there are any but the ball's trail. off: single effects that are not wanted.
     speed: of the game, per cent, within SPEEDS. text_size: per cent, within TEXT_SIZES.
     one_button: whether the paddles turn by themselves and any press reverses them.
-    captions: whether words say what sounds say.
+    captions: whether words say what sounds say. ghost: whether the best run of a level is raced.
     vision: one of VISIONS, whose colours the player tells apart.
     language: its code, or SYSTEM. own_keys: the player's.
     """
@@ -41,6 +41,7 @@ class Settings(NamedTuple):
     text_size: int = TEXT_SIZES[0]
     one_button: bool = False
     captions: bool = False
+    ghost: bool = True
     vision: str = VISIONS[0]
     music: int = 60
     ball: str = PLAIN_BALL

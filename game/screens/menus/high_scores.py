@@ -12,10 +12,9 @@ from game.screens.toolkit.items import Button, Cells, Item, Text
 from game.screens.toolkit.layout import Content
 from game.screens.toolkit.menu import Entry, back_row
 from game.screens.toolkit.panel import Panel
-from game.settings.values import SPEEDS
 
-_COLUMNS = ((0.6, "right"), (0.2, "left"), (3.6, "left"), (2.0, "right"), (1.0, "left"), (3.4, "left"), (2.2, "right"))
-"""The columns, one of them empty, one for a speed below the usual: parts of the width, and where their words stand."""
+_COLUMNS = ((0.6, "right"), (0.2, "left"), (3.6, "left"), (2.0, "right"), (0.6, "left"), (3.6, "left"), (2.2, "right"))
+"""The columns, two of them empty: parts of the width, and where their words stand."""
 
 
 class HighScores(Panel):
@@ -53,13 +52,12 @@ class HighScores(Panel):
     def _line(self, number: int, score: Score) -> Cells:
         """A line of the table."""
         until = tr("the end") if score.won else tr(score.last)
-        slower = score.speed < SPEEDS[1]
-        speed = tr("{percent} %").format(percent=score.speed) if slower else ""
-        words = (str(number), "", score.name or "-", f"{score.score:,}", speed, until, score.date)
+        name = score.name or "-"
+        if score.speed < 100:
+            name = tr("{name} ({speed} %)").format(name=name, speed=score.speed)
+        words = (str(number), "", name, f"{score.score:,}", "", until, score.date)
         cells = tuple([(word, *column) for word, column in zip(words, _COLUMNS, strict=True)])
         tip = tr("Watch this game.") if score.replay else tr("No replay of this game was kept.")
-        if slower:
-            tip = f"{tip} {tr('Played at {percent} % of the speed.').format(percent=score.speed)}"
         return Cells(cells, lambda: self._watched(score), tip, strong=score == self._entered)
 
     def _watched(self, score: Score) -> Screen:

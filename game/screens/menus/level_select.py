@@ -3,6 +3,7 @@
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import groupby
+from pathlib import Path
 
 import pygame
 
@@ -12,16 +13,20 @@ from game.drawing.text import Type
 from game.kept.progress import RANKS, Best
 from game.language import tr
 from game.levels import Level
+from game.overlay.toast import Toast
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.menus.difficulty import difficulty_choice, difficulty_name, players_choice
 from game.screens.play import PlayScreen
+from game.screens.play_record import record_name
 from game.screens.toolkit.focus import Focus
 from game.screens.toolkit.icons import draw_lock
-from game.screens.toolkit.items import Heading, Item
+from game.screens.toolkit.items import Button, Heading, Item
 from game.screens.toolkit.layout import Content, Row
+from game.screens.toolkit.menu import Entry, Menu
 from game.screens.toolkit.panel import Panel
 from game.screens.toolkit.plate import draw_focus, write_fitting
+from game.system.errors import BadInputError
 
 _COLUMNS = 5
 _CARD_MARGIN, _CARD_TEXT = 0.45, 2.9
@@ -32,7 +37,7 @@ _LOCKED = 110
 
 @dataclass(frozen=True)
 class Card(Item):
-    """A level to be begun. number: from 1; best: at this difficulty; is_open: whether it may be begun."""
+    """A level to be begun. number: from 1, 0 for none; best: at this difficulty; is_open: whether it may be begun."""
 
     state: AppState
     level: Level
@@ -70,7 +75,8 @@ class Card(Item):
             draw_lock(canvas, lock, theme.text)
         colour = theme.accent if focused else theme.text if self.is_open else theme.faint
         left, room = complex(hole.left, hole.bottom + unit * 0.25), float(side)
-        write_fitting(canvas, f"{self.number}  {tr(self.level.name)}", 1.05, colour, left, "topleft", room)
+        name = f"{self.number}  {tr(self.level.name)}" if self.number else tr(self.level.name)
+        write_fitting(canvas, name, 1.05, colour, left, "topleft", room)
         foot = hole.bottom + unit * 1.55
         if self.best is not None:
             canvas.write(f"{self.best.score:,}", 0.95, theme.faint, complex(hole.left, foot))
@@ -88,6 +94,7 @@ class LevelSelect(Panel):
         """Open over a screen, at the level to be played next."""
         super().__init__(state, under)
         self._shows_next = True
+        self._own = state.own_levels()
 
     @property
     def looks(self) -> tuple[object, ...]:
@@ -107,7 +114,7 @@ class LevelSelect(Panel):
             for start in range(0, len(found), _COLUMNS):
                 row: list[Item] = list(found[start : start + _COLUMNS])
                 rows.append((*row, *[Item()] * (_COLUMNS - len(row))))
-        return Content(tr("Levels"), tuple(rows), width=48.0)
+        return Content(tr("Levels"), (*rows, *self._own_rows()), width=48.0)
 
     def first(self) -> Focus | None:
         """The level to be played next."""
@@ -144,6 +151,44 @@ class LevelSelect(Panel):
             )
             tip = f"{tip} {told}"
         return Card(state, level, index + 1, best, is_open, lambda: self._begun(index), tip)
+
+    def _own_rows(self) -> tuple[Row, ...]:
+        """The player's own levels, and the way into the editor; nothing where there is no editor."""
+        if self.state.open_editor is None:
+            return ()
+        note = tr("{count} files cannot be read").format(count=len(self._own.problems)) if self._own.problems else ""
+        cards: list[Item] = [self._own_card(level, path) for level, path in zip(self._own.levels, self._own.paths, strict=True)]
+        rows: list[Row] = [(Heading(tr("Your own levels"), note),)]
+        for start in range(0, len(cards), _COLUMNS):
+            row = cards[start : start + _COLUMNS]
+            rows.append((*row, *[Item()] * (_COLUMNS - len(row))))
+        tip = tr("Opens the editor. Your levels are files in a folder of their own.")
+        return (*rows, (Button(tr("Make a new level"), lambda: self._edited(None), tip=tip, centred=True),))
+
+    def _own_card(self, level: Level, path: Path) -> Card:
+        """A level of the player's."""
+        best = self.state.kept.progress.value.best(record_name(level), self.state.difficulty)
+        entries = (
+            Entry(tr("Play"), lambda: PlayScreen(self.state, (level,))),
+            Entry(tr("Edit"), lambda: self._edited(path)),
+            Entry(tr("Back"), lambda: self),
+        )
+
+        def chosen() -> Screen:
+            return Menu(self.state, self, level.name, (path.name,), entries, back=lambda: self)
+
+        return Card(self.state, level, 0, best, is_open=True, chosen=chosen, tip=level.description or path.name)
+
+    def _edited(self, path: Path | None) -> Screen:
+        """The editor, which leads back to a new choice of levels."""
+        state = self.state
+        if state.open_editor is None:
+            return self
+        try:
+            return state.open_editor(state, lambda: LevelSelect(state, self._under or self), path)
+        except BadInputError as error:
+            state.toast = Toast(str(error))
+            return self
 
     def _begun(self, index: int) -> Screen:
         """The campaign from a level on."""

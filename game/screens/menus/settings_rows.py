@@ -80,6 +80,7 @@ def _picture(state: AppState, _panel: Screen) -> tuple[Row, ...]:
         (_switch(state, tr("Reduced motion"), "reduced_motion", motion),),
         (_unlockable(state, tr("Ball"), "ball", BALLS, ball_names()),),
         (_unlockable(state, tr("Trail"), "trail", TRAILS, trail_names()),),
+        (_switch(state, tr("Ghost"), "ghost", tr("Pale outlines show your best run of the level beside you.")),),
     )
 
 

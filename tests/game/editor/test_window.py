@@ -2,7 +2,6 @@
 
 import pygame
 import pytest
-from game.screens.menu import Menu
 
 from game.editor.command import NEW, editing_session, file_to_edit, keep_unsaved
 from game.editor.file_watch import WatchedFile
@@ -15,6 +14,7 @@ from game.input.signals import Pressed
 from game.levels import built_in, load_file
 from game.screens.app_state import AppState
 from game.screens.title import Title
+from game.screens.toolkit.menu import Menu
 from game.system.errors import BadInputError
 
 SIZE = (1280, 800)

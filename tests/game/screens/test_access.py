@@ -36,4 +36,4 @@ def test_a_slower_game_runs_fewer_of_the_same_ticks(play):
     assert ticks_of(play, 0.5) == pytest.approx(usual / 2, abs=2)
     play._state.change(Settings())
     ticks_of(play, 0.1)
-    assert play._record.slowest == 50
+    assert play._record.speed == 50

@@ -1,15 +1,18 @@
 """Whole sessions: from the title through a game, its results, the scores and a replay, and out; by keys, and by mouse."""
 
+import msgspec
 import pygame
 import pytest
 
+from game.autopilot import Autopilot
 from game.kept import games as kept_games
+from game.kept.progress import Best
 from game.kept.store import Kept
 from game.levels import built_in
 from game.replays.file import load
 from game.replays.verify import verified
-from game.rules import Phase, Ruleset
-from game.screens import play_buttons
+from game.rules import Phase, Ruleset, new_game, tick
+from game.screens import ghost, play_buttons
 from game.screens.menus.credits import Credits
 from game.screens.menus.help import Help
 from game.screens.menus.high_scores import HighScores
@@ -18,6 +21,7 @@ from game.screens.menus.replays import Replays
 from game.screens.menus.results import Results
 from game.screens.menus.settings_panel import SettingsPanel
 from game.screens.play import PlayScreen
+from game.screens.play_record import record_name
 from game.screens.title import Title
 from game.screens.toolkit.menu import Menu
 from game.screens.toolkit.text_entry import TextEntry
@@ -179,3 +183,39 @@ def _pointer(desk):
     ball = game.arena.balls[0].position if game.arena.balls else 1j
     pixel = seen.camera.project(ball / max(abs(ball), 1e-9) * game.level.ground_radius * 0.9)
     return round(pixel.real), round(pixel.imag)
+
+
+def test_the_best_run_of_a_level_is_raced_as_a_ghost(desk, monkeypatch):
+    """Once the player serves, the ghost stands where its recording does, tick by tick from its own first serve."""
+    levels, kept = built_in()[1:3], desk.shared.kept
+    recorded, pilot, game = [], Autopilot(), new_game(built_in()[1:3], 5, Ruleset())
+    for _ in range(700):
+        controls = pilot.controls(game)
+        game = tick(game, controls).game
+        recorded.append(game)
+        kept.games(controls, game)
+    kept.level_done(Best(levels[0].name, "normal", 5))
+    kept.game_done()
+    served = next(number for number, game in enumerate(recorded) if game.phase == Phase.PLAYING)
+    monkeypatch.setattr(ghost, "_BUDGET", 60.0)
+    desk.screen = PlayScreen(desk.shared, levels)
+    desk.wait(0.3)
+    assert desk.screen._record.ghost.game is None
+    desk.press(pygame.K_SPACE)
+    desk.wait(0.4)
+    ticks = desk.screen._ticked.game.phase_tick
+    assert desk.screen._record.ghost.game.arena == recorded[served + ticks + 1].arena
+    plain = pygame.image.tobytes(desk.window.get_surface(), "RGB")
+    desk.screen._record.ghost = None
+    desk.screen.draw(desk.window.get_surface())
+    assert pygame.image.tobytes(desk.window.get_surface(), "RGB") != plain
+
+
+def test_a_game_on_a_level_of_ones_own_makes_no_high_score(desk):
+    """Anybody can make an easy level: it has a best of its own, under what is in it, and opens no level of the game."""
+    own = msgspec.structs.replace(built_in()[1], ground_radius=built_in()[1].ground_radius + 0.5)
+    desk.screen = PlayScreen(desk.shared, (own,))
+    lose(desk, lambda: desk.press(pygame.K_SPACE))
+    desk.wait(4.0)
+    assert "Enter your name" not in [entry.label for entry in desk.screen._entries]
+    assert record_name(own) != own.name == record_name(built_in()[1])
