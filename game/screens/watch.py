@@ -115,7 +115,7 @@ class Watch:
         state.painter.paint(canvas, scene_at(self._shown, self._at - self._number, self._effects))
         if state.shows_normals:
             contact_normals.draw(canvas, self._normals)
-        shown = hud.readings(self._shown.game, self._effects.streak, muted=not state.settings.sound, badge="replay")
+        shown = hud.readings(self._shown.game, self._effects.streak, muted=not state.settings.sound, badge=tr("replay"))
         hud.draw(state.words(canvas), shown, seen)
         play_buttons.draw(canvas, seen, self._hovered, play_buttons.WATCHING)
         self._draw_timeline(canvas)
