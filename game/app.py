@@ -38,6 +38,7 @@ from game.second_opinion import Compare
 from game.settings.file import SettingsFile
 from game.settings.keys import changed
 from game.sound.mixer import Audio
+from game.student.functions_file import FunctionsFile
 from game.system import window as display
 from game.system.display_lost import on_display_lost
 from game.system.ending import deferred, pending
@@ -51,8 +52,6 @@ _STILL_RATE = 60
 """Frames per second, at most, of a screen that stands still."""
 _SHOWN_AGAIN = (pygame.WINDOWEXPOSED, pygame.WINDOWRESIZED, pygame.WINDOWSIZECHANGED, pygame.WINDOWRESTORED, pygame.WINDOWSHOWN)
 """After these the window's picture may be gone."""
-_TOLD_SECONDS = 6.0
-"""How long is told at the start what is wrong with the kept files."""
 
 
 class Services(NamedTuple):
@@ -62,6 +61,7 @@ class Services(NamedTuple):
     engine: makes the engine that the lab compares with.
     settings: the file of the player's settings. kept: scores, progress and finished games.
     lost: told when the display is gone and the program is about to end without returning from here.
+    functions: the player's own, for the lab to show beside ours.
     """
 
     compare: Compare | None = None
@@ -69,6 +69,7 @@ class Services(NamedTuple):
     settings: SettingsFile | None = None
     kept: Kept | None = None
     lost: Callable[[], None] | None = None
+    functions: FunctionsFile | None = None
 
 
 NO_SERVICES = Services()
@@ -144,12 +145,11 @@ def edit(path: Path, services: Services = NO_SERVICES) -> int:
 def _state(catalogue: tuple[Level, ...], services: Services, chosen: int, seed: int) -> AppState:
     """The state that a window begins with."""
     state = AppState(catalogue, chosen, seed, Title, compare=services.compare, settings_file=services.settings)
-    state.open_lab = _lab_opener(services.engine)
+    state.open_lab, state.functions = _lab_opener(services.engine), services.functions
     state.open_levels = lambda state: LevelSelect(state, Title(state))
     if services.kept is not None:
         state.kept = services.kept
-        if state.kept.problems:
-            state.toast = toast.Toast(state.kept.problems[0], left=_TOLD_SECONDS)
+        state.tell_problem()
     state.ruleset = ruleset_of(state.kept.progress.value.last_difficulty)
     return state
 

@@ -30,12 +30,15 @@ from game.settings.file import SettingsFile
 from game.settings.values import LOUDEST, Settings
 from game.sound.mixer import Audio
 from game.sound.music.mood import mood_of
+from game.student.functions_file import FunctionsFile
 
 Recorder = Callable[[Controls, Game], None]
 """Told every tick of a played game: its controls, and the game after it. `tick` is 1 after the first tick of a new game."""
 
 SOURCE = "source"
 """The name under which scores by the source's rules are kept."""
+_TOLD_SECONDS = 6.0
+"""How long is told what is wrong with the kept files."""
 _PIXELS = Camera(0j, 1.0)
 """For what is no picture of the world."""
 
@@ -53,6 +56,7 @@ class AppState:
     recorder: told every tick that is played; None for nobody.
     autopilot: whether it plays instead of the player.
     physics: that games are flown on. ruleset: of new games. two_players: whether two steer the paddles.
+    functions: the player's own, which the lab shows beside ours; None without.
     settings: the player's, as they hold now; settings_file: where they outlive the session.
     full_screen: whether the window is; wants_full_screen: whether it shall be, as the settings say; None for no wish.
     settings_tab: index of the part of the settings that was open last.
@@ -62,8 +66,8 @@ class AppState:
     audio: the sound; None without.
     toast: words that are shown for a moment.
     devices: what the player has in hand.
-    away: whether the player is in another window. shown: all that the picture on the window depended on when it was drawn;
-    None where it has to be drawn again.
+    told: what was said about the kept files. away: whether the player is in another window.
+    shown: all that the picture on the window depended on when it was drawn; None where it has to be drawn again.
     painter, type: draw all pictures and all text, and cache them; pictures: those of the levels.
     """
 
@@ -88,9 +92,11 @@ class AppState:
     audio: Audio | None = None
     settings_file: SettingsFile | None = None
     toast: Toast | None = None
+    told: set[str] = field(default_factory=set)
     away: bool = False
     shown: object = None
     physics: ChosenPhysics = SWEPT
+    functions: FunctionsFile | None = None
     ruleset: Ruleset = SOURCE_RULES
     two_players: bool = False
     devices: Devices = field(default_factory=Devices)
@@ -147,6 +153,13 @@ class AppState:
         """Write the settings down for the next session."""
         if self.settings_file is not None:
             self.settings_file.keep(self.settings)
+
+    def tell_problem(self) -> None:
+        """Say on the screen what could not be saved, once."""
+        problems = self.kept.problems
+        if problems and problems[-1] not in self.told:
+            self.told.add(problems[-1])
+            self.toast = Toast(problems[-1], left=_TOLD_SECONDS)
 
     def play_sounds(self, ticked: Ticked, camera: Camera) -> None:
         """Make the sounds of a tick, each where its event is on the screen; the music follows the game."""

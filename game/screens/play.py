@@ -19,6 +19,7 @@ from game.language import tr
 from game.levels import Level, number_of
 from game.overlay import captions, hud, notice
 from game.overlay.captions import Caption
+from game.overlay.toast import Toast
 from game.rules import TICK, Controls, EventKind, Phase, new_game, tick
 from game.scene import scene_at, still
 from game.screens import ghost, play_buttons
@@ -40,6 +41,8 @@ _END_TICKS = 200
 """From the end of the game to the results: nobody who is still playing chooses an entry by accident."""
 _CLEARED_TICKS = 150
 """From the last brick of a level to its results: it is seen breaking first."""
+_NEWS_SECONDS = 5.0
+"""How long news of the physics is shown."""
 _SECOND_PLAYERS = (pygame.KSCAN_A, pygame.KSCAN_D)
 """Positions of the second player's keys, where two play."""
 # Lengths are in units of text.
@@ -101,6 +104,8 @@ class PlayScreen:
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
         """Run the ticks that are due; a panel when a level or the game has ended."""
         self._state.view = self._state.view.later(seconds, smooth=not self._state.settings.reduced_motion)
+        if news := self._state.physics.news():
+            self._state.toast = Toast(news, left=_NEWS_SECONDS)
         if self._ready > 0.0:
             self._ready -= seconds
             return self

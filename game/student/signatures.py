@@ -4,7 +4,7 @@ import math
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
-from tools.vectors.slides import SlideFunctions
+from game.student.slides import SlideFunctions
 
 Result = float | bool | str | list[float] | None
 """A number, a truth value, one of OUTCOMES, two numbers (x and y, or radius and angle), or None for "no contact"."""

@@ -4,6 +4,7 @@ import contextlib
 import json
 import os
 import queue
+import re
 import signal
 import subprocess
 import sys
@@ -13,13 +14,20 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
-from game.system.errors import BadInputError
+from game.system.errors import BadInputError, EnvironmentMissingError
 
 _LONGEST_ANSWER = 65536
 _ENDING = 5.0
 """Seconds in which a program that has closed its output must end."""
 _SHOWN = 80
 """Characters of an unusable answer that a report quotes."""
+_REMEMBERED = 40
+"""Lines at the end of stderr that are looked at when the program has ended: the trace of a Python program is among them."""
+_GRACE = 1.0
+"""Seconds beyond the limit in which a Python file's host ends itself and says where it hung."""
+_HOST = Path(__file__).with_name("python_host.py")
+_FRAME = re.compile(r'File "(?P<file>.*)", line (?P<line>\d+) in ')
+"""A line of the trace that `faulthandler` writes."""
 
 
 class Limits(NamedTuple):
@@ -60,29 +68,48 @@ def next_line(lines: Lines, seconds: float) -> bytes | None:
         return None
 
 
+def python_host(limits: Limits, file: Path | None = None) -> list[str]:
+    """The command that answers with a Python file's functions; without a file, those of the text that it is asked to load.
+
+    EnvironmentMissingError where there is no Python to run it.
+    """
+    if getattr(sys, "frozen", False) or not _HOST.is_file():
+        raise EnvironmentMissingError("a file of functions needs Python and this package unpacked: no archive, no application")
+    return [sys.executable, str(_HOST), str(limits.answer), *([] if file is None else [str(file.resolve())])]
+
+
 class Student:
     """A program that answers questions by the line protocol. Close it after use.
 
-    command: the program and its arguments. wait: by the clock, unless a test decides. BadInputError is raised where the program
-    cannot be started, or says that it cannot be used.
+    command: the program and its arguments. wait: by the clock, unless a test decides. file: the Python file that it runs; where
+    it hung or crashed there, the problem names the line. BadInputError is raised where the program cannot be started, or says
+    that it cannot be used.
     """
 
-    def __init__(self, command: Sequence[str], limits: Limits, wait: Wait = next_line) -> None:
-        self._command, self._limits, self._wait = list(command), limits, wait
+    def __init__(self, command: Sequence[str], limits: Limits, wait: Wait = next_line, file: Path | None = None) -> None:
+        self._command, self._limits, self._wait, self._file = list(command), limits, wait, file
         self._running: _Running | None = None
 
-    def ask(self, function: str, arguments: Sequence[float]) -> Reply:
+    def ask(self, function: str, arguments: Sequence[object]) -> Reply:
         """The program's answer. Whatever goes wrong is in the reply, and the next question finds a fresh program."""
         fresh = self._running is None
+        lines = self.send(function, arguments)
+        seconds = self._limits.start if fresh else self._limits.answer
+        return self.reply(self._wait(lines, seconds + (0.0 if self._file is None else _GRACE)), seconds)
+
+    def send(self, function: str, arguments: Sequence[object]) -> Lines:
+        """Ask without waiting: where the line of the answer will arrive. It is for `reply`, before the next question."""
         if self._running is None:
             self._running = _Running(self._command, self._limits.memory)
-        question = json.dumps({"function": function, "arguments": list(arguments)})
-        seconds = self._limits.start if fresh else self._limits.answer
-        line = self._wait(self._running.asked(question), seconds)
+        return self._running.asked(json.dumps({"function": function, "arguments": list(arguments)}))
+
+    def reply(self, line: bytes | None, seconds: float) -> Reply:
+        """The answer in a line of the program's output; None where none came within some seconds."""
         if line is None:
             return self._failed(f"no answer within {seconds:g} seconds")
         if not line:
-            return self._failed(self._running.last_words())
+            assert self._running is not None, "a line was waited for"
+            return self._failed(self._last_words(self._running))
         reply = _parsed(line)
         return self._failed(reply.problem) if reply.ended else reply
 
@@ -91,6 +118,17 @@ class Student:
         if self._running is not None:
             self._running.end()
             self._running = None
+
+    def _last_words(self, running: "_Running") -> str:
+        """How the program ended by itself: the line of its file, its exit code or signal, and its last line on stderr."""
+        how, written = running.ended()
+        frames = [found for line in written if (found := _FRAME.search(line)) is not None]
+        line = next((frame["line"] for frame in frames if frame["file"] == str(self._file)), None)
+        where = "" if line is None else f"line {line}: "
+        if frames and any([words.startswith("Timeout (") for words in written]):
+            return f"{where}no answer within {self._limits.answer:g} seconds"
+        words = next((line.strip() for line in reversed(written) if line.strip()), "")
+        return f"{where}the program ended ({how}){f': {_quoted(words)}' if words and not frames else ''}"
 
     def _failed(self, problem: str | None) -> Reply:
         """The reply to a question that the program did not survive."""
@@ -115,7 +153,7 @@ class _Running:
         self._ended = False
         self._wanted = threading.Semaphore(0)
         self._lines: Lines = queue.SimpleQueue()
-        self._errors: deque[bytes] = deque(maxlen=4)
+        self._errors: deque[bytes] = deque(maxlen=_REMEMBERED)
         self._threads = [
             threading.Thread(target=self._read, daemon=True),
             threading.Thread(target=self._read_errors, daemon=True),
@@ -131,17 +169,15 @@ class _Running:
         self._wanted.release()
         return self._lines
 
-    def last_words(self) -> str:
-        """How the program ended by itself: its exit code or signal, and the last line that it wrote on stderr."""
+    def ended(self) -> tuple[str, list[str]]:
+        """How the program ended by itself: its exit code or signal; and the last lines that it wrote on stderr."""
         with contextlib.suppress(subprocess.TimeoutExpired):
             self._process.wait(_ENDING)
         self._kill()
         code = self._process.wait()
         self._threads[1].join(_ENDING)
         written = b"".join(self._errors).decode(errors="replace").split("\n")
-        words = next((line.strip() for line in reversed(written) if line.strip()), "")
-        how = f"exit code {code}" if code >= 0 else signal.Signals(-code).name
-        return f"the program ended ({how}){': ' if words else ''}{_quoted(words) if words else ''}"
+        return f"exit code {code}" if code >= 0 else signal.Signals(-code).name, written
 
     def end(self) -> None:
         """Kill the program with all that it has started, and wait for it."""
@@ -181,23 +217,27 @@ class _Running:
             self._errors.append(line)
 
 
+def parsed_answer(answer: object) -> Reply:
+    """The reply that an object of the line protocol means; `ended` where it is none of them."""
+    key, value = next(iter(answer.items())) if isinstance(answer, dict) and len(answer) == 1 else ("", None)
+    match key:
+        case "unusable":
+            raise BadInputError(str(value))
+        case "undefined":
+            return Reply(defined=False)
+        case "error":
+            return Reply(problem=str(value))
+        case "result":
+            return Reply(value)
+    return Reply(problem=f"not an answer: {_quoted(json.dumps(answer))}", ended=True)
+
+
 def _parsed(line: bytes) -> Reply:
     """The reply in a line; `ended` where it is none, since what else the program will print is unknown."""
-    try:
-        answer = json.loads(line)
-    except (ValueError, RecursionError):
-        answer = None
-    if not isinstance(answer, dict) or len(answer) != 1:
-        return Reply(problem=f"not an answer: {_quoted(line.decode(errors='replace').strip())}", ended=True)
-    ((key, value),) = answer.items()
-    if key == "unusable":
-        raise BadInputError(str(value))
-    if key == "undefined":
-        return Reply(defined=False)
-    if key == "error":
-        return Reply(problem=str(value))
-    if key == "result":
-        return Reply(value)
+    with contextlib.suppress(ValueError, RecursionError):
+        reply = parsed_answer(json.loads(line))
+        if not reply.ended:
+            return reply
     return Reply(problem=f"not an answer: {_quoted(line.decode(errors='replace').strip())}", ended=True)
 
 
