@@ -25,7 +25,7 @@ pytestmark = pytest.mark.skipif(SDL is None, reason="no SDL library to plug a vi
 def desk():
     """The app at its title, its gamepads heard."""
     state = shared()
-    found = Desk(state, Title(state))
+    found = Desk(state, Title(state), (240, 150))
     state.devices.pads.listen()
     found.wait(FRAME)
     yield found
@@ -80,7 +80,7 @@ def test_a_gamepad_alone_chooses_serves_steers_pauses_and_leaves(desk, pad):
     for angle in (30.0, 135.0, 260.0):
         pad.push(X, math.cos(math.radians(angle)))
         pad.push(Y, -math.sin(math.radians(angle)))
-        desk.wait(1.5)
+        desk.wait(1.2)
         paddles = paddle_ring(game_of(desk))
         apart = [abs(math.remainder(paddles.angle(slot) - math.radians(angle), math.tau)) for slot in range(paddles.count)]
         assert min(apart) < math.radians(0.1)
