@@ -131,3 +131,23 @@ def test_a_gamepad_pulled_out_pauses_the_game_that_it_plays(desk, pad):
     other.pull_out()
     desk.wait(3 * FRAME)
     assert isinstance(desk.screen, PlayScreen)
+
+
+def test_a_second_gamepad_is_the_second_players(desk, pad):
+    """Where two play together it steers whenever the first asks for nothing; its button serves, too."""
+    desk.shared.two_players = True
+    other = VirtualPad(SDL)
+    desk.wait(3 * FRAME)
+    tap(desk, pad, pygame.CONTROLLER_BUTTON_A)
+    other.push(pygame.CONTROLLER_AXIS_TRIGGERRIGHT, 1.0)
+    desk.wait(0.2)
+    assert paddle_ring(game_of(desk)).spin > 0.0
+    assert desk.screen._hands.spin == 0.0
+    pad.push(pygame.CONTROLLER_AXIS_TRIGGERLEFT, 1.0)
+    desk.wait(0.2)
+    assert paddle_ring(game_of(desk)).spin < 0.0
+    pad.push(pygame.CONTROLLER_AXIS_TRIGGERLEFT, -1.0)
+    other.push(pygame.CONTROLLER_AXIS_TRIGGERRIGHT, -1.0)
+    tap(desk, other, pygame.CONTROLLER_BUTTON_A)
+    assert game_of(desk).phase == Phase.PLAYING
+    other.pull_out()
