@@ -9,7 +9,9 @@ from game.drawing.camera import Camera
 from game.drawing.palette import mixed
 from game.lab.kit.handles import Handle
 from game.lab.kit.parameters import Given
-from game.lab.window.canvas import PaneCanvas, write_words
+from game.lab.drawing.canvas import PaneCanvas
+from game.lab.drawing.labels import label_at
+from game.lab.drawing.painting import paint_labels
 
 _RADIUS, _CATCH, _WIDTH = 0.42, 1.0, 0.14
 """In units: radius of a handle's ring, distance within which a press takes hold of it, width of its line."""
@@ -59,7 +61,7 @@ def draw_handles(canvas: PaneCanvas, given: Given, handles: Sequence[Handle], ho
             pygame.draw.aacircle(canvas.surface, colour, centre, radius + 0.5 * width, width)
     if hovered is not None:
         pixel = canvas.camera.project(hovered.position(given)) + 1.5j * canvas.unit
-        write_words(canvas, pixel, hovered.label, canvas.theme.accent)
+        paint_labels(canvas.surface, canvas.type, label_at(canvas, pixel, hovered.label, canvas.theme.accent))
     canvas.surface.set_clip(before)
 
 

@@ -7,7 +7,7 @@ import pygame
 
 from game.drawing.camera import Camera
 from game.lab.kit.scene import ViewBox
-from game.lab.window.canvas import camera_for
+from game.lab.drawing.canvas import camera_for
 
 _STEP = 1.15
 """The zoom of one step of the wheel."""

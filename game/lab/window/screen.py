@@ -16,12 +16,12 @@ from game.lab.session import session as sessions
 from game.lab.session.cases import case_file, save_case
 from game.lab.session.session import Session
 from game.lab.session.share import preset
-from game.lab.window.canvas import PaneCanvas, write_words
+from game.lab.drawing.canvas import PaneCanvas
 from game.lab.window.commands import BOUND, TOGGLE_KEYS, Command, command_of
 from game.lab.window.dragging import Drag, PaneView, drag_at, draw_handles
 from game.lab.window.help import draw_help
 from game.lab.window.layout import layout_of, pane_areas
-from game.lab.window.marks import draw_marks
+from game.lab.drawing.painting import draw_marks
 from game.lab.window.pan_zoom import PanZoom
 from game.lab.window.widgets import PresetChosen, Refused, Request, SceneChosen, Side, ValueRequested
 from game.lab.window.words import TextSheet, draw_head, draw_notice, draw_small_print, draw_words
@@ -134,10 +134,8 @@ class Lab:
         for pane, view in zip(self._picture().panes, views, strict=True):
             pygame.draw.rect(sheet.surface, sheet.theme.ground, view.area)
             canvas = PaneCanvas(sheet.surface, view.area, view.camera, sheet.theme, sheet.type, sheet.unit, self._shown)
-            draw_marks(canvas, pane.marks)
-            if pane.title:
-                top = complex(view.area.centerx, view.area.top + sheet.unit * 0.4)
-                write_words(canvas, top, pane.title, sheet.theme.text, "midtop")
+            rings = [view.camera.project(handle.position(given)) for handle in view.handles]
+            draw_marks(canvas, pane.marks, pane.title, rings)
             if view.area.left > sheet.layout.world.left:
                 pygame.draw.line(sheet.surface, sheet.theme.panel_edge, view.area.topleft, view.area.bottomleft)
             draw_handles(canvas, given, view.handles, hovered if hovered in view.handles else None)
