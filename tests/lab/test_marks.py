@@ -12,6 +12,11 @@ from hypothesis import assume, given
 from game.drawing.camera import Camera
 from game.drawing.palette import DARK, LIGHT, contrast
 from game.drawing.text import Type
+from game.lab.drawing import strokes
+from game.lab.drawing.canvas import PaneCanvas, camera_for
+from game.lab.drawing.colours import role_colour, text_colour
+from game.lab.drawing.labels import placed_labels
+from game.lab.drawing.painting import draw_marks
 from game.lab.kit.marks import angle_between, contact_marks, ring_marks, second_opinion
 from game.lab.kit.parameters import Given
 from game.lab.kit.picture import (
@@ -31,11 +36,6 @@ from game.lab.kit.picture import (
 )
 from game.lab.kit.scene import ViewBox
 from game.lab.kit.second_engine import EngineContact
-from game.lab.drawing import strokes
-from game.lab.drawing.canvas import PaneCanvas, camera_for
-from game.lab.drawing.colours import role_colour, text_colour
-from game.lab.drawing.labels import placed_labels
-from game.lab.drawing.painting import draw_marks
 from physics import Ball, Ring, contact
 from tests.support.strategies import balls, balls_beside_an_end, reals, rings
 from tools.crosscheck.second_engine import Pymunk

@@ -16,13 +16,14 @@ from game.lab.registry import scene_named, scenes
 from game.lab.session import session
 from game.lab.session.checks import lines
 from game.lab.session.share import SharedScene, parsed
-from game.lab.window import screen
+from game.lab.window import saving
 from game.lab.window.commands import KEYS, Command, command_of
 from game.lab.window.layout import layout_of
 from game.lab.window.pan_zoom import PanZoom
 from game.lab.window.screen import Lab
 from game.lab.window.screenshot import save_screenshot
-from game.lab.window.words import TextSheet, draw_head, draw_words
+from game.lab.window.view import letters_for, sheet_on
+from game.lab.window.words import draw_head, draw_words
 from game.screens.menu import Menu
 from game.screens.play import PlayScreen
 from game.screens.title import Title
@@ -120,13 +121,13 @@ def test_defaults_and_restart(desk):
 def test_copy_and_save_say_what_became_of_it(desk, tmp_path, monkeypatch):
     """S saves the line of the scene as it stands, C copies it, and a notice says so for five seconds."""
     file = tmp_path / "cases.txt"
-    monkeypatch.setattr(screen, "case_file", lambda: file)
+    monkeypatch.setattr(saving, "case_file", lambda: file)
     desk.press(pygame.K_s)
     assert file.read_text() == f"{desk.session.line}\n"
     assert desk.screen._notes() == (f"saved in {file}",)
     desk.press(pygame.K_c)
     assert "line" in desk.screen._notes()[-1]
-    monkeypatch.setattr(screen, "case_file", lambda: tmp_path)
+    monkeypatch.setattr(saving, "case_file", lambda: tmp_path)
     desk.press(pygame.K_s)
     assert "case not saved" in desk.screen._notes()[-1]
     desk.screen.advance(6.0, SIZE)
@@ -229,7 +230,7 @@ def preset_pictures(name):
 def test_the_words_fit_their_places(scene, size):
     """At every preset, title, idea, formula and note end inside their parts of the window."""
     layout = layout_of(size)
-    sheet = TextSheet(pygame.Surface(size), layout, DARK, Type())
+    sheet = sheet_on(pygame.Surface(size), layout, DARK, letters_for(Type()))
     assert draw_head(sheet, scene) <= layout.head.bottom
     for picture in preset_pictures(scene.name):
         assert draw_words(sheet, picture) <= layout.words.bottom
@@ -271,7 +272,7 @@ def random_event(chance, size):
 @pytest.mark.parametrize("scene", scenes(), ids=lambda scene: scene.name)
 def test_no_hands_break_it(scene, tmp_path, monkeypatch):
     """After random keys, clicks, drags and letters the lab goes on, and every value is in its range."""
-    monkeypatch.setattr(screen, "case_file", lambda: tmp_path / "cases.txt")
+    monkeypatch.setattr(saving, "case_file", lambda: tmp_path / "cases.txt")
     chance = random.Random(scene.name)
     desk = LabDesk(scene.name, (800, 600))
     for _ in range(20):

@@ -1,1 +1,1 @@
-"""Pictures of scenes: marks become shapes on the screen, which are painted or written as SVG. It needs pygame for its letters."""
+"""Pictures of scenes: marks become shapes in pixels, which are painted or written as SVG. Its letters are pygame's."""

@@ -20,7 +20,7 @@ class PaneCanvas(NamedTuple):
     """Where and how one pane is drawn.
 
     area: the pane's part of the surface. unit: pixels, the measure of lines and points. shown: the toggles that are on.
-    letters: size of words in the world, in units.
+    letters: size of words in the world, in units. focus: the part of the area that nothing lies over; None for all of it.
     """
 
     surface: pygame.Surface
@@ -31,6 +31,12 @@ class PaneCanvas(NamedTuple):
     unit: float
     shown: frozenset[Toggle]
     letters: float = 0.95
+    focus: pygame.Rect | None = None
+
+    @property
+    def free(self) -> pygame.Rect:
+        """Where words can be read."""
+        return self.area if self.focus is None else self.focus
 
     @property
     def size(self) -> float:

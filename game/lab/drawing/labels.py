@@ -44,7 +44,7 @@ def placed_labels(
     rings = [pygame.Rect(round(one.real) - reach // 2, round(one.imag) - reach // 2, reach, reach) for one in handles]
     done: list[PlacedLabel] = []
     if title:
-        top = complex(canvas.area.centerx, canvas.area.top + canvas.unit * 0.4)
+        top = complex(canvas.free.centerx, canvas.free.top + canvas.unit * 0.4)
         done += _placed(canvas, _WantedLabel(top, title, canvas.theme.text, "midtop"), (), ())
     for mark in marks:
         wanted = _wanted(canvas, mark) if mark.toggle is None or mark.toggle in canvas.shown else None
@@ -66,7 +66,7 @@ def _placed(
     if not canvas.area.inflate(4 * size, 4 * size).collidepoint(wanted.pixel.real, wanted.pixel.imag):
         return []
     line = canvas.type.rendered(wanted.text, size, wanted.colour)
-    box = _free_box(line.get_rect(**{wanted.anchor: rounded(wanted.pixel)}), canvas.area.inflate(-_EDGE, -_EDGE), taken, rings)
+    box = _free_box(line.get_rect(**{wanted.anchor: rounded(wanted.pixel)}), canvas.free.inflate(-_EDGE, -_EDGE), taken, rings)
     return [] if box is None else [PlacedLabel(box, wanted.text, size, wanted.colour, canvas.theme.ground)]
 
 

@@ -46,12 +46,10 @@ _MOST_CELLS = 16384
 
 def shapes_of(canvas: PaneCanvas, marks: Sequence[Mark]) -> list[PixelShape]:
     """The shapes of every mark whose toggle is on, without its words."""
-    return [
-        shape for mark in marks if mark.toggle is None or mark.toggle in canvas.shown for shape in _shapes(canvas, mark)
-    ]
+    return [shape for mark in marks if mark.toggle is None or mark.toggle in canvas.shown for shape in _shapes(canvas, mark)]
 
 
-def _shapes(canvas: PaneCanvas, mark: Mark) -> list[PixelShape]:
+def _shapes(canvas: PaneCanvas, mark: Mark) -> list[PixelShape]:  # noqa: C901, PLR0911  # a table of all kinds of marks
     """The shapes of one mark."""
     project = canvas.camera.project
     colour = canvas.theme.text if isinstance(mark, Field) else role_colour(canvas.theme, mark.role)
@@ -120,7 +118,7 @@ def _sector(canvas: PaneCanvas, mark: AnnularSector, colour: Colour) -> list[Pix
 
 
 def _inset(canvas: PaneCanvas, mark: AnnularSector, pixels: float) -> list[complex]:
-    """A sector's outline, its arcs moved inwards: a filled polygon has no smooth edge, so that of its line must cover its own."""
+    """A sector's outline, its arcs moved inwards: a filled polygon has no smooth edge, so its line's must cover it."""
     half_width = max(mark.half_width - pixels / canvas.camera.scale, 0.5 * mark.half_width)
     inner, outer = max(mark.radius - half_width, 0.0), mark.radius + half_width
     there = arc_pixels(canvas.camera, 0j, outer, mark.angle - mark.half_angle, 2.0 * mark.half_angle)
@@ -163,5 +161,3 @@ def _field(canvas: PaneCanvas, mark: Field) -> list[PixelShape]:
     lower_right = canvas.camera.project(complex(mark.upper.real, mark.lower.imag))
     size = (max(round(lower_right.real - upper_left.real), 1), max(round(lower_right.imag - upper_left.imag), 1))
     return [ColourGrid(upper_left, size, rgb.astype(np.uint8))] if max(size) < _MOST_CELLS else []
-
-

@@ -13,7 +13,7 @@ from game.lab.drawing.shapes import ColourGrid, FilledPolygon, PixelShape, Place
 from game.lab.drawing.strokes import draw_dashed, draw_disc, draw_path, draw_polygon, is_near, rounded
 from game.lab.kit.picture import Mark
 
-_SEAM = 0.095
+_SEAM = 0.075
 """Width of the seam around words, in the size of their letters."""
 _AROUND = ((-1, 0), (1, 0), (0, -1), (0, 1), (-1, -1), (1, 1), (-1, 1), (1, -1))
 _SMOOTH = 8e3
@@ -57,8 +57,9 @@ def paint_labels(surface: pygame.Surface, type_: Type, labels: Sequence[PlacedLa
     for label in labels:
         seam = type_.rendered(label.text, label.size, label.seam)
         width = max(1, round(label.size * _SEAM))
-        for dx, dy in _AROUND:
-            surface.blit(seam, label.box.move(dx * width, dy * width))
+        for reach in range(1, width + 1, 2):
+            for dx, dy in _AROUND:
+                surface.blit(seam, label.box.move(dx * reach, dy * reach))
         surface.blit(type_.rendered(label.text, label.size, label.colour), label.box)
 
 
@@ -75,9 +76,7 @@ def _paint_round(surface: pygame.Surface, shape: Round) -> None:
         width = max(round(shape.width), 1)
         pygame.draw.aacircle(surface, shape.colour, (centre.real - 0.5, centre.imag - 0.5), radius + width / 2.0, width)
     else:
-        pygame.draw.circle(
-            surface, shape.colour, (centre.real, centre.imag), radius + shape.width / 2.0, round(shape.width)
-        )
+        pygame.draw.circle(surface, shape.colour, (centre.real, centre.imag), radius + shape.width / 2.0, round(shape.width))
 
 
 def _paint_translucent(surface: pygame.Surface, shape: Round) -> None:

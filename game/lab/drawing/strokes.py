@@ -13,7 +13,7 @@ from game.drawing.palette import Colour
 _CURVE = 9
 """A line through so many points is drawn as a curve."""
 _BESIDE, _WIDE = 0.5, 2.5
-"""Pixels: from one thin line of a wide one to the next, so that nothing shines through; half a width from which on it has a polygon."""
+"""Pixels: from one thin line of a wide one to the next, so that no gap shows; half of the width of one with a polygon."""
 _FAR = 1e6
 """Nothing is drawn farther out: coordinates beyond it overflow."""
 

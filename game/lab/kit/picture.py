@@ -33,7 +33,7 @@ class Role(Enum):
     SECTOR: the sector that the scene looks at. OTHER: every other sector.
     OURS: the answer of the physics. SOURCE: the answer of the source taken literally, where it differs.
     PYMUNK: the second engine's answer. GOOD: a result to keep.
-    ONE, TWO, THREE, FOUR: what must be told apart, such as velocities.
+    ONE, TWO, THREE, FOUR: what must be told apart, such as velocities. GUESS: an answer that was drawn by hand.
     """
 
     PLAIN = "plain"
@@ -50,6 +50,7 @@ class Role(Enum):
     TWO = "two"
     THREE = "three"
     FOUR = "four"
+    GUESS = "guess"
 
 
 class Stroke(Enum):
@@ -241,16 +242,20 @@ def single(marks: tuple[Mark, ...], formula: tuple[str, ...], cited: CitedLine, 
 
 
 def in_steps(steps: Sequence[RevealStep], cited: CitedLine, note: str = "", panes: tuple[Pane, ...] = (Pane(()),)) -> Picture:
-    """A picture made of steps. panes: without marks, of which each gets those of its own; the marks of every step are as many."""
+    """A picture made of steps. panes: without marks; each gets its own of every step."""
     steps = tuple(steps)
     return Picture(_with_marks(panes, steps), _formula_of(steps), cited, note, steps)
 
 
-def one_step(
-    name: str, marks: Sequence[Mark], formula: Sequence[str] = (), prediction: Prediction | None = None
-) -> RevealStep:
+def one_step(name: str, marks: Sequence[Mark], formula: Sequence[str] = (), prediction: Prediction | None = None) -> RevealStep:
     """A step of a picture of one world."""
     return RevealStep(name, (tuple(marks),), tuple(formula), prediction)
+
+
+def with_more_marks(step: RevealStep, marks: Sequence[Mark]) -> RevealStep:
+    """A step with more marks in its first pane."""
+    first, *others = step.marks
+    return step._replace(marks=((*first, *marks), *others))
 
 
 def _with_marks(panes: tuple[Pane, ...], steps: tuple[RevealStep, ...]) -> tuple[Pane, ...]:

@@ -25,7 +25,7 @@ class DrawnBounce(NamedTuple):
 
 
 def response_reveal(drawn: DrawnBounce, surface: str = "v_p") -> tuple[RevealStep, ...]:
-    """The steps from v to the velocity after the bounce. surface: the formula of the surface's velocity, such as "v_p = ω × q"."""
+    """The steps from v to the velocity after the bounce. surface: what stands before v_p's numbers, such as "v_p = ω × q"."""
     found = drawn.found
     steps = (_ball_velocity(drawn), _surface_velocity(drawn, surface), _relative_velocity(drawn), _split(drawn))
     if found.separates:
@@ -116,7 +116,9 @@ def _final(drawn: DrawnBounce) -> RevealStep:
         line = f"v_res = 0 has no direction:   v := v_0 n = {two_decimals(velocity)}"
     elif found.overtaken and abs(u) < v_0:
         along = math.sqrt(v_0 - u) * math.sqrt(v_0 + u)
-        line = f"v_0 v_res / |v_res| is slower than u = v_p · n = {u:.2f}:   v := u n + {along:.2f} t = {two_decimals(velocity)}"
+        line = (
+            f"v_0 v_res / |v_res| is slower than u = v_p · n = {u:.2f}:   v := u n + {along:.2f} t = {two_decimals(velocity)}"
+        )
     elif found.overtaken:
         line = f"u = v_p · n = {u:.2f} is faster than v_0:   v := v_0 n = {two_decimals(velocity)}"
     else:

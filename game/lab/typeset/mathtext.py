@@ -1,12 +1,12 @@
 """Formulas set by matplotlib's mathtext: as a grey picture to blend, and as an outline. Everything set is cached.
 
-matplotlib takes a third of a second to load and is not a part of the frozen application, so it is loaded with the first formula,
+matplotlib takes a third of a second to load and is no part of the frozen application. So it is loaded with the first formula,
 and `can_typeset` says whether it is there.
 """
 
 from functools import cache, lru_cache
 from importlib.util import find_spec
-from typing import Any, NamedTuple
+from typing import Any, Literal, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -29,7 +29,7 @@ class SetLine(NamedTuple):
 
 
 class Outline(NamedTuple):
-    """A formula as an SVG path whose y grows upwards from the baseline. width, rise, depth: its box around the baseline, pixels."""
+    """A formula as an SVG path; its y grows upwards from the baseline. width, rise, depth: of its box, pixels."""
 
     path: str
     width: float
@@ -45,7 +45,8 @@ def can_typeset() -> bool:
 
 def set_line(line: str, size: float) -> SetLine:
     """A line of the lab, set. size: of its letters, their em square, pixels. ValueError where mathtext cannot set it."""
-    parts, gaps = [], []
+    parts: list[SetLine] = []
+    gaps: list[tuple[int, int]] = []
     for piece in pieces(line):
         if piece.gap:
             gaps.append((len(parts), round(piece.gap * size)))
@@ -93,7 +94,7 @@ def _set(piece: Piece, size: float) -> SetLine:
 
 
 @cache
-def _parser(kind: str) -> Any:
+def _parser(kind: Literal["agg", "path"]) -> Any:
     """mathtext's parser."""
     from matplotlib.mathtext import MathTextParser  # noqa: PLC0415  # see above
 

@@ -1,10 +1,11 @@
 """A formula of the lab, written in the source's letters on one line, as TeX that matplotlib's mathtext can set.
 
-`v_res = v + Δv'_n` becomes `\\mathbf{v}_{\\mathrm{res}} = \\mathbf{v} + \\Delta\\mathbf{v}'_{n}`. Vectors are bold, words upright, and what is
-divided stands above what divides it. Numbers are pieces of their own: while something is dragged only they change.
+In `v := v_0 v_res / |v_res|` the vectors become bold, the word in the index upright, and what is divided stands above what
+divides it. Numbers are pieces of their own: while something is dragged only they change.
 """
 
 import re
+import unicodedata
 from collections.abc import Sequence
 from typing import NamedTuple
 
@@ -12,7 +13,7 @@ _TOKEN = re.compile(
     r"(?P<space>\s+)"
     r"|(?P<number>\d+(?:\.\d+)?(?:e[+-]\d+)?°?)"
     r"|(?P<code>[A-Za-z]{2,}(?:_[A-Za-z0-9]+)+)(?=\()"
-    r"|(?P<symbol>Δ?(?:[A-Za-z](?![A-Za-z])|[α-ωΑ-Ω](?<!Δ))'*(?:_[A-Za-z0-9α-ω]+)?)"
+    r"|(?P<symbol>Δ?(?:[A-Za-z](?![A-Za-z])|[\u03b1-\u03c9])'*(?:_[A-Za-z0-9\u03b1-\u03c9]+)?)"
     r"|(?P<word>[A-Za-z]+(?:-[A-Za-z]+)*(?:'s)?)"
     r"|(?P<other>:=|.)"
 )
@@ -21,10 +22,13 @@ _VECTORS = frozenset("vnpq")
 _ACCENTS = {"q": "hat"}
 _SCALAR_INDICES = frozenset({"0", "x", "y", "z"})
 """Of a vector's components and its fixed length: v_0, n_x."""
-_GREEK = {"φ": "varphi", "ε": "varepsilon"} | dict(
-    zip("αβγδζηθικλμνξπρστυχψωΔ", "alpha beta gamma delta zeta eta theta iota kappa lambda mu nu xi pi rho sigma tau upsilon chi psi "
-    "omega Delta".split(), strict=True)
-)
+_GREEK = {
+    **{chr(code): unicodedata.name(chr(code)).split()[-1].lower() for code in range(0x3B1, 0x3CA) if code != 0x3C2},
+    "φ": "varphi",
+    "ε": "varepsilon",
+    "λ": "lambda",
+    "Δ": "Delta",
+}
 _FUNCTIONS = frozenset({"min", "max", "sin", "cos"})
 _OPERATORS = {"·": r"\cdot ", "×": r"\times ", "≤": r"\leq ", "≥": r"\geq ", ":=": r"\;≔\;", "²": "^2", "³": "^3", "|": "|"}
 _RELATIONS = frozenset({"=", "<", ">", "≤", "≥", ":=", "+", "-", "·", "×", "/"})
@@ -32,7 +36,7 @@ _AFTER_OPERATOR = r"\:"
 _GAPS = {r"\quad ": 1.0, r"\ ": 0.3, r"\,": 0.17, _AFTER_OPERATOR: 0.2}
 """The spaces of a line, in sizes of the letters."""
 _PRIME = r"\prime "
-_PRINTED = str.maketrans({"'": "’", "-": "‐"})
+_PRINTED = str.maketrans({"'": "\u2019", "-": "\u2010"})
 """In words, mathtext takes an apostrophe for a prime and a hyphen for a minus."""
 _ESCAPED = frozenset("%$#&{}_^\\")
 _PAIRS = {")": "(", "|": "|"}
@@ -85,9 +89,9 @@ def tex_line(line: str) -> str:
     return f"${_joined(_with_fractions(_with_roots(_tokens(line))))}$"
 
 
-def is_formula(text: str) -> bool:
-    """Whether a label is in symbols alone, such as v_p, and not in words."""
-    return all([token.kind != "word" for token in _tokens(text)]) and any([token.kind == "symbol" for token in _tokens(text)])
+def has_symbols(text: str) -> bool:
+    """Whether a text has a variable in it, such as v_p; one in words alone has none."""
+    return any([token.kind == "symbol" for token in _tokens(text)])
 
 
 def _tokens(line: str) -> list[_Token]:
@@ -180,9 +184,9 @@ def _with_fractions(tokens: list[_Token]) -> list[_Token]:
 
 
 def _term_before(tokens: Sequence[_Token], end: int) -> int | None:
-    """Where the term begins that ends before an index: a symbol, a number, what is in brackets or bars; and what it is dotted with."""
+    """Where the term begins that ends before an index: a symbol, a number, or brackets; with what it is dotted with."""
     index = end - 1
-    if index < 0 or tokens[index].kind not in {"symbol", "number", "tex"} and tokens[index].text not in _PAIRS:
+    if index < 0 or (tokens[index].kind not in {"symbol", "number", "tex"} and tokens[index].text not in _PAIRS):
         return None
     if tokens[index].text in _PAIRS:
         opening = _PAIRS[tokens[index].text]
@@ -242,7 +246,7 @@ def _joined(tokens: Sequence[_Token]) -> str:
 
 def _number(text: str) -> str:
     """A number as TeX."""
-    return text.replace("°", r"^\circ").replace("-", r"\mathrm{–}", 1 if text.startswith("-") else 0)
+    return text.replace("°", r"^\circ").replace("-", "\\mathrm{\u2013}", 1 if text.startswith("-") else 0)
 
 
 def _neighbours(tokens: Sequence[_Token], index: int) -> tuple[_Token | None, _Token | None]:

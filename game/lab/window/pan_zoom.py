@@ -6,8 +6,8 @@ from typing import NamedTuple
 import pygame
 
 from game.drawing.camera import Camera
-from game.lab.kit.scene import ViewBox
 from game.lab.drawing.canvas import camera_for
+from game.lab.kit.scene import ViewBox
 
 _STEP = 1.15
 """The zoom of one step of the wheel."""

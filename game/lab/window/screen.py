@@ -12,22 +12,21 @@ from game.lab.kit.handles import Handle, dragged
 from game.lab.kit.parameters import Clamped, clamped
 from game.lab.kit.picture import Picture, Toggle
 from game.lab.registry import scene_named, scenes
+from game.lab.session import reveal as reveals
 from game.lab.session import session as sessions
-from game.lab.session.cases import case_file, save_case
 from game.lab.session.session import Session
 from game.lab.session.share import preset
-from game.lab.drawing.canvas import PaneCanvas
+from game.lab.window import saving
 from game.lab.window.commands import BOUND, TOGGLE_KEYS, Command, command_of
-from game.lab.window.dragging import Drag, PaneView, drag_at, draw_handles
+from game.lab.window.dragging import Drag, PaneView, drag_at
 from game.lab.window.help import draw_help
-from game.lab.window.layout import layout_of, pane_areas
-from game.lab.drawing.painting import draw_marks
+from game.lab.window.layout import DEFAULT_SCALE, TEXT_SCALES, WindowLayout, layout_of
 from game.lab.window.pan_zoom import PanZoom
+from game.lab.window.view import draw_all_handles, draw_halo, draw_panes, letters_for, pane_views, sheet_on
 from game.lab.window.widgets import PresetChosen, Refused, Request, SceneChosen, Side, ValueRequested
 from game.lab.window.words import TextSheet, draw_head, draw_notice, draw_small_print, draw_words
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.system.errors import BadInputError
 
 SHOWN = frozenset(Toggle) - {Toggle.PYMUNK}
 """What is shown at first."""
@@ -38,7 +37,6 @@ _REPEATED = frozenset({Command.FORWARD, Command.BACK})
 """Commands that a held key gives again and again: single steps."""
 
 _CHANGES: dict[Command, Callable[[Session], Session]] = {
-    Command.PLAY: sessions.toggled,
     Command.FORWARD: lambda session: sessions.moved(session, 1),
     Command.BACK: lambda session: sessions.moved(session, -1),
     Command.RESTART: sessions.restarted,
@@ -47,6 +45,12 @@ _CHANGES: dict[Command, Callable[[Session], Session]] = {
     Command.DEFAULTS: sessions.reset,
 }
 """Commands that only change the session."""
+_STEPS = frozenset(
+    {Command.PLAY, Command.REVEAL, Command.UNDO_STEP, Command.PREDICT, Command.PAGE_DOWN, Command.PAGE_UP},
+)
+"""Commands that show more or less of the picture."""
+_SAVED = {Command.SAVE_PNG: "png", Command.SAVE_SVG: "svg", Command.SAVE_GIF: "gif"}
+"""Commands that write a file, and its kind."""
 
 
 class Lab:
@@ -55,7 +59,10 @@ class Lab:
     def __init__(self, shared: AppState, session: Session, under: Screen | None = None) -> None:
         """Open with a session. under: the screen to go back to; None leaves the program."""
         self._shared, self._session, self._under = shared, session, under
+        self._letters = letters_for(shared.type)
         self._shown = SHOWN
+        self._reveal = reveals.WHOLE
+        self._scale: int | None = None  # of TEXT_SCALES, while presenting
         self._pan_zoom = _whole(session)
         self._drawn: tuple[Session, Picture] | None = None
         self._side: tuple[tuple[tuple[int, int], Theme, str], Side] | None = None
@@ -71,6 +78,20 @@ class Lab:
     def session(self) -> Session:
         """The scene as it stands."""
         return self._session
+
+    @property
+    def presents(self) -> bool:
+        """Whether it is shown to a lecture room."""
+        return self._scale is not None
+
+    def present(self) -> None:
+        """Show the scene to a lecture room, from its first step on."""
+        self._scale = DEFAULT_SCALE
+        self._reveal = self._first_step()
+
+    def layout(self, size: tuple[int, int]) -> WindowLayout:
+        """How a window of that size is divided."""
+        return layout_of(size, None if self._scale is None else TEXT_SCALES[self._scale])
 
     def answer(self, signal: Signal, _size: tuple[int, int]) -> Screen | None:
         """Let go of a repeating key that is up; everything else is heard as an event of the window."""
@@ -88,7 +109,7 @@ class Lab:
             return self
         if event.type == pygame.KEYDOWN:
             return self._key(event, size)
-        taken, request = self._widgets(size).hear(event)
+        taken, request = (False, None) if self.presents else self._widgets(size).hear(event)
         if request is not None:
             return self._do(request)
         if not taken:
@@ -110,40 +131,46 @@ class Lab:
 
     def draw(self, surface: pygame.Surface) -> None:
         """The world, the words, the widgets."""
-        theme, type_, size = self._shared.theme, self._shared.type, surface.get_size()
-        sheet = TextSheet(surface, layout_of(size), theme, type_)
+        theme, size = self._shared.theme, surface.get_size()
+        sheet = sheet_on(surface, self.layout(size), theme, self._letters)
         surface.fill(theme.background)
-        self._draw_world(sheet)
-        bottom = float(sheet.layout.world.bottom)
+        views = self._pane_views(size)
+        draw_panes(sheet, self._letters, self._seen(), views, self._shown, self._session.given)
+        draw_all_handles(sheet, self._letters, views, self._session.given, self._hovered(views, sheet.layout.pen))
+        draw_head(sheet, self._session.scene, self._step_name())
+        top = draw_words(sheet, self._seen())
+        bottom = top if sheet.layout.presents else float(sheet.layout.world.bottom)
         for note in reversed(self._notes()):
             bottom = draw_notice(sheet, note, bottom - sheet.unit * 0.5)
-        picture, side = self._picture(), self._widgets(size)
-        draw_head(sheet, self._session.scene)
-        draw_words(sheet, picture)
-        side.show(self._session, self._shown, picture.toggles)
-        draw_small_print(sheet, side.bottom, (f"state hash {sessions.state_hash(self._session)}", self._session.line))
-        side.draw(surface, self._session, self._seconds, self._pixels_per_point)
+        if sheet.layout.presents:
+            draw_halo(sheet, self._pointer)
+        else:
+            self._draw_side(sheet)
         self._seconds = 0.0
         if self._help:
-            draw_help(surface, theme, type_)
+            draw_help(surface, theme, self._shared.type)
 
-    def _draw_world(self, sheet: TextSheet) -> None:
-        """Every pane with its title and the handles."""
-        given, views = self._session.given, self._pane_views(sheet.surface.get_size())
-        hovered = self._hovered(views, sheet.unit)
-        for pane, view in zip(self._picture().panes, views, strict=True):
-            pygame.draw.rect(sheet.surface, sheet.theme.ground, view.area)
-            canvas = PaneCanvas(sheet.surface, view.area, view.camera, sheet.theme, sheet.type, sheet.unit, self._shown)
-            rings = [view.camera.project(handle.position(given)) for handle in view.handles]
-            draw_marks(canvas, pane.marks, pane.title, rings)
-            if view.area.left > sheet.layout.world.left:
-                pygame.draw.line(sheet.surface, sheet.theme.panel_edge, view.area.topleft, view.area.bottomleft)
-            draw_handles(canvas, given, view.handles, hovered if hovered in view.handles else None)
+    def _draw_side(self, sheet: TextSheet) -> None:
+        """The widgets, and the small print below them."""
+        side = self._widgets(sheet.surface.get_size())
+        side.show(self._session, self._shown, self._picture().toggles)
+        draw_small_print(sheet, side.bottom, (f"state hash {sessions.state_hash(self._session)}", self._session.line))
+        side.draw(sheet.surface, self._session, self._seconds, self._pixels_per_point)
+
+    def _step_name(self) -> str:
+        """Which step of a reveal is shown."""
+        picture, reveal = self._picture(), self._reveal
+        if reveal.seen is None or not picture.steps:
+            return ""
+        count = reveal.shown(picture)
+        asked = reveals.prediction(reveal, picture)
+        name = f"{count} of {len(picture.steps)}: {picture.steps[count - 1].name}"
+        return name if asked is None else f"{name}.   Now drag your {asked.asked}"
 
     def _key(self, event: pygame.Event, size: tuple[int, int]) -> Screen | None:
         """React to a key. While a field is typed into, the key is the field's."""
         side = self._widgets(size)
-        if side.busy:
+        if side.busy and not self.presents:
             if event.key == pygame.K_ESCAPE:
                 side.release_focus()
                 return self
@@ -159,7 +186,7 @@ class Lab:
 
     def _mouse(self, event: pygame.Event, size: tuple[int, int]) -> None:
         """React to the mouse over the world."""
-        views, unit = self._pane_views(size), layout_of(size).unit
+        views, unit = self._pane_views(size), self.layout(size).pen
         match event.type:
             case pygame.MOUSEMOTION:
                 before, self._pointer = self._pointer, self._pixel(event.pos)
@@ -176,7 +203,7 @@ class Lab:
                 for view in views:
                     if view.area.collidepoint(self._pointer.real, self._pointer.imag):
                         box, steps = self._session.scene.view_box, float(event.precise_y)
-                        self._pan_zoom = self._pan_zoom.zoomed(box, view.area, self._pointer, steps)
+                        self._pan_zoom = self._pan_zoom.zoomed(box, view.focus, self._pointer, steps)
 
     def _move(self, drag: Drag, views: list[PaneView], pixels: complex) -> None:
         """Move what is held by so many pixels."""
@@ -186,6 +213,10 @@ class Lab:
             return
         target = camera.unproject(self._pointer) + drag.offset
         scene = self._session.scene
+        requested = drag.handle.values_at(self._session.given, target)
+        if reveals.GUESS in requested:
+            self._reveal = self._reveal._replace(guess=requested[reveals.GUESS])
+            return
         self._session = sessions.changed(self._session, dragged(scene.parameters, self._session.given, drag.handle, target))
 
     def _do(self, request: Request) -> Screen | None:
@@ -215,26 +246,73 @@ class Lab:
         if command in _CHANGES:
             self._session = _CHANGES[command](session)
             return
+        if command in _STEPS:
+            self._step(command)
+            return
+        if command in _SAVED:
+            self._tell(saving.saved_picture(session, self._reveal, self._shared.settings.colours, _SAVED[command]))
+            return
         match command:
             case Command.PREVIOUS | Command.NEXT:
-                names = [scene.name for scene in scenes()]
-                step = 1 if command is Command.NEXT else -1
-                self._open(names[(names.index(session.scene.name) + step) % len(names)])
+                self._turn(1 if command is Command.NEXT else -1)
             case Command.WHOLE:
                 self._pan_zoom = _whole(self._session)
-            case Command.COPY:
-                self._tell(_copied(session.line))
-            case Command.SAVE:
-                self._tell(_saved(session.line))
+            case Command.PRESENT | Command.LARGER | Command.SMALLER:
+                self._resize(command)
+            case Command.COPY | Command.SAVE:
+                self._tell(saving.copied(session.line) if command is Command.COPY else saving.saved_case(session.line))
             case Command.THEME:
                 self._shared.change(self._shared.settings.other_colours())
             case Command.HELP:
                 self._help = True
 
+    def _step(self, command: Command) -> None:
+        """Show more or less of the picture; where it has no steps, run or pause, or turn to another scene."""
+        picture, revealing = self._picture(), self._reveal.seen is not None
+        if command is Command.PREDICT:
+            self._reveal = reveals.begun(self._reveal._replace(predicts=not self._reveal.predicts))
+            self._tell("guess first: drag the answer, then press Space" if self._reveal.predicts else "no more guessing")
+        elif not picture.steps or (command is Command.PLAY and not revealing and self._session.runs):
+            self._step_of_whole(command)
+        elif command is Command.REVEAL or (command is Command.PLAY and not revealing):
+            self._reveal = reveals.whole(self._reveal) if revealing else reveals.begun(self._reveal)
+        elif command is Command.UNDO_STEP or (command is Command.PAGE_UP and revealing and self._reveal.shown(picture) > 1):
+            self._reveal = reveals.previous_step(self._reveal, picture)
+        elif command in {Command.PLAY, Command.PAGE_DOWN} and revealing:
+            self._reveal = reveals.next_step(self._reveal, picture)
+        else:
+            self._step_of_whole(command)
+
+    def _step_of_whole(self, command: Command) -> None:
+        """What a command for steps means where the whole picture is shown."""
+        if command is Command.PLAY:
+            self._session = sessions.toggled(self._session)
+        elif command in {Command.PAGE_DOWN, Command.PAGE_UP}:
+            self._turn(1 if command is Command.PAGE_DOWN else -1)
+
+    def _turn(self, step: int) -> None:
+        """Open the scene so many after this one."""
+        names = [scene.name for scene in scenes()]
+        self._open(names[(names.index(self._session.scene.name) + step) % len(names)])
+
+    def _resize(self, command: Command) -> None:
+        """Begin or end to present, or change the size of the text there."""
+        if command is Command.PRESENT and self._scale is None:
+            self.present()
+        elif command is Command.PRESENT:
+            self._scale, self._reveal = None, reveals.whole(self._reveal)
+        elif self._scale is not None:
+            self._scale = min(max(self._scale + (1 if command is Command.LARGER else -1), 0), len(TEXT_SCALES) - 1)
+
     def _open(self, name: str) -> None:
-        """Another scene, at its defaults, shown whole."""
+        """Another scene, at its defaults, shown whole; to a lecture room from its first step on."""
         self._session = sessions.fresh(scene_named(name), self._session.given.engine)
         self._pan_zoom, self._drag = _whole(self._session), None
+        self._reveal = self._first_step() if self.presents else reveals.whole(self._reveal)
+
+    def _first_step(self) -> reveals.Reveal:
+        """The beginning of the reveal, where the picture has steps."""
+        return reveals.begun(self._reveal) if self._picture().steps else reveals.whole(self._reveal)
 
     def _tell(self, notice: str) -> None:
         """Show a notice for some seconds."""
@@ -254,6 +332,10 @@ class Lab:
         self._drawn = session, session.picture
         return self._drawn[1]
 
+    def _seen(self) -> Picture:
+        """What is shown of the picture."""
+        return reveals.shown_picture(self._reveal, self._picture())
+
     def _widgets(self, size: tuple[int, int]) -> Side:
         """The widgets, built anew when the window's size, the theme or the scene changes."""
         key = (size, self._shared.theme, self._session.scene.name)
@@ -262,13 +344,10 @@ class Lab:
         return self._side[1]
 
     def _pane_views(self, size: tuple[int, int]) -> list[PaneView]:
-        """Area, camera and handles of each pane; all of them show the same part of the world."""
-        scene, panes = self._session.scene, self._picture().panes
-        areas = pane_areas(layout_of(size), len(panes))
-        return [
-            PaneView(area, self._pan_zoom.camera(scene.view_box, area), scene.handles if pane.has_handles else ())
-            for area, pane in zip(areas, panes, strict=True)
-        ]
+        """Area, camera and handles of each pane."""
+        picture = self._picture()
+        answer = reveals.guess_handle(self._reveal, picture)
+        return pane_views(self.layout(size), self._session.scene, picture, self._pan_zoom, answer)
 
     def _hovered(self, views: list[PaneView], unit: float) -> Handle | None:
         """The handle that is held, or that a press would take hold of."""
@@ -285,20 +364,3 @@ class Lab:
 def _whole(session: Session) -> PanZoom:
     """Shows the scene's view box, and the positions of its first two handles wherever they are."""
     return PanZoom.showing(session.scene.view_box, [handle.position(session.given) for handle in session.scene.handles[:2]])
-
-
-def _copied(line: str) -> str:
-    """Put a line on the clipboard; returns a sentence that says whether that worked."""
-    try:
-        pygame.scrap.put_text(f'python -m game lab "{line}"')
-    except pygame.error as error:
-        return f"no clipboard here ({error}); the line is at the right"
-    return "copied: the line that opens this"
-
-
-def _saved(line: str) -> str:
-    """Save a line as a case; returns a sentence that says whether that worked."""
-    try:
-        return save_case(line, case_file())
-    except BadInputError as error:
-        return str(error)

@@ -10,7 +10,7 @@ from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Disc, Line, Mark, Picture, PointMark, Role, Stroke, Toggle, in_steps, one_step
 from game.lab.kit.response_reveal import DrawnBounce, response_reveal
 from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
-from physics import collision_response, dot, length, to_cartesian
+from physics import collision_response, dot, length, to_cartesian, to_polar
 
 _BALL_RADIUS = 0.7
 _SCALE = 0.4
@@ -42,8 +42,9 @@ def _picture(given: Given) -> Picture:
     centre, found = _surface_bounce(given)
     n = found.normal
     line = f"n = {two_decimals(n)},   μ_p = {found.friction:g}"
-    steps = response_reveal(DrawnBounce(found, centre, 0j, _SCALE))
-    return in_steps([one_step("the ball touches the surface", _situation(n, centre), [line]), *steps], response_line(found), _note(found))
+    first = one_step("the ball touches the surface", _situation(n, centre), [line])
+    steps = [first, *response_reveal(DrawnBounce(found, centre, 0j, _SCALE))]
+    return in_steps(steps, response_line(found), _note(found))
 
 
 def _situation(n: complex, centre: complex) -> list[Mark]:
@@ -70,10 +71,12 @@ def _note(found: Bounce) -> str:
     if found.overtaken:
         return "At v_0 the surface would overtake the ball: it is carried, with the surface's own speed along n."
     if found.surface_speed > 0.0:
-        return "The surface comes towards the ball: |v_res| > v_0, and the reset makes the ball slower again."
-    if found.surface_speed < 0.0:
-        return "The surface retreats: |v_res| < v_0 where it is not rough, and the reset makes the ball faster again."
-    return ""
+        return "The surface comes towards the ball: the bounce makes it faster, and the reset brings it back to v_0."
+    return (
+        "The surface retreats: the bounce makes the ball slower, and the reset brings it back to v_0."
+        if found.surface_speed
+        else ""
+    )
 
 
 def _check(given: Given) -> tuple[Claim, ...]:
@@ -105,17 +108,22 @@ def _is_near_carried(found: Bounce) -> bool:
     return abs(dot(v_res, found.normal) / length(v_res) * found.speed - found.surface_speed) < 1e-9 * found.speed
 
 
+def _degrees_of(point: complex, before: float) -> float:
+    """The angle of a point; the angle before, for the origin."""
+    return math.degrees(to_polar(point)[1]) if point else before
+
+
 SCENE = LabScene(
     name="moving-surface",
     title="Response: any surface, vector by vector",
-    idea="The surface may move in any direction, also along its normal. Space shows one vector of the response after the other.",
+    idea="The surface may move in any direction, also along its normal. Space shows one vector after the other.",
     functions=("collision_response",),
     parameters=(
         Number("heading", "ψ", "°", 0.0, 360.0, 305.0, 0.5, "direction of v"),
         Number("speed", "v_0", "", 0.5, 20.0, 9.0, 0.1, "the ball's fixed speed"),
         Point("v_p", "v_p", -20.0, 20.0, -2.5 + 2j, 0.1, "the surface's velocity"),
         Number("mu", "μ_p", "", 0.0, 1.0, 0.5, 0.01, "friction"),
-        Number("normal", "∠n", "°", 0.0, 360.0, 90.0, 0.5, "direction of n"),
+        Number("normal", "ψ_n", "°", 0.0, 360.0, 90.0, 0.5, "direction of n"),
     ),
     handles=(
         handles.polar_vector("speed", "heading", lambda given: _surface_bounce(given).centre, _SCALE, "v"),
@@ -123,10 +131,10 @@ SCENE = LabScene(
         handles.Handle(
             "n",
             lambda given: to_cartesian(_NORMAL, given.angle("normal")),
-            lambda given, target: {"normal": math.degrees(math.atan2(target.imag, target.real)) % 360.0 if target else given.number("normal")},
+            lambda given, target: {"normal": _degrees_of(target, given.number("normal"))},
         ),
     ),
-    view_box=ViewBox(0.6 + 0.6j, 6.0 + 4.2j),
+    view_box=ViewBox(0.6 + 1.1j, 5.6 + 4.7j),
     shows=_picture,
     check=_check,
     rows=(4, 5),

@@ -16,7 +16,8 @@ from game.lab.kit.marks import (
     two_decimals,
 )
 from game.lab.kit.parameters import Given, Number
-from game.lab.kit.picture import Arrow, Line, Mark, Picture, Role, Stroke, Toggle, single
+from game.lab.kit.picture import Arrow, Line, Mark, Picture, Role, Stroke, Toggle, in_steps, one_step, with_more_marks
+from game.lab.kit.response_reveal import DrawnBounce, response_reveal
 from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import Ball, Contact, Ring, collision_response, contact, cross, dot, length, response_steps, to_cartesian, to_polar
 
@@ -52,31 +53,18 @@ def _picture(given: Given) -> Picture:
     """The flight to the wall and from it, and the mirrored one that a smooth wall would give."""
     ball, ring, touch, found = _wall_bounce(given)
     p, v = ball.position, ball.velocity
-    marks: list[Mark] = [*ring_marks(ring), *ball_marks(p, _BALL_RADIUS), *contact_marks(ball, touch)]
-    marks.append(Line((p - v * VELOCITY_SCALE, p), Role.PLAIN, Toggle.SWEPT, Stroke.DASHED))
+    situation: list[Mark] = [*ring_marks(ring), *ball_marks(p, _BALL_RADIUS), *contact_marks(ball, touch)]
+    situation.append(Line((p - v * VELOCITY_SCALE, p), Role.PLAIN, Toggle.SWEPT, Stroke.DASHED))
+    line = f"n = {two_decimals(found.normal)},   μ_p = {found.friction:g}"
+    first = one_step("the ball touches a wall at rest", situation, [line])
+    steps = [first, *response_reveal(DrawnBounce(found, p, touch.point), "the wall is at rest:   v_p")]
     if not found.separates:
-        mirrored = v + found.steps.normal_change
-        marks.append(Arrow(p, mirrored * VELOCITY_SCALE, Role.FAINT, None, Stroke.DASHED, "mirrored"))
-    marks.append(Arrow(p, v * VELOCITY_SCALE, Role.PLAIN, None, Stroke.THICK, "v before"))
-    marks.append(Arrow(p, found.steps.velocity * VELOCITY_SCALE, Role.GOOD, None, Stroke.THICK, "v after"))
-    marks += second_opinion(given, ball, ring, (0,), touch)
-    return single(tuple(marks), _formula(found), _cited(found), _note(found))
-
-
-def _formula(found: Bounce) -> tuple[str, ...]:
-    """The equations with v_p = 0."""
-    steps = found.steps
-    compared = f"v_p = 0, so Δv = v = {two_decimals(found.v)},   Δv · n = {found.approach:.2f}"
-    if found.separates:
-        return (compared, "Δv · n is not below 0: they separate, nothing happens")
-    normal, tangential = length(steps.normal_part), length(steps.tangential_part)
-    taken = length(steps.tangential_change)
-    return (
-        compared,
-        f"|Δv_n| = {normal:.2f},   |Δv_t| = {tangential:.2f},   μ min(|Δv_n|, |Δv_t|) = {taken:.2f}",
-        f"v := v_0 v_res / |v_res| = {two_decimals(steps.velocity)}",
-        f"to the normal:   in {angle_between(-found.v, found.normal)},   out {angle_between(steps.velocity, found.normal)}",
-    )
+        mirrored = (v + found.steps.normal_change) * VELOCITY_SCALE
+        angles = f"in {angle_between(-v, found.normal)},   out {angle_between(found.steps.velocity, found.normal)}"
+        mirror = Arrow(p, mirrored, Role.FAINT, None, Stroke.DASHED, "mirrored")
+        steps.append(one_step("beside a mirror", [mirror], [f"to the normal:   {angles}"]))
+    steps[-1] = with_more_marks(steps[-1], second_opinion(given, ball, ring, (0,), touch))
+    return in_steps(steps, _cited(found), _note(found))
 
 
 def _cited(found: Bounce) -> CitedLine:
