@@ -22,8 +22,7 @@ from game.lab.window.layout import layout_of
 from game.lab.window.pan_zoom import PanZoom
 from game.lab.window.screen import Lab
 from game.lab.window.screenshot import save_screenshot
-from game.lab.window.view import letters_for, sheet_on
-from game.lab.window.words import draw_head, draw_words
+from game.lab.window.words import TextSheet, draw_head, draw_words
 from game.screens.menu import Menu
 from game.screens.play import PlayScreen
 from game.screens.title import Title
@@ -230,7 +229,7 @@ def preset_pictures(name):
 def test_the_words_fit_their_places(scene, size):
     """At every preset, title, idea, formula and note end inside their parts of the window."""
     layout = layout_of(size)
-    sheet = sheet_on(pygame.Surface(size), layout, DARK, letters_for(Type()))
+    sheet = TextSheet(pygame.Surface(size), layout, DARK, Type())
     assert draw_head(sheet, scene) <= layout.head.bottom
     for picture in preset_pictures(scene.name):
         assert draw_words(sheet, picture) <= layout.words.bottom

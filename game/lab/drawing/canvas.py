@@ -21,6 +21,7 @@ class PaneCanvas(NamedTuple):
 
     area: the pane's part of the surface. unit: pixels, the measure of lines and points. shown: the toggles that are on.
     letters: size of words in the world, in units. focus: the part of the area that nothing lies over; None for all of it.
+    plates: whether words stand on plates, which a projector needs.
     """
 
     surface: pygame.Surface
@@ -32,6 +33,7 @@ class PaneCanvas(NamedTuple):
     shown: frozenset[Toggle]
     letters: float = 0.95
     focus: pygame.Rect | None = None
+    plates: bool = False
 
     @property
     def free(self) -> pygame.Rect:

@@ -7,7 +7,7 @@ from game.drawing.text import Type
 from game.lab.typeset.mathtext import can_typeset, set_line
 from game.lab.typeset.tex import has_symbols
 
-_EM = 0.6875
+EM = 0.6875
 """The em square of pygame's own font, in the size that it is asked for."""
 _MOST_SET = 256
 """Lines cached, at most."""
@@ -26,8 +26,8 @@ class FormulaType(Type):
 
     def rendered(self, text: str, size: float, colour: Colour, spacing: float = 0.0) -> pygame.Surface:
         """A line of text or a formula on a transparent surface."""
-        pixels = round(size * _EM)
-        if not can_typeset() or spacing or pixels < 1 or not (self._words or has_symbols(text)):
+        pixels = round(size * EM)
+        if spacing or pixels < 1 or not self.sets(text):
             return super().rendered(text, size, colour, spacing)
         key = (text, pixels, colour)
         if key not in self._set:
@@ -35,6 +35,10 @@ class FormulaType(Type):
                 self._set.clear()
             self._set[key] = self._typeset(text, size, colour)
         return self._set[key]
+
+    def sets(self, text: str) -> bool:
+        """Whether a text is set as a formula."""
+        return can_typeset() and (self._words or has_symbols(text))
 
     def wrapped(self, text: str, size: float, width: float) -> list[str]:
         """The text in lines no wider than `width` pixels: broken between formulas, and only then between words."""
@@ -54,7 +58,7 @@ class FormulaType(Type):
     def _typeset(self, text: str, size: float, colour: Colour) -> pygame.Surface:
         """A formula, or the plain text where mathtext cannot set it."""
         try:
-            line = set_line(text, float(round(size * _EM)))
+            line = set_line(text, float(round(size * EM)))
         except ValueError:
             return super().rendered(text, size, colour)
         surface = pygame.Surface((line.shades.shape[1], line.shades.shape[0]), pygame.SRCALPHA)

@@ -67,7 +67,7 @@ def _placed(
         return []
     line = canvas.type.rendered(wanted.text, size, wanted.colour)
     box = _free_box(line.get_rect(**{wanted.anchor: rounded(wanted.pixel)}), canvas.free.inflate(-_EDGE, -_EDGE), taken, rings)
-    return [] if box is None else [PlacedLabel(box, wanted.text, size, wanted.colour, canvas.theme.ground)]
+    return [] if box is None else [PlacedLabel(box, wanted.text, size, wanted.colour, canvas.theme.ground, canvas.plates)]
 
 
 def _free_box(

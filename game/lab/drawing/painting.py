@@ -15,6 +15,8 @@ from game.lab.kit.picture import Mark
 
 _SEAM = 0.075
 """Width of the seam around words, in the size of their letters."""
+_PLATE_EDGE, PLATE_OPACITY = 0.12, 190
+"""Beside words on a plate, in the size of their letters; opacity, of 255."""
 _AROUND = ((-1, 0), (1, 0), (0, -1), (0, 1), (-1, -1), (1, 1), (-1, 1), (1, -1))
 _SMOOTH = 8e3
 """Pixels: a circle of a larger radius is painted without anti-aliasing."""
@@ -55,12 +57,23 @@ def paint_shapes(surface: pygame.Surface, shapes: Sequence[PixelShape]) -> None:
 def paint_labels(surface: pygame.Surface, type_: Type, labels: Sequence[PlacedLabel]) -> None:
     """Words with a seam around them."""
     for label in labels:
+        if label.plate:
+            _paint_plate(surface, label)
         seam = type_.rendered(label.text, label.size, label.seam)
         width = max(1, round(label.size * _SEAM))
         for reach in range(1, width + 1, 2):
             for dx, dy in _AROUND:
                 surface.blit(seam, label.box.move(dx * reach, dy * reach))
         surface.blit(type_.rendered(label.text, label.size, label.colour), label.box)
+
+
+def _paint_plate(surface: pygame.Surface, label: PlacedLabel) -> None:
+    """A translucent plate behind words."""
+    edge = round(label.size * _PLATE_EDGE)
+    box = label.box.inflate(2 * edge, 0)
+    plate = pygame.Surface(box.size, pygame.SRCALPHA)
+    pygame.draw.rect(plate, (*label.seam, PLATE_OPACITY), plate.get_rect(), 0, edge * 2)
+    surface.blit(plate, box)
 
 
 def _paint_round(surface: pygame.Surface, shape: Round) -> None:

@@ -44,13 +44,17 @@ class ColourGrid(NamedTuple):
 
 
 class PlacedLabel(NamedTuple):
-    """Words where they are written. size: of the letters, pixels. seam: the colour around them."""
+    """Words where they are written.
+
+    size: of the letters, pixels. seam: the colour around them. plate: whether it fills their box.
+    """
 
     box: pygame.Rect
     text: str
     size: float
     colour: Colour
     seam: Colour
+    plate: bool = False
 
 
 PixelShape = Polyline | FilledPolygon | Round | ColourGrid

@@ -17,7 +17,8 @@ _FAMILY = "stix"
 _DOTS = 72.0
 """Dots per inch at which a point is a pixel."""
 _MOST_PIECES = 512
-_CURVES = {1: "M", 2: "L", 3: "Q", 4: "C", 79: "Z"}
+_CURVES = {1: "M", 2: "L", 3: "Q", 4: "C"}
+_CLOSE, _CLOSED = 79, "Z"
 """matplotlib's codes of a path's parts, as SVG has them."""
 
 
@@ -71,7 +72,8 @@ def outline(line: str, size: float) -> Outline:
     prop, tex = _font(size), tex_line(line)
     found: Any = TextPath((0.0, 0.0), tex, size, prop)
     box = _parser("path").parse(tex, _DOTS, prop)
-    parts = [f"{_CURVES[int(code)]}{_numbers(points)}" for points, code in found.iter_segments(curves=True, simplify=False)]
+    segments = found.iter_segments(curves=True, simplify=False)
+    parts = [_CLOSED if code == _CLOSE else f"{_CURVES[int(code)]}{_numbers(points)}" for points, code in segments]
     return Outline("".join(parts), float(box.width), float(box.height - box.depth), float(box.depth))
 
 

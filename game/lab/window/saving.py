@@ -1,11 +1,19 @@
 """What the lab writes for its user: the clipboard, a case, a picture. Each returns a sentence that says whether that worked."""
 
+from pathlib import Path
+
+import platformdirs
 import pygame
 
+from game.lab.export.files import FileKind, file_of
+from game.lab.export.slide import SlideStyle
 from game.lab.session.cases import case_file, save_case
 from game.lab.session.reveal import Reveal
 from game.lab.session.session import Session
-from game.system.errors import BadInputError
+from game.lab.window.pan_zoom import PanZoom
+from game.system.errors import BadInputError, EnvironmentMissingError
+from game.system.files import write_new
+from game.system.wording import quoted_path
 
 
 def copied(line: str) -> str:
@@ -25,6 +33,24 @@ def saved_case(line: str) -> str:
         return str(error)
 
 
-def saved_picture(session: Session, reveal: Reveal, colours: str, kind: str) -> str:
-    """Save a picture of the scene as it is shown. colours: a key of `settings.THEMES`. kind: png, svg or gif."""
-    return f"{session} {reveal} {colours} {kind}"
+def saved_picture(kind: FileKind, style: SlideStyle, session: Session, reveal: Reveal, pan_zoom: PanZoom) -> str:
+    """Save what is shown of a scene as a new file in the working directory, or where that cannot be, in the user's data."""
+    try:
+        data = file_of(kind, style, session, reveal, pan_zoom)
+    except EnvironmentMissingError as error:
+        return str(error)
+    name = f"{session.scene.name}.{kind}"
+    try:
+        return f"saved: {write_new(Path(), name, data).absolute()}"
+    except OSError:
+        return _saved_in_user_data(name, data)
+
+
+def _saved_in_user_data(name: str, data: bytes) -> str:
+    """Save a new file in the user's data folder."""
+    folder = platformdirs.user_data_path("polar-breakout", appauthor=False)
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        return f"saved: {write_new(folder, name, data)}"
+    except OSError as error:
+        return f"not saved: {quoted_path(folder / name)}: {error.strerror or error}"

@@ -8,6 +8,8 @@ from game.drawing.palette import Theme
 from game.input.keys import code_among, position_in
 from game.input.repeat import Repeat
 from game.input.signals import KeyboardState, Signal
+from game.lab.export.files import FileKind, step_name
+from game.lab.export.slide import SLIDE_SIZE, SlideStyle
 from game.lab.kit.handles import Handle, dragged
 from game.lab.kit.parameters import Clamped, clamped
 from game.lab.kit.picture import Picture, Toggle
@@ -22,7 +24,8 @@ from game.lab.window.dragging import Drag, PaneView, drag_at
 from game.lab.window.help import draw_help
 from game.lab.window.layout import DEFAULT_SCALE, TEXT_SCALES, WindowLayout, layout_of
 from game.lab.window.pan_zoom import PanZoom
-from game.lab.window.view import draw_all_handles, draw_halo, draw_panes, letters_for, pane_views, sheet_on
+from game.lab.window.presented import paint_presented, presented_words
+from game.lab.window.view import draw_all_handles, draw_halo, draw_panes, letters_for, pane_views
 from game.lab.window.widgets import PresetChosen, Refused, Request, SceneChosen, Side, ValueRequested
 from game.lab.window.words import TextSheet, draw_head, draw_notice, draw_small_print, draw_words
 from game.screens.app_state import AppState
@@ -49,7 +52,7 @@ _STEPS = frozenset(
     {Command.PLAY, Command.REVEAL, Command.UNDO_STEP, Command.PREDICT, Command.PAGE_DOWN, Command.PAGE_UP},
 )
 """Commands that show more or less of the picture."""
-_SAVED = {Command.SAVE_PNG: "png", Command.SAVE_SVG: "svg", Command.SAVE_GIF: "gif"}
+_SAVED: dict[Command, FileKind] = {Command.SAVE_PNG: "png", Command.SAVE_SVG: "svg", Command.SAVE_GIF: "gif"}
 """Commands that write a file, and its kind."""
 
 
@@ -132,23 +135,32 @@ class Lab:
     def draw(self, surface: pygame.Surface) -> None:
         """The world, the words, the widgets."""
         theme, size = self._shared.theme, surface.get_size()
-        sheet = sheet_on(surface, self.layout(size), theme, self._letters)
+        sheet = TextSheet(surface, self.layout(size), theme, self._shared.type)
         surface.fill(theme.background)
         views = self._pane_views(size)
         draw_panes(sheet, self._letters, self._seen(), views, self._shown, self._session.given)
         draw_all_handles(sheet, self._letters, views, self._session.given, self._hovered(views, sheet.layout.pen))
-        draw_head(sheet, self._session.scene, self._step_name())
-        top = draw_words(sheet, self._seen())
-        bottom = top if sheet.layout.presents else float(sheet.layout.world.bottom)
+        bottom = self._draw_words(sheet)
         for note in reversed(self._notes()):
             bottom = draw_notice(sheet, note, bottom - sheet.unit * 0.5)
-        if sheet.layout.presents:
-            draw_halo(sheet, self._pointer)
-        else:
+        if not sheet.layout.presents:
             self._draw_side(sheet)
+        elif self._pointer.real >= 0.0:
+            draw_halo(sheet, self._pointer)
         self._seconds = 0.0
         if self._help:
             draw_help(surface, theme, self._shared.type)
+
+    def _draw_words(self, sheet: TextSheet) -> float:
+        """The words around the picture; returns where notices end, above them."""
+        scene, picture, step = self._session.scene, self._seen(), self._step_name()
+        if sheet.layout.presents:
+            words = presented_words(sheet.layout, self._letters.around, sheet.theme, scene.title, step, picture)
+            paint_presented(sheet.surface, self._letters.around, sheet.theme, words)
+            return float(words.plates[-1].top)
+        draw_head(sheet, scene, step)
+        draw_words(sheet, picture)
+        return float(sheet.layout.world.bottom)
 
     def _draw_side(self, sheet: TextSheet) -> None:
         """The widgets, and the small print below them."""
@@ -159,12 +171,7 @@ class Lab:
 
     def _step_name(self) -> str:
         """Which step of a reveal is shown."""
-        picture, reveal = self._picture(), self._reveal
-        if reveal.seen is None or not picture.steps:
-            return ""
-        count = reveal.shown(picture)
-        asked = reveals.prediction(reveal, picture)
-        name = f"{count} of {len(picture.steps)}: {picture.steps[count - 1].name}"
+        name, asked = step_name(self._reveal, self._picture()), reveals.prediction(self._reveal, self._picture())
         return name if asked is None else f"{name}.   Now drag your {asked.asked}"
 
     def _key(self, event: pygame.Event, size: tuple[int, int]) -> Screen | None:
@@ -250,7 +257,8 @@ class Lab:
             self._step(command)
             return
         if command in _SAVED:
-            self._tell(saving.saved_picture(session, self._reveal, self._shared.settings.colours, _SAVED[command]))
+            style = SlideStyle(SLIDE_SIZE, self._shared.theme, self._letters, self._shown)
+            self._tell(saving.saved_picture(_SAVED[command], style, session, self._reveal, self._pan_zoom))
             return
         match command:
             case Command.PREVIOUS | Command.NEXT:

@@ -4,7 +4,6 @@ from typing import NamedTuple
 
 import pygame
 
-from game.drawing.palette import Theme
 from game.drawing.text import Type
 from game.lab.drawing.canvas import PaneCanvas
 from game.lab.drawing.formula_type import FormulaType
@@ -16,6 +15,7 @@ from game.lab.kit.scene import LabScene
 from game.lab.window.dragging import PaneView, draw_handles
 from game.lab.window.layout import WindowLayout, focus_areas, pane_areas
 from game.lab.window.pan_zoom import PanZoom
+from game.lab.window.presented import WordLetters
 from game.lab.window.words import TextSheet
 
 _HALO, _HALO_OPACITY = 1.5, 110
@@ -23,22 +23,15 @@ _HALO, _HALO_OPACITY = 1.5, 110
 
 
 class Letters(NamedTuple):
-    """The letters of words, of a formula's lines, and of the labels in a picture."""
+    """The letters of the words around a picture, and of the labels in it."""
 
-    words: Type
-    formulas: Type
+    around: WordLetters
     labels: Type
 
 
 def letters_for(words: Type) -> Letters:
     """Letters that set formulas where mathtext is there, and else the plain ones."""
-    return Letters(words, FormulaType(words=True), FormulaType())
-
-
-def sheet_on(surface: pygame.Surface, layout: WindowLayout, theme: Theme, letters: Letters) -> TextSheet:
-    """What the words around a picture are written on. In the window with widgets formulas are plain text."""
-    formulas, mixed = (letters.formulas, letters.labels) if layout.presents else (letters.words, letters.words)
-    return TextSheet(surface, layout, theme, letters.words, formulas, mixed)
+    return Letters(WordLetters(words, FormulaType(words=True)), FormulaType())
 
 
 def pane_views(
@@ -77,8 +70,9 @@ def draw_all_handles(sheet: TextSheet, letters: Letters, views: list[PaneView], 
 def pane_canvas(sheet: TextSheet, letters: Letters, view: PaneView, shown: frozenset[Toggle]) -> PaneCanvas:
     """What one pane is drawn on."""
     layout = sheet.layout
-    type_ = letters.labels if layout.presents else letters.words
-    return PaneCanvas(sheet.surface, view.area, view.camera, sheet.theme, type_, layout.pen, shown, layout.letters, view.focus)
+    type_ = letters.labels if layout.presents else letters.around.words
+    about = (sheet.surface, view.area, view.camera, sheet.theme, type_, layout.pen, shown)
+    return PaneCanvas(*about, layout.letters, view.focus, layout.presents)
 
 
 def draw_halo(sheet: TextSheet, pixel: complex) -> None:

@@ -14,26 +14,17 @@ from game.lab.window.layout import WindowLayout
 
 _LINE = 1.25
 """Height of a line of text in the size of its letters."""
-_GAP = 0.18
-"""Between lines in a lecture room, in the size of their letters."""
-_PLATE = 224
-"""Opacity of a plate, of 255."""
 _BETWEEN = "      "
 """Between formulas on one line."""
 
 
 class TextSheet(NamedTuple):
-    """What words are written on and with: a surface, its division, colours and letters.
-
-    formulas: the letters of formulas. mixed: those of sentences with formulas in them.
-    """
+    """What words are written on and with: a surface, its division, colours and letters."""
 
     surface: pygame.Surface
     layout: WindowLayout
     theme: Theme
     type: Type
-    formulas: Type
-    mixed: Type
 
     @property
     def unit(self) -> float:
@@ -44,8 +35,6 @@ class TextSheet(NamedTuple):
 def draw_head(sheet: TextSheet, scene: LabScene, step: str = "") -> float:
     """The title, the idea, and where it goes beyond the source; returns where they end, pixels. step: the one shown last."""
     unit, theme, head = sheet.unit, sheet.theme, sheet.layout.head
-    if sheet.layout.presents:
-        return _draw_presented_head(sheet, scene, step)
     pygame.draw.rect(sheet.surface, theme.background, head)
     title = sheet.type.write(sheet.surface, scene.title, unit * 1.35, theme.text, complex(unit * 0.9, unit * 0.45))
     room = head.right - unit * 0.9 - title.right - unit
@@ -57,29 +46,12 @@ def draw_head(sheet: TextSheet, scene: LabScene, step: str = "") -> float:
     return top
 
 
-def _draw_presented_head(sheet: TextSheet, scene: LabScene, step: str) -> float:
-    """The title, and at the right the step; where there is no room for both, the step alone."""
-    unit, theme, head = sheet.unit, sheet.theme, sheet.layout.head
-    _draw_plate(sheet, head)
-    edge, middle = unit * 0.6, head.centery
-    room = head.width - 3.0 * edge - sheet.type.rendered(scene.title, unit, theme.text).get_width()
-    both = sheet.mixed.rendered(step, unit, theme.accent).get_width() <= room
-    if both or not step:
-        sheet.type.write(sheet.surface, scene.title, unit, theme.text, complex(edge, middle), "midleft")
-    if step:
-        pixel = complex(head.right - edge, middle) if both else complex(edge, middle)
-        sheet.mixed.write(sheet.surface, step, unit, theme.accent, pixel, "midright" if both else "midleft")
-    return float(head.bottom)
-
-
 def draw_words(sheet: TextSheet, picture: Picture) -> float:
     """The formula, the cited line, and the note; returns where they end, pixels.
 
     Where there is too little room, formulas stand beside each other; where that is not enough, the first are left out.
     """
     unit, theme, area = sheet.unit, sheet.theme, sheet.layout.words
-    if sheet.layout.presents:
-        return _draw_presented_words(sheet, picture)
     pygame.draw.rect(sheet.surface, theme.background, area)
     cited = "" if picture.cited is None else f"{picture.cited.where}:  {picture.cited.text}"
     width = sheet.layout.side.left - 1.8 * unit
@@ -94,34 +66,6 @@ def draw_words(sheet: TextSheet, picture: Picture) -> float:
     for line, colour in below:
         top = _write_line(sheet, line, colour, top)
     return top
-
-
-def _draw_presented_words(sheet: TextSheet, picture: Picture) -> float:
-    """The formulas that were revealed last, from the bottom upwards, on a plate over the picture."""
-    unit, theme, area = sheet.unit, sheet.theme, sheet.layout.words
-    edge = unit * 0.6
-    width = area.width - 2.0 * edge
-    formulas = [line for text in picture.formula for line in sheet.formulas.wrapped(text, unit, width)]
-    rows = [sheet.formulas.rendered(line, unit, theme.text) for line in formulas]
-    rows += [sheet.mixed.rendered(line, unit, theme.accent) for line in sheet.mixed.wrapped(picture.note, unit, width)]
-    heights = [max(row.get_height(), round(unit * 0.9)) + round(unit * _GAP) for row in rows]
-    while sum(heights) + unit * 2.0 * _GAP > area.height and len(heights) > 1:
-        rows, heights = rows[1:], heights[1:]
-    if rows:
-        _draw_plate(sheet, pygame.Rect(0, area.bottom - round(sum(heights) + unit * 2.0 * _GAP), area.width, area.height))
-    top = area.bottom - sum(heights) - unit * _GAP
-    for row, height in zip(rows, heights, strict=True):
-        sheet.surface.blit(row, (round(edge), round(top + (height - row.get_height()) / 2.0)))
-        top += height
-    return top
-
-
-def _draw_plate(sheet: TextSheet, area: pygame.Rect) -> None:
-    """A plate over the picture on which words can be read."""
-    seen = area.clip(sheet.surface.get_rect())
-    plate = pygame.Surface(seen.size, pygame.SRCALPHA)
-    plate.fill((*sheet.theme.ground, _PLATE))
-    sheet.surface.blit(plate, seen)
 
 
 def _fitting(type_: Type, lines: Sequence[str], size: float, width: float, most: int) -> list[str]:

@@ -31,9 +31,9 @@ from physics import Ball, Contact, Feature, Ring, contact, length, narrow_phase_
 from physics.narrow_phase import end_contact, face_contact
 
 _BOX = ViewBox(1.5 + 1.6j, 10.2 + 6.2j)
-_HALF = 15 + 8j
-"""Half of what the field covers, around the view's centre."""
-_CELLS = (150, 80)
+_HALF, _NORMALS_HALF = 26 + 14j, 15 + 8j
+"""Half of what the field covers, and of what the drawn normals do, around the view's centre."""
+_CELLS = (260, 140)
 _BAND, _SPAN = 1.0, 7.0
 _SPACING, _ARROW = 1.7, 0.65
 _SAMPLES = 32
@@ -166,7 +166,7 @@ def _borders(ring: Ring) -> list[tuple[complex, ...]]:
 
 def _normals(ball_radius: float, ring: Ring) -> list[Mark]:
     """A normal at every point of a coarse grid, in the colour of the feature that is nearest there."""
-    across, up = round(_HALF.real / _SPACING), round(_HALF.imag / _SPACING)
+    across, up = round(_NORMALS_HALF.real / _SPACING), round(_NORMALS_HALF.imag / _SPACING)
     positions = [_BOX.centre + complex(i, j) * _SPACING for i in range(-across, across + 1) for j in range(-up, up + 1)]
     marks: list[Mark] = []
     for position in positions:

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from game.lab.kit import handles
 from game.lab.kit.bounce import Bounce, bounce, response_line
-from game.lab.kit.marks import VELOCITY_SCALE, ball_marks, contact_marks, ring_marks, second_opinion, two_decimals
+from game.lab.kit.marks import ball_marks, contact_marks, ring_marks, second_opinion, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Picture, in_steps, one_step, with_more_marks
 from game.lab.kit.response_reveal import DrawnBounce, response_reveal
@@ -14,6 +14,8 @@ from physics import Ball, Contact, Ring, collision_response, contact, dot, lengt
 
 _RADIUS, _HALF_WIDTH, _HALF_ANGLE = 9.0, 0.5, 0.35
 _BALL_RADIUS = 0.5
+_SCALE = 0.28
+"""World units drawn per unit of speed."""
 
 
 class _PaddleBounce(NamedTuple):
@@ -52,7 +54,7 @@ def _picture(given: Given) -> Picture:
     ball, ring, touch, found = _paddle_bounce(given)
     situation = [*ring_marks(ring), *ball_marks(ball.position, _BALL_RADIUS), *contact_marks(ball, touch)]
     line = f"n = {two_decimals(found.normal)},   μ_p = {found.friction:g}"
-    drawn = DrawnBounce(found, ball.position, touch.point)
+    drawn = DrawnBounce(found, ball.position, touch.point, _SCALE)
     steps = [one_step("the ball touches a paddle", situation, [line]), *response_reveal(drawn, "v_p = ω × q")]
     steps[-1] = with_more_marks(steps[-1], second_opinion(given, ball, ring, (0,), touch))
     return in_steps(steps, response_line(found), _note(found))
@@ -110,10 +112,10 @@ SCENE = LabScene(
         Number("mu", "μ_p", "", 0.0, 1.0, 0.5, 0.01, "friction"),
     ),
     handles=(
-        handles.polar_vector("speed", "heading", _start, VELOCITY_SCALE, "velocity"),
+        handles.polar_vector("speed", "heading", _start, _SCALE, "velocity"),
         handles.Handle("ball", _start, lambda _given, position: {"ball": position}, lambda _given: _BALL_RADIUS),
     ),
-    view_box=ViewBox(0.0 + 7.6j, 5.2 + 3.6j),
+    view_box=ViewBox(0.4 + 7.3j, 5.4 + 4.4j),
     shows=_picture,
     check=_check,
     rows=(4, 5, 10),

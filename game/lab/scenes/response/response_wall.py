@@ -7,7 +7,6 @@ from game.lab.kit import handles
 from game.lab.kit.bounce import Bounce, bounce
 from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import (
-    VELOCITY_SCALE,
     angle_between,
     ball_marks,
     contact_marks,
@@ -23,6 +22,8 @@ from physics import Ball, Contact, Ring, collision_response, contact, cross, dot
 
 _RADIUS, _HALF_WIDTH, _HALF_ANGLE = 6.0, 0.6, 0.7
 _BALL_RADIUS = 0.5
+_SCALE = 0.34
+"""World units drawn per unit of speed."""
 
 
 class _WallBounce(NamedTuple):
@@ -54,12 +55,12 @@ def _picture(given: Given) -> Picture:
     ball, ring, touch, found = _wall_bounce(given)
     p, v = ball.position, ball.velocity
     situation: list[Mark] = [*ring_marks(ring), *ball_marks(p, _BALL_RADIUS), *contact_marks(ball, touch)]
-    situation.append(Line((p - v * VELOCITY_SCALE, p), Role.PLAIN, Toggle.SWEPT, Stroke.DASHED))
+    situation.append(Line((p - v * _SCALE, p), Role.PLAIN, Toggle.SWEPT, Stroke.DASHED))
     line = f"n = {two_decimals(found.normal)},   μ_p = {found.friction:g}"
     first = one_step("the ball touches a wall at rest", situation, [line])
-    steps = [first, *response_reveal(DrawnBounce(found, p, touch.point), "the wall is at rest:   v_p")]
+    steps = [first, *response_reveal(DrawnBounce(found, p, touch.point, _SCALE), "the wall is at rest:   v_p")]
     if not found.separates:
-        mirrored = (v + found.steps.normal_change) * VELOCITY_SCALE
+        mirrored = (v + found.steps.normal_change) * _SCALE
         angles = f"in {angle_between(-v, found.normal)},   out {angle_between(found.steps.velocity, found.normal)}"
         mirror = Arrow(p, mirrored, Role.FAINT, None, Stroke.DASHED, "mirrored")
         steps.append(one_step("beside a mirror", [mirror], [f"to the normal:   {angles}"]))
@@ -115,7 +116,7 @@ SCENE = LabScene(
         Number("mu", "μ_p", "", 0.0, 1.0, 0.3, 0.01, "friction"),
     ),
     handles=(
-        handles.polar_vector("speed", "heading", _start, VELOCITY_SCALE, "velocity"),
+        handles.polar_vector("speed", "heading", _start, _SCALE, "velocity"),
         handles.Handle(
             "ball",
             _start,
@@ -123,7 +124,7 @@ SCENE = LabScene(
             lambda _: _BALL_RADIUS,
         ),
     ),
-    view_box=ViewBox(0.4 + 7.2j, 5.4 + 3.4j),
+    view_box=ViewBox(1.8 + 7.4j, 5.0 + 3.3j),
     shows=_picture,
     check=_check,
     presets=(
