@@ -59,6 +59,9 @@ _GAME_OPTIONS = (
 _PHYSICS = {"swept": SWEPT, "source": SOURCE}
 
 
+_LAB_PICTURE_OPTIONS = ("present", "screenshot", "export", "format_", "steps", "size", "theme")
+
+
 @app.callback()
 def play(
     context: typer.Context,
@@ -209,34 +212,51 @@ def open_lab(
     list_: Annotated[bool, typer.Option("--list", help="List the scenes.")] = False,
     headless: Annotated[bool, typer.Option("--headless", help="Check every scene's claims without a window.")] = False,
     drags: Annotated[int, typer.Option(min=0, max=10**6, help="Random drags of each scene to check after.")] = 1000,
+    present: Annotated[bool, typer.Option("--present", help="Full screen, with large text, for a lecture room.")] = False,
     screenshot: Annotated[Path | None, typer.Option(help="Draw the scene into this PNG file.")] = None,
-    size: Annotated[str, typer.Option(metavar="WxH", help="Size of the screenshot in pixels.")] = "1280x800",
-    theme: Annotated[Literal["dark", "light"], typer.Option(help="Colours of the screenshot.")] = "dark",
+    export: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Write pictures of all scenes, or of SCENE, into this folder.")
+    ] = None,
+    format_: Annotated[Literal["png", "svg", "gif", "all"], typer.Option("--format", help="Of what --export writes.")] = "png",
+    steps: Annotated[bool, typer.Option("--steps", help="Let --export write each step of a scene, too.")] = False,
+    size: Annotated[
+        str | None,
+        typer.Option(metavar="WxH", help="Size of a picture in pixels.", show_default="1280x800; 1920x1080 if --export"),
+    ] = None,
+    theme: Annotated[
+        Literal["dark", "light"] | None, typer.Option(help="Colours of a picture.", show_default="dark; light if --export")
+    ] = None,
 ) -> None:
     """Open the lab: scenes of the collision detection one can touch."""
     from game.lab import command  # noqa: PLC0415  # its scenes, only where they are needed
 
     if list_:
-        refuse_ignored(context, "does nothing beside --list", "scene", "headless", "drags", "screenshot", "size", "theme")
+        refuse_ignored(context, "does nothing beside --list", "scene", "headless", "drags", *_LAB_PICTURE_OPTIONS)
         command.list_scenes()
         return
     if headless:
-        refuse_ignored(context, "does nothing beside --headless", "screenshot", "size", "theme")
+        refuse_ignored(context, "does nothing beside --headless", *_LAB_PICTURE_OPTIONS)
         command.check_scenes(scene, drags, _second_engine())
         return
     refuse_ignored(context, "is for checking scenes; add --headless", "drags")
+    if export is not None:
+        refuse_ignored(context, "does nothing beside --export", "screenshot", "present")
+        check_pygame()
+        command.export(scene, export, format_, _size(size or "1920x1080"), theme or "light", steps=steps)
+        return
+    refuse_ignored(context, "is for pictures of all scenes; add --export DIR", "format_", "steps")
     if screenshot is None:
         refuse_ignored(context, "is for a picture; add --screenshot FILE", "size", "theme")
         check_pygame()
         from game.app import Services, lab  # noqa: PLC0415  # pygame, only where it is needed
 
         with _settings() as settings:
-            lab(scene, Services(engine=_second_engine, settings=settings, lost=_say_lost))
+            lab(scene, Services(engine=_second_engine, settings=settings, lost=_say_lost), presents=present)
         return
-    pixels = _size(size)
+    pixels = _size(size or "1280x800")
     check_target(screenshot, "--screenshot", ".png")
     check_pygame()
-    command.save_picture(scene, screenshot, pixels, theme, _second_engine())
+    command.save_picture(scene, screenshot, pixels, theme or "dark", _second_engine(), presents=present)
 
 
 def _verify(files: list[Path]) -> None:

@@ -1,6 +1,7 @@
 """What `python -m game lab` does without a window: list the scenes, check them, draw one into a file."""
 
 from pathlib import Path
+from typing import Literal
 
 from rich.console import Console
 from rich.table import Table
@@ -14,6 +15,7 @@ from game.system.output import say, tell
 from game.system.wording import quoted_path
 
 _SEED = 1
+FILE_KINDS: tuple[Literal["png", "svg", "gif"], ...] = ("png", "svg", "gif")
 
 
 def list_scenes() -> None:
@@ -48,16 +50,34 @@ def check_scenes(line: str | None, drags: int, engine: Engine | None) -> None:
     _raise_failures(reports)
 
 
-def save_picture(line: str | None, path: Path, size: tuple[int, int], theme: str, engine: Engine | None) -> None:
-    """Draw a scene into a PNG file and say where it is; BadInputError where it cannot be written."""
+def save_picture(
+    line: str | None, path: Path, size: tuple[int, int], theme: str, engine: Engine | None, *, presents: bool = False
+) -> None:
+    """Draw a scene into a PNG file and say where it is; BadInputError where it cannot be written.
+
+    presents: whether it is drawn as for a lecture room.
+    """
     from game.lab.window.screenshot import save_screenshot  # noqa: PLC0415  # pygame, only where it is needed
 
     shared = parsed(scenes()[0].name if line is None else line, engine)
     try:
-        save_screenshot(shared, path, size, theme)
+        save_screenshot(shared, path, size, theme, presents=presents)
     except OSError as error:
         raise BadInputError(f"--screenshot {quoted_path(path)}: cannot write; {error.strerror or error}") from None
     tell(f"picture: {path.absolute()}")
+
+
+def export(line: str | None, folder: Path, kind: str, size: tuple[int, int], theme: str, *, steps: bool) -> None:
+    """Write pictures of every scene, or of one, into a folder, and say how many; BadInputError where they cannot be written.
+
+    line: a share line; None for every scene. kind: png, svg, gif or all. steps: whether each is a file of its own, too.
+    """
+    from game.lab.export.folder import ExportWish, export_scenes  # noqa: PLC0415  # pygame, only where it is needed
+
+    shared = [parsed(scene.name) for scene in scenes()] if line is None else [parsed(line)]
+    kinds = tuple([one for one in FILE_KINDS if kind in {one, "all"}])
+    files = export_scenes(shared, folder, ExportWish(kinds, size, theme, steps))
+    tell(f"{len(files)} pictures in {folder.absolute()}")
 
 
 def _raise_failures(reports: list[Report]) -> None:

@@ -229,11 +229,15 @@ class Picture(NamedTuple):
         return frozenset([mark.toggle for pane in self.panes for mark in pane.marks if mark.toggle is not None])
 
     def revealed(self, count: int) -> "Picture":
-        """What is seen after so many of its steps, at least one; all of it after the last."""
+        """What is seen after so many of its steps, at least one; all of it after the last.
+
+        A pane that was added to the picture, and that no step has marks of, appears with the last.
+        """
         if count >= len(self.steps):
             return self
         steps = self.steps[: max(count, 1)]
-        return self._replace(panes=_with_marks(self.panes, steps), formula=_formula_of(steps), cited=None, note="")
+        panes = self.panes[: len(steps[0].marks)]
+        return self._replace(panes=_with_marks(panes, steps), formula=_formula_of(steps), cited=None, note="")
 
 
 def single(marks: tuple[Mark, ...], formula: tuple[str, ...], cited: CitedLine, note: str = "") -> Picture:

@@ -17,7 +17,7 @@ from game.lab.registry import scene_named, scenes
 from game.lab.session import reveal as reveals
 from game.lab.session import session as sessions
 from game.lab.session.session import Session
-from game.lab.session.share import preset
+from game.lab.session.share import SharedScene, preset, share_line
 from game.lab.window import saving
 from game.lab.window.commands import BOUND, TOGGLE_KEYS, Command, command_of
 from game.lab.window.dragging import Drag, PaneView, drag_at
@@ -59,14 +59,26 @@ _SAVED: dict[Command, FileKind] = {Command.SAVE_PNG: "png", Command.SAVE_SVG: "s
 class Lab:
     """One scene at a time, and everything that can be done to it."""
 
-    def __init__(self, shared: AppState, session: Session, under: Screen | None = None) -> None:
-        """Open with a session. under: the screen to go back to; None leaves the program."""
+    def __init__(
+        self,
+        shared: AppState,
+        session: Session,
+        under: Screen | None = None,
+        *,
+        step: int | None = None,
+        presents: bool = False,
+    ) -> None:
+        """Open with a session.
+
+        under: the screen to go back to; None leaves the program. step: of the reveal; None for the whole picture.
+        presents: whether it is shown to a lecture room.
+        """
         self._shared, self._session, self._under = shared, session, under
         self._letters = letters_for(shared.type)
         self._shown = SHOWN
         self._reveal = reveals.WHOLE
         self._scale: int | None = None  # of TEXT_SCALES, while presenting
-        self._pan_zoom = _whole(session)
+        self._pan_zoom = PanZoom.whole(session.scene, session.given)
         self._drawn: tuple[Session, Picture] | None = None
         self._side: tuple[tuple[tuple[int, int], Theme, str], Side] | None = None
         self._drag: Drag | None = None
@@ -76,6 +88,10 @@ class Lab:
         self._seconds = 0.0  # since the last picture
         self._notice, self._notice_left = "", 0.0
         self._help = False
+        if presents:
+            self.present()
+        if step is not None and self._picture().steps:
+            self._reveal = reveals.Reveal(max(step, 1))
 
     @property
     def session(self) -> Session:
@@ -162,11 +178,17 @@ class Lab:
         draw_words(sheet, picture)
         return float(sheet.layout.world.bottom)
 
+    def _line(self) -> str:
+        """The share line that opens the lab as it stands, at its step."""
+        session, seen = self._session, self._reveal.seen
+        step = None if seen is None else self._reveal.shown(self._picture())
+        return share_line(SharedScene(session.scene, session.given, session.tick, step))
+
     def _draw_side(self, sheet: TextSheet) -> None:
         """The widgets, and the small print below them."""
         side = self._widgets(sheet.surface.get_size())
         side.show(self._session, self._shown, self._picture().toggles)
-        draw_small_print(sheet, side.bottom, (f"state hash {sessions.state_hash(self._session)}", self._session.line))
+        draw_small_print(sheet, side.bottom, (f"state hash {sessions.state_hash(self._session)}", self._line()))
         side.draw(sheet.surface, self._session, self._seconds, self._pixels_per_point)
 
     def _step_name(self) -> str:
@@ -244,7 +266,7 @@ class Lab:
                 self._open(name)
             case PresetChosen(line):
                 self._session = sessions.changed(self._session, Clamped(preset(scene, line, given.engine), ()))
-                self._pan_zoom = _whole(self._session)
+                self._pan_zoom = PanZoom.whole(self._session.scene, self._session.given)
         return self
 
     def _obey(self, command: Command) -> None:
@@ -264,11 +286,11 @@ class Lab:
             case Command.PREVIOUS | Command.NEXT:
                 self._turn(1 if command is Command.NEXT else -1)
             case Command.WHOLE:
-                self._pan_zoom = _whole(self._session)
+                self._pan_zoom = PanZoom.whole(self._session.scene, self._session.given)
             case Command.PRESENT | Command.LARGER | Command.SMALLER:
                 self._resize(command)
             case Command.COPY | Command.SAVE:
-                self._tell(saving.copied(session.line) if command is Command.COPY else saving.saved_case(session.line))
+                self._tell(saving.copied(self._line()) if command is Command.COPY else saving.saved_case(session.line))
             case Command.THEME:
                 self._shared.change(self._shared.settings.other_colours())
             case Command.HELP:
@@ -315,7 +337,7 @@ class Lab:
     def _open(self, name: str) -> None:
         """Another scene, at its defaults, shown whole; to a lecture room from its first step on."""
         self._session = sessions.fresh(scene_named(name), self._session.given.engine)
-        self._pan_zoom, self._drag = _whole(self._session), None
+        self._pan_zoom, self._drag = PanZoom.whole(self._session.scene, self._session.given), None
         self._reveal = self._first_step() if self.presents else reveals.whole(self._reveal)
 
     def _first_step(self) -> reveals.Reveal:
@@ -353,9 +375,8 @@ class Lab:
 
     def _pane_views(self, size: tuple[int, int]) -> list[PaneView]:
         """Area, camera and handles of each pane."""
-        picture = self._picture()
-        answer = reveals.guess_handle(self._reveal, picture)
-        return pane_views(self.layout(size), self._session.scene, picture, self._pan_zoom, answer)
+        answer = reveals.guess_handle(self._reveal, self._picture())
+        return pane_views(self.layout(size), self._session.scene, self._seen(), self._pan_zoom, answer)
 
     def _hovered(self, views: list[PaneView], unit: float) -> Handle | None:
         """The handle that is held, or that a press would take hold of."""
@@ -367,8 +388,3 @@ class Lab:
     def _pixel(self, point: tuple[int, int]) -> complex:
         """The pixel at a point given in the mouse's coordinates."""
         return complex(point[0] * self._pixels_per_point.real, point[1] * self._pixels_per_point.imag)
-
-
-def _whole(session: Session) -> PanZoom:
-    """Shows the scene's view box, and the positions of its first two handles wherever they are."""
-    return PanZoom.showing(session.scene.view_box, [handle.position(session.given) for handle in session.scene.handles[:2]])

@@ -17,10 +17,10 @@ from game.system.files import write_whole
 from game.system.window import open_window
 
 
-def save_screenshot(scene: SharedScene, path: Path, size: tuple[int, int], colours: str) -> None:
+def save_screenshot(scene: SharedScene, path: Path, size: tuple[int, int], colours: str, *, presents: bool = False) -> None:
     """Draw the lab with a scene as it stands and save it as PNG; OSError where it cannot be written. Needs no display.
 
-    colours: a key of `settings.THEMES`.
+    colours: a key of `settings.THEMES`. presents: whether it is drawn as for a lecture room.
     """
     if not pygame.display.get_init():
         os.environ["SDL_VIDEODRIVER"] = "dummy"
@@ -28,7 +28,7 @@ def save_screenshot(scene: SharedScene, path: Path, size: tuple[int, int], colou
     try:
         surface = pygame.Surface(size, 0, 32)
         state = AppState(built_in(), 0, 0, Title, settings=Settings(colours=colours))
-        Lab(state, session.opened(scene)).draw(surface)
+        Lab(state, session.opened(scene), step=scene.step, presents=presents).draw(surface)
     finally:
         window.destroy()
     picture = io.BytesIO()
