@@ -80,7 +80,7 @@ def test_the_error_of_a_prediction_is_in_the_units_of_what_was_asked():
 
 
 def test_space_reveals_and_backspace_takes_back_and_the_share_line_says_the_step():
-    """Space begins with the first step and goes on; Backspace goes back; after the last step all is shown; V begins and ends."""
+    """Space begins with the first step and goes on, Backspace goes back; after the last step all is shown; V ends."""
     desk = LabDesk("moving-surface")
     count = len(desk.session.picture.steps)
     desk.press(pygame.K_SPACE)
@@ -116,7 +116,7 @@ def test_an_answer_is_dragged_and_then_judged():
 
 
 def test_a_presenters_keys_go_through_steps_and_scenes():
-    """While presenting, Page down shows every step, the whole picture, and then the next scene's first step; Page up goes back."""
+    """While presenting, Page down shows every step, then the whole picture, then the next scene; Page up goes back."""
     desk = LabDesk("case-1")
     desk.press(pygame.K_p)
     steps = len(desk.session.picture.steps)
@@ -157,7 +157,7 @@ LETTERS = []
 
 @pytest.mark.parametrize("scene", scenes(), ids=lambda scene: scene.name)
 def test_no_two_labels_cover_each_other(scene):
-    """At the defaults and two presets, at every size, labels are apart and inside their pane; at the defaults none is left out."""
+    """At the defaults and two presets, at every size, labels are apart and in their pane; at the defaults none is left out."""
     LETTERS[:] = LETTERS or [letters_for(Type())]
     for sheet in sheets():
         lines_of_scene = lines(scene, Pymunk())[:3]

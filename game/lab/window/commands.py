@@ -17,6 +17,7 @@ class Command(Enum):
     PAGE_DOWN = "Page down"
     PAGE_UP = "Page up"
     PREDICT = "Predict"
+    COURSE = "Course"
     PRESENT = "Present"
     LARGER = "Larger text"
     SMALLER = "Smaller text"
@@ -55,6 +56,7 @@ KEYS = (
     KeyBinding((pygame.K_BACKSPACE,), Command.UNDO_STEP, "take the last step away"),
     KeyBinding((pygame.K_v,), Command.REVEAL, "from the first step, or all at once"),
     KeyBinding((pygame.K_g,), Command.PREDICT, "guess first: drag the answer, then see it"),
+    KeyBinding((pygame.K_e,), Command.COURSE, "the course: questions and exercises by the slides"),
     KeyBinding((pygame.K_PAGEDOWN,), Command.PAGE_DOWN, "next step, then next scene (a presenter's key)"),
     KeyBinding((pygame.K_PAGEUP,), Command.PAGE_UP, "the step or scene before (a presenter's key)"),
     KeyBinding((pygame.K_PERIOD, pygame.K_RIGHT), Command.FORWARD, "one step forward"),
@@ -63,8 +65,8 @@ KEYS = (
     KeyBinding((pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS), Command.FASTER, "faster"),
     KeyBinding((pygame.K_r,), Command.RESTART, "restart; the settings stay"),
     KeyBinding((pygame.K_d,), Command.DEFAULTS, "the scene's defaults"),
-    KeyBinding((pygame.K_LEFTBRACKET,), Command.PREVIOUS, "the scene before"),
-    KeyBinding((pygame.K_RIGHTBRACKET,), Command.NEXT, "the scene after"),
+    KeyBinding((pygame.K_LEFTBRACKET,), Command.PREVIOUS, "the scene before; the task before, in the course"),
+    KeyBinding((pygame.K_RIGHTBRACKET,), Command.NEXT, "the scene after; the task after, in the course"),
     KeyBinding((pygame.K_HOME,), Command.WHOLE, "show the whole scene again"),
     KeyBinding((pygame.K_c,), Command.COPY, "copy the share line"),
     KeyBinding((pygame.K_s,), Command.SAVE, "save as a case that pytest runs"),
@@ -88,7 +90,7 @@ MORE_HELP = (
     ("Drag a ring", "move what it stands on"),
     ("Drag elsewhere", "move the world"),
     ("Wheel", "zoom about the pointer"),
-    ("1 to 7", "show or hide what is listed at the right"),
+    ("1 to 7", "show or hide what is listed at the right; 1 to 3 answer the course's question"),
     ("F11", "full screen"),
 )
 

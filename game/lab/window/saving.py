@@ -10,10 +10,21 @@ from game.lab.export.slide import SlideStyle
 from game.lab.session.cases import case_file, save_case
 from game.lab.session.reveal import Reveal
 from game.lab.session.session import Session
+from game.lab.window.commands import Command
 from game.lab.window.pan_zoom import PanZoom
 from game.system.errors import BadInputError, EnvironmentMissingError
 from game.system.files import write_new
 from game.system.wording import quoted_path
+
+PICTURES: dict[Command, FileKind] = {Command.SAVE_PNG: "png", Command.SAVE_SVG: "svg", Command.SAVE_GIF: "gif"}
+"""Commands that write a picture, and its kind."""
+WRITING = frozenset({Command.COPY, Command.SAVE, *PICTURES})
+"""Commands that leave the lab as it is and write something."""
+
+
+def written(command: Command, line: str, case: str) -> str:
+    """Copy a share line, or save a case."""
+    return copied(line) if command is Command.COPY else saved_case(case)
 
 
 def copied(line: str) -> str:

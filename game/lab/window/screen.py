@@ -1,30 +1,31 @@
 """The lab's screen: events become changes of the session, the session becomes a picture."""
 
-from collections.abc import Callable
-
 import pygame
 
 from game.drawing.palette import Theme
 from game.input.keys import code_among, position_in
 from game.input.repeat import Repeat
 from game.input.signals import KeyboardState, Signal
-from game.lab.export.files import FileKind, step_name
+from game.lab.course.progress import ProgressFile, progress_path
+from game.lab.export.files import step_name
 from game.lab.export.slide import SLIDE_SIZE, SlideStyle
 from game.lab.kit.handles import Handle, dragged
 from game.lab.kit.parameters import Clamped, clamped
 from game.lab.kit.picture import Picture, Toggle
-from game.lab.registry import scene_named, scenes
+from game.lab.registry import scenes
 from game.lab.session import reveal as reveals
 from game.lab.session import session as sessions
 from game.lab.session.session import Session
-from game.lab.session.share import SharedScene, preset, share_line
+from game.lab.session.share import SharedScene, parsed, preset, share_line
 from game.lab.window import saving
 from game.lab.window.commands import BOUND, TOGGLE_KEYS, Command, command_of
 from game.lab.window.dragging import Drag, PaneView, drag_at
 from game.lab.window.help import draw_help
 from game.lab.window.layout import DEFAULT_SCALE, TEXT_SCALES, WindowLayout, layout_of
+from game.lab.window.lesson import Lesson
 from game.lab.window.pan_zoom import PanZoom
 from game.lab.window.presented import paint_presented, presented_words
+from game.lab.window.stepping import SESSION_CHANGES, STEPS, Following, stepped_by
 from game.lab.window.view import draw_all_handles, draw_halo, draw_panes, letters_for, pane_views
 from game.lab.window.widgets import PresetChosen, Refused, Request, SceneChosen, Side, ValueRequested
 from game.lab.window.words import TextSheet, draw_head, draw_notice, draw_small_print, draw_words
@@ -38,22 +39,6 @@ _MODIFIERS = pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META
 """Keys pressed together with one of these belong to the desktop."""
 _REPEATED = frozenset({Command.FORWARD, Command.BACK})
 """Commands that a held key gives again and again: single steps."""
-
-_CHANGES: dict[Command, Callable[[Session], Session]] = {
-    Command.FORWARD: lambda session: sessions.moved(session, 1),
-    Command.BACK: lambda session: sessions.moved(session, -1),
-    Command.RESTART: sessions.restarted,
-    Command.SLOWER: lambda session: sessions.paced(session, -1),
-    Command.FASTER: lambda session: sessions.paced(session, 1),
-    Command.DEFAULTS: sessions.reset,
-}
-"""Commands that only change the session."""
-_STEPS = frozenset(
-    {Command.PLAY, Command.REVEAL, Command.UNDO_STEP, Command.PREDICT, Command.PAGE_DOWN, Command.PAGE_UP},
-)
-"""Commands that show more or less of the picture."""
-_SAVED: dict[Command, FileKind] = {Command.SAVE_PNG: "png", Command.SAVE_SVG: "svg", Command.SAVE_GIF: "gif"}
-"""Commands that write a file, and its kind."""
 
 
 class Lab:
@@ -88,6 +73,7 @@ class Lab:
         self._seconds = 0.0  # since the last picture
         self._notice, self._notice_left = "", 0.0
         self._help = False
+        self._lesson: Lesson | None = None
         if presents:
             self.present()
         if step is not None and self._picture().steps:
@@ -146,6 +132,8 @@ class Lab:
                 self._obey(command)
         self._seconds += seconds
         self._notice_left -= seconds
+        if self._lesson is not None:
+            self._lesson.observe(self._session)
         return self
 
     def draw(self, surface: pygame.Surface) -> None:
@@ -163,6 +151,8 @@ class Lab:
             self._draw_side(sheet)
         elif self._pointer.real >= 0.0:
             draw_halo(sheet, self._pointer)
+        if self._lesson is not None:
+            self._lesson.draw(sheet)
         self._seconds = 0.0
         if self._help:
             draw_help(surface, theme, self._shared.type)
@@ -209,6 +199,8 @@ class Lab:
         toggle, command = TOGGLE_KEYS.get(key), command_of(key)
         request = toggle or command
         if request is None or event.mod & _MODIFIERS:
+            return self
+        if toggle is not None and self._lesson is not None and self._lesson.answer(list(Toggle).index(toggle)):
             return self
         self._repeat = None if command is None or command not in _REPEATED else (Repeat(position_in(event)), command)
         return self._do(request)
@@ -271,16 +263,14 @@ class Lab:
 
     def _obey(self, command: Command) -> None:
         """Do what a command asks for, of those that do not leave the lab."""
-        session = self._session
-        if command in _CHANGES:
-            self._session = _CHANGES[command](session)
+        if command in SESSION_CHANGES:
+            self._session = SESSION_CHANGES[command](self._session)
             return
-        if command in _STEPS:
+        if command in STEPS:
             self._step(command)
             return
-        if command in _SAVED:
-            style = SlideStyle(SLIDE_SIZE, self._shared.theme, self._letters, self._shown)
-            self._tell(saving.saved_picture(_SAVED[command], style, session, self._reveal, self._pan_zoom))
+        if command in saving.WRITING:
+            self._tell(self._written(command))
             return
         match command:
             case Command.PREVIOUS | Command.NEXT:
@@ -289,39 +279,42 @@ class Lab:
                 self._pan_zoom = PanZoom.whole(self._session.scene, self._session.given)
             case Command.PRESENT | Command.LARGER | Command.SMALLER:
                 self._resize(command)
-            case Command.COPY | Command.SAVE:
-                self._tell(saving.copied(self._line()) if command is Command.COPY else saving.saved_case(session.line))
             case Command.THEME:
                 self._shared.change(self._shared.settings.other_colours())
+            case Command.COURSE:
+                self._attend()
             case Command.HELP:
                 self._help = True
 
-    def _step(self, command: Command) -> None:
-        """Show more or less of the picture; where it has no steps, run or pause, or turn to another scene."""
-        picture, revealing = self._picture(), self._reveal.seen is not None
-        if command is Command.PREDICT:
-            self._reveal = reveals.begun(self._reveal._replace(predicts=not self._reveal.predicts))
-            self._tell("guess first: drag the answer, then press Space" if self._reveal.predicts else "no more guessing")
-        elif not picture.steps or (command is Command.PLAY and not revealing and self._session.runs):
-            self._step_of_whole(command)
-        elif command is Command.REVEAL or (command is Command.PLAY and not revealing):
-            self._reveal = reveals.whole(self._reveal) if revealing else reveals.begun(self._reveal)
-        elif command is Command.UNDO_STEP or (command is Command.PAGE_UP and revealing and self._reveal.shown(picture) > 1):
-            self._reveal = reveals.previous_step(self._reveal, picture)
-        elif command in {Command.PLAY, Command.PAGE_DOWN} and revealing:
-            self._reveal = reveals.next_step(self._reveal, picture)
-        else:
-            self._step_of_whole(command)
+    def _written(self, command: Command) -> str:
+        """Write what a command asks for; a sentence that says what became of it."""
+        if command not in saving.PICTURES:
+            return saving.written(command, self._line(), self._session.line)
+        style = SlideStyle(SLIDE_SIZE, self._shared.theme, self._letters, self._shown)
+        return saving.saved_picture(saving.PICTURES[command], style, self._session, self._reveal, self._pan_zoom)
 
-    def _step_of_whole(self, command: Command) -> None:
-        """What a command for steps means where the whole picture is shown."""
-        if command is Command.PLAY:
+    def _step(self, command: Command) -> None:
+        """Show more or less of the picture, and what follows from that."""
+        self._reveal, following = stepped_by(command, self._reveal, self._picture(), runs=self._session.runs)
+        if command is Command.PREDICT:
+            self._tell("guess first: drag the answer, then press Space" if self._reveal.predicts else "no more guessing")
+        if following is Following.PLAY:
             self._session = sessions.toggled(self._session)
-        elif command in {Command.PAGE_DOWN, Command.PAGE_UP}:
-            self._turn(1 if command is Command.PAGE_DOWN else -1)
+        elif following is not Following.NOTHING:
+            self._turn(1 if following is Following.NEXT else -1)
+
+    def _attend(self) -> None:
+        """Begin the course, or leave it."""
+        self._lesson = Lesson(ProgressFile(progress_path())) if self._lesson is None else None
+        if self._lesson is not None:
+            self._show(parsed(self._lesson.line, self._session.given.engine))
+            self._tell(self._lesson.problem or "the course: [ and ] turn its pages, E leaves it")
 
     def _turn(self, step: int) -> None:
-        """Open the scene so many after this one."""
+        """Open the scene so many after this one; in the course, the task."""
+        if self._lesson is not None:
+            self._show(parsed(self._lesson.turn(step), self._session.given.engine))
+            return
         names = [scene.name for scene in scenes()]
         self._open(names[(names.index(self._session.scene.name) + step) % len(names)])
 
@@ -336,9 +329,15 @@ class Lab:
 
     def _open(self, name: str) -> None:
         """Another scene, at its defaults, shown whole; to a lecture room from its first step on."""
-        self._session = sessions.fresh(scene_named(name), self._session.given.engine)
-        self._pan_zoom, self._drag = PanZoom.whole(self._session.scene, self._session.given), None
-        self._reveal = self._first_step() if self.presents else reveals.whole(self._reveal)
+        self._show(parsed(name, self._session.given.engine))
+        if self.presents:
+            self._reveal = self._first_step()
+
+    def _show(self, shared: SharedScene) -> None:
+        """A scene as a share line names it."""
+        self._session = sessions.opened(shared)
+        self._pan_zoom, self._drag = PanZoom.whole(shared.scene, shared.given), None
+        self._reveal = reveals.Reveal(shared.step, self._reveal.predicts)
 
     def _first_step(self) -> reveals.Reveal:
         """The beginning of the reveal, where the picture has steps."""
