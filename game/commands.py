@@ -209,6 +209,13 @@ def open_lab(
         str | None,
         typer.Argument(help='A scene, or one as it stands: "case-2?ball=9.9,0.3&r=1".', show_default=False),
     ] = None,
+    pack: Annotated[
+        Path | None,
+        typer.Option("--scenes", metavar="FILE", help="Add the scenes of a Python or TOML file (docs/lab.md)."),
+    ] = None,
+    arena: Annotated[
+        Path | None, typer.Option(metavar="FILE", help="Open a level file as an arena of one's own to change and fly in.")
+    ] = None,
     list_: Annotated[bool, typer.Option("--list", help="List the scenes.")] = False,
     headless: Annotated[bool, typer.Option("--headless", help="Check every scene's claims without a window.")] = False,
     drags: Annotated[int, typer.Option(min=0, max=10**6, help="Random drags of each scene to check after.")] = 1000,
@@ -230,8 +237,15 @@ def open_lab(
     """Open the lab: scenes of the collision detection one can touch."""
     from game.lab import command  # noqa: PLC0415  # its scenes, only where they are needed
 
+    if pack is not None:
+        from game.lab.packs.load import load_pack  # noqa: PLC0415  # only where there is one
+
+        load_pack(pack)
+    if arena is not None:
+        refuse_ignored(context, "does nothing beside --arena", "scene")
+        scene = command.arena_line(arena)
     if list_:
-        refuse_ignored(context, "does nothing beside --list", "scene", "headless", "drags", *_LAB_PICTURE_OPTIONS)
+        refuse_ignored(context, "does nothing beside --list", "scene", "arena", "headless", "drags", *_LAB_PICTURE_OPTIONS)
         command.list_scenes()
         return
     if headless:

@@ -6,16 +6,24 @@ from typing import Literal
 from rich.console import Console
 from rich.table import Table
 
+from game.lab.kit.arena_level import ARENA, given_of
 from game.lab.kit.second_engine import Engine
-from game.lab.registry import chapters, scenes
+from game.lab.registry import chapters, scene_named, scenes
 from game.lab.session.checks import Report, report
-from game.lab.session.share import parsed
+from game.lab.session.share import SharedScene, parsed, share_line
+from game.levels import load_file
 from game.system.errors import BadInputError, CheckFailedError
 from game.system.output import say, tell
 from game.system.wording import quoted_path
 
 _SEED = 1
 FILE_KINDS: tuple[Literal["png", "svg", "gif"], ...] = ("png", "svg", "gif")
+
+
+def arena_line(path: Path) -> str:
+    """The share line of an arena of one's own with a level's numbers; BadInputError for a file that is no level."""
+    scene = scene_named(ARENA)
+    return share_line(SharedScene(scene, given_of(load_file(path), scene.parameters)))
 
 
 def list_scenes() -> None:

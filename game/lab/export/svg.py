@@ -91,7 +91,7 @@ def _text(box: pygame.Rect, text: str, size: float, colour: Colour, *, formula: 
     if formula:
         em = float(round(size * EM))
         baseline = box.top + set_line(text, em).baseline
-        path = f'<path transform="translate({box.left} {baseline}) scale(1 -1)" d="{outline(text, em).path}"'
+        path = f'<path transform="translate({box.left} {baseline}) scale(1 -1)" d="{outline(text, em)}"'
         return f'<g fill="{_hex(colour)}" {more}><title>{escape(text)}</title>{path}/></g>'
     baseline = round(box.top + _BASELINE * box.height)
     letters = f'font-family="{_FONT}" font-weight="bold" font-size="{size * EM:.1f}" textLength="{box.width}"'

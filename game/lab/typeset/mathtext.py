@@ -29,13 +29,12 @@ class SetLine(NamedTuple):
     baseline: int
 
 
-class Outline(NamedTuple):
-    """A formula as an SVG path; its y grows upwards from the baseline. width, rise, depth: of its box, pixels."""
+class _SetPiece(NamedTuple):
+    """A piece as a picture. shades, baseline: as of `SetLine`. advance: from its left edge to the next piece's, pixels."""
 
-    path: str
-    width: float
-    rise: float
-    depth: float
+    shades: NDArray[np.uint8]
+    baseline: int
+    advance: float
 
 
 @cache
@@ -46,35 +45,33 @@ def can_typeset() -> bool:
 
 def set_line(line: str, size: float) -> SetLine:
     """A line of the lab, set. size: of its letters, their em square, pixels. ValueError where mathtext cannot set it."""
-    parts: list[SetLine] = []
-    gaps: list[tuple[int, int]] = []
+    placed: list[tuple[int, _SetPiece]] = []
+    end = 0.0
     for piece in pieces(line):
-        if piece.gap:
-            gaps.append((len(parts), round(piece.gap * size)))
-        else:
-            parts += [_set(one, size) for one in _signs(piece)]
-    rise = max([part.baseline for part in parts], default=round(size))
-    depth = max([part.shades.shape[0] - part.baseline for part in parts], default=0)
-    columns: list[NDArray[np.uint8]] = []
-    for index, part in enumerate(parts):
-        columns += [np.zeros((rise + depth, pixels), np.uint8) for before, pixels in gaps if before == index]
-        above = rise - part.baseline
-        below = rise + depth - above - part.shades.shape[0]
-        columns.append(np.pad(part.shades, ((above, below), (0, 0))))
-    return SetLine(np.hstack(columns) if columns else np.zeros((rise, 1), np.uint8), rise)
+        end += piece.gap * size
+        for part in [_set(one, size) for one in _signs(piece)] if not piece.gap else ():
+            placed.append((round(end), part))
+            end += part.advance
+    rise = max([part.baseline for _, part in placed], default=round(size))
+    depth = max([part.shades.shape[0] - part.baseline for _, part in placed], default=0)
+    width = max([left + part.shades.shape[1] for left, part in placed] + [round(end), 1])
+    shades = np.zeros((rise + depth, width), np.uint8)
+    for left, part in placed:
+        (rows, columns), top = part.shades.shape, rise - part.baseline
+        box = shades[top : top + rows, left : left + columns]
+        np.maximum(box, part.shades, out=box)
+    return SetLine(shades, rise)
 
 
 @lru_cache(maxsize=_MOST_PIECES)
-def outline(line: str, size: float) -> Outline:
-    """A line of the lab as an outline. size, errors: as of `set_line`."""
+def outline(line: str, size: float) -> str:
+    """A line of the lab as an SVG path whose y grows upwards from the baseline. size, errors: as of `set_line`."""
     from matplotlib.textpath import TextPath  # noqa: PLC0415  # see above
 
-    prop, tex = _font(size), tex_line(line)
-    found: Any = TextPath((0.0, 0.0), tex, size, prop)
-    box = _parser("path").parse(tex, _DOTS, prop)
+    found: Any = TextPath((0.0, 0.0), tex_line(line), size, _font(size))
     segments = found.iter_segments(curves=True, simplify=False)
     parts = [_CLOSED if code == _CLOSE else f"{_CURVES[int(code)]}{_numbers(points)}" for points, code in segments]
-    return Outline("".join(parts), float(box.width), float(box.height - box.depth), float(box.depth))
+    return "".join(parts)
 
 
 def _signs(piece: Piece) -> tuple[Piece, ...]:
@@ -85,14 +82,17 @@ def _signs(piece: Piece) -> tuple[Piece, ...]:
 
 
 @lru_cache(maxsize=_MOST_PIECES)
-def _set(piece: Piece, size: float) -> SetLine:
-    """One piece."""
-    found = _parser("agg").parse(f"${piece.tex}$", _DOTS, _font(size))
+def _set(piece: Piece, size: float) -> _SetPiece:
+    """One piece. A sign of a number takes as much room as every digit does, so that nothing moves while a number changes."""
+    tex = f"${piece.tex}$"
+    found = _parser("agg").parse(tex, _DOTS, _font(size))
     shades = np.array(found.image, dtype=np.uint8)
     rows = round(shades.shape[0] - found.depth)
     if rows > shades.shape[0]:  # all of it is above the baseline
         shades = np.pad(shades, ((0, rows - shades.shape[0]), (0, 0)))
-    return SetLine(shades, max(rows, 0))
+    of_number = len(piece.tex) == 1
+    advance = float(_parser("path").parse(tex, _DOTS, _font(size)).width) if of_number else float(shades.shape[1])
+    return _SetPiece(shades, max(rows, 0), advance)
 
 
 @cache

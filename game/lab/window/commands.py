@@ -21,6 +21,8 @@ class Command(Enum):
     PRESENT = "Present"
     LARGER = "Larger text"
     SMALLER = "Smaller text"
+    MORE = "More values"
+    SAVE_LEVEL = "Save level"
     SAVE_PNG = "PNG"
     SAVE_SVG = "SVG"
     SAVE_GIF = "GIF"
@@ -67,6 +69,8 @@ KEYS = (
     KeyBinding((pygame.K_d,), Command.DEFAULTS, "the scene's defaults"),
     KeyBinding((pygame.K_LEFTBRACKET,), Command.PREVIOUS, "the scene before; the task before, in the course"),
     KeyBinding((pygame.K_RIGHTBRACKET,), Command.NEXT, "the scene after; the task after, in the course"),
+    KeyBinding((pygame.K_TAB,), Command.MORE, "the next page of values, where there are several"),
+    KeyBinding((pygame.K_w,), Command.SAVE_LEVEL, "save an arena of your own as a level"),
     KeyBinding((pygame.K_HOME,), Command.WHOLE, "show the whole scene again"),
     KeyBinding((pygame.K_c,), Command.COPY, "copy the share line"),
     KeyBinding((pygame.K_s,), Command.SAVE, "save as a case that pytest runs"),
@@ -90,7 +94,8 @@ MORE_HELP = (
     ("Drag a ring", "move what it stands on"),
     ("Drag elsewhere", "move the world"),
     ("Wheel", "zoom about the pointer"),
-    ("1 to 7", "show or hide what is listed at the right; 1 to 3 answer the course's question"),
+    ("1 to 7", "show or hide what is listed at the right"),
+    ("1 to 3", "answer the question of the course"),
     ("F11", "full screen"),
 )
 

@@ -2,10 +2,12 @@
 
 import pygame
 
+from game.drawing.text import Type
 from game.lab.course.attended import AttendedCourse, answered, attended, lines, observed, turned
 from game.lab.course.progress import ProgressFile
 from game.lab.course.tasks import GoalState, Question
 from game.lab.session.session import Session
+from game.lab.window.layout import WindowLayout
 from game.lab.window.words import TextSheet
 
 _LINE, _EDGE = 1.3, 0.5
@@ -50,19 +52,35 @@ class Lesson:
         course, self._goal = observed(self._course, session.scene.name, session.given, session.states[session.tick])
         self._follow(course)
 
+    def lowered(self, layout: WindowLayout, type_: Type) -> WindowLayout:
+        """A division of the window whose scene is shown whole below the plate."""
+        height = self._plate(layout, type_).height
+        focus = pygame.Rect(layout.focus.left, layout.focus.top + height, layout.focus.width, layout.focus.height - height)
+        return layout._replace(focus=focus) if focus.height > height else layout
+
     def draw(self, sheet: TextSheet) -> None:
         """What is asked, on a plate at the top of the picture."""
-        unit, theme, area = sheet.unit, sheet.theme, sheet.layout.focus
-        width = area.width - 4.0 * _EDGE * unit
-        rows = [row for line in lines(self._course, self._goal) for row in sheet.type.wrapped(line, unit, width)]
-        plate = pygame.Surface((area.width, round(unit * (_LINE * len(rows) + 2.0 * _EDGE))), pygame.SRCALPHA)
+        unit, theme, area = sheet.unit, sheet.theme, self._plate(sheet.layout, sheet.type)
+        plate = pygame.Surface(area.size, pygame.SRCALPHA)
         plate.fill((*theme.panel, _OPACITY))
         sheet.surface.blit(plate, area.topleft)
-        bottom = area.top + plate.get_height()
-        pygame.draw.line(sheet.surface, theme.accent, (area.left, bottom), (area.right, bottom), max(1, round(unit * 0.08)))
-        for number, row in enumerate(rows):
+        width = max(1, round(unit * 0.08))
+        pygame.draw.line(sheet.surface, theme.accent, area.bottomleft, area.bottomright, width)
+        for number, row in enumerate(self._rows(sheet.layout, sheet.type)):
             pixel = complex(area.left + 2.0 * _EDGE * unit, area.top + unit * (_EDGE + _LINE * number))
             sheet.type.write(sheet.surface, row, unit, theme.text if number else theme.accent, pixel)
+
+    def _plate(self, layout: WindowLayout, type_: Type) -> pygame.Rect:
+        """Where the words stand."""
+        rows = self._rows(layout, type_)
+        height = round(layout.unit * (_LINE * len(rows) + 2.0 * _EDGE))
+        top = layout.head.bottom
+        return pygame.Rect(layout.world.left, top, layout.world.width, height)
+
+    def _rows(self, layout: WindowLayout, type_: Type) -> list[str]:
+        """What is to be read, as wide as the picture."""
+        width = layout.world.width - 4.0 * _EDGE * layout.unit
+        return [row for line in lines(self._course, self._goal) for row in type_.wrapped(line, layout.unit, width)]
 
     def _follow(self, course: AttendedCourse) -> None:
         """Go on with the course as it is now, and write down what is newly done."""

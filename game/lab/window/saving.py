@@ -7,24 +7,44 @@ import pygame
 
 from game.lab.export.files import FileKind, file_of
 from game.lab.export.slide import SlideStyle
+from game.lab.kit.arena_level import ARENA, saved_arena
 from game.lab.session.cases import case_file, save_case
 from game.lab.session.reveal import Reveal
 from game.lab.session.session import Session
 from game.lab.window.commands import Command
 from game.lab.window.pan_zoom import PanZoom
+from game.own_levels import own_levels_folder
 from game.system.errors import BadInputError, EnvironmentMissingError
 from game.system.files import write_new
 from game.system.wording import quoted_path
 
 PICTURES: dict[Command, FileKind] = {Command.SAVE_PNG: "png", Command.SAVE_SVG: "svg", Command.SAVE_GIF: "gif"}
 """Commands that write a picture, and its kind."""
-WRITING = frozenset({Command.COPY, Command.SAVE, *PICTURES})
+WRITING = frozenset({Command.COPY, Command.SAVE, Command.SAVE_LEVEL, *PICTURES})
 """Commands that leave the lab as it is and write something."""
 
 
-def written(command: Command, line: str, case: str) -> str:
-    """Copy a share line, or save a case."""
-    return copied(line) if command is Command.COPY else saved_case(case)
+def written(command: Command, session: Session, line: str) -> str:
+    """Copy a share line, save a case, or a level."""
+    if command is Command.SAVE_LEVEL:
+        return saved_level(session)
+    return copied(line) if command is Command.COPY else saved_case(session.line)
+
+
+def saved_level(session: Session) -> str:
+    """Save an arena of one's own as a new file among the player's levels."""
+    if session.scene.name != ARENA:
+        return f"only the scene {ARENA} is saved as a level"
+    arena = saved_arena(session.given)
+    if arena.problem:
+        return f"no level yet: {arena.problem}"
+    folder = own_levels_folder()
+    try:
+        folder.mkdir(parents=True, exist_ok=True)
+        path = write_new(folder, "my-arena.toml", arena.text.encode())
+    except OSError as error:
+        return f"not saved: {quoted_path(folder)}: {error.strerror or error}"
+    return f"saved: python -m game --level {path}"
 
 
 def copied(line: str) -> str:

@@ -27,7 +27,7 @@ from game.lab.window.pan_zoom import PanZoom
 from game.lab.window.presented import paint_presented, presented_words
 from game.lab.window.stepping import SESSION_CHANGES, STEPS, Following, stepped_by
 from game.lab.window.view import draw_all_handles, draw_halo, draw_panes, letters_for, pane_views
-from game.lab.window.widgets import PresetChosen, Refused, Request, SceneChosen, Side, ValueRequested
+from game.lab.window.widgets import PageTurned, PresetChosen, Refused, Request, SceneChosen, Side, ValueRequested
 from game.lab.window.words import TextSheet, draw_head, draw_notice, draw_small_print, draw_words
 from game.screens.app_state import AppState
 from game.screens.base import Screen
@@ -65,7 +65,7 @@ class Lab:
         self._scale: int | None = None  # of TEXT_SCALES, while presenting
         self._pan_zoom = PanZoom.whole(session.scene, session.given)
         self._drawn: tuple[Session, Picture] | None = None
-        self._side: tuple[tuple[tuple[int, int], Theme, str], Side] | None = None
+        self._side: tuple[tuple[tuple[int, int], Theme, str, int], Side] | None = None
         self._drag: Drag | None = None
         self._repeat: tuple[Repeat, Command] | None = None
         self._pointer = -1 - 1j  # pixels
@@ -74,6 +74,7 @@ class Lab:
         self._notice, self._notice_left = "", 0.0
         self._help = False
         self._lesson: Lesson | None = None
+        self._page = 0  # of the parameters
         if presents:
             self.present()
         if step is not None and self._picture().steps:
@@ -96,7 +97,8 @@ class Lab:
 
     def layout(self, size: tuple[int, int]) -> WindowLayout:
         """How a window of that size is divided."""
-        return layout_of(size, None if self._scale is None else TEXT_SCALES[self._scale])
+        found = layout_of(size, None if self._scale is None else TEXT_SCALES[self._scale])
+        return found if self._lesson is None else self._lesson.lowered(found, self._shared.type)
 
     def answer(self, signal: Signal, _size: tuple[int, int]) -> Screen | None:
         """Let go of a repeating key that is up; everything else is heard as an event of the window."""
@@ -246,6 +248,8 @@ class Lab:
         match request:
             case Command.LEAVE:
                 return self._under
+            case PageTurned() | Command.MORE:
+                self._page += 1
             case Command():
                 self._obey(request)
             case Toggle():
@@ -289,7 +293,7 @@ class Lab:
     def _written(self, command: Command) -> str:
         """Write what a command asks for; a sentence that says what became of it."""
         if command not in saving.PICTURES:
-            return saving.written(command, self._line(), self._session.line)
+            return saving.written(command, self._session, self._line())
         style = SlideStyle(SLIDE_SIZE, self._shared.theme, self._letters, self._shown)
         return saving.saved_picture(saving.PICTURES[command], style, self._session, self._reveal, self._pan_zoom)
 
@@ -336,7 +340,7 @@ class Lab:
     def _show(self, shared: SharedScene) -> None:
         """A scene as a share line names it."""
         self._session = sessions.opened(shared)
-        self._pan_zoom, self._drag = PanZoom.whole(shared.scene, shared.given), None
+        self._pan_zoom, self._drag, self._page = PanZoom.whole(shared.scene, shared.given), None, 0
         self._reveal = reveals.Reveal(shared.step, self._reveal.predicts)
 
     def _first_step(self) -> reveals.Reveal:
@@ -367,9 +371,9 @@ class Lab:
 
     def _widgets(self, size: tuple[int, int]) -> Side:
         """The widgets, built anew when the window's size, the theme or the scene changes."""
-        key = (size, self._shared.theme, self._session.scene.name)
+        key = (size, self._shared.theme, self._session.scene.name, self._page)
         if self._side is None or self._side[0] != key:
-            self._side = key, Side(layout_of(size), self._shared.theme, self._shared.type, self._session)
+            self._side = key, Side(layout_of(size), self._shared.theme, self._shared.type, self._session, self._page)
         return self._side[1]
 
     def _pane_views(self, size: tuple[int, int]) -> list[PaneView]:
