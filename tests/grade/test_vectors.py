@@ -7,6 +7,7 @@ from collections import Counter
 
 import pytest
 
+from game.student.signatures import OUTCOMES, SIGNATURES, agrees
 from game.system.command_line import run
 from tests.support import source_oracle
 from tools.vectors.commands import app
@@ -14,7 +15,6 @@ from tools.vectors.files import COLUMNS, FORMAT, csv_text, json_text
 from tools.vectors.inputs.angles import angle_plans
 from tools.vectors.inputs.detection import detection_plans
 from tools.vectors.inputs.response import response_plans
-from tools.vectors.signatures import OUTCOMES, SIGNATURES, agrees
 from tools.vectors.vector import is_stable, vectors
 
 

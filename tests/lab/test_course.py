@@ -5,11 +5,12 @@ import pytest
 
 from game.lab.course.attended import answered, attended, lines, observed, turned
 from game.lab.course.course import TASKS
-from game.lab.course.progress import ProgressFile
+from game.lab.course.progress import course_progress, keep_done
 from game.lab.course.tasks import Exercise, Question
 from game.lab.kit.scene import picture_of, started
 from game.lab.session.share import parsed
 from game.lab.window import screen
+from game.lab.window.lesson import Lesson
 from tests.support.dummy_window import FRAME
 from tests.support.lab_desk import LabDesk
 
@@ -59,20 +60,17 @@ def test_only_the_right_answer_and_a_reached_goal_are_done():
 
 
 def test_progress_is_kept_and_a_damaged_file_is_put_aside(tmp_path):
-    """What was done is there in the next session; a file that is no progress is moved aside and said in one line."""
+    """What two sessions did is there in the next one; a file that is none is moved aside, and one line says so."""
     path = tmp_path / "folder" / "progress.json"
-    ProgressFile(path).keep(frozenset({"b", "a"}))
-    assert ProgressFile(path).load() == {"a", "b"}
-    path.write_text('{"version": 9, "done": ["a"], "more": 1}')
-    newer = ProgressFile(path)
-    assert newer.load() == {"a"}
-    newer.keep(frozenset())
-    assert '"version": 9' in path.read_text()
+    one, other = course_progress(path), course_progress(path)
+    keep_done(one, frozenset({"a"}))
+    keep_done(other, frozenset({"b"}))
+    assert course_progress(path).value.done == {"a", "b"}
     path.write_bytes(b"\xff{nonsense")
-    damaged = ProgressFile(path)
-    assert damaged.load() == frozenset()
+    damaged = Lesson(course_progress(path))
     assert damaged.problem.startswith("progress not readable: moved to ")
     assert "\n" not in damaged.problem
+    assert damaged.line == TASKS[0].line
     (aside,) = [file for file in path.parent.iterdir() if ".bad-" in file.name]
     assert aside.read_bytes() == b"\xff{nonsense"
 
@@ -85,12 +83,12 @@ def test_the_course_in_the_window(tmp_path, monkeypatch):
     desk.press(pygame.K_e)
     assert desk.session.scene.name == parsed(TASKS[0].line).scene.name
     desk.press(pygame.K_1 + TASKS[0].right)
-    assert ProgressFile(path).load() == {TASKS[0].name}
+    assert course_progress(path).value.done == {TASKS[0].name}
     desk.press(pygame.K_RIGHTBRACKET)
     desk.type_into(desk.row("ball").field, "7.8")
     desk.type_into(desk.row("ball", 1).field, "0")
     desk.wait(FRAME)
-    assert ProgressFile(path).load() == {TASKS[0].name, TASKS[1].name}
+    assert course_progress(path).value.done == {TASKS[0].name, TASKS[1].name}
     desk.press(pygame.K_e, pygame.K_1)
     assert desk.screen._lesson is None
     desk.close()

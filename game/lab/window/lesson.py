@@ -3,8 +3,9 @@
 import pygame
 
 from game.drawing.text import Type
+from game.kept.document import Document
 from game.lab.course.attended import AttendedCourse, answered, attended, lines, observed, turned
-from game.lab.course.progress import ProgressFile
+from game.lab.course.progress import CourseProgress, keep_done
 from game.lab.course.tasks import GoalState, Question
 from game.lab.session.session import Session
 from game.lab.window.layout import WindowLayout
@@ -19,10 +20,10 @@ _OPACITY = 236
 class Lesson:
     """The course as it is attended, and the file with what is done."""
 
-    def __init__(self, file: ProgressFile) -> None:
+    def __init__(self, file: Document[CourseProgress]) -> None:
         """Begin at the first task that is not done."""
         self._file = file
-        self._course: AttendedCourse = attended(file.load())
+        self._course: AttendedCourse = attended(file.value.done)
         self._goal: GoalState | None = None
 
     @property
@@ -33,7 +34,7 @@ class Lesson:
     @property
     def problem(self) -> str:
         """What went wrong with the file, in one line; empty for nothing."""
-        return self._file.problem or ""
+        return "" if self._file.problem is None else f"progress {self._file.problem}"
 
     def turn(self, step: int) -> str:
         """Open the task so many after this one; its share line."""
@@ -85,5 +86,5 @@ class Lesson:
     def _follow(self, course: AttendedCourse) -> None:
         """Go on with the course as it is now, and write down what is newly done."""
         if course.done != self._course.done:
-            self._file.keep(course.done)
+            keep_done(self._file, course.done)
         self._course = course

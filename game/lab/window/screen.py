@@ -6,7 +6,7 @@ from game.drawing.palette import Theme
 from game.input.keys import code_among, position_in
 from game.input.repeat import Repeat
 from game.input.signals import KeyboardState, Signal
-from game.lab.course.progress import ProgressFile, progress_path
+from game.lab.course.progress import course_progress, progress_path
 from game.lab.export.files import step_name
 from game.lab.export.slide import SLIDE_SIZE, SlideStyle
 from game.lab.kit.handles import Handle, dragged
@@ -29,6 +29,7 @@ from game.lab.window.stepping import SESSION_CHANGES, STEPS, Following, stepped_
 from game.lab.window.view import draw_all_handles, draw_halo, draw_panes, letters_for, pane_views
 from game.lab.window.widgets import PageTurned, PresetChosen, Refused, Request, SceneChosen, Side, ValueRequested
 from game.lab.window.words import TextSheet, draw_head, draw_notice, draw_small_print, draw_words
+from game.lab.yours.pane import with_yours
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 
@@ -136,6 +137,10 @@ class Lab:
         self._notice_left -= seconds
         if self._lesson is not None:
             self._lesson.observe(self._session)
+        functions = self._shared.functions
+        if functions is not None and (news := functions.refresh()):
+            self._drawn = None
+            self._tell(news)
         return self
 
     def draw(self, surface: pygame.Surface) -> None:
@@ -144,8 +149,9 @@ class Lab:
         sheet = TextSheet(surface, self.layout(size), theme, self._shared.type)
         surface.fill(theme.background)
         views = self._pane_views(size)
-        draw_panes(sheet, self._letters, self._seen(), views, self._shown, self._session.given)
-        draw_all_handles(sheet, self._letters, views, self._session.given, self._hovered(views, sheet.layout.pen))
+        seen, given = self._seen(), self._session.given
+        draw_panes(sheet, self._letters, seen, views, self._shown, given)
+        draw_all_handles(sheet, self._letters, seen, views, given, self._hovered(views, sheet.layout.pen))
         bottom = self._draw_words(sheet)
         for note in reversed(self._notes()):
             bottom = draw_notice(sheet, note, bottom - sheet.unit * 0.5)
@@ -309,7 +315,7 @@ class Lab:
 
     def _attend(self) -> None:
         """Begin the course, or leave it."""
-        self._lesson = Lesson(ProgressFile(progress_path())) if self._lesson is None else None
+        self._lesson = Lesson(course_progress(progress_path())) if self._lesson is None else None
         if self._lesson is not None:
             self._show(parsed(self._lesson.line, self._session.given.engine))
             self._tell(self._lesson.problem or "the course: [ and ] turn its pages, E leaves it")
@@ -362,7 +368,7 @@ class Lab:
             drawn, picture = self._drawn
             if drawn.given is session.given and drawn.tick == session.tick and drawn.scene is session.scene:
                 return picture
-        self._drawn = session, session.picture
+        self._drawn = session, with_yours(session.picture, session.scene, session.given, self._shared.functions)
         return self._drawn[1]
 
     def _seen(self) -> Picture:

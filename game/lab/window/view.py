@@ -15,6 +15,7 @@ from game.lab.kit.scene import LabScene
 from game.lab.window.dragging import PaneView, draw_handles
 from game.lab.window.layout import WindowLayout, focus_areas, pane_areas
 from game.lab.window.pan_zoom import PanZoom
+from game.lab.window.pane_lines import draw_pane_lines
 from game.lab.window.presented import WordLetters
 from game.lab.window.words import TextSheet
 
@@ -60,11 +61,14 @@ def draw_panes(
             pygame.draw.line(sheet.surface, sheet.theme.panel_edge, view.area.topleft, view.area.bottomleft)
 
 
-def draw_all_handles(sheet: TextSheet, letters: Letters, views: list[PaneView], given: Given, hovered: Handle | None) -> None:
-    """The rings of all handles. hovered: the one under the pointer."""
-    for view in views:
+def draw_all_handles(
+    sheet: TextSheet, letters: Letters, picture: Picture, views: list[PaneView], given: Given, hovered: Handle | None
+) -> None:
+    """The rings of all handles, and a pane's own lines over them. hovered: the handle under the pointer."""
+    for pane, view in zip(picture.panes, views, strict=True):
         there = next((one for one in view.handles if hovered is not None and one.label == hovered.label), None)
         draw_handles(pane_canvas(sheet, letters, view, frozenset()), given, view.handles, there)
+        draw_pane_lines(sheet.surface, view.focus, pane, sheet.theme, sheet.type, sheet.unit)
 
 
 def pane_canvas(sheet: TextSheet, letters: Letters, view: PaneView, shown: frozenset[Toggle]) -> PaneCanvas:
