@@ -10,8 +10,8 @@ _ADDED: dict[str, tuple[LabScene, ...]] = {}
 
 
 def add_chapter(title: str, added: tuple[LabScene, ...]) -> None:
-    """Let a chapter of scenes come before the others, until this process ends."""
-    _ADDED[title] = added
+    """Let scenes come before the others, in a chapter of that title, until this process ends."""
+    _ADDED[title] = (*_ADDED.get(title, ()), *added)
 
 
 def scenes() -> tuple[LabScene, ...]:

@@ -8,8 +8,10 @@ from game.lab import registry
 from game.lab.packs.load import load_pack
 from game.lab.registry import scene_named, scenes
 from game.lab.session.session import fresh
+from game.lab.session.share import parsed
 from game.system.errors import BadInputError
 from tests.support.command_line import polar
+from tests.support.paths import ROOT
 
 TOML = """
 title = "Lecture 5"
@@ -109,3 +111,19 @@ def test_a_pack_that_is_not_there_is_one_line(tmp_path):
     for name in ("none.toml", "none.py"):
         with pytest.raises(BadInputError, match=f"{name}: cannot read scene pack; No such file"):
             load_pack(tmp_path / name)
+
+
+def test_the_examples_of_the_documentation_and_the_lesson_can_be_used(tmp_path):
+    """The packs on the lab's page load as they stand there, so does the lesson's; every share line of the pages opens."""
+    page = (ROOT / "docs" / "lab.md").read_text(encoding="utf-8").partition("## A scene pack")[2]
+    for kind in ("toml", "python"):
+        path = tmp_path / f"pack.{kind.replace('python', 'py')}"
+        path.write_text(re.search(rf"```{kind}\n(.*?)```", page, re.DOTALL)[1], encoding="utf-8")
+        load_pack(path)
+    load_pack(ROOT / "docs" / "lesson.toml")
+    names = {scene.name for scene in scenes()}
+    assert {"l5-near-miss", "l5-position", "lesson-8-response"} <= names
+    pages = [(ROOT / "docs" / name).read_text(encoding="utf-8") for name in ("teaching.md", "lab.md")]
+    lines = re.findall(r'[`"]([a-z0-9-]+(?:\?[^`"\s]*)?)[`"]', "".join(pages))
+    opened = [parsed(line) for line in lines if line.partition("?")[0] in names]
+    assert len(opened) > 20

@@ -85,7 +85,7 @@ def _band_marks(ring: Ring, r: float, role: Role, name: str) -> list[Mark]:
     """Where the ball's centre is while the ball can touch a ring."""
     return [
         Annulus(max(ring.inner_radius - r, 0.0), ring.outer_radius + r, role, Toggle.BANDS, 0.3),
-        Words(to_cartesian(ring.radius, 2.5), f"p here: {name}?", Role.PLAIN, Toggle.BANDS),
+        Words(to_cartesian(ring.radius, 2.5), f"p here: may touch {name}", Role.PLAIN, Toggle.BANDS),
     ]
 
 

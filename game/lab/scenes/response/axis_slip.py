@@ -150,7 +150,7 @@ SCENE = LabScene(
         ),
         handles.on_circle("theta", lambda _: _RADIUS, "wall"),
     ),
-    view_box=ViewBox(0j, 5.4 + 5.4j),
+    view_box=ViewBox(0j, 4.7 + 4.7j),
     shows=_picture,
     check=_check,
     rows=(12,),
