@@ -103,7 +103,7 @@ def _tangential_change(drawn: DrawnBounce) -> RevealStep:
 def _result(drawn: DrawnBounce) -> RevealStep:
     """The sum."""
     result = drawn.found.steps.result
-    marks = [_arrow(drawn, result, Role.OURS, "v_res", Stroke.DASHED)]
+    marks = [_arrow(drawn, result, Role.PLAIN, "v_res", Stroke.DASHED)]
     line = f"v_res = v + Δv'_n + Δv'_t = {two_decimals(result)},   |v_res| = {length(result):.2f}"
     return one_step("v_res, the sum", marks, [line], _asked(drawn, "v_res", result))
 
