@@ -18,6 +18,8 @@ _DOTS = 72.0
 """Dots per inch at which a point is a pixel."""
 _MOST_PIECES = 512
 _CURVES = {1: "M", 2: "L", 3: "Q", 4: "C"}
+_SIGNS = {"°": r"{}^\circ", ".": r"\text{.}"}
+"""Signs of numbers that mathtext would set otherwise, such as a point with the space after a sentence."""
 _CLOSE, _CLOSED = 79, "Z"
 """matplotlib's codes of a path's parts, as SVG has them."""
 
@@ -78,7 +80,7 @@ def _signs(piece: Piece) -> tuple[Piece, ...]:
     """A number as one piece for each of its signs, of which there are few; any other piece is one."""
     if not piece.number:
         return (piece,)
-    return tuple([Piece(r"{}^\circ" if sign == "°" else sign) for sign in piece.number])
+    return tuple([Piece(_SIGNS.get(sign, sign)) for sign in piece.number])
 
 
 @lru_cache(maxsize=_MOST_PIECES)
@@ -90,7 +92,7 @@ def _set(piece: Piece, size: float) -> _SetPiece:
     rows = round(shades.shape[0] - found.depth)
     if rows > shades.shape[0]:  # all of it is above the baseline
         shades = np.pad(shades, ((0, rows - shades.shape[0]), (0, 0)))
-    of_number = len(piece.tex) == 1
+    of_number = len(piece.tex) == 1 or piece.tex == _SIGNS["."]
     advance = float(_parser("path").parse(tex, _DOTS, _font(size)).width) if of_number else float(shades.shape[1])
     return _SetPiece(shades, max(rows, 0), advance)
 

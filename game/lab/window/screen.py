@@ -384,8 +384,7 @@ class Lab:
 
     def _pane_views(self, size: tuple[int, int]) -> list[PaneView]:
         """Area, camera and handles of each pane."""
-        answer = reveals.guess_handle(self._reveal, self._picture())
-        return pane_views(self.layout(size), self._session.scene, self._seen(), self._pan_zoom, answer)
+        return pane_views(self.layout(size), self._session.scene, self._seen(), self._pan_zoom, self._reveal)
 
     def _hovered(self, views: list[PaneView], unit: float) -> Handle | None:
         """The handle that is held, or that a press would take hold of."""

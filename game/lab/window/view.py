@@ -12,6 +12,7 @@ from game.lab.kit.handles import Handle
 from game.lab.kit.parameters import Given
 from game.lab.kit.picture import Picture, Toggle
 from game.lab.kit.scene import LabScene
+from game.lab.session.reveal import WHOLE, Reveal, guess_handle
 from game.lab.window.dragging import PaneView, draw_handles
 from game.lab.window.layout import WindowLayout, focus_areas, pane_areas
 from game.lab.window.pan_zoom import PanZoom
@@ -36,16 +37,20 @@ def letters_for(words: Type) -> Letters:
 
 
 def pane_views(
-    layout: WindowLayout, scene: LabScene, picture: Picture, pan_zoom: PanZoom, more: Handle | None = None
+    layout: WindowLayout, scene: LabScene, picture: Picture, pan_zoom: PanZoom, reveal: Reveal = WHOLE
 ) -> list[PaneView]:
-    """Area, camera and handles of each pane; all of them show the same part of the world. more: a handle in the first pane."""
-    panes = picture.panes
+    """Area, camera and handles of each pane; all of them show the same part of the world.
+
+    picture: what is shown. reveal: how much of the scene's picture that is; what is not drawn yet has no handle.
+    """
+    panes, answer = picture.panes, guess_handle(reveal, picture)
+    handles = tuple([one for one in scene.handles if reveal.seen is None or one.step <= reveal.seen])
     views = [
-        PaneView(area, focus, pan_zoom.camera(scene.view_box, focus), scene.handles if pane.has_handles else ())
+        PaneView(area, focus, pan_zoom.camera(scene.view_box, focus), handles if pane.has_handles else ())
         for area, focus, pane in zip(pane_areas(layout, len(panes)), focus_areas(layout, len(panes)), panes, strict=True)
     ]
-    if more is not None:
-        views[0] = views[0]._replace(handles=(more, *views[0].handles))
+    if answer is not None:
+        views[0] = views[0]._replace(handles=(answer, *views[0].handles))
     return views
 
 

@@ -42,7 +42,7 @@ def _picture(given: Given) -> Picture:
     centre, found = _surface_bounce(given)
     n = found.normal
     line = f"n = {two_decimals(n)},   μ_p = {found.friction:g}"
-    first = one_step("the ball touches the surface", _situation(n, centre), [line])
+    first = one_step("the ball touches", _situation(n, centre), [line])
     steps = [first, *response_reveal(DrawnBounce(found, centre, 0j, _SCALE))]
     return in_steps(steps, response_line(found), _note(found))
 
@@ -126,8 +126,8 @@ SCENE = LabScene(
         Number("normal", "ψ_n", "°", 0.0, 360.0, 90.0, 0.5, "direction of n"),
     ),
     handles=(
-        handles.polar_vector("speed", "heading", lambda given: _surface_bounce(given).centre, _SCALE, "v"),
-        handles.vector("v_p", lambda _: 0j, _SCALE, "v_p"),
+        handles.polar_vector("speed", "heading", lambda given: _surface_bounce(given).centre, _SCALE, "v")._replace(step=2),
+        handles.vector("v_p", lambda _: 0j, _SCALE, "v_p")._replace(step=3),
         handles.Handle(
             "n",
             lambda given: to_cartesian(_NORMAL, given.angle("normal")),

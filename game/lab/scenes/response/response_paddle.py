@@ -112,7 +112,7 @@ SCENE = LabScene(
         Number("mu", "μ_p", "", 0.0, 1.0, 0.5, 0.01, "friction"),
     ),
     handles=(
-        handles.polar_vector("speed", "heading", _start, _SCALE, "velocity"),
+        handles.polar_vector("speed", "heading", _start, _SCALE, "velocity")._replace(step=2),
         handles.Handle("ball", _start, lambda _given, position: {"ball": position}, lambda _given: _BALL_RADIUS),
     ),
     view_box=ViewBox(0.4 + 7.3j, 5.4 + 4.4j),

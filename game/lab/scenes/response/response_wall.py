@@ -116,7 +116,7 @@ SCENE = LabScene(
         Number("mu", "μ_p", "", 0.0, 1.0, 0.3, 0.01, "friction"),
     ),
     handles=(
-        handles.polar_vector("speed", "heading", _start, _SCALE, "velocity"),
+        handles.polar_vector("speed", "heading", _start, _SCALE, "velocity")._replace(step=2),
         handles.Handle(
             "ball",
             _start,
