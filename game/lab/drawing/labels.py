@@ -42,14 +42,21 @@ def placed_labels(
     """
     reach = round(canvas.unit)
     rings = [pygame.Rect(round(one.real) - reach // 2, round(one.imag) - reach // 2, reach, reach) for one in handles]
-    done: list[PlacedLabel] = []
-    if title:
-        top = complex(canvas.free.centerx, canvas.free.top + canvas.unit * 0.4)
-        done += _placed(canvas, _WantedLabel(top, title, canvas.theme.text, "midtop"), (), ())
+    done = _title(canvas, title)
     for mark in marks:
         wanted = _wanted(canvas, mark) if mark.toggle is None or mark.toggle in canvas.shown else None
         if wanted is not None:
             done += _placed(canvas, wanted, [one.box for one in done], rings)
+    return done
+
+
+def _title(canvas: PaneCanvas, title: str) -> list[PlacedLabel]:
+    """A pane's title at its top, in as many lines as it needs."""
+    lines = canvas.type.wrapped(title, canvas.size, canvas.free.width - 2.0 * canvas.unit)
+    middle, top, done = canvas.free.centerx, canvas.free.top + canvas.unit * 0.4, list[PlacedLabel]()
+    for line in lines:
+        done += _placed(canvas, _WantedLabel(complex(middle, top), line, canvas.theme.text, "midtop"), (), ())
+        top = max([top, *[float(one.box.bottom) for one in done]])
     return done
 
 

@@ -17,7 +17,7 @@ _TOKEN = re.compile(
     r"|(?P<word>[A-Za-z]+(?:-[A-Za-z]+)*(?:'s)?)"
     r"|(?P<other>:=|.)"
 )
-_ARTICLE = re.compile(r"a (?!is\b|mod\b|t\b|c\b)[a-z]{2,}")
+_ARTICLE = re.compile(r"[aA] (?!is\b|mod\b|t\b|c\b)[a-z]{2,}")
 _VECTORS = frozenset("vnpq")
 _ACCENTS = {"q": "hat"}
 _SCALAR_INDICES = frozenset({"0", "x", "y", "z"})
@@ -99,7 +99,7 @@ def _tokens(line: str) -> list[_Token]:
     tokens: list[_Token] = []
     for match in _TOKEN.finditer(line):
         kind, text = str(match.lastgroup), match.group()
-        if text == "a" and _ARTICLE.match(line, match.start()):
+        if text in {"a", "A"} and _ARTICLE.match(line, match.start()):
             kind = "word"
         signed = kind == "number" and tokens and tokens[-1].text == "-" and _begins(tokens[:-1])
         if signed:
