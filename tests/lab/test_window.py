@@ -16,7 +16,7 @@ from game.lab.registry import scene_named, scenes
 from game.lab.session import session
 from game.lab.session.checks import lines
 from game.lab.session.share import SharedScene, parsed
-from game.lab.window import saving
+from game.lab.window import saving, screen
 from game.lab.window.commands import KEYS, Command, command_of
 from game.lab.window.layout import layout_of
 from game.lab.window.pan_zoom import PanZoom
@@ -254,7 +254,7 @@ def random_event(chance, size):
     pixel = (int(chance.random() * size[0]), int(chance.random() * size[1]))
     kind = int(chance.random() * 6)
     if kind == 0:
-        codes = [code for key in KEYS for code in key.keys if key.command is not Command.LEAVE]
+        codes = [code for key in KEYS for code in key.keys if key.command not in {Command.LEAVE, *saving.PICTURES}]
         code = chance.choice([*codes, pygame.K_1, pygame.K_7, pygame.K_RETURN, pygame.K_BACKSPACE, pygame.K_TAB, pygame.K_F5])
         return pygame.Event(pygame.KEYDOWN, key=code, mod=0, unicode=chance.choice("a9.-"))
     if kind == 1:
@@ -272,6 +272,8 @@ def random_event(chance, size):
 def test_no_hands_break_it(scene, tmp_path, monkeypatch):
     """After random keys, clicks, drags and letters the lab goes on, and every value is in its range."""
     monkeypatch.setattr(saving, "case_file", lambda: tmp_path / "cases.txt")
+    monkeypatch.setattr(saving, "own_levels_folder", lambda: tmp_path)
+    monkeypatch.setattr(screen, "progress_path", lambda: tmp_path / "progress.json")
     chance = random.Random(scene.name)
     desk = LabDesk(scene.name, (800, 600))
     for _ in range(20):
