@@ -10,7 +10,7 @@ import pygame
 from game.app import frame
 from game.input.keys import position_of
 from game.input.signals import KeyboardState
-from game.levels import built_in
+from game.levels import classic
 from game.screens.app_state import AppState
 from game.screens.menus.level_select import LevelSelect
 from game.screens.title import Title
@@ -22,7 +22,7 @@ SIZE = (640, 400)
 
 def shared(level=0, seed=7, recorder=None, *, autopilot=False):
     """What outlives a screen, before anything has happened."""
-    state = AppState(built_in(), level, seed, Title, recorder, autopilot)
+    state = AppState(classic(), level, seed, Title, recorder, autopilot)
     state.open_levels = lambda state: LevelSelect(state, Title(state))
     return state
 

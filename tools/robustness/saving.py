@@ -16,7 +16,7 @@ from typing import NamedTuple
 
 from game.kept.document import Document
 from game.kept.progress import VERSION, Best, Progress
-from game.levels import built_in
+from game.levels import classic
 from game.replays.file import Recorder, encoded, load, save
 from game.rules import Controls, new_game, tick
 from game.settings import file as settings_file
@@ -64,7 +64,7 @@ def kills(count: int, seed: int, folder: Path) -> Iterator[Kill]:
 
 def _recording() -> Recorder:
     """Some seconds of a game."""
-    levels = built_in()
+    levels = classic()
     game, recorder = new_game(levels, 1), Recorder(levels, 1)
     for number in range(_TICKS):
         controls = Controls(serve=number == 10)

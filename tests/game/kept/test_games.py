@@ -6,7 +6,7 @@ import pytest
 
 from game.kept import games as kept
 from game.kept.games import Games, KeptGame
-from game.levels import built_in
+from game.levels import classic
 from game.replays.file import load
 from game.rules import Controls, Phase, new_game, tick
 
@@ -19,7 +19,7 @@ def short(monkeypatch):
 
 def play(games, ticks, *, closed=True):
     """A game of some ticks."""
-    game = new_game(built_in(), 1)
+    game = new_game(classic(), 1)
     for _ in range(ticks):
         game = tick(game, Controls()).game
         games(Controls(), game)
@@ -46,7 +46,7 @@ def test_of_games_that_nobody_keeps_the_last_twenty_stay(tmp_path):
 def test_a_game_is_kept_at_its_end(tmp_path):
     """Its file is there with the tick that ends it, before another game begins; the list has its score and its hash."""
     games = Games(tmp_path)
-    game = new_game(built_in()[:1], 1)._replace(lives=1)
+    game = new_game(classic()[:1], 1)._replace(lives=1)
     while game.phase != Phase.OVER:
         controls = Controls(serve=game.phase == Phase.SERVING, give_up=game.tick > 20)
         game = tick(game, controls).game

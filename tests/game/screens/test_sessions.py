@@ -8,7 +8,7 @@ from game.autopilot import Autopilot
 from game.kept import games as kept_games
 from game.kept.progress import Best
 from game.kept.store import Kept
-from game.levels import built_in
+from game.levels import classic
 from game.replays.file import load
 from game.replays.verify import verified
 from game.rules import Phase, Ruleset, new_game, tick
@@ -74,9 +74,9 @@ def test_by_keys_alone(desk, tmp_path):
     visit(desk, *[(lambda label=label: desk.choose(label), kind, esc) for label, kind in (*panels, ("Credits", Credits))])
     desk.choose("Levels")
     assert isinstance(desk.screen, LevelSelect)
-    desk.choose(built_in()[1].name)
+    desk.choose(classic()[1].name)
     assert isinstance(desk.screen, LevelSelect), "it is locked"
-    desk.choose(built_in()[0].name)
+    desk.choose(classic()[0].name)
     assert isinstance(desk.screen, PlayScreen)
     visit(desk, (lambda: desk.press(pygame.K_p), Menu, esc), (lambda: desk.press(pygame.K_o), SettingsPanel, esc))
     lose(desk, lambda: desk.press(pygame.K_SPACE))
@@ -109,7 +109,7 @@ def test_by_mouse_alone(desk, tmp_path):
     panels = (("High scores", HighScores), ("Replays", Replays), ("How to play", Help), ("Settings", SettingsPanel))
     visit(desk, *[(lambda label=label: desk.click_on(label), kind, close) for label, kind in (*panels, ("Credits", Credits))])
     desk.click_on("Levels")
-    desk.click_on(built_in()[0].name)
+    desk.click_on(classic()[0].name)
     assert isinstance(desk.screen, PlayScreen)
 
     def button(index):
@@ -170,8 +170,8 @@ def test_a_cleared_level_shows_its_results_and_opens_the_next(desk, tmp_path):
     kept = Kept(tmp_path)
     (best,) = kept.progress.value.bests
     result = play._ticked.game.results[-1]
-    assert (best.level, best.difficulty, best.score, best.rank) == (built_in()[0].name, "normal", result.score, result.rank)
-    assert kept.progress.value.is_open(1, [level.name for level in built_in()])
+    assert (best.level, best.difficulty, best.score, best.rank) == (classic()[0].name, "normal", result.score, result.rank)
+    assert kept.progress.value.is_open(1, [level.name for level in classic()])
     desk.press(pygame.K_RETURN, pygame.K_RETURN)
     desk.wait(0.5)
     assert desk.screen is play
@@ -180,8 +180,8 @@ def test_a_cleared_level_shows_its_results_and_opens_the_next(desk, tmp_path):
 
 def test_the_best_run_of_a_level_is_raced_as_a_ghost(desk, monkeypatch):
     """Once the player serves, the ghost stands where its recording does, tick by tick from its own first serve."""
-    levels, kept = built_in()[1:3], desk.shared.kept
-    recorded, pilot, game = [], Autopilot(), new_game(built_in()[1:3], 5, Ruleset())
+    levels, kept = classic()[1:3], desk.shared.kept
+    recorded, pilot, game = [], Autopilot(), new_game(classic()[1:3], 5, Ruleset())
     for _ in range(700):
         controls = pilot.controls(game)
         game = tick(game, controls).game
@@ -210,7 +210,7 @@ def test_two_players_steer_the_same_paddles(desk):
     desk.shared.recorder = lambda controls, _: told.append((controls.turn, controls.second_turn))
     desk.choose("Levels")
     desk.choose("Players")
-    desk.choose(built_in()[0].name)
+    desk.choose(classic()[0].name)
     for key in (pygame.K_d, pygame.K_RIGHT, pygame.K_a):
         desk.hold(key)
         desk.wait(0.1)
@@ -222,8 +222,8 @@ def test_two_players_steer_the_same_paddles(desk):
 
 def test_a_game_on_a_level_of_ones_own_makes_no_high_score(desk):
     """Anybody can make an easy level: it has a best of its own, under what is in it, and opens no level of the game."""
-    own = msgspec.structs.replace(built_in()[1], ground_radius=built_in()[1].ground_radius + 0.5)
+    own = msgspec.structs.replace(classic()[1], ground_radius=classic()[1].ground_radius + 0.5)
     desk.screen = PlayScreen(desk.shared, (own,))
     lose(desk, lambda: desk.press(pygame.K_SPACE))
     assert "Enter your name" not in [entry.label for entry in desk.screen._entries]
-    assert record_name(own) != own.name == record_name(built_in()[1])
+    assert record_name(own) != own.name == record_name(classic()[1])
