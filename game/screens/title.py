@@ -10,6 +10,7 @@ from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.demo import Demo
 from game.screens.menus.credits import Credits
+from game.screens.menus.endless import endless_menu
 from game.screens.menus.help import Help
 from game.screens.menus.high_scores import HighScores
 from game.screens.menus.level_select import LevelSelect, next_level
@@ -66,6 +67,7 @@ class Title(Panel):
         items: tuple[Item, ...] = (
             Button(tr("Play"), self._play, note=following, large=True),
             Button(tr("Levels"), lambda: LevelSelect(state, self)),
+            Button(tr("Endless"), lambda: endless_menu(state, self)),
             Button(tr("High scores"), lambda: HighScores(state, self)),
             Button(tr("Replays"), lambda: Replays(state, self)),
             Button(tr("How to play"), lambda: Help(state, self), Action.HELP),

@@ -4,7 +4,7 @@ import msgspec
 
 from game.language import tr
 from game.rules import SOURCE_RULES, Difficulty, Ruleset
-from game.screens.app_state import SOURCE, AppState
+from game.screens.app_state import SOURCE, AppState, Players
 from game.screens.toolkit.items import Choice
 
 DIFFICULTIES = (*[difficulty.name.lower() for difficulty in Difficulty], SOURCE)
@@ -28,10 +28,15 @@ def players_choice(state: AppState) -> Choice:
     """The item that chooses how many play on this machine."""
 
     def choose(index: int) -> None:
-        state.two_players = index == 1
+        state.players = Players(index)
 
-    tip = tr("Two together: one has the arrow keys, mouse or gamepad, the other A and D; who holds a key steers.")
-    return Choice(tr("Players"), (tr("One"), tr("Two together")), int(state.two_players), choose, tip)
+    tips = (
+        tr("Scores and ranks are for one player."),
+        tr("One has the arrow keys, mouse or gamepad, the other A and D; who holds a key steers all paddles."),
+        tr("Each has a paddle in half of the ring: the lower one arrow keys, mouse or gamepad, the upper one A and D."),
+    )
+    names = (tr("One"), tr("Two together"), tr("Two against each other"))
+    return Choice(tr("Players"), names, int(state.players), choose, tips[state.players])
 
 
 def difficulty_choice(state: AppState) -> Choice:

@@ -101,7 +101,7 @@ class LevelSelect(Panel):
     @property
     def looks(self) -> tuple[object, ...]:
         """The choices above the levels are kept elsewhere."""
-        return *super().looks, self.state.difficulty, self.state.two_players
+        return *super().looks, self.state.difficulty, self.state.players
 
     def content(self) -> Content:
         """The difficulty, and the chapters."""

@@ -5,15 +5,18 @@ import pygame
 import pytest
 
 from game.autopilot import Autopilot
+from game.generated import sequence
 from game.kept import games as kept_games
 from game.kept.progress import Best
+from game.kept.scores import ENDLESS, objection
 from game.kept.store import Kept
 from game.levels import built_in
 from game.replays.file import load
 from game.replays.verify import verified
-from game.rules import Phase, Ruleset, new_game, tick
+from game.rules import Phase, Ruleset, new_game, paddle_rings, tick
 from game.screens import ghost, play_buttons
 from game.screens.menus.credits import Credits
+from game.screens.menus.endless import seed_of
 from game.screens.menus.help import Help
 from game.screens.menus.high_scores import HighScores
 from game.screens.menus.level_select import LevelSelect
@@ -25,6 +28,7 @@ from game.screens.play_record import record_name
 from game.screens.title import Title
 from game.screens.toolkit.menu import Menu
 from game.screens.toolkit.text_entry import TextEntry
+from game.screens.versus import verdict
 from game.screens.watch import Watch
 from physics import direction
 from tests.support.dummy_window import FRAME, Desk, shared
@@ -227,3 +231,45 @@ def test_a_game_on_a_level_of_ones_own_makes_no_high_score(desk):
     lose(desk, lambda: desk.press(pygame.K_SPACE))
     assert "Enter your name" not in [entry.label for entry in desk.screen._entries]
     assert record_name(own) != own.name == record_name(built_in()[1])
+
+
+def test_two_players_against_each_other_have_a_paddle_each(desk):
+    """A and D turn the upper paddle, the arrows the lower one; the results name the winner, and no score is entered."""
+    desk.choose("Levels")
+    desk.choose("Players")
+    desk.choose("Players")
+    desk.choose(built_in()[0].name)
+    game = desk.screen._ticked.game
+    assert game.ruleset.versus
+    lower, upper = (game.arena.rings[ring].angle(0) for ring in paddle_rings(game))
+    desk.hold(pygame.K_d)
+    desk.wait(0.2)
+    desk.release(pygame.K_d)
+    game = desk.screen._ticked.game
+    assert game.arena.rings[paddle_rings(game)[0]].angle(0) == lower
+    assert game.arena.rings[paddle_rings(game)[1]].angle(0) != upper
+    lose(desk, lambda: desk.press(pygame.K_SPACE))
+    desk.press(pygame.K_RETURN)
+    assert desk.screen._title == verdict(desk.screen._under._ticked.game)
+    assert "Enter your name" not in [entry.label for entry in desk.screen._entries]
+
+
+def test_endless_levels_of_a_number_have_a_table_of_their_own(desk, tmp_path):
+    """The number is entered with the small keyboard; its levels are those of anybody else; the score's replay proves it."""
+    desk.choose("Endless")
+    desk.choose("Levels of a number")
+    for digit in "42":
+        desk.click_on(digit)
+    desk.choose("Done")
+    assert isinstance(desk.screen, PlayScreen)
+    assert desk.screen._ticked.game.levels == sequence(42)
+    assert desk.screen._ticked.game.seed == 42
+    lose(desk, lambda: desk.press(pygame.K_SPACE))
+    desk.press(pygame.K_RETURN)
+    desk.choose("Enter your name")
+    desk.choose("Done")
+    (entry,) = Kept(tmp_path).scores.value.table(ENDLESS)
+    assert "(42)" in entry.last
+    assert objection(entry, tmp_path / "replays") is None
+    assert Kept(tmp_path).progress.value.bests == []
+    assert [seed_of(text) for text in ("007", "abc")] == [7, int.from_bytes(b"abc", "little")]
