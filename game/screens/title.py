@@ -26,11 +26,11 @@ NAME = ("POLAR", "BREAKOUT")
 # Lengths are in units of text.
 _NAME, _NAME_SPACING, _NAME_PITCH = 4.2, 0.12, 4.0
 """Size of the name's letters, the gaps between them in shares of their size, and from line to line."""
-_NAME_TOP, _LEFT, _COLUMN = 2.4, 2.2, 18.0
+_NAME_TOP, _LEFT, _COLUMN = 1.7, 2.2, 15.0
 """From the surface's upper edge to the name, from its left edge to name and buttons, and width of these."""
 _INSET = 2.9
 """From the edge of the buttons' room to their words."""
-_BUTTONS_TOP = 11.0
+_BUTTONS_TOP = 9.4
 """From the surface's upper edge to the room of the buttons."""
 _WIDE = 1.2
 """Aspect ratio from which the demonstration has its own part of the surface, at the right."""
@@ -75,7 +75,7 @@ class Title(Panel):
             Button(tr("Credits"), lambda: Credits(state, self)),
             Button(tr("Quit"), lambda: None),
         )
-        return Content("", tuple([(item,) for item in items]), width=_COLUMN)
+        return Content("", tuple([(item,) for item in items]), width=_COLUMN + 2.0 * _INSET)
 
     def back(self) -> Screen | None:
         """Esc asks first."""
@@ -156,6 +156,6 @@ def _demo_camera(size: tuple[int, int], unit: float, ground_radius: float) -> Ca
     if not _is_wide(size):
         return Camera(complex(width, height) / 2.0, max(min(size) * _DEMO_RADIUS / ground_radius, 1e-3))
     radius = height * _DEMO_RADIUS
-    left = unit * (_LEFT + _COLUMN + 0.5)
+    left = unit * (_LEFT + _COLUMN + 3.5)
     middle = max(left + radius, (left + width) / 2.0)
     return Camera(complex(middle, height / 2.0), max(radius / ground_radius, 1e-3))
