@@ -45,7 +45,7 @@ def level_results(state: AppState, play: Played, game: Game, record: PlayRecord)
     """After a level: its figures, and the next one."""
     result = game.results[-1]
     before = record.before
-    following = game.levels[game.number + 1].name
+    following = tr(game.levels[game.number + 1].name)
     entries = (
         Entry(tr("Next: {level}").format(level=following), play.went_on),
         Entry(tr("All levels"), state.levels),
@@ -55,10 +55,10 @@ def level_results(state: AppState, play: Played, game: Game, record: PlayRecord)
         Figure(tr("Time"), result.ticks, clock, best=before is not None and result.ticks < before.ticks),
         Figure(tr("Best combo"), result.best_combo),
         Figure(tr("Balls lost"), result.balls_lost),
-        *_scores(game),
+        *(_scores(game) if game.sides else (Figure(tr("Score so far"), game.score),)),
     )
     rank = RANKS[int(result.rank)]
-    line = game.level.name
+    line = tr(game.level.name)
     if record.earned:
         line = tr("{level}. Yours from now on, in the settings: {things}").format(level=line, things=", ".join(record.earned))
     return Results(state, play, tr("Level cleared"), line, figures, entries, rank, back=play.went_on)
@@ -79,7 +79,7 @@ def game_results(state: AppState, play: Played, game: Game, record: PlayRecord) 
         Figure(tr("Time"), game.tick, clock),
     )
     title = verdict(game) if game.sides else tr("You won") if won else tr("Game over")
-    line = tr("Every level is cleared.") if won else tr("The last ball is gone in {level}.").format(level=game.level.name)
+    line = tr("Every level is cleared.") if won else tr("The last ball is gone in {level}.").format(level=tr(game.level.name))
     if play.endless is not None:
         line = tr("{line} Number of these levels: {seed}").format(line=line, seed=play.endless)
     entries = _after_game(state, play, game)

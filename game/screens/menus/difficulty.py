@@ -32,8 +32,8 @@ def players_choice(state: AppState) -> Choice:
 
     tips = (
         tr("Scores and ranks are for one player."),
-        tr("One has the arrow keys, mouse or gamepad, the other A and D; who holds a key steers all paddles."),
-        tr("Each has a paddle in half of the ring: the lower one arrow keys, mouse or gamepad, the upper one A and D."),
+        tr("One has the arrow keys, mouse or gamepad, the other A and D or a second gamepad; both steer all paddles."),
+        tr("The lower paddle has the arrow keys, mouse or gamepad, the upper one A and D or a second gamepad."),
     )
     names = (tr("One"), tr("Two together"), tr("Two against each other"))
     return Choice(tr("Players"), names, int(state.players), choose, tips[state.players])

@@ -1,6 +1,6 @@
 """How to play, over another screen: what the game is about, how one aims, what drops out of bricks, and all keys."""
 
-from game.input.key_names import play_help
+from game.input.key_names import key_name, play_help
 from game.input.keys import Action
 from game.input.signals import Pressed, Signal
 from game.language import tr
@@ -89,7 +89,7 @@ def _aiming() -> tuple[Row, ...]:
 def _controls() -> tuple[Row, ...]:
     """Keyboard, mouse, gamepad, touch."""
     ways = (
-        (tr("Keyboard"), tr("Two keys turn the paddles; Space serves.")),
+        (tr("Keyboard"), tr("Two keys turn the paddles; {key} serves.").format(key=key_name(Action.SERVE))),
         (
             tr("Mouse"),
             tr("The nearest paddle follows the pointer; a click serves. The signs at the right pause, help and set."),
