@@ -5,16 +5,21 @@ import pygame
 import pytest
 
 from game.autopilot import Autopilot
+from game.editor import command
+from game.editor.window.layout import editor_layout
+from game.editor.window.screen import Editor
 from game.generated import sequence
 from game.kept import games as kept_games
 from game.kept.progress import Best
 from game.kept.scores import ENDLESS, objection
 from game.kept.store import Kept
 from game.levels import built_in
+from game.own_levels import own_levels
 from game.replays.file import load
 from game.replays.verify import verified
 from game.rules import Phase, Ruleset, new_game, paddle_rings, tick
 from game.screens import ghost, play_buttons
+from game.screens.editors import OpenEditors
 from game.screens.menus.credits import Credits
 from game.screens.menus.endless import seed_of
 from game.screens.menus.help import Help
@@ -40,7 +45,9 @@ def desk(tmp_path, monkeypatch):
     monkeypatch.setattr(kept_games, "_SHORTEST", 0.1)
     state = shared()
     state.kept, state.ruleset = Kept(tmp_path), Ruleset()
-    state.recorder = state.kept.games
+    state.recorder, state.open_editor = state.kept.games, OpenEditors().opened
+    monkeypatch.setattr(command, "own_levels_folder", lambda: tmp_path / "levels")
+    state.own_levels = lambda: own_levels(tmp_path / "levels")
     found = Desk(state, Title(state), (640, 400))
     found.wait(FRAME)
     yield found
@@ -113,6 +120,16 @@ def test_by_mouse_alone(desk, tmp_path):
     panels = (("High scores", HighScores), ("Replays", Replays), ("How to play", Help), ("Settings", SettingsPanel))
     visit(desk, *[(lambda label=label: desk.click_on(label), kind, close) for label, kind in (*panels, ("Credits", Credits))])
     desk.click_on("Levels")
+    desk.click_on("Make a new level")
+    assert isinstance(desk.screen, Editor)
+    buttons = editor_layout(desk.window.size, desk.screen.session).buttons
+    desk.click(next(box.center for button, box in buttons if button.name == "leave"))
+    desk.click_on("Save and leave")
+    assert isinstance(desk.screen, LevelSelect)
+    desk.click_on("My level")
+    desk.click_on("Edit")
+    assert isinstance(desk.screen, Editor)
+    desk.click(next(box.center for button, box in buttons if button.name == "leave"))
     desk.click_on(built_in()[0].name)
     assert isinstance(desk.screen, PlayScreen)
 

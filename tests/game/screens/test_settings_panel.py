@@ -23,7 +23,7 @@ from tests.support.dummy_window import FRAME, SIZE, Desk, shared
 def desk():
     """The app at its title."""
     state = shared()
-    found = Desk(state, Title(state), (1280, 800))
+    found = Desk(state, Title(state), (800, 600))
     found.wait(FRAME)
     yield found
     found.close()
