@@ -238,7 +238,7 @@ class PlayScreen:
 
     def _paused(self, panel: Screen) -> Screen:
         """A panel over the game; keys that were held when it opened are let go."""
-        self._hands, self._second = self._hands.after(FocusLost()), Hands()
+        self._hands, self._second, self._hovered = self._hands.after(FocusLost()), Hands(), None
         if self._ticked.game.phase == Phase.PLAYING:
             self._ready = _READY_SECONDS
         return panel
