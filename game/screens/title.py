@@ -88,14 +88,14 @@ class Title(Panel):
         room = max(min(round(unit * (_COLUMN + 2.0 * _INSET)), round(width - left)), 1)
         return pygame.Rect(round(left), top, room, max(height - top, 1))
 
-    def advance(self, seconds: float, _size: tuple[int, int]) -> Screen | None:
+    def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
         """Let the demonstration play."""
         if not self.state.settings.reduced_motion:
             self._demo.advance(seconds, self.state.settings.shown)
             self._shown += 1
             if self._demo.ended:
                 self._demo = self._new_demo()
-        return self
+        return super().advance(seconds, size)
 
     def draw_behind(self, surface: pygame.Surface) -> None:
         """The demonstration, under a veil where the buttons stand over it."""

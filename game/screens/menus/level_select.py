@@ -132,7 +132,7 @@ class LevelSelect(Panel):
         """Cards beside each other."""
         return math.ceil(_COLUMNS / self.state.text_scale)
 
-    def advance(self, _seconds: float, size: tuple[int, int]) -> Screen | None:
+    def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
         """Draw one more picture, if one is missing."""
         if self._shows_next:
             self._shows_next = False
@@ -140,7 +140,7 @@ class LevelSelect(Panel):
             self._show_focus(size)
         if self.state.pictures.next_frame():
             self._changes += 1
-        return self
+        return super().advance(seconds, size)
 
     def _card(self, index: int) -> Card:
         """A level's card."""
