@@ -7,6 +7,7 @@ from game.language import tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.menus import help_pictures as pictures
+from game.screens.menus.help_powers import power_rows
 from game.screens.toolkit.focus import Focus
 from game.screens.toolkit.items import Cells, Drawing, Item, Text
 from game.screens.toolkit.layout import Content, Row
@@ -32,8 +33,8 @@ class Help(Panel):
         footer = back_row(tr("Back"), self.back)
         if self._keys is not None:
             return Content(self._title, _key_rows(self._keys), footer, width=40.0)
-        parts = (_game, _aiming, _controls, _key_part)
-        names = (tr("The game"), tr("Aiming"), tr("Ways to play"), tr("Keys"))
+        parts = (_game, _aiming, power_rows, _controls, _key_part)
+        names = (tr("The game"), tr("Aiming"), tr("Power-ups"), tr("Ways to play"), tr("Keys"))
         return Content(tr("How to play"), parts[self._tab](), footer, names, self._tab, 44.0, tall=_TALL)
 
     def first(self) -> Focus | None:
