@@ -17,7 +17,7 @@ from game.screens.menus.level_select import LevelSelect, next_level
 from game.screens.menus.replays import Replays
 from game.screens.menus.settings_panel import SettingsPanel
 from game.screens.play import PlayScreen
-from game.screens.toolkit.items import Button, Item
+from game.screens.toolkit.items import ButtonItem, Item
 from game.screens.toolkit.layout import Content, Laid
 from game.screens.toolkit.menu import Entry, Menu
 from game.screens.toolkit.panel import Panel
@@ -65,15 +65,15 @@ class Title(Panel):
         state = self.state
         following = tr(state.catalogue[next_level(state)].name)
         items: tuple[Item, ...] = (
-            Button(tr("Play"), self._play, note=following, large=True),
-            Button(tr("Levels"), lambda: LevelSelect(state, self)),
-            Button(tr("Endless"), lambda: endless_menu(state, self)),
-            Button(tr("High scores"), lambda: HighScores(state, self)),
-            Button(tr("Replays"), lambda: Replays(state, self)),
-            Button(tr("How to play"), lambda: Help(state, self), Action.HELP),
-            Button(tr("Settings"), lambda: SettingsPanel(state, self), Action.SETTINGS),
-            Button(tr("Credits"), lambda: Credits(state, self)),
-            Button(tr("Quit"), lambda: None),
+            ButtonItem(tr("Play"), self._play, note=following, large=True),
+            ButtonItem(tr("Levels"), lambda: LevelSelect(state, self)),
+            ButtonItem(tr("Endless"), lambda: endless_menu(state, self)),
+            ButtonItem(tr("High scores"), lambda: HighScores(state, self)),
+            ButtonItem(tr("Replays"), lambda: Replays(state, self)),
+            ButtonItem(tr("How to play"), lambda: Help(state, self), Action.HELP),
+            ButtonItem(tr("Settings"), lambda: SettingsPanel(state, self), Action.SETTINGS),
+            ButtonItem(tr("Credits"), lambda: Credits(state, self)),
+            ButtonItem(tr("Quit"), lambda: None),
         )
         return Content("", tuple([(item,) for item in items]), width=_COLUMN + 2.0 * _INSET)
 
@@ -90,14 +90,14 @@ class Title(Panel):
         room = max(min(round(unit * (_COLUMN + 2.0 * _INSET)), round(width - left)), 1)
         return pygame.Rect(round(left), top, room, max(height - top, 1))
 
-    def advance(self, seconds: float, _size: tuple[int, int]) -> Screen | None:
+    def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
         """Let the demonstration play."""
         if not self.state.settings.reduced_motion:
             self._demo.advance(seconds, self.state.settings.shown)
             self._shown += 1
             if self._demo.ended:
                 self._demo = self._new_demo()
-        return self
+        return super().advance(seconds, size)
 
     def draw_behind(self, surface: pygame.Surface) -> None:
         """The demonstration, under a veil where the buttons stand over it."""

@@ -8,7 +8,7 @@ from game.screens.base import Screen
 from game.screens.menus.difficulty import DIFFICULTIES, difficulty_name
 from game.screens.menus.replay_file import opened_replay
 from game.screens.toolkit.focus import Focus
-from game.screens.toolkit.items import Button, Cells, Item, Text
+from game.screens.toolkit.items import ButtonItem, Cells, Item, TextItem
 from game.screens.toolkit.layout import Content
 from game.screens.toolkit.menu import Entry, back_row
 from game.screens.toolkit.panel import Panel
@@ -35,11 +35,11 @@ class HighScores(Panel):
         rows: list[tuple[Item, ...]] = [(head,)]
         rows += [(self._line(number, score),) for number, score in enumerate(table, 1)]
         if not table:
-            rows.append((Text(tr("Nobody yet: the first game that ends with points stands here."), 1.1, faint=True),))
+            rows.append((TextItem(tr("Nobody yet: the first game that ends with points stands here."), 1.1, faint=True),))
         names = (*[difficulty_name(name) for name in DIFFICULTIES], tr("Endless"))
         footer = back_row(tr("Back"), self.back)
         if self._entries:
-            footer = (tuple([Button(one.label, one.chosen, centred=True) for one in self._entries]),)
+            footer = (tuple([ButtonItem(one.label, one.chosen, centred=True) for one in self._entries]),)
         return Content(tr("High scores"), tuple(rows), footer, names, self._tab, 42.0, tall=20.0)
 
     def back(self) -> Screen | None:

@@ -75,7 +75,7 @@ class Item:
 
 
 @dataclass(frozen=True)
-class Text(Item):
+class TextItem(Item):
     """Words in as many lines as they need; a line break begins a paragraph.
 
     size: of the letters. faint: in the second colour. centred: the lines, else they begin at the left.
@@ -132,7 +132,7 @@ class Heading(Item):
 
 
 @dataclass(frozen=True)
-class Button(Item):
+class ButtonItem(Item):
     """Leads somewhere. chosen: makes the screen to go on with; note: words at its right end; centred: the label."""
 
     label: str
@@ -286,7 +286,7 @@ class Slider(Item):
 
 
 @dataclass(frozen=True)
-class Choice(Item):
+class ChoiceItem(Item):
     """One of several. options: in words; index: of the present one; choose: another one."""
 
     label: str

@@ -1,4 +1,4 @@
-"""Whole sessions: from the title through a game, its results, the scores and a replay, and out; by keys, and by mouse."""
+"""Whole sessions: from the title through a game, its results, the scores and a replay, and out; by keys, mouse, gamepad."""
 
 import msgspec
 import pygame
@@ -37,19 +37,36 @@ from game.screens.versus import verdict
 from game.screens.watch import Watch
 from physics import direction
 from tests.support.dummy_window import FRAME, Desk, shared
+from tests.support.virtual_pad import PadDesk, library
 
 
 @pytest.fixture
-def desk(tmp_path, monkeypatch):
-    """The app at its title, with a folder for what it keeps."""
+def state(tmp_path, monkeypatch):
+    """What the app begins with, and a folder for what it keeps."""
     monkeypatch.setattr(kept_games, "_SHORTEST", 0.1)
-    state = shared()
-    state.kept, state.ruleset = Kept(tmp_path), Ruleset()
-    state.recorder, state.open_editor = state.kept.games, OpenEditors().opened
+    made = shared()
+    made.kept, made.ruleset = Kept(tmp_path), Ruleset()
+    made.recorder, made.open_editor = made.kept.games, OpenEditors().opened
     monkeypatch.setattr(command, "own_levels_folder", lambda: tmp_path / "levels")
-    state.own_levels = lambda: own_levels(tmp_path / "levels")
+    made.own_levels = lambda: own_levels(tmp_path / "levels")
+    return made
+
+
+@pytest.fixture
+def desk(state):
+    """The app at its title."""
     found = Desk(state, Title(state), (640, 400))
     found.wait(FRAME)
+    yield found
+    found.close()
+
+
+@pytest.fixture
+def pad_desk(state):
+    """The app at its title, with a gamepad alone."""
+    if library() is None:
+        pytest.skip("no SDL library to plug a virtual gamepad into")
+    found = PadDesk(state, Title(state), (320, 200))
     yield found
     found.close()
 
@@ -165,6 +182,35 @@ def test_by_mouse_alone(desk, tmp_path):
     assert Kept(tmp_path).games.listed() == []
     close()
     desk.click_on("Quit")
+    assert desk.screen is None
+
+
+def test_by_gamepad_alone(pad_desk, tmp_path):
+    """The same with a gamepad: a game lost, a name entered letter by letter, the score, its replay; out."""
+    desk = pad_desk
+    esc = lambda: desk.press(pygame.K_ESCAPE)  # noqa: E731
+    panels = (("High scores", HighScores), ("Replays", Replays), ("How to play", Help), ("Settings", SettingsPanel))
+    visit(desk, *[(lambda label=label: desk.choose(label), kind, esc) for label, kind in (*panels, ("Credits", Credits))])
+    desk.choose("Levels")
+    desk.choose(built_in()[0].name)
+    assert isinstance(desk.screen, PlayScreen)
+    desk.press(pygame.K_p)
+    visit(desk, (lambda: desk.choose("Settings"), SettingsPanel, esc))
+    desk.choose("Go on")
+    lose(desk, lambda: desk.press(pygame.K_SPACE))
+    assert isinstance(desk.screen, Results)
+    desk.press(pygame.K_RETURN)  # the figures need not be waited for
+    desk.choose("Enter your name")
+    for letter in ("M", "O", "Done"):
+        desk.choose(letter)
+    (entry,) = Kept(tmp_path).scores.value.entries
+    assert entry.name == "MO"
+    desk.choose("1    MO")
+    assert isinstance(desk.screen, Watch)
+    esc()
+    desk.choose("Title")
+    esc()
+    desk.choose("Quit")
     assert desk.screen is None
 
 

@@ -12,7 +12,7 @@ from game.screens.menus.settings_panel import SettingsPanel
 from game.screens.menus.settings_rows import PARTS, effect_names
 from game.screens.play import PlayScreen
 from game.screens.title import Title
-from game.screens.toolkit.items import Choice, Slider, Switch
+from game.screens.toolkit.items import ChoiceItem, Slider, Switch
 from game.screens.toolkit.menu import Menu
 from game.settings.file import SettingsFile
 from game.settings.values import Settings
@@ -63,15 +63,15 @@ def test_every_row_changes_something_and_changes_it_back(desk):
         desk.screen.open_tab(index)
         panel = desk.screen
         for spot in panel._laid(desk.window.size).spots:
-            if not isinstance(spot.item, Switch | Choice | Slider) or spot.item.label == "Full screen":
+            if not isinstance(spot.item, Switch | ChoiceItem | Slider) or spot.item.label == "Full screen":
                 continue
-            if isinstance(spot.item, Choice) and len(spot.item.options) == 1:  # the others are not unlocked yet
+            if isinstance(spot.item, ChoiceItem) and len(spot.item.options) == 1:  # the others are not unlocked yet
                 continue
             before = desk.shared.settings
             desk.focus(spot.item.label)
             desk.press(pygame.K_LEFT if isinstance(spot.item, Slider) and spot.item.level == 1.0 else pygame.K_RETURN)
             assert desk.shared.settings != before, spot.item.label
-            options = len(spot.item.options) if isinstance(spot.item, Choice) else 2
+            options = len(spot.item.options) if isinstance(spot.item, ChoiceItem) else 2
             for _ in range(options - 1):
                 back = pygame.K_RIGHT if before.speed > desk.shared.settings.speed else pygame.K_LEFT
                 desk.press(back if isinstance(spot.item, Slider) else pygame.K_RETURN)
