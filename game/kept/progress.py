@@ -9,7 +9,7 @@ VERSION = 1
 RANKS = ("C", "B", "A", "S")
 """The ranks of a finished level, worst first."""
 
-_MOST_OWN = 500
+_MOST_OWN = 100
 """Bests of levels of the player's own that are kept: every change of such a level makes another one of it."""
 OWN = "own "
 """Begins the name under which the best of a level of the player's own is kept."""
