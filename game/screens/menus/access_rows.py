@@ -6,8 +6,9 @@ from game.drawing.colour_vision import VISION_NAMES, VISIONS
 from game.language import LANGUAGES, SYSTEM, tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.toolkit.items import ChoiceItem, Slider, Switch
+from game.screens.toolkit.items import ChoiceItem, Switch
 from game.screens.toolkit.layout import Row
+from game.screens.toolkit.slider import Slider
 from game.settings.values import SPEEDS, TEXT_SIZES, Settings
 
 _STEP = 5

@@ -12,8 +12,9 @@ from game.screens.base import Screen
 from game.screens.earned import feats
 from game.screens.menus.access_rows import access_rows
 from game.screens.menus.control_rows import control_rows
-from game.screens.toolkit.items import ChoiceItem, Heading, Item, Slider, Switch, TextItem
+from game.screens.toolkit.items import ChoiceItem, Heading, Item, Switch, TextItem
 from game.screens.toolkit.layout import Row
+from game.screens.toolkit.slider import Slider
 from game.settings.values import LOUDEST, VOLUME_STEP, Settings
 from game.unlocks import BALLS, TRAILS, Condition, ball_names, trail_names, unlocked
 

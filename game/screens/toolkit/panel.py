@@ -14,9 +14,9 @@ from game.screens.still_picture import StillPicture
 from game.screens.toolkit import layout
 from game.screens.toolkit.focus import TABS, Focus, first_focus, moved_focus
 from game.screens.toolkit.icons import draw_cross
-from game.screens.toolkit.items import Slider
 from game.screens.toolkit.layout import Content, Laid, Spot, laid_out
 from game.screens.toolkit.plate import dim, draw_focus, draw_panel, index_at, write_fitting
+from game.screens.toolkit.slider import Slider
 
 _WHEEL = 3.0
 """Units of text that a step of the wheel scrolls."""

@@ -12,8 +12,9 @@ from game.screens.menus.settings_panel import SettingsPanel
 from game.screens.menus.settings_rows import PARTS, effect_names
 from game.screens.play import PlayScreen
 from game.screens.title import Title
-from game.screens.toolkit.items import ChoiceItem, Slider, Switch
+from game.screens.toolkit.items import ChoiceItem, Switch
 from game.screens.toolkit.menu import Menu
+from game.screens.toolkit.slider import Slider
 from game.settings.file import SettingsFile
 from game.settings.values import Settings
 from tests.support.dummy_window import FRAME, SIZE, Desk, shared
