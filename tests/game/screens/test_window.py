@@ -294,9 +294,12 @@ def test_any_window_size_in_play(desk, size):
 
 
 def test_minimising_pauses(playing):
-    """Minimising the window pauses the game."""
+    """Minimising the window pauses the game, and nothing moves until it is back."""
     playing.post(pygame.WINDOWMINIMIZED)
     assert isinstance(playing.screen, Menu)
+    assert playing.shared.away
+    playing.post(pygame.WINDOWRESTORED)
+    assert not playing.shared.away
 
 
 def test_a_stall_runs_at_most_60_ticks(playing, ticks):
