@@ -14,7 +14,7 @@ from pathlib import Path
 from random import Random
 from typing import NamedTuple
 
-from game.kept.document import Document
+from game.kept.kept_file import KeptFile
 from game.kept.progress import VERSION, Best, Progress
 from game.levels import classic
 from game.replays.file import Recorder, encoded, load, save
@@ -86,9 +86,9 @@ def _save_for_ever(settings: Path, record: Path, history: Path, recorder: Record
             write_new(history, "2026-01-01 00-00-00.polar", encoded(recording))
 
 
-def _progress(folder: Path) -> Document[Progress]:
+def _progress(folder: Path) -> KeptFile[Progress]:
     """The progress kept in a folder."""
-    return Document(folder / "progress.json", Progress, VERSION)
+    return KeptFile(folder / "progress.json", Progress, VERSION)
 
 
 def _with_best(score: int) -> Callable[[Progress], Progress]:

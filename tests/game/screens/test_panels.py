@@ -14,7 +14,7 @@ from game.screens.menus.help import Help
 from game.screens.menus.settings_panel import SettingsPanel
 from game.screens.play import PlayScreen
 from game.screens.toolkit.focus import TABS
-from game.screens.toolkit.items import Button
+from game.screens.toolkit.items import ButtonItem
 from game.screens.toolkit.layout import Content
 from game.screens.toolkit.menu import Entry, Menu
 from game.screens.toolkit.panel import Panel
@@ -131,8 +131,8 @@ class Long(Panel):
         self.used = []
 
     def content(self):
-        rows = [tuple(Button(f"{row}{side}", self._use(f"{row}{side}")) for side in "ab") for row in range(40)]
-        return Content("Long", tuple(rows), ((Button("end", self._use("end")),),), ("One", "Two"), self._tab)
+        rows = [tuple(ButtonItem(f"{row}{side}", self._use(f"{row}{side}")) for side in "ab") for row in range(40)]
+        return Content("Long", tuple(rows), ((ButtonItem("end", self._use("end")),),), ("One", "Two"), self._tab)
 
     def _use(self, label):
         return lambda: self.used.append(label) or self

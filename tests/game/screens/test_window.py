@@ -7,6 +7,7 @@ import pytest
 
 from game import app
 from game.drawing.palette import DARK, LIGHT
+from game.kept.store import Kept
 from game.levels import classic
 from game.replays.state_hash import state_hash
 from game.rules import Phase, new_game, tick
@@ -293,9 +294,12 @@ def test_any_window_size_in_play(desk, size):
 
 
 def test_minimising_pauses(playing):
-    """Minimising the window pauses the game."""
+    """Minimising the window pauses the game, and nothing moves until it is back."""
     playing.post(pygame.WINDOWMINIMIZED)
     assert isinstance(playing.screen, Menu)
+    assert playing.shared.away
+    playing.post(pygame.WINDOWRESTORED)
+    assert not playing.shared.away
 
 
 def test_a_stall_runs_at_most_60_ticks(playing, ticks):
@@ -352,6 +356,23 @@ def test_play_returns_0_when_the_window_is_closed(monkeypatch):
     assert app.play(classic()[2:], 1) == 0
     assert len(frames) == 5
     assert not pygame.display.get_init()
+
+
+def test_size_and_position_of_the_window_are_remembered(monkeypatch, tmp_path):
+    """The next session opens it as it was left, whatever size it had in full screen."""
+    seen = []
+
+    def looked(window, state, _screen, _seconds):
+        seen.append((window.size, window.position))
+        if len(seen) == 1:
+            window.size, window.position = (500, 400), (60, 70)
+        elif len(seen) == 2:
+            app._toggle_full_screen(window, state)
+
+    monkeypatch.setattr(app, "frame", looked)
+    for _ in range(3):
+        app.play(classic(), 1, app.Services(kept=Kept(tmp_path)))
+    assert seen[1:] == [((500, 400), (60, 70))] * 2
 
 
 def test_another_keyboard_layout_is_noticed(playing, monkeypatch):
