@@ -15,6 +15,8 @@ _ROLES = {
     AnswerVerdict.DIFFERS: Role.SOURCE,
     AnswerVerdict.UNDEFINED: Role.FAINT,
 }
+_SITUATION = 2
+"""Steps of a reveal that show the question: the bodies, then the ball's angle or its velocity."""
 _BODIES = frozenset({Role.BALL, Role.SECTOR, Role.OTHER, Role.PLAIN, Role.FAINT})
 """Roles of the marks that are there before anything is answered."""
 
@@ -27,10 +29,17 @@ def with_yours(picture: Picture, scene: LabScene, given: Given, functions: Funct
     answers = own_answers(functions, calls)
     if not answers and not functions.problem:
         return picture
-    marks = [mark for mark in picture.panes[0].marks if _is_body(mark)]
+    marks = [mark for mark in _situation(picture) if _is_body(mark)]
     marks += [mark for one in answers for mark in _drawn(one)]
     lines = [line for one in answers for line in _written(one)] or [(functions.problem, Role.SOURCE)]
     return picture._replace(panes=(*picture.panes, Pane(tuple(marks), f"yours: {functions.name}", lines=tuple(lines))))
+
+
+def _situation(picture: Picture) -> list[Mark]:
+    """The marks of the first pane that are there before anything is computed; all, where the picture is not made of steps."""
+    if not picture.steps:
+        return list(picture.panes[0].marks)
+    return [mark for step in picture.steps[:_SITUATION] for mark in step.marks[0]]
 
 
 def _is_body(mark: Mark) -> bool:
