@@ -122,6 +122,14 @@ def test_no_power_up_puts_a_ball_into_material(kinds, angles, distance, turn):
             game = done.game
 
 
+def test_the_autopilot_copes_with_everything():
+    """It clears the level with all that the arcade rules know, on easy, without running out of lives."""
+    game, player = arcade(EVERYTHING, 1, Ruleset(Difficulty.EASY)), Autopilot()
+    while game.phase not in {Phase.WON, Phase.OVER} and game.tick < 60 * 240:
+        game = tick(game, player.controls(game)).game
+    assert game.phase == Phase.WON
+
+
 def test_the_same_seed_is_the_same_game():
     """Tick for tick, in every bit; another seed is another game, and so is another difficulty."""
     hashes = []

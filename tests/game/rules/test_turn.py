@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from game.levels import parse
 from game.rules import PADDLES, POINTER_STEPS, SOURCE_RULES, Controls, EventKind, Phase, new_game, paddle_ring, tick
-from game.rules.closing import CLOSING_TICKS
+from game.rules.closing import CLOSING_TICKS, closing_limit
 from game.rules.power_up import ActivePower, PowerUp
 from game.rules.turn import MOST_LEANING, paddle_hits_answered, turned
 from physics import angle_of, direction, dot, length, normalize_angle, signed_difference
@@ -137,7 +137,22 @@ def test_the_help_is_bounded():
 
 def test_no_help_is_given_where_a_brick_is_met_anyway():
     """The wall stands before the ball: its flight is left alone."""
-    assert EventKind.AIMED not in kinds(radial_shot(arcade()._replace(waited=10**6), 0.0).events)
+    for share in (0.0, 0.3, -0.4):
+        assert EventKind.AIMED not in kinds(radial_shot(arcade()._replace(waited=10**6), share).events)
+
+
+def test_a_brick_behind_steel_is_not_aimed_at():
+    """The ball would meet the steel; one beside it, which takes a larger turn, is aimed at instead."""
+    level = parse(changed("acceleration = 400.0", "acceleration = 400.0\nturn = 0"), "x")
+    game = arcade(level)._replace(waited=10**6)
+    for open_slots, aimed in (((), False), ((11,), True)):
+        slots = [-1 if slot == 9 else int(slot == 4 or slot in open_slots) for slot in range(12)]
+        layers = (game.arena.layers[0], tuple(slots), game.arena.layers[2])
+        done = radial_shot(game._replace(arena=game.arena._replace(layers=layers)), 0.0)
+        assert (EventKind.AIMED in kinds(done.events)) is aimed
+        if aimed:
+            (hit,) = [event.hit for event in until(done.game, EventKind.BRICK_HIT, 300).events]
+            assert hit.slot == 11
 
 
 def test_the_last_bounce_of_a_tick_decides():
@@ -185,3 +200,9 @@ def test_a_second_player_steers_when_the_first_does_not():
     ):
         spin = paddle_ring(after(game, 5, controls)[0]).spin
         assert spin * sign > 0.0, controls
+
+
+def test_the_help_grows_to_sixty_degrees():
+    """From 15, by 15 a second, after five seconds without a brick."""
+    for seconds, degrees in ((4.9, 0.0), (5.0, 15.0), (6.0, 30.0), (8.0, 60.0), (1000.0, 60.0)):
+        assert math.degrees(closing_limit(arcade()._replace(waited=round(seconds * 240)))) == pytest.approx(degrees)
