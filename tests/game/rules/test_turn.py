@@ -124,6 +124,14 @@ def test_after_a_long_wait_a_hit_aims_at_the_brick():
     assert kinds(events)[0] == EventKind.BRICK_HIT
 
 
+def test_a_brick_ends_the_wait():
+    """The help begins anew, five seconds after it."""
+    game = with_balls(arcade()._replace(waited=5000), (5.0 + 0j, -1.0))
+    done = until(game, EventKind.BRICK_HIT, 60)
+    assert done.game.waited == 0
+    assert after(done.game, 1)[0].waited == 1
+
+
 def test_the_help_is_bounded():
     """A brick that needs a larger turn than the wait allows is not aimed at; no turn exceeds 60 degrees."""
     level = parse(changed("acceleration = 400.0", "acceleration = 400.0\nturn = 0"), "x")
