@@ -97,6 +97,16 @@ def test_a_sticky_paddle_lets_go_by_itself():
     assert length(game.arena.balls[0].velocity) == pytest.approx(game.speed)
 
 
+def test_a_ball_that_sticks_is_in_play():
+    """While there is one, a ball that is lost costs no life; who gives up loses it, too."""
+    game = radial_shot(arcade()._replace(powers=(STICKY,)), 0.0).game
+    outward = direction(math.radians(30.0))
+    game, events = after(with_balls(game, (outward * 10.3, outward)), 1)
+    assert (kinds(events), game.lives, game.phase) == ([EventKind.BALL_LOST], 3, Phase.PLAYING)
+    game, events = after(game, 1, Controls(give_up=True))
+    assert (kinds(events), game.lives, game.phase, game.held) == ([EventKind.BALL_LOST], 2, Phase.SERVING, ())
+
+
 def test_a_ball_that_sticks_is_aimed():
     """A serve with an aim sends it there."""
     game = radial_shot(arcade()._replace(powers=(STICKY,)), 0.0).game
