@@ -42,6 +42,16 @@ def test_missing_bricks_grow_again_one_after_the_other():
     assert events == []
 
 
+def test_gaps_of_the_level_stay_open():
+    """Only what the level had grows: not its empty slots."""
+    level = parse(
+        BOSS.replace(b"regrow = 2.0", b"regrow = 2.0\nlayers = [0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1]"), "x"
+    )
+    game = with_layers(arcade(level), 2, [0] * 6 + [1] * 12)
+    game, _ = held_still(with_balls(game, *QUIET), 480 * 4)
+    assert game.arena.layers[2] == level.rings[1].slots()
+
+
 def test_no_brick_grows_where_a_ball_is():
     """The next missing one grows instead."""
     game = with_layers(arcade(parse(BOSS, "x")), 2, [1] * 5 + [0] * 3 + [1] * 10)
