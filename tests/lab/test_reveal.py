@@ -121,6 +121,19 @@ def test_space_reveals_and_backspace_takes_back_and_the_share_line_says_the_step
     desk.close()
 
 
+def test_a_scene_that_runs_waits_until_all_of_it_is_shown():
+    """While its steps are revealed its clock stands still; then it runs, and Space pauses it."""
+    desk = LabDesk("carried?step=1")
+    desk.wait(0.3)
+    assert desk.session.tick == 0
+    desk.press(pygame.K_SPACE, pygame.K_SPACE, pygame.K_SPACE)
+    desk.wait(0.3)
+    assert desk.session.tick > 5
+    desk.press(pygame.K_SPACE)
+    assert not desk.session.playing
+    desk.close()
+
+
 def test_an_answer_is_dragged_and_then_judged():
     """With G, the next step's answer has a handle; Space shows the step, keeps the answer and says how far it is off."""
     desk = LabDesk("moving-surface?step=3")

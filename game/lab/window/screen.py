@@ -126,7 +126,8 @@ class Lab:
 
     def advance(self, seconds: float, _size: tuple[int, int]) -> Screen | None:
         """Let time pass."""
-        self._session = sessions.later(self._session, seconds)
+        if self._reveal.seen is None:  # a scene that runs waits until all of it is shown
+            self._session = sessions.later(self._session, seconds)
         if self._repeat is not None:
             held, command = self._repeat
             held, due = held.later(seconds)
