@@ -30,6 +30,7 @@ from game.settings.values import THEMES
 from tests.support.dummy_window import FRAME, Desk, shared
 from tests.support.lab_desk import SIZE, LabDesk
 from tests.support.lab_scenes import state_at
+from tests.support.paths import ROOT
 from tools.crosscheck.second_engine import Pymunk
 
 
@@ -213,6 +214,15 @@ def test_every_command_has_a_key_and_no_key_two():
     bound = [code for key in KEYS for code in key.keys]
     assert len(bound) == len(set(bound))
     assert command_of(pygame.K_F12) is None
+
+
+def test_the_labs_page_says_every_key():
+    """The table of keys on the page has the first key of every command."""
+    page = (ROOT / "docs" / "lab.md").read_text(encoding="utf-8").partition("## Keys")[2].partition("\n\nA field")[0]
+    named = " ".join([row.split("|")[1].casefold().replace(",", " ") for row in page.splitlines() if row.count("|") > 2])
+    written = {"up": "↑", "down": "↓", "escape": "esc", ",": ".", "f6": "f5"}
+    keys = [written.get(key, key) for key in [pygame.key.name(binding.keys[0]) for binding in KEYS]]
+    assert [key for key in keys if f" {key} " not in f" {named} "] == []
 
 
 @cache
