@@ -156,7 +156,7 @@ def test_the_lab_draws_what_it_is_given(published):
         line = lab_line(vector) if (vector.function, vector.trap) not in seen else None
         if line is not None:
             seen.add((vector.function, vector.trap))
-            scene, given, _ = parsed(line)
+            scene, given, *_ = parsed(line)
             assert scene.shows(given).panes
             assert [claim for claim in scene.check(given) if not claim.holds] == [], line
     assert {function for function, _ in seen} == set(SIGNATURES)

@@ -265,7 +265,7 @@ def random_event(chance, size):
     kind = int(chance.random() * 6)
     if kind == 0:
         codes = [code for key in KEYS for code in key.keys if key.command not in {Command.LEAVE, *saving.PICTURES}]
-        code = chance.choice([*codes, pygame.K_1, pygame.K_7, pygame.K_RETURN, pygame.K_BACKSPACE, pygame.K_TAB, pygame.K_F5])
+        code = chance.choice([*codes, pygame.K_1, pygame.K_7, pygame.K_RETURN, pygame.K_BACKSPACE, pygame.K_TAB, pygame.K_F8])
         return pygame.Event(pygame.KEYDOWN, key=code, mod=0, unicode=chance.choice("a9.-"))
     if kind == 1:
         return pygame.Event(pygame.TEXTINPUT, text=chance.choice(["1", "-", "e", "nan", "°", "\u4e2d"]))
