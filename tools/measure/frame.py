@@ -32,7 +32,7 @@ from game.effects import Effects, after
 from game.input.keys import Action
 from game.input.signals import Pressed
 from game.input.view import FLAT, SOLID, Viewpoint
-from game.levels import built_in
+from game.levels import classic
 from game.overlay import hud
 from game.rules import Ruleset, Ticked, new_game, tick
 from game.scene import scene_at, still
@@ -148,7 +148,7 @@ def timed(
 
 def game_frames(level: int, view: Viewpoint, orbit: float = 0.0) -> Iterator[Draw]:
     """Frames of an autopilot's game. orbit: radians that the camera turns in a frame."""
-    pilot, effects, done = Autopilot(), Effects(), still(new_game(built_in()[level - 1 :], 1, Ruleset()))
+    pilot, effects, done = Autopilot(), Effects(), still(new_game(classic()[level - 1 :], 1, Ruleset()))
     for _ in range(_SERVED_TICKS):
         done, effects = _later(done, effects, pilot)
     painter, type_ = Painter(), Type()
@@ -169,8 +169,8 @@ def game_frames(level: int, view: Viewpoint, orbit: float = 0.0) -> Iterator[Dra
 
 def panel_frames(level: int, panel: Callable[[AppState, Screen], Screen], *, opening: bool = False) -> Iterator[Draw]:
     """Frames of a panel over a game. opening: each is the first of a panel that has just been opened."""
-    state = AppState(built_in(), level - 1, 1, Title, autopilot=True)
-    play: Screen = PlayScreen(state, built_in()[level - 1 :])
+    state = AppState(classic(), level - 1, 1, Title, autopilot=True)
+    play: Screen = PlayScreen(state, classic()[level - 1 :])
     shown = panel(state, play)
     while True:
         yield (panel(state, play) if opening else shown).draw
