@@ -21,6 +21,8 @@ _SIZE_STEPS = 6
 _MOST_PICTURES = 160
 _BRIGHTNESS, _TINT = 0.45, 0.5
 """Share of its colour that a full light adds on dark grounds, and takes of the others on light ones."""
+_SMALL = 96
+"""Side of the picture that a light is drawn in, pixels."""
 _SHARPNESS = 3.2
 """How fast a light falls off."""
 _BALL_REACH, _BALL_STRENGTH, _BALL_HEAT = 4.2, 0.22, 0.28
@@ -83,13 +85,12 @@ def _stepped(pixels: float) -> int:
 
 
 def _picture(wide: int, high: int, strength: float, colour: Colour, *, dark: bool) -> pygame.Surface:
-    """An ellipse of light. wide, high: its half axes, pixels."""
-    across = ((np.arange(2 * wide) + 0.5) / wide - 1.0).astype(np.float32)[:, None]
-    down = ((np.arange(2 * high) + 0.5) / high - 1.0).astype(np.float32)[None, :]
-    away = across * across + down * down
+    """An ellipse of light: drawn small, as nothing of it is sharp, and scaled up. wide, high: its half axes, pixels."""
+    across = ((np.arange(_SMALL) + 0.5) * (2.0 / _SMALL) - 1.0).astype(np.float32)
+    away = across[:, None] ** 2 + across[None, :] ** 2
     light = np.exp(-_SHARPNESS * away) * np.clip(1.0 - away, 0.0, 1.0) * np.float32(strength)
     own = np.array(colour, dtype=np.float32)
     rgb = own * _BRIGHTNESS * light[..., None] if dark else 255.0 - (255.0 - own) * _TINT * light[..., None]
-    picture = pygame.Surface((2 * wide, 2 * high), 0, 32)
-    pygame.surfarray.pixels3d(picture)[:] = np.rint(rgb).astype(np.uint8)
-    return picture
+    small = pygame.Surface((_SMALL, _SMALL), 0, 32)
+    pygame.surfarray.pixels3d(small)[:] = np.rint(rgb).astype(np.uint8)
+    return pygame.transform.smoothscale(small, (2 * wide, 2 * high))

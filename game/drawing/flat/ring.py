@@ -32,6 +32,8 @@ _BORDER = 1.0
 """Pixels beyond the ring's faces that its border may colour."""
 _SHADOW = 0.018
 """Length of the longest shadow, in shares of the ground's radius."""
+_AT_ONCE = 16384
+"""Pixels drawn at once: memory for more would be asked of the system anew every time."""
 _LOW_SHADOW, _SHADOW_PER_LAYER = 0.7, 0.1
 """Share of it that everything throws, and how much more with every layer of its height."""
 _FLAT_KINDS = frozenset({ContentKind.EMPTY, ContentKind.GHOST})
@@ -47,6 +49,7 @@ class RingKey(NamedTuple):
     slot: the shape of the ring's slots.
     slots: how many there are.
     ground_radius: world units.
+    shadow: length of the longest shadow of what stands there, world units.
     theme: the colours.
     """
 
@@ -56,13 +59,23 @@ class RingKey(NamedTuple):
     slot: SlotShape
     slots: int
     ground_radius: float
+    shadow: float
     theme: Theme
 
 
-def ring_key(canvas: Canvas, ring: Ring, tallest: int, ground_radius: float) -> RingKey:
-    """The key of a ring on a 32-bit surface. tallest: layers of the highest stack that may ever stand there."""
+def ring_key(canvas: Canvas, ring: Ring, tallest: int, ground_radius: float, lane: float) -> RingKey:
+    """The key of a ring on a 32-bit surface. tallest: layers of the highest stack that may ever stand there.
+
+    lane: from the ring to the next one outwards, world units; no shadow goes beyond, so that rings share no pixels.
+    """
     stride, slot = canvas.surface.get_pitch() // 4, slot_shape(ring, tallest, 1.0 / canvas.camera.scale)
-    return RingKey(canvas.size, stride, canvas.camera, slot, ring.count, ground_radius, canvas.theme)
+    shadow = min(_SHADOW * ground_radius, max(lane - least_lane(canvas.camera.scale), 0.0))
+    return RingKey(canvas.size, stride, canvas.camera, slot, ring.count, ground_radius, shadow, canvas.theme)
+
+
+def least_lane(scale: float) -> float:
+    """World units between two rings that share no pixels. scale: pixels per world unit."""
+    return (2.0 * _BORDER + 1.0) / scale
 
 
 class RingPicture:
@@ -75,7 +88,7 @@ class RingPicture:
     def __init__(self, key: RingKey) -> None:
         """Find the ring's pixels."""
         scale, slot = key.camera.scale, key.slot
-        self._shadow = _SHADOW * key.ground_radius
+        self._shadow = key.shadow
         outer = (slot.outer_radius + self._shadow) * scale
         fine = _FINE if outer < _LARGE else _FINE // 2
         pitch = math.tau / key.slots
@@ -97,22 +110,27 @@ class RingPicture:
         self._contents: tuple[SlotContent, ...] = ()
         self._column_at = np.zeros(0, dtype=np.int32)
 
-    def draw(self, surface: pygame.Surface, phase: float, contents: tuple[SlotContent, ...]) -> None:
-        """Draw the ring. phase: middle angle of slot 0, radians; contents: of every slot."""
+    def draw(
+        self, surface: pygame.Surface, phase: float, contents: tuple[SlotContent, ...], ground: pygame.Surface | None = None
+    ) -> None:
+        """Draw the ring. phase: middle angle of slot 0, radians; contents: of every slot.
+
+        ground: a surface like the other, which shows where nothing stands; without it there stays what is drawn already.
+        """
         if not len(self._pixel_index):
             return
         if contents != self._contents:
             self._arrange(surface, contents)
         shift = round((self._half_pitch - phase) / math.tau * self._columns_around) % self._columns_around
-        index = self._column_at.take(self._pixel_column + np.int32(shift))
-        index += self._pixel_row
-        colours, memory = self._atlas.ravel().take(index), pixels_of(surface)
-        np.copyto(colours, memory.take(self._pixel_index), where=colours == 0)
-        memory[self._pixel_index] = colours
-
-    def erase(self, surface: pygame.Surface, ground: pygame.Surface) -> None:
-        """Show the ground where the ring may have been drawn. ground: a surface like the other."""
-        pixels_of(surface)[self._pixel_index] = pixels_of(ground)[self._pixel_index]
+        column_at, atlas, memory = self._column_at[shift:], self._atlas.ravel(), pixels_of(surface)
+        under = memory if ground is None else pixels_of(ground)
+        for first in range(0, len(self._pixel_index), _AT_ONCE):
+            some = slice(first, first + _AT_ONCE)
+            index = column_at.take(self._pixel_column[some])
+            index += self._pixel_row[some]
+            colours, pixel = atlas.take(index), self._pixel_index[some]
+            np.copyto(colours, under.take(pixel), where=colours == 0)
+            memory[pixel] = colours
 
     def _arrange(self, surface: pygame.Surface, contents: tuple[SlotContent, ...]) -> None:
         """Note where in the atlas each column around the ring begins, from slot 0 on; twice around, which saves a modulo."""
