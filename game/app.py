@@ -183,6 +183,7 @@ def _shown(state: AppState, opened: Callable[[], Screen], services: Services, au
             state.save_settings()
             if state.audio is not None:
                 state.audio.close()
+            state.devices.pads.close()
             pygame.quit()
     return 0
 
