@@ -3,6 +3,7 @@
 import cmath
 import math
 import os
+from typing import get_args
 
 os.environ["SDL_VIDEODRIVER"] = "dummy"
 
@@ -10,12 +11,14 @@ import numpy as np
 import pygame
 import pytest
 
+from game.drawing import palettes
 from game.drawing.ground.colours import discs_of_ground, ground_colours
 from game.drawing.ground.patterns import NAMES, marks
 from game.drawing.painter import Painter
 from game.drawing.palette import DARK, LIGHT, luminance, without_depth
 from game.effects import NOTHING
 from game.input.view import FLAT, SOLID
+from game.level_format.specs import GroundPattern, Palette
 from game.scene import scene_at
 from tests.support.games import game_after
 from tests.support.pictures import canvas_of
@@ -104,3 +107,9 @@ def test_gaps_of_a_turning_ring_show_the_pattern():
         free &= (np.abs(radius - ring.radius) > ring.half_width + 0.3) | (off > ring.half_angle + 0.3 / ring.radius)
     assert (np.abs(pictures[0] - pictures[1]).max(axis=2)[free] <= 1).all()
     assert (np.abs(pictures[0] - pictures[1]).max(axis=2)[~free] > 30).any()
+
+
+def test_levels_name_what_is_drawn():
+    """The palettes and grounds that a level file may name are those that there are, the default first."""
+    assert get_args(Palette) == palettes.NAMES
+    assert get_args(GroundPattern) == NAMES
