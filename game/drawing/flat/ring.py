@@ -175,5 +175,6 @@ class RingPicture:
             start, end = sorted((bar.inner[1], bar.outer[1]))
             beside = bar.half_width / bar.inner[0] + 2.0 / inner
             plain &= (angles < start - beside) | (angles > end + beside)
-        angles = np.where(plain, np.float32(0.0), angles) if flat > 0.0 else angles
+        if plain.any():
+            angles = np.where(plain, angles[plain.argmax()], angles)
         return np.where(far > gap, np.float32(gap), angles).astype(np.float32)
