@@ -34,7 +34,7 @@ SCREENSHOTS: dict[str, tuple[str, ...]] = {
 
 _CHECKOUT = Path(__file__).parents[2]
 _COLOURS = 96
-"""Colours of a screenshot's file: few, so that it is small; areas are plain."""
+"""Colours of the lab's files: few, so that they are small. The game's pictures keep theirs, for they have light and shadow."""
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
@@ -60,7 +60,9 @@ def draw_screenshot(name: str, path: Path) -> None:
     if finished.returncode:
         raise CheckFailedError(f"{name}: {finished.stderr.strip()}")
     with Image.open(path) as picture:
-        picture.convert("RGB").quantize(_COLOURS, dither=Image.Dither.NONE).save(path, optimize=True)
+        whole = picture.convert("RGB")
+    few = whole.quantize(_COLOURS, dither=Image.Dither.NONE) if name.startswith("lab") else whole
+    few.save(path, optimize=True)
 
 
 if __name__ == "__main__":
