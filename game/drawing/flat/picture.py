@@ -80,6 +80,7 @@ class FlatPicture:
         paddles = scene.rings[PADDLES]
         picture = self._ring(canvas, scene, PADDLES)
         picture.draw(canvas.surface, paddles.phase, without_recoiling(contents, scene.recoils))
+        self._recoil.prepare(canvas, paddles)
         for recoil in scene.recoils:
             self._recoil.draw(canvas, paddles, recoil, contents[recoil.slot])
 
