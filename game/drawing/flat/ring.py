@@ -32,6 +32,10 @@ _BORDER = 1.0
 """Pixels beyond the ring's faces that its border may colour."""
 _SHADOW = 0.018
 """Length of the longest shadow, in shares of the ground's radius."""
+_WEDGES = 256
+"""Pieces of a circle that pixels are kept in, so that those where nothing stands cost nothing."""
+_WEDGE = math.tau / _WEDGES
+"""Radians."""
 _AT_ONCE = 16384
 """Pixels drawn at once: memory for more would be asked of the system anew every time."""
 _LOW_SHADOW, _SHADOW_PER_LAYER = 0.7, 0.1
@@ -100,10 +104,14 @@ class RingPicture:
         self._radii = (low + (np.arange(rows, dtype=np.float32) + 0.5) / fine).astype(np.float32)
         self._angles = (((np.arange(self._columns) + 0.5) / self._columns - 0.5) * pitch).astype(np.float32)
         self._half_pitch = pitch / 2.0
+        self._reach = slot.half_angle + (self._shadow * scale + 2.0) / max(slot.inner_radius * scale, 1.0) + _WEDGE
         pixels = annulus_pixels(key.size, key.stride, key.camera.centre, low, outer + _BORDER)
-        self._pixel_index = pixels.pixel
-        self._pixel_row = np.minimum(((pixels.radius - low) * fine).astype(np.int32), rows - 1)
-        column = (pixels.angle * (self._columns_around / math.tau)).astype(np.int32)
+        wedge = np.minimum((pixels.angle * np.float32(_WEDGES / math.tau)).astype(np.uint16), _WEDGES - 1)
+        order = np.argsort(wedge, kind="stable")
+        self._wedge_ends = np.append(0, np.cumsum(np.bincount(wedge, minlength=_WEDGES)))
+        self._pixel_index = pixels.pixel[order]
+        self._pixel_row = np.minimum(((pixels.radius[order] - low) * fine).astype(np.int32), rows - 1)
+        column = (pixels.angle[order] * (self._columns_around / math.tau)).astype(np.int32)
         self._pixel_column = np.minimum(column, self._columns_around - 1)
         self._columns_of: dict[SlotContent, NDArray[np.int32]] = {}
         self._atlas, self._filled = np.zeros((0, rows), dtype=np.uint32), 0  # columns so far; the atlas grows by leaps
@@ -124,13 +132,25 @@ class RingPicture:
         shift = round((self._half_pitch - phase) / math.tau * self._columns_around) % self._columns_around
         column_at, atlas, memory = self._column_at[shift:], self._atlas.ravel(), pixels_of(surface)
         under = memory if ground is None else pixels_of(ground)
-        for first in range(0, len(self._pixel_index), _AT_ONCE):
-            some = slice(first, first + _AT_ONCE)
+        for some in self._pixels_to_draw(phase, everything=ground is not None):
             index = column_at.take(self._pixel_column[some])
             index += self._pixel_row[some]
             colours, pixel = atlas.take(index), self._pixel_index[some]
             np.copyto(colours, under.take(pixel), where=colours == 0)
             memory[pixel] = colours
+
+    def _pixels_to_draw(self, phase: float, *, everything: bool) -> list[slice]:
+        """The pixels of the wedges that something stands in. everything: all, to show the ground where nothing does."""
+        ends = [(0, len(self._pixel_index))]
+        if not everything:
+            standing = np.array([content.kind is not ContentKind.EMPTY for content in self._contents])
+            turns = (np.arange(_WEDGES + 1) * _WEDGE - phase) / (2.0 * self._half_pitch)
+            slot = np.rint(turns)
+            off = np.abs(turns - slot) * (2.0 * self._half_pitch)
+            there = standing[slot.astype(np.int64) % len(standing)] & (off < self._reach)
+            steps = np.flatnonzero(np.diff(there[:-1] | there[1:], prepend=False, append=False))
+            ends = [(int(self._wedge_ends[a]), int(self._wedge_ends[b])) for a, b in zip(steps[::2], steps[1::2], strict=True)]
+        return [slice(first, min(first + _AT_ONCE, end)) for start, end in ends for first in range(start, end, _AT_ONCE)]
 
     def _arrange(self, surface: pygame.Surface, contents: tuple[SlotContent, ...]) -> None:
         """Note where in the atlas each column around the ring begins, from slot 0 on; twice around, which saves a modulo."""
