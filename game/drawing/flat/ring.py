@@ -136,7 +136,8 @@ class RingPicture:
             index = column_at.take(self._pixel_column[some])
             index += self._pixel_row[some]
             colours, pixel = atlas.take(index), self._pixel_index[some]
-            np.copyto(colours, under.take(pixel), where=colours == 0)
+            bare = np.flatnonzero(colours == 0)
+            colours[bare] = under.take(pixel.take(bare))
             memory[pixel] = colours
 
     def _pixels_to_draw(self, phase: float, *, everything: bool) -> list[slice]:
