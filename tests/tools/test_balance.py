@@ -4,7 +4,7 @@ import json
 
 import pytest
 
-from game.levels import built_in
+from game.levels import classic
 from game.system.command_line import run
 from game.system.errors import BadInputError
 from tools.balance.commands import app, parsed_skills
@@ -13,13 +13,13 @@ from tools.balance.trial import trial
 
 
 def test_a_better_player_loses_less():
-    level = built_in()[0]
+    level = classic()[0]
     best, worst = [sum([trial(level, skill, seed).lost for seed in range(2)]) for skill in (Skill(0.05, 0.5), Skill(0.6, 30.0))]
     assert best < worst
 
 
 def test_the_same_seed_is_the_same_game():
-    assert trial(built_in()[0], AVERAGE, 3) == trial(built_in()[0], AVERAGE, 3)
+    assert trial(classic()[0], AVERAGE, 3) == trial(classic()[0], AVERAGE, 3)
 
 
 @pytest.mark.parametrize("text", ["", "220", "220/", "-1/5", "220/91", "nan/5", "220/5,"])

@@ -27,7 +27,7 @@ from game.drawing.palette import DARK
 from game.drawing.text import Type
 from game.effects import Effects, after
 from game.input.view import Viewpoint
-from game.levels import built_in
+from game.levels import classic
 from game.rules import new_game, tick
 from game.scene import scene_at, still
 from game.system.command_line import run
@@ -57,7 +57,7 @@ def tipping(
     """Write a picture for every frame: from above, tipping over, orbiting a little, and back."""
     if not folder.is_dir():
         raise BadInputError(f"{quoted_path(folder)}: there is no such folder")
-    done, pilot, effects = still(new_game(built_in()[_LEVEL:], _SEED)), Autopilot(), Effects()
+    done, pilot, effects = still(new_game(classic()[_LEVEL:], _SEED)), Autopilot(), Effects()
     painter, type_ = Painter(), Type()
     surface = pygame.Surface((width, height), 0, 32)
     for number in range(-_SERVED // _TICKS_A_FRAME, len(_views())):

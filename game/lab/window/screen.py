@@ -3,6 +3,7 @@
 import pygame
 
 from game.drawing.palette import Theme
+from game.input.devices import as_key
 from game.input.keys import code_among, position_in
 from game.input.repeat import Repeat
 from game.input.signals import KeyboardState, Signal
@@ -110,6 +111,7 @@ class Lab:
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> Screen | None:
         """React to an event of the window."""
         self._pixels_per_point = pixels_per_point
+        event = as_key(event) or event
         if event.type == pygame.WINDOWFOCUSLOST:
             self._repeat = None
         if self._help:

@@ -19,7 +19,7 @@ from game.drawing.raster.annulus import annulus_pixels
 from game.drawing.slots.contents import ContentKind, SlotContent
 from game.drawing.slots.parts import DOT_SHADE, SlotShape, dots, parts
 from game.effects import Effects
-from game.levels import built_in
+from game.levels import classic
 from game.replays.state_hash import state_hash
 from game.rules import PADDLES, new_game, tick
 from game.scene import scene_at
@@ -184,7 +184,7 @@ def test_the_ball_is_drawn_at_its_place():
 
 def test_a_cached_picture_equals_a_fresh_one():
     """Over thousands of ticks and a change of level, a used painter draws what a new one draws."""
-    game, pilot, painter = new_game(built_in()[:3], 5), Autopilot(), Painter()
+    game, pilot, painter = new_game(classic()[:3], 5), Autopilot(), Painter()
     compared = 0
     levels = set()
     for number in range(16_000):
@@ -203,7 +203,7 @@ def test_a_cached_picture_equals_a_fresh_one():
 
 def test_drawing_leaves_the_game_alone():
     """A game that is drawn at every tick ends in the same state as one that is not."""
-    game, pilot, painter = new_game(built_in()[3:], 11), Autopilot(), Painter()
+    game, pilot, painter = new_game(classic()[3:], 11), Autopilot(), Painter()
     for _ in range(500):
         done = tick(game, pilot.controls(game))
         painted(scene_at(done, 0.3, Effects()), (120, 90), painter=painter)

@@ -18,7 +18,7 @@ from game.drawing.solid import faces
 from game.drawing.solid.painters_order import back_to_front
 from game.effects import Effects, after
 from game.input.view import SOLID, Viewpoint
-from game.levels import built_in
+from game.levels import classic
 from game.rules import new_game, tick
 from game.scene import scene_at
 from tests.support.games import game_after
@@ -89,7 +89,7 @@ def test_a_wrong_order_flickers(level, monkeypatch):
 
 def test_a_cached_picture_equals_a_fresh_one():
     """Through hits, falls, a moving camera and a change of size, a used painter draws what a new one draws."""
-    game, pilot, effects, painter, view = new_game(built_in()[4:], 3), Autopilot(), Effects(), Painter(), SOLID
+    game, pilot, effects, painter, view = new_game(classic()[4:], 3), Autopilot(), Effects(), Painter(), SOLID
     compared = fell = 0
     for number in range(3000):
         done = tick(game, pilot.controls(game))

@@ -8,7 +8,7 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from game.autopilot import Autopilot
-from game.levels import built_in
+from game.levels import classic
 from game.replays.state_hash import state_hash
 from game.rules import (
     PADDLES,
@@ -126,7 +126,7 @@ def test_the_same_seed_is_the_same_game():
     """Tick for tick, in every bit; another seed is another game, and so is another difficulty."""
     hashes = []
     for seed, ruleset in ((4, Ruleset()), (4, Ruleset()), (5, Ruleset()), (4, Ruleset(Difficulty.HARD)), (4, SOURCE_RULES)):
-        game, player = new_game(built_in()[3:], seed, ruleset), Autopilot()
+        game, player = new_game(classic()[3:], seed, ruleset), Autopilot()
         for _ in range(3000):
             game = tick(game, player.controls(game)).game
         hashes.append(state_hash(game))
@@ -136,7 +136,7 @@ def test_the_same_seed_is_the_same_game():
 
 def test_a_difficulty_changes_nothing_under_the_sources_rules():
     """The state stays the same in every bit."""
-    games = [new_game(built_in(), 1, SOURCE_RULES._replace(difficulty=difficulty)) for difficulty in Difficulty]
+    games = [new_game(classic(), 1, SOURCE_RULES._replace(difficulty=difficulty)) for difficulty in Difficulty]
     for _ in range(1000):
         games = [tick(game, Controls(turn=1, serve=True)).game for game in games]
     assert len({state_hash(game) for game in games}) == 1
