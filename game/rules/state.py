@@ -177,7 +177,12 @@ class Game(NamedTuple):
 
 
 class EventKind(IntEnum):
-    """What happened, for drawing and sound."""
+    """What happened, for drawing and sound.
+
+    DROP_LOST: it left the ground. BALL_CAUGHT: it sticks to a paddle. BALL_RELEASED: it no longer does. SPEED_UP: balls got
+    faster by the level's growth. CORE_BROKEN: a wall that would have grown again fell. AIMED: a ball was turned to a brick
+    after a long wait.
+    """
 
     SERVED = 0
     PADDLE_HIT = 1

@@ -2,12 +2,12 @@
 
 import pytest
 
-from game.levels import parse
+from game.levels import parse, warnings
 from game.rules import EventKind, Phase, layers_left
 from game.rules.regrow import play_ticks
 from game.system.errors import BadInputError
 from physics import direction
-from tests.support.arcade import GOOD, after, arcade, kinds, until, with_balls
+from tests.support.arcade import EVERYTHING, GOOD, after, arcade, kinds, until, with_balls
 
 BOSS = GOOD + b"[[rings]]\nradius = 5.0\nhalf_width = 0.3\nhalf_angle = 9.0\ncount = 18\nregrow = 2.0\n"
 QUIET = ((7.0j, 1.0 + 0.1j),)
@@ -40,6 +40,16 @@ def test_missing_bricks_grow_again_one_after_the_other():
         assert game.arena.layers[2] == (1,) * grown + (0,) * (8 - grown) + (1,) * 10
     game, events = held_still(game, 480)
     assert events == []
+
+
+def test_gaps_of_the_level_stay_open():
+    """Only what the level had grows: not its empty slots."""
+    level = parse(
+        BOSS.replace(b"regrow = 2.0", b"regrow = 2.0\nlayers = [0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1]"), "x"
+    )
+    game = with_layers(arcade(level), 2, [0] * 6 + [1] * 12)
+    game, _ = held_still(with_balls(game, *QUIET), 480 * 4)
+    assert game.arena.layers[2] == level.rings[1].slots()
 
 
 def test_no_brick_grows_where_a_ball_is():
@@ -116,3 +126,11 @@ def test_new_keys_leave_the_hash_of_old_levels_alone():
     assert parse(GOOD + b"[drops]\nchance = 0.12\n", "x").content_hash() == plain.content_hash()
     for text in (b"[drops]\nchance = 0.2\n", b'[look]\npalette = "ember"\n'):
         assert parse(GOOD + text, "x").content_hash() != plain.content_hash()
+
+
+def test_what_is_tedious_is_warned_of():
+    """A line for each, and none for what is fine."""
+    keys = [line.partition(":")[0] for line in warnings(EVERYTHING)]
+    assert keys == ["drops.chance", "wells[0].reach", "wells[1].reach"]
+    assert warnings(parse(BOSS.replace(b"regrow = 2.0", b"regrow = 0.4"), "x"))[0].startswith("rings[1].regrow: below 0.5 s")
+    assert warnings(parse(BOSS, "x")) == []
