@@ -1,6 +1,6 @@
 """The pictures of the camera tipping over, for the README: `python -m tools.measure.tipping_gif FOLDER`.
 
-Any program makes an animation of them, for example `magick -delay 8 FOLDER/*.png +dither -colors 80 -layers optimize docs/tip.gif`.
+Any program makes an animation of them, as `magick -delay 8 FOLDER/*.png +dither -colors 80 -layers optimize docs/tip.gif`.
 """
 
 from game.system.start import prepare
