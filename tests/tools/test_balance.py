@@ -55,7 +55,7 @@ def test_the_campaign_was_measured_as_it_is_now():
 
 
 def test_the_campaign_gets_harder_inside_a_chapter_and_stays_possible():
-    """At normal difficulty, 220 ms and 5 degrees: below 1 life in the first level, below 4 in any, and the last ones cost more."""
+    """At normal difficulty, 220 ms, 5 degrees: below 1 life in the first level, below 4 in any; a chapter's last cost more."""
     lost = [mean([game["lost"] for game in measured()[level.name]]) for level in campaign()]
     assert all([game["cleared"] for games in measured().values() for game in games])
     assert lost[0] < 1.0
