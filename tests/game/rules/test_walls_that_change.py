@@ -4,6 +4,7 @@ import pytest
 
 from game.levels import parse, warnings
 from game.rules import EventKind, Phase, layers_left
+from game.rules.crumbling import CRUMBLING_TICKS
 from game.rules.regrow import play_ticks
 from game.system.errors import BadInputError
 from physics import direction
@@ -134,3 +135,16 @@ def test_what_is_tedious_is_warned_of():
     assert keys == ["drops.chance", "wells[0].reach", "wells[1].reach"]
     assert warnings(parse(BOSS.replace(b"regrow = 2.0", b"regrow = 0.4"), "x"))[0].startswith("rings[1].regrow: below 0.5 s")
     assert warnings(parse(BOSS, "x")) == []
+
+
+def test_after_nine_seconds_without_a_brick_the_nearest_one_loses_a_layer():
+    """It gives no points and is no part of a combo; the next one falls nine seconds later."""
+    game = with_balls(arcade(parse(BOSS, "x")), *QUIET)._replace(waited=CRUMBLING_TICKS - 1)
+    later, events = after(game, 1)
+    assert kinds(events) == [EventKind.BRICK_CRUMBLED]
+    assert layers_left(later) == layers_left(game) - 1
+    assert (later.score, later.combo, later.waited) == (game.score, game.combo, 0)
+    ring = game.arena.rings[1]
+    nearest = min([abs(direction(ring.angle(slot)) * ring.radius - 7.0j) for slot in range(ring.count)])
+    assert abs(events[0].position - 7.0j) == pytest.approx(nearest, abs=0.02), "of the ring that does not grow again"
+    assert kinds(after(with_balls(later, *QUIET), 1)[1]) == []
