@@ -21,6 +21,7 @@ import numpy as np
 
 import physics
 from physics.batch import games as loop
+from physics.batch.arrays import no_games
 from physics.batch.hits import HIT
 from physics.shapes import Ball, Ring, unchecked
 from physics.step import set_layers
@@ -62,7 +63,13 @@ def check_subnormals() -> None:
 
 
 _LOCK = threading.Lock()
-_NOT_COMPILED = {"physics.batch", "physics.batch.batch", "physics.batch.compilation", "physics.batch.hits"}
+_NOT_COMPILED = {f"physics.batch{name}" for name in ("", ".arrays", ".batch", ".compilation", ".hits")}
+    "physics.batch",
+    "physics.batch.arrays",
+    "physics.batch.batch",
+    "physics.batch.compilation",
+    "physics.batch.hits",
+}
 
 
 def compiled(progress: Callable[[float], None] | None = None) -> Compiled:
@@ -128,14 +135,6 @@ def _compiled() -> Compiled:
     play.compile((games, integer, integer, integer, integer, real, real, numba.typeof(np.empty(0, HIT)), integer))
     hits = sum(play.stats.cache_hits.values())
     return Compiled(steer, play, time.perf_counter() - start, hits > 0)
-
-
-def no_games() -> loop.Games:
-    """The arrays of no game at all: the types to compile for."""
-    real, integer = np.empty((0, 0)), np.empty(0, np.int64)
-    plane, row = np.empty((0, 0), np.complex128), np.empty(0)
-    layers = np.empty((0, 0, 0), np.int32)
-    return loop.Games(plane, plane, real, real, real, layers, row, row, row, integer, row, integer, row, integer, integer)
 
 
 def _register() -> None:

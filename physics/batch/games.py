@@ -6,59 +6,16 @@ known at run time only, and are written here on arrays and lists: flying freely,
 the free flight (`known`, `seconds`). `tests/physics/test_batch.py` compares them with `advance` at every tick.
 """
 
-from typing import Any, NamedTuple
+from typing import Any
 
-import numpy as np
 import numpy.typing as npt
 
+from physics.batch.arrays import Complexes, Floats, Games
 from physics.escape import freed
 from physics.free_flight import clear_time, may_be_steered
 from physics.shapes import Ball, Ring
 from physics.step import LOOK_AHEAD, Hit, answer_impacts
 from physics.tolerances import MAX_IMPACTS
-
-Floats = npt.NDArray[np.float64]
-Complexes = npt.NDArray[np.complex128]
-Integers = npt.NDArray[np.int64]
-Layers = npt.NDArray[np.int32]
-
-
-class Games(NamedTuple):
-    """The state of G games of B balls, K rings and at most S slots a ring; the fields of `Ball` and `Ring`, as arrays.
-
-    Attributes:
-        positions: (G, B), world units.
-        velocities: (G, B), world units per second.
-        ball_radii: (G, B), world units.
-        phases: (G, K), radians.
-        spins: (G, K), rad/s.
-        layers: (G, K, S); what is beyond a ring's count is 0 and never read.
-        ring_radii: (K,), world units; this and the following are the same in all games.
-        half_widths: (K,), world units.
-        half_angles: (K,), radians.
-        counts: (K,).
-        frictions: (K,).
-        known: (G,), 1 where it is known that no ball overlaps anything, as after every step; else 0.
-        seconds: (G,), for which no ball touches anything.
-        dropped: (G,), balls that used up MAX_IMPACTS since this was set to 0.
-        freed: (G,), balls moved out of material since this was set to 0.
-    """
-
-    positions: Complexes
-    velocities: Complexes
-    ball_radii: Floats
-    phases: Floats
-    spins: Floats
-    layers: Layers
-    ring_radii: Floats
-    half_widths: Floats
-    half_angles: Floats
-    counts: Integers
-    frictions: Floats
-    known: Integers
-    seconds: Floats
-    dropped: Integers
-    freed: Integers
 
 
 def steer(games: Games, spins: Floats, first: int, last: int) -> None:
