@@ -64,12 +64,6 @@ def check_subnormals() -> None:
 
 _LOCK = threading.Lock()
 _NOT_COMPILED = {f"physics.batch{name}" for name in ("", ".arrays", ".batch", ".compilation", ".hits")}
-    "physics.batch",
-    "physics.batch.arrays",
-    "physics.batch.batch",
-    "physics.batch.compilation",
-    "physics.batch.hits",
-}
 
 
 def compiled(progress: Callable[[float], None] | None = None) -> Compiled:
