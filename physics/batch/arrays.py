@@ -29,6 +29,8 @@ class Games(NamedTuple):
         half_angles: (K,), radians.
         counts: (K,).
         frictions: (K,).
+        steered: (K,), 1 where a ring at rest may be started: the free flight then allows for it, and need not be asked for anew;
+            -1 where one was, and the free flights known do not allow for it yet.
         known: (G,), 1 where it is known that no ball overlaps anything, as after every step; else 0.
         seconds: (G,), for which no ball touches anything.
         dropped: (G,), balls that used up MAX_IMPACTS since this was set to 0.
@@ -46,6 +48,7 @@ class Games(NamedTuple):
     half_angles: Floats
     counts: Integers
     frictions: Floats
+    steered: Integers
     known: Integers
     seconds: Floats
     dropped: Integers
@@ -72,6 +75,7 @@ def arrays_of(arenas: Sequence[Arena]) -> Games:
         np.array([ring.half_angle for ring in rings], np.float64),
         np.array([ring.count for ring in rings], np.int64),
         np.array([ring.friction for ring in rings], np.float64),
+        np.zeros(len(rings), np.int64),
         np.zeros(len(arenas), np.int64),
         np.zeros(len(arenas)),
         np.zeros(len(arenas), np.int64),
@@ -84,7 +88,7 @@ def no_games() -> Games:
     real, integer = np.empty((0, 0)), np.empty(0, np.int64)
     plane, row = np.empty((0, 0), np.complex128), np.empty(0)
     layers = np.empty((0, 0, 0), np.int32)
-    return Games(plane, plane, real, real, real, layers, row, row, row, integer, row, integer, row, integer, integer)
+    return Games(plane, plane, real, real, real, layers, row, row, row, integer, row, integer, integer, row, integer, integer)
 
 
 def arena_of(games: Games, rings: Sequence[Ring], game: int) -> Arena:

@@ -103,6 +103,9 @@ class Batch:
         games, parts = self._games, min(threads, len(self))
         games.dropped[:] = 0
         games.freed[:] = 0
+        if (games.steered < 0).any():
+            games.steered[games.steered < 0] = 1
+            games.seconds[:] = 0.0
         bounds = [len(self) * part // parts for part in range(parts + 1)]
         if parts == 1:
             hits = self._part(steered, 0, len(self), ticks)

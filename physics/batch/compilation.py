@@ -15,6 +15,7 @@ import time
 from collections.abc import Callable
 from importlib import resources
 from inspect import isfunction
+from types import ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -90,10 +91,10 @@ def compiled(progress: Callable[[float], None] | None = None) -> Compiled:
             reporter.join()
 
 
-def sources_hash() -> str:
-    """SHA-256 of all sources of the physics."""
+def sources_hash(package: ModuleType = physics) -> str:
+    """SHA-256 of all sources of a package."""
     digest = hashlib.sha256()
-    folders = [resources.files(physics)]
+    folders = [resources.files(package)]
     while folders:
         for item in sorted(folders.pop().iterdir(), key=lambda item: item.name):
             if item.is_dir():

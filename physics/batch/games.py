@@ -15,7 +15,7 @@ from physics.escape import freed
 from physics.free_flight import clear_time, may_be_steered
 from physics.shapes import Ball, Ring
 from physics.step import LOOK_AHEAD, Hit, answer_impacts
-from physics.tolerances import MAX_IMPACTS
+from physics.tolerances import MAX_IMPACTS, SMALLEST
 
 
 def steer(games: Games, spins: Floats, first: int, last: int) -> None:
@@ -28,9 +28,11 @@ def steer(games: Games, spins: Floats, first: int, last: int) -> None:
                 if games.known[g] != 0:
                     for i in range(len(balls)):
                         balls[i] = Ball(games.positions[g, i], games.velocities[g, i], games.ball_radii[g, i])
-                    old = _with_turn(rings[k], games.phases[g, k], games.spins[g, k])
-                    if not may_be_steered(old, _with_turn(old, old.phase, spin), balls):
+                    old = with_turn(rings[k], games.phases[g, k], games.spins[g, k])
+                    if not may_be_steered(startable(old, games.steered[k]), with_turn(old, old.phase, spin), balls):
                         games.known[g] = 0
+                if games.spins[g, k] == 0.0 and games.steered[k] == 0:
+                    games.steered[k] = -1
                 games.spins[g, k] = spin
 
 
@@ -48,19 +50,23 @@ def play(
     room = 2 * MAX_IMPACTS * len(balls)
     for g in range(first, last):
         while tick < ticks:
-            free, remaining[g] = _ticks_of_free_flight(known[g] != 0, remaining[g], dt, ticks - tick)
+            free, remaining[g] = ticks_of_free_flight(known[g] != 0, remaining[g], dt, ticks - tick)
             if free > 0:
-                _fly_freely(positions, velocities, radii, phases, spins, g, free, dt)
+                fly_freely(positions, velocities, radii, phases, spins, g, free, dt)
                 tick += free
                 continue
             if count + room > len(hits):
                 return g, tick, count
             _read(balls, rings, positions, velocities, radii, phases, spins, g)
             layers = games.layers[g]
+            for k in range(len(rings)):
+                rings[k] = startable(rings[k], games.steered[k])
             moved, seconds = _looked_ahead(known[g] != 0, remaining[g], balls, rings, layers, dt)
             known[g], remaining[g] = 1, seconds
             if seconds >= dt:
                 continue
+            for k in range(len(rings)):
+                rings[k] = with_turn(rings[k], phases[g, k], spins[g, k])
             found, dropped = answer_impacts(balls, rings, layers, dt, speed)
             for hit in found:
                 _write(hits[count], g, tick, hit)
@@ -79,7 +85,7 @@ def play(
     return last, 0, count
 
 
-def _ticks_of_free_flight(known: bool, seconds: float, dt: float, most: int) -> tuple[int, float]:  # noqa: FBT001
+def ticks_of_free_flight(known: bool, seconds: float, dt: float, most: int) -> tuple[int, float]:  # noqa: FBT001
     """How many of the next ticks, at most so many, touch nothing, and the seconds of free flight after them."""
     free = 0
     while known and free < most and dt <= seconds:
@@ -88,7 +94,7 @@ def _ticks_of_free_flight(known: bool, seconds: float, dt: float, most: int) -> 
     return free, seconds
 
 
-def _fly_freely(
+def fly_freely(
     positions: Complexes, velocities: Complexes, radii: Floats, phases: Floats, spins: Floats, g: int, ticks: int, dt: float
 ) -> None:
     """Move balls and turn rings for some ticks in which nothing is touched."""
@@ -96,7 +102,7 @@ def _fly_freely(
         positions[g, i] = _flown_freely(Ball(positions[g, i], velocities[g, i], radii[g, i]), ticks, dt).position
     for k in range(spins.shape[1]):
         if spins[g, k] != 0.0:
-            phases[g, k] = _turned(phases[g, k], spins[g, k], ticks, dt)
+            phases[g, k] = turned(phases[g, k], spins[g, k], ticks, dt)
 
 
 def _flown_freely(ball: Ball, ticks: int, dt: float) -> Ball:
@@ -106,7 +112,7 @@ def _flown_freely(ball: Ball, ticks: int, dt: float) -> Ball:
     return ball
 
 
-def _turned(phase: float, spin: float, ticks: int, dt: float) -> float:
+def turned(phase: float, spin: float, ticks: int, dt: float) -> float:
     """The phase of a ring after some ticks."""
     ring = Ring(1.0, 0.5, 0.1, 1, phase, spin, 0.0)  # its other fields do not matter
     for _ in range(ticks):
@@ -128,7 +134,12 @@ def _read(
     for i in range(len(balls)):
         balls[i] = Ball(positions[g, i], velocities[g, i], radii[g, i])
     for k in range(len(rings)):
-        rings[k] = _with_turn(rings[k], phases[g, k], spins[g, k])
+        rings[k] = with_turn(rings[k], phases[g, k], spins[g, k])
+
+
+def startable(ring: Ring, steered: int) -> Ring:
+    """The ring as the free flight takes it: one at rest that may be started turns, if ever so slowly."""
+    return with_turn(ring, ring.phase, SMALLEST) if steered > 0 and ring.spin == 0.0 else ring
 
 
 def _looked_ahead(
@@ -165,7 +176,7 @@ def _free(balls: list[Ball], rings: list[Ring], layers: Any) -> int:
     return number
 
 
-def _with_turn(ring: Ring, phase: float, spin: float) -> Ring:
+def with_turn(ring: Ring, phase: float, spin: float) -> Ring:
     """The ring with another phase and spin."""
     return Ring(ring.radius, ring.half_width, ring.half_angle, ring.count, phase, spin, ring.friction)
 
@@ -179,10 +190,10 @@ def _balls(games: Games, g: int) -> list[Ball]:
 
 def _rings(games: Games, g: int) -> list[Ring]:
     """The rings of a game."""
-    return [_ring(games, g, k) for k in range(games.spins.shape[1])]
+    return [ring_of(games, g, k) for k in range(games.spins.shape[1])]
 
 
-def _ring(games: Games, g: int, k: int) -> Ring:
+def ring_of(games: Games, g: int, k: int) -> Ring:
     """A ring of a game."""
     return Ring(
         games.ring_radii[k],
