@@ -3,6 +3,7 @@
 import gc
 import time
 from collections.abc import Callable
+from pathlib import Path
 from typing import NamedTuple
 
 import pygame
@@ -19,6 +20,7 @@ from game.levels import Level, built_in
 from game.overlay import toast
 from game.replays.file import Recording
 from game.replays.playback import Playback
+from game.rules import SOURCE_RULES, Ruleset
 from game.screens.app_state import AppState, Recorder
 from game.screens.base import Listener, Screen
 from game.screens.play import PlayScreen
@@ -65,16 +67,17 @@ def play(
     recorder: Recorder | None = None,
     autopilot: bool = False,
     physics: ChosenPhysics = SWEPT,
+    ruleset: Ruleset = SOURCE_RULES,
 ) -> int:
     """Open a window with the title, the first of the levels chosen, and play until it is closed; the exit code.
 
     recorder: told every tick of every game played. autopilot: it plays, from the first serve on, without a title.
-    physics: that the games are flown on.
+    physics: that the games are flown on. ruleset: of the games.
     Raises EnvironmentMissingError without a display, DisplayLostError when it goes away.
     """
     catalogue = built_in() if levels[0] in built_in() else levels
     state = _state(catalogue, services, catalogue.index(levels[0]), seed)
-    state.recorder, state.autopilot, state.physics = recorder, autopilot, physics
+    state.recorder, state.autopilot, state.physics, state.ruleset = recorder, autopilot, physics, ruleset
     return _shown(state, lambda: PlayScreen(state, levels) if autopilot else Title(state), services, Audio)
 
 
@@ -99,6 +102,32 @@ def lab(line: str | None, services: Services = NO_SERVICES) -> int:
         return Lab(state, session.opened(opened))
 
     return _shown(state, first, services)
+
+
+def edit(path: Path, services: Services = NO_SERVICES) -> int:
+    """Open a window with the editor on a level file until it is left; the exit code. Unsaved changes go into a file beside it.
+
+    Raises BadInputError for a file that is no level. Other errors are those of `play`.
+    """
+    from game.editor.command import editing_session, keep_unsaved  # noqa: PLC0415  # only where it is needed
+    from game.editor.file_watch import WatchedFile  # noqa: PLC0415
+    from game.editor.window.screen import Editor  # noqa: PLC0415
+
+    file = WatchedFile(path)
+    session = editing_session(file)
+    state = _state(built_in(), services, 0, 0)
+    editors: list[Editor] = []
+
+    def first() -> Screen:
+        editors.append(Editor(state, session, file))
+        return editors[0]
+
+    try:
+        return _shown(state, first, services, Audio)
+    finally:
+        for editor in editors:
+            if not editor.discarded:
+                keep_unsaved(editor.session, path)
 
 
 def _state(catalogue: tuple[Level, ...], services: Services, chosen: int, seed: int) -> AppState:

@@ -58,6 +58,8 @@ class Autopilot:
             return Controls(serve=game.phase_tick >= _SERVE_WAIT + _serve_delay(game))
         if game.phase != Phase.PLAYING:
             return Controls(serve=True)
+        if not game.arena.balls:
+            return Controls(serve=True)  # every ball sticks to a paddle
         ball = _outermost(game.arena.balls)
         if ball.velocity != self._velocity:
             self._velocity = ball.velocity
@@ -88,7 +90,7 @@ def _plan(game: Game, ball: Ball) -> _Plan | None:
     """How to meet the ball when it next comes to the paddles' track; None if it does not within the horizon."""
     paddles = paddle_ring(game)
     track = paddles.inner_radius - ball.radius
-    crossing = _crossing(_without_paddles(game.arena, ball), track, game.level.ball.speed)
+    crossing = _crossing(_without_paddles(game.arena, ball), track, game.speed)
     if crossing is None:
         return None
     time, arena, broken = crossing
@@ -146,7 +148,7 @@ def _reachable(game: Game, bearing: float, spin: float, top: float, time: float)
 
 def _worth(game: Game, arena: Arena, spin: float, top: float) -> float:
     """How good a return is: bricks it breaks, less what the next catch asks of the paddles beyond their reach."""
-    speed = game.level.ball.speed
+    speed = game.speed
     paddles = paddle_ring(game)
     ball = arena.balls[0]
     normal = direction(angle_of(ball.position) + math.pi)

@@ -12,14 +12,15 @@ import typer
 
 from game import VERSION
 from game.chosen_physics import SOURCE, SWEPT, ChosenPhysics
+from game.editor.command import file_to_edit
 from game.effects import LONGEST, after_all
 from game.headless import autopilot_game, result_line
 from game.lab.kit.second_engine import Engine
-from game.levels import Level, built_in, chosen, warnings
+from game.levels import Level, chosen, level_schema, warnings
 from game.replays import file as replay
 from game.replays.history import History, kept_games
 from game.replays.verify import verified
-from game.rules import Game, Ticked
+from game.rules import SOURCE_RULES, Difficulty, Game, Ruleset, Ticked
 from game.second_opinion import Compare, NormalPair
 from game.settings.file import SettingsFile, settings_path
 from game.system.command_line import refuse_ignored
@@ -49,6 +50,8 @@ _GAME_OPTIONS = (
     "ticks",
     "record",
     "physics",
+    "rules",
+    "difficulty",
     "screenshot",
     *_PICTURE_OPTIONS,
     "version",
@@ -62,7 +65,12 @@ def play(
     level: Annotated[str, typer.Option(help="Start at a level: its number, its name, or a TOML file of one's own.")] = "1",
     seed: Annotated[
         int | None,
-        typer.Option(min=0, max=2**63 - 1, help="Seed of the game's chance.", show_default="1 if --headless, else random"),
+        typer.Option(
+            min=0,
+            max=2**63 - 1,
+            help="Decides the power-ups, where the aim of each serve begins, and nudges; the same seed is the same chance.",
+            show_default="1 if --headless, else random",
+        ),
     ] = None,
     headless: Annotated[bool, typer.Option("--headless", help="Play without a window and print one result line.")] = False,
     autopilot: Annotated[bool, typer.Option("--autopilot", help="Let the program play.")] = False,
@@ -72,6 +80,14 @@ def play(
         Literal["swept", "source"],
         typer.Option(help="What flies the balls: exact times of impact, or the slides' own test once a frame."),
     ] = "swept",
+    rules: Annotated[
+        Literal["arcade", "source"] | None,
+        typer.Option(
+            help="The game's own rules, or the source's: one speed, no power-ups, no turn by where a paddle is hit.",
+            show_default="arcade; source if --physics source",
+        ),
+    ] = None,
+    difficulty: Annotated[Literal["easy", "normal", "hard"], typer.Option(help="Of the arcade rules.")] = "normal",
     screenshot: Annotated[Path | None, typer.Option(help="Draw the last tick of a headless game into this PNG file.")] = None,
     size: Annotated[str, typer.Option(metavar="WxH", help="Size of the screenshot in pixels.")] = "1280x800",
     view: Annotated[Literal["flat", "solid"], typer.Option(help="The screenshot's view: from above, or in 3D.")] = "flat",
@@ -92,6 +108,7 @@ def play(
         refuse_ignored(context, "is for a picture; add --screenshot FILE", *_PICTURE_OPTIONS)
     if record is not None and physics == "source":
         raise BadInputError("--record: a replay is verified with the swept physics; leave out --physics source")
+    ruleset = _ruleset(context, rules, difficulty, physics)
     check_target(record, "--record")
     check_target(screenshot, "--screenshot", ".png")
     levels = chosen(level)
@@ -100,34 +117,60 @@ def play(
     if headless and not autopilot:
         raise BadInputError("--headless: nobody plays; add --autopilot")
     if headless:
-        last = _play_headless(_ChosenGame(levels, 1 if seed is None else seed, record, _PHYSICS[physics]), ticks)
+        last = _play_headless(_ChosenGame(levels, 1 if seed is None else seed, ruleset, record, _PHYSICS[physics]), ticks)
         if screenshot is not None:
             _save_screenshot(last, screenshot, pixels, solid=view == "solid")
         tell(result_line(last.game, physics))
         return
     seed = random.SystemRandom().getrandbits(32) if seed is None else seed
-    _play_in_window(_ChosenGame(levels, seed, record, _PHYSICS[physics]), autopilot=autopilot)
+    _play_in_window(_ChosenGame(levels, seed, ruleset, record, _PHYSICS[physics]), autopilot=autopilot)
+
+
+def _ruleset(context: typer.Context, rules: str | None, difficulty: str, physics: str) -> Ruleset:
+    """The rules that the options ask for; BadInputError for options that contradict each other."""
+    if rules == "arcade" and physics == "source":
+        raise BadInputError(
+            "--rules arcade: the slides' own algorithm is played by the source's rules; leave out one of the two"
+        )
+    if rules == "source" or physics == "source":
+        refuse_ignored(context, "is for the arcade rules", "difficulty")
+        return SOURCE_RULES
+    return Ruleset(Difficulty[difficulty.upper()])
 
 
 @app.command("levels")
-def list_levels() -> None:
-    """List the levels that come with the game."""
-    from rich.console import Console  # noqa: PLC0415  # not for a game, which starts the sooner
-    from rich.table import Table  # noqa: PLC0415
+def show_levels(
+    pictures: Annotated[
+        Path | None, typer.Option(metavar="DIR", help="Draw every level into a PNG file in this folder.")
+    ] = None,
+    schema: Annotated[bool, typer.Option("--schema", help="Print the JSON schema of level files, for text editors.")] = False,
+) -> None:
+    """List the levels that come with the game, and one's own."""
+    from game.level_listing import list_levels, save_pictures  # noqa: PLC0415  # not for a game, which starts the sooner
 
-    table = Table(box=None, pad_edge=False)
-    for heading, justify in (
-        ("#", "right"),
-        ("name", "left"),
-        ("bricks", "right"),
-        ("layers", "right"),
-        ("description", "left"),
-    ):
-        table.add_column(heading, justify="right" if justify == "right" else "left", no_wrap=heading == "name")
-    for number, level in enumerate(built_in(), 1):
-        stacks = [layers for ring in level.rings for layers in ring.slots() if layers > 0]
-        table.add_row(str(number), level.name, str(len(stacks)), str(sum(stacks)), level.description)
-    Console().print(table)
+    if schema:
+        tell(level_schema())
+    elif pictures is None:
+        list_levels()
+    else:
+        check_pygame()
+        save_pictures(pictures)
+
+
+@app.command("edit")
+def edit_level(
+    file: Annotated[
+        Path | None,
+        typer.Argument(help="A level file, new or not; a name alone is one in the folder of own levels.", show_default=False),
+    ] = None,
+) -> None:
+    """Open the level editor."""
+    path = file_to_edit(file)
+    check_pygame()
+    from game.app import Services, edit  # noqa: PLC0415  # pygame, only where it is needed
+
+    with _settings() as settings:
+        edit(path, Services(settings=settings, lost=_say_lost))
 
 
 @app.command("replays")
@@ -215,6 +258,7 @@ class _ChosenGame(NamedTuple):
 
     levels: tuple[Level, ...]
     seed: int
+    ruleset: Ruleset
     record: Path | None
     physics: ChosenPhysics
 
@@ -228,8 +272,8 @@ class _Last(NamedTuple):
 
 def _play_headless(chosen_game: _ChosenGame, ticks: int) -> _Last:
     """A game of the autopilot without a window, recorded if asked for; a signal ends it early, what was played is kept."""
-    levels, seed, record, physics = chosen_game
-    recorder = None if record is None else replay.Recorder(levels, seed)
+    levels, seed, ruleset, record, physics = chosen_game
+    recorder = None if record is None else replay.Recorder(levels, seed, ruleset)
     passed, cut_short = deque[Ticked](maxlen=LONGEST), 0
 
     def told(ticked: Ticked) -> None:
@@ -239,7 +283,7 @@ def _play_headless(chosen_game: _ChosenGame, ticks: int) -> _Last:
         cut_short += ticked.step.dropped > 0
 
     with deferred():
-        game = autopilot_game(levels, seed, ticks, recorder, told, physics.advance)
+        game = autopilot_game(levels, seed, ticks, recorder, told, physics.advance, ruleset)
         if recorder is not None and record is not None:
             replay.save(recorder.recording(), record)
         if cut_short:
@@ -254,7 +298,7 @@ def _play_in_window(chosen_game: _ChosenGame, *, autopilot: bool) -> None:
     from game.app import Services  # noqa: PLC0415  # pygame, only where it is needed
     from game.app import play as play_in_window  # noqa: PLC0415
 
-    levels, seed, record, physics = chosen_game
+    levels, seed, ruleset, record, physics = chosen_game
     history = History(record) if physics is SWEPT else None  # replays are verified with the swept physics
 
     def lost() -> None:
@@ -267,7 +311,7 @@ def _play_in_window(chosen_game: _ChosenGame, *, autopilot: bool) -> None:
         try:
             with _settings() as settings:
                 services = Services(_second_opinion(), _second_engine, settings, lost)
-                play_in_window(levels, seed, services, recorder=history, autopilot=autopilot, physics=physics)
+                play_in_window(levels, seed, services, recorder=history, autopilot=autopilot, physics=physics, ruleset=ruleset)
         except EnvironmentMissingError as error:
             say(f"polar-breakout: {error}; playing 20 s without a window instead")
             _demonstrate(chosen_game)

@@ -7,7 +7,7 @@ from game.autopilot import Autopilot
 from game.levels import Level, number_of
 from game.replays.file import Recorder
 from game.replays.state_hash import state_hash
-from game.rules import Advance, Game, Phase, Ticked, layers_left, new_game, tick
+from game.rules import SOURCE_RULES, Advance, Game, Phase, Ruleset, Ticked, layers_left, new_game, tick
 from game.system.ending import pending
 from physics import advance as swept_advance
 
@@ -21,12 +21,13 @@ def autopilot_game(
     recorder: Recorder | None = None,
     told: Callable[[Ticked], None] | None = None,
     advance: Advance = swept_advance,
+    ruleset: Ruleset = SOURCE_RULES,
 ) -> Game:
     """The game after that many ticks of the autopilot, or when it is won or over, or a signal asks for an end.
 
     told: of every tick. advance: the physics that is flown. A recorder records what the swept physics of the engine flies.
     """
-    game, pilot = new_game(levels, seed), Autopilot()
+    game, pilot = new_game(levels, seed, ruleset), Autopilot()
     for start in _with_progress(range(0, ticks, _PROGRESS_STEP)):
         for _ in range(min(_PROGRESS_STEP, ticks - start)):
             if game.phase in {Phase.WON, Phase.OVER} or pending():

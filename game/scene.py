@@ -7,7 +7,7 @@ path, around the bounces of the tick. Nothing here knows pixels: every camera dr
 from typing import NamedTuple
 
 from game.effects import Burst, Drop, Effects, Flash, Pop, Recoil, Trail, Wave
-from game.rules import BEST_COMBO, PADDLES, TICK, EventKind, Game, Phase, Ticked
+from game.rules import BEST_COMBO, PADDLES, TICK, EventKind, Game, Phase, Ticked, held_balls
 from physics import Ball, Ring, Step, direction, signed_difference
 
 
@@ -69,7 +69,7 @@ def scene_at(ticked: Ticked, alpha: float, effects: Effects) -> Scene:
         game.level.ground_radius,
         rings,
         game.arena.layers,
-        (0, *[max(ring.slots()) for ring in game.level.rings]),
+        _tallest(game),
         balls,
         effects.trails,
         _aim(game, balls),
@@ -82,6 +82,12 @@ def scene_at(ticked: Ticked, alpha: float, effects: Effects) -> Scene:
         0j if effects.shake is None else effects.shake.offset,
         min(game.combo / BEST_COMBO, 1.0),
     )
+
+
+def _tallest(game: Game) -> tuple[int, ...]:
+    """Per ring, layers of its highest stack when the level began; the paddles have none, the shield has one."""
+    wall = [max(ring.slots()) for ring in game.level.rings]
+    return (0, *wall, 1) if game.ruleset.arcade else (0, *wall)
 
 
 def _starts_afresh(ticked: Ticked) -> bool:
@@ -101,7 +107,12 @@ def _balls_at(ticked: Ticked, paddles: Ring, alpha: float) -> tuple[Ball, ...]:
     if _rests(ticked):
         angle = signed_difference(paddles.phase, ticked.game.arena.rings[PADDLES].phase)
         return tuple([_about_origin(ball, angle) for ball in ticked.game.arena.balls])
-    return tuple([_on_its_path(ball, index, ticked, alpha) for index, ball in enumerate(ticked.moving.balls)])
+    flying = [_on_its_path(ball, index, ticked, alpha) for index, ball in enumerate(ticked.moving.balls)]
+    if not ticked.game.held:
+        return tuple(flying)
+    angle = signed_difference(paddles.phase, ticked.game.arena.rings[PADDLES].phase)
+    stuck = zip(ticked.game.held, held_balls(ticked.game), strict=True)
+    return (*flying, *[_about_origin(ball, angle) for held, ball in stuck if held.ticks > 0])  # a new one is still seen flying
 
 
 def _rests(ticked: Ticked) -> bool:

@@ -8,7 +8,7 @@ import pytest
 
 import game
 import physics
-from game.levels import BallSpec, Level, PaddleSpec, RingSpec
+from game.levels import BallSpec, DropSpec, Level, LookSpec, PaddleSpec, RingSpec, WellSpec
 from tests.support.paths import ROOT
 
 PAGES = sorted([*ROOT.glob("*.md"), *(ROOT / "docs").glob("*.md")])
@@ -109,7 +109,7 @@ def test_the_citation_names_this_version():
     assert cited.group(1) == game.VERSION
 
 
-@pytest.mark.parametrize("table", [Level, BallSpec, PaddleSpec, RingSpec])
+@pytest.mark.parametrize("table", [Level, BallSpec, PaddleSpec, RingSpec, WellSpec, DropSpec, LookSpec])
 def test_the_page_of_levels_names_every_key(table):
     """A key that a level's file may have has its row, or its part of one."""
     rows = [line for line in (ROOT / "docs" / "levels.md").read_text(encoding="utf-8").splitlines() if line.startswith("| `")]

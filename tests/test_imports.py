@@ -32,7 +32,7 @@ WRONG = {
     },
     "The batch is for tools and other programs: neither the physics nor the game imports it": {
         "physics/step.py": "import physics.batch",
-        "game/rules.py": "def f():\n    from physics.batch import Batch",
+        "game/rules/speed.py": "def f():\n    from physics.batch import Batch",
     },
     "The game runs on the hand-written physics: a second engine reaches it through its command line alone": {
         "game/app.py": "def f():\n    from tools import bench",

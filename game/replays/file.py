@@ -2,19 +2,17 @@ r"""Recorded games: the inputs, and hashes to prove that playing them again give
 
 A replay file (.polar) is, in this order:
 
-    "polar-breakout replay 2\n"    the format and its version
+    "polar-breakout replay 3\n"    the format and its version
     32 bytes                      SHA-256 of all that follows
     a zlib stream                 of a MessagePack map with the fields of `Recording`
 
-`runs` packs the controls run-length coded, five bytes a run, little-endian: uint16 ticks (1 to 65535), uint8 flags (bits
-0-1 turn + 1, bit 2 serve, bit 3 pointer present, bit 4 give up), uint16 pointer (0 where absent). Format 1 had no bit 4, and
-is still read. `hashes` holds the 32-byte
-state hash after every 60th tick and after the last. `trace` holds one byte per tick for each of `state_hash.FIELDS`,
-field by field: too weak to prove anything, strong enough to say at which tick and where two games part.
+`ruleset` is new in format 3; older ones are read as games under the source's rules. `runs` holds the controls
+(`game.replays.runs`). `hashes` holds the 32-byte state hash after every 60th tick and after the last. `trace` holds one byte
+per tick for each of `state_hash.fields`, field by field: too weak to prove anything, strong enough to say at which tick and
+where two games part.
 """
 
 import hashlib
-import struct
 import zlib
 from collections.abc import Iterator
 from pathlib import Path
@@ -25,8 +23,9 @@ from msgspec import Meta
 
 from game import VERSION
 from game.levels import Level, checked
-from game.replays.state_hash import FIELDS, field_checks, state_hash
-from game.rules import Controls, Game, Ticked, new_game, tick
+from game.replays import runs as run_coding
+from game.replays.state_hash import field_checks, fields, state_hash
+from game.rules import SOURCE_RULES, Controls, Game, Ruleset, Ticked, new_game, tick
 from game.system.errors import BadInputError
 from game.system.files import read_input, write_whole
 from game.system.wording import quoted, quoted_message, quoted_path
@@ -37,15 +36,11 @@ BLOCK = 60
 MAX_TICKS = 240 * 3600
 """The longest recording: an hour."""
 
-_FORMAT = 2
-_FLAGS = {1: 0b01111, 2: 0b11111}
-"""The flags that each format knows."""
+_FORMAT = 3
 _MAGIC = b"polar-breakout replay "
 _DIGEST = 32
-_MAX_FILE_SIZE = 16 * 1024 * 1024
+_MAX_FILE_SIZE = 24 * 1024 * 1024
 _MAX_BODY_SIZE = 32 * 1024 * 1024
-_RUN = struct.Struct("<HBH")
-_LONGEST_RUN = 65535
 
 
 class Recording(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -60,27 +55,28 @@ class Recording(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     runs: bytes
     hashes: bytes
     trace: bytes
+    ruleset: Ruleset = SOURCE_RULES
 
 
 class Recorder:
     """Collects a game while it is played."""
 
-    def __init__(self, levels: tuple[Level, ...], seed: int) -> None:
+    def __init__(self, levels: tuple[Level, ...], seed: int, ruleset: Ruleset = SOURCE_RULES) -> None:
         """Start recording a new game."""
-        self._levels, self._seed = levels, seed
+        self._levels, self._seed, self._ruleset = levels, seed, ruleset
         self._last: Controls | None = None
         self._length = 0
         self._runs = bytearray()
         self._hashes = bytearray()
         self._trace = bytearray()
-        self._game = new_game(levels, seed)
+        self._game = new_game(levels, seed, ruleset)
         self.ticks = 0
 
     def add(self, controls: Controls, after: Game) -> None:
         """Record the controls of one tick and the game after it; ticks beyond MAX_TICKS are left out."""
         if self.ticks >= MAX_TICKS:
             return
-        if controls != self._last or self._length == _LONGEST_RUN:
+        if controls != self._last or self._length == run_coding.LONGEST_RUN:
             self._close_run()
             self._last = controls
         self._length += 1
@@ -94,7 +90,8 @@ class Recorder:
         """What has been recorded so far."""
         runs = self._runs + self._open_run()
         hashes = self._hashes if self.ticks % BLOCK == 0 else self._hashes + bytes.fromhex(state_hash(self._game))
-        columns = b"".join([bytes(self._trace[field :: len(FIELDS)]) for field in range(len(FIELDS))])
+        count = len(fields(self._ruleset))
+        columns = b"".join([bytes(self._trace[field::count]) for field in range(count)])
         return Recording(
             VERSION,
             PHYSICS_VERSION,
@@ -105,6 +102,7 @@ class Recorder:
             bytes(runs),
             bytes(hashes),
             columns,
+            self._ruleset,
         )
 
     def _close_run(self) -> None:
@@ -116,22 +114,22 @@ class Recorder:
         """The current run's bytes; none before the first tick."""
         if self._last is None or self._length == 0:
             return b""
-        turn, pointer, serve, give_up = self._last
-        flags = (turn + 1) | serve << 2 | (pointer is not None) << 3 | give_up << 4
-        return _RUN.pack(self._length, flags, pointer or 0)
+        return run_coding.packed_run(self._length, self._last)
 
 
 def controls_of(recording: Recording) -> Iterator[Controls]:
     """The controls, tick by tick."""
-    for length, flags, pointer in _RUN.iter_unpack(recording.runs):
-        controls = Controls((flags & 3) - 1, pointer if flags & 8 else None, bool(flags & 4), bool(flags & 16))
-        for _ in range(length):
-            yield controls
+    return run_coding.unpacked(recording.runs)
+
+
+def started(recording: Recording) -> Game:
+    """The recorded game before its first tick."""
+    return new_game(tuple(recording.levels), recording.seed, recording.ruleset)
 
 
 def played(recording: Recording) -> Iterator[Ticked]:
     """The game played again, tick by tick."""
-    game = new_game(tuple(recording.levels), recording.seed)
+    game = started(recording)
     for controls in controls_of(recording):
         done = tick(game, controls)
         game = done.game
@@ -163,7 +161,7 @@ def decoded(data: bytes, source: str) -> Recording:
     version = header.removeprefix(_MAGIC)
     if not header.startswith(_MAGIC) or not version.isdigit():
         raise BadInputError(f"{source}: not a replay of the polar breakout")
-    if int(version) not in _FLAGS:
+    if not 1 <= int(version) <= _FORMAT:
         raise BadInputError(f"{source}: replay format {int(version)}; this game reads formats 1 to {_FORMAT}")
     start = len(header) + 1
     digest, body = data[start : start + _DIGEST], data[start + _DIGEST :]
@@ -173,8 +171,18 @@ def decoded(data: bytes, source: str) -> Recording:
         recording = msgspec.msgpack.decode(_inflated(body, source), type=Recording)
     except (msgspec.DecodeError, UnicodeDecodeError) as error:
         raise BadInputError(f"{source}: damaged replay; {quoted_message(str(error))}") from None
-    _check(recording, source, _FLAGS[int(version)])
+    if int(version) < _FORMAT:
+        recording = _in_this_format(recording, int(version), source)
+    _check(recording, source)
     return recording
+
+
+def _in_this_format(recording: Recording, version: int, source: str) -> Recording:
+    """A recording of an older format as one of this."""
+    runs = run_coding.from_older(recording.runs, version)
+    if isinstance(runs, str):
+        raise BadInputError(f"{source}: runs: {runs}")
+    return msgspec.structs.replace(recording, runs=runs, ruleset=SOURCE_RULES)
 
 
 def _inflated(body: bytes, source: str) -> bytes:
@@ -191,8 +199,8 @@ def _inflated(body: bytes, source: str) -> bytes:
     return raw
 
 
-def _check(recording: Recording, source: str, known: int) -> None:
-    """Raise BadInputError for fields that contradict each other. known: flags of a run."""
+def _check(recording: Recording, source: str) -> None:
+    """Raise BadInputError for fields that contradict each other."""
     if recording.physics_version != PHYSICS_VERSION:
         made = f"version {quoted(recording.game_version)}, physics {recording.physics_version}"
         raise BadInputError(f"{source}: made by {made}; this game has physics {PHYSICS_VERSION} and would play it differently")
@@ -200,18 +208,13 @@ def _check(recording: Recording, source: str, known: int) -> None:
         checked(level, f"{source}: levels[{number}]")
     if levels_hash(tuple(recording.levels)) != recording.levels_hash:
         raise BadInputError(f"{source}: levels_hash: another level than the one the game was played on")
-    if len(recording.runs) % _RUN.size:
-        raise BadInputError(f"{source}: runs: cut off in the middle of a run")
-    total = 0
-    for length, flags, pointer in _RUN.iter_unpack(recording.runs):
-        if length == 0 or flags & 3 == 3 or flags & ~known or (pointer and not flags & 8):
-            raise BadInputError(f"{source}: runs: unknown action {flags} at tick {total}")
-        total += length
+    problem = run_coding.problem_of(recording.runs, recording.ticks)
+    if problem is not None:
+        raise BadInputError(f"{source}: runs: {problem}")
     blocks = -(-recording.ticks // BLOCK)
     for name, expected, found in (
-        ("runs", recording.ticks, total),
         ("hashes", blocks * _DIGEST, len(recording.hashes)),
-        ("trace", recording.ticks * len(FIELDS), len(recording.trace)),
+        ("trace", recording.ticks * len(fields(recording.ruleset)), len(recording.trace)),
     ):
         if expected != found:
             raise BadInputError(f"{source}: {name}: {found} where {recording.ticks} ticks need {expected}")

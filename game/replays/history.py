@@ -52,7 +52,7 @@ class History:
         """Record one tick; the first tick of a game begins a new recording."""
         if after.tick == 1:
             self.close()
-            self._recorder = Recorder(after.levels, after.seed)
+            self._recorder = Recorder(after.levels, after.seed, after.ruleset)
         if self._recorder is not None:
             self._recorder.add(controls, after)
 

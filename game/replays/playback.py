@@ -1,7 +1,7 @@
 """Any moment of a recorded game: forward by playing it, backward from snapshots."""
 
-from game.replays.file import Recording, controls_of
-from game.rules import Controls, Game, Ticked, new_game, tick
+from game.replays.file import Recording, controls_of, started
+from game.rules import Controls, Game, Ticked, tick
 
 _SNAPSHOT = 240
 
@@ -12,7 +12,7 @@ class Playback:
     def __init__(self, recording: Recording) -> None:
         """Unpack the controls; nothing is played yet."""
         self._controls: list[Controls] = list(controls_of(recording))
-        self._snapshots: list[Game] = [new_game(tuple(recording.levels), recording.seed)]
+        self._snapshots: list[Game] = [started(recording)]
         self._last = self._snapshots[0]
 
     @property

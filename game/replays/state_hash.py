@@ -5,10 +5,17 @@ import struct
 import zlib
 from collections.abc import Iterable
 
-from game.rules import PADDLES, Game
+from game.rules import PADDLES, Game, Ruleset
 
 FIELDS = ("ball positions", "ball velocities", "paddles", "brick rings", "layers", "score and lives", "phase and chance")
 """What the state is divided into, to say where two games part."""
+_ARCADE_FIELDS = ("speed and drops", "power-ups", "counts")
+"""What the arcade rules add to it."""
+
+
+def fields(ruleset: Ruleset) -> tuple[str, ...]:
+    """What the state of a game under these rules is divided into."""
+    return FIELDS + _ARCADE_FIELDS if ruleset.arcade else FIELDS
 
 
 def state_hash(game: Game) -> str:
@@ -17,12 +24,17 @@ def state_hash(game: Game) -> str:
 
 
 def field_checks(game: Game) -> bytes:
-    """One byte for each of FIELDS: a tick's trace, small enough to keep for every tick."""
+    """One byte for each of `fields`: a tick's trace, small enough to keep for every tick."""
     return bytes([zlib.crc32(part) & 0xFF for part in _packed(game)])
 
 
 def _packed(game: Game) -> tuple[bytes, ...]:
-    """The state's bytes, one string for each of FIELDS."""
+    """The state's bytes, one string for each of `fields`."""
+    return (*_source_state(game), *_arcade_state(game)) if game.ruleset.arcade else _source_state(game)
+
+
+def _source_state(game: Game) -> tuple[bytes, ...]:
+    """What a game has under any rules."""
     balls, rings, layers = game.arena
     paddles = rings[PADDLES]
     return (
@@ -33,6 +45,21 @@ def _packed(game: Game) -> tuple[bytes, ...]:
         b"".join([bytes([count & 0xFF for count in slots]) for slots in layers]),
         _integers((game.score, game.lives, game.combo, game.idle)),
         _integers((game.number, game.phase, game.phase_tick - game.tick, game.draws)),
+    )
+
+
+def _arcade_state(game: Game) -> tuple[bytes, ...]:
+    """What the arcade rules add."""
+    drops, powers, held = game.drops, game.powers, game.held
+    moving = [game.speed, game.arena.rings[PADDLES].half_angle]
+    moving += [x for drop in drops for x in (drop.position.real, drop.position.imag, drop.velocity.real, drop.velocity.imag)]
+    lasting = [x for power in powers for x in power] + [x for ball in held for x in (ball.slot, ball.ticks)]
+    counts = [game.paddle_hits, game.waited, game.burst, game.aim_start, game.score_before, *game.statistics.level]
+    counts += [*game.statistics.game, *[x for result in game.results for x in result]]
+    return (
+        _floats(moving) + _integers([len(drops), *[drop.kind for drop in drops]]),
+        _integers([len(powers), len(held), *lasting]) + _floats([x for ball in held for x in (ball.offset, ball.radius)]),
+        _integers([*game.ruleset, *counts]),
     )
 
 

@@ -3,9 +3,9 @@
 from itertools import islice
 from typing import NamedTuple
 
-from game.replays.file import BLOCK, Recording, controls_of
-from game.replays.state_hash import FIELDS, field_checks, state_hash
-from game.rules import Game, new_game, tick
+from game.replays.file import BLOCK, Recording, controls_of, started
+from game.replays.state_hash import field_checks, fields, state_hash
+from game.rules import Game, tick
 
 
 class Divergence(NamedTuple):
@@ -13,7 +13,7 @@ class Divergence(NamedTuple):
 
     block: the first whose hash differs; block k ends after tick (k + 1) BLOCK.
     tick: the first whose trace differs, counted from 1; None where the whole block's trace agrees.
-    field: the first that differs there, of state_hash.FIELDS; None where tick is.
+    field: the first that differs there, of state_hash.fields; None where tick is.
     """
 
     block: int
@@ -40,7 +40,7 @@ class Verdict(NamedTuple):
 
 def verified(recording: Recording) -> Verdict:
     """The recording played again and held against its hashes, up to the first block that differs."""
-    game = new_game(tuple(recording.levels), recording.seed)
+    game = started(recording)
     controls = controls_of(recording)
     for block in range(len(recording.hashes) // 32):
         start = game
@@ -52,7 +52,7 @@ def verified(recording: Recording) -> Verdict:
             for one in part:
                 game = tick(game, one).game
                 checks = field_checks(game)
-                for number, field in enumerate(FIELDS):
+                for number, field in enumerate(fields(recording.ruleset)):
                     if checks[number] != recording.trace[number * recording.ticks + game.tick - 1]:
                         return Verdict(game, Divergence(block, game.tick, field))
             return Verdict(game, Divergence(block, None, None))

@@ -15,7 +15,7 @@ from game.drawing.text import Type
 from game.input.view import FLAT, Viewpoint
 from game.levels import Level
 from game.overlay.toast import Toast
-from game.rules import Controls, Game, Ticked
+from game.rules import SOURCE_RULES, Controls, Game, Ruleset, Ticked
 from game.screens.base import Screen
 from game.second_opinion import Compare, NormalPair
 from game.settings.file import SettingsFile
@@ -38,7 +38,7 @@ class AppState:
     open_title: makes the title's screen.
     recorder: told every tick that is played; None for nobody.
     autopilot: whether it plays instead of the player.
-    physics: that games are flown on.
+    physics: that games are flown on. ruleset: of new games.
     settings: the player's, as they hold now; settings_file: where they outlive the session.
     full_screen: whether the window is.
     view: from where the player looks at the arena.
@@ -65,6 +65,7 @@ class AppState:
     settings_file: SettingsFile | None = None
     toast: Toast | None = None
     physics: ChosenPhysics = SWEPT
+    ruleset: Ruleset = SOURCE_RULES
     painter: Painter = field(default_factory=Painter)
     type: Type = field(default_factory=Type)
 

@@ -42,7 +42,7 @@ class PlayScreen:
     def __init__(self, state: AppState, levels: tuple[Level, ...]) -> None:
         """Start a new game at the first of the levels."""
         self._state, self._levels = state, levels
-        self._ticked = still(new_game(levels, state.seed))
+        self._ticked = still(new_game(levels, state.seed, state.ruleset))
         self._effects = Effects()
         self._normals: tuple[NormalPair, ...] = ()
         self._hands = Hands()

@@ -145,7 +145,7 @@ def _note(event: Event, combo: int) -> Note | None:
     """What an event sounds like; None if it makes no sound. combo: the game's, after it."""
     if event.kind == EventKind.BRICK_HIT:
         return brick(combo, 0 if event.hit is None else event.hit.layers)
-    patch = _PATCHES[event.kind]
+    patch = _PATCHES.get(event.kind)
     return None if patch is None else Note(patch)
 
 

@@ -23,16 +23,17 @@ FACETS = 64
 WANTED = Wanted(FACETS, "")
 
 
-def checked(level, seed, ticks, player="autopilot"):
-    return check_game(Job(Source(None, level, seed, ticks, player), FACETS)).rows
+def checked(level, seed, ticks, player="autopilot", arcade=None):
+    return check_game(Job(Source(None, level, seed, ticks, player, arcade), FACETS)).rows
 
 
 @pytest.fixture(scope="module")
 def rows():
-    """Ten seconds of the game on every level, by three players; arenas drawn at random; some aimed contacts."""
+    """Ten seconds on every level, by three players; a game by the arcade rules; arenas drawn at random; some aimed contacts."""
     total = Rows()
     for level in range(1, 8):
         total.merge(checked(str(level), level, 2400, ("autopilot", "mouse", "keys")[level % 3]))
+    total.merge(checked("4", 3, 9600, arcade="hard"))
     for seed in range(1, 6):
         total.merge(checked(RANDOM, seed, 3000))
     total.merge(checked(AIMED, 5, 400))
@@ -48,7 +49,7 @@ def test_the_two_engines_agree(rows):
     assert rows.freed > 5
     for comparison in Comparison:
         features = {feature for found, feature in rows.samples if found == comparison and len(rows.samples[found, feature])}
-        away = comparison in {Comparison.PRESENCE_TICK, Comparison.PHASE, Comparison.SET_FREE}
+        away = comparison in {Comparison.PRESENCE_TICK, Comparison.PHASE, Comparison.SET_FREE, Comparison.TURN}
         assert features == ({ANYWHERE} if away else {"outer face", "inner face", "end", "corner"})
 
 
@@ -331,3 +332,15 @@ def test_paddles_that_start_to_turn_are_looked_at_again():
     rows = checked_ticks(ticks, WANTED).rows
     assert "the ball is in material: the game missed a bounce" in what(rows, Comparison.PRESENCE_TICK)
     assert "pymunk touches earlier than the game bounces (missed bounce)" in what(rows, Comparison.TIME)
+
+
+def test_a_wrong_turn_is_unexplained(monkeypatch):
+    """A game that turns a returned ball by more than the level says, or to the other side, is found out."""
+    right = checked("4", 3, 4800, arcade="normal")
+    assert right.unexplained == 0
+    assert len(right.samples[Comparison.TURN, ANYWHERE]) > 5
+    for wrong in (1.001, -1.0):
+        monkeypatch.setattr(
+            "game.rules.turn.most_turn", lambda game, factor=wrong: math.radians(game.level.paddles.turn) * factor
+        )
+        assert "the turn by the position of the hit" in what(checked("4", 3, 4800, arcade="normal"), Comparison.TURN)

@@ -8,6 +8,7 @@ import msgspec
 import pytest
 
 from game import levels
+from game.level_format import checks
 from game.levels import built_in, chosen, load_file, parse
 from game.rules import layers_left, new_game
 from game.system.errors import BadInputError
@@ -209,9 +210,9 @@ def lane(play: float) -> bytes:
 @pytest.mark.parametrize(("play", "refused"), [(1.01, False), (0.99, True), (0.0, True), (-0.99, True), (-1.01, False)])
 def test_a_lane_that_the_ball_just_fits_into_is_refused(play, refused):
     """From as much too narrow to as much too wide; what is narrower lets no ball in, what is wider lets it play."""
-    least = levels._least_play(parse(GOOD, "x").ball)
+    least = checks.least_play(parse(GOOD, "x").ball)
     assert least >= 1e-3 * 0.25
-    found = [rule for rule in levels._broken_rules(parse_unchecked(lane(play * least))) if "the lane between" in rule[1]]
+    found = [rule for rule in checks.broken_rules(parse_unchecked(lane(play * least))) if "the lane between" in rule[1]]
     assert bool(found) is refused
     assert not found or found[0][0] == "rings[1]"
 
@@ -220,7 +221,7 @@ def test_a_lane_that_the_ball_just_fits_into_is_refused(play, refused):
 def test_the_least_play_is_what_a_tick_can_hold(play, dropped):
     """A ball that flies straight across the narrowest lane loses no part of a tick; in a narrower one it does."""
     spec = parse(GOOD, "x").ball
-    gap = 2 * spec.radius + play * levels._least_play(spec)
+    gap = 2 * spec.radius + play * checks.least_play(spec)
     rings = Ring(5.0, 0.2, math.pi, 1), Ring(5.4 + gap, 0.2, math.pi, 1)
     ball = Ball(complex(5.2 + gap / 2, 0.0), complex(spec.speed, 0.0), spec.radius)
     arena = Arena((ball,), rings, ((PERMANENT,), (PERMANENT,)))
@@ -241,16 +242,16 @@ def test_holes_and_gates_that_the_ball_just_fits_into_are_refused(key, value, wh
     if "radius" in key:
         ring = ring.replace("half_width = 0.2", "half_width = 0.2001")
     level = parse_unchecked(GOOD + ring.encode())
-    assert [rule for _, rule in levels._broken_rules(level) if what in rule]
+    assert [rule for _, rule in checks.broken_rules(level) if what in rule]
 
 
 def test_the_lane_below_the_paddles_track_leaves_the_ball_some_play():
     """Just as lanes between rings do."""
     outer = 8.8 - 2 * 0.25  # of a ring under which the ball would just fit
     for below, refused in ((0.5, True), (1.5, False)):
-        radius = outer - below * levels._least_play(parse(GOOD, "x").ball) - 0.4
+        radius = outer - below * checks.least_play(parse(GOOD, "x").ball) - 0.4
         level = parse_unchecked(changed("radius = 3.0", f"radius = {radius!r}"))
-        assert bool([rule for _, rule in levels._broken_rules(level) if "must fit below" in rule]) is refused
+        assert bool([rule for _, rule in checks.broken_rules(level) if "must fit below" in rule]) is refused
 
 
 def test_a_narrow_gate_is_allowed_and_warned_of():
@@ -297,7 +298,7 @@ def test_a_gap_wider_than_the_ball_opens_a_wall():
     gap = 2 * 0.25 / 4.8  # radians, to first order of the chord
     for half_angle, open_ in ((15 - gap * 57.3 / 2 - 0.1, True), (15 - gap * 57.3 / 2 + 0.1, False)):
         data = GOOD + wall % str(half_angle).encode()
-        assert (not list(levels._broken_rules(parse_unchecked(data)))) is open_
+        assert (not list(checks.broken_rules(parse_unchecked(data)))) is open_
 
 
 def parse_unchecked(data: bytes) -> levels.Level:

@@ -86,7 +86,7 @@ STAND_INS = {
     "physics.narrow_phase.min_difference": lambda *_: 0.0,
     "physics.narrow_phase.narrow_phase_case_1": lambda *_: 1 + 0j,
     "physics.bounce.collision_response": lambda v, *_: -v,
-    "game.rules.broad_phase_outcome": lambda *_: physics.Outcome.GAME_OVER,
+    "game.rules.playing.broad_phase_outcome": lambda *_: physics.Outcome.GAME_OVER,
 }
 
 

@@ -137,4 +137,4 @@ def _of_game(game: Iterator[Ticked]) -> Iterator[ClaimedTick]:
         moving = done.moving
         if len(done.step.arena.balls) != len(moving.balls):
             moving = moving._replace(balls=())
-        yield ClaimedTick(number, moving, TICK, done.game.level.ball.speed, done.step)
+        yield ClaimedTick(number, moving, TICK, done.speed, done.step)

@@ -15,6 +15,7 @@ app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_mar
 _MOST_GAMES = 100_000
 _MOST_WORKERS = 256
 _VERDICTS = ("grazing", "tie", "rule", "unexplained")
+_DIFFICULTIES = ("easy", "normal", "hard")
 _PLAYERS = ("autopilot", "mouse", "keys")
 
 
@@ -27,7 +28,7 @@ def crosscheck(
             min=1,
             max=_MOST_GAMES,
             help="How many games to play.",
-            show_default="two of each level, random arenas and aimed contacts, if nothing is named",
+            show_default="three of each level, random arenas and aimed contacts, if nothing is named",
         ),
     ] = None,
     seed: Annotated[int, typer.Option(min=0, max=2**62, help="Seed of the first game; the next ones count up.")] = 1,
@@ -41,6 +42,12 @@ def crosscheck(
     ] = None,
     ticks: Annotated[int, typer.Option(min=1, max=MAX_TICKS, help="Longest game, in ticks of 1/240 s.")] = 14_400,
     player: Annotated[str | None, typer.Option(help=f"Who plays: {', '.join(_PLAYERS)}.", show_default="autopilot")] = None,
+    arcade: Annotated[
+        str | None,
+        typer.Option(
+            help=f"Play by the arcade rules, at a difficulty: {', '.join(_DIFFICULTIES)}.", show_default="source's rules"
+        ),
+    ] = None,
     facets: Annotated[int, typer.Option(min=FEWEST, max=MOST, help="Facets of each arc in pymunk's chain.")] = 64,
     workers: Annotated[int, typer.Option(min=1, max=_MOST_WORKERS, help="Processes to share the games.")] = 1,
     report: Annotated[Path | None, typer.Option(help="Write a page with tables and pictures to this HTML file.")] = None,
@@ -69,11 +76,12 @@ def crosscheck(
 
     _one_of("--list", listed, _VERDICTS)
     _one_of("--player", player, _PLAYERS)
+    _one_of("--arcade", arcade, _DIFFICULTIES)
     if sabotage is not None:
         _one_of("--sabotage", sabotage, ("all", *MISTAKES))
     return cli.crosscheck(
         cli.Options(
-            choice=Choice(tuple(replays or ()), games, seed, level, ticks, player),
+            choice=Choice(tuple(replays or ()), games, seed, level, ticks, player, arcade),
             facets=facets,
             workers=workers,
             only=tick,

@@ -13,7 +13,7 @@ from game.system.errors import BadInputError
 from physics import PHYSICS_VERSION
 from tools.crosscheck.comparisons.game import Checked, Wanted, checked_ticks
 from tools.crosscheck.games.aimed import SPECIAL
-from tools.crosscheck.games.sources import AIMED, AUTOPILOT, PLAYERS, RANDOM, Source, ticks_of
+from tools.crosscheck.games.sources import AIMED, AUTOPILOT, DIFFICULTIES, PLAYERS, RANDOM, Source, ticks_of
 from tools.crosscheck.results.coverage import ALL_CELLS
 from tools.crosscheck.results.rows import Rows
 from tools.crosscheck.sabotage.catalogue import MISTAKES
@@ -105,12 +105,13 @@ def checked_games(jobs: Sequence[Job], workers: int, tell: Callable[[RunResult],
 def default_sources(seed: int, ticks: int) -> list[Source]:
     """What is checked where nothing is named.
 
-    A game of each level by the autopilot, one by a player that meets the ball with any part of a paddle, some random arenas,
-    and a contact of every kind.
+    A game of each level by the autopilot, one by a player that meets the ball with any part of a paddle, one under the arcade
+    rules, some random arenas, and a contact of every kind.
     """
     levels = [str(number + 1) for number in range(len(built_in()))]
     sources = [Source(None, level, seed + k, ticks) for k, level in enumerate(levels)]
     sources += [Source(None, level, seed + k, ticks, PLAYERS[1 + k % 2]) for k, level in enumerate(levels)]
+    sources += [Source(None, level, seed + k, ticks, arcade=DIFFICULTIES[k % 3]) for k, level in enumerate(levels)]
     sources += [Source(None, RANDOM, seed + k, ticks // 4 + 1) for k in range(_ARENAS)]
     return [*sources, Source(None, AIMED, seed, min(ticks, AIMED_TICKS))]
 
@@ -124,19 +125,21 @@ class Choice(NamedTuple):
     level: str | None = None
     ticks: int = 14_400
     player: str | None = None
+    arcade: str | None = None
 
 
 def chosen_sources(choice: Choice) -> list[Source]:
     """The games of a run: the replay files, and as many games as asked for, in turn from each level where none is named."""
     sources = [Source(path, "", 0, 0) for path in choice.replays]
-    if not sources and choice.games is None and choice.level is None and choice.player is None:
+    if not sources and choice.games is None and choice.level is None and choice.player is None and choice.arcade is None:
         sources = default_sources(choice.seed, choice.ticks)
     else:
         every = [str(number + 1) for number in range(len(built_in()))]
         levels = every if choice.level is None else [choice.level]
         count = choice.games if choice.games is not None else (0 if sources else len(levels))
         player = choice.player or AUTOPILOT
-        sources += [Source(None, levels[k % len(levels)], choice.seed + k, choice.ticks, player) for k in range(count)]
+        named = [(levels[k % len(levels)], choice.seed + k) for k in range(count)]
+        sources += [Source(None, level, seed, choice.ticks, player, choice.arcade) for level, seed in named]
     if not sources:
         raise BadInputError("nothing to check; name a replay or give --games")
     return [source.checked() for source in dict.fromkeys(sources)]

@@ -1,6 +1,7 @@
 """Replay files: round trips, the format, and every way a file can be wrong."""
 
 import hashlib
+import struct
 import tracemalloc
 import zlib
 from itertools import product
@@ -9,19 +10,20 @@ from pathlib import Path
 import msgspec
 import pytest
 
+from game.autopilot import Autopilot
 from game.levels import built_in
 from game.replays import file as replay
 from game.replays import history as kept
 from game.replays.file import BLOCK, MAX_TICKS, Recorder, Recording, controls_of, decoded, load, played, save
-from game.replays.state_hash import FIELDS, field_checks, state_hash
+from game.replays.state_hash import FIELDS, field_checks, fields, state_hash
 from game.replays.verify import verified
-from game.rules import LIVES, POINTER_STEPS, Controls, new_game, tick
+from game.rules import LIVES, POINTER_STEPS, SOURCE_RULES, Controls, Difficulty, Ruleset, new_game, tick
 from game.system.errors import BadInputError
 from physics import PHYSICS_VERSION
 from tests.support.players import KeyPlayer, MousePlayer
 from tests.support.recordings import TICKS, recorded
 
-HEADER = b"polar-breakout replay 2\n"
+HEADER = b"polar-breakout replay 3\n"
 
 
 @pytest.fixture(scope="module")
@@ -78,6 +80,7 @@ def test_runs_hold_any_controls():
     game = new_game(levels, 0)
     plan = [
         *[Controls(*one) for one in product((-1, 0, 1), (None, 0, POINTER_STEPS - 1), (False, True), (False, True))],
+        *[Controls(0, None, False, False, *one) for one in product((0, 7, 65535), (-1, 1), (None, 0, 9))],
         *[Controls(1)] * 70_000,
         Controls(),
     ]
@@ -85,7 +88,7 @@ def test_runs_hold_any_controls():
     for controls in plan:
         recorder.add(controls, game)
     assert list(controls_of(recorder.recording())) == plan
-    assert len(recorder.recording().runs) == 5 * (36 + 2 + 1)
+    assert len(recorder.recording().runs) == 10 * (36 + 18 + 2 + 1)
 
 
 def test_a_recorder_stops_at_the_longest_recording():
@@ -120,7 +123,7 @@ def test_foreign_and_newer_files_are_named(mouse, file_bytes):
     for data, reason in (
         (b"", "not a replay"),
         (b"polar-breakout replay \n", "not a replay"),
-        (b"polar-breakout replay 3\n" + file_bytes[len(HEADER) :], "format 3; this game reads formats 1 to 2"),
+        (b"polar-breakout replay 4\n" + file_bytes[len(HEADER) :], "format 4; this game reads formats 1 to 3"),
         (file_bytes + b"x", "checksum"),
         (packed(body + b"x"), "something follows"),
         (packed(body[:-9]), "cut off"),
@@ -136,20 +139,50 @@ def test_foreign_and_newer_files_are_named(mouse, file_bytes):
 def test_a_file_too_large_is_refused(tmp_path: Path):
     """Without looking at what is in it."""
     file = tmp_path / "large.polar"
-    file.write_bytes(HEADER + bytes(17 * 2**20))
-    with pytest.raises(BadInputError, match=r"large\.polar: replay too large; expected at most 16 MB"):
+    file.write_bytes(HEADER + bytes(25 * 2**20))
+    with pytest.raises(BadInputError, match=r"large\.polar: replay too large; expected at most 24 MB"):
         load(file)
 
 
-def test_the_format_before_is_read(mouse, file_bytes):
-    """A file of format 1 is a game in which no ball could be given up; a run that does so is not of that format."""
-    old = b"polar-breakout replay 1\n" + file_bytes[len(HEADER) :]
-    assert decoded(old, "x") == mouse
-    runs = mouse.runs[:2] + bytes([mouse.runs[2] | 16]) + mouse.runs[3:]
-    giving_up = altered(mouse, runs=runs)
-    assert any(controls.give_up for controls in controls_of(decoded(giving_up, "x")))
-    with pytest.raises(BadInputError, match="runs: unknown action"):
-        decoded(b"polar-breakout replay 1\n" + giving_up[len(HEADER) :], "x")
+def older(recording: Recording, version: int, flag: int = 0) -> bytes:
+    """A file of an older format, five bytes a run and no ruleset. flag: set in the first run."""
+    runs = [
+        struct.pack("<HBH", ticks, flags & 31, pointer)
+        for ticks, flags, pointer, _, _ in struct.iter_unpack("<5H", recording.runs)
+    ]
+    runs[0] = runs[0][:2] + bytes([runs[0][2] | flag]) + runs[0][3:]
+    fields = {name: getattr(recording, name) for name in recording.__struct_fields__ if name != "ruleset"} | {
+        "runs": b"".join(runs)
+    }
+    body = zlib.compress(msgspec.msgpack.encode(fields))
+    return b"polar-breakout replay %d\n" % version + hashlib.sha256(body).digest() + body
+
+
+def test_the_formats_before_are_read(mouse):
+    """As games under the source's rules. In format 1 no ball could be given up; a run that does so is not of that format."""
+    assert decoded(older(mouse, 1), "x") == decoded(older(mouse, 2), "x") == mouse
+    assert mouse.ruleset == SOURCE_RULES
+    assert any(controls.give_up for controls in controls_of(decoded(older(mouse, 2, 16), "x")))
+    for version, flag in ((1, 16), (2, 32)):
+        with pytest.raises(BadInputError, match="runs: unknown action"):
+            decoded(older(mouse, version, flag), "x")
+
+
+def test_an_arcade_game_plays_again(tmp_path: Path):
+    """With its difficulty, its chance and all that power-ups did; the same inputs under other rules are another game."""
+    ruleset, levels = Ruleset(Difficulty.EASY), built_in()[3:]
+    game, pilot, recorder = new_game(levels, 11, ruleset), Autopilot(), Recorder(levels, 11, ruleset)
+    for _ in range(6000):
+        controls = pilot.controls(game)
+        game = tick(game, controls).game
+        recorder.add(controls, game)
+    assert game.statistics.game.drops_caught > 0
+    save(recorder.recording(), tmp_path / "game.polar")
+    loaded = load(tmp_path / "game.polar")
+    assert verified(loaded) == (game, None)
+    assert verified(msgspec.structs.replace(loaded, ruleset=Ruleset(Difficulty.HARD))).divergence is not None
+    with pytest.raises(BadInputError, match="ruleset"):
+        decoded(altered(loaded, ruleset=(7, True)), "x")
 
 
 def test_a_game_with_a_ball_given_up_plays_again(tmp_path: Path):
@@ -172,7 +205,7 @@ def test_contradictions_are_refused(mouse):
     ticks, runs = mouse.ticks, mouse.runs
     other = list(built_in()[1:])
     impossible = msgspec.structs.replace(mouse.levels[0], ground_radius=5.0)
-    for fields, reason in (
+    for wrong, reason in (
         ({"levels": other}, "levels_hash: another level"),
         ({"levels": [impossible]}, r"levels\[0\]: paddles.radius: .*beyond ground_radius 5"),
         ({"levels": []}, "levels"),
@@ -182,15 +215,17 @@ def test_contradictions_are_refused(mouse):
         ({"ticks": 10**18}, "ticks"),
         ({"runs": runs[:-1]}, "runs: cut off"),
         ({"runs": b"\0\0" + runs[2:]}, "runs: unknown action"),
-        ({"runs": runs[:2] + b"\x03" + runs[3:]}, "runs: unknown action 3 at tick 0"),
-        ({"runs": runs[:2] + b"\x41" + runs[3:]}, "runs: unknown action 65"),
+        ({"runs": runs[:2] + b"\x43" + runs[3:]}, "runs: unknown action 67 at tick 0"),
+        ({"runs": runs[:2] + b"\xc1" + runs[3:]}, "runs: unknown action 193"),
+        ({"runs": runs[:3] + b"\x02" + runs[4:]}, "runs: unknown action 5"),
+        ({"runs": runs[:6] + b"\x02" + runs[7:]}, "runs: unknown action"),
         ({"hashes": mouse.hashes[:-32]}, "hashes"),
         ({"trace": mouse.trace + b"x"}, "trace"),
         ({"surprise": 1}, "unknown field `surprise`"),
         ({"game_version": "x" * 1000}, "game_version"),
     ):
         with pytest.raises(BadInputError, match=reason):
-            decoded(altered(mouse, **fields), "x")
+            decoded(altered(mouse, **wrong), "x")
 
 
 def test_a_bomb_is_refused_before_it_is_unpacked():
@@ -212,7 +247,7 @@ def test_many_runs_stay_small():
     recording = msgspec.structs.replace(
         Recorder(levels, 1).recording(),
         ticks=MAX_TICKS,
-        runs=b"\x01\x00\x01\x00\x00" * MAX_TICKS,
+        runs=b"\x01\x00\x41\x00\x00\x00\x00\x00\x00\x00" * MAX_TICKS,
         hashes=bytes(MAX_TICKS // BLOCK * 32),
         trace=bytes(MAX_TICKS * len(FIELDS)),
     )
@@ -377,5 +412,5 @@ def test_play_goes_on_where_nothing_can_be_kept(tmp_path: Path, monkeypatch):
 
 def test_max_ticks_fit_the_largest_file():
     """An hour of the busiest game is smaller than what the reader accepts."""
-    busiest = MAX_TICKS * (len(FIELDS) + 5) + MAX_TICKS // BLOCK * 32
+    busiest = MAX_TICKS * (len(fields(Ruleset())) + 10) + MAX_TICKS // BLOCK * 32
     assert busiest < min(replay._MAX_BODY_SIZE, replay._MAX_FILE_SIZE)

@@ -18,7 +18,7 @@ WAVES = {note: waveform(note, RATE) for note in every_note()}
 TAILS = {note: tail(wave, RATE) for note, wave in WAVES.items()}
 HITS = {EventKind.PADDLE_HIT, EventKind.BRICK_HIT, EventKind.WALL_HIT}
 
-SILENT = frozenset({EventKind.LEVEL_STARTED})
+SILENT = frozenset({EventKind.LEVEL_STARTED, *[kind for kind in EventKind if kind > EventKind.GAME_OVER]})
 
 sides = st.floats(-1.0, 1.0)
 some_cues = st.builds(Cue, st.sampled_from(every_note()), st.floats(0.5, 1.0), sides)

@@ -165,8 +165,8 @@ def test_a_divergence_exits_1(capsys, tmp_path: Path, monkeypatch):
     """A replay that plays differently exits with 1 and says where."""
     file = tmp_path / "game.polar"
     polar(capsys, *HEADLESS, "--record", file)
-    monkeypatch.setattr("game.rules._POINTS_PER_BRICK", 11)
-    monkeypatch.setattr("game.rules._SERVE_GAP", 1e-5)
+    monkeypatch.setattr("game.rules.scoring._POINTS_PER_BRICK", 11)
+    monkeypatch.setattr("game.rules.serving.SERVE_GAP", 1e-5)
     code, _, err = polar(capsys, "replay", "--verify", file)
     assert code == 1
     assert "diverged at tick 1 (block 1-60), first in: ball positions" in err

@@ -14,6 +14,7 @@ from tools.crosscheck.comparisons.double_bounce import compare_double_bounce, co
 from tools.crosscheck.comparisons.hit_frame import CheckedTick, geometry_of, moment_of
 from tools.crosscheck.comparisons.normals import across, compare_normals
 from tools.crosscheck.comparisons.phases import PhaseBook
+from tools.crosscheck.comparisons.place_turn import compare_place_turns
 from tools.crosscheck.comparisons.rules import MOST_BOUNCES
 from tools.crosscheck.comparisons.set_free import compare_numbers, compare_set_free
 from tools.crosscheck.comparisons.target import LayerBook, compare_target
@@ -105,7 +106,7 @@ class _Checker:
 
     def check(self, tick: Tick) -> None:
         """Compare one tick."""
-        _, arena, dt, step, level = tick
+        _, arena, dt, step, level, _ = tick
         balls, rings, layers = arena
         if level is not self._level:
             self._start(tick)
@@ -237,6 +238,9 @@ class _Checker:
             else:
                 self._report_path(checked, index)
         compare_numbers(checked, freed, dropped, self.rows)
+        if tick.answers:
+            ends = {id(leg.hit): leg for legs in current.values() for leg in legs if leg.hit is not None}
+            compare_place_turns(checked, ends, self.rows)
         for hits in _bounces(tick.step.hits):
             if hits[0].ball not in current:  # its flight is no proof of where it hit; it has been reported
                 for hit in hits:

@@ -26,11 +26,15 @@ class RingNumbers(NamedTuple):
 
 
 class LevelNumbers(NamedTuple):
-    """A level, or an arena drawn at random. Ring 0 is the paddles. speed: of every ball after a bounce."""
+    """A level, or an arena drawn at random. Ring 0 is the paddles. speed: of every ball after a bounce.
+
+    turn: the most that the arcade rules turn a ball by the position of its hit on a paddle, radians.
+    """
 
     rings: tuple[RingNumbers, ...]
     ball_radius: float
     speed: float
+    turn: float = 0.0
 
 
 def numbers_of_level(level: Level) -> LevelNumbers:

@@ -2,15 +2,17 @@
 
 import shlex
 from collections.abc import Iterator
+from itertools import chain
 from pathlib import Path
 from typing import NamedTuple
 
 import physics
 from game.levels import Level, chosen
 from game.replays.file import load, played
-from game.rules import TICK, Phase, Ticked, new_game, tick
+from game.rules import SOURCE_RULES, TICK, Difficulty, Phase, Ruleset, Ticked, new_game, tick
 from physics import Arena, Step
 from tools.crosscheck.games.aimed import aimed_ticks
+from tools.crosscheck.games.arcade import arcade_ticks
 from tools.crosscheck.games.level_numbers import LevelNumbers, numbers_of_level
 from tools.crosscheck.games.players import player
 from tools.crosscheck.games.random_arena import random_ticks
@@ -22,12 +24,14 @@ AIMED = "aimed"
 """As a level: one ball or several, aimed at every kind of contact in turn."""
 AUTOPILOT = "autopilot"
 PLAYERS = (AUTOPILOT, "mouse", "keys")
+DIFFICULTIES = ("easy", "normal", "hard")
 
 
 class Source(NamedTuple):
     """One game to check. Small enough to hand to another process.
 
     replay: a file, or None. level: a number, name or TOML file, RANDOM or AIMED. ticks: the longest game. player: of PLAYERS.
+    arcade: the difficulty of a game under the arcade rules, of DIFFICULTIES; None for the source's rules.
     """
 
     replay: str | None
@@ -35,6 +39,7 @@ class Source(NamedTuple):
     seed: int
     ticks: int
     player: str = AUTOPILOT
+    arcade: str | None = None
 
     @property
     def name(self) -> str:
@@ -42,13 +47,15 @@ class Source(NamedTuple):
         if self.replay is not None:
             return self.replay
         by = "" if self.player == AUTOPILOT else f", {self.player}"
-        return f"level {self.level}, seed {self.seed}{by}"
+        rules = "" if self.arcade is None else f", arcade {self.arcade}"
+        return f"level {self.level}, seed {self.seed}{by}{rules}"
 
     def options(self) -> str:
         """The options of the command that checks this game alone."""
         if self.replay is not None:
             return shlex.quote(self.replay)
         by = "" if self.player == AUTOPILOT else f" --player {self.player}"
+        by += "" if self.arcade is None else f" --arcade {self.arcade}"
         return f"--level {shlex.quote(self.level)} --seed {self.seed} --games 1 --ticks {self.ticks}{by}"
 
     def checked(self) -> "Source":
@@ -80,7 +87,8 @@ def _replayed(path: str) -> Iterator[Ticked]:
 
 def _played(source: Source) -> Iterator[Ticked]:
     """A game played until it is won, over, or long enough."""
-    current, hands = new_game(chosen(source.level), source.seed), player(source.player, source.seed)
+    ruleset = SOURCE_RULES if source.arcade is None else Ruleset(Difficulty[source.arcade.upper()])
+    current, hands = new_game(chosen(source.level), source.seed, ruleset), player(source.player, source.seed)
     for _ in range(source.ticks):
         if current.phase in {Phase.WON, Phase.OVER}:
             return
@@ -91,6 +99,15 @@ def _played(source: Source) -> Iterator[Ticked]:
 
 def _as_ticks(game_ticks: Iterator[Ticked]) -> Iterator[Tick]:
     """A game's ticks; before a serve the ball rests on its paddle, and the physics knows of none."""
+    first = next(game_ticks, None)
+    if first is None:
+        return iter(())
+    whole = chain([first], game_ticks)
+    return arcade_ticks(whole, TICK) if first.game.ruleset.arcade else _source_ticks(whole)
+
+
+def _source_ticks(game_ticks: Iterator[Ticked]) -> Iterator[Tick]:
+    """The ticks of a game under the source's rules."""
     level: Level | None = None  # that the tick was played on: the next one begins with the tick after it
     numbers: LevelNumbers | None = None
     for number, done in enumerate(game_ticks):

@@ -14,10 +14,22 @@ _PATH_NOISE = 2.0**-50
 """Fraction of a coordinate: positions rebuilt from the hits agree with the recorded ones to a few roundings."""
 
 
+class Answer(NamedTuple):
+    """What the arcade rules made of a ball that a paddle returned.
+
+    velocity: the ball's at the tick's end, after the rules. aimed: whether they aimed it at a brick as well.
+    """
+
+    hit: Hit
+    velocity: complex
+    aimed: bool
+
+
 class Tick(NamedTuple):
     """One tick: the arena that the physics advanced, and what became of it.
 
-    dt: seconds. level: what was known before the game; another object whenever a level starts anew.
+    dt: seconds. level: what was known before the game; another object whenever a level starts anew. answers: of the arcade
+    rules, to hits of paddles.
     """
 
     number: int
@@ -25,6 +37,7 @@ class Tick(NamedTuple):
     dt: float
     step: Step
     level: LevelNumbers
+    answers: tuple[Answer, ...] = ()
 
 
 class Leg(NamedTuple):

@@ -19,6 +19,7 @@ COMPARISON_NAMES = {
     Comparison.VELOCITY: "velocity after",
     Comparison.PHASE: "phase, rebuilt",
     Comparison.SET_FREE: "overlap after freeing",
+    Comparison.TURN: "turn by position",
 }
 UNITS = {
     Comparison.TARGET: "wrong",
@@ -31,6 +32,7 @@ UNITS = {
     Comparison.VELOCITY: "speed",
     Comparison.PHASE: "rad",
     Comparison.SET_FREE: "length",
+    Comparison.TURN: "rad",
 }
 BOUNDS = {
     "same": "ring, slot, feature and layers must be the same",
@@ -39,12 +41,14 @@ BOUNDS = {
     "facet": "d/2, d: the angle of a facet; on outer faces asin(R/(R + r) sin d/2)",
     "window": "the times of touch of a ball larger and of one smaller by the noise",
     "mirror": "2 |w| e: a normal off by e, its noise, turns w, the velocity relative to the surface, by 2e; and rounding",
+    "turn": "rounding of three angles, 1e-12; 60 degrees more where the rules aim at a brick after a long wait",
     "grid": "half a step of the game's grid of angles, 2^-51, for every tick",
 }
 """Where bounds come from, by the word in the table."""
 TERMS = {
     "pose": "where a ball and the rings stand at one tick",
     "presence": "does the ball touch anything in a pose? Its error is the depth of an overlap, or the gap at a contact",
+    "turn by position": "by how much the arcade rules turn a ball after a paddle's hit, against the level's number",
     "phase, rebuilt": "the rings' phases, against those computed again from the level and the recorded spins",
     "length, speed": "world units; world units per second",
     "wrong": "1 for a wrong answer, 0 for a right one",
@@ -52,7 +56,8 @@ TERMS = {
 """What the words of the table mean."""
 
 NOT_COMPARED = (
-    "Not compared: what the rules do between ticks (a serve, a nudge, a lost ball, the score). How the player's controls "
+    "Not compared: what the rules do between ticks (a serve, a nudge, a lost ball, the score; a change of speed, width or "
+    "bricks by the arcade rules, whose turn of a returned ball is compared). How the player's controls "
     "become the paddles' spin, which is taken as recorded. Where a ball that overlaps material should best be put: only that "
     "it overlapped before and is free after. The order of two balls' hits at one moment. Drawing and sound."
 )
@@ -74,6 +79,7 @@ _SOURCES = {
     Comparison.BOUNCE: "mirror",
     Comparison.VELOCITY: "mirror",
     Comparison.PHASE: "grid",
+    Comparison.TURN: "turn",
 }
 
 

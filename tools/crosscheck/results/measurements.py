@@ -21,6 +21,7 @@ class Comparison(IntEnum):
     VELOCITY = 7
     PHASE = 8
     SET_FREE = 9
+    TURN = 10
 
 
 class ContactVerdict(IntEnum):

@@ -1,0 +1,40 @@
+"""A level played from the editor, which is returned to."""
+
+from dataclasses import replace
+
+import pygame
+
+from game.input.signals import Signal
+from game.levels import Level
+from game.screens.app_state import AppState
+from game.screens.base import Screen
+from game.screens.play import PlayScreen
+
+
+class PlayTest:
+    """Plays one level; wherever the game would go on to the title or out, the editor comes back."""
+
+    def __init__(self, state: AppState, editor: Screen, level: Level) -> None:
+        """Start at the first serve."""
+        self._editor = editor
+        own = replace(state, open_title=lambda _: editor)
+        self._inner: Screen = PlayScreen(own, (level,))
+
+    def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
+        """Let the game answer."""
+        return self._followed(self._inner.answer(signal, size))
+
+    def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
+        """Let the game go on."""
+        return self._followed(self._inner.advance(seconds, size))
+
+    def draw(self, surface: pygame.Surface) -> None:
+        """What the game shows."""
+        self._inner.draw(surface)
+
+    def _followed(self, screen: Screen | None) -> Screen:
+        """This screen with what the game shows next, or the editor."""
+        if screen is None or screen is self._editor:
+            return self._editor
+        self._inner = screen
+        return self

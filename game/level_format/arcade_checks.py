@@ -1,0 +1,43 @@
+"""Rules for the keys that the arcade rules alone read."""
+
+from collections.abc import Iterator
+
+from game.level_format.specs import Level, RingSpec
+from physics import PERMANENT
+
+SLOWEST = 0.64
+"""Share of `ball.speed`: under no rules does a ball fly slower."""
+FASTEST = 3.0
+"""Shares of `ball.speed`: the most that `ball.top_speed` may be."""
+_CAPTURE = 0.95
+"""Share of the pull that could keep a ball in a circle."""
+
+
+def broken_arcade_rules(level: Level) -> Iterator[tuple[str, str]]:
+    """(key, rule) of every rule of these keys that the level breaks."""
+    speed, top_speed = level.ball.speed, level.ball.top_speed
+    if top_speed is not None and not speed <= top_speed <= FASTEST * speed:
+        yield "ball.top_speed", f"must be from ball.speed {speed:g} to {FASTEST:g} times as much"
+    if len(set(level.drops.kinds)) != len(level.drops.kinds):
+        yield "drops.kinds", "names a power-up twice"
+    for number, ring in enumerate(level.rings):
+        yield from _broken_ring_rules(f"rings[{number}]", ring, level)
+    strongest = 4.0 * _CAPTURE * SLOWEST * speed * SLOWEST * speed
+    for number, well in enumerate(level.wells):
+        if well.distance > level.ground_radius:
+            yield f"wells[{number}].distance", f"lies beyond ground_radius {level.ground_radius:g}"
+        if abs(well.strength) * well.reach > strongest:
+            limit = strongest / well.reach
+            yield f"wells[{number}].strength", f"could hold a ball for ever; at most {limit:.4g} for this speed and reach"
+
+
+def _broken_ring_rules(key: str, ring: RingSpec, level: Level) -> Iterator[tuple[str, str]]:
+    """Rules of one ring: bumpers cannot break, and what grows again needs something that does not."""
+    if ring.bumper and max(ring.slots()) > 0:
+        yield f"{key}.layers", f"a bumper cannot break; {PERMANENT} or 0 only"
+    if ring.regrow and max(ring.slots()) <= 0:
+        yield f"{key}.regrow", "there is no brick that could grow again"
+    if ring.regrow and not any([max(other.slots()) > 0 and not other.regrow for other in level.rings]):
+        yield f"{key}.regrow", "level cannot be completed: every ring with bricks grows again"
+    if ring.reverse and not ring.spin:
+        yield f"{key}.reverse", "the ring does not turn; give it a spin"

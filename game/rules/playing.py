@@ -1,0 +1,107 @@
+"""A tick with balls in play: the physics, then what its hits mean, then who has left."""
+
+import math
+
+from game.rules.drops import drifted
+from game.rules.meeting import met
+from game.rules.nudging import nudged
+from game.rules.pierce import is_piercing, pierced, with_bricks, without_bricks
+from game.rules.powers import one_tick_later, with_caught
+from game.rules.regrow import regrown, reversed_rings
+from game.rules.scoring import credited, with_extra_lives, with_result
+from game.rules.serving import before_serve
+from game.rules.shape import shaped
+from game.rules.speed import with_speed_now
+from game.rules.state import (
+    PADDLES,
+    POINTER_STEPS,
+    TICK,
+    Advance,
+    Controls,
+    Event,
+    EventKind,
+    Game,
+    Phase,
+    Ticked,
+    counted,
+    in_phase,
+    wall_layers,
+)
+from game.rules.turn import paddle_hits_answered, released
+from game.rules.wells import pulled
+from physics import Arena, Ball, Outcome, broad_phase_outcome
+
+
+def played(game: Game, moving: Arena, controls: Controls, advance: Advance) -> Ticked:
+    """A tick with balls in play. moving: the arena with the paddles' new spin."""
+    arcade, piercing, speed, score = game.ruleset.arcade, is_piercing(game), game.speed, game.score
+    flown = without_bricks(moving) if piercing else moving
+    step = advance(flown, TICK, speed, game.flight)
+    arena = with_bricks(step.arena, moving) if piercing else step.arena
+    waited = game.waited + 1
+    game = game._replace(
+        tick=game.tick + 1, phase_tick=game.phase_tick + 1, arena=arena, flight=step.flight, waited=waited if arcade else 0
+    )
+    events: list[Event] = []
+    for hit in step.hits:
+        game = credited(game, hit, events)
+    if arcade:
+        game = _by_arcade_rules(game, controls, Ticked(game, (), step, flown, speed), events)
+        game = with_extra_lives(game, score, events)
+    game = nudged(game, events)
+    if not any([layers > 0 for ring in wall_layers(game) for layers in ring]):
+        game = _level_cleared(game, events)
+    else:
+        game = _without_lost_balls(game, events, give_up=controls.give_up)
+    return Ticked(game, tuple(events), step, flown, speed)
+
+
+def _by_arcade_rules(game: Game, controls: Controls, flown: Ticked, events: list[Event]) -> Game:
+    """What the arcade rules do after the flight of a tick, in this order."""
+    if is_piercing(game):
+        game = pierced(game, events)
+    held = game.held
+    if flown.step.hits:
+        game = paddle_hits_answered(game, flown.moving, flown.step, events)
+    if held:
+        aim = None if controls.aim is None else controls.aim * (math.tau / POINTER_STEPS)
+        game = released(game, events, serve=controls.serve, aim=aim)
+    game = met(pulled(game), events)
+    game, caught = drifted(game, events)
+    game = with_caught(game, caught, events)
+    game = one_tick_later(game, events)
+    game = reversed_rings(regrown(shaped(game), events))
+    return with_speed_now(game, events)
+
+
+def _level_cleared(game: Game, events: list[Event]) -> Game:
+    """The game after the last brick of a level."""
+    game = with_result(game, events)._replace(drops=(), held=())
+    if game.number + 1 < len(game.levels):
+        return in_phase(game, Phase.CLEARED)
+    events.append(Event(EventKind.GAME_WON))
+    return in_phase(game, Phase.WON)
+
+
+def _without_lost_balls(game: Game, events: list[Event], *, give_up: bool) -> Game:
+    """The game without the balls that left the ground or are given up: the last costs a life, the last life the game."""
+    kept = [ball for ball in game.arena.balls if _outcome(game, ball) is not Outcome.GAME_OVER]
+    staying = () if give_up else tuple(kept)
+    if len(staying) == len(game.arena.balls) and not (give_up and game.held):
+        return game
+    lost = [ball for ball in game.arena.balls if ball not in staying]
+    events.extend([Event(EventKind.BALL_LOST, position=ball.position) for ball in lost])
+    game = game._replace(arena=game.arena._replace(balls=staying), held=() if give_up else game.held)
+    if staying or game.held:
+        return game
+    game = counted(game._replace(lives=game.lives - 1, combo=0, idle=0), balls_lost=1)
+    if game.lives == 0:
+        events.append(Event(EventKind.GAME_OVER))
+        return in_phase(game._replace(drops=()), Phase.OVER)
+    return before_serve(game)
+
+
+def _outcome(game: Game, ball: Ball) -> Outcome:
+    """The source's broad phase: whether a ball has left the ground, and if not, what it may touch where it is."""
+    rings = game.arena.rings
+    return broad_phase_outcome(ball.position, ball.radius, game.level.ground_radius, rings[PADDLES], rings[PADDLES + 1 :])

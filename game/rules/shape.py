@@ -1,0 +1,75 @@
+"""The arena of the arcade rules: paddles of another width, and a shield at the rim.
+
+Both change only at a moment when no ball is where new material comes to be.
+"""
+
+import math
+
+from game.rules.power_up import PowerUp
+from game.rules.state import PADDLES, Game, paddle_ring
+from physics import Arena, Ball, Ring, contact, in_band, length
+
+_WIDE, _NARROW = 1.4, 0.7
+"""Factors of the paddles' half angle."""
+_WIDEST = 0.8
+"""Share of the circle that paddles may cover, unless the level's own cover more: there are always gaps between them."""
+_SHIELD_DISTANCE, _SHIELD_HALF_WIDTH = 0.01, 0.012
+"""From the paddles' outer radius to the shield, and half its thickness, in radii of the ground."""
+
+
+def arcade_arena(game: Game) -> Arena:
+    """The level's arena, with paddles as the difficulty wants them and the shield as its last ring, without layers."""
+    level = game.level
+    balls, rings, layers = level.arena()
+    outer = rings[PADDLES].outer_radius
+    half_width = _SHIELD_HALF_WIDTH * level.ground_radius
+    shield = Ring(outer + _SHIELD_DISTANCE * level.ground_radius + half_width, half_width, math.pi, 1)
+    paddles = rings[PADDLES]._replace(half_angle=wanted_half_angle(game))
+    return Arena(balls, (paddles, *rings[PADDLES + 1 :], shield), (*layers, (0,)))
+
+
+def wanted_half_angle(game: Game) -> float:
+    """Half the angle of a paddle as difficulty and power-ups want it, radians; the paddles leave gaps between them."""
+    own = math.radians(game.level.paddles.half_angle)
+    factor = game.ruleset.handicap.paddle_width
+    if game.power(PowerUp.WIDE) is not None:
+        factor *= _WIDE
+    if game.power(PowerUp.NARROW) is not None:
+        factor *= _NARROW
+    return min(own * factor, max(own, _WIDEST * math.pi / game.level.paddles.count))
+
+
+def shield_layers(game: Game) -> int:
+    """Layers of the shield: 1 while there is one."""
+    return game.arena.layers[-1][0] if game.ruleset.arcade else 0
+
+
+def shaped(game: Game) -> Game:
+    """The game with paddles and shield as its power-ups want them, as far as no ball is in the way."""
+    paddles = paddle_ring(game)
+    half_angle = wanted_half_angle(game)
+    if half_angle != paddles.half_angle:
+        resized = paddles._replace(half_angle=half_angle)
+        if half_angle < paddles.half_angle or not any([_overlaps(ball, resized) for ball in game.arena.balls]):
+            game = _with_paddles(game, resized)
+    layers = 0 if game.power(PowerUp.SHIELD) is None else 1
+    if layers != shield_layers(game):
+        shield = game.arena.rings[-1]
+        if layers == 0 or not any([in_band(length(ball.position), ball.radius, shield) for ball in game.arena.balls]):
+            changed = (*game.arena.layers[:-1], (layers,))
+            game = game._replace(arena=game.arena._replace(layers=changed))
+    return game
+
+
+def _with_paddles(game: Game, paddles: Ring) -> Game:
+    """The game with other paddles. A ball that sticks to one stays on it."""
+    reach = paddles.half_angle
+    held = tuple([ball._replace(offset=min(max(ball.offset, -reach), reach)) for ball in game.held])
+    return game._replace(held=held, arena=game.arena._replace(rings=(paddles, *game.arena.rings[PADDLES + 1 :])))
+
+
+def _overlaps(ball: Ball, ring: Ring) -> bool:
+    """Whether a ball touches or overlaps any sector of a ring."""
+    if not in_band(length(ball.position), ball.radius, ring):
+        return False
+    return any([contact(ball, ring, slot).gap <= 0.0 for slot in range(ring.count)])

@@ -1,0 +1,107 @@
+"""One simulated human in one level, with as many lives as it takes."""
+
+from collections.abc import Iterator
+from statistics import mean, median
+from typing import NamedTuple
+
+from game.levels import Level
+from game.rules import TICK, Controls, EventKind, Game, Phase, Ticked, new_game, tick
+from tools.balance.human import Human, Skill
+
+_MANY_LIVES = 10**6
+_LONGEST = 600.0
+"""Seconds after which a level is given up."""
+_GIVE_UP = 30.0
+"""Seconds without a paddle's touch after which the player gives up a ball."""
+
+
+class Trial(NamedTuple):
+    """How a player did in a level.
+
+    level: its name. skill: the player's. seed: of the game and of the player.
+    cleared: whether within the time given. seconds: it took.
+    lost: lives. given_up: of these, balls out of reach that were given up.
+    longest_gap: seconds between two bricks with a ball in play, the longest.
+    score: at the end, without the bonus for a cleared level, which counts the endless lives.
+    """
+
+    level: str
+    skill: Skill
+    seed: int
+    cleared: bool
+    seconds: float
+    lost: int
+    given_up: int
+    longest_gap: float
+    score: int
+
+
+class Job(NamedTuple):
+    """A game to be played."""
+
+    level: Level
+    skill: Skill
+    seed: int
+
+
+class Summary(NamedTuple):
+    """Means over the games of one player in one level; the gap and the score are medians.
+
+    games: how many. cleared: share of them. The rest as in `Trial`.
+    """
+
+    games: int
+    cleared: float
+    lost: float
+    seconds: float
+    longest_gap: float
+    given_up: float
+    score: float
+
+
+def played(job: Job) -> Trial:
+    """The game that a job asks for."""
+    return trial(*job)
+
+
+def summary(trials: list[Trial]) -> Summary:
+    """What games have in common. trials: one at least."""
+    return Summary(
+        len(trials),
+        mean([trial.cleared for trial in trials]),
+        mean([trial.lost for trial in trials]),
+        mean([trial.seconds for trial in trials]),
+        median([trial.longest_gap for trial in trials]),
+        mean([trial.given_up for trial in trials]),
+        median([trial.score for trial in trials]),
+    )
+
+
+def trial(level: Level, skill: Skill, seed: int) -> Trial:
+    """The level played by a simulated human of some skill."""
+    lost = given_up = gap = longest = bonus = 0
+    last: Game | None = None
+    for controls, done in _ticks(level, skill, seed):
+        last = done.game
+        given_up += controls.give_up
+        bonus += sum([event.points for event in done.events if event.kind == EventKind.LEVEL_CLEARED])
+        kinds = [event.kind for event in done.events]
+        gap = 0 if EventKind.BRICK_HIT in kinds or last.phase != Phase.PLAYING else gap + 1
+        longest = max(longest, gap)
+        lost += last.phase == Phase.SERVING and last.phase_tick == 0 and EventKind.BALL_LOST in kinds
+    assert last is not None
+    cleared = last.phase in {Phase.CLEARED, Phase.WON}
+    return Trial(level.name, skill, seed, cleared, last.tick * TICK, lost, given_up, longest * TICK, last.score - bonus)
+
+
+def _ticks(level: Level, skill: Skill, seed: int) -> Iterator[tuple[Controls, Ticked]]:
+    """The player's controls and what they led to, until the level is cleared or given up."""
+    game = new_game((level,), seed)._replace(lives=_MANY_LIVES)
+    human, untouched = Human(skill, seed), 0
+    while game.phase in {Phase.SERVING, Phase.PLAYING} and game.tick * TICK < _LONGEST:
+        controls = human.controls(game)._replace(give_up=untouched * TICK >= _GIVE_UP)
+        done = tick(game, controls)
+        touched = any([event.kind == EventKind.PADDLE_HIT for event in done.events])
+        untouched = 0 if touched or done.game.phase != Phase.PLAYING else untouched + 1
+        game = done.game
+        yield controls, done
