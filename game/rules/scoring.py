@@ -24,7 +24,7 @@ EXTRA_LIFE_POINTS = 10_000
 """Every time the score passes a multiple of this, the arcade rules give a life."""
 _POINTS_PER_BRICK = 10
 """Points for a layer, times the combo."""
-_POINTS_PER_LIFE = 100
+POINTS_PER_LIFE = 100
 """Points for every life that is left when a level is cleared."""
 _BUMPER_POINTS = 5
 _BURST_TICKS = 240
@@ -79,11 +79,16 @@ def with_broken(game: Game, hit: Hit, layers: int, events: list[Event]) -> Game:
     """The game after a hit broke some layers of a brick; the arena is left as it is. An empty slot may leave a power-up."""
     where = hit.contact.point
     combo = game.combo + layers
-    points = sum([_POINTS_PER_BRICK * min(game.combo + k, BEST_COMBO) for k in range(1, layers + 1)])
+    points = sum([layer_points(game.combo + k) for k in range(1, layers + 1)])
     events.append(Event(EventKind.BRICK_HIT, hit, points, where))
     game = _with_combo(counted(game, bricks=layers), combo)
     game = game._replace(score=game.score + points, combo=combo, idle=0, waited=0)
     return with_drop(game, where, events) if hit.layers == 0 and game.ruleset.arcade else game
+
+
+def layer_points(combo: int) -> int:
+    """Points for a layer that makes a combo of so many."""
+    return _POINTS_PER_BRICK * min(combo, BEST_COMBO)
 
 
 def _with_combo(game: Game, combo: int) -> Game:
@@ -110,7 +115,7 @@ def with_result(game: Game, events: list[Event]) -> Game:
     if game.ruleset.arcade:
         time_bonus = _POINTS_PER_SECOND * max(int(par(game.level) - tally.ticks * TICK), 0)
         loss_bonus = 0 if tally.balls_lost else _NO_LOSS_POINTS
-    points = _POINTS_PER_LIFE * game.lives + time_bonus + loss_bonus
+    points = POINTS_PER_LIFE * game.lives + time_bonus + loss_bonus
     game = game._replace(score=game.score + points)
     events.append(Event(EventKind.LEVEL_CLEARED, points=points))
     result = LevelResult(

@@ -1,4 +1,8 @@
-"""The paddles' spin in a tick: towards full speed by keys, straight to the pointer by mouse."""
+"""The paddles' spin in a tick: towards full speed by keys, straight to the pointer by mouse.
+
+The functions of numbers alone are compiled, too, as they stand (`tools.environments`); so are those of the serve, of nudging
+and of points.
+"""
 
 import math
 
@@ -18,11 +22,9 @@ def steered(game: Game, controls: Controls) -> Arena:
         turn = controls.second_turn
         pointer = controls.second_pointer if pointer is None else pointer
     if turn == 0 and pointer is not None:
-        spin = _spin_to_pointer(paddles, pointer, top)
+        spin = spin_to_pointer(paddles, pointer, top)
     else:
-        change = math.radians(spec.acceleration) * TICK
-        wanted = top * turn
-        spin = min(max(wanted, paddles.spin - change), paddles.spin + change)
+        spin = keyed_spin(paddles.spin, turn, top, math.radians(spec.acceleration) * TICK)
         if game.ruleset.arcade:
             spin = min(max(spin, -top), top)  # the balls may have become slower
     if spin == paddles.spin:
@@ -30,9 +32,18 @@ def steered(game: Game, controls: Controls) -> Arena:
     return game.arena._replace(rings=(paddles.steered(spin), *game.arena.rings[PADDLES + 1 :]))
 
 
-def _spin_to_pointer(paddles: Ring, pointer: int, top: float) -> float:
-    """Spin that brings the nearest paddle to the pointer within one tick, no faster than the top speed."""
+def keyed_spin(spin: float, turn: int, top: float, change: float) -> float:
+    """The paddles' spin after a tick of keys: towards full speed, by `change` at most. All in rad/s. turn: -1, 0 or +1."""
+    wanted = top * turn
+    return min(max(wanted, spin - change), spin + change)
+
+
+def spin_to_pointer(paddles: Ring, pointer: int, top: float) -> float:
+    """Spin that brings the nearest paddle to the pointer within one tick, no faster than the top speed. rad/s."""
     wanted = pointer * (math.tau / POINTER_STEPS)
-    offsets = [signed_difference(wanted, paddles.angle(slot)) for slot in range(paddles.count)]
-    offset = min(offsets, key=abs)
-    return min(max(offset / TICK, -top), top)
+    nearest = signed_difference(wanted, paddles.angle(0))
+    for slot in range(1, paddles.count):
+        offset = signed_difference(wanted, paddles.angle(slot))
+        if abs(offset) < abs(nearest):
+            nearest = offset
+    return min(max(nearest / TICK, -top), top)

@@ -29,8 +29,8 @@ class Games(NamedTuple):
         half_angles: (K,), radians.
         counts: (K,).
         frictions: (K,).
-        steered: (K,), 1 where a ring at rest may be started: the free flight then allows for it, and need not be asked for anew;
-            -1 where one was, and the free flights known do not allow for it yet.
+        steered: (K,), 1 where a ring at rest may be started and the free flight allows for that; -1 where one was started
+            whose free flight does not allow for it yet.
         known: (G,), 1 where it is known that no ball overlaps anything, as after every step; else 0.
         seconds: (G,), for which no ball touches anything.
         dropped: (G,), balls that used up MAX_IMPACTS since this was set to 0.

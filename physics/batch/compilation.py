@@ -16,7 +16,7 @@ from collections.abc import Callable
 from importlib import resources
 from inspect import isfunction
 from types import ModuleType
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
@@ -63,6 +63,8 @@ def check_subnormals() -> None:
         raise RuntimeError("flush-to-zero is switched on in this process, probably by a library built with fast-math")
 
 
+Result = TypeVar("Result")
+
 _LOCK = threading.Lock()
 _NOT_COMPILED = {f"physics.batch{name}" for name in ("", ".arrays", ".batch", ".compilation", ".hits")}
 
@@ -75,20 +77,26 @@ def compiled(progress: Callable[[float], None] | None = None) -> Compiled:
     """
     check_numba()
     with _LOCK:
-        done = threading.Event()
-        start = time.perf_counter()
+        return with_progress(_compiled, progress)
 
-        def report() -> None:
-            while progress is not None and not done.wait(1.0):
-                progress(time.perf_counter() - start)
 
-        reporter = threading.Thread(target=report, daemon=True)
-        reporter.start()
-        try:
-            return _compiled()
-        finally:
-            done.set()
-            reporter.join()
+def with_progress(work: Callable[[], Result], progress: Callable[[float], None] | None) -> Result:
+    """What some work gives; about once a second while it lasts, `progress` is called with the seconds since its start."""
+    if progress is None:
+        return work()
+    done, start = threading.Event(), time.perf_counter()
+
+    def report() -> None:
+        while not done.wait(1.0):
+            progress(time.perf_counter() - start)
+
+    reporter = threading.Thread(target=report, daemon=True)
+    reporter.start()
+    try:
+        return work()
+    finally:
+        done.set()
+        reporter.join()
 
 
 def sources_hash(package: ModuleType = physics) -> str:

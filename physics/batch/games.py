@@ -10,12 +10,15 @@ from typing import Any
 
 import numpy.typing as npt
 
-from physics.batch.arrays import Complexes, Floats, Games
+from physics.batch.arrays import Complexes, Floats, Games, Integers
 from physics.escape import freed
 from physics.free_flight import clear_time, may_be_steered
 from physics.shapes import Ball, Ring
 from physics.step import LOOK_AHEAD, Hit, answer_impacts
 from physics.tolerances import MAX_IMPACTS, SMALLEST
+
+_STARTED = 0.5 * SMALLEST
+"""rad/s: for the free flight, of a ring at rest that may be started. No ring has it: what is below SMALLEST is 0."""
 
 
 def steer(games: Games, spins: Floats, first: int, last: int) -> None:
@@ -59,14 +62,10 @@ def play(
                 return g, tick, count
             _read(balls, rings, positions, velocities, radii, phases, spins, g)
             layers = games.layers[g]
-            for k in range(len(rings)):
-                rings[k] = startable(rings[k], games.steered[k])
-            moved, seconds = _looked_ahead(known[g] != 0, remaining[g], balls, rings, layers, dt)
+            moved, seconds = _looked_ahead(known[g] != 0, remaining[g], balls, rings, layers, games.steered, dt)
             known[g], remaining[g] = 1, seconds
             if seconds >= dt:
                 continue
-            for k in range(len(rings)):
-                rings[k] = with_turn(rings[k], phases[g, k], spins[g, k])
             found, dropped = answer_impacts(balls, rings, layers, dt, speed)
             for hit in found:
                 _write(hits[count], g, tick, hit)
@@ -139,7 +138,7 @@ def _read(
 
 def startable(ring: Ring, steered: int) -> Ring:
     """The ring as the free flight takes it: one at rest that may be started turns, if ever so slowly."""
-    return with_turn(ring, ring.phase, SMALLEST) if steered > 0 and ring.spin == 0.0 else ring
+    return with_turn(ring, ring.phase, _STARTED) if steered > 0 and ring.spin == 0.0 else ring
 
 
 def _looked_ahead(
@@ -148,6 +147,7 @@ def _looked_ahead(
     balls: list[Ball],
     rings: list[Ring],
     layers: Any,
+    steered: Integers,
     dt: float,
 ) -> tuple[int, float]:
     """How many balls were moved out of material, in place, and the seconds of free flight; 0 where they are less than a tick.
@@ -160,8 +160,12 @@ def _looked_ahead(
     if moved > 0:
         return moved, 0.0
     seconds = LOOK_AHEAD * dt if known else dt
+    for k in range(len(rings)):
+        rings[k] = startable(rings[k], steered[k])
     for ball in balls:
         seconds = clear_time(ball, rings, layers, seconds)
+    for k in range(len(rings)):
+        rings[k] = rings[k] if rings[k].spin != _STARTED else with_turn(rings[k], rings[k].phase, 0.0)
     return 0, seconds if seconds >= dt else 0.0
 
 

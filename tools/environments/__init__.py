@@ -1,7 +1,7 @@
 """The game as environments for reinforcement learning, by Gymnasium's interface: needs the extra [rl].
 
-`gymnasium.make("tools.environments:PolarBreakout-v0", level="2")` makes one, `gymnasium.make_vec` many that are played together.
-Both are played by compiled code that has the bits of `game.rules`.
+`gymnasium.make("tools.environments:PolarBreakout-v0", level="2")` makes one environment, `gymnasium.make_vec` many that are
+played together. Both are played by compiled code that has the bits of `game.rules`.
 """
 
 try:

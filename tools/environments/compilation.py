@@ -8,12 +8,18 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
+import game.rules
 import physics.batch
+from game.rules import TICK
+from game.rules.nudging import nudged_ball
+from game.rules.scoring import layer_points
+from game.rules.serving import served_ball, swung_aim
+from game.rules.steering import keyed_spin, spin_to_pointer
 from physics.batch.arrays import no_games
-from physics.batch.compilation import sources_hash
+from physics.batch.compilation import sources_hash, with_progress
 from physics.batch.hits import HIT
 from tools import environments
-from tools.environments import observation, rule_numbers, ticks
+from tools.environments import observation, ticks
 from tools.environments.numbers import EPISODE, LevelNumbers
 
 
@@ -37,28 +43,37 @@ class CompiledLoops(NamedTuple):
     cached: bool
 
 
+def compiled_loops(progress: Callable[[float], None] | None = None) -> CompiledLoops:
+    """The loops, compiled now unless they were before in this process, or lie on disk; the physics with them.
+
+    progress: called about once a second while they are compiled, with the seconds since the start.
+    Raises ImportError, naming the extra, where numba cannot be imported.
+    """
+    return with_progress(_compiled_loops, progress)
+
+
 @functools.cache
-def compiled_loops() -> CompiledLoops:
-    """Compile or load; once in a process. Raises ImportError, naming the extra, where numba cannot be imported."""
+def _compiled_loops() -> CompiledLoops:
+    """Compile or load; once in a process."""
     physics_loop = physics.batch.compiled()
     import numba  # noqa: PLC0415  # an extra
 
     start = time.perf_counter()
     _register(physics_loop.play)
-    key = "".join([sources_hash(package) for package in (physics, environments)])
+    key = "".join([sources_hash(package) for package in (physics, game.rules, environments)])
     to_step, to_begin, to_write, to_paint = ticks.step, ticks.begin, observation.write_row, observation.paint
 
     @numba.njit(cache=True, nogil=True)  # type: ignore[untyped-decorator, unused-ignore]
-    def step(numbers, start, games, episodes, turns, pointers, rewards, ended, states, hits, first):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+    def step(numbers, games, episodes, turns, pointers, rewards, ended, states, hits, first):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
         _ = key
-        return to_step(numbers, start, games, episodes, turns, pointers, rewards, ended, states, hits, first)
+        return to_step(numbers, games, episodes, turns, pointers, rewards, ended, states, hits, first)
 
     @numba.njit(cache=True, nogil=True)  # type: ignore[untyped-decorator, unused-ignore]
-    def begin(numbers, start, games, episodes, states, mask):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+    def begin(numbers, games, episodes, states, mask):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
         _ = key
         for g in range(len(episodes)):
             if mask[g]:
-                to_begin(numbers, start, games, episodes, g)
+                to_begin(numbers, games, episodes, g)
                 to_write(numbers, games, episodes[g], states, g)
 
     @numba.njit(cache=True, nogil=True)  # type: ignore[untyped-decorator, unused-ignore]
@@ -72,15 +87,18 @@ def compiled_loops() -> CompiledLoops:
         _ = key
         to_paint(games, cells, only, pictures)
 
-    examples = LevelNumbers(*[0.0] * 5, 0, 0, 0, 0.0, 0, 0.0, 0.0, 0.0), no_games(), np.empty(0, EPISODE), np.empty(0, HIT)
+    examples = (
+        LevelNumbers(0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0.0, 0, 0.0, 0.0, 0.0),
+        no_games(),
+        np.empty(0, EPISODE),
+        np.empty(0, HIT),
+    )
     numbers, games, episodes, hits = (numba.typeof(example) for example in examples)
     integers, real, small, states = numba.int64[::1], numba.float64, numba.uint8, numba.float32[:, ::1]
-    step.compile(
-        (numbers, games, games, episodes, integers, integers, real[::1], numba.boolean[:, ::1], states, hits, numba.int64)
-    )
-    begin.compile((numbers, games, games, episodes, states, numba.boolean[::1]))
+    step.compile((numbers, games, episodes, integers, integers, real[::1], numba.boolean[:, ::1], states, hits, numba.int64))
+    begin.compile((numbers, games, episodes, states, numba.boolean[::1]))
     write_states.compile((numbers, games, episodes, states))
-    cells = observation.Cells(np.empty(0, np.complex128), np.empty(0), np.empty(0, np.int64))
+    cells = observation.Cells(np.empty(0, np.complex128), np.empty(0), np.empty(0, np.int64), np.empty(0))
     paint.compile((games, numba.typeof(cells), integers, small[:, ::1]))
     cached = all([sum(loop.stats.cache_hits.values()) > 0 for loop in (step, begin, write_states, paint)])
     return CompiledLoops(step, begin, write_states, paint, time.perf_counter() - start, cached)
@@ -90,15 +108,17 @@ def _register(play: Any) -> None:
     """Tell numba of every function that is compiled here, and that the batch's own machine code plays a tick."""
     from numba.extending import overload, register_jitable  # noqa: PLC0415  # an extra
 
-    for module in (ticks, observation, rule_numbers):
+    for function in (keyed_spin, spin_to_pointer, served_ball, swung_aim, nudged_ball, layer_points):
+        register_jitable(function)
+    for module in (ticks, observation):
         for function in list(vars(module).values()):
             own = isfunction(function) and function.__module__ == module.__name__
-            if own and function is not ticks._fly:
+            if own and function is not ticks.fly_by_physics:
                 register_jitable(forceinline=True)(function)
 
-    @overload(ticks._fly)
-    def _fly(games, g, speed, hits):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
-        dt, none, one = ticks.TICK, np.int64(0), np.int64(1)  # numba would compile it anew for literals
+    @overload(ticks.fly_by_physics)
+    def _fly_by_physics(games, g, speed, hits):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
+        dt, none, one = TICK, np.int64(0), np.int64(1)  # numba would compile it anew for literals
 
         def fly(games, g, speed, hits):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
             _, _, count = play(games, g, g + 1, np.int64(none), np.int64(one), dt, speed, hits, np.int64(none))

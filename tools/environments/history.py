@@ -44,9 +44,7 @@ class History:
     def add(self, episode: Any) -> None:
         """One step, as the row of its environment tells it."""
         self._now.seed = int(episode["seed"])
-        self._now.steps.append(
-            (int(episode["turn"]), int(episode["pointer"]), int(episode["played"]), int(episode["served"]))
-        )
+        self._now.steps.append((int(episode["turn"]), int(episode["pointer"]), int(episode["played"]), int(episode["served"])))
 
     def save(self, path: Path, level: Level, game: Game) -> None:
         """Write the game that is played, or, where it has just begun, the one before. game: as it stands now."""

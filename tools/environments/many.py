@@ -10,7 +10,8 @@ import numpy as np
 import numpy.typing as npt
 
 from game.levels import Level, chosen
-from game.rules import PADDLES, POINTER_STEPS, Game, Phase
+from game.rules import PADDLES, POINTER_STEPS, SOURCE_RULES, TICK, Game, Phase
+from game.rules.chance import chance_number
 from game.system.errors import BadInputError
 from physics.batch.arrays import Games, arena_of, arrays_of
 from physics.batch.compilation import check_subnormals
@@ -21,7 +22,6 @@ from tools.environments.compilation import compiled_loops
 from tools.environments.history import History
 from tools.environments.numbers import EPISODE, LevelNumbers
 from tools.environments.observation import Cells, numbers_of_state, square_cells, unrolled_cells
-from tools.environments.rule_numbers import nudge_chance
 
 Observation = Literal["state", "rings", "pixels"]
 Actions = Literal["discrete", "continuous"]
@@ -80,7 +80,7 @@ class ManyEnvironments:
         resting = Ball(0j, complex(self.level.ball.speed, 0.0), self.level.ball.radius)
         arena = arena._replace(balls=(resting,))
         self._rings, self._start = arena.rings, arrays_of([arena])
-        self._games = arrays_of([arena] * count)
+        self._games = arrays_of([arena] * (count + 1))  # the last is as every episode begins
         self._games.steered[PADDLES] = 1
         self._episodes: npt.NDArray[Any] = np.zeros(count, EPISODE)
         self._numbers = _numbers(self.level, options, resets=resets)
@@ -120,7 +120,7 @@ class ManyEnvironments:
 
     def begin(self, mask: npt.NDArray[np.bool_]) -> None:
         """Begin the next episode in the environments of a mask."""
-        self._loops.begin(self._numbers, self._start, self._games, self._episodes, self._states, mask)
+        self._loops.begin(self._numbers, self._games, self._episodes, self._states, mask)
         for index, history in self._histories.items():
             if mask[index]:
                 history.begin()
@@ -134,7 +134,6 @@ class ManyEnvironments:
         while number < len(self):
             number = self._loops.step(
                 self._numbers,
-                self._start,
                 self._games,
                 self._episodes,
                 turns,
@@ -147,7 +146,7 @@ class ManyEnvironments:
             )
             if number < len(self):
                 e = self._episodes[number]
-                e["chance"], e["drawn"] = nudge_chance(int(e["seed"]), int(e["draws"])), 1
+                e["chance"], e["drawn"] = chance_number(int(e["seed"]), int(e["draws"])), 1
         for index, history in self._histories.items():
             if index in fresh:
                 if self._numbers.resets:
@@ -172,19 +171,20 @@ class ManyEnvironments:
         return self._pictures(cells, np.array([index])).reshape(size, size)
 
     def game(self, index: int) -> Game:
-        """The game of one environment, as `game.rules.tick` takes it."""
+        """The game of one environment, as `game.rules.tick` takes it, but for what it counts (`statistics`, `results`)."""
         e = self._episodes[index]
         arena = arena_of(self._games, self._rings, index)
         phase = Phase(int(e["phase"]))
         names = ("draws", "tick", "phase_tick", "score", "lives", "combo", "idle")
         draws, tick, phase_tick, score, lives, combo, idle = (int(e[name]) for name in names)
         arena = arena._replace(balls=()) if phase == Phase.OVER else arena
-        return Game((self.level,), 0, int(e["seed"]), draws, tick, phase, phase_tick, arena, score, lives, combo, idle)
+        game = Game((self.level,), 0, int(e["seed"]), draws, tick, phase, phase_tick, arena, score, lives, combo, idle)
+        return game._replace(ruleset=SOURCE_RULES, speed=self.level.ball.speed)
 
     def state(self) -> State:
         """A copy of everything that decides how the environments go on."""
         histories = {index: history.copy() for index, history in self._histories.items()}
-        games = Games(*[array.copy() for array in self._games])
+        games = _copied(self._games)
         return State(self.level.content_hash(), games, self._episodes.copy(), histories)
 
     def set_state(self, state: State) -> None:
@@ -195,8 +195,7 @@ class ManyEnvironments:
             raise ValueError(f"state must be of the level {self.level.name!r}, not of another")
         if len(state.episodes) != len(self) or state.histories.keys() != self._histories.keys():
             raise ValueError(f"state must be of {len(self)} environments, {sorted(self._histories)} of them recorded")
-        for mine, theirs in zip(self._games, state.games, strict=True):
-            mine[:] = theirs
+        self._games = _copied(state.games)
         self._episodes[:] = state.episodes
         self._episodes["changed"] = 1
         self._loops.write_states(self._numbers, self._games, self._episodes, self._states)
@@ -217,7 +216,7 @@ class ManyEnvironments:
         if self.options.actions == "discrete":
             if not isinstance(actions, np.ndarray) or actions.dtype.kind not in "iu" or actions.shape != (len(self),):
                 raise ValueError(f"actions must be whole numbers of shape {(len(self),)}, not {_said(actions)}")
-            if actions.min() < 0 or actions.max() >= len(_TURNS):
+            if not ((actions >= 0) & (actions < len(_TURNS))).all():
                 raise ValueError(f"actions must be from 0 to {len(_TURNS) - 1}, not {actions.min()} to {actions.max()}")
             return _TURNS[actions], self._no_pointers
         if not isinstance(actions, np.ndarray) or actions.dtype.kind != "f" or actions.shape != (len(self), 2):
@@ -240,6 +239,11 @@ def base_seed(seed: int, index: int) -> int:
     return int.from_bytes(hashlib.sha256(f"{seed} {index}".encode()).digest()[:8], "little")
 
 
+def _copied(games: Games) -> Games:
+    """The same state in arrays of its own."""
+    return Games._make([array.copy() for array in games])
+
+
 def _cells(start: Games, ground_radius: float, observation: Observation) -> Cells | None:
     """The cells of an observation that is a picture."""
     if observation == "state":
@@ -260,7 +264,7 @@ def _level(wanted: str) -> Level:
 def _numbers(level: Level, options: Options, *, resets: bool) -> LevelNumbers:
     """What the compiled loops are given."""
     bricks = sum([layers > 0 for ring in level.rings for layers in ring.slots()])
-    top, change = math.radians(level.paddles.top_speed), math.radians(level.paddles.acceleration) / 240.0
+    top, change = math.radians(level.paddles.top_speed), math.radians(level.paddles.acceleration) * TICK
     return LevelNumbers(
         top,
         change,

@@ -29,11 +29,13 @@ class Cells(NamedTuple):
         positions: world units.
         angles: radians, in [0, 2 pi).
         rings: the ring in whose band the point is; -1 for none.
+        reaches: world units, from the point to its cell's corners: a ball as near as that is seen, however small it is.
     """
 
     positions: npt.NDArray[np.complex128]
     angles: Floats
     rings: Integers
+    reaches: Floats
 
 
 def numbers_of_state(start: Games) -> int:
@@ -113,7 +115,8 @@ def paint(games: Games, cells: Cells, only: Integers, pictures: npt.NDArray[np.u
                 if abs(turns - slot) * pitch <= games.half_angles[k]:
                     grey = _grey(k, games.layers[g, k, slot % games.counts[k]])
             d = cells.positions[c] - p
-            if d.real * d.real + d.imag * d.imag <= radius * radius:
+            reach = max(radius, cells.reaches[c])
+            if d.real * d.real + d.imag * d.imag <= reach * reach:
                 grey = _BALL
             pictures[n, c] = grey
 
@@ -130,20 +133,26 @@ def _grey(ring: int, layers: int) -> int:
 def square_cells(start: Games, ground_radius: float, size: int) -> Cells:
     """The cells of a square picture of the ground, seen from above: row by row, from the top."""
     across = ((np.arange(size) + 0.5) / size * 2.0 - 1.0) * ground_radius
-    return _cells(start, (across[np.newaxis, :] - 1j * across[:, np.newaxis]).ravel())
+    positions = (across[np.newaxis, :] - 1j * across[:, np.newaxis]).ravel()
+    return _cells(start, positions, np.full(size * size, math.sqrt(2.0) * ground_radius / size))
 
 
 def unrolled_cells(start: Games, ground_radius: float, rows: int, columns: int) -> Cells:
     """The cells of the ground unrolled: rows are distances from the centre, growing; columns are angles, counter-clockwise."""
     radii = (np.arange(rows) + 0.5) / rows * ground_radius
     angles = (np.arange(columns) + 0.5) / columns * math.tau
-    return _cells(start, (radii[:, np.newaxis] * np.exp(1j * angles)[np.newaxis, :]).ravel())
+    positions = (radii[:, np.newaxis] * np.exp(1j * angles)[np.newaxis, :]).ravel()
+    return _cells(
+        start,
+        positions,
+        np.hypot(ground_radius / rows / 2.0, (np.abs(positions) + ground_radius / rows / 2.0) * math.pi / columns),
+    )
 
 
-def _cells(start: Games, positions: npt.NDArray[np.complex128]) -> Cells:
+def _cells(start: Games, positions: npt.NDArray[np.complex128], reaches: Floats) -> Cells:
     """The cells with these middles."""
     distances = np.abs(positions)
     rings = np.full(len(positions), -1, np.int64)
     for k, (radius, half_width) in enumerate(zip(start.ring_radii, start.half_widths, strict=True)):
         rings[np.abs(distances - radius) <= half_width] = k
-    return Cells(positions, np.angle(positions) % math.tau, rings)
+    return Cells(positions, np.angle(positions) % math.tau, rings, reaches)

@@ -43,23 +43,24 @@ class PolarBreakoutEnv(gymnasium.Env[npt.NDArray[Any], Any]):
             raise ValueError(f"render_mode must be one of {self.metadata['render_modes']} or None, not {render_mode!r}")
         self.render_mode = render_mode
 
-    def reset(self, *, seed: int | None = None, options: dict[str, Any] | None = None) -> tuple[npt.NDArray[Any], dict[str, Any]]:
+    def reset(
+        self, *, seed: int | None = None, options: dict[str, Any] | None = None
+    ) -> tuple[npt.NDArray[Any], dict[str, Any]]:
         """Begin the next episode; the first of a seed, where one is given. options: none are known."""
-        super().reset(seed=seed)
+        super().reset(seed=seed, options=options)
         if seed is not None or not self._environments.begun:
             self._environments.seed([base_seed(self.np_random_seed if seed is None else seed, 0)], _ONE)
         self._environments.begin(_ONE)
-        return self._environments.observations()[0], self._info()
+        return self._seen(), self._info()
 
     def step(self, action: Any) -> tuple[npt.NDArray[Any], float, bool, bool, dict[str, Any]]:
         """Take an action for `frame_skip` ticks."""
         if not self._environments.begun or self._environments.episodes["ended"][0]:
             raise ResetNeeded("the episode is over, or none has begun: call reset")
         reward, (over, cut_off) = self._environments.step(np.asarray(action)[np.newaxis])
-        observation = self._environments.observations()[0]
-        return observation, float(reward[0]), bool(over[0]), bool(cut_off[0]), self._info()
+        return self._seen(), float(reward[0]), bool(over[0]), bool(cut_off[0]), self._info()
 
-    def render(self) -> npt.NDArray[np.uint8] | None:  # type: ignore[override]
+    def render(self) -> npt.NDArray[np.uint8] | None:
         """The picture, where `render_mode` is "rgb_array"."""
         return None if self.render_mode is None else frame(self._environments, 0)
 
@@ -70,7 +71,7 @@ class PolarBreakoutEnv(gymnasium.Env[npt.NDArray[Any], Any]):
     def set_state(self, state: State) -> npt.NDArray[Any]:
         """Go on from a state that `get_state` returned: its observation."""
         self._environments.set_state(state)
-        return self._environments.observations()[0]
+        return self._seen()
 
     def game(self) -> Game:
         """The game as `game.rules.tick` takes it."""
@@ -79,6 +80,11 @@ class PolarBreakoutEnv(gymnasium.Env[npt.NDArray[Any], Any]):
     def record(self, path: str | Path) -> None:
         """Write the game that is played, or, where it has just begun, the one before, as a replay (.polar)."""
         self._environments.record(0, Path(path))
+
+    def _seen(self) -> npt.NDArray[Any]:
+        """What the agent sees."""
+        seen: npt.NDArray[Any] = self._environments.observations()[0]
+        return seen
 
     def _info(self) -> dict[str, Any]:
         """Score, lives and ticks of the episode."""

@@ -11,6 +11,10 @@ import numpy as np
 import numpy.typing as npt
 
 from game.rules import LIVES, PADDLES, TICK, Phase
+from game.rules.nudging import IDLE_AFTER_NUDGE, IDLE_CONTACTS, nudged_ball
+from game.rules.scoring import POINTS_PER_LIFE, layer_points
+from game.rules.serving import served_ball, swung_aim
+from game.rules.steering import keyed_spin, spin_to_pointer
 from physics.batch.arrays import Floats, Games, Integers
 from physics.batch.games import play, ring_of, startable, turned, with_turn
 from physics.broad_phase import has_left
@@ -18,17 +22,6 @@ from physics.free_flight import may_be_steered
 from physics.shapes import PERMANENT, Ball, Ring
 from tools.environments.numbers import LevelNumbers
 from tools.environments.observation import FIXED_NUMBERS, fixed_numbers, write_rest
-from tools.environments.rule_numbers import (
-    IDLE_CONTACTS,
-    aim_angle,
-    idle_after_nudge,
-    keyed_spin,
-    nudged_ball,
-    points_for_brick,
-    points_for_lives,
-    served_ball,
-    spin_to_pointer,
-)
 
 _SERVING, _PLAYING, _WON, _OVER = int(Phase.SERVING), int(Phase.PLAYING), int(Phase.WON), int(Phase.OVER)
 _LONGEST_WAIT = 240
@@ -38,9 +31,8 @@ _FIRST, _SECOND = np.uint64(0xBF58476D1CE4E5B9), np.uint64(0x94D049BB133111EB)
 """Of SplitMix64 (Steele, Lea, Flood 2014), a generator that is a function of its counter."""
 
 
-def step(
+def step(  # noqa: C901, PLR0912, PLR0915  # in pieces that are given the arrays it is half as fast
     numbers: LevelNumbers,
-    start: Games,
     games: Games,
     episodes: Any,
     turns: Integers,
@@ -53,7 +45,8 @@ def step(
 ) -> int:
     """One action of every environment from `first` on; the number to go on with, where a chance must be drawn first.
 
-    start: one game, as every episode begins. turns, pointers: as in `game.rules.Controls`; a pointer of -1 is none.
+    games: one more than there are environments; the last is as every episode begins.
+    turns, pointers: as in `game.rules.Controls`; a pointer of -1 is none.
     rewards: (environments,), written: the points scored. ended: (2, environments), written: won or over, and cut off.
     states: rows of `observation.write_row`, written, unless they have no columns. hits: room for those of one tick.
     """
@@ -61,13 +54,13 @@ def step(
     known, seconds, model = games.known, games.seconds, ring_of(games, 0, PADDLES)
     turning = 0
     for k in range(PADDLES + 1, spins.shape[1]):
-        turning += 1 if start.spins[0, k] != 0.0 else 0
+        turning += 1 if spins[len(episodes), k] != 0.0 else 0
     for g in range(first, len(episodes)):
         e = episodes[g]
         if e.waiting == 0:
             if e.ended != 0:
                 if numbers.resets != 0:
-                    begin(numbers, start, games, episodes, g)
+                    begin(numbers, games, episodes, g)
                 e.before, e.played = e.score, numbers.frame_skip
             else:
                 _act(numbers, e, turns[g], pointers[g])
@@ -84,7 +77,7 @@ def step(
                 e.tick += 1
                 e.phase_tick += 1
                 if e.phase == _PLAYING and (known[g] == 0 or not seconds[g] >= TICK):
-                    _credit(e, hits, _fly(games, g, numbers.speed, hits))
+                    _credit(e, hits, fly_by_physics(games, g, numbers.speed, hits))
                 else:
                     for k in range(spins.shape[1]):
                         if spins[g, k] != 0.0:
@@ -119,18 +112,18 @@ def step(
     return len(episodes)
 
 
-def begin(numbers: LevelNumbers, start: Games, games: Games, episodes: Any, g: int) -> None:
+def begin(numbers: LevelNumbers, games: Games, episodes: Any, g: int) -> None:
     """The next episode of an environment: the ball on its paddle, no tick played."""
-    e = episodes[g]
+    e, start = episodes[g], len(episodes)
     e.number += 1
     e.seed = np.int64(mixed(e.base + np.uint64(e.number) * _STEP) >> np.uint64(1))
     e.tick, e.phase, e.phase_tick = 0, _SERVING, 0
     e.score, e.lives, e.combo, e.idle, e.draws, e.left = 0, LIVES, 0, 0, 0, numbers.bricks
     e.waiting, e.drawn, e.turn, e.pointer, e.ended, e.changed, e.played, e.served = 0, 0, 0, -1, 0, 1, 0, -1
     for k in range(games.spins.shape[1]):
-        games.phases[g, k], games.spins[g, k] = start.phases[0, k], start.spins[0, k]
+        games.phases[g, k], games.spins[g, k] = games.phases[start, k], games.spins[start, k]
         for slot in range(games.layers.shape[2]):
-            games.layers[g, k, slot] = start.layers[0, k, slot]
+            games.layers[g, k, slot] = games.layers[start, k, slot]
     games.ball_radii[g, 0] = numbers.ball_radius
     _hold(numbers, games, e, g)
 
@@ -162,13 +155,13 @@ def _steered_spin(numbers: LevelNumbers, e: Any, paddles: Ring) -> float:
 
 def _serving(numbers: LevelNumbers, e: Any, paddles: Ring) -> Ball:
     """The ball that follows its paddle until it is served. paddles: after the tick."""
-    ball = served_ball(paddles, numbers.ball_radius, numbers.speed, aim_angle(e.phase_tick))
+    ball = served_ball(paddles, numbers.ball_radius, numbers.speed, swung_aim(e.phase_tick))
     if e.phase_tick > e.serve_at:
         e.phase, e.phase_tick, e.idle, e.combo, e.served = _PLAYING, 0, 0, 0, e.played
     return ball
 
 
-def _fly(games: Games, g: int, speed: float, hits: npt.NDArray[Any]) -> int:
+def fly_by_physics(games: Games, g: int, speed: float, hits: npt.NDArray[Any]) -> int:
     """One tick of one game by the physics; how many hits there were. Compiled, it calls the batch's own machine code."""
     _, _, count = play(games, g, g + 1, 0, 1, TICK, speed, hits, 0)
     return count
@@ -184,7 +177,7 @@ def _credit(e: Any, hits: npt.NDArray[Any], count: int) -> None:
             e.idle += 1
         else:
             e.combo, e.idle, e.changed = e.combo + 1, 0, 1
-            e.score += points_for_brick(e.combo)
+            e.score += layer_points(e.combo)
             e.left -= 1 if layers == 0 else 0
     if e.idle >= IDLE_CONTACTS:
         e.waiting = 1
@@ -195,13 +188,13 @@ def _nudge(games: Games, e: Any, g: int) -> None:
     ball = nudged_ball(Ball(games.positions[g, 0], games.velocities[g, 0], games.ball_radii[g, 0]), e.chance)
     games.velocities[g, 0] = ball.velocity
     games.known[g] = 0
-    e.draws, e.idle, e.waiting, e.drawn = e.draws + 1, idle_after_nudge(), 0, 0
+    e.draws, e.idle, e.waiting, e.drawn = e.draws + 1, IDLE_AFTER_NUDGE, 0, 0
 
 
 def _end(numbers: LevelNumbers, e: Any, position: complex) -> None:
     """What ends with a tick: the level with its last brick, else a life with its ball, the game with its last life."""
     if e.left == 0:
-        e.score += points_for_lives(e.lives)
+        e.score += POINTS_PER_LIFE * e.lives
         e.phase, e.phase_tick, e.ended = _WON, 0, 1
     elif has_left(position, numbers.ball_radius, numbers.ground_radius):
         e.lives, e.combo, e.idle, e.phase_tick = e.lives - 1, 0, 0, 0
@@ -213,5 +206,5 @@ def _hold(numbers: LevelNumbers, games: Games, e: Any, g: int) -> None:
     """A new ball on its paddle, to be served after a number of ticks that the game's seed and its lives decide."""
     e.serve_at = np.int64(mixed(np.uint64(e.seed) * _FIRST + np.uint64(e.lives) * _STEP) >> np.uint64(1)) % _LONGEST_WAIT
     games.known[g], games.seconds[g] = 0, 0.0
-    ball = served_ball(ring_of(games, g, PADDLES), numbers.ball_radius, numbers.speed, aim_angle(e.phase_tick))
+    ball = served_ball(ring_of(games, g, PADDLES), numbers.ball_radius, numbers.speed, swung_aim(e.phase_tick))
     games.positions[g, 0], games.velocities[g, 0] = ball.position, ball.velocity

@@ -57,7 +57,7 @@ class PolarBreakoutVectorEnv(gymnasium.vector.VectorEnv[Array, Array, Array]):
         self.observation_space = batch_space(self.single_observation_space, num_envs)
         self._all = np.ones(num_envs, np.bool_)
 
-    def reset(  # type: ignore[override]
+    def reset(
         self, *, seed: int | Sequence[int | None] | None = None, options: dict[str, Any] | None = None
     ) -> tuple[Array, dict[str, Any]]:
         """Begin the next episode in every environment, or in those of `options["reset_mask"]`.
@@ -93,7 +93,7 @@ class PolarBreakoutVectorEnv(gymnasium.vector.VectorEnv[Array, Array, Array]):
                 environments.begin(ended)
         return self._observations(), rewards, over, cut_off, {**info, **self._info(self._all)}
 
-    def render(self) -> tuple[npt.NDArray[np.uint8], ...] | None:  # type: ignore[override]
+    def render(self) -> tuple[npt.NDArray[np.uint8], ...] | None:
         """A picture for each environment, where `render_mode` is "rgb_array"."""
         return None if self.render_mode is None else tuple([frame(self._environments, i) for i in range(self.num_envs)])
 
@@ -111,7 +111,7 @@ class PolarBreakoutVectorEnv(gymnasium.vector.VectorEnv[Array, Array, Array]):
         return self._environments.game(index)
 
     def record(self, index: int, path: str | Path) -> None:
-        """Write the game that one of the `recorded` environments plays, or, where it has just begun, the one before, as a replay."""
+        """Write the game of one of the `recorded` environments as a replay: as `PolarBreakoutEnv.record` does."""
         self._environments.record(index, Path(path))
 
     def _observations(self) -> Array:
@@ -127,7 +127,8 @@ class PolarBreakoutVectorEnv(gymnasium.vector.VectorEnv[Array, Array, Array]):
     def _final(self, ended: npt.NDArray[np.bool_]) -> dict[str, Any]:
         """The last observations and infos of the episodes that have ended."""
         last = np.full(self.num_envs, None, dtype=object)
-        for index, observation in zip(np.flatnonzero(ended), self._environments.observations(np.flatnonzero(ended)), strict=True):
+        which = np.flatnonzero(ended)
+        for index, observation in zip(which, self._environments.observations(which), strict=True):
             last[index] = observation
         return {"final_obs": last, "_final_obs": ended, "final_info": self._info(ended), "_final_info": ended.copy()}
 
