@@ -11,18 +11,26 @@ import pygame
 from game.chosen_physics import SWEPT, ChosenPhysics
 from game.input.key_names import layout_changed
 from game.input.keys import Action
-from game.input.signals import FocusLost, KeyboardState, Pressed, Signal, keyboard_state, translated
+from game.input.signals import FocusLost, KeyboardState, PadChanged, Pressed, Signal, keyboard_state
+from game.kept.store import Kept
+from game.kept.window import WindowBox
 from game.lab.kit.second_engine import Engine
 from game.lab.registry import scenes
 from game.lab.session import session
 from game.lab.session.share import parsed
+from game.language import system_prefers, tr
 from game.levels import Level, built_in
 from game.overlay import toast
+from game.overlay.toast import Toast
+from game.own_levels import own_levels
 from game.replays.file import Recording
 from game.replays.playback import Playback
-from game.rules import SOURCE_RULES, Ruleset
+from game.rules import Ruleset
 from game.screens.app_state import AppState, Recorder
-from game.screens.base import Listener, Screen
+from game.screens.base import Listener, Screen, Still, Typist
+from game.screens.editors import OpenEditors
+from game.screens.menus.difficulty import ruleset_of
+from game.screens.menus.level_select import LevelSelect
 from game.screens.play import PlayScreen
 from game.screens.title import Title
 from game.screens.watch import Watch
@@ -30,6 +38,7 @@ from game.second_opinion import Compare
 from game.settings.file import SettingsFile
 from game.settings.keys import changed
 from game.sound.mixer import Audio
+from game.student.functions_file import FunctionsFile
 from game.system import window as display
 from game.system.display_lost import on_display_lost
 from game.system.ending import deferred, pending
@@ -37,8 +46,14 @@ from game.system.errors import DisplayLostError
 
 LOST = "the display is gone"
 _TITLE = "Polar Breakout"
-_IDLE_RATE = 20
-"""Frames per second while the window has no focus."""
+_IDLE_RATE = 10
+"""Frames per second while the window has no focus: nothing moves then."""
+_STILL_RATE = 60
+"""Frames per second, at most, of a screen that stands still."""
+_SHOWN_AGAIN = (pygame.WINDOWEXPOSED, pygame.WINDOWRESIZED, pygame.WINDOWSIZECHANGED, pygame.WINDOWRESTORED, pygame.WINDOWSHOWN)
+"""After these the window's picture may be gone."""
+_TOLD_SECONDS = 6.0
+"""How long is told at the start what is wrong with the kept files."""
 
 
 class Services(NamedTuple):
@@ -46,14 +61,17 @@ class Services(NamedTuple):
 
     compare: asks another engine about a tick's contacts.
     engine: makes the engine that the lab compares with.
-    settings: the file of the player's settings.
+    settings: the file of the player's settings. kept: scores, progress and finished games.
     lost: told when the display is gone and the program is about to end without returning from here.
+    functions: the player's own, for the lab to show beside ours.
     """
 
     compare: Compare | None = None
     engine: Callable[[], Engine] | None = None
     settings: SettingsFile | None = None
+    kept: Kept | None = None
     lost: Callable[[], None] | None = None
+    functions: FunctionsFile | None = None
 
 
 NO_SERVICES = Services()
@@ -67,18 +85,24 @@ def play(
     recorder: Recorder | None = None,
     autopilot: bool = False,
     physics: ChosenPhysics = SWEPT,
-    ruleset: Ruleset = SOURCE_RULES,
+    ruleset: Ruleset | None = None,
 ) -> int:
     """Open a window with the title, the first of the levels chosen, and play until it is closed; the exit code.
 
     recorder: told every tick of every game played. autopilot: it plays, from the first serve on, without a title.
-    physics: that the games are flown on. ruleset: of the games.
+    physics: that the games are flown on. ruleset: of the games; None for the one chosen last.
     Raises EnvironmentMissingError without a display, DisplayLostError when it goes away.
     """
     catalogue = built_in() if levels[0] in built_in() else levels
     state = _state(catalogue, services, catalogue.index(levels[0]), seed)
-    state.recorder, state.autopilot, state.physics, state.ruleset = recorder, autopilot, physics, ruleset
-    return _shown(state, lambda: PlayScreen(state, levels) if autopilot else Title(state), services, Audio)
+    state.recorder, state.autopilot, state.physics = recorder, autopilot, physics
+    state.ruleset = ruleset or state.ruleset
+    editors = OpenEditors()
+    state.own_levels, state.open_editor = own_levels, editors.opened
+    try:
+        return _shown(state, lambda: PlayScreen(state, levels) if autopilot else Title(state), services, Audio)
+    finally:
+        editors.keep_unsaved()
 
 
 def watch(recording: Recording, services: Services = NO_SERVICES) -> int:
@@ -109,31 +133,27 @@ def edit(path: Path, services: Services = NO_SERVICES) -> int:
 
     Raises BadInputError for a file that is no level. Other errors are those of `play`.
     """
-    from game.editor.command import editing_session, keep_unsaved  # noqa: PLC0415  # only where it is needed
+    from game.editor.command import editing_session  # noqa: PLC0415  # only where it is needed
     from game.editor.file_watch import WatchedFile  # noqa: PLC0415
-    from game.editor.window.screen import Editor  # noqa: PLC0415
 
-    file = WatchedFile(path)
-    session = editing_session(file)
-    state = _state(built_in(), services, 0, 0)
-    editors: list[Editor] = []
-
-    def first() -> Screen:
-        editors.append(Editor(state, session, file))
-        return editors[0]
-
+    editing_session(WatchedFile(path))  # says what is wrong with it before a window opens
+    state, desk = _state(built_in(), services, 0, 0), OpenEditors()
     try:
-        return _shown(state, first, services, Audio)
+        return _shown(state, lambda: desk.opened(state, lambda: None, path), services, Audio)
     finally:
-        for editor in editors:
-            if not editor.discarded:
-                keep_unsaved(editor.session, path)
+        desk.keep_unsaved()
 
 
 def _state(catalogue: tuple[Level, ...], services: Services, chosen: int, seed: int) -> AppState:
     """The state that a window begins with."""
     state = AppState(catalogue, chosen, seed, Title, compare=services.compare, settings_file=services.settings)
-    state.open_lab = _lab_opener(services.engine)
+    state.open_lab, state.functions = _lab_opener(services.engine), services.functions
+    state.open_levels = lambda state: LevelSelect(state, Title(state))
+    if services.kept is not None:
+        state.kept = services.kept
+        if state.kept.problems:
+            state.toast = toast.Toast(state.kept.problems[0], left=_TOLD_SECONDS)
+    state.ruleset = ruleset_of(state.kept.progress.value.last_difficulty)
     return state
 
 
@@ -151,19 +171,35 @@ def _lab_opener(engine: Callable[[], Engine] | None) -> Callable[[AppState, Scre
 
 def _shown(state: AppState, opened: Callable[[], Screen], services: Services, audio: Callable[[], Audio] | None = None) -> int:
     """Show screens in a window until the last one is left; the exit code. audio: opens the sound, where there is some."""
-    window = display.open_window(_TITLE)
+    box = state.kept.window.value
+    window = display.open_window(_TITLE, (box.width, box.height) if box.width else None, (box.left, box.top))
     handler = on_display_lost(lambda: _save(state, services.lost))  # noqa: F841  # must live as long as the window
     with deferred():
         try:
+            system_prefers([locale["language"] for locale in pygame.system.get_pref_locales()])
+            state.devices.pads.listen()
             state.audio = None if audio is None else audio()
             state.change(state.settings if state.settings_file is None else state.settings_file.load())
             run(window, state, opened())
         finally:
+            _keep_window(window, state)
             state.save_settings()
             if state.audio is not None:
                 state.audio.close()
             pygame.quit()
     return 0
+
+
+def _keep_window(window: pygame.Window, state: AppState) -> None:
+    """Note where the window is, for the next session."""
+    try:
+        (left, top), (width, height) = window.position, window.size
+    except pygame.error:  # the display is gone
+        return
+    if not state.full_screen:
+        box = WindowBox(left=left, top=top, width=width, height=height)
+        if box != state.kept.window.value:
+            state.kept.window.update(lambda _: box)
 
 
 def _save(state: AppState, lost: Callable[[], None] | None) -> None:
@@ -181,9 +217,18 @@ def run(window: pygame.Window, state: AppState, first: Screen) -> None:
     before = time.perf_counter()
     while screen is not None and not pending():
         now = time.perf_counter()
-        screen = frame(window, state, screen, now - before)
+        screen = frame(window, state, screen, 0.0 if state.away else now - before)
         before = now
-        clock.tick(rate if window.focused else _IDLE_RATE)
+        clock.tick(_rate(screen, rate, away=state.away))
+
+
+def _rate(screen: Screen | None, rate: int, *, away: bool) -> int:
+    """Frames per second of a screen. rate: of the display. away: the player is in another window."""
+    if away:
+        return _IDLE_RATE
+    if isinstance(screen, Still):
+        return min(rate or _STILL_RATE, int(getattr(screen, "rate", _STILL_RATE)))
+    return rate
 
 
 def frame(
@@ -205,14 +250,31 @@ def frame(
     surface = _surface(window)
     following = answered.advance(seconds, surface.get_size())
     if following is not None:
-        following.draw(surface)
         state.toast = toast.later(state.toast, seconds)
-        if state.toast is not None:
-            toast.draw(state.canvas(surface), state.toast)
-        _flip(window)
+        _draw(window, state, following, surface)
+        if state.wants_full_screen not in (None, state.full_screen):
+            _toggle_full_screen(window, state)
+        state.wants_full_screen = None
     if state.audio is not None:
         state.audio.prepare()
     return following
+
+
+def _draw(window: pygame.Window, state: AppState, screen: Screen, surface: pygame.Surface) -> None:
+    """Show a screen, unless it is one that looks as it did in the frame before."""
+    if isinstance(screen, Still) and _looks(state, screen, surface) == state.shown:
+        return
+    screen.draw(surface)
+    if state.toast is not None:
+        toast.draw(state.words(state.canvas(surface)), state.toast)
+    _flip(window)
+    state.shown = _looks(state, screen, surface) if isinstance(screen, Still) else None
+
+
+def _looks(state: AppState, screen: Still, surface: pygame.Surface) -> tuple[object, ...]:
+    """All that the picture on the window depends on."""
+    told = None if state.toast is None else (state.toast.text, state.toast.level)
+    return screen, surface.get_size(), screen.looks, told
 
 
 def _surface(window: pygame.Window) -> pygame.Surface:
@@ -239,6 +301,10 @@ def _answered(window: pygame.Window, state: AppState, screen: Screen) -> Screen 
             return None
         if event.type == pygame.KEYMAPCHANGED:
             layout_changed()
+        if event.type in _SHOWN_AGAIN:
+            state.shown = None
+        if event.type in (pygame.WINDOWFOCUSLOST, pygame.WINDOWFOCUSGAINED):
+            state.away = event.type == pygame.WINDOWFOCUSLOST
         following = _following(event, size, window, state, screen)
         if following is None:
             return None
@@ -250,14 +316,27 @@ def _following(
     event: pygame.Event, size: tuple[int, int], window: pygame.Window, state: AppState, screen: Screen
 ) -> Screen | None:
     """The screen after one event. size: of the surface, pixels."""
+    if isinstance(screen, Typist) and screen.typed(event):
+        return screen
     pixels_per_point = _pixels_per_point(window, size)
-    signal = translated(event, pixels_per_point)
+    signals = tuple(state.devices.signals(event, size, pixels_per_point))
     if isinstance(screen, Listener):
-        if isinstance(signal, Pressed) and signal.action is Action.FULL_SCREEN:
+        if any([isinstance(signal, Pressed) and signal.action is Action.FULL_SCREEN for signal in signals]):
             _toggle_full_screen(window, state)
             return screen
         return screen.hear(event, size, pixels_per_point)
-    if signal is None or (not _means_speed(signal, screen) and _answered_here(signal, window, state)):
+    following: Screen | None = screen
+    for signal in signals:
+        if following is not None:
+            following = _following_signal(signal, size, window, state, following)
+    return following
+
+
+def _following_signal(
+    signal: Signal, size: tuple[int, int], window: pygame.Window, state: AppState, screen: Screen
+) -> Screen | None:
+    """The screen after one signal. size: of the surface, pixels."""
+    if not _means_speed(signal, screen) and _answered_here(signal, window, state):
         return screen
     if isinstance(signal, Pressed) and signal.action is Action.LAB and state.open_lab is not None:
         left = screen.answer(FocusLost(), size)  # a game in play pauses
@@ -272,6 +351,8 @@ def _answered_here(signal: Signal, window: pygame.Window, state: AppState) -> bo
             _toggle_full_screen(window, state)
         case Pressed(Action.NORMALS):
             state.shows_normals = not state.shows_normals and state.compare is not None
+        case PadChanged(name, there):
+            state.toast = Toast((tr("Gamepad: {name}") if there else tr("Gamepad gone: {name}")).format(name=name))
         case Pressed(action) if (now := changed(state.settings, action)) is not None:
             state.change(*now)
         case _:

@@ -2,7 +2,6 @@
 
 import contextlib
 import random
-import tempfile
 from collections import deque
 from collections.abc import Iterator
 from pathlib import Path
@@ -11,18 +10,21 @@ from typing import Annotated, Literal, NamedTuple
 import typer
 
 from game import VERSION
-from game.chosen_physics import SOURCE, SWEPT, ChosenPhysics
+from game.chosen_physics import SWEPT, ChosenPhysics, flown_on, functions_of
 from game.editor.command import file_to_edit
-from game.effects import LONGEST, after_all
+from game.effects import LONGEST
 from game.headless import autopilot_game, result_line
+from game.kept.scores import objection
+from game.kept.store import Kept, data_folder
 from game.lab.kit.second_engine import Engine
 from game.levels import Level, chosen, level_schema, warnings
+from game.picture_file import PlayedGame, picture_folders, save_picture, size_of
 from game.replays import file as replay
-from game.replays.history import History, kept_games
 from game.replays.verify import verified
-from game.rules import SOURCE_RULES, Difficulty, Game, Ruleset, Ticked
+from game.rules import SOURCE_RULES, Difficulty, Ruleset, Ticked
 from game.second_opinion import Compare, NormalPair
 from game.settings.file import SettingsFile, settings_path
+from game.student.functions_file import FunctionsFile
 from game.system.command_line import refuse_ignored
 from game.system.ending import deferred
 from game.system.errors import BadInputError, CheckFailedError, EnvironmentMissingError
@@ -50,13 +52,17 @@ _GAME_OPTIONS = (
     "ticks",
     "record",
     "physics",
+    "with_",
     "rules",
     "difficulty",
     "screenshot",
     *_PICTURE_OPTIONS,
     "version",
 )
-_PHYSICS = {"swept": SWEPT, "source": SOURCE}
+
+
+_LAB_OPTIONS = ("headless", "drags", "screenshot", "size", "theme", "with_")
+_WITH_HELP = "A Python file with any of the source's functions, in place of ours or beside them (docs/student.md)."
 
 
 @app.callback()
@@ -80,6 +86,7 @@ def play(
         Literal["swept", "source"],
         typer.Option(help="What flies the balls: exact times of impact, or the slides' own test once a frame."),
     ] = "swept",
+    with_: Annotated[Path | None, typer.Option("--with", help=_WITH_HELP)] = None,
     rules: Annotated[
         Literal["arcade", "source"] | None,
         typer.Option(
@@ -87,7 +94,10 @@ def play(
             show_default="arcade; source if --physics source",
         ),
     ] = None,
-    difficulty: Annotated[Literal["easy", "normal", "hard"], typer.Option(help="Of the arcade rules.")] = "normal",
+    difficulty: Annotated[
+        Literal["easy", "normal", "hard"] | None,
+        typer.Option(help="Of the arcade rules.", show_default="normal; in the window the one chosen last"),
+    ] = None,
     screenshot: Annotated[Path | None, typer.Option(help="Draw the last tick of a headless game into this PNG file.")] = None,
     size: Annotated[str, typer.Option(metavar="WxH", help="Size of the screenshot in pixels.")] = "1280x800",
     view: Annotated[Literal["flat", "solid"], typer.Option(help="The screenshot's view: from above, or in 3D.")] = "flat",
@@ -100,15 +110,15 @@ def play(
     if version:
         tell(f"polar-breakout {VERSION}")
         return
-    pixels = _size(size)
+    pixels = size_of(size)
     if not headless:
         refuse_ignored(context, "draws a headless game; add --headless --autopilot", "screenshot")
         refuse_ignored(context, "is for a headless game; add --headless --autopilot", "ticks")
     if screenshot is None:
         refuse_ignored(context, "is for a picture; add --screenshot FILE", *_PICTURE_OPTIONS)
-    if record is not None and physics == "source":
-        raise BadInputError("--record: a replay is verified with the swept physics; leave out --physics source")
-    ruleset = _ruleset(context, rules, difficulty, physics)
+    _refuse_physics(context, physics, with_, record)
+    flown = physics if with_ is None else "source"
+    ruleset = _ruleset(context, rules, difficulty, flown)
     check_target(record, "--record")
     check_target(screenshot, "--screenshot", ".png")
     levels = chosen(level)
@@ -116,18 +126,21 @@ def play(
         say(f"polar-breakout: warning: {quoted(level)}: {line}")
     if headless and not autopilot:
         raise BadInputError("--headless: nobody plays; add --autopilot")
-    if headless:
-        last = _play_headless(_ChosenGame(levels, 1 if seed is None else seed, ruleset, record, _PHYSICS[physics]), ticks)
+    if not headless:
+        seed = random.SystemRandom().getrandbits(32) if seed is None else seed
+    with functions_of(with_, checked=headless) as own:
+        game = _ChosenGame(levels, 1 if seed is None else seed, ruleset, record, flown_on(physics, own), own)
+        if not headless:
+            _play_in_window(game, autopilot=autopilot)
+            return
+        last = _play_headless(game, ticks)
         if screenshot is not None:
-            _save_screenshot(last, screenshot, pixels, solid=view == "solid")
-        tell(result_line(last.game, physics))
-        return
-    seed = random.SystemRandom().getrandbits(32) if seed is None else seed
-    _play_in_window(_ChosenGame(levels, seed, ruleset, record, _PHYSICS[physics]), autopilot=autopilot)
+            save_picture(last, screenshot, pixels, solid=view == "solid")
+        tell(result_line(last.game, physics if own is None else "own"))
 
 
-def _ruleset(context: typer.Context, rules: str | None, difficulty: str, physics: str) -> Ruleset:
-    """The rules that the options ask for; BadInputError for options that contradict each other."""
+def _ruleset(context: typer.Context, rules: str | None, difficulty: str | None, physics: str) -> Ruleset | None:
+    """The rules that the options ask for, None where they say nothing; BadInputError for options that contradict each other."""
     if rules == "arcade" and physics == "source":
         raise BadInputError(
             "--rules arcade: the slides' own algorithm is played by the source's rules; leave out one of the two"
@@ -135,7 +148,9 @@ def _ruleset(context: typer.Context, rules: str | None, difficulty: str, physics
     if rules == "source" or physics == "source":
         refuse_ignored(context, "is for the arcade rules", "difficulty")
         return SOURCE_RULES
-    return Ruleset(Difficulty[difficulty.upper()])
+    if rules is None and difficulty is None:
+        return None
+    return Ruleset(Difficulty[(difficulty or "normal").upper()])
 
 
 @app.command("levels")
@@ -173,11 +188,52 @@ def edit_level(
         edit(path, Services(settings=settings, lost=_say_lost))
 
 
+@app.command("screens")
+def save_screens(
+    pictures: Annotated[Path, typer.Option(metavar="DIR", help="The folder that gets a PNG file of every screen.")],
+    only: Annotated[str, typer.Option(help="A part of the names of the screens wanted.")] = "",
+    size: Annotated[str, typer.Option(metavar="WxH", help="Size of the pictures in pixels.")] = "1280x800",
+    theme: Annotated[Literal["dark", "light"], typer.Option(help="Their colours.")] = "dark",
+) -> None:
+    """Draw every screen of the game, with made-up scores, into a folder."""
+    pixels = size_of(size)
+    check_pygame()
+    from game.screens.gallery import save_pictures  # noqa: PLC0415  # pygame, only where it is needed
+
+    try:
+        pictures.mkdir(parents=True, exist_ok=True)
+        for path in save_pictures(pictures, pixels, theme, only):
+            tell(str(path))
+    except OSError as error:
+        raise BadInputError(f"--pictures {quoted_path(pictures)}: cannot write; {error.strerror or error}") from None
+
+
 @app.command("replays")
 def list_replays() -> None:
     """List the games kept from the window, newest first."""
-    for path in kept_games():
+    for path in Kept(data_folder()).games.paths():
         tell(str(path))
+
+
+@app.command("scores")
+def list_scores(
+    verify: Annotated[bool, typer.Option("--verify", help="Play every score's replay again and compare the points.")] = False,
+) -> None:
+    """List the high scores, best first; with --verify, prove them."""
+    kept = Kept(data_folder())
+    for line in kept.problems:
+        say(f"polar-breakout: {line}")
+    failed, scores = 0, sorted(kept.scores.value.entries, key=lambda score: (score.difficulty, -score.score))
+    for score in scores:
+        line = f"{score.difficulty:6} {score.score:>9,}  {score.name or '-':16}  {score.date:10}  {score.last}"
+        if not verify:
+            tell(line)
+            continue
+        why = "no folder" if kept.games.folder is None else objection(score, kept.games.folder)
+        failed += why is not None
+        tell(f"{line}  {'verified' if why is None else quoted(f'NOT VERIFIED: {why}', 200)}")
+    if failed:
+        raise CheckFailedError(f"{failed} of {len(scores)} scores could not be verified")
 
 
 @app.command("replay")
@@ -196,7 +252,7 @@ def watch_replay(
     from game.app import Services, watch  # noqa: PLC0415  # pygame, only where it is needed
 
     with _settings() as settings:
-        watch(recording, Services(_second_opinion(), _second_engine, settings, _say_lost))
+        watch(recording, Services(_second_opinion(), _second_engine, settings, lost=_say_lost))
 
 
 @app.command("lab")
@@ -212,31 +268,38 @@ def open_lab(
     screenshot: Annotated[Path | None, typer.Option(help="Draw the scene into this PNG file.")] = None,
     size: Annotated[str, typer.Option(metavar="WxH", help="Size of the screenshot in pixels.")] = "1280x800",
     theme: Annotated[Literal["dark", "light"], typer.Option(help="Colours of the screenshot.")] = "dark",
+    with_: Annotated[Path | None, typer.Option("--with", help=_WITH_HELP)] = None,
 ) -> None:
     """Open the lab: scenes of the collision detection one can touch."""
     from game.lab import command  # noqa: PLC0415  # its scenes, only where they are needed
 
     if list_:
-        refuse_ignored(context, "does nothing beside --list", "scene", "headless", "drags", "screenshot", "size", "theme")
+        refuse_ignored(context, "does nothing beside --list", "scene", *_LAB_OPTIONS)
         command.list_scenes()
         return
     if headless:
         refuse_ignored(context, "does nothing beside --headless", "screenshot", "size", "theme")
-        command.check_scenes(scene, drags, _second_engine())
-        return
-    refuse_ignored(context, "is for checking scenes; add --headless", "drags")
+    else:
+        refuse_ignored(context, "is for checking scenes; add --headless", "drags")
     if screenshot is None:
         refuse_ignored(context, "is for a picture; add --screenshot FILE", "size", "theme")
-        check_pygame()
-        from game.app import Services, lab  # noqa: PLC0415  # pygame, only where it is needed
-
-        with _settings() as settings:
-            lab(scene, Services(engine=_second_engine, settings=settings, lost=_say_lost))
-        return
-    pixels = _size(size)
+    pixels = size_of(size)
     check_target(screenshot, "--screenshot", ".png")
-    check_pygame()
-    command.save_picture(scene, screenshot, pixels, theme, _second_engine())
+    with functions_of(with_) as own:
+        if headless:
+            if own is None:
+                command.check_scenes(scene, drags, _second_engine())
+            else:
+                command.check_yours(scene, drags, own)
+        elif screenshot is not None:
+            check_pygame()
+            command.save_picture(scene, screenshot, pixels, theme, _second_engine(), own)
+        else:
+            check_pygame()
+            from game.app import Services, lab  # noqa: PLC0415  # pygame, only where it is needed
+
+            with _settings() as settings:
+                lab(scene, Services(engine=_second_engine, settings=settings, lost=_say_lost, functions=own))
 
 
 def _verify(files: list[Path]) -> None:
@@ -253,26 +316,33 @@ def _verify(files: list[Path]) -> None:
         raise CheckFailedError(f"{len(failed)} of {len(files)} replays diverged")
 
 
+def _refuse_physics(context: typer.Context, physics: str, own: Path | None, record: Path | None) -> None:
+    """BadInputError for options that do not go with the physics that is asked for."""
+    if own is not None and physics == "swept":
+        refuse_ignored(context, "own functions fly as the slides have it; leave out --physics swept", "physics")
+    if record is not None and (physics == "source" or own is not None):
+        option = "--physics source" if own is None else "--with"
+        raise BadInputError(f"--record: a replay is verified with the swept physics; leave out {option}")
+
+
 class _ChosenGame(NamedTuple):
-    """The game that the options ask for. record: the file of its replay; None for none."""
+    """The game that the options ask for.
+
+    ruleset: None where they say nothing. record: the file of its replay; None for none. own: the player's functions.
+    """
 
     levels: tuple[Level, ...]
     seed: int
-    ruleset: Ruleset
+    ruleset: Ruleset | None
     record: Path | None
     physics: ChosenPhysics
+    own: FunctionsFile | None = None
 
 
-class _Last(NamedTuple):
-    """How a game ended, and the ticks before whose effects are still to be seen."""
-
-    game: Game
-    passed: deque[Ticked]
-
-
-def _play_headless(chosen_game: _ChosenGame, ticks: int) -> _Last:
+def _play_headless(chosen_game: _ChosenGame, ticks: int) -> PlayedGame:
     """A game of the autopilot without a window, recorded if asked for; a signal ends it early, what was played is kept."""
-    levels, seed, ruleset, record, physics = chosen_game
+    levels, seed, chosen_rules, record, physics, _ = chosen_game
+    ruleset = chosen_rules or Ruleset()
     recorder = None if record is None else replay.Recorder(levels, seed, ruleset)
     passed, cut_short = deque[Ticked](maxlen=LONGEST), 0
 
@@ -289,7 +359,7 @@ def _play_headless(chosen_game: _ChosenGame, ticks: int) -> _Last:
         if cut_short:
             ticks_were = "1 tick was" if cut_short == 1 else f"{cut_short} ticks were"
             say(f"polar-breakout: {ticks_were} cut short: a ball is held in a lane too narrow")
-    return _Last(game, passed)
+    return PlayedGame(game, passed)
 
 
 def _play_in_window(chosen_game: _ChosenGame, *, autopilot: bool) -> None:
@@ -298,34 +368,33 @@ def _play_in_window(chosen_game: _ChosenGame, *, autopilot: bool) -> None:
     from game.app import Services  # noqa: PLC0415  # pygame, only where it is needed
     from game.app import play as play_in_window  # noqa: PLC0415
 
-    levels, seed, ruleset, record, physics = chosen_game
-    history = History(record) if physics is SWEPT else None  # replays are verified with the swept physics
+    levels, seed, ruleset, record, physics, own = chosen_game
+    kept = Kept(data_folder(), record)
+    games = kept.games if physics is SWEPT else None  # replays are verified with the swept physics
 
     def lost() -> None:
         """Xlib ends the program: what there is of the game is written at once."""
-        _close(history)
-        kept = "" if history is None else "; games of five seconds and more are kept (polar-breakout replays)"
-        say(f"polar-breakout: the display is gone{kept}")
+        _close(kept)
+        told = "" if games is None else "; games of five seconds and more are kept (polar-breakout replays)"
+        say(f"polar-breakout: the display is gone{told}")
 
     with deferred():
         try:
             with _settings() as settings:
-                services = Services(_second_opinion(), _second_engine, settings, lost)
-                play_in_window(levels, seed, services, recorder=history, autopilot=autopilot, physics=physics, ruleset=ruleset)
+                services = Services(_second_opinion(), _second_engine, settings, kept, lost, own)
+                play_in_window(levels, seed, services, recorder=games, autopilot=autopilot, physics=physics, ruleset=ruleset)
         except EnvironmentMissingError as error:
             say(f"polar-breakout: {error}; playing 20 s without a window instead")
             _demonstrate(chosen_game)
         finally:
-            _close(history)
+            _close(kept)
 
 
-def _close(history: History | None) -> None:
-    """Write the game that is being played, if any is kept, and say if that was not possible."""
-    if history is None:
-        return
-    history.close()
-    if history.problem is not None:
-        say(f"polar-breakout: game not kept: {history.problem}")
+def _close(kept: Kept) -> None:
+    """Write the game that is being played, and say what could not be read or written."""
+    kept.game_done()
+    for line in kept.problems:
+        say(f"polar-breakout: {line}")
 
 
 @contextlib.contextmanager
@@ -367,39 +436,9 @@ def _demonstrate(chosen_game: _ChosenGame) -> None:
     """A short game of the autopilot and a picture of how it stands."""
     last = _play_headless(chosen_game, _DEMO_TICKS)
     tell(result_line(last.game, "swept" if chosen_game.physics is SWEPT else "source"))
-    for folder in _picture_folders():
+    for folder in picture_folders():
         path = free_path(folder, "polar-breakout.png")
         with contextlib.suppress(BadInputError):
-            _save_screenshot(last, path, (1280, 800))
+            save_picture(last, path, (1280, 800))
             tell(f"picture: {path.absolute()}")
             return
-
-
-def _picture_folders() -> Iterator[Path]:
-    """Where a picture may be saved that nobody has named a file for: the working directory, else the one for such files."""
-    yield Path()
-    with contextlib.suppress(OSError):  # there may be none
-        yield Path(tempfile.gettempdir())
-
-
-def _save_screenshot(last: _Last, path: Path, size: tuple[int, int], *, solid: bool = False) -> None:
-    """Draw a game into a PNG file; BadInputError where it cannot be written."""
-    check_pygame()
-    from game.input.view import FLAT, SOLID  # noqa: PLC0415  # pygame, only where it is needed
-    from game.screenshot import save_screenshot  # noqa: PLC0415
-
-    try:
-        save_screenshot(last.game, path, size, view=SOLID if solid else FLAT, effects=after_all(last.passed))
-    except OSError as error:
-        raise BadInputError(f"--screenshot {quoted_path(path)}: cannot write; {error.strerror or error}") from None
-
-
-def _size(text: str) -> tuple[int, int]:
-    """Width and height from "WxH"."""
-    width, cross, height = text.partition("x")
-    if not (cross and width.isdecimal() and height.isdecimal()):
-        raise BadInputError(f"--size {quoted(text)}: expected WIDTHxHEIGHT in pixels, such as 1280x800")
-    pixels = int(width[:9]), int(height[:9])
-    if not all([16 <= length <= 16384 for length in pixels]):
-        raise BadInputError(f"--size {quoted(text)}: expected 16 to 16384 pixels each way")
-    return pixels

@@ -33,7 +33,7 @@ def save_pictures(folder: Path) -> None:
     import pygame  # noqa: PLC0415  # only where it is needed
 
     from game.drawing.palette import DARK  # noqa: PLC0415
-    from game.screens.thumbnail import thumbnail  # noqa: PLC0415
+    from game.screens.level_pictures import thumbnail  # noqa: PLC0415
 
     pygame.font.init()
     own = own_levels()
@@ -41,7 +41,7 @@ def save_pictures(folder: Path) -> None:
     named += [(path.stem, level) for path, level in zip(own.paths, own.levels, strict=True)]
     for name, level in named:
         picture = io.BytesIO()
-        pygame.image.save(thumbnail(level, _SIDE, DARK), picture, "level.png")
+        pygame.image.save(thumbnail(level, _SIDE, DARK, whole=True), picture, "level.png")
         path = folder / f"{name}.png"
         try:
             folder.mkdir(parents=True, exist_ok=True)

@@ -4,10 +4,13 @@
 path, around the bounces of the tick. Nothing here knows pixels: every camera draws the same scene.
 """
 
-from typing import NamedTuple
+import cmath
+import math
+from typing import NamedTuple, TypedDict
 
-from game.effects import Burst, Drop, Effects, Flash, Pop, Recoil, Trail, Wave
-from game.rules import BEST_COMBO, PADDLES, TICK, EventKind, Game, Phase, Ticked, held_balls
+from game.effects import Burst, EffectKind, Effects, FallingStack, Flash, Light, Pop, Recoil, Trail, Wave
+from game.rules import BEST_COMBO, PADDLES, TICK, ActivePower, Drop, EventKind, Game, Phase, Ticked, held_balls
+from game.rules.turn import place_turn
 from physics import Ball, Ring, Step, direction, signed_difference
 
 
@@ -21,21 +24,41 @@ class Aim(NamedTuple):
     direction: complex
 
 
+class Well(NamedTuple):
+    """A gravity well.
+
+    reach: how far it pulls, world units. strength: of its pull; below 0 it pushes.
+    """
+
+    position: complex
+    reach: float
+    strength: float
+
+
 class Scene(NamedTuple):
     """Everything in the arena.
 
-    ground_radius: world units.
+    ground_radius: world units. palette: name of the arena's colours. ground: name of its pattern.
     rings: all of them; ring 0 is the paddles.
     layers: per ring and slot, as in `physics.Arena`.
     tallest: per ring, layers of its highest stack when the level began.
     balls: those in play, or the one that waits for its serve.
     aim: of the ball that waits for its serve; else None.
-    trails, flashes, pops, drops, bursts, recoils, waves: as in `Effects`.
+    trails, flashes, pops, falling, bursts, recoils, waves: as in `Effects`.
     shaken: how far the picture is off, in ground radii, y upwards.
     heat: of the ball's trail: 0 to 1, by the bricks in a row.
+    drops: power-ups on their way. powers: those that last now.
+    shield: index of the shield's ring; None under rules without one. bumpers, growing: indices of rings that are bumpers, and
+    of those that grow again.
+    wells: of the level. core: share that is left of what a growing wall guards; None without such a wall.
+    held_aims: where balls that stick to a paddle will go.
+    clock: seconds, for what moves by itself; it stands still for players who want no such motion.
+    lights, entry: as in `Effects`. shining: whether balls give light.
     """
 
     ground_radius: float
+    palette: str
+    ground: str
     rings: tuple[Ring, ...]
     layers: tuple[tuple[int, ...], ...]
     tallest: tuple[int, ...]
@@ -44,12 +67,24 @@ class Scene(NamedTuple):
     aim: Aim | None
     flashes: tuple[Flash, ...]
     pops: tuple[Pop, ...]
-    drops: tuple[Drop, ...]
+    falling: tuple[FallingStack, ...]
     bursts: tuple[Burst, ...]
     recoils: tuple[Recoil, ...]
     waves: tuple[Wave, ...]
     shaken: complex
     heat: float
+    drops: tuple[Drop, ...] = ()
+    powers: tuple[ActivePower, ...] = ()
+    shield: int | None = None
+    bumpers: frozenset[int] = frozenset()
+    growing: frozenset[int] = frozenset()
+    wells: tuple[Well, ...] = ()
+    core: float | None = None
+    clock: float = 0.0
+    held_aims: tuple[Aim, ...] = ()
+    lights: tuple[Light, ...] = ()
+    shining: bool = False
+    entry: int | None = None
 
 
 def still(game: Game) -> Ticked:
@@ -67,6 +102,8 @@ def scene_at(ticked: Ticked, alpha: float, effects: Effects) -> Scene:
         balls = _balls_at(ticked, rings[PADDLES], alpha)
     return Scene(
         game.level.ground_radius,
+        game.level.look.palette,
+        game.level.look.ground,
         rings,
         game.arena.layers,
         _tallest(game),
@@ -75,13 +112,66 @@ def scene_at(ticked: Ticked, alpha: float, effects: Effects) -> Scene:
         _aim(game, balls),
         effects.flashes,
         effects.pops,
-        effects.drops,
+        effects.falling,
         effects.bursts,
         effects.recoils,
         effects.waves,
         0j if effects.shake is None else effects.shake.offset,
         min(game.combo / BEST_COMBO, 1.0),
+        clock=(game.tick + alpha) * TICK if EffectKind.SWIRL in effects.steady else 0.0,
+        lights=effects.lights,
+        shining=EffectKind.LIGHTS in effects.steady,
+        entry=effects.entry,
+        **_arcade(ticked, alpha),
     )
+
+
+class _Arcade(TypedDict, total=False):
+    """The fields of a scene that only the arcade rules fill."""
+
+    drops: tuple[Drop, ...]
+    powers: tuple[ActivePower, ...]
+    shield: int
+    bumpers: frozenset[int]
+    growing: frozenset[int]
+    wells: tuple[Well, ...]
+    core: float | None
+    held_aims: tuple[Aim, ...]
+
+
+def _arcade(ticked: Ticked, alpha: float) -> _Arcade:
+    """What the arcade rules add to a scene."""
+    game = ticked.game
+    if not game.ruleset.arcade:
+        return {}
+    specs = game.level.rings
+    growing = frozenset([k for k, spec in enumerate(specs, PADDLES + 1) if spec.regrow > 0.0])
+    return {
+        "drops": tuple([drop._replace(position=drop.position - drop.velocity * (1.0 - alpha) * TICK) for drop in game.drops]),
+        "powers": game.powers,
+        "shield": len(game.arena.rings) - 1,
+        "bumpers": frozenset([k for k, spec in enumerate(specs, PADDLES + 1) if spec.bumper]),
+        "growing": growing,
+        "wells": tuple([Well(cmath.rect(w.distance, math.radians(w.angle)), w.reach, w.strength) for w in game.level.wells]),
+        "core": _core(game, growing),
+        "held_aims": _held_aims(game),
+    }
+
+
+def _held_aims(game: Game) -> tuple[Aim, ...]:
+    """Where the balls that stick to a paddle will go: inward, turned by where they stick."""
+    pairs = zip(game.held, held_balls(game), strict=True)
+    aims = [(ball, direction(place_turn(game, held.offset))) for held, ball in pairs]
+    return tuple([Aim(ball.position, -ball.position / abs(ball.position) * turn) for ball, turn in aims])
+
+
+def _core(game: Game, growing: frozenset[int]) -> float | None:
+    """Share of the layers that is left of what growing walls guard; None where there is no such wall."""
+    if not growing:
+        return None
+    guarded = [k for k in range(PADDLES + 1, len(game.level.rings) + 1) if k not in growing]
+    full = sum([max(left, 0) for k in guarded for left in game.level.rings[k - 1].slots()])
+    return sum([max(left, 0) for k in guarded for left in game.arena.layers[k]]) / max(full, 1)
 
 
 def _tallest(game: Game) -> tuple[int, ...]:

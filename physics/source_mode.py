@@ -7,7 +7,8 @@ documentation has every difference.
 """
 
 import math
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
+from typing import NamedTuple
 
 from physics.broad_phase import broad_phase, in_band
 from physics.free_flight import FreeFlight
@@ -26,34 +27,68 @@ _ROUNDING = 1e-9
 """Seconds. Ticks that add up to a frame may miss it by so much."""
 
 
-def advance(arena: Arena, dt: float, speed: float, flight: FreeFlight | None = None) -> Step:
+class SlidesBounce(NamedTuple):
+    """A bounce as the slides see one: indices of the ball, the ring and the slot; the normal; the velocity afterwards."""
+
+    ball: int
+    ring: int
+    slot: int
+    normal: complex
+    after: complex
+
+
+def bounces(arena: Arena, speed: float) -> tuple[SlidesBounce, ...]:
+    """The bounces of all balls where they are, by the slides' functions; a brick that breaks leaves the next ball a gap."""
+    layers, found = arena.layers, []
+    for index, ball in enumerate(arena.balls):
+        bounce = _bounce(index, ball, arena.rings, layers, speed)
+        if bounce is not None:
+            found.append(bounce)
+            layers = _after_hit(layers, bounce)
+    return tuple(found)
+
+
+def advance(
+    arena: Arena,
+    dt: float,
+    speed: float,
+    flight: FreeFlight | None = None,
+    bounces: Callable[[Arena, float], Sequence[SlidesBounce]] = bounces,
+) -> Step:
     """The arena dt seconds later: everything moves; once a frame, every ball's overlap is tested and answered.
 
     dt: seconds, finite and >= 0, else ValueError. speed: every ball's fixed speed v_0. flight: `Step.flight` of the tick
-    before, which here counts the seconds since the last test. A ball is tested against the first ring, in their order,
-    whose band it is in; the paddles come first.
+    before, which here counts the seconds since the last test. bounces: what tests and answers, such as a student's functions.
+    By the slides' a ball is tested against the first ring, in their order, whose band it is in; the paddles come first.
     """
     if not 0.0 <= dt < math.inf:
         raise ValueError(f"dt must be finite and at least 0, not {dt}")
     since = dt if flight is None else flight[1] + dt
-    balls = tuple([ball.moved(dt) for ball in arena.balls])
-    rings = tuple([ring.turned(dt) for ring in arena.rings])
+    moved = Arena(
+        tuple([ball.moved(dt) for ball in arena.balls]), tuple([ring.turned(dt) for ring in arena.rings]), arena.layers
+    )
     if since < FRAME - _ROUNDING:
-        later = Arena(balls, rings, arena.layers)
-        return Step(later, (), 0, 0, (later, since, ()))
-    layers, answered, hits = list(arena.layers), list(balls), []
-    for i, ball in enumerate(balls):
-        hit = _hit(i, ball, rings, layers, dt, speed)
-        if hit is not None:
-            hits.append(hit)
-            answered[i] = Ball(ball.position, hit.after, ball.radius)
-            row = layers[hit.ring]
-            layers[hit.ring] = (*row[: hit.slot], hit.layers, *row[hit.slot + 1 :])
-    later = Arena(tuple(answered), rings, tuple(layers))
-    return Step(later, tuple(hits), 0, 0, (later, 0.0, ()))
+        return Step(moved, (), 0, 0, (moved, since, ()))
+    later, hits = answered(moved, bounces(moved, speed), dt)
+    return Step(later, hits, 0, 0, (later, 0.0, ()))
 
 
-def _hit(index: int, ball: Ball, rings: Sequence[Ring], layers: Sequence[Sequence[int]], dt: float, speed: float) -> Hit | None:
+def answered(arena: Arena, bounces: Sequence[SlidesBounce], time: float) -> tuple[Arena, tuple[Hit, ...]]:
+    """The arena after its balls have bounced where they are, and the hits. time: of the hits, seconds after the start."""
+    layers, balls, hits = arena.layers, list(arena.balls), []
+    for bounce in bounces:
+        ball = arena.balls[bounce.ball]
+        balls[bounce.ball] = Ball(ball.position, bounce.after, ball.radius)
+        layers = _after_hit(layers, bounce)
+        found = contact(ball, arena.rings[bounce.ring], bounce.slot)._replace(normal=bounce.normal)
+        left = layers[bounce.ring][bounce.slot]
+        hits.append(Hit(time, bounce.ball, bounce.ring, bounce.slot, found, ball.velocity, bounce.after, left))
+    return Arena(tuple(balls), arena.rings, layers), tuple(hits)
+
+
+def _bounce(
+    index: int, ball: Ball, rings: Sequence[Ring], layers: Sequence[Sequence[int]], speed: float
+) -> SlidesBounce | None:
     """The bounce of a ball that overlaps a sector of the first ring whose band it is in, and approaches it."""
     for k, ring in enumerate(rings):
         if in_band(length(ball.position), ball.radius, ring):
@@ -65,10 +100,17 @@ def _hit(index: int, ball: Ball, rings: Sequence[Ring], layers: Sequence[Sequenc
             if dot(ball.velocity - surface_velocity, normal) >= 0.0:
                 return None
             after = slides_response(ball.velocity, normal, surface_velocity, ring.friction, speed)
-            found = contact(ball, ring, slot)._replace(normal=normal)
-            left = layers[k][slot] - 1 if layers[k][slot] > 0 else layers[k][slot]
-            return Hit(dt, index, k, slot, found, ball.velocity, 0j if after is None else after, left)
+            return SlidesBounce(index, k, slot, normal, 0j if after is None else after)
     return None
+
+
+def _after_hit(layers: tuple[tuple[int, ...], ...], bounce: SlidesBounce) -> tuple[tuple[int, ...], ...]:
+    """The layers without the one that a bounce takes, where its slot can break."""
+    row, slot = layers[bounce.ring], bounce.slot
+    if row[slot] <= 0:
+        return layers
+    row = (*row[:slot], row[slot] - 1, *row[slot + 1 :])
+    return (*layers[: bounce.ring], row, *layers[bounce.ring + 1 :])
 
 
 def nearest_living(p: complex, ring: Ring, alive: Sequence[int]) -> int | None:

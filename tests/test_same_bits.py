@@ -25,7 +25,7 @@ def test_the_simulation_is_found():
         "physics/step.py",
         "physics/time_of_impact.py",
         "game/rules/turn.py",
-        "game/autopilot.py",
+        "game/autopilot/source_pilot.py",
     } <= names
 
 

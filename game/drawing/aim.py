@@ -1,4 +1,4 @@
-"""The arrow that shows where the serve will go."""
+"""The arrows that show where balls that wait will go."""
 
 import numpy as np
 import pygame
@@ -7,7 +7,7 @@ from game.drawing.camera import Points
 from game.drawing.canvas import Canvas
 from game.drawing.raster.pixels import pairs
 from game.drawing.raster.primitives import HALF_PIXEL, draw_dot
-from game.scene import Scene
+from game.scene import Aim, Scene
 
 _REACH = 2.4
 """World units from the ball's middle to the arrow's tip."""
@@ -20,11 +20,15 @@ _HEAD_WIDTH = 0.2
 
 
 def draw(canvas: Canvas, scene: Scene) -> None:
-    """A line of dots that ends in an arrow's head; nothing unless a ball waits for its serve."""
-    if scene.aim is None:
-        return
+    """A line of dots that ends in an arrow's head for every ball that waits to be let go."""
+    for aim in (*scene.held_aims, *([] if scene.aim is None else [scene.aim])):
+        _draw_arrow(canvas, aim)
+
+
+def _draw_arrow(canvas: Canvas, aim: Aim) -> None:
+    """Where one ball will go."""
     surface, camera, colour = canvas.surface, canvas.camera, canvas.theme.accent
-    origin, direction = scene.aim
+    origin, direction = aim
     for distance in _DOTS:
         point = origin + direction * float(distance)
         draw_dot(surface, camera.project(point), max(_LEAST_DOT_RADIUS, _DOT_RADIUS * camera.scale_at(point)), colour)

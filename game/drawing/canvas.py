@@ -7,6 +7,7 @@ import pygame
 from game.drawing.camera import Camera
 from game.drawing.palette import Colour, Theme
 from game.drawing.text import Type
+from game.unlocks import PLAIN_BALL, PLAIN_TRAIL
 
 
 class Canvas(NamedTuple):
@@ -17,6 +18,7 @@ class Canvas(NamedTuple):
     theme: the colours.
     type: the letters.
     unit: pixels; size of body text, and the measure of all spacing.
+    ball, trail: names of how balls look, and what they leave behind.
     """
 
     surface: pygame.Surface
@@ -24,6 +26,8 @@ class Canvas(NamedTuple):
     theme: Theme
     type: Type
     unit: float
+    ball: str = PLAIN_BALL
+    trail: str = PLAIN_TRAIL
 
     @property
     def size(self) -> tuple[int, int]:

@@ -5,11 +5,16 @@ Over the picture, and not from here: the contact normals of both engines and pan
 
 import pygame
 
-from game.drawing import aim, debris, pops, trail, waves
-from game.drawing.ball import BallPictures
+from game.drawing import aim, debris, pops, waves
+from game.drawing.arcade import drops, gauges, wells
+from game.drawing.arcade.icons import PowerIcons
+from game.drawing.balls import trail
+from game.drawing.balls.ball import BallPictures
 from game.drawing.camera import Camera
 from game.drawing.canvas import Canvas
 from game.drawing.flat.picture import FlatPicture
+from game.drawing.glows import GlowPictures
+from game.drawing.palettes import themed
 from game.drawing.slots.contents import slot_contents
 from game.drawing.solid.picture import SolidPicture
 from game.scene import Scene
@@ -23,13 +28,18 @@ class Painter:
         self._flat = FlatPicture()
         self._solid = SolidPicture()
         self._balls = BallPictures()
+        self._glows = GlowPictures()
+        self._icons = PowerIcons()
 
     def paint(self, canvas: Canvas, scene: Scene) -> None:
-        """Draw a scene on a 32-bit surface."""
+        """Draw a scene on a 32-bit surface, in its level's colours where the canvas' theme leaves them to the level."""
+        canvas = canvas._replace(theme=themed(canvas.theme, scene.palette))
         if canvas.camera.flat:
             self._paint_flat(canvas, scene)
         else:
             self._paint_solid(canvas, scene)
+        drops.draw(canvas, scene, self._icons)
+        gauges.draw(canvas, scene, self._icons)
         _shake(canvas.surface, scene, canvas.camera)
         pops.draw(canvas, scene)
 
@@ -37,6 +47,7 @@ class Painter:
         """All but the words, from straight above: waves and trail are drawn over the rings, as nothing has height here."""
         self._flat.draw(canvas, scene, slot_contents(scene))
         _draw_on_ground(canvas, scene)
+        self._glows.draw(canvas, scene)
         debris.draw(canvas, scene)
         self._balls.draw(canvas, scene)
 
@@ -44,6 +55,7 @@ class Painter:
         """All but the words, in 3D: first what lies on the ground, since a standing block can hide it, never the reverse."""
         self._solid.draw_ground(canvas, scene)
         _draw_on_ground(canvas, scene)
+        self._glows.draw(canvas, scene)
         blocks = self._solid.draw_blocks(canvas, scene, slot_contents(scene))
         debris.draw(canvas, scene)
         self._balls.draw(canvas, scene, blocks)
@@ -51,6 +63,7 @@ class Painter:
 
 def _draw_on_ground(canvas: Canvas, scene: Scene) -> None:
     """What lies on the ground."""
+    wells.draw(canvas, scene)
     waves.draw(canvas, scene)
     trail.draw(canvas, scene)
     aim.draw(canvas, scene)

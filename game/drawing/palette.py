@@ -6,6 +6,7 @@ all this.
 """
 
 import math
+from functools import cache
 from typing import NamedTuple
 
 Colour = tuple[int, int, int]
@@ -20,6 +21,9 @@ class Theme(NamedTuple):
     paddle, paddle_top, ball, trail: of these. steel, steel_line: of what never breaks, and of the lines on it.
     flash: the light of a hit. danger: bad news.
     shadow: share of the ground's light that a shadow takes.
+    vignette: share of its light by which the ground is darker at the rim than in the middle.
+    glow: strength of the light that the rim gives off, 0 to 1.
+    relief: strength of light and shadow on what stands in the flat view, 0 to 1.
     layers: of a stack's terraces, from the lowest, 1, to 9.
     """
 
@@ -41,6 +45,9 @@ class Theme(NamedTuple):
     flash: Colour
     danger: Colour
     shadow: float
+    vignette: float
+    glow: float
+    relief: float
     layers: tuple[Colour, ...]
 
 
@@ -63,6 +70,9 @@ DARK = Theme(
     flash=(255, 255, 255),
     danger=(255, 138, 128),
     shadow=0.42,
+    vignette=0.5,
+    glow=1.0,
+    relief=1.0,
     layers=(
         (58, 92, 214),
         (136, 92, 236),
@@ -95,6 +105,9 @@ LIGHT = Theme(
     flash=(255, 176, 0),
     danger=(176, 24, 36),
     shadow=0.22,
+    vignette=0.06,
+    glow=1.0,
+    relief=1.0,
     layers=(
         (84, 136, 240),
         (126, 104, 240),
@@ -107,6 +120,12 @@ LIGHT = Theme(
         (16, 4, 6),
     ),
 )
+
+
+@cache
+def without_depth(theme: Theme) -> Theme:
+    """A theme in which every surface of the flat view has one colour: no light, no shadow, no glow."""
+    return theme._replace(vignette=0.0, glow=0.0, relief=0.0)
 
 
 def layer_colour(theme: Theme, layer: int) -> Colour:

@@ -7,11 +7,12 @@ a file of its own; all of them are fed by the rules' events.
 from collections.abc import Iterable
 from typing import NamedTuple
 
-from game.effects import bursts, drops, flashes, pops, recoils, shakes, streaks, trails, waves
+from game.effects import bursts, entry, falling, flashes, lights, pops, recoils, shakes, streaks, trails, waves
 from game.effects.bursts import Burst
-from game.effects.drops import Drop
+from game.effects.falling import FallingStack
 from game.effects.flashes import FLASH_TICKS, Flash
 from game.effects.kinds import ALL, MOVING, PLAIN, EffectKind, Shown
+from game.effects.lights import Light, LightSource
 from game.effects.pops import POP_TICKS, Pop
 from game.effects.recoils import Recoil
 from game.effects.shakes import Shake
@@ -29,10 +30,12 @@ __all__ = [
     "PLAIN",
     "POP_TICKS",
     "Burst",
-    "Drop",
     "EffectKind",
     "Effects",
+    "FallingStack",
     "Flash",
+    "Light",
+    "LightSource",
     "Pop",
     "Recoil",
     "Shake",
@@ -52,23 +55,30 @@ class Effects(NamedTuple):
     """All effects at a moment.
 
     trails: one for each ball, see `trails`.
-    flashes, pops, drops, bursts, recoils, waves: those that have not faded, from old to new.
+    flashes, pops, falling, bursts, recoils, waves: those that have not faded, from old to new.
     shake: of the whole picture; None while it rests.
     streak: the bricks in a row.
+    lights: those that have not faded.
+    entry: ticks since the wall began to be built; None once it stands.
+    steady: of what goes on without an event, swirls and the light of balls, what the player wants.
     """
 
     trails: tuple[Trail, ...] = ()
     flashes: tuple[Flash, ...] = ()
     pops: tuple[Pop, ...] = ()
-    drops: tuple[Drop, ...] = ()
+    falling: tuple[FallingStack, ...] = ()
     bursts: tuple[Burst, ...] = ()
     recoils: tuple[Recoil, ...] = ()
     waves: tuple[Wave, ...] = ()
     shake: Shake | None = None
     streak: Streak = NO_STREAK
+    lights: tuple[Light, ...] = ()
+    entry: int | None = None
+    steady: Shown = frozenset()
 
 
 NOTHING = Effects()
+_STEADY: Shown = frozenset({EffectKind.SWIRL, EffectKind.LIGHTS})
 
 
 def after(effects: Effects, ticked: Ticked, shown: Shown = ALL) -> Effects:
@@ -79,12 +89,15 @@ def after(effects: Effects, ticked: Ticked, shown: Shown = ALL) -> Effects:
         trails.after_tick(effects.trails, ticked) if EffectKind.TRAIL in shown else (),
         flashes.after_tick(effects.flashes, ticked, shown),
         pops.after_tick(effects.pops, ticked) if EffectKind.POINTS in shown else (),
-        drops.after_tick(effects.drops, ticked) if EffectKind.FALLING in shown else (),
+        falling.after_tick(effects.falling, ticked) if EffectKind.FALLING in shown else (),
         bursts.after_tick(effects.bursts, ticked, shown),
         recoils.after_tick(effects.recoils, ticked) if EffectKind.RECOIL in shown else (),
         waves.after_tick(effects.waves, ticked) if EffectKind.WAVES in shown else (),
         shakes.after_tick(effects.shake, ticked) if EffectKind.SHAKE in shown else None,
         streaks.after_tick(effects.streak, ticked) if EffectKind.COMBO in shown else NO_STREAK,
+        lights.after_tick(effects.lights, ticked) if EffectKind.LIGHTS in shown else (),
+        entry.after_tick(effects.entry, ticked) if EffectKind.ENTRY in shown else None,
+        shown & _STEADY,
     )
 
 

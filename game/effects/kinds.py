@@ -18,13 +18,29 @@ class EffectKind(StrEnum):
     WAVES = "waves"
     SHAKE = "shake"
     HIT_STOP = "hit_stop"
+    DEPTH = "depth"
+    LIGHTS = "lights"
+    SWIRL = "swirl"
+    ENTRY = "entry"
+    SLOW_MOTION = "slow_motion"
 
 
 Shown = frozenset[EffectKind]
 """The effects that the player wants to see."""
 
 ALL: Shown = frozenset(EffectKind)
-PLAIN: Shown = frozenset({EffectKind.TRAIL})
-"""What is left for players who want no effects: the trail says where the ball goes."""
-MOVING: Shown = frozenset({EffectKind.FLASH, EffectKind.RING, EffectKind.WAVES, EffectKind.SHAKE, EffectKind.HIT_STOP})
+PLAIN: Shown = frozenset({EffectKind.TRAIL, EffectKind.DEPTH})
+"""What is left for players who want no effects: the trail says where the ball goes, and light and shadow stand still."""
+MOVING: Shown = frozenset(
+    {
+        EffectKind.FLASH,
+        EffectKind.RING,
+        EffectKind.WAVES,
+        EffectKind.SHAKE,
+        EffectKind.HIT_STOP,
+        EffectKind.SWIRL,
+        EffectKind.ENTRY,
+        EffectKind.SLOW_MOTION,
+    }
+)
 """What reduced motion does without."""

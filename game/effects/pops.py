@@ -2,10 +2,33 @@
 
 from typing import NamedTuple
 
-from game.rules import BEST_COMBO, Event, EventKind, Ticked
+from game.language import tr, tr_noop
+from game.rules import BEST_COMBO, HARMFUL, Event, EventKind, PowerUp, Ticked
 
 POP_TICKS = 190
-_WORDS = {EventKind.NUDGED: "nudged", EventKind.BALL_LOST: "lost"}
+_WORDS = {
+    EventKind.NUDGED: tr_noop("nudged"),
+    EventKind.BALL_LOST: tr_noop("lost"),
+    EventKind.LIFE_GAINED: tr_noop("one life more"),
+    EventKind.SHIELD_HIT: tr_noop("saved"),
+    EventKind.SPEED_UP: tr_noop("faster"),
+    EventKind.CORE_BROKEN: tr_noop("the wall falls"),
+}
+POWER_NAMES = {
+    PowerUp.MULTI_BALL: tr_noop("three balls"),
+    PowerUp.WIDE: tr_noop("wide paddles"),
+    PowerUp.NARROW: tr_noop("narrow paddles"),
+    PowerUp.SLOW: tr_noop("slow ball"),
+    PowerUp.FAST: tr_noop("fast ball"),
+    PowerUp.STICKY: tr_noop("sticky paddles"),
+    PowerUp.LIFE: tr_noop("one life more"),
+    PowerUp.SHIELD: tr_noop("shield"),
+    PowerUp.PIERCE: tr_noop("ball through bricks"),
+}
+"""What power-ups are called."""
+_GOOD = frozenset({EventKind.LEVEL_CLEARED, EventKind.LIFE_GAINED, EventKind.CORE_BROKEN, EventKind.DROP_CAUGHT})
+"""Good news beside bricks."""
+_BAD = frozenset({EventKind.BALL_LOST})
 _CLOSEST = 1.8
 """World units between the positions of two pops that can be read together."""
 
@@ -18,6 +41,7 @@ class Pop(NamedTuple):
     bad: whether they are bad news.
     age: 0 new to 1 gone.
     weight: of good news: 0 a single brick to 1 a brick of the best combo.
+    plate: whether the words stand on a plate of their own, for much may move behind them.
     """
 
     position: complex
@@ -25,6 +49,7 @@ class Pop(NamedTuple):
     bad: bool
     age: float
     weight: float = 0.0
+    plate: bool = False
 
 
 def after_tick(pops: tuple[Pop, ...], ticked: Ticked) -> tuple[Pop, ...]:
@@ -33,7 +58,7 @@ def after_tick(pops: tuple[Pop, ...], ticked: Ticked) -> tuple[Pop, ...]:
         risen = [pop._replace(age=pop.age + 1.0 / POP_TICKS) for pop in pops]
         pops = tuple([pop for pop in risen if pop.age < 1.0])
     new = [
-        Pop(event.position, text, event.kind == EventKind.BALL_LOST, 0.0, _weight(event, ticked.game.combo))
+        Pop(event.position, text, _is_bad(event), 0.0, _weight(event, ticked.game.combo), event.kind in _GOOD)
         for event in ticked.events
         if (text := _text(event))
     ]
@@ -46,14 +71,23 @@ def _covered(pop: Pop, new: list[Pop]) -> bool:
 
 
 def _text(event: Event) -> str:
-    """The words for an event; none for most."""
-    if event.kind == EventKind.BRICK_HIT:
+    """The words for an event, in the player's language; none for most."""
+    if event.kind in {EventKind.BRICK_HIT, EventKind.BUMPER_HIT}:
         return f"+{event.points}"
     if event.kind == EventKind.LEVEL_CLEARED:
-        return f"+{event.points} for the lives left"
-    return _WORDS.get(event.kind, "")
+        return tr("+{points} bonus").format(points=event.points)
+    if event.kind == EventKind.DROP_CAUGHT and event.power is not None:
+        return tr(POWER_NAMES[event.power])
+    return tr(_WORDS[event.kind]) if event.kind in _WORDS else ""
+
+
+def _is_bad(event: Event) -> bool:
+    """Whether an event is bad news."""
+    return event.kind in _BAD or (event.kind == EventKind.DROP_CAUGHT and event.power in HARMFUL)
 
 
 def _weight(event: Event, combo: int) -> float:
     """How good the news is, 0 to 1."""
-    return min(combo / BEST_COMBO, 1.0) if event.kind == EventKind.BRICK_HIT else float(event.points > 0)
+    if event.kind == EventKind.BRICK_HIT:
+        return min(combo / BEST_COMBO, 1.0)
+    return float(event.kind in _GOOD)

@@ -76,8 +76,9 @@ def _waves(event: Event, ticked: Ticked) -> tuple[Wave, ...]:
 def _started(ticked: Ticked) -> tuple[Wave, ...]:
     """The circles of a level's start, from the wall to the paddles: they show the player both."""
     rings = ticked.game.arena.rings
-    wall = max([ring.outer_radius for ring in rings[PADDLES + 1 :]], default=0.0)
-    return _series(WaveTone.START, _STARTED, wall, rings[PADDLES].inner_radius)
+    track = rings[PADDLES].inner_radius
+    wall = max([ring.outer_radius for ring in rings[PADDLES + 1 :] if ring.outer_radius < track], default=0.0)
+    return _series(WaveTone.START, _STARTED, wall, track)
 
 
 def _series(tone: WaveTone, count: int, start: float, end: float) -> tuple[Wave, ...]:

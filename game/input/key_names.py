@@ -5,19 +5,81 @@ from functools import cache
 
 import pygame
 
-from game.input.keys import KEYS, NAMED_KEY, US_CODES, Action, position_of
+from game.input.keys import CONTROL_CODES, KEYS, NAMED_KEY, US_CODES, Action, position_of
+from game.language import tr, tr_noop
 
 _CHARACTERS = range(ord("!"), 0x600)
 """Codes of keys with a character: Latin, Greek, Cyrillic, Armenian, Hebrew."""
-_WORDS = {"return": "Enter", "escape": "Esc", "space": "Space"}
+_WORDS = {
+    "return": tr_noop("Enter"),
+    "enter": tr_noop("Keypad Enter"),
+    "escape": tr_noop("Esc"),
+    "space": tr_noop("Space"),
+    "tab": tr_noop("Tab"),
+    "backspace": tr_noop("Backspace"),
+    "delete": tr_noop("Delete"),
+    "insert": tr_noop("Insert"),
+    "left": tr_noop("Left"),
+    "right": tr_noop("Right"),
+    "up": tr_noop("Up"),
+    "down": tr_noop("Down"),
+    "home": tr_noop("Home"),
+    "end": tr_noop("End"),
+    "page up": tr_noop("Page up"),
+    "page down": tr_noop("Page down"),
+    "break": tr_noop("Pause"),
+    "left shift": tr_noop("Left Shift"),
+    "right shift": tr_noop("Right Shift"),
+    "left ctrl": tr_noop("Left Ctrl"),
+    "right ctrl": tr_noop("Right Ctrl"),
+    "left alt": tr_noop("Left Alt"),
+    "right alt": tr_noop("Right Alt"),
+    "caps lock": tr_noop("Caps Lock"),
+}
+"""What keys without a character are called, where the system's name is not it."""
+_BUTTONS = {
+    pygame.CONTROLLER_BUTTON_A: tr_noop("A"),
+    pygame.CONTROLLER_BUTTON_B: tr_noop("B"),
+    pygame.CONTROLLER_BUTTON_X: tr_noop("X"),
+    pygame.CONTROLLER_BUTTON_Y: tr_noop("Y"),
+    pygame.CONTROLLER_BUTTON_BACK: tr_noop("View"),
+    pygame.CONTROLLER_BUTTON_START: tr_noop("Menu"),
+    pygame.CONTROLLER_BUTTON_LEFTSHOULDER: tr_noop("LB"),
+    pygame.CONTROLLER_BUTTON_RIGHTSHOULDER: tr_noop("RB"),
+    pygame.CONTROLLER_BUTTON_LEFTSTICK: tr_noop("Left stick"),
+    pygame.CONTROLLER_BUTTON_RIGHTSTICK: tr_noop("Right stick"),
+    pygame.CONTROLLER_BUTTON_DPAD_LEFT: tr_noop("D-pad left"),
+    pygame.CONTROLLER_BUTTON_DPAD_RIGHT: tr_noop("D-pad right"),
+    pygame.CONTROLLER_BUTTON_DPAD_UP: tr_noop("D-pad up"),
+    pygame.CONTROLLER_BUTTON_DPAD_DOWN: tr_noop("D-pad down"),
+}
+"""What a gamepad's buttons are called."""
+NO_KEY = "–"
+"""Stands for the key of an action that has none."""
+
+
+def positions_in_use(action: Action) -> tuple[int, ...]:
+    """An action's keys on the present layout, positions; the usual one first."""
+    binding = KEYS.binding(action)
+    written = [position for code in binding.codes for position in (*_positions_with(code), position_of(code))]
+    candidates = dict.fromkeys([*binding.positions, *written])
+    return tuple([one for one in candidates if one and KEYS.action(one, _code_at(one)) is action])
 
 
 def key_names(action: Action) -> tuple[str, ...]:
-    """The names of an action's keys as this layout writes them, the keypad's left out; the first is the usual one."""
-    binding = KEYS.binding(action)
-    return _without_keypad(
-        [*[_name_at(position) for position in binding.positions], *[_name_of(code) for code in binding.codes]]
-    )
+    """The names of an action's keys as this layout writes them, the usual one first; the keypad's only where all are its."""
+    names = [position_name(position) for position in positions_in_use(action)]
+    return _without_keypad(names) or tuple(names) or (NO_KEY,)
+
+
+def position_name(position: int) -> str:
+    """What the layout calls the key at a position."""
+    return _said(_code_at(position)) or tr("Key {number}").format(number=position)
+
+
+def button_name(button: int) -> str:
+    """What a gamepad's button is called."""
+    return tr(_BUTTONS[button]) if button in _BUTTONS else tr("Button {number}").format(number=button)
 
 
 def code_names(codes: Iterable[int]) -> tuple[str, ...]:
@@ -78,7 +140,8 @@ def watch_help() -> tuple[tuple[str, str], ...]:
 
 def _without_keypad(names: Iterable[str]) -> tuple[str, ...]:
     """The names, each once, but for those of the keypad: they are in brackets."""
-    return tuple(dict.fromkeys([name for name in names if len(name) == 1 or not name.startswith("[")]))
+    keypad = tr(_WORDS["enter"])
+    return tuple(dict.fromkeys([name for name in names if len(name) == 1 or not (name.startswith("[") or name == keypad)]))
 
 
 def _all(*actions: Action) -> str:
@@ -86,24 +149,29 @@ def _all(*actions: Action) -> str:
     return "   ".join([key_name(action) for action in actions])
 
 
-def _name_at(position: int) -> str:
-    """What the layout calls the key at a position."""
-    return _said(_codes_by_position().get(position, position | NAMED_KEY))
+def _code_at(position: int) -> int:
+    """The code of the key at a position."""
+    return CONTROL_CODES.get(position) or _codes_by_position().get(position, position | NAMED_KEY)
+
+
+def _positions_with(code: int) -> list[int]:
+    """Where the present layout has a code."""
+    return [position for keys in (CONTROL_CODES, _codes_by_position()) for position, known in keys.items() if known == code]
 
 
 def _name_of(code: int) -> str:
     """What the layout calls the key that means a code: the code itself, or what is written where the US layout has it."""
     if code & NAMED_KEY or code < _CHARACTERS.start or code in _codes_by_position().values():
         return _said(code)
-    return _name_at(position_of(code)) or _said(code)
+    return position_name(position_of(code))
 
 
 def _said(code: int) -> str:
-    """The name of a code, as keys are labelled."""
+    """The name of a code, as keys are labelled; empty for a key without a name."""
     if code in _CHARACTERS:
         return chr(code).upper()
     name = pygame.key.name(code)
-    return _WORDS.get(name, name.capitalize())
+    return tr(_WORDS[name]) if name in _WORDS else name.capitalize()
 
 
 def _codes_by_position() -> Mapping[int, int]:

@@ -1,4 +1,7 @@
-"""What the player did, as values: a window's event becomes a signal, or nothing."""
+"""What the player did, as values: an event of keyboard or mouse becomes a signal, or nothing.
+
+Gamepads and fingers have to be followed from event to event: game/input/pads.py, game/input/fingers.py.
+"""
 
 from dataclasses import dataclass
 from itertools import compress
@@ -10,7 +13,10 @@ from game.input.keys import KEYS, Action, position_in
 
 @dataclass(frozen=True)
 class Pressed:
-    """A key went down. position: of the key, a scancode; 0 where it is not known."""
+    """A key or a gamepad's button went down.
+
+    position: of the key, a scancode; 0 where it is not known. Of a button, a number from PAD_POSITIONS on.
+    """
 
     action: Action
     position: int = 0
@@ -18,7 +24,7 @@ class Pressed:
 
 @dataclass(frozen=True)
 class Released:
-    """A key came up. position: as that of `Pressed`."""
+    """A key or a button came up. position: as that of `Pressed`."""
 
     action: Action
     position: int = 0
@@ -61,12 +67,42 @@ class Zoomed:
 
 
 @dataclass(frozen=True)
+class Pointed:
+    """A gamepad's stick points somewhere.
+
+    direction: of length 1, to the right and up; 0 once the stick is let go. aims: it is the right stick, which aims the serve;
+    the left one moves the paddles.
+    """
+
+    direction: complex
+    aims: bool = False
+
+
+@dataclass(frozen=True)
+class Squeezed:
+    """A gamepad's triggers moved. spin: -1.0 the left one all the way, 0.0 neither or both, +1.0 the right one."""
+
+    spin: float
+
+
+@dataclass(frozen=True)
+class PadChanged:
+    """A gamepad was plugged in or pulled out. name: what it calls itself."""
+
+    name: str
+    there: bool
+
+
+@dataclass(frozen=True)
 class FocusLost:
-    """The player went to another window; keys that were held will not be heard coming up."""
+    """The player went to another window, or the gamepad is gone: what was held will not be heard coming up."""
 
 
-Signal = Pressed | Released | KeyboardState | Moved | Clicked | Dragged | Zoomed | FocusLost
+Signal = Pressed | Released | KeyboardState | Moved | Clicked | Dragged | Zoomed | Pointed | Squeezed | PadChanged | FocusLost
 """Every kind is a class of its own, and a dataclass equals only its own class: no two kinds compare equal."""
+
+PAD_POSITIONS = 1 << 10
+"""Positions from here on are of gamepads: above every scancode."""
 
 
 def translated(event: pygame.Event, pixels_per_point: complex) -> Signal | None:

@@ -1,5 +1,6 @@
 """What `python -m game lab` does without a window: list the scenes, check them, draw one into a file."""
 
+from collections import Counter
 from pathlib import Path
 
 from rich.console import Console
@@ -7,8 +8,11 @@ from rich.table import Table
 
 from game.lab.kit.second_engine import Engine
 from game.lab.registry import chapters, scenes
-from game.lab.session.checks import Report, report
-from game.lab.session.share import parsed
+from game.lab.session.checks import Report, after_drags, lines, report
+from game.lab.session.share import SharedScene, parsed, share_line
+from game.lab.yours.answers import AnswerVerdict, OwnAnswer, own_answers
+from game.lab.yours.calls import calls_of
+from game.student.functions_file import FunctionsFile
 from game.system.errors import BadInputError, CheckFailedError
 from game.system.output import say, tell
 from game.system.wording import quoted_path
@@ -48,13 +52,52 @@ def check_scenes(line: str | None, drags: int, engine: Engine | None) -> None:
     _raise_failures(reports)
 
 
-def save_picture(line: str | None, path: Path, size: tuple[int, int], theme: str, engine: Engine | None) -> None:
+def check_yours(line: str | None, drags: int, functions: FunctionsFile) -> None:
+    """Ask the player's functions what each scene asks at its defaults, its presets and after random drags; a row for each.
+
+    The arguments are those of `check_scenes`. CheckFailedError after the last scene, when an answer is neither ours nor the
+    slides', or the file has failed.
+    """
+    table = Table(box=None, pad_edge=False)
+    for heading in ("scene", "answers", *[verdict.value for verdict in AnswerVerdict]):
+        table.add_column(heading, justify="left" if heading == "scene" else "right")
+    named = None if line is None else parsed(line)
+    found: list[tuple[SharedScene, OwnAnswer]] = []
+    for scene in [scene for scene in scenes() if named is None or scene is named.scene]:
+        more = () if named is None else (named.given,)
+        answers = [
+            (SharedScene(scene, given), one)
+            for given in [*lines(scene), *more, *after_drags(scene, drags, _SEED)]
+            for one in own_answers(functions, calls_of(scene.name, given))
+        ]
+        counts = Counter([one.verdict for _, one in answers])
+        if answers:
+            table.add_row(scene.name, f"{len(answers):,}", *[f"{counts[verdict]:,}" for verdict in AnswerVerdict])
+        found += [answer for answer in answers if answer[1].verdict is AnswerVerdict.DIFFERS]
+    Console().print(table)
+    first = {one.call.function: (shared, one) for shared, one in reversed(found)}
+    for shared, one in first.values():
+        why = one.problem or f"yours {one.yours}, ours {one.ours}"
+        say(f'polar-breakout: {one.call.function}: {why}: python -m game lab "{share_line(shared)}"')
+    functions.check()
+    if found:
+        raise CheckFailedError(f"lab: {len(found):,} answers of {functions.name} differ")
+
+
+def save_picture(
+    line: str | None,
+    path: Path,
+    size: tuple[int, int],
+    theme: str,
+    engine: Engine | None,
+    functions: FunctionsFile | None = None,
+) -> None:
     """Draw a scene into a PNG file and say where it is; BadInputError where it cannot be written."""
     from game.lab.window.screenshot import save_screenshot  # noqa: PLC0415  # pygame, only where it is needed
 
     shared = parsed(scenes()[0].name if line is None else line, engine)
     try:
-        save_screenshot(shared, path, size, theme)
+        save_screenshot(shared, path, size, theme, functions)
     except OSError as error:
         raise BadInputError(f"--screenshot {quoted_path(path)}: cannot write; {error.strerror or error}") from None
     tell(f"picture: {path.absolute()}")

@@ -5,12 +5,13 @@ from typing import NamedTuple
 from game.drawing.camera import Layout
 from game.drawing.canvas import Canvas
 from game.drawing.palette import mixed
-from game.drawing.raster.primitives import draw_dot
+from game.drawing.raster.primitives import draw_circle, draw_dot
 from game.drawing.text import stepped
 from game.effects import Streak
 from game.effects.streaks import BUMP_TICKS, ENDED_TICKS, NO_STREAK
 from game.input.key_names import key_name
 from game.input.keys import Action
+from game.language import ntr, tr
 from game.levels import number_of
 from game.rules import BEST_COMBO, LIVES, Game, layers_left
 
@@ -68,21 +69,22 @@ def draw(canvas: Canvas, shown: Readings, layout: Layout) -> None:
     """The figures in the four corners of a layout."""
     theme, unit, (width, height) = canvas.theme, canvas.unit, layout.size
     left, right, top, bottom = unit * _EDGE, width - unit * _EDGE, unit * _EDGE, height - unit * _EDGE
-    box = canvas.write("SCORE", _CAPTION, theme.faint, complex(left, top))
+    box = canvas.write(tr("SCORE"), _CAPTION, theme.faint, complex(left, top))
     box = canvas.write(f"{shown.score:,}", _FIGURE, theme.text, complex(left, box.bottom + unit * 0.1))
     streak = shown.streak if shown.streak.bricks else Streak(shown.combo, BUMP_TICKS)
     if streak.bricks > 1:
         below = complex(box.left, box.bottom + unit * 0.3)
         _draw_combo(canvas, streak, below if layout.beside else complex(box.right + unit, box.top))
-    box = canvas.write("LIVES", _CAPTION, theme.faint, complex(right, top), "topright")
+    box = canvas.write(tr("LIVES"), _CAPTION, theme.faint, complex(right, top), "topright")
     _draw_lives(canvas, complex(right, box.bottom + unit * _LIVES_BELOW_CAPTION), shown.lives)
     box = canvas.write(shown.level_name, _LEVEL_NAME, theme.text, complex(left, bottom), "bottomleft")
-    number = f"LEVEL {shown.level_number} of {shown.level_count}"
+    number = tr("LEVEL {number} of {count}").format(number=shown.level_number, count=shown.level_count)
     canvas.write(number, _CAPTION, theme.faint, complex(left, box.top - unit * 0.2), "bottomleft")
-    state = "   ".join(filter(None, [shown.badge, f"sound off ({key_name(Action.MUTE)})" if shown.muted else ""]))
+    muted = tr("sound off ({key})").format(key=key_name(Action.MUTE)) if shown.muted else ""
+    state = "   ".join(filter(None, [shown.badge, muted]))
     lines = (
-        (f"{key_name(Action.HELP)}  help", theme.faint),
-        (f"{shown.layers} layers left", theme.text),
+        (tr("{key}  help").format(key=key_name(Action.HELP)), theme.faint),
+        (ntr("{count} layer left", "{count} layers left", shown.layers).format(count=shown.layers), theme.text),
         (state, theme.accent),
     )
     for text, colour in lines:
@@ -97,13 +99,14 @@ def _draw_combo(canvas: Canvas, streak: Streak, corner: complex) -> None:
     colour = mixed(theme.faint if streak.ended else theme.accent, theme.background, fade)
     bump = 0.0 if streak.ended else _BUMP * max(1.0 - streak.age / BUMP_TICKS, 0.0) ** 2
     size = stepped((_COMBO + _COMBO_PER_BRICK * best) * (1.0 + bump))
-    canvas.write(f"combo x{streak.bricks}", size, colour, corner + 1j * unit * _COMBO_HEIGHT, "midleft")
+    canvas.write(tr("combo x{count}").format(count=streak.bricks), size, colour, corner + 1j * unit * _COMBO_HEIGHT, "midleft")
     radius = unit * _COMBO_DOT
     for index in range(BEST_COMBO):
         pixel = corner + complex(radius + index * unit * _COMBO_DOT_PITCH, unit * _COMBO_DOTS)
-        draw_dot(canvas.surface, pixel, radius, colour if index < best else theme.panel_edge)
-        if index >= best:
-            draw_dot(canvas.surface, pixel, radius - max(1.0, unit * _COMBO_DOT_LINE), theme.background)
+        if index < best:
+            draw_dot(canvas.surface, pixel, radius, colour)
+        else:
+            draw_circle(canvas.surface, pixel, radius, unit * _COMBO_DOT_LINE, theme.panel_edge)
 
 
 def _draw_lives(canvas: Canvas, right: complex, lives: int) -> None:
@@ -114,5 +117,4 @@ def _draw_lives(canvas: Canvas, right: complex, lives: int) -> None:
         if index < lives:
             draw_dot(canvas.surface, pixel, radius, theme.ball)
         else:
-            draw_dot(canvas.surface, pixel, radius, theme.faint)
-            draw_dot(canvas.surface, pixel, radius - max(1.0, unit * _LIFE_LINE), theme.background)
+            draw_circle(canvas.surface, pixel, radius, unit * _LIFE_LINE, theme.faint)

@@ -6,8 +6,12 @@ import pygame
 
 from game.drawing.canvas import Canvas
 from game.drawing.raster.primitives import draw_box
-from game.rules import LIVES, PADDLES, Game, Phase
+from game.input.key_names import key_name
+from game.input.keys import Action
+from game.language import ntr, tr
+from game.rules import LIVES, Game, Phase
 from game.scene import Scene
+from physics import Ball
 
 # Lengths are in units of text.
 _TITLE, _HINT = 1.5, 1.0
@@ -18,11 +22,11 @@ _MARGIN = complex(0.8, 0.5)
 """From the words to the plate's edges, across and down."""
 _CORNER, _EDGE_LINE = 0.6, 0.06
 """Radius of the plate's corners, and width of its edge."""
-# Radii are in shares of the inner radius of the paddles' track.
-_LOWEST, _HIGHEST = 0.62, 0.75
-"""The plate's middle is between these radii, above the centre or below it."""
-_BALL_ABOVE = 0.2
-"""A ball that is higher above the centre than this sends the plate below."""
+_TOP, _NARROW_TOP = 0.6, 0.115
+"""From the surface's upper edge to the plate: where the figures stand beside the arena; and where they are above it, in
+shares of the height."""
+_SQUARE = 1.2
+"""Aspect ratios up to this have the figures above the arena."""
 
 
 class Notice(NamedTuple):
@@ -32,23 +36,26 @@ class Notice(NamedTuple):
     hint: str
 
 
-READY = Notice("Ready", "")
+def ready() -> Notice:
+    """What is said before play goes on after a pause."""
+    return Notice(tr("Ready"), "")
 
 
 def notice(game: Game) -> Notice | None:
     """What to tell the player; None while a ball is in play."""
+    serve = key_name(Action.SERVE)
     if game.phase == Phase.SERVING:
-        return Notice(_serve_title(game), "Space or click: serve along the arrow")
+        return Notice(_serve_title(game), tr("{key} or click: serve along the arrow").format(key=serve))
     if game.phase == Phase.CLEARED:
-        following = game.levels[game.number + 1].name
-        return Notice("Level cleared", f"Next: {following}. Space or click: go on")
+        words = tr("Next: {level}. {key} or click: go on").format(level=game.levels[game.number + 1].name, key=serve)
+        return Notice(tr("Level cleared"), words)
     if game.phase == Phase.WON:
-        return Notice("All levels cleared", "")
-    return Notice("Game over", "") if game.phase == Phase.OVER else None
+        return Notice(tr("All levels cleared"), "")
+    return Notice(tr("Game over"), "") if game.phase == Phase.OVER else None
 
 
 def draw(canvas: Canvas, shown: Notice, scene: Scene) -> None:
-    """The words on a plate between the bricks and the paddles, on the side where the ball is not."""
+    """The words on a plate at the upper edge of the arena, at the lower one while a ball is at the upper: never over bricks."""
     surface, theme, type_, unit = canvas.surface, canvas.theme, canvas.type, canvas.unit
     title = type_.rendered(shown.title, unit * _TITLE, theme.text)
     hint = type_.rendered(shown.hint, unit * _HINT, theme.faint)
@@ -57,8 +64,10 @@ def draw(canvas: Canvas, shown: Notice, scene: Scene) -> None:
     margin = _MARGIN * unit
     width = max(title.get_width(), hint.get_width())
     plate = pygame.Rect(0, 0, round(width + 2.0 * margin.real), round(height + 2.0 * margin.imag))
-    middle = canvas.camera.project(_free_position(scene))
-    plate.center = (round(middle.real), round(middle.imag))
+    edge = round(_edge(canvas))
+    plate.midtop = (canvas.size[0] // 2, edge)
+    if any([_is_near(canvas, ball, plate) for ball in scene.balls]):
+        plate.bottom = canvas.size[1] - edge
     draw_box(surface, plate, unit * _CORNER, theme.panel, theme.panel_edge, unit * _EDGE_LINE)
     top = plate.top + margin.imag
     surface.blit(title, title.get_rect(midtop=(plate.centerx, round(top))))
@@ -68,15 +77,21 @@ def draw(canvas: Canvas, shown: Notice, scene: Scene) -> None:
 
 def _serve_title(game: Game) -> str:
     """The level's name before its first serve, else what is left."""
-    if game.tick == game.phase_tick or game.lives == LIVES:
+    if game.tick == game.phase_tick or (game.statistics.level.balls_lost == 0 and game.ruleset.arcade) or game.lives == LIVES:
         return game.level.name
-    return "Last life" if game.lives == 1 else f"{game.lives} lives left"
+    if game.lives == 1:
+        return tr("Last life")
+    return ntr("{count} life left", "{count} lives left", game.lives).format(count=game.lives)
 
 
-def _free_position(scene: Scene) -> complex:
-    """A position in the free ring between bricks and paddles: above the centre, unless a ball is there."""
-    track = scene.rings[PADDLES].inner_radius
-    wall = max([ring.outer_radius for ring in scene.rings[PADDLES + 1 :]], default=0.0)
-    radius = min(max((track + wall) / 2.0, _LOWEST * track), _HIGHEST * track)
-    ball_above = any([ball.position.imag > _BALL_ABOVE * track for ball in scene.balls])
-    return -1j * radius if ball_above else 1j * radius
+def _edge(canvas: Canvas) -> float:
+    """From the surface's upper edge to the plate, pixels."""
+    width, height = canvas.size
+    return canvas.unit * _TOP if width > _SQUARE * height else _NARROW_TOP * height
+
+
+def _is_near(canvas: Canvas, ball: Ball, plate: pygame.Rect) -> bool:
+    """Whether a plate hides a ball, or where it will be in a moment."""
+    pixel = canvas.camera.project(ball.position, ball.radius)
+    room = round(2.0 * canvas.unit)
+    return bool(plate.inflate(2 * room, 2 * room).collidepoint(pixel.real, pixel.imag))

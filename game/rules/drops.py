@@ -1,5 +1,6 @@
 """Power-ups on their way: a broken brick leaves one by chance, it drifts outward, a paddle catches it or it is lost."""
 
+from game.level_format.specs import DropKind
 from game.rules.chance import drawn
 from game.rules.power_up import Drop, PowerUp
 from game.rules.state import TICK, Event, EventKind, Game, paddle_ring
@@ -12,6 +13,8 @@ DROP_RADIUS = 0.035
 """In radii of the ground: how near a drop must come to a paddle to be caught."""
 _MOST = 3
 """Drops on their way at the same time; while there are as many, no brick leaves another."""
+_OFTEN = 3
+"""How often every other power-up comes for one life."""
 _CATCH_POINTS = 50
 """Points for catching a drop, whatever it is."""
 
@@ -26,10 +29,21 @@ def with_drop(game: Game, position: complex, events: list[Event]) -> Game:
     if chance >= likely:
         return game
     chance, game = drawn(game)
-    kind = PowerUp[spec.kinds[int(chance * len(spec.kinds))].upper()]
+    kind = _kind_of(chance, spec.kinds)
     drop = Drop(kind, position, unit(position) * (_DRIFT * game.level.ground_radius))
     events.append(Event(EventKind.DROP_RELEASED, position=position, power=kind))
     return game._replace(drops=(*game.drops, drop))
+
+
+def _kind_of(chance: float, names: list[DropKind]) -> PowerUp:
+    """The power-up that a random number in [0, 1) chooses from names: each as likely as another, but for the rare life."""
+    kinds = [PowerUp[name.upper()] for name in names]
+    rest = chance * (_OFTEN * len(kinds) - (_OFTEN - 1) * (PowerUp.LIFE in kinds))
+    for kind in kinds:
+        rest -= 1 if kind == PowerUp.LIFE else _OFTEN
+        if rest < 0.0:
+            return kind
+    return kinds[-1]
 
 
 def drifted(game: Game, events: list[Event]) -> tuple[Game, list[Drop]]:

@@ -16,11 +16,12 @@ class Difficulty(IntEnum):
 
 
 class Handicap(NamedTuple):
-    """What a difficulty changes; all but the lives are factors of the level's numbers.
+    """What a difficulty changes: the lives, and some of the level's numbers by a factor.
 
     lives: at the start of the game; at the start of every level, fewer are topped up to as many.
     paddle_width: of a paddle's half angle. ball_speed: of the speed at a serve, and of the speed at which it stops growing.
     drop_chance: of the chance that a broken brick leaves a power-up. turn: of the most that the position of a hit turns a ball.
+    shielded: whether every serve begins with a shield.
     """
 
     lives: int
@@ -28,10 +29,11 @@ class Handicap(NamedTuple):
     ball_speed: float
     drop_chance: float
     turn: float
+    shielded: bool = False
 
 
 _HANDICAPS = {
-    Difficulty.EASY: Handicap(5, 1.3, 0.85, 1.5, 1.0),
+    Difficulty.EASY: Handicap(5, 1.3, 0.85, 1.5, 1.0, shielded=True),
     Difficulty.NORMAL: Handicap(LIVES, 1.0, 1.0, 1.0, 1.0),
     Difficulty.HARD: Handicap(LIVES, 0.85, 1.15, 0.75, 1.0),
 }

@@ -3,8 +3,9 @@
 import math
 
 from game.rules.chance import drawn
+from game.rules.power_up import ActivePower, PowerUp
 from game.rules.shape import shaped
-from game.rules.speed import speed_now
+from game.rules.speed import with_speed_now
 from game.rules.state import PADDLES, POINTER_STEPS, SERVE_GAP, Controls, Event, EventKind, Game, Phase, Ticked, in_phase
 from physics import Arena, Ball, Ring, Step, direction, normalize_angle, signed_difference
 
@@ -54,11 +55,16 @@ def before_serve(game: Game) -> Game:
     if game.ruleset.arcade:
         chance, game = drawn(game)
         game = game._replace(
-            paddle_hits=0, waited=0, burst=0, drops=(), powers=(), held=(), aim_start=int(chance * _AIM_PERIOD)
+            paddle_hits=0, waited=0, burst=0, drops=(), powers=_at_serve(game), held=(), aim_start=int(chance * _AIM_PERIOD)
         )
         game = shaped(game._replace(arena=game.arena._replace(balls=())))
-    game = game._replace(speed=speed_now(game))
+    game = with_speed_now(game, [])
     return game._replace(arena=with_served_ball(game, game.arena))
+
+
+def _at_serve(game: Game) -> tuple[ActivePower, ...]:
+    """The power-ups that a serve begins with."""
+    return (ActivePower(PowerUp.SHIELD, 0, 0),) if game.ruleset.handicap.shielded else ()
 
 
 def serving(game: Game, controls: Controls, step: Step, moving: Arena) -> Ticked:

@@ -14,9 +14,7 @@ from physics import Arena, Ring, signed_difference
 def steered(game: Game, controls: Controls) -> Arena:
     """The arena with the paddles' spin set for this tick. Keys go before pointers, the first player before the second."""
     paddles, spec = paddle_ring(game), game.level.paddles
-    top = math.radians(spec.top_speed)
-    if game.ruleset.arcade:
-        top = min(top, fastest_spin(game))
+    top = top_spin(game)
     turn, pointer = controls.turn, controls.pointer
     if turn == 0:
         turn = controls.second_turn
@@ -30,6 +28,12 @@ def steered(game: Game, controls: Controls) -> Arena:
     if spin == paddles.spin:
         return game.arena
     return game.arena._replace(rings=(paddles.steered(spin), *game.arena.rings[PADDLES + 1 :]))
+
+
+def top_spin(game: Game) -> float:
+    """The paddles' top speed, rad/s. Under the arcade rules it follows the balls' speed, and stays below it."""
+    top = math.radians(game.level.paddles.top_speed)
+    return min(top * (game.speed / game.level.ball.speed), fastest_spin(game)) if game.ruleset.arcade else top
 
 
 def keyed_spin(spin: float, turn: int, top: float, change: float) -> float:

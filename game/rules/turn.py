@@ -13,7 +13,7 @@ from physics import Arena, Ball, Feature, Hit, Step, angle_of, direction, normal
 
 MOST_LEANING = math.radians(75.0)
 """Radians from the straight line to the centre that no turn exceeds; a flatter bounce stays as it is."""
-_LONGEST_HOLD = 720
+_LONGEST_HOLD = 480
 """Ticks after which a paddle lets go of a ball by itself."""
 
 
@@ -75,15 +75,19 @@ def place_turn(game: Game, offset: float) -> float:
 
 
 def _returned(game: Game, ball: Ball, hit: Hit, moving: Arena, events: list[Event]) -> Ball:
-    """A ball after its bounce off a paddle, turned by the position of the hit, and towards a brick after a long wait."""
+    """A ball after its bounce off a paddle, turned by the position of the hit, and helped after a long wait."""
     inward = hit.contact.normal
     velocity = turned(ball.velocity, inward, place_turn(game, hit_offset(hit, moving)), game.speed)
-    ball = Ball(ball.position, velocity, ball.radius)
+    return _helped(game, Ball(ball.position, velocity, ball.radius), inward, events, hit)
+
+
+def _helped(game: Game, ball: Ball, inward: complex, events: list[Event], hit: Hit | None = None) -> Ball:
+    """A ball that leaves a paddle, turned towards a brick after a long wait. hit: with which it came, if it did not stick."""
     closing = closing_turn(game, ball, inward)
     if closing == 0.0:
         return ball
-    events.append(Event(EventKind.AIMED, hit, position=hit.contact.point))
-    return Ball(ball.position, turned(velocity, inward, closing, game.speed), ball.radius)
+    events.append(Event(EventKind.AIMED, hit, position=ball.position))
+    return Ball(ball.position, turned(ball.velocity, inward, closing, game.speed), ball.radius)
 
 
 def released(game: Game, events: list[Event], *, serve: bool, aim: float | None) -> Game:
@@ -100,10 +104,11 @@ def released(game: Game, events: list[Event], *, serve: bool, aim: float | None)
             held.append(stuck._replace(ticks=stuck.ticks + 1))
             continue
         inward = direction(angle_of(ball.position) + math.pi)
-        if aim is None or not serve:
-            turn = place_turn(game, stuck.offset)
-        else:
+        if serve and aim is not None:
             turn = signed_difference(normalize_angle(aim), angle_of(inward))
-        balls.append(Ball(ball.position, turned(inward, inward, turn, game.speed), ball.radius))
+            balls.append(Ball(ball.position, turned(inward, inward, turn, game.speed), ball.radius))
+        else:
+            velocity = turned(inward, inward, place_turn(game, stuck.offset), game.speed)
+            balls.append(_helped(game, Ball(ball.position, velocity, ball.radius), inward, events))
         events.append(Event(EventKind.BALL_RELEASED, position=ball.position))
     return game._replace(held=tuple(held), arena=game.arena._replace(balls=tuple(balls)))

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from pathlib import Path
 
 import pygame
 
@@ -12,19 +13,30 @@ from game.drawing.canvas import Canvas
 from game.drawing.painter import Painter
 from game.drawing.palette import Theme
 from game.drawing.text import Type
+from game.input.devices import Devices
+from game.input.keys import KEYS
+from game.input.rebinding import bindings, checked
 from game.input.view import FLAT, Viewpoint
+from game.kept.store import Kept
+from game.language import choose
 from game.levels import Level
 from game.overlay.toast import Toast
+from game.own_levels import OwnLevels
 from game.rules import SOURCE_RULES, Controls, Game, Ruleset, Ticked
 from game.screens.base import Screen
+from game.screens.level_pictures import LevelPictures
 from game.second_opinion import Compare, NormalPair
 from game.settings.file import SettingsFile
 from game.settings.values import LOUDEST, Settings
 from game.sound.mixer import Audio
+from game.sound.music.mood import mood_of
+from game.student.functions_file import FunctionsFile
 
 Recorder = Callable[[Controls, Game], None]
 """Told every tick of a played game: its controls, and the game after it. `tick` is 1 after the first tick of a new game."""
 
+SOURCE = "source"
+"""The name under which scores by the source's rules are kept."""
 _PIXELS = Camera(0j, 1.0)
 """For what is no picture of the world."""
 
@@ -35,18 +47,26 @@ class AppState:
 
     catalogue: levels that the title offers; chosen: index of one of them.
     seed: of every new game.
-    open_title: makes the title's screen.
+    open_title: makes the title's screen; open_levels: the choice of levels over it, None where there is none.
+    own_levels: reads the player's; open_editor: makes the editor's screen for one of their files, None for a new one, with a
+    function that leads back; None where there is no editor.
+    kept: scores, progress and finished games.
     recorder: told every tick that is played; None for nobody.
     autopilot: whether it plays instead of the player.
-    physics: that games are flown on. ruleset: of new games.
+    physics: that games are flown on. ruleset: of new games. two_players: whether two steer the paddles.
+    functions: the player's own, which the lab shows beside ours; None without.
     settings: the player's, as they hold now; settings_file: where they outlive the session.
-    full_screen: whether the window is.
+    full_screen: whether the window is; wants_full_screen: whether it shall be, as the settings say; None for no wish.
+    settings_tab: index of the part of the settings that was open last.
     view: from where the player looks at the arena.
     compare: asks another engine about contacts; None without one. shows_normals: whether its normals are shown.
     open_lab: makes the lab's screen, over another one; None where there is no lab.
     audio: the sound; None without.
     toast: words that are shown for a moment.
-    painter, type: draw all pictures and all text, and cache them.
+    devices: what the player has in hand.
+    away: whether the player is in another window. shown: all that the picture on the window depended on when it was drawn;
+    None where it has to be drawn again.
+    painter, type: draw all pictures and all text, and cache them; pictures: those of the levels.
     """
 
     catalogue: tuple[Level, ...]
@@ -56,7 +76,13 @@ class AppState:
     recorder: Recorder | None = None
     autopilot: bool = False
     settings: Settings = field(default_factory=Settings)
+    open_levels: "Callable[[AppState], Screen] | None" = None
+    own_levels: Callable[[], OwnLevels] = lambda: OwnLevels((), (), ())
+    open_editor: "Callable[[AppState, Callable[[], Screen | None], Path | None], Screen] | None" = None
+    kept: Kept = field(default_factory=lambda: Kept(None))
     full_screen: bool = False
+    wants_full_screen: bool | None = None
+    settings_tab: int = 0
     view: Viewpoint = FLAT
     compare: Compare | None = None
     open_lab: "Callable[[AppState, Screen], Screen] | None" = None
@@ -64,10 +90,21 @@ class AppState:
     audio: Audio | None = None
     settings_file: SettingsFile | None = None
     toast: Toast | None = None
+    away: bool = False
+    shown: object = None
     physics: ChosenPhysics = SWEPT
+    functions: FunctionsFile | None = None
     ruleset: Ruleset = SOURCE_RULES
+    two_players: bool = False
+    devices: Devices = field(default_factory=Devices)
     painter: Painter = field(default_factory=Painter)
     type: Type = field(default_factory=Type)
+    pictures: LevelPictures = field(default_factory=LevelPictures)
+
+    @property
+    def difficulty(self) -> str:
+        """The name under which scores and bests of new games are kept."""
+        return self.ruleset.difficulty.name.lower() if self.ruleset.arcade else SOURCE
 
     @property
     def theme(self) -> Theme:
@@ -75,22 +112,39 @@ class AppState:
         return self.settings.theme
 
     @property
+    def text_scale(self) -> float:
+        """How much larger than usual the player wants texts."""
+        return self.settings.text_size / 100.0
+
+    def levels(self) -> Screen:
+        """The choice of levels, or the title where there is none."""
+        return self.open_title(self) if self.open_levels is None else self.open_levels(self)
+
+    @property
     def appearance(self) -> tuple[object, ...]:
         """All of this that may change how a screen that stands still looks."""
-        return self.settings, self.shows_normals
+        return self.settings, self.shows_normals, self.full_screen
 
     def canvas(self, surface: pygame.Surface, camera: Camera = _PIXELS) -> Canvas:
         """A canvas in the settings' colours. camera: of what is drawn, unless it is text and boxes alone."""
-        return Canvas(surface, camera, self.theme, self.type, unit_of(surface.get_size()))
+        looks = self.settings.ball, self.settings.trail
+        return Canvas(surface, camera, self.theme, self.type, unit_of(surface.get_size()), *looks)
+
+    def words(self, canvas: Canvas) -> Canvas:
+        """The same canvas for words that are as large as the player wants them."""
+        return canvas._replace(unit=canvas.unit * self.text_scale)
 
     def change(self, settings: Settings, told: Toast | None = None) -> None:
-        """Let other settings hold, on the screen and in what sounds now. told: words to show about it."""
+        """Let other settings hold: on the screen, in what sounds now, for keys and texts. told: words to show about it."""
         self.settings = settings
+        KEYS.change(bindings(checked(settings.own_keys)))
+        choose(settings.language)
         if told is not None:
             self.toast = told
         if self.audio is not None:
             self.audio.muted = not settings.sound
             self.audio.volume = settings.volume / LOUDEST
+            self.audio.music_volume = settings.music / LOUDEST
 
     def save_settings(self) -> None:
         """Write the settings down for the next session."""
@@ -98,8 +152,11 @@ class AppState:
             self.settings_file.keep(self.settings)
 
     def play_sounds(self, ticked: Ticked, camera: Camera) -> None:
-        """Make the sounds of a tick, each where its event is on the screen."""
-        if self.audio is not None and ticked.events:
+        """Make the sounds of a tick, each where its event is on the screen; the music follows the game."""
+        if self.audio is None:
+            return
+        self.audio.follow(mood_of(ticked.game))
+        if ticked.events:
             reach = ticked.game.level.ground_radius
             self.audio.play(ticked.events, lambda position: camera.side(position, reach), ticked.game.combo)
 

@@ -21,8 +21,25 @@ class Screen(Protocol):
 
 
 @runtime_checkable
+class Still(Protocol):
+    """A screen that can say when it looks the same as before: it is not drawn again then, which costs next to nothing."""
+
+    @property
+    def looks(self) -> tuple[object, ...]:
+        """All that its picture depends on, but for the surface's size; the same values mean the same picture."""
+
+
+@runtime_checkable
 class Listener(Protocol):
     """A screen that hears the window's events themselves instead of what the game's keys mean: one can type there."""
 
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> "Screen | None":
         """React to an event. pixels_per_point: pixels of the surface per unit of the mouse's coordinates, across and down."""
+
+
+@runtime_checkable
+class Typist(Protocol):
+    """A screen on which text is entered: letters are letters there, not commands."""
+
+    def typed(self, event: pygame.Event) -> bool:
+        """Take an event as text; whether it is one."""

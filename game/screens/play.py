@@ -9,28 +9,42 @@ from game.drawing.camera import Camera, Layout, layout, unit_of
 from game.drawing.canvas import Canvas
 from game.effects import EffectKind, Effects
 from game.effects.hit_stop import hit_stop_seconds
+from game.effects.slow_motion import pace
 from game.fixed_step import Due, due
 from game.input.hands import Hands
 from game.input.key_names import key_name
 from game.input.keys import Action
-from game.input.signals import FocusLost, Pressed, Signal
-from game.levels import Level
-from game.overlay import hud, notice
-from game.rules import TICK, EventKind, Phase, new_game, tick
+from game.input.signals import Clicked, FocusLost, KeyboardState, Moved, Pressed, Released, Signal
+from game.language import tr
+from game.levels import Level, number_of
+from game.overlay import captions, hud, notice
+from game.overlay.captions import Caption
+from game.overlay.toast import Toast
+from game.rules import TICK, Controls, EventKind, Phase, new_game, tick
 from game.scene import scene_at, still
+from game.screens import ghost, play_buttons
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.help import Help
-from game.screens.menu import Entry, Menu
-from game.screens.settings_panel import SettingsPanel
+from game.screens.menus.help import Help
+from game.screens.menus.settings_panel import SettingsPanel
+from game.screens.play_record import PlayRecord
+from game.screens.play_results import game_results, level_results
+from game.screens.toolkit.menu import Entry, Menu
 from game.second_opinion import NormalPair
+from game.settings import aids
 
 _READY_SECONDS = 0.6
 """After a pause with a ball in play, until it flies on."""
 _OFFER_TICKS = round(20.0 / TICK)
 """Without a paddle's touch, until the player may give up the ball."""
 _END_TICKS = 200
-"""From the end of the game to the menu that says so: nobody who is still playing chooses an entry by accident."""
+"""From the end of the game to the results: nobody who is still playing chooses an entry by accident."""
+_CLEARED_TICKS = 150
+"""From the last brick of a level to its results: it is seen breaking first."""
+_NEWS_SECONDS = 5.0
+"""How long news of the physics is shown."""
+_SECOND_PLAYERS = (pygame.KSCAN_A, pygame.KSCAN_D)
+"""Positions of the second player's keys, where two play."""
 # Lengths are in units of text.
 _NOTE, _NOTE_ROOM, _NOTE_BOTTOM, _NOTE_MARGIN = 0.95, 1.6, 0.3, 0.8
 """The line about the physics: size of its letters, height left to it, from it to the lower edge and to the sides."""
@@ -46,14 +60,24 @@ class PlayScreen:
         self._effects = Effects()
         self._normals: tuple[NormalPair, ...] = ()
         self._hands = Hands()
+        self._second = Hands()  # of the second player; empty where there is one
         self._due = Due(0, 0.0)
         self._ready = 0.0  # seconds until play goes on after a pause
         self._stop = 0.0  # seconds of hit-stop left
         self._pilot = Autopilot() if state.autopilot else None
+        self._captions: tuple[Caption, ...] = ()
         self._untouched = 0  # ticks with a ball in play since a paddle touched it
+        self._hovered: Action | None = None  # what the button means that the mouse is on
+        self._told = -1  # number of the level whose results were shown last
+        self._record = PlayRecord(state, levels)
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
         """Take the player's controls into account, or open a panel."""
+        match signal:
+            case Moved(pixel):
+                self._hovered = play_buttons.action_at(self._layout(size), pixel)
+            case Clicked(pixel) if (action := play_buttons.action_at(self._layout(size), pixel)) is not None:
+                signal = Pressed(action)
         match signal:
             case Pressed(Action.PAUSE | Action.BACK) | FocusLost():
                 return self._paused(_pause_menu(self._state, self))
@@ -65,29 +89,39 @@ class PlayScreen:
                 return self._paused(SettingsPanel(self._state, self))
             case Pressed(Action.GIVE_UP) if not self._may_give_up:
                 return self
-        self._hands = self._hands.after(signal)
+        self._hold(signal)
         self._state.view = self._state.view.after(signal, unit_of(size))
         return self
 
+    def _hold(self, signal: Signal) -> None:
+        """Note what a player holds down; where two play, the second one's keys are not the first one's."""
+        keys = isinstance(signal, Pressed | Released) and signal.position in _SECOND_PLAYERS
+        if self._state.two_players and (keys or isinstance(signal, KeyboardState)):
+            self._second = self._second.after(signal)
+        if not (self._state.two_players and keys):
+            self._hands = self._hands.after(signal)
+
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
-        """Run the ticks that are due; a panel when the game has ended."""
+        """Run the ticks that are due; a panel when a level or the game has ended."""
         self._state.view = self._state.view.later(seconds, smooth=not self._state.settings.reduced_motion)
+        if news := self._state.physics.news():
+            self._state.toast = Toast(news, left=_NEWS_SECONDS)
         if self._ready > 0.0:
             self._ready -= seconds
             return self
+        self._captions = captions.later(self._captions, seconds)
         stopped = min(self._stop, max(seconds, 0.0))
         self._stop -= stopped
-        self._due = due(self._due.rest, seconds - stopped)
+        slowed = pace(self._ticked.game) if EffectKind.SLOW_MOTION in self._state.settings.shown else 1.0
+        self._due = due(self._due.rest, (seconds - stopped) * slowed * self._state.settings.speed / 100.0)
+        self._record.prepare()
         camera = self._layout(size).camera
         for _ in range(self._due.ticks):
             self._tick(camera)
             if EffectKind.HIT_STOP in self._state.settings.shown and (stop := hit_stop_seconds(self._ticked)):
                 self._stop, self._due = stop, Due(0, 0.0)
                 break
-        game = self._ticked.game
-        if game.phase in (Phase.OVER, Phase.WON) and game.phase_tick >= _END_TICKS:
-            return _end_menu(self._state, self, won=game.phase == Phase.WON, score=game.score)
-        return self
+        return self._results() or self
 
     def draw(self, surface: pygame.Surface) -> None:
         """The arena, the figures, and a line that says what to do."""
@@ -95,16 +129,21 @@ class PlayScreen:
         canvas = state.canvas(surface, seen.camera)
         scene = scene_at(self._ticked, self._due.alpha, self._effects)
         state.painter.paint(canvas, scene)
+        racing = None if self._record.ghost is None or not state.settings.ghost else self._record.ghost.game
+        if racing is not None:
+            ghost.draw(canvas, racing)
+            ghost.draw_lead(canvas, self._ticked.game, racing)
         if state.shows_normals:
             contact_normals.draw(canvas, self._normals)
-        badge = "" if self._pilot is None else "autopilot"
+        badge = aids.badge(state.settings) if self._pilot is None else tr("autopilot")
         shown = hud.readings(self._ticked.game, self._effects.streak, muted=not state.settings.sound, badge=badge)
-        hud.draw(canvas, shown, seen)
-        told = notice.READY if self._ready > 0.0 else notice.notice(self._ticked.game)
-        if told is None and self._may_give_up:
-            told = notice.Notice("Out of reach?", f"{key_name(Action.GIVE_UP)}: give up this ball; it costs a life")
+        words = state.words(canvas)
+        hud.draw(words, shown, seen)
+        play_buttons.draw(canvas, seen, self._hovered)
+        told = self._notice()
         if told is not None:
-            notice.draw(canvas, told, scene)
+            notice.draw(words, told, scene)
+        captions.draw(words, self._captions)
         if state.physics.note:
             _draw_note(canvas, state.physics.note)
 
@@ -113,14 +152,58 @@ class PlayScreen:
         """Whether the ball has been out of reach for so long that the player may do without it."""
         return self._pilot is None and self._untouched >= _OFFER_TICKS
 
+    def _notice(self) -> notice.Notice | None:
+        """What to tell the player; nothing where the results are about to say it."""
+        if 0.0 < self._ready < _READY_SECONDS:
+            return notice.ready()
+        game = self._ticked.game
+        if game.phase in (Phase.OVER, Phase.WON):
+            return None
+        told = notice.notice(game)
+        if told is None and self._may_give_up:
+            words = tr("{key}: give up this ball; it costs a life").format(key=key_name(Action.GIVE_UP))
+            return notice.Notice(tr("Out of reach?"), words)
+        return told
+
+    @property
+    def standing(self) -> str:
+        """Which level is being played, in words."""
+        game = self._ticked.game
+        number, _ = number_of(game.level, game.levels)
+        return tr("Level {number}: {name}").format(number=number, name=game.level.name)
+
     def restarted(self) -> Screen:
         """The same levels from their first serve."""
         return PlayScreen(self._state, self._levels)
 
+    def again(self) -> Screen:
+        """A new game at the level being played."""
+        return PlayScreen(self._state, self._levels[self._ticked.game.number :])
+
+    def went_on(self) -> Screen:
+        """This game, with the next level at once."""
+        self._hands = self._hands.after(Pressed(Action.SERVE))
+        return self
+
+    def _results(self) -> Screen | None:
+        """The panel after a level or the game, once it has been seen for a moment."""
+        game = self._ticked.game
+        if game.phase in (Phase.OVER, Phase.WON) and game.phase_tick >= _END_TICKS:
+            return game_results(self._state, self, game, self._record)
+        if (
+            game.phase == Phase.CLEARED
+            and game.phase_tick >= _CLEARED_TICKS
+            and self._told < game.number
+            and self._pilot is None
+        ):
+            self._told = game.number
+            return level_results(self._state, self, game, self._record)
+        return None
+
     def _tick(self, camera: Camera) -> None:
         """Run one tick and tell the recorder."""
         game = self._ticked.game
-        controls = self._hands.controls(camera) if self._pilot is None else self._pilot.controls(game)
+        controls = self._controls(camera) if self._pilot is None else self._pilot.controls(game)
         self._hands = self._hands.after_tick()
         self._ticked = tick(game, controls, self._state.physics.advance)
         touched = self._ticked.game.phase != Phase.PLAYING or any(
@@ -130,12 +213,24 @@ class PlayScreen:
         self._effects = effects.after(self._effects, self._ticked, self._state.settings.shown)
         self._normals = self._state.normals_after(self._normals, self._ticked)
         self._state.play_sounds(self._ticked, camera)
+        if self._state.settings.captions:
+            self._captions = captions.after(self._captions, self._ticked, camera)
         if self._state.recorder is not None:
             self._state.recorder(controls, self._ticked.game)
+        self._record.after_tick(self._ticked)
+
+    def _controls(self, camera: Camera) -> Controls:
+        """What the player asks for in the next tick."""
+        if self._state.settings.one_button:
+            return self._hands.one_button_controls(self._ticked.game)
+        controls = self._hands.controls(camera, self._ticked.game)
+        if self._second.held:
+            controls = controls._replace(second_turn=self._second.controls(camera, self._ticked.game).turn)
+        return controls
 
     def _paused(self, panel: Screen) -> Screen:
         """A panel over the game; keys that were held when it opened are let go."""
-        self._hands = self._hands.after(FocusLost())
+        self._hands, self._second = self._hands.after(FocusLost()), Hands()
         if self._ticked.game.phase == Phase.PLAYING:
             self._ready = _READY_SECONDS
         return panel
@@ -158,28 +253,23 @@ def _draw_note(canvas: Canvas, note: str) -> None:
 def _pause_menu(state: AppState, play: PlayScreen) -> Menu:
     """What to do with a game that was interrupted."""
     entries = (
-        Entry("Go on", lambda: play, Action.PAUSE),
-        Entry("Restart", play.restarted, Action.RESTART),
-        Entry("Settings", lambda: SettingsPanel(state, menu), Action.SETTINGS),
-        Entry("All levels", lambda: state.open_title(state)),
-        Entry("Quit", lambda: None),
+        Entry(tr("Go on"), lambda: play, Action.PAUSE),
+        Entry(tr("Restart"), lambda: _restart_menu(state, play), Action.RESTART),
+        Entry(tr("How to play"), lambda: Help(state, menu), Action.HELP),
+        Entry(tr("Settings"), lambda: SettingsPanel(state, menu), Action.SETTINGS),
+        Entry(tr("All levels"), state.levels),
+        Entry(tr("Title"), lambda: state.open_title(state)),
+        Entry(tr("Quit"), lambda: None),
     )
-    menu = Menu(state, play, "Paused", (), entries, back=lambda: play)
+    menu = Menu(state, play, tr("Paused"), (play.standing,), entries, back=lambda: play)
     return menu
 
 
 def _restart_menu(state: AppState, play: PlayScreen) -> Menu:
-    """The question before a game is thrown away."""
-    entries = (Entry("Restart", play.restarted, Action.RESTART), Entry("Go on", lambda: play, Action.PAUSE))
-    return Menu(state, play, "Restart?", ("This game ends; the score is lost.",), entries, back=lambda: play)
-
-
-def _end_menu(state: AppState, play: PlayScreen, *, won: bool, score: int) -> Menu:
-    """The end of a game."""
+    """The question before a game is thrown away; the safe answer is selected."""
     entries = (
-        Entry("Play again", play.restarted, Action.RESTART),
-        Entry("All levels", lambda: state.open_title(state)),
-        Entry("Quit", lambda: None),
+        Entry(tr("Go on"), lambda: play, Action.PAUSE),
+        Entry(tr("This level again"), play.again, Action.RESTART),
+        Entry(tr("From the first level"), play.restarted),
     )
-    title, line = ("You won", "Every level is cleared.") if won else ("Game over", "The last ball is gone.")
-    return Menu(state, play, title, (line, f"Score {score:,}"), entries, back=lambda: state.open_title(state))
+    return Menu(state, play, tr("Restart?"), (tr("This game ends; the score is lost."),), entries, back=lambda: play)

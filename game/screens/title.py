@@ -1,159 +1,156 @@
-"""The title: a game that plays itself, and the levels to choose from."""
+"""The title: a game that plays itself, the name, and where one can go from here."""
 
 import pygame
 
-from game.drawing.camera import Camera, layout, unit_of
+from game.drawing.camera import Camera, unit_of
 from game.drawing.canvas import Canvas
-from game.drawing.raster.primitives import draw_box
-from game.input.key_names import key_name
 from game.input.keys import Action
-from game.input.signals import Clicked, Moved, Pressed, Signal
+from game.language import tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.demo import Demo
-from game.screens.help import Help
-from game.screens.panel import index_at
+from game.screens.menus.credits import Credits
+from game.screens.menus.help import Help
+from game.screens.menus.high_scores import HighScores
+from game.screens.menus.level_select import LevelSelect, next_level
+from game.screens.menus.replays import Replays
+from game.screens.menus.settings_panel import SettingsPanel
 from game.screens.play import PlayScreen
-from game.screens.settings_panel import SettingsPanel
-from game.screens.thumbnail import thumbnail
+from game.screens.toolkit.items import Button, Item
+from game.screens.toolkit.layout import Content, Laid
+from game.screens.toolkit.menu import Entry, Menu
+from game.screens.toolkit.panel import Panel
 
-NAME = "POLAR BREAKOUT"
+NAME = ("POLAR", "BREAKOUT")
 # Lengths are in units of text.
-_NAME, _NAME_SHARE, _NAME_SPACING = 3.8, 1.0 / 11.0, 0.12
-"""Size of the name's letters, their largest share of the surface's width, and the gaps between them in shares of their size."""
-_NAME_TOP, _DEMO_TOP, _DEMO_GAP = 1.0, 5.0, 0.8
-"""From the surface's top to the name and to the demonstration, and from that to the cards."""
-_CARD, _CARD_GAP, _CARDS_MARGIN, _CARDS_BOTTOM = 5.6, 0.7, 1.0, 7.8
-"""Side of a card, between two, beside all of them, and from their pictures to the surface's lower edge."""
-_CARD_CORNER, _CARD_EDGE, _CHOSEN_EDGE, _CARD_MARGIN = 0.6, 0.06, 0.16, 0.4
-"""Radius of a card's corners, widths of its edge, and from the edge to the picture."""
-_NUMBER, _NUMBER_BOTTOM, _NUMBER_HEIGHT = 1.1, 0.3, 1.1
-"""Size of a level's number, from it to the card's lower edge, and how much a card is higher for it than wide."""
-_LEVEL_NAME, _DESCRIPTION, _KEYS = 1.5, 1.05, 0.95
-"""Sizes of letters."""
-_LEVEL_TOP, _LINE_GAP, _KEYS_BOTTOM = 0.5, 0.2, 0.8
-"""From the cards to the level's name, between the lines below, and from the keys to the surface's lower edge."""
-_DESCRIPTION_WIDTH = 0.9
-"""Share of the surface's width."""
-_MOST_PICTURES = 64
-"""Pictures of levels cached."""
+_NAME, _NAME_SPACING, _NAME_PITCH = 4.2, 0.12, 4.0
+"""Size of the name's letters, the gaps between them in shares of their size, and from line to line."""
+_NAME_TOP, _LEFT, _COLUMN = 2.4, 2.2, 18.0
+"""From the surface's upper edge to the name, from its left edge to name and buttons, and width of these."""
+_INSET = 2.9
+"""From the edge of the buttons' room to their words."""
+_BUTTONS_TOP = 11.0
+"""From the surface's upper edge to the room of the buttons."""
+_WIDE = 1.2
+"""Aspect ratio from which the demonstration has its own part of the surface, at the right."""
+_DEMO_RADIUS = 0.475
+"""Of the ground, in shares of the surface's height, or of the width that is left."""
+_VEIL = 185
+"""How much the demonstration is covered where the buttons stand over it, of 255."""
+_STILL_SECONDS = 6.0
+"""With reduced motion: the moment of the demonstration that is shown."""
+_STEP = 0.25
 
 
-class Title:
-    """Shows the levels over a demonstration of the chosen one."""
+class Title(Panel):
+    """Buttons beside a demonstration."""
+
+    rate = 30
+    """Pictures per second: it is looked at in passing."""
 
     def __init__(self, state: AppState) -> None:
-        """Open with the level chosen last."""
-        self._state = state
-        self._pictures: dict[tuple[int, int, int], pygame.Surface] = {}
+        """Open with the level chosen last playing."""
+        super().__init__(state, None)
+        self._shown = 0
         self._demo = self._new_demo()
 
-    def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
-        """Choose a level, start it, or leave."""
-        count = len(self._state.catalogue)
-        match signal:
-            case Pressed(Action.LEFT | Action.UP):
-                self._choose((self._state.chosen - 1) % count)
-            case Pressed(Action.RIGHT | Action.DOWN):
-                self._choose((self._state.chosen + 1) % count)
-            case Pressed(Action.CONFIRM | Action.SERVE):
-                return self._started()
-            case Pressed(Action.HELP):
-                return Help(self._state, self)
-            case Pressed(Action.SETTINGS):
-                return SettingsPanel(self._state, self)
-            case Pressed(Action.BACK):
-                return None
-            case Moved(pixel) if (index := index_at(self._cards(size), pixel)) is not None:
-                self._choose(index)
-            case Clicked(pixel) if (index := index_at(self._cards(size), pixel)) is not None:
-                self._choose(index)
-                return self._started()
-        return self
+    @property
+    def looks(self) -> tuple[object, ...]:
+        """The demonstration moves."""
+        return *super().looks, self._shown
+
+    def content(self) -> Content:
+        """Where one can go."""
+        state = self.state
+        following = state.catalogue[next_level(state)].name
+        items: tuple[Item, ...] = (
+            Button(tr("Play"), self._play, note=following, large=True),
+            Button(tr("Levels"), lambda: LevelSelect(state, self)),
+            Button(tr("High scores"), lambda: HighScores(state, self)),
+            Button(tr("Replays"), lambda: Replays(state, self)),
+            Button(tr("How to play"), lambda: Help(state, self), Action.HELP),
+            Button(tr("Settings"), lambda: SettingsPanel(state, self), Action.SETTINGS),
+            Button(tr("Credits"), lambda: Credits(state, self)),
+            Button(tr("Quit"), lambda: None),
+        )
+        return Content("", tuple([(item,) for item in items]), width=_COLUMN)
+
+    def back(self) -> Screen | None:
+        """Esc asks first."""
+        entries = (Entry(tr("Stay"), lambda: self), Entry(tr("Quit"), lambda: None))
+        return Menu(self.state, self, tr("Leave the game?"), (), entries, back=lambda: self)
+
+    def area(self, size: tuple[int, int]) -> pygame.Rect:
+        """The column below the name; in the middle of a narrow surface."""
+        unit, (width, height) = self.unit(size), size
+        top = round(unit_of(size) * _BUTTONS_TOP)
+        left = unit_of(size) * _LEFT - unit * _INSET if _is_wide(size) else (width - unit * _COLUMN) / 2.0 - unit * _INSET
+        room = max(min(round(unit * (_COLUMN + 2.0 * _INSET)), round(width - left)), 1)
+        return pygame.Rect(round(left), top, room, max(height - top, 1))
 
     def advance(self, seconds: float, _size: tuple[int, int]) -> Screen | None:
         """Let the demonstration play."""
-        self._demo.advance(seconds, self._state.settings.shown)
-        if self._demo.ended:
-            self._demo = self._new_demo()
+        if not self.state.settings.reduced_motion:
+            self._demo.advance(seconds, self.state.settings.shown)
+            self._shown += 1
+            if self._demo.ended:
+                self._demo = self._new_demo()
         return self
 
-    def draw(self, surface: pygame.Surface) -> None:
-        """The demonstration, the name, the levels, what the keys do."""
+    def draw_behind(self, surface: pygame.Surface) -> None:
+        """The demonstration, under a veil where the buttons stand over it."""
+        self.draw_ground(surface)
+        if not _is_wide(surface.get_size()):
+            veil = pygame.Surface(surface.get_size(), 0, surface)
+            veil.fill(self.state.theme.background)
+            veil.set_alpha(_VEIL)
+            surface.blit(veil, (0, 0))
+
+    def draw_ground(self, surface: pygame.Surface) -> None:
+        """The demonstration alone."""
+        size, state = surface.get_size(), self.state
         scene = self._demo.scene()._replace(aim=None, pops=())
-        canvas = self._state.canvas(surface, self._demo_camera(surface.get_size(), scene.ground_radius))
-        self._state.painter.paint(canvas, scene)
-        theme, unit, (width, height) = canvas.theme, canvas.unit, canvas.size
-        middle, cards = width / 2.0, self._cards(canvas.size)
-        name = min(_NAME, width / unit * _NAME_SHARE)
-        canvas.write(NAME, name, theme.text, complex(middle, unit * _NAME_TOP), "midtop", _NAME_SPACING)
-        self._draw_cards(canvas, cards)
-        level = self._state.catalogue[self._state.chosen]
-        under = complex(middle, cards[0].bottom + unit * _LEVEL_TOP)
-        box = canvas.write(level.name, _LEVEL_NAME, theme.accent, under, "midtop")
-        for line in canvas.type.wrapped(level.description, unit * _DESCRIPTION, width * _DESCRIPTION_WIDTH):
-            under = complex(middle, box.bottom + unit * _LINE_GAP)
-            box = canvas.write(line, _DESCRIPTION, theme.text, under, "midtop")
-        canvas.write(_keys_help(), _KEYS, theme.faint, complex(middle, height - unit * _KEYS_BOTTOM), "midbottom")
+        canvas = state.canvas(surface, _demo_camera(size, scene.ground_radius))
+        state.painter.paint(canvas, scene)
 
-    def _demo_camera(self, size: tuple[int, int], ground_radius: float) -> Camera:
-        """The camera that shows the demonstration between the name and the cards."""
-        width, height = size
-        unit = unit_of(size)
-        above, below = unit * _DEMO_TOP, height - self._cards(size)[0].top + unit * _DEMO_GAP
-        fitted = layout((width, max(round(height - above), 1)), ground_radius, below).camera
-        return fitted._replace(centre=complex(width / 2.0, above + (height - above - below) / 2.0))
+    def draw_plate(self, canvas: Canvas, _content: Content, laid: Laid) -> None:
+        """The name in place of a plate."""
+        unit, wide = unit_of(canvas.size), _is_wide(canvas.size)
+        canvas = canvas._replace(unit=unit)
+        for index, (word, colour) in enumerate(zip(NAME, (canvas.theme.text, canvas.theme.accent), strict=True)):
+            x = unit * _LEFT if wide else canvas.size[0] / 2.0
+            pixel = complex(x, unit * (_NAME_TOP + _NAME_PITCH * index))
+            canvas.write(word, _NAME, colour, pixel, "topleft" if wide else "midtop", _NAME_SPACING)
+        laid.close.size = (0, 0)
 
-    def _draw_cards(self, canvas: Canvas, cards: list[pygame.Rect]) -> None:
-        """A picture of every level, the chosen one framed. cards: their boxes, pixels."""
-        theme, unit = canvas.theme, canvas.unit
-        for index, card in enumerate(cards):
-            chosen = index == self._state.chosen
-            colour, edge = (theme.accent, theme.accent) if chosen else (theme.faint, theme.panel_edge)
-            line = _CHOSEN_EDGE if chosen else _CARD_EDGE
-            draw_box(canvas.surface, card, unit * _CARD_CORNER, theme.panel, edge, unit * line)
-            picture = self._picture(index, card.width - round(unit * 2.0 * _CARD_MARGIN))
-            corner = (card.centerx, card.top + round(unit * _CARD_MARGIN))
-            canvas.surface.blit(picture, picture.get_rect(midtop=corner))
-            pixel = complex(card.centerx, card.bottom - unit * _NUMBER_BOTTOM)
-            canvas.write(str(index + 1), _NUMBER, colour, pixel, "midbottom")
-
-    def _cards(self, size: tuple[int, int]) -> list[pygame.Rect]:
-        """Where the levels' cards are, pixels: a row in the lower half."""
-        unit, count = unit_of(size), len(self._state.catalogue)
-        gap = unit * _CARD_GAP
-        side = min((size[0] - unit * 2.0 * _CARDS_MARGIN - gap * (count - 1)) / count, unit * _CARD)
-        side = max(side, 1.0)
-        top = size[1] - unit * _CARDS_BOTTOM - side
-        left = (size[0] - side * count - gap * (count - 1)) / 2.0
-        tall = round(side + unit * _NUMBER_HEIGHT)
-        return [pygame.Rect(round(left + index * (side + gap)), round(top), round(side), tall) for index in range(count)]
-
-    def _picture(self, index: int, side: int) -> pygame.Surface:
-        """A level's picture, drawn once per size and theme. side: pixels."""
-        key = (index, side, id(self._state.theme))
-        if key not in self._pictures:
-            if len(self._pictures) >= _MOST_PICTURES:
-                self._pictures.clear()
-            self._pictures[key] = thumbnail(self._state.catalogue[index], side, self._state.theme)
-        return self._pictures[key]
-
-    def _choose(self, index: int) -> None:
-        """Choose another level, and show its demonstration."""
-        if index != self._state.chosen:
-            self._state.chosen = index
-            self._demo = self._new_demo()
+    def _play(self) -> Screen:
+        """The campaign from the first level that was not finished yet."""
+        state = self.state
+        state.chosen = next_level(state)
+        return PlayScreen(state, state.catalogue[state.chosen :])
 
     def _new_demo(self) -> Demo:
-        """The chosen level, to be played from its beginning."""
-        return Demo(self._state.catalogue[self._state.chosen], self._state.seed)
+        """A level to be played from its beginning: the one after that of the demonstration before."""
+        state = self.state
+        index = (state.chosen + self._shown % len(state.catalogue)) % len(state.catalogue)
+        demo = Demo(state.catalogue[index], state.seed)
+        if state.settings.reduced_motion:
+            for _ in range(round(_STILL_SECONDS / _STEP)):
+                demo.advance(_STEP, frozenset())
+        return demo
 
-    def _started(self) -> Screen:
-        """The game from the chosen level on."""
-        return PlayScreen(self._state, self._state.catalogue[self._state.chosen :])
+
+def _is_wide(size: tuple[int, int]) -> bool:
+    """Whether there is room for the demonstration beside the buttons."""
+    return size[0] > size[1] * _WIDE
 
 
-def _keys_help() -> str:
-    """The main keys, as the player's layout writes them."""
-    named = f"{key_name(Action.HELP)}: help     {key_name(Action.SETTINGS)}: settings"
-    return f"Enter or click: play     Arrows: choose     {named}     F11: full screen     Esc: quit"
+def _demo_camera(size: tuple[int, int], ground_radius: float) -> Camera:
+    """The camera that shows the demonstration: at the right, its edge perhaps beyond the surface's; else in the middle."""
+    width, height = size
+    if not _is_wide(size):
+        return Camera(complex(width, height) / 2.0, max(min(size) * _DEMO_RADIUS / ground_radius, 1e-3))
+    radius = height * _DEMO_RADIUS
+    left = unit_of(size) * (_LEFT + _COLUMN + 0.5)
+    middle = max(left + radius, (left + width) / 2.0)
+    return Camera(complex(middle, height / 2.0), max(radius / ground_radius, 1e-3))

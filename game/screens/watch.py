@@ -1,5 +1,6 @@
 """A recorded game: played, stopped, stepped and sought in. Only the ticks come from elsewhere; the drawing is the game's."""
 
+from collections.abc import Callable
 from typing import Protocol
 
 import pygame
@@ -14,14 +15,16 @@ from game.fixed_step import LONGEST_FRAME
 from game.input.key_names import key_name, watch_help
 from game.input.keys import Action
 from game.input.signals import Clicked, Dragged, Moved, Pressed, Signal, Zoomed
+from game.language import tr
 from game.overlay import hud
 from game.overlay.toast import draw_bar
 from game.rules import TICK, Game, Ticked
 from game.scene import scene_at, still
+from game.screens import play_buttons
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.help import Help
-from game.screens.settings_panel import SettingsPanel
+from game.screens.menus.help import Help
+from game.screens.menus.settings_panel import SettingsPanel
 from game.second_opinion import NormalPair
 
 SPEEDS = (0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0)
@@ -55,9 +58,10 @@ class Frames(Protocol):
 class Watch:
     """Shows a recorded game. Its clock counts ticks, with a fraction, to draw moments between two ticks."""
 
-    def __init__(self, state: AppState, frames: Frames) -> None:
-        """Start at the beginning, playing."""
-        self._state, self._frames = state, frames
+    def __init__(self, state: AppState, frames: Frames, back: Callable[[], Screen | None] = lambda: None) -> None:
+        """Start at the beginning, playing. back: the screen that it leads back to."""
+        self._state, self._frames, self._back = state, frames, back
+        self._hovered: Action | None = None  # what the button means that the mouse is on
         self._playing = True
         self._speed = SPEEDS.index(1.0)
         self._effects = Effects()
@@ -67,11 +71,12 @@ class Watch:
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
         """Play, stop, step, seek, or leave."""
         state = self._state
+        signal = self._on_buttons(signal, size)
         match signal:
             case Pressed(Action.BACK):
-                return None
+                return self._back()
             case Pressed(Action.HELP):
-                return Help(state, self, "Watching a game", watch_help())
+                return Help(state, self, tr("Watching a game"), watch_help())
             case Pressed(Action.SETTINGS):
                 self._playing = False
                 return SettingsPanel(state, self)
@@ -111,8 +116,23 @@ class Watch:
         if state.shows_normals:
             contact_normals.draw(canvas, self._normals)
         shown = hud.readings(self._shown.game, self._effects.streak, muted=not state.settings.sound, badge="replay")
-        hud.draw(canvas, shown, seen)
+        hud.draw(state.words(canvas), shown, seen)
+        play_buttons.draw(canvas, seen, self._hovered, play_buttons.WATCHING)
         self._draw_timeline(canvas)
+
+    def _on_buttons(self, signal: Signal, size: tuple[int, int]) -> Signal:
+        """What a signal means: a click on a button is its key; on the speed the next one; on the arena play or stop."""
+        seen = self._layout(size)
+        match signal:
+            case Moved(pixel):
+                self._hovered = play_buttons.action_at(seen, pixel, play_buttons.WATCHING)
+            case Clicked(pixel) if (action := play_buttons.action_at(seen, pixel, play_buttons.WATCHING)) is not None:
+                return Pressed(action)
+            case Clicked(pixel) if pixel.imag > size[1] - unit_of(size) * _ROOM and pixel.real > self._timeline(size).right:
+                self._speed = (self._speed + 1) % len(SPEEDS)
+            case Clicked(pixel) if not self._on_timeline(pixel, size):
+                return Pressed(Action.PAUSE)
+        return signal
 
     def _toggle(self) -> None:
         """Play or stop; at the end, play from the beginning."""
@@ -186,7 +206,7 @@ class Watch:
         draw_bar(canvas.surface, bar, share, theme)
         draw_dot(canvas.surface, complex(bar.left + bar.width * share, bar.centery), bar.height, theme.text)
         left, right = complex(unit * _EDGE, bar.centery), complex(canvas.size[0] - unit * _EDGE, bar.centery)
-        canvas.write("playing" if self._playing else "stopped", _TEXT, theme.text, left, "midleft")
+        canvas.write(tr("playing") if self._playing else tr("stopped"), _TEXT, theme.text, left, "midleft")
         seconds = f"{self._at * TICK:.1f} / {self._frames.ticks * TICK:.1f} s    {_speed_text(SPEEDS[self._speed])}"
         canvas.write(seconds, _TEXT, theme.text, right, "midright")
         canvas.write(_keys_help(), _KEYS, theme.faint, complex(bar.left, bar.bottom + unit * _KEYS_TOP))
@@ -199,4 +219,5 @@ def _speed_text(speed: float) -> str:
 
 def _keys_help() -> str:
     """The main keys, as the player's layout writes them."""
-    return f"Space: play / stop    , . : one tick    Left Right: 5 s    + -: speed    {key_name(Action.HELP)}: help"
+    words = tr("Space: play / stop    , . : one tick    Left Right: 5 s    + -: speed    {key}: help")
+    return words.format(key=key_name(Action.HELP))

@@ -1,22 +1,29 @@
 """The settings, kept in the user's configuration folder from one session to the next.
 
-A JSON object with the fields of `Settings` and a version; `off` is a list of effects. What is missing has its default, what
-is out of range is brought into it, and whatever cannot be read is moved aside: no file keeps the game from starting.
+A JSON object with the fields of `Settings` and a version; `off` is a list of effects, `own_keys` has lists of numbers by
+action. What is missing has its default, what is out of range is brought into it, and whatever cannot be read is moved aside: no
+file keeps the game from starting.
 """
 
 import time
+from collections.abc import Container
 from pathlib import Path
 from typing import Any
 
 import msgspec
 import platformdirs
 
+from game.drawing.colour_vision import VISIONS
 from game.effects import EffectKind
-from game.settings.values import LOUDEST, THEMES, Settings
+from game.language import CODES, SYSTEM
+from game.settings.own_keys import decoded_keys, encoded_keys
+from game.settings.values import LOUDEST, SPEEDS, TEXT_SIZES, THEMES, Settings
 from game.system.files import sweep, write_whole
 from game.system.wording import quoted_path
+from game.unlocks import BALLS, TRAILS
 
-VERSION = 1
+VERSION = 2
+"""1 had no fields after `off`."""
 _LARGEST = 64 * 1024
 
 
@@ -89,25 +96,48 @@ class SettingsFile:
 
 def encoded(settings: Settings) -> bytes:
     """The file's bytes."""
-    said = {"version": VERSION, **settings._asdict(), "off": sorted(settings.off)}
+    own_keys = encoded_keys(settings.own_keys)
+    said = {"version": VERSION, **settings._asdict(), "off": sorted(settings.off), "own_keys": own_keys}
     return msgspec.json.format(msgspec.json.encode(said)) + b"\n"
 
 
 def decoded(said: dict[str, Any]) -> Settings:
     """The settings in a file, key by key: the default for what makes no sense, the nearest for what is out of range."""
-    settings = Settings()
-    if isinstance(colours := said.get("colours"), str) and colours in THEMES:
-        settings = settings._replace(colours=colours)
-    settings = settings._replace(
-        sound=_flag(said, "sound", settings.sound),
-        reduced_motion=_flag(said, "reduced_motion", settings.reduced_motion),
-        effects=_flag(said, "effects", settings.effects),
+    default = Settings()
+    off = said.get("off")
+    return Settings(
+        colours=_one_of(said, "colours", THEMES, default.colours),
+        sound=_flag(said, "sound", default.sound),
+        volume=_whole(said, "volume", (0, LOUDEST), default.volume),
+        reduced_motion=_flag(said, "reduced_motion", default.reduced_motion),
+        effects=_flag(said, "effects", default.effects),
+        off=frozenset([kind for kind in EffectKind if kind in off]) if isinstance(off, list) else default.off,
+        speed=_whole(said, "speed", SPEEDS, default.speed),
+        text_size=_whole(said, "text_size", TEXT_SIZES, default.text_size),
+        one_button=_flag(said, "one_button", default.one_button),
+        captions=_flag(said, "captions", default.captions),
+        ghost=_flag(said, "ghost", default.ghost),
+        vision=_one_of(said, "vision", VISIONS, default.vision),
+        music=_whole(said, "music", (0, LOUDEST), default.music),
+        ball=_one_of(said, "ball", BALLS, default.ball),
+        trail=_one_of(said, "trail", TRAILS, default.trail),
+        language=_one_of(said, "language", (SYSTEM, *CODES), default.language),
+        own_keys=decoded_keys(said.get("own_keys")),
     )
-    if isinstance(volume := said.get("volume"), int | float) and not isinstance(volume, bool):
-        settings = settings._replace(volume=round(min(max(volume, 0), LOUDEST)))
-    if isinstance(off := said.get("off"), list):
-        settings = settings._replace(off=frozenset([kind for kind in EffectKind if kind in off]))
-    return settings
+
+
+def _one_of(said: dict[str, Any], key: str, known: Container[str], default: str) -> str:
+    """One of some words."""
+    wanted = said.get(key)
+    return wanted if isinstance(wanted, str) and wanted in known else default
+
+
+def _whole(said: dict[str, Any], key: str, limits: tuple[int, int], default: int) -> int:
+    """A number, rounded and brought between its limits."""
+    wanted = said.get(key)
+    if not isinstance(wanted, int | float) or isinstance(wanted, bool):
+        return default
+    return round(min(max(wanted, limits[0]), limits[1]))
 
 
 def _flag(said: dict[str, Any], key: str, default: bool) -> bool:  # noqa: FBT001  # the value of a key, not a switch

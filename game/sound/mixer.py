@@ -8,8 +8,12 @@ import numpy as np
 import pygame
 
 from game.rules import Event
-from game.sound.synth import Note, Waveform, every_note, waveform
+from game.sound.music.loops import PEAK
+from game.sound.music.mood import Mood
+from game.sound.music.player import CHANNELS, MusicPlayer
+from game.sound.synth import Note, every_note, waveform
 from game.sound.voices import SILENCE, VOICES, Side, Tail, Voice, chorus, cues, tail
+from game.sound.waves import Waveform
 from game.system.quiet_stderr import quiet_libraries
 
 _BLOCK = 512
@@ -40,6 +44,7 @@ class Audio:
         self._sounds: dict[Note, pygame.mixer.Sound] = {}
         self._tails: dict[Note, Tail] = {}
         self._waiting = list(every_note()[::-1])
+        self._music = MusicPlayer(VOICES, sample_rate, clock)
         self.problem = _opened(sample_rate)
         if self.problem is not None and sys.stderr is not None:
             sys.stderr.write(f"{self.problem}\n")
@@ -68,13 +73,32 @@ class Audio:
         if muted and not self._muted:
             self._voices = SILENCE
             if self._is_open():
+                self._music.stop()
                 pygame.mixer.fadeout(_FADE_OUT)
         self._muted = muted
 
+    @property
+    def music_volume(self) -> float:
+        """0 for no music, to 1; as `volume`, which it goes with: it says how loud the music is beside all else."""
+        return self._music.volume
+
+    @music_volume.setter
+    def music_volume(self, volume: float) -> None:
+        """Heard from the next `prepare` on."""
+        self._music.volume = min(max(volume, 0.0), 1.0)
+
+    def follow(self, mood: Mood) -> None:
+        """Let the music follow what happens in a game; to be told as long as it is played."""
+        self._music.follow(mood)
+
     def prepare(self) -> None:
-        """Compute one more sound ahead of its use, until there are all: a frame has time for one."""
-        if self._waiting and self._is_open():
+        """Compute one more sound ahead of its use, until there are all, and let the music go on: to be called every frame."""
+        if not self._is_open():
+            return
+        if self._waiting:
             self._compute([self._waiting.pop()])
+        elif not self._muted:
+            self._music.advance(self._volume)
 
     def play(self, events: Sequence[Event], side: Side, combo: int) -> None:
         """Make the sounds of some events. side: where they are heard. combo: the game's, after the last of them."""
@@ -113,7 +137,7 @@ class Audio:
         """Set how loud each ear hears the voice on a channel."""
         voice: Voice | None = self._voices[channel]
         if voice is not None:
-            gain = self._volume**2
+            gain = self._volume**2 * (1.0 - PEAK if self._music.volume > 0.0 else 1.0)
             pygame.mixer.Channel(channel).set_volume(voice.left * gain, voice.right * gain)
 
 
@@ -123,7 +147,7 @@ def _opened(sample_rate: int) -> str | None:
         pygame.mixer.quit()
         with quiet_libraries():
             pygame.mixer.init(sample_rate, -16, 2, _BLOCK, allowedchanges=0)
-        pygame.mixer.set_num_channels(VOICES)
+        pygame.mixer.set_num_channels(VOICES + CHANNELS)
     except (pygame.error, NotImplementedError) as error:
         return f"no sound: {' '.join(str(error).split())}"
     return None

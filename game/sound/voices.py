@@ -10,8 +10,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from game.rules import Event, EventKind
-from game.sound.synth import Note, Patch, Waveform, brick
+from game.rules import HARMFUL, Event, EventKind
+from game.sound.patches import Patch
+from game.sound.synth import Note, brick
+from game.sound.waves import Waveform
 from physics import Hit, dot, length
 
 VOICES = 12
@@ -28,12 +30,28 @@ _PATCHES: dict[EventKind, Patch | None] = {
     EventKind.LEVEL_CLEARED: Patch.CLEARED,
     EventKind.GAME_WON: Patch.WON,
     EventKind.GAME_OVER: Patch.OVER,
+    EventKind.DROP_RELEASED: Patch.DROP,
+    EventKind.DROP_CAUGHT: Patch.GIFT,
+    EventKind.DROP_LOST: None,  # nothing happens
+    EventKind.POWER_ENDED: Patch.POWER_OFF,
+    EventKind.LIFE_GAINED: Patch.LIFE,
+    EventKind.BALLS_MET: Patch.BALLS,
+    EventKind.BALL_CAUGHT: Patch.CATCH,
+    EventKind.BALL_RELEASED: Patch.RELEASE,
+    EventKind.SPEED_UP: Patch.FASTER,
+    EventKind.SHIELD_HIT: Patch.SHIELD,
+    EventKind.BUMPER_HIT: Patch.BUMPER,
+    EventKind.BRICK_REGROWN: Patch.REGROWN,
+    EventKind.CORE_BROKEN: Patch.CORE,
+    EventKind.AIMED: None,  # the paddle is heard
     EventKind.LEVEL_STARTED: None,  # the jingle of the level before has only just ended
 }
 """What events sound like, but for bricks, whose sound depends on more."""
 _REPLACED = {EventKind.GAME_WON: EventKind.LEVEL_CLEARED, EventKind.GAME_OVER: EventKind.BALL_LOST}
 """Where both happen at once, the first is heard and the second is not."""
-_HITS = frozenset({Patch.PADDLE, Patch.BRICK, Patch.WALL, Patch.NUDGE})
+_HITS = frozenset(
+    {Patch.PADDLE, Patch.BRICK, Patch.WALL, Patch.NUDGE, Patch.BALLS, Patch.CATCH, Patch.RELEASE, Patch.BUMPER, Patch.REGROWN}
+)
 """Sounds that are many and small; all others are news, and hits leave room for them."""
 _VOICES_FOR_HITS, _SCALE_FOR_HITS = 9, 0.8
 """Voices that hits may take, and share of full scale that they leave nothing above."""
@@ -145,7 +163,9 @@ def _note(event: Event, combo: int) -> Note | None:
     """What an event sounds like; None if it makes no sound. combo: the game's, after it."""
     if event.kind == EventKind.BRICK_HIT:
         return brick(combo, 0 if event.hit is None else event.hit.layers)
-    patch = _PATCHES.get(event.kind)
+    if event.power in HARMFUL and event.kind == EventKind.DROP_CAUGHT:
+        return Note(Patch.TRAP)
+    patch = _PATCHES[event.kind]
     return None if patch is None else Note(patch)
 
 

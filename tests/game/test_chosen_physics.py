@@ -8,8 +8,9 @@ import pytest
 
 from game import app, commands
 from game.chosen_physics import SOURCE, SWEPT
+from game.kept import games as kept_games
+from game.kept.store import Kept
 from game.levels import Level, built_in, parse
-from game.replays import history
 from game.screens.play import PlayScreen
 from tests.support.command_line import polar
 from tests.support.dummy_window import FRAME, SIZE, Desk, shared
@@ -42,8 +43,8 @@ def test_a_recording_is_refused(capsys, tmp_path: Path):
 def test_a_game_in_the_window_is_kept_only_if_it_can_be_verified(capsys, monkeypatch, tmp_path: Path, physics):
     """The option's physics reaches the window, and games of the slides' own algorithm leave nothing behind."""
     monkeypatch.setattr(commands, "settings_path", lambda: tmp_path / "settings.json")
-    monkeypatch.setattr(history, "folder", lambda: tmp_path / "replays")
-    monkeypatch.setattr(history, "_SHORTEST", 0.1)
+    monkeypatch.setattr(commands, "data_folder", lambda: tmp_path)
+    monkeypatch.setattr(kept_games, "_SHORTEST", 0.1)
     plain, flown = app.frame, []
 
     def frame(window, state, screen, _seconds):
@@ -54,7 +55,7 @@ def test_a_game_in_the_window_is_kept_only_if_it_can_be_verified(capsys, monkeyp
     code, _, err = polar(capsys, "--autopilot", "--physics", physics)
     assert (code, err) == (0, "")
     assert set(flown) == {{"swept": SWEPT, "source": SOURCE}[physics]}
-    assert len(history.kept_games()) == (physics == "swept")
+    assert len(Kept(tmp_path).games.paths()) == (physics == "swept")
 
 
 def flown_in_a_window(physics, seconds, size=SIZE):
@@ -86,9 +87,7 @@ def test_a_line_on_the_screen_says_so(size):
     room = pygame.Rect(0, size[1] - round(unit * 1.5), size[0], round(unit * 1.5))
 
     def ink(picture):
-        mask = pygame.mask.from_threshold(picture.subsurface(room), state.theme.background, (8, 8, 8, 255))
-        mask.invert()
-        return mask
+        return pygame.mask.from_threshold(picture.subsurface(room), state.theme.accent, (190, 160, 255, 255))
 
     letters = ink(given).get_bounding_rects()
     box = letters[0].unionall(letters)

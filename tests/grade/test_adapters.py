@@ -6,11 +6,11 @@ import sys
 
 import pytest
 
+from game.student.signatures import SIGNATURES
 from tests.grade.wrong_files import RIGHT
 from tests.support.paths import ROOT
 from tools.grade.grading import grade
 from tools.grade.scheme import Scheme
-from tools.vectors.signatures import SIGNATURES
 
 ADAPTERS = ROOT / "docs" / "adapters"
 STUDENTS = ROOT / "tests" / "grade" / "students"

@@ -1,5 +1,6 @@
 """The command `python -m tools.grade`: its output, its files, its exit codes, and the teacher's file."""
 
+import ast
 import json
 import sys
 from xml.etree import ElementTree as ET
@@ -7,6 +8,7 @@ from xml.etree import ElementTree as ET
 import pytest
 
 from game.lab.session.share import parsed
+from game.student.own_functions import PYTHON_ORDER
 from game.system.command_line import run
 from tests.grade.wrong_files import RIGHT, WRONG_FILES
 from tools.grade import command
@@ -61,6 +63,15 @@ def test_a_wrong_file_is_exit_code_1(capsys, mine):
     assert parsed(line).scene.name == "case-1"
 
 
+def test_a_wrong_answer_is_drawn(capsys, mine, tmp_path):
+    """A picture for each wrong function; none for the right ones."""
+    text = ANGLES + "def narrow_phase_case_1(p, r_p):\n    return p / abs(p)\n"
+    code, out, _ = graded(capsys, mine(text), "--pictures", tmp_path / "pictures")
+    assert (code, out.splitlines()[-1]) == (1, f"picture: {tmp_path / 'pictures' / 'narrow_phase_case_1.png'}")
+    assert [path.name for path in (tmp_path / "pictures").iterdir()] == ["narrow_phase_case_1.png"]
+    assert (tmp_path / "pictures" / "narrow_phase_case_1.png").read_bytes().startswith(b"\x89PNG")
+
+
 def test_a_file_may_define_only_some_functions(capsys, mine):
     """The others do not count."""
     code, out, _ = graded(capsys, mine(ANGLES))
@@ -95,6 +106,30 @@ def test_junit_has_a_suite_for_each_function(capsys, mine, tmp_path):
     (case,) = [case for case in root.iter("testcase") if case.get("name") == "|p| < r_p"]
     assert SIGN.name in case.find("failure").text
     assert all(int(suite.get("tests")) == len(suite.findall("testcase")) for suite in root)
+
+
+def test_a_template_has_every_function_and_none_is_written(capsys, tmp_path):
+    """With the parameters in their order. What is filled in is graded, what is not does not count; no file is overwritten."""
+    path = tmp_path / "new.py"
+    assert graded(capsys, "--template", path)[0] == 0
+    assert graded(capsys, "--template", path)[0] == 2
+    text = path.read_text(encoding="utf-8")
+    functions = {node.name: node for node in ast.parse(text).body if isinstance(node, ast.FunctionDef)}
+    assert {name: tuple(one.arg for one in functions[name].args.args) for name in PYTHON_ORDER} == dict(PYTHON_ORDER)
+    assert graded(capsys, path)[0] == 2
+    outline, rest = text.split("def add_angles(a, b):")
+    path.write_text(
+        f"{outline}def add_angles(a, b):{rest.replace('raise NotImplementedError', 'return (a + b) % math.tau', 1)}"
+    )
+    code, out, _ = graded(capsys, path)
+    assert (code, out.splitlines()[-1]) == (0, "RIGHT: score 100.0 of 100, 1 of 1 functions right, seed 0")
+
+
+def test_a_function_that_calls_one_not_yet_written_does_not_count(capsys, mine):
+    """It is neither right nor wrong."""
+    text = "def later(a):\n    raise NotImplementedError\ndef on_left(a, b):\n    return later(a)\n"
+    code, out, _ = graded(capsys, mine(text + ANGLES))
+    assert (code, out.count("not defined")) == (0, 12)
 
 
 def test_a_teachers_file_sets_what_counts(capsys, mine, tmp_path):
@@ -150,7 +185,7 @@ def test_a_teachers_file_that_cannot_be_used(capsys, tmp_path, text, words):
         ("def on_left(a, b:\n    pass\n", "mine.py, line 1: SyntaxError"),
         ("\nimport nothing_of_that_name\n", "mine.py, line 2: ModuleNotFoundError"),
         ("raise SystemExit\n", "mine.py, line 1: SystemExit"),
-        ("x = 1\n", "none of the source's functions is defined"),
+        ("x = 1\n", "none of the source's functions is written yet"),
     ],
 )
 def test_a_file_that_cannot_be_used(capsys, mine, text, words):

@@ -7,6 +7,7 @@ import pytest
 
 import physics
 from game.lab.session.share import parsed
+from game.student.signatures import SIGNATURES, agrees, answer
 from tests.grade.wrong_files import RIGHT, WRONG_FILES
 from tests.support.paths import ROOT
 from tools.grade.findings import all_findings
@@ -15,7 +16,6 @@ from tools.grade.lab_line import lab_line
 from tools.grade.mistakes import MISTAKES
 from tools.grade.report import report_lines
 from tools.grade.scheme import Scheme
-from tools.vectors.signatures import SIGNATURES, agrees, answer
 
 
 def graded(student, vectors):

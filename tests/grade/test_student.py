@@ -9,12 +9,12 @@ from pathlib import Path
 
 import pytest
 
+from game.student import program as student_module
+from game.student.program import Limits, next_line
 from tests.grade.conftest import PATIENT
 from tests.support.children import eventually
-from tools.grade import student as student_module
 from tools.grade.grading import MOST_ENDINGS, grade
 from tools.grade.scheme import Scheme
-from tools.grade.student import next_line
 
 posix = pytest.mark.skipif(sys.platform == "win32", reason="no process groups on Windows")
 linux = pytest.mark.skipif(sys.platform != "linux", reason="the limit on memory needs Linux")
@@ -76,12 +76,21 @@ def test_an_endless_loop(students, published, tmp_path):
     assert (reply.problem, reply.ended) == ("no answer within 600 seconds", True)
 
 
+def test_the_line_that_hangs_is_named(students):
+    """The program ends itself when its time is over, and leaves a trace."""
+    text = "import time\n\ndef on_left(a, b):\n    while True:\n        time.sleep(9)\n"
+    reply = students(text, Limits(answer=1.0, start=600.0)).ask("on_left", [1.0, 2.0])
+    assert (reply.problem, reply.ended) == ("line 5: no answer within 1 seconds", True)
+
+
 @pytest.mark.parametrize(
     ("fault", "words"),
     [
-        ("import os; os._exit(7)", "the program ended (exit code 7)"),
-        pytest.param("import os, signal; os.kill(os.getpid(), signal.SIGSEGV)", "the program ended (SIGSEGV)", marks=posix),
-        ("import os, sys; sys.stderr.write('so long\\n'); os._exit(1)", "the program ended (exit code 1): so long"),
+        ("import posix; posix._exit(7)", "the program ended (exit code 7)"),
+        pytest.param(
+            "import os, signal; os.kill(os.getpid(), signal.SIGSEGV)", "line 7: the program ended (SIGSEGV)", marks=posix
+        ),
+        ("import posix, sys; sys.stderr.write('so long\\n'); posix._exit(1)", "the program ended (exit code 1): so long"),
         ("import os; os.write(4, b'hello\\n')", "not an answer: hello"),
         ("import os; [os.write(4, b'x' * 60000) for _ in range(40)]", "not an answer: " + "x" * 80 + "..."),
         ("import os; [os.write(4, b'yes\\n') for _ in range(10**9)]", "not an answer: yes"),
@@ -103,6 +112,7 @@ def test_a_crash_and_garbage(students, published, fault, words):
         ("return 1 / 0", "line 7: ZeroDivisionError: division by zero"),
         ("return min_difference(a, b)", "line 7: RecursionError: "),
         ("raise SystemExit(3)", "line 7: SystemExit: 3"),
+        ("import os; os._exit(7)", "line 7: SystemExit: os._exit(7)"),
         ("return object()", "TypeError: the result is a object"),
         ("return input()", "line 7: EOFError: EOF when reading a line"),
     ],
@@ -142,9 +152,10 @@ def test_memory_without_end(students, published):
     assert reply.problem == "line 8: MemoryError"
 
 
+@posix
 def test_a_function_that_always_ends_the_program_is_given_up(students, published):
     """After some endings the other questions of that function are lost; the next function is asked."""
-    text = f"{RIGHT}def min_difference(a, b):\n    import os; os._exit(1)\n"
+    text = f"{RIGHT}def min_difference(a, b):\n    import posix; posix._exit(1)\n"
     found = {function.name: function for function in grade(students(text), chosen(published), Scheme()).functions}
     problems = [checked.reply.problem for checked in found["min_difference"].checked]
     assert [problem.startswith("not asked") for problem in problems] == [False] * MOST_ENDINGS + [True] * (40 - MOST_ENDINGS)

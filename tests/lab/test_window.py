@@ -23,9 +23,9 @@ from game.lab.window.pan_zoom import PanZoom
 from game.lab.window.screen import Lab
 from game.lab.window.screenshot import save_screenshot
 from game.lab.window.words import TextSheet, draw_head, draw_words
-from game.screens.menu import Menu
 from game.screens.play import PlayScreen
 from game.screens.title import Title
+from game.screens.toolkit.menu import Menu
 from game.settings.values import THEMES
 from tests.support.dummy_window import FRAME, Desk, shared
 from tests.support.lab_desk import SIZE, LabDesk

@@ -12,6 +12,7 @@ from game.input.keys import position_of
 from game.input.signals import KeyboardState
 from game.levels import built_in
 from game.screens.app_state import AppState
+from game.screens.menus.level_select import LevelSelect
 from game.screens.title import Title
 from game.system import window as display
 
@@ -21,7 +22,9 @@ SIZE = (640, 400)
 
 def shared(level=0, seed=7, recorder=None, *, autopilot=False):
     """What outlives a screen, before anything has happened."""
-    return AppState(built_in(), level, seed, Title, recorder, autopilot)
+    state = AppState(built_in(), level, seed, Title, recorder, autopilot)
+    state.open_levels = lambda state: LevelSelect(state, Title(state))
+    return state
 
 
 class Desk:
@@ -59,6 +62,41 @@ class Desk:
         pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=place, button=1))
         self.wait(FRAME)
 
+    def box(self, label):
+        """Where the item of a panel is that says something."""
+        size = self.window.get_surface().get_size()
+        spots = self.screen._laid(size).spots
+        return next(spot.box for spot in spots if label in _words(spot.item))
+
+    def click_on(self, label):
+        """Click on the item of a panel that says something."""
+        self.move(self.box(label).center)
+        self.click(self.box(label).center)
+
+    def choose(self, label):
+        """Go to the item of a panel that says something, with arrow keys alone, and press Enter."""
+        self.focus(label)
+        self.press(pygame.K_RETURN)
+
+    def focus(self, label):
+        """Go to the item of a panel that says something, with arrow keys alone."""
+        laid = self.screen._laid(self.window.get_surface().get_size())
+        wanted = next(spot for spot in laid.spots if label in _words(spot.item))
+        for _ in range(100):
+            focus = self.screen._settled(laid)
+            if focus == (wanted.row, wanted.column):
+                return
+            sideways = pygame.K_LEFT if focus.column > wanted.column else pygame.K_RIGHT
+            self.press(sideways if focus.row == wanted.row else pygame.K_DOWN)
+        raise AssertionError(f"{label} cannot be reached by arrow keys")
+
+    def type(self, text):
+        """Enter text as a keyboard does."""
+        for letter in text:
+            pygame.event.post(pygame.Event(pygame.KEYDOWN, key=ord(letter.lower()), scancode=0, mod=0, unicode=letter))
+            pygame.event.post(pygame.Event(pygame.TEXTINPUT, text=letter))
+        self.wait(FRAME)
+
     def post(self, kind):
         """Send any other event."""
         pygame.event.post(pygame.Event(kind))
@@ -82,3 +120,10 @@ class Desk:
         """Take the window away."""
         self.window.destroy()
         pygame.quit()
+
+
+def _words(item):
+    """What an item of a panel says."""
+    level = getattr(item, "level", None)
+    cells = "  ".join([cell[0] for cell in getattr(item, "cells", ())])
+    return getattr(item, "label", "") or getattr(level, "name", "") or cells

@@ -5,9 +5,10 @@ from statistics import mean, median
 from typing import NamedTuple
 
 from game.levels import Level
-from game.rules import TICK, Controls, EventKind, Game, Phase, Ticked, new_game, tick
+from game.rules import TICK, Controls, EventKind, Game, Phase, Ruleset, Ticked, new_game, tick
 from tools.balance.human import Human, Skill
 
+NORMAL_RULES = Ruleset()
 _MANY_LIVES = 10**6
 _LONGEST = 600.0
 """Seconds after which a level is given up."""
@@ -42,6 +43,7 @@ class Job(NamedTuple):
     level: Level
     skill: Skill
     seed: int
+    ruleset: Ruleset = NORMAL_RULES
 
 
 class Summary(NamedTuple):
@@ -77,16 +79,17 @@ def summary(trials: list[Trial]) -> Summary:
     )
 
 
-def trial(level: Level, skill: Skill, seed: int) -> Trial:
+def trial(level: Level, skill: Skill, seed: int, ruleset: Ruleset = NORMAL_RULES) -> Trial:
     """The level played by a simulated human of some skill."""
     lost = given_up = gap = longest = bonus = 0
     last: Game | None = None
-    for controls, done in _ticks(level, skill, seed):
+    for controls, done in _ticks(level, skill, seed, ruleset):
         last = done.game
         given_up += controls.give_up
         bonus += sum([event.points for event in done.events if event.kind == EventKind.LEVEL_CLEARED])
         kinds = [event.kind for event in done.events]
-        gap = 0 if EventKind.BRICK_HIT in kinds or last.phase != Phase.PLAYING else gap + 1
+        waits = last.phase == Phase.PLAYING and EventKind.BRICK_HIT not in kinds and not last.held
+        gap = gap + 1 if waits else 0
         longest = max(longest, gap)
         lost += last.phase == Phase.SERVING and last.phase_tick == 0 and EventKind.BALL_LOST in kinds
     assert last is not None
@@ -94,9 +97,9 @@ def trial(level: Level, skill: Skill, seed: int) -> Trial:
     return Trial(level.name, skill, seed, cleared, last.tick * TICK, lost, given_up, longest * TICK, last.score - bonus)
 
 
-def _ticks(level: Level, skill: Skill, seed: int) -> Iterator[tuple[Controls, Ticked]]:
+def _ticks(level: Level, skill: Skill, seed: int, ruleset: Ruleset) -> Iterator[tuple[Controls, Ticked]]:
     """The player's controls and what they led to, until the level is cleared or given up."""
-    game = new_game((level,), seed)._replace(lives=_MANY_LIVES)
+    game = new_game((level,), seed, ruleset)._replace(lives=_MANY_LIVES)
     human, untouched = Human(skill, seed), 0
     while game.phase in {Phase.SERVING, Phase.PLAYING} and game.tick * TICK < _LONGEST:
         controls = human.controls(game)._replace(give_up=untouched * TICK >= _GIVE_UP)

@@ -4,23 +4,28 @@ from pathlib import Path
 from typing import Annotated
 
 import typer
+from rich.console import Console
 
 from game.replays.file import MAX_TICKS
+from game.student.functions_file import FunctionsFile
+from game.system.command_line import refuse_ignored
 from game.system.errors import BadInputError
 from tools.crosscheck.environment import check_environment
 from tools.crosscheck.pymunk_model.facets import FEWEST, MOST
+from tools.executor.options import ClusterOption, WorkersOption, where
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
 _MOST_GAMES = 100_000
-_MOST_WORKERS = 256
 _VERDICTS = ("grazing", "tie", "rule", "unexplained")
+_NOT_WITH_OWN = ("facets", "workers", "report", "json", "convergence", "free_run", "tick", "listed", "sabotage", "corpus")
 _DIFFICULTIES = ("easy", "normal", "hard")
 _PLAYERS = ("autopilot", "mouse", "keys")
 
 
 @app.command()
 def crosscheck(
+    context: typer.Context,
     replays: Annotated[list[str] | None, typer.Argument(metavar="[REPLAY ...]", help="Recorded games (.polar).")] = None,
     games: Annotated[
         int | None,
@@ -49,7 +54,8 @@ def crosscheck(
         ),
     ] = None,
     facets: Annotated[int, typer.Option(min=FEWEST, max=MOST, help="Facets of each arc in pymunk's chain.")] = 64,
-    workers: Annotated[int, typer.Option(min=1, max=_MOST_WORKERS, help="Processes to share the games.")] = 1,
+    workers: WorkersOption = 1,
+    cluster: ClusterOption = None,
     report: Annotated[Path | None, typer.Option(help="Write a page with tables and pictures to this HTML file.")] = None,
     json: Annotated[Path | None, typer.Option(help="Write all numbers, a row for each contact, to this JSON file.")] = None,
     convergence: Annotated[
@@ -64,6 +70,10 @@ def crosscheck(
     corpus: Annotated[
         Path | None, typer.Option(help="Check the fixed list of games into this folder; go on where an earlier run stopped.")
     ] = None,
+    with_: Annotated[
+        Path | None,
+        typer.Option("--with", help="A Python file with any of the source's functions: these are compared (docs/student.md)."),
+    ] = None,
 ) -> int:
     """Compare our contacts with pymunk's: what is hit, normals, presence, times and bounces, over whole games.
 
@@ -71,7 +81,7 @@ def crosscheck(
     """
     check_environment()
     from tools.crosscheck import cli  # noqa: PLC0415  # needs pymunk, which has just been looked for
-    from tools.crosscheck.run import Choice  # noqa: PLC0415
+    from tools.crosscheck.run import Choice, chosen_sources  # noqa: PLC0415
     from tools.crosscheck.sabotage.catalogue import MISTAKES  # noqa: PLC0415
 
     _one_of("--list", listed, _VERDICTS)
@@ -79,11 +89,19 @@ def crosscheck(
     _one_of("--arcade", arcade, _DIFFICULTIES)
     if sabotage is not None:
         _one_of("--sabotage", sabotage, ("all", *MISTAKES))
+    choice = Choice(tuple(replays or ()), games, seed, level, ticks, player, arcade)
+    if with_ is not None:
+        from tools.crosscheck.own import compare_own  # noqa: PLC0415
+
+        refuse_ignored(context, "does nothing beside --with", *_NOT_WITH_OWN)
+        with FunctionsFile(with_) as own:
+            compare_own(chosen_sources(choice), own, Console())
+        return 0
     return cli.crosscheck(
         cli.Options(
-            choice=Choice(tuple(replays or ()), games, seed, level, ticks, player, arcade),
+            choice=choice,
             facets=facets,
-            workers=workers,
+            workers=where(context, workers, cluster),
             only=tick,
             listed=listed,
             sabotage=sabotage,

@@ -70,7 +70,8 @@ def _connected(address: str) -> tuple[Any, int]:
     except ImportError as error:
         wanted = "python -m pip install 'polar-breakout[cluster]'"
         raise EnvironmentMissingError(f"--cluster needs Dask, which cannot be imported ({error}); {wanted}") from None
-    logging.getLogger("distributed").setLevel(logging.CRITICAL)  # what is wrong is said here
+    for name in ("distributed", "distributed.client", "distributed.core"):
+        logging.getLogger(name).setLevel(logging.CRITICAL)  # what is wrong is said here
     _check_scheduler(address)
     client = Client(address, timeout=_PATIENCE, set_as_default=False)
     try:

@@ -1,6 +1,6 @@
 """One interface for all tools that share their work: the same results in the same order, wherever they are computed."""
 
-from collections.abc import Callable, Generator, Iterable, Iterator
+from collections.abc import Callable, Generator, Iterable
 from contextlib import closing
 from typing import TypeVar
 
@@ -16,14 +16,19 @@ Where = int | str
 
 
 def results(
-    function: Callable[[Job], Result], jobs: Iterable[Job], where: Where = 1, *, alone: bool = False, time_limit: float | None = None
+    function: Callable[[Job], Result],
+    jobs: Iterable[Job],
+    where: Where = 1,
+    *,
+    alone: bool = False,
+    time_limit: float | None = None,
 ) -> Generator[Result | Lost, None, None]:
     """The results of jobs, in the order of the jobs, which may be endless; `Lost` for those that have none.
 
     function: importable by its name. where: 1 computes in this process, unless `alone` asks for one of its own, since what the
     function does may kill it. time_limit: seconds for a job; only processes of their own can be stopped.
     A job whose process or machine dies is done again by another, once here, three times in a cluster. Close the generator
-    to end all processes at once. Raises EnvironmentMissingError where no cluster answers, or it has another version of the project.
+    to end all processes at once. Raises EnvironmentMissingError where no cluster answers, or one of another version.
     """
     if isinstance(where, str):
         from tools.executor.cluster import cluster_results  # noqa: PLC0415  # an extra
@@ -36,7 +41,7 @@ def results(
             yield _result(function, job)
 
 
-def sure(answers: Generator[Result | Lost, None, None]) -> Iterator[Result]:
+def sure(answers: Generator[Result | Lost, None, None]) -> Generator[Result, None, None]:
     """The results, of which none may be lost: what a job raised is raised here; EnvironmentMissingError for one that died."""
     with closing(answers):
         for answer in answers:

@@ -9,7 +9,7 @@ def flow() -> Sheet:
     """One tick, from the player's hand to the picture."""
     sheet = Sheet(0j, 12.25 + 6.9j, 740)
     top = (
-        ("keys, mouse,\nautopilot", "game/input\ngame/autopilot.py", _GAME),
+        ("keys, mouse,\nautopilot", "game/input\ngame/autopilot/", _GAME),
         ("rules", "game/rules/", _GAME),
         ("one tick\nof the arena", "physics/step.py", _PHYSICS),
         ("hits", "in the order\nof time", _PHYSICS),

@@ -5,9 +5,9 @@ from contextlib import closing
 from typing import NamedTuple
 
 from physics import Arena, FreeFlight, Step, advance
+from tools.executor import Where, results, sure
 from tools.fuzz.arenas import TICK, TICKS, random_case, steered, with_lost_balls_back
 from tools.fuzz.checks import first_fault
-from tools.fuzz.workers import shared_out
 
 SPARED = "a tick that was spared the search went another way than with it"
 """A fault that the tick alone does not show: it needs the one before."""
@@ -73,11 +73,11 @@ def checked_tick(arena: Arena, speed: float, flight: FreeFlight | None = None) -
     return first_fault(arena, step, TICK, speed), step
 
 
-def tallies(seed: int, steps: int, workers: int) -> Iterator[Tally]:
+def tallies(seed: int, steps: int, workers: Where) -> Iterator[Tally]:
     """Tallies as they come, until the ball-steps are done, a case has failed, or the caller has enough."""
     done = 0
     batches = ((seed, first) for first in range(0, 10**15, _CASES_PER_JOB))
-    with closing(shared_out(_batch, batches, workers)) as done_batches:
+    with closing(sure(results(_batch, batches, workers))) as done_batches:
         for tally in done_batches:
             yield tally
             done += tally.steps

@@ -11,10 +11,11 @@ from game.system.command_line import refuse_ignored
 from game.system.errors import BadInputError, EnvironmentMissingError
 from game.system.output import tell
 from game.system.wording import quoted
+from tools.executor import Where, results, sure
+from tools.executor.options import ClusterOption, WorkersOption, where
 from tools.fuzz.arenas import TICK
 from tools.fuzz.campaign import SPARED, Failure, Tally, play, smallest, tallies
 from tools.fuzz.impacts import checked_chunk, multiprecision
-from tools.fuzz.workers import shared_out
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
@@ -28,7 +29,8 @@ def fuzz(
     context: typer.Context,
     steps: Annotated[int, typer.Option(min=1, max=_MOST, help="Ball-steps: ticks, counted once for every ball.")] = 100_000,
     seed: Annotated[int, typer.Option(min=0, max=2**63 - 1, help="Seed of the cases.")] = 1,
-    workers: Annotated[int, typer.Option(min=1, max=256, help="Processes to share the cases.")] = 1,
+    workers: WorkersOption = 1,
+    cluster: ClusterOption = None,
     case: Annotated[str | None, typer.Option(metavar="SEED:INDEX", help="Play this one case again.")] = None,
     impacts: Annotated[
         int | None, typer.Option(min=1, max=_MOST, help="Check so many times of impact with 50 digits instead.")
@@ -39,12 +41,12 @@ def fuzz(
     Exit code 0: nothing found. 1: a promise was broken. 2: bad input. 3: no mpmath, for --impacts. 130: Ctrl-C.
     """
     if case is not None:
-        refuse_ignored(context, "does nothing beside --case", "steps", "seed", "workers", "impacts")
+        refuse_ignored(context, "does nothing beside --case", "steps", "seed", "workers", "cluster", "impacts")
         return _again(*_numbers(case))
     if impacts is not None:
         refuse_ignored(context, "does nothing beside --impacts", "steps")
-        return _impacts(impacts, seed, workers)
-    return _campaign(steps, seed, workers)
+        return _impacts(impacts, seed, where(context, workers, cluster))
+    return _campaign(steps, seed, where(context, workers, cluster))
 
 
 def _numbers(case: str) -> tuple[int, int]:
@@ -62,7 +64,7 @@ def _again(seed: int, index: int) -> int:
     return _verdict(tally)
 
 
-def _campaign(steps: int, seed: int, workers: int) -> int:
+def _campaign(steps: int, seed: int, workers: Where) -> int:
     """Play cases until the steps are done, one fails, or a signal ends it: then what was done until then is still told."""
     total = Tally()
     try:
@@ -78,7 +80,7 @@ def _campaign(steps: int, seed: int, workers: int) -> int:
     return _verdict(total)
 
 
-def _impacts(count: int, seed: int, workers: int) -> int:
+def _impacts(count: int, seed: int, workers: Where) -> int:
     """Check times of impact alone."""
     try:
         multiprecision()
@@ -87,7 +89,7 @@ def _impacts(count: int, seed: int, workers: int) -> int:
     chunks = ((seed, range(first, min(first + _CHUNK, count))) for first in range(0, count, _CHUNK))
     done, touches, faults = 0, 0, list[tuple[int, str]]()
     try:
-        with _bar() as bar, closing(shared_out(checked_chunk, chunks, workers)) as answers:
+        with _bar() as bar, closing(sure(results(checked_chunk, chunks, workers))) as answers:
             task = bar.add_task("times of impact", total=count)
             for checked, more, found in answers:
                 done, touches, faults = done + checked, touches + more, faults + found

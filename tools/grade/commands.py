@@ -5,6 +5,7 @@ from typing import Annotated
 
 import typer
 
+from tools.grade.template import write_template
 from tools.vectors.environment import check_environment
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
@@ -27,14 +28,23 @@ def grade(
     memory: Annotated[int, typer.Option(min=64, max=2**20, help="Mebibytes that the program may use (Linux).")] = 2048,
     json: Annotated[Path | None, typer.Option(help="Write the grade to this JSON file.")] = None,
     junit: Annotated[Path | None, typer.Option(help="Write the grade to this JUnit XML file.")] = None,
+    pictures: Annotated[
+        Path | None, typer.Option(help="Draw the simplest wrong answer of each function into this folder, as the lab shows it.")
+    ] = None,
+    template: Annotated[
+        Path | None, typer.Option(help="Write a file to begin with, every function still to be written, and end.")
+    ] = None,
 ) -> int:
     """Grade an implementation of the source's functions against the conformance vectors.
 
     Exit code 0: all that counts is right. 1: something is wrong. 2: bad input. 3: no mpmath.
     """
+    if template is not None:
+        write_template(template)
+        return 0
     check_environment()
+    from game.student.program import Limits  # noqa: PLC0415
     from tools.grade.command import chosen_program, grade_program  # noqa: PLC0415  # need mpmath, just looked for
-    from tools.grade.student import Limits  # noqa: PLC0415
 
     limits = Limits(time_limit, start_limit, memory)
-    return grade_program(chosen_program(file, command), scheme, seed, limits, json, junit)
+    return grade_program(chosen_program(file, command, limits), scheme, seed, limits, json, junit, pictures)

@@ -4,10 +4,10 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import NamedTuple
 
+from game.student.program import Reply, Student
+from game.student.signatures import SIGNATURES, agrees
 from game.system.errors import BadInputError
 from tools.grade.scheme import Scheme
-from tools.grade.student import Reply, Student
-from tools.vectors.signatures import SIGNATURES, agrees
 from tools.vectors.vector import ConformanceVector
 
 MOST_ENDINGS = 5

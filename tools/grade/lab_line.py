@@ -5,8 +5,8 @@ from collections.abc import Callable, Mapping, Sequence
 
 from game.lab.kit.parameters import plain
 from game.lab.session.share import parsed, share_line
+from game.student.signatures import SIGNATURES
 from game.system.errors import BadInputError
-from tools.vectors.signatures import SIGNATURES
 from tools.vectors.vector import ConformanceVector
 
 _NEAREST_RADIUS, _NEAREST_HALF_WIDTH = 8.0, 0.9

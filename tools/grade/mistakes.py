@@ -4,7 +4,7 @@ import math
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
-from tools.vectors.slides import Plane, Scalar, SlideFunctions
+from game.student.slides import Plane, Scalar, SlideFunctions
 
 
 class NamedMistake(NamedTuple):

@@ -4,10 +4,10 @@ import itertools
 from collections.abc import Iterable, Mapping, Sequence
 from typing import NamedTuple
 
+from game.student.signatures import Result, agrees, answer
+from game.student.slides import SlideFunctions
 from tools.grade.grading import CheckedVector, FunctionGrade, Grade
 from tools.grade.mistakes import MISTAKES, NamedMistake
-from tools.vectors.signatures import Result, agrees, answer
-from tools.vectors.slides import SlideFunctions
 from tools.vectors.vector import size
 
 _EXPLAINED = 0.9

@@ -2,10 +2,10 @@
 
 from collections.abc import Iterator
 
+from game.student.signatures import OUTCOMES, SIGNATURES
 from tools.grade.findings import FunctionFindings
 from tools.grade.grading import CheckedVector, FunctionGrade, Grade
 from tools.vectors.beyond import TOPICS
-from tools.vectors.signatures import OUTCOMES, SIGNATURES
 
 _SLIDES = {
     2: "Collision detection: broad phase",

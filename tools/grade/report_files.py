@@ -4,11 +4,11 @@ import json
 import math
 from xml.etree import ElementTree as ET
 
+from game.student.signatures import SIGNATURES
 from tools.grade.findings import FunctionFindings
 from tools.grade.grading import FunctionGrade, Grade
 from tools.grade.report import answer_text, call_text, floored, result_text, verdict
 from tools.vectors.files import FORMAT as VECTORS
-from tools.vectors.signatures import SIGNATURES
 
 FORMAT = "polar-breakout grade 1"
 

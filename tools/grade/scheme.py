@@ -6,8 +6,8 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import NamedTuple
 
+from game.student.signatures import SIGNATURES, Result
 from game.system.errors import BadInputError
-from tools.vectors.signatures import SIGNATURES, Result
 from tools.vectors.vector import ConformanceVector, size
 
 

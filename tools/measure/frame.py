@@ -38,9 +38,9 @@ from game.rules import Ticked, new_game, tick
 from game.scene import scene_at, still
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.help import Help
+from game.screens.menus.help import Help
+from game.screens.menus.settings_panel import SettingsPanel
 from game.screens.play import PlayScreen
-from game.screens.settings_panel import SettingsPanel
 from game.screens.title import Title
 from game.system import window as display
 from game.system.command_line import run

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Mapping
 from typing import Any
 
-from tools.vectors.slides import Plane, Scalar, SlideFunctions
+from game.student.slides import Plane, Scalar, SlideFunctions
 
 
 class OnSegment(SlideFunctions):

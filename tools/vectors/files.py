@@ -5,7 +5,7 @@ import io
 import json
 from collections.abc import Sequence
 
-from tools.vectors.signatures import OUTCOMES, SIGNATURES, Result
+from game.student.signatures import OUTCOMES, SIGNATURES, Result
 from tools.vectors.vector import DIGITS, ConformanceVector
 
 FORMAT = "polar-breakout vectors 1"

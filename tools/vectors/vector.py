@@ -7,13 +7,13 @@ from typing import Any, NamedTuple
 
 import mpmath
 
+from game.student.signatures import SIGNATURES, Result, agrees, answer
+from game.student.slides import SlideFunctions
 from tools.vectors.beyond import alternatives
 from tools.vectors.inputs.angles import angle_lists, angle_plans
 from tools.vectors.inputs.chosen import ChosenInput, Plan
 from tools.vectors.inputs.detection import detection_lists, detection_plans
 from tools.vectors.inputs.response import response_lists, response_plans
-from tools.vectors.signatures import SIGNATURES, Result, agrees, answer
-from tools.vectors.slides import SlideFunctions
 
 DIGITS = 50
 TOLERANCE = 1e-9

@@ -12,11 +12,10 @@ import pygame
 from game.drawing.canvas import Canvas
 from game.drawing.flat.recoil import RecoilPicture, without_recoiling
 from game.drawing.flat.ring import RingKey, RingPicture, ring_key
-from game.drawing.ground import ground_picture
+from game.drawing.ground.picture import Ground, draw_pattern, ground_picture
 from game.drawing.slots.contents import Contents, SlotContent
 from game.rules import PADDLES
 from game.scene import Scene
-from physics import Ring
 
 _MOST_RINGS = 96
 """Pictures of rings cached; more than one arena may be on the screen."""
@@ -27,11 +26,13 @@ class _RestingPicture(NamedTuple):
 
     key: surface, camera, theme, ground and rings.
     contents: of these rings.
-    picture: as large as the surface.
+    ground: without them.
+    picture: with them; both are as large as the surface.
     """
 
     key: tuple[object, ...]
     contents: Contents
+    ground: pygame.Surface
     picture: pygame.Surface
 
 
@@ -49,7 +50,7 @@ class FlatPicture:
         self._draw_resting(canvas, scene, contents)
         for k, ring in enumerate(scene.rings):
             if k != PADDLES and ring.spin:
-                self._draw_ring(canvas, ring, contents[k], scene.tallest[k])
+                self._ring(canvas, scene, k).draw(canvas.surface, ring.phase, contents[k])
         self._draw_paddles(canvas, scene, contents[PADDLES])
 
     def _draw_resting(self, canvas: Canvas, scene: Scene, contents: Contents) -> None:
@@ -57,30 +58,37 @@ class FlatPicture:
         resting = [k for k, ring in enumerate(scene.rings) if k != PADDLES and not ring.spin]
         now = tuple([contents[k] for k in resting])
         rings = tuple([(k, scene.rings[k]) for k in resting])
-        key = (canvas.size, canvas.camera, canvas.theme, scene.ground_radius, rings)
+        ground = Ground(scene.ground_radius, scene.rings[PADDLES].radius, scene.ground)
+        key = (canvas.size, canvas.camera, canvas.theme, ground, rings)
         cached = self._resting
         if cached is None or cached.key != key:
             self._rings.clear()
-            cached = _RestingPicture(key, ((),) * len(resting), ground_picture(canvas, scene.ground_radius))
-        if cached.contents != now:  # all of them, for the borders of close rings overlap and the last one drawn wins
-            for (k, ring), content in zip(rings, now, strict=True):
-                self._draw_ring(canvas._replace(surface=cached.picture), ring, content, scene.tallest[k])
+            empty = ground_picture(canvas, ground)
+            draw_pattern(canvas._replace(surface=empty), ground)
+            cached = _RestingPicture(key, ((),) * len(resting), empty, empty.copy())
+        if cached.contents != now:  # all of them, for the shadows of close rings fall on one another
+            pictures = [self._ring(canvas, scene, k) for k in resting]
+            for picture in pictures:
+                picture.erase(cached.picture, cached.ground)
+            for (_, ring), content, picture in zip(rings, now, pictures, strict=True):
+                picture.draw(cached.picture, ring.phase, content)
         self._resting = cached._replace(contents=now)
         canvas.surface.blit(cached.picture, (0, 0))
 
     def _draw_paddles(self, canvas: Canvas, scene: Scene, contents: tuple[SlotContent, ...]) -> None:
         """The paddles in their slots, and over them those that were struck."""
         paddles = scene.rings[PADDLES]
-        self._draw_ring(canvas, paddles, without_recoiling(contents, scene.recoils), scene.tallest[PADDLES])
+        picture = self._ring(canvas, scene, PADDLES)
+        picture.draw(canvas.surface, paddles.phase, without_recoiling(contents, scene.recoils))
         for recoil in scene.recoils:
             self._recoil.draw(canvas, paddles, recoil, contents[recoil.slot])
 
-    def _draw_ring(self, canvas: Canvas, ring: Ring, contents: tuple[SlotContent, ...], tallest: int) -> None:
-        """One ring and the ground in its gaps. tallest: layers of the highest stack that may ever stand there."""
-        key = ring_key(canvas, ring, tallest)
+    def _ring(self, canvas: Canvas, scene: Scene, k: int) -> RingPicture:
+        """The picture of one ring."""
+        key = ring_key(canvas, scene.rings[k], scene.tallest[k], scene.ground_radius)
         picture = self._rings.get(key)
         if picture is None:
             picture = self._rings[key] = RingPicture(key)
             if len(self._rings) > _MOST_RINGS:
                 self._rings.popitem(last=False)
-        picture.draw(canvas.surface, ring.phase, contents)
+        return picture

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.drawing.canvas import Canvas
-from game.drawing.flat.sector_colours import paint_parts
+from game.drawing.flat.sector_colours import PolarPixels, paint_light, paint_parts
 from game.drawing.raster.annulus import Floats, annulus_pixels
 from game.drawing.raster.pixels import packed, pixels_of, unpacked
 from game.drawing.slots.contents import ContentKind, SlotContent
@@ -55,9 +55,11 @@ class RecoilPicture:
         radius = pixels.radius[rows] - np.float32(min(recoil.out, _FARTHEST * ring.radius) * scale)
         shape = slot_shape(ring, 0, 1.0 / scale)
         memory = pixels_of(canvas.surface)
-        picture = unpacked(canvas.surface, memory[index])
-        paint_parts(picture, parts(content, shape, 0.0, canvas.theme), shape, scale, radius, angle)
-        memory[index] = packed(canvas.surface, picture)
+        picture = np.ascontiguousarray(unpacked(canvas.surface, memory[index]).T)
+        where = PolarPixels(scale, radius, angle)
+        paint_parts(picture, parts(content, shape, 0.0, canvas.theme), shape, where)
+        paint_light(picture, shape, where, canvas.theme.relief)
+        memory[index] = packed(canvas.surface, picture.T)
 
     def _pixels_near(self, canvas: Canvas, ring: Ring) -> _PaddlePixels:
         """The pixels around the paddles' track."""
@@ -73,10 +75,10 @@ class RecoilPicture:
 
 
 def without_recoiling(contents: tuple[SlotContent, ...], recoils: tuple[Recoil, ...]) -> tuple[SlotContent, ...]:
-    """The paddles' contents, with only the track where a paddle is out of its slot."""
+    """The paddles' contents, with nothing where a paddle is out of its slot."""
     away = {recoil.slot for recoil in recoils}
-    track = SlotContent(ContentKind.RECOILING)
-    return tuple([track if slot in away else content for slot, content in enumerate(contents)]) if away else contents
+    empty = SlotContent(ContentKind.EMPTY)
+    return tuple([empty if slot in away else content for slot, content in enumerate(contents)]) if away else contents
 
 
 def _between(angles: Floats, low: float, high: float) -> NDArray[np.int64]:

@@ -1,6 +1,7 @@
 """A ring on the screen at any angle: every pixel of its band looks up its colour by radius and by angle from the ring.
 
 A turning ring costs two look-ups a pixel, however many bricks it has, and its edges stay as smooth as if drawn for that angle.
+The light of this view stands over the centre: what stands in a slot throws its shadow outwards, so it turns with the ring.
 """
 
 import math
@@ -12,13 +13,13 @@ from numpy.typing import NDArray
 
 from game.drawing.camera import Camera
 from game.drawing.canvas import Canvas
-from game.drawing.flat.sector_colours import paint_circle, paint_parts
-from game.drawing.ground import track_width
+from game.drawing.flat.sector_colours import PolarPixels, Shadow, paint_light, paint_parts, paint_shadow
+from game.drawing.ground.colours import ground_colours
 from game.drawing.palette import Theme
 from game.drawing.raster.annulus import Floats, annulus_pixels
 from game.drawing.raster.pixels import packed, pixels_of
 from game.drawing.slots.contents import ContentKind, SlotContent
-from game.drawing.slots.parts import Bar, SlotShape, parts, slot_shape
+from game.drawing.slots.parts import Bar, Part, SlotShape, height, parts, slot_shape
 from physics import Ring
 
 _FINE = 4
@@ -29,8 +30,12 @@ _MOST_COLUMNS = 1 << 16
 """Columns of all slots' pictures of a ring together."""
 _BORDER = 1.0
 """Pixels beyond the ring's faces that its border may colour."""
-_ON_TRACK = frozenset({ContentKind.PADDLE, ContentKind.RECOILING})
-"""Slots of the paddles' ring, which show the track."""
+_SHADOW = 0.018
+"""Length of the longest shadow, in shares of the ground's radius."""
+_LOW_SHADOW, _SHADOW_PER_LAYER = 0.7, 0.1
+"""Share of it that everything throws, and how much more with every layer of its height."""
+_FLAT_KINDS = frozenset({ContentKind.EMPTY, ContentKind.GHOST})
+"""What has no height, and so no shadow."""
 
 
 class RingKey(NamedTuple):
@@ -41,6 +46,7 @@ class RingKey(NamedTuple):
     camera: a flat one.
     slot: the shape of the ring's slots.
     slots: how many there are.
+    ground_radius: world units.
     theme: the colours.
     """
 
@@ -49,29 +55,31 @@ class RingKey(NamedTuple):
     camera: Camera
     slot: SlotShape
     slots: int
+    ground_radius: float
     theme: Theme
 
 
-def ring_key(canvas: Canvas, ring: Ring, tallest: int) -> RingKey:
+def ring_key(canvas: Canvas, ring: Ring, tallest: int, ground_radius: float) -> RingKey:
     """The key of a ring on a 32-bit surface. tallest: layers of the highest stack that may ever stand there."""
     stride, slot = canvas.surface.get_pitch() // 4, slot_shape(ring, tallest, 1.0 / canvas.camera.scale)
-    return RingKey(canvas.size, stride, canvas.camera, slot, ring.count, canvas.theme)
+    return RingKey(canvas.size, stride, canvas.camera, slot, ring.count, ground_radius, canvas.theme)
 
 
 class RingPicture:
     """One ring, ready to be drawn.
 
     The pictures of all contents that its slots have shown stand in an atlas, column after column: a column has the colours
-    of all radii at one angle of one content.
+    of all radii at one angle of one content. A 0 leaves what is drawn already.
     """
 
     def __init__(self, key: RingKey) -> None:
         """Find the ring's pixels."""
         scale, slot = key.camera.scale, key.slot
-        outer = slot.outer_radius * scale
+        self._shadow = _SHADOW * key.ground_radius
+        outer = (slot.outer_radius + self._shadow) * scale
         fine = _FINE if outer < _LARGE else _FINE // 2
         pitch = math.tau / key.slots
-        self._theme, self._slot, self._scale = key.theme, slot, scale
+        self._theme, self._slot, self._scale, self._ground_radius = key.theme, slot, scale, key.ground_radius
         self._columns = max(min(math.ceil(fine * outer * pitch), _MOST_COLUMNS // key.slots), 1)
         self._columns_around = self._columns * key.slots
         low = max(slot.inner_radius * scale - _BORDER, 0.0)
@@ -85,7 +93,7 @@ class RingPicture:
         column = (pixels.angle * (self._columns_around / math.tau)).astype(np.int32)
         self._pixel_column = np.minimum(column, self._columns_around - 1)
         self._columns_of: dict[SlotContent, NDArray[np.int32]] = {}
-        self._atlas = np.zeros((0, rows), dtype=np.uint32)
+        self._atlas, self._filled = np.zeros((0, rows), dtype=np.uint32), 0  # columns so far; the atlas grows by leaps
         self._contents: tuple[SlotContent, ...] = ()
         self._column_at = np.zeros(0, dtype=np.int32)
 
@@ -98,7 +106,13 @@ class RingPicture:
         shift = round((self._half_pitch - phase) / math.tau * self._columns_around) % self._columns_around
         index = self._column_at.take(self._pixel_column + np.int32(shift))
         index += self._pixel_row
-        pixels_of(surface)[self._pixel_index] = self._atlas.ravel().take(index)
+        colours, memory = self._atlas.ravel().take(index), pixels_of(surface)
+        np.copyto(colours, memory.take(self._pixel_index), where=colours == 0)
+        memory[self._pixel_index] = colours
+
+    def erase(self, surface: pygame.Surface, ground: pygame.Surface) -> None:
+        """Show the ground where the ring may have been drawn. ground: a surface like the other."""
+        pixels_of(surface)[self._pixel_index] = pixels_of(ground)[self._pixel_index]
 
     def _arrange(self, surface: pygame.Surface, contents: tuple[SlotContent, ...]) -> None:
         """Note where in the atlas each column around the ring begins, from slot 0 on; twice around, which saves a modulo."""
@@ -111,28 +125,37 @@ class RingPicture:
 
     def _added(self, surface: pygame.Surface, content: SlotContent) -> NDArray[np.int32]:
         """Paint one more content into the atlas, and return where in it each column of a slot begins."""
-        pile = parts(content, self._slot, 0.0, self._theme)
-        marked = any([isinstance(part, Bar) for part in pile])
-        angles = self._angles if marked else _grouped(self._angles, self._slot, self._scale)
-        angles, column = np.unique(angles, return_inverse=True)
-        picture = np.empty((len(self._radii), len(angles), 3), dtype=np.float32)
-        picture[:] = self._theme.ground
-        if content.kind in _ON_TRACK:
-            width, middle = track_width(self._scale) * self._scale, self._slot.radius * self._scale
-            paint_circle(picture, width, middle, self._radii[:, None], self._theme.ground_line)
-        paint_parts(picture, pile, self._slot, self._scale, self._radii[:, None], angles[None, :])
-        first = len(self._atlas)
-        self._atlas = np.concatenate([self._atlas, packed(surface, picture).T])
+        pile, theme = parts(content, self._slot, 0.0, self._theme), self._theme
+        angles, column = np.unique(self._grouped(pile), return_inverse=True)
+        pixels = PolarPixels(self._scale, self._radii[:, None], angles[None, :])
+        bare = ground_colours(theme, self._radii / np.float32(self._scale * self._ground_radius)).T[:, :, None]
+        picture = np.repeat(bare, len(angles), axis=2)
+        solid = content.kind not in _FLAT_KINDS and theme.relief > 0.0
+        if solid:
+            reach = self._shadow * min(_LOW_SHADOW + _SHADOW_PER_LAYER * height(content), 1.0)
+            paint_shadow(picture, self._slot, pixels, Shadow(reach, self._half_pitch, theme.shadow * theme.relief))
+        paint_parts(picture, pile, self._slot, pixels)
+        if solid:
+            paint_light(picture, self._slot, pixels, theme.relief)
+        colours = packed(surface, np.moveaxis(picture, 0, 2))
+        colours = np.where(colours == packed(surface, np.moveaxis(bare, 0, 2)), 0, np.maximum(colours, 1))
+        first, self._filled = self._filled, self._filled + len(angles)
+        if self._filled > len(self._atlas):
+            self._atlas = np.concatenate([self._atlas, np.zeros((self._filled, len(self._radii)), dtype=np.uint32)])
+        self._atlas[first : self._filled] = colours.T
         return ((first + column) * len(self._radii)).astype(np.int32)
 
-
-def _grouped(angles: Floats, slot: SlotShape, scale: float) -> Floats:
-    """The angles, those at which a slot looks the same replaced by one: far from a sector's ends only the radius counts."""
-    inner = slot.inner_radius * scale
-    middle = slot.half_width * scale + 1.0
-    flat = slot.half_angle - math.asin(min(middle / max(inner, 1e-9), 1.0))
-    gap = slot.half_angle + 1.0 / max(inner, 1.0)
-    far = np.abs(angles)
-    if flat > 0.0:
-        angles = np.where(far < flat, np.float32(0.0), angles)
-    return np.where(far > gap, np.float32(gap), angles).astype(np.float32)
+    def _grouped(self, pile: tuple[Part, ...]) -> Floats:
+        """The columns' angles, one for all that look the same: far from the slot's ends and from what is painted on it."""
+        slot, scale = self._slot, self._scale
+        inner = max(slot.inner_radius * scale, 1.0)
+        flat = slot.half_angle - math.asin(min((slot.half_width * scale + 1.0) / inner, 1.0))
+        gap = slot.half_angle + (1.0 + self._shadow * scale) / inner
+        far, angles = np.abs(self._angles), self._angles
+        plain = far < flat
+        for bar in [part for part in pile if isinstance(part, Bar)]:
+            start, end = sorted((bar.inner[1], bar.outer[1]))
+            beside = bar.half_width / bar.inner[0] + 2.0 / inner
+            plain &= (angles < start - beside) | (angles > end + beside)
+        angles = np.where(plain, np.float32(0.0), angles) if flat > 0.0 else angles
+        return np.where(far > gap, np.float32(gap), angles).astype(np.float32)

@@ -5,7 +5,7 @@ import math
 import numpy as np
 import pygame
 
-from game.drawing.flat.sector_colours import paint_parts
+from game.drawing.flat.sector_colours import PolarPixels, paint_light, paint_parts
 from game.drawing.palette import Theme
 from game.drawing.raster.pixels import packed, pixels_of
 from game.drawing.slots.contents import wall_contents
@@ -26,11 +26,12 @@ def brick_sample(size: tuple[int, int], scale: float, layers: int, theme: Theme)
     across = np.arange(width, dtype=np.float32)[None, :] + np.float32(0.5 - width / 2.0)
     up = np.float32(height / 2.0 - 0.5 + _RADIUS * scale) - np.arange(height, dtype=np.float32)[:, None]
     radius, angle = np.hypot(across, up).ravel(), (np.arctan2(up, across) - np.float32(math.pi / 2.0)).ravel()
-    picture = np.empty((width * height, 3), dtype=np.float32)
-    picture[:] = theme.ground
+    picture = np.repeat(np.array(theme.ground, dtype=np.float32)[:, None], width * height, axis=1)
+    pixels = PolarPixels(scale, radius, angle)
     (content,) = wall_contents((layers,), [])
-    paint_parts(picture, parts(content, shape, 0.0, theme), shape, scale, radius, angle)
+    paint_parts(picture, parts(content, shape, 0.0, theme), shape, pixels)
+    paint_light(picture, shape, pixels, theme.relief)
     card = pygame.Surface(size, 0, 32)
     memory = pixels_of(card).reshape(height, -1)
-    memory[:, :width] = packed(card, picture).reshape(height, width)
+    memory[:, :width] = packed(card, picture.T).reshape(height, width)
     return card

@@ -13,6 +13,11 @@ def draw_dot(surface: pygame.Surface, pixel: complex, radius: float, colour: Col
     pygame.draw.aacircle(surface, colour, (pixel.real - 0.5, pixel.imag - 0.5), radius)
 
 
+def draw_circle(surface: pygame.Surface, pixel: complex, radius: float, width: float, colour: Colour) -> None:
+    """A small anti-aliased circle around a pixel. radius: of its outer edge; width: of its line, at least 1. In pixels."""
+    pygame.draw.aacircle(surface, colour, (pixel.real - 0.5, pixel.imag - 0.5), radius, max(round(width), 1))
+
+
 def draw_box(
     surface: pygame.Surface, box: pygame.Rect, radius: float, fill: Colour, edge: Colour | None = None, width: float = 0.0
 ) -> None:

@@ -6,7 +6,8 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from game.effects import Flash
-from game.rules import PADDLES
+from game.effects.entry import GLOW, arrival, order
+from game.rules import PADDLES, PowerUp
 from game.scene import Scene
 from physics import PERMANENT
 
@@ -21,10 +22,13 @@ class ContentKind(IntEnum):
 
     EMPTY = auto()
     PADDLE = auto()
-    RECOILING = auto()
-    """A paddle that is out of its slot for a moment: the slot shows the track, and the paddle is drawn apart."""
+    STICKY_PADDLE = auto()
     BRICKS = auto()
     STEEL = auto()
+    BUMPER = auto()
+    SHIELD = auto()
+    GROWING = auto()
+    """Bricks that grow again."""
     GHOST = auto()
     """An empty slot whose last brick has just gone: its light is left for a moment."""
 
@@ -53,18 +57,50 @@ def slot_contents(scene: Scene) -> Contents:
     flashes: dict[int, list[Flash]] = {}
     for flash in scene.flashes:
         flashes.setdefault(flash.ring, []).append(flash)
-    return tuple(
-        [
-            paddle_contents(len(layers), flashes.get(k, [])) if k == PADDLES else wall_contents(layers, flashes.get(k, []))
-            for k, layers in enumerate(scene.layers)
-        ]
-    )
+    return tuple([_ring_contents(scene, k, flashes.get(k, [])) for k in range(len(scene.layers))])
 
 
 @lru_cache(maxsize=8)
 def resting_contents(layers: tuple[tuple[int, ...], ...]) -> Contents:
     """What stands in the slots while nothing glows. layers: per ring and slot, as in `physics.Arena`."""
     return tuple([paddle_contents(len(ring), []) if k == PADDLES else _resting(ring) for k, ring in enumerate(layers)])
+
+
+def _ring_contents(scene: Scene, k: int, flashes: list[Flash]) -> tuple[SlotContent, ...]:
+    """What stands in the slots of one ring. flashes: of this ring."""
+    layers = scene.layers[k]
+    if k == PADDLES:
+        sticky = any([power.kind == PowerUp.STICKY for power in scene.powers])
+        contents = paddle_contents(len(layers), flashes)
+        return _renamed(contents, ContentKind.PADDLE, ContentKind.STICKY_PADDLE) if sticky else contents
+    contents = wall_contents(layers, flashes)
+    if scene.entry is not None:
+        contents = _entering(scene, k, contents, scene.entry)
+    if k == scene.shield:
+        return _renamed(contents, ContentKind.BRICKS, ContentKind.SHIELD)
+    if k in scene.bumpers:
+        return _renamed(contents, ContentKind.STEEL, ContentKind.BUMPER)
+    return _renamed(contents, ContentKind.BRICKS, ContentKind.GROWING) if k in scene.growing else contents
+
+
+def _entering(scene: Scene, k: int, contents: tuple[SlotContent, ...], entry: int) -> tuple[SlotContent, ...]:
+    """The contents of a ring while the wall is built up. entry: ticks since that began."""
+    numbers = order(tuple([ring.radius for ring in scene.rings]))
+    come = [arrival(entry, numbers[k], len(numbers) - 1, slot, len(contents)) for slot in range(len(contents))]
+    return tuple([_arrived(content, share) for content, share in zip(contents, come, strict=True)])
+
+
+def _arrived(content: SlotContent, come: float) -> SlotContent:
+    """The content of a slot whose brick has come so far. come: as `arrival` says."""
+    if come < 0.0 or content.kind is ContentKind.EMPTY:
+        return _EMPTY
+    return content._replace(glow=max(content.glow, math.ceil(GLOW * (1.0 - come) * GLOW_STEPS)))
+
+
+@lru_cache(maxsize=64)
+def _renamed(contents: tuple[SlotContent, ...], before: ContentKind, after: ContentKind) -> tuple[SlotContent, ...]:
+    """The contents with another kind in place of one."""
+    return tuple([content._replace(kind=after) if content.kind is before else content for content in contents])
 
 
 def paddle_contents(count: int, flashes: list[Flash]) -> tuple[SlotContent, ...]:

@@ -6,6 +6,7 @@ nothing jumps: at the start of the fall each layer looks as it did before the hi
 """
 
 import math
+from collections.abc import Callable
 from functools import lru_cache
 from typing import NamedTuple
 
@@ -15,8 +16,8 @@ from physics import Ring
 
 LAYER_HEIGHT = 0.045
 """Height of one layer, in shares of the ground's radius: about a ball's."""
-PADDLE_HEIGHT, STEEL_HEIGHT = 0.7, 1.0
-"""Heights of a paddle and of what never breaks, in layers."""
+PADDLE_HEIGHT, STEEL_HEIGHT, SHIELD_HEIGHT = 0.7, 1.0, 0.5
+"""Heights of a paddle, of what never breaks, and of the shield, in layers."""
 DOT_SHADE = 0.6
 """Colour of the dots on a stack: this share of the way from the top's colour to the ground's."""
 MOST_DOT = 0.09
@@ -28,6 +29,8 @@ _GHOST_GLOW = 0.75
 """The light of a brick that has gone: its share of the way from the ground's colour to the flash's, at first."""
 _PADDLE_RIM = 0.4
 """Width of a paddle's darker edge, in half widths."""
+_KNOB, _KNOB_PITCH = 0.3, 3.0
+"""Half the side of a dot on a sticky paddle, and from one to the next, in half widths."""
 _TERRACE = 0.085
 """World units from one terrace's edge to the next, where there is room."""
 _TERRACES_SHARE = 0.6
@@ -36,6 +39,14 @@ _COMMON_LAYERS = 3
 """Stacks up to this height have terraces of the same width."""
 _SHADE_REACH, _SHADE_DARKNESS = 0.6, 0.4
 """Shade at the foot of a terrace: its reach, in terraces, and how much of the light it takes at the foot."""
+_BUMPER_RIM, _BUMPER_CORE = 0.3, 0.55
+"""Insets of a bumper's dark line and of its bright core, in half widths."""
+_SHIELD_RIM = 0.35
+"""Inset of a shield's bright line, in half widths."""
+_SHIELD_LIGHT = 0.35
+"""The shield's bright line is this share of the way from the paddles' colour to the text's."""
+_SEAM = 0.16
+"""Inset of the seam on bricks that grow again, in half widths."""
 _FRAME_MARGIN = 0.24
 """From the edge of a steel block to the middle of its frame's line, in half widths."""
 _FRAME_LINE, _BAR_LINE = 0.06, 0.05
@@ -142,24 +153,23 @@ def slot_shape(ring: Ring, tallest: int, finest: float) -> SlotShape:
 
 def height(content: SlotContent) -> float:
     """Layers from the ground to the top of what stands in a slot at rest."""
-    heights = {ContentKind.PADDLE: PADDLE_HEIGHT, ContentKind.STEEL: STEEL_HEIGHT}
+    heights = {
+        ContentKind.PADDLE: PADDLE_HEIGHT,
+        ContentKind.STICKY_PADDLE: PADDLE_HEIGHT,
+        ContentKind.STEEL: STEEL_HEIGHT,
+        ContentKind.BUMPER: STEEL_HEIGHT,
+        ContentKind.SHIELD: SHIELD_HEIGHT,
+    }
     return heights.get(content.kind, float(content.layers))
 
 
 @lru_cache(maxsize=512)
 def parts(content: SlotContent, shape: SlotShape, drop: float, theme: Theme) -> tuple[Part, ...]:
     """What stands in a slot, from the lowest part to the highest. drop: layers that a stack has still to fall."""
-    match content.kind:
-        case ContentKind.PADDLE:
-            return _paddle(content, shape, theme)
-        case ContentKind.BRICKS:
-            return _stack(content, shape, drop, theme)
-        case ContentKind.STEEL:
-            return _steel(content, shape, theme)
-        case ContentKind.GHOST:
-            return (_ghost(content, shape, theme),)
-        case ContentKind.EMPTY | ContentKind.RECOILING:
-            return ()
+    if content.kind in _STACKS:
+        return _stack(content, shape, drop, theme)
+    pile = _PILES.get(content.kind)
+    return () if pile is None else pile(content, shape, theme)
 
 
 def dots(layers: int, top: SlotShape) -> list[tuple[float, float, float]]:
@@ -187,6 +197,25 @@ def _paddle(content: SlotContent, shape: SlotShape, theme: Theme) -> tuple[Part,
     )
 
 
+def _sticky_paddle(content: SlotContent, shape: SlotShape, theme: Theme) -> tuple[Part, ...]:
+    """A paddle with a line of dots along its middle, which hold the ball."""
+    half, radius = max(_KNOB * shape.half_width, shape.finest), shape.radius
+    count = max(int(shape.half_angle * radius / (_KNOB_PITCH * shape.half_width)), 1)
+    end = shape.half_angle * (1.0 - 1.0 / count)
+    knobs = [_dot(PADDLE_HEIGHT, radius, angle, half, theme.ground) for angle in _spread(end, count)]
+    return (*_paddle(content, shape, theme), *knobs)
+
+
+def _dot(top: float, radius: float, angle: float, half: float, colour: Colour) -> Bar:
+    """A square dot. half: half its side, world units."""
+    return Bar(top, (radius - half, angle), (radius + half, angle), half, colour)
+
+
+def _spread(end: float, count: int) -> list[float]:
+    """Angles from -end to end at equal distances."""
+    return [end * (2.0 * k / (count - 1) - 1.0) for k in range(count)] if count > 1 else [0.0]
+
+
 def _stack(content: SlotContent, shape: SlotShape, drop: float, theme: Theme) -> tuple[Part, ...]:
     """A terrace per layer, each with the shade of the next on it, and dots on the top that tell how many they are."""
     step = shape.terrace
@@ -201,11 +230,13 @@ def _stack(content: SlotContent, shape: SlotShape, drop: float, theme: Theme) ->
             reach = max(_SHADE_REACH * step, shape.finest)
             pile.append(FootShade(bottom + 1.0, (bottom + 1.0) * step, reach, _SHADE_DARKNESS, colour))
     highest = content.layers - 1.0 + drop
+    if content.kind is ContentKind.GROWING:
+        pile += _seam(_glowing(_colour_at(theme, highest), content, theme), highest * step, highest + 1.0, shape, theme)
     dotted = _glowing(mixed(_colour_at(theme, highest), theme.ground, DOT_SHADE), content, theme)
     inset = highest * step
     top = shape._replace(half_width=shape.half_width - inset, half_angle=shape.half_angle - inset / shape.radius)
     for radius, angle, half in dots(content.layers, top):
-        pile.append(Bar(highest + 1.0, (radius - half, angle), (radius + half, angle), half, dotted))
+        pile.append(_dot(highest + 1.0, radius, angle, half, dotted))
     return tuple(pile)
 
 
@@ -217,6 +248,31 @@ def _steel(content: SlotContent, shape: SlotShape, theme: Theme) -> tuple[Part, 
     frame = Slab(top, top, margin - line / 2.0, theme.steel_line)
     within = Slab(top, top, margin + line / 2.0, plain)
     return block, frame, within, *_zigzag(shape, margin, max(_BAR_LINE, shape.finest), theme.steel_line)
+
+
+def _seam(colour: Colour, inset: float, top: float, shape: SlotShape, theme: Theme) -> tuple[Slab, Slab]:
+    """A bright frame on the top of bricks that grow again. colour, inset, top: of the highest layer."""
+    inset, line = inset + _SEAM * shape.half_width, max(_FRAME_LINE, shape.finest)
+    return Slab(top, top, inset, theme.accent), Slab(top, top, inset + line, colour)
+
+
+def _bumper(content: SlotContent, shape: SlotShape, theme: Theme) -> tuple[Part, ...]:
+    """A steel block with a bright core that says: hit me."""
+    top = STEEL_HEIGHT
+    return (
+        Slab(0.0, top, 0.0, _glowing(theme.steel, content, theme)),
+        Slab(top, top, max(_BUMPER_RIM * shape.half_width, shape.finest), theme.steel_line),
+        Slab(top, top, max(_BUMPER_CORE * shape.half_width, 2.0 * shape.finest), _glowing(theme.accent, content, theme)),
+    )
+
+
+def _shield(content: SlotContent, shape: SlotShape, theme: Theme) -> tuple[Part, ...]:
+    """A low wall of light."""
+    bright = _glowing(mixed(theme.paddle_top, theme.text, _SHIELD_LIGHT), content, theme)
+    return (
+        Slab(0.0, SHIELD_HEIGHT, 0.0, _glowing(theme.paddle, content, theme)),
+        Slab(SHIELD_HEIGHT, SHIELD_HEIGHT, max(_SHIELD_RIM * shape.half_width, shape.finest), bright),
+    )
 
 
 def _zigzag(shape: SlotShape, margin: float, line: float, colour: Colour) -> list[Bar]:
@@ -236,11 +292,23 @@ def _zigzag(shape: SlotShape, margin: float, line: float, colour: Colour) -> lis
     return bars
 
 
-def _ghost(content: SlotContent, shape: SlotShape, theme: Theme) -> Slab:
+def _ghost(content: SlotContent, shape: SlotShape, theme: Theme) -> tuple[Part, ...]:
     """A patch of light on the ground that shrinks and fades."""
     strength = content.glow / GLOW_STEPS
     half_length = min(shape.half_width, shape.half_angle * shape.inner_radius)
-    return Slab(0.0, 0.0, (1.0 - strength) * half_length, mixed(theme.ground, theme.flash, _GHOST_GLOW * strength))
+    return (Slab(0.0, 0.0, (1.0 - strength) * half_length, mixed(theme.ground, theme.flash, _GHOST_GLOW * strength)),)
+
+
+_STACKS = frozenset({ContentKind.BRICKS, ContentKind.GROWING})
+_PILES: dict[ContentKind, Callable[[SlotContent, SlotShape, Theme], tuple[Part, ...]]] = {
+    ContentKind.PADDLE: _paddle,
+    ContentKind.STICKY_PADDLE: _sticky_paddle,
+    ContentKind.STEEL: _steel,
+    ContentKind.BUMPER: _bumper,
+    ContentKind.SHIELD: _shield,
+    ContentKind.GHOST: _ghost,
+}
+"""What stands in a slot besides stacks, by its kind."""
 
 
 def _colour_at(theme: Theme, bottom: float) -> Colour:

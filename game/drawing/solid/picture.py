@@ -12,7 +12,7 @@ import numpy as np
 import pygame
 
 from game.drawing.canvas import Canvas
-from game.drawing.ground import ground_picture
+from game.drawing.ground.picture import Ground, draw_pattern, ground_picture
 from game.drawing.palette import Theme
 from game.drawing.raster.pixels import packed
 from game.drawing.raster.quads import QuadRaster
@@ -21,11 +21,11 @@ from game.drawing.slots.parts import LAYER_HEIGHT, SlotShape, parts
 from game.drawing.solid.faces import ProjectedBlocks, projected, shadows, visible_faces
 from game.drawing.solid.painters_order import widest
 from game.drawing.solid.prisms import Blocks, Cut, joined, pushed, ring_blocks
-from game.effects import Drop
+from game.effects import FallingStack
 from game.rules import PADDLES
 from game.scene import Scene
 
-_MOST_FINE_PIXELS = 9_000_000
+_MOST_FINE_PIXELS = 6_000_000
 """Surfaces up to this size are drawn _FINER times finer, and scaled down; larger ones as they are, for the sake of speed."""
 _FINER = 2
 """A power of two: with other numbers, scaling down changes colours."""
@@ -50,14 +50,14 @@ class _RingKey(NamedTuple):
     cut: how they are cut.
     tallest: layers of the ring's highest stack that may ever stand there.
     contents: of its slots.
-    drops: stacks of it that are falling.
+    falling: stacks of it that are falling.
     theme: the colours.
     """
 
     cut: Cut
     tallest: int
     contents: tuple[SlotContent, ...]
-    drops: tuple[Drop, ...]
+    falling: tuple[FallingStack, ...]
     theme: Theme
 
 
@@ -66,17 +66,24 @@ class SolidPicture:
 
     def __init__(self) -> None:
         """Start with nothing cached."""
+        self._bare: _GroundPicture | None = None  # without its pattern: an orbit does not change it
         self._ground: _GroundPicture | None = None
         self._blocks: OrderedDict[_RingKey, Blocks] = OrderedDict()
         self._raster = QuadRaster()
 
     def draw_ground(self, canvas: Canvas, scene: Scene) -> None:
         """Cover the surface with the ground and what is around it."""
-        track = scene.rings[PADDLES].radius
+        ground = Ground(scene.ground_radius, scene.rings[PADDLES].radius, scene.ground)
         unturned = canvas._replace(camera=canvas.camera._replace(azimuth=0.0))
-        key = (canvas.size, unturned.camera, canvas.theme, scene.ground_radius, track)
-        if self._ground is None or self._ground.key != key:
-            self._ground = _GroundPicture(key, ground_picture(unturned, scene.ground_radius, track))
+        key = (canvas.size, unturned.camera, canvas.theme, ground)
+        if self._bare is None or self._bare.key != key:
+            self._bare, self._ground = _GroundPicture(key, ground_picture(unturned, ground)), None
+        turned = (*key, canvas.camera.azimuth)
+        if self._ground is None or self._ground.key != turned:
+            picture = self._bare.picture.copy() if self._ground is None else self._ground.picture
+            picture.blit(self._bare.picture, (0, 0))
+            draw_pattern(canvas._replace(surface=picture), ground)
+            self._ground = _GroundPicture(turned, picture)
         canvas.surface.blit(self._ground.picture, (0, 0))
 
     def draw_blocks(self, canvas: Canvas, scene: Scene, contents: Contents) -> ProjectedBlocks:
@@ -133,13 +140,13 @@ def _ring_key(canvas: Canvas, scene: Scene, k: int, contents: tuple[SlotContent,
         scale,
         _FRINGE / finer / scale,
     )
-    drops = tuple([drop for drop in scene.drops if drop.ring == k])
-    return _RingKey(cut, scene.tallest[k], contents, drops, canvas.theme)
+    falling = tuple([stack for stack in scene.falling if stack.ring == k])
+    return _RingKey(cut, scene.tallest[k], contents, falling, canvas.theme)
 
 
 def _cut(key: _RingKey) -> Blocks:
     """The blocks of a ring. Lines may be thinner than a pixel, for what is drawn here is scaled down."""
-    falling = {drop.slot: drop.height for drop in key.drops}
+    falling = {stack.slot: stack.height for stack in key.falling}
     cut = key.cut
     shape = SlotShape(cut.radius, cut.half_width, cut.half_angle, key.tallest, finest=0.0)
     piles = [(slot, parts(one, shape, falling.get(slot, 0.0), key.theme)) for slot, one in enumerate(key.contents)]

@@ -6,8 +6,8 @@ from game.input.signals import Clicked, Pressed, Signal
 from game.language import tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.panel import centred, dim, draw_panel
 from game.screens.still_picture import StillPicture
+from game.screens.toolkit.plate import centred, dim, draw_panel
 
 # Lengths are in units of text.
 _WIDTH, _LEFT, _TOP, _BOTTOM = 36.0, 2.0, 1.2, 1.2

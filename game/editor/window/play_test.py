@@ -17,7 +17,7 @@ class PlayTest:
     def __init__(self, state: AppState, editor: Screen, level: Level) -> None:
         """Start at the first serve."""
         self._editor = editor
-        own = replace(state, open_title=lambda _: editor)
+        own = replace(state, open_title=lambda _: editor, open_levels=None)
         self._inner: Screen = PlayScreen(own, (level,))
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:

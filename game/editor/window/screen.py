@@ -21,7 +21,7 @@ from game.language import tr
 from game.levels import Level
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.menu import Entry, Menu
+from game.screens.toolkit.menu import Entry, Menu
 from game.system.errors import BadInputError
 from game.system.files import write_text
 
@@ -34,9 +34,11 @@ _LONGEST_NUMBER = 12
 class Editor:
     """Edits one level file."""
 
-    def __init__(self, state: AppState, session: EditorSession, file: WatchedFile) -> None:
-        """Open with a session on a file."""
-        self._state, self.session, self._file = state, session, file
+    def __init__(
+        self, state: AppState, session: EditorSession, file: WatchedFile, back: Callable[[], Screen | None] = lambda: None
+    ) -> None:
+        """Open with a session on a file. back: the screen that it leads back to."""
+        self._state, self.session, self._file, self._back = state, session, file, back
         self._painter = Painter()
         self._drawn: Level = session.document.level  # the last one that could be drawn
         self._selected = 0
@@ -239,7 +241,7 @@ class Editor:
         elif name == "test":
             return self._play_test()
         elif name == "leave":
-            return self._leaving() if self.session.changed else None
+            return self._leaving() if self.session.changed else self._back()
         return self
 
     def _play_test(self) -> Screen:
@@ -254,11 +256,12 @@ class Editor:
 
         def saved() -> Screen | None:
             """Save and leave; stay where that is not possible."""
-            return None if self.save() else self
+            return self._back() if self.save() else self
 
-        def discarded() -> None:
+        def discarded() -> Screen | None:
             """Leave without saving."""
             self.discarded = True
+            return self._back()
 
         entries = (
             Entry(tr("Save and leave"), saved),

@@ -173,12 +173,13 @@ Mark = Disc | Circle | AnnularSector | Annulus | Line | Arrow | PointMark | Arc 
 class Pane(NamedTuple):
     """One world. Several stand side by side, each seen through the same camera.
 
-    marks: from back to front. has_handles: whether the scene's handles are in it, too.
+    marks: from back to front. has_handles: whether the scene's handles are in it, too. lines: of text, below, with their roles.
     """
 
     marks: tuple[Mark, ...]
     title: str = ""
     has_handles: bool = True
+    lines: tuple[tuple[str, Role], ...] = ()
 
 
 class Picture(NamedTuple):

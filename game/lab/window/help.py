@@ -7,7 +7,7 @@ from game.drawing.palette import Theme
 from game.drawing.text import Type
 from game.input.key_names import code_names
 from game.lab.window.commands import KEYS, MORE_HELP
-from game.screens.panel import dim, draw_panel
+from game.screens.toolkit.plate import dim, draw_panel
 
 
 def draw_help(surface: pygame.Surface, theme: Theme, type_: Type) -> None:

@@ -5,6 +5,7 @@ from collections.abc import Callable
 import pygame
 
 from game.drawing.palette import Theme
+from game.input.devices import as_key
 from game.input.keys import code_among, position_in
 from game.input.repeat import Repeat
 from game.input.signals import KeyboardState, Signal
@@ -23,8 +24,10 @@ from game.lab.window.help import draw_help
 from game.lab.window.layout import layout_of, pane_areas
 from game.lab.window.marks import draw_marks
 from game.lab.window.pan_zoom import PanZoom
+from game.lab.window.pane_lines import draw_pane_lines
 from game.lab.window.widgets import PresetChosen, Refused, Request, SceneChosen, Side, ValueRequested
 from game.lab.window.words import TextSheet, draw_head, draw_notice, draw_small_print, draw_words
+from game.lab.yours.pane import with_yours
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.system.errors import BadInputError
@@ -81,6 +84,7 @@ class Lab:
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> Screen | None:
         """React to an event of the window."""
         self._pixels_per_point = pixels_per_point
+        event = as_key(event) or event
         if event.type == pygame.WINDOWFOCUSLOST:
             self._repeat = None
         if self._help:
@@ -106,6 +110,10 @@ class Lab:
                 self._obey(command)
         self._seconds += seconds
         self._notice_left -= seconds
+        functions = self._shared.functions
+        if functions is not None and (news := functions.refresh()):
+            self._drawn = None
+            self._tell(news)
         return self
 
     def draw(self, surface: pygame.Surface) -> None:
@@ -141,6 +149,7 @@ class Lab:
             if view.area.left > sheet.layout.world.left:
                 pygame.draw.line(sheet.surface, sheet.theme.panel_edge, view.area.topleft, view.area.bottomleft)
             draw_handles(canvas, given, view.handles, hovered if hovered in view.handles else None)
+            draw_pane_lines(sheet.surface, view.area, pane, sheet.theme, sheet.type, sheet.unit)
 
     def _key(self, event: pygame.Event, size: tuple[int, int]) -> Screen | None:
         """React to a key. While a field is typed into, the key is the field's."""
@@ -253,7 +262,7 @@ class Lab:
             drawn, picture = self._drawn
             if drawn.given is session.given and drawn.tick == session.tick and drawn.scene is session.scene:
                 return picture
-        self._drawn = session, session.picture
+        self._drawn = session, with_yours(session.picture, session.scene, session.given, self._shared.functions)
         return self._drawn[1]
 
     def _widgets(self, size: tuple[int, int]) -> Side:

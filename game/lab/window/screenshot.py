@@ -13,21 +13,24 @@ from game.levels import built_in
 from game.screens.app_state import AppState
 from game.screens.title import Title
 from game.settings.values import Settings
+from game.student.functions_file import FunctionsFile
 from game.system.files import write_whole
 from game.system.window import open_window
 
 
-def save_screenshot(scene: SharedScene, path: Path, size: tuple[int, int], colours: str) -> None:
+def save_screenshot(
+    scene: SharedScene, path: Path, size: tuple[int, int], colours: str, functions: FunctionsFile | None = None
+) -> None:
     """Draw the lab with a scene as it stands and save it as PNG; OSError where it cannot be written. Needs no display.
 
-    colours: a key of `settings.THEMES`.
+    colours: a key of `settings.THEMES`. functions: the player's own, to be shown beside ours.
     """
     if not pygame.display.get_init():
         os.environ["SDL_VIDEODRIVER"] = "dummy"
     window = open_window("lab", (16, 16))
     try:
         surface = pygame.Surface(size, 0, 32)
-        state = AppState(built_in(), 0, 0, Title, settings=Settings(colours=colours))
+        state = AppState(built_in(), 0, 0, Title, settings=Settings(colours=colours), functions=functions)
         Lab(state, session.opened(scene)).draw(surface)
     finally:
         window.destroy()

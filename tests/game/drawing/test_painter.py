@@ -12,9 +12,9 @@ import pygame
 import pytest
 
 from game.autopilot import Autopilot
-from game.drawing.flat.sector_colours import paint_parts
+from game.drawing.flat.sector_colours import PolarPixels, paint_parts
 from game.drawing.painter import Painter
-from game.drawing.palette import DARK, LIGHT, contrast, layer_colour, mixed
+from game.drawing.palette import DARK, contrast, layer_colour, mixed
 from game.drawing.raster.annulus import annulus_pixels
 from game.drawing.slots.contents import ContentKind, SlotContent
 from game.drawing.slots.parts import DOT_SHADE, SlotShape, dots, parts
@@ -26,7 +26,7 @@ from game.scene import scene_at
 from game.screenshot import save_screenshot
 from physics import PERMANENT
 from tests.support.games import game_after
-from tests.support.pictures import canvas_of
+from tests.support.pictures import PLAIN_DARK, PLAIN_LIGHT, canvas_of
 
 SIZE = (900, 700)
 
@@ -36,7 +36,7 @@ def tick_after(level, ticks, seed=3):
     return game_after(level, ticks, seed)[0]
 
 
-def painted(scene, size=SIZE, theme=DARK, painter=None):
+def painted(scene, size=SIZE, theme=PLAIN_DARK, painter=None):
     """A scene on a new surface, and the camera that saw it."""
     canvas = canvas_of(scene, size, theme=theme)
     (painter or Painter()).paint(canvas, scene)
@@ -60,7 +60,7 @@ def top_colour(theme, layers):
     return mixed(colour, theme.ground, DOT_SHADE) if layers == 3 else colour
 
 
-@pytest.mark.parametrize("theme", [DARK, LIGHT], ids=["dark", "light"])
+@pytest.mark.parametrize("theme", [PLAIN_DARK, PLAIN_LIGHT], ids=["dark", "light"])
 @pytest.mark.parametrize("level", range(7))
 def test_sectors_are_where_the_geometry_says(level, theme):
     """In the middle of every slot is the colour of what stands in it; half way to the next slot is the ground's."""
@@ -117,7 +117,7 @@ def test_every_layer_of_a_stack_can_be_seen():
     assert seen == [1, 2, 3, 4, 5, 6]
 
 
-@pytest.mark.parametrize("theme", [DARK, LIGHT], ids=["dark", "light"])
+@pytest.mark.parametrize("theme", [PLAIN_DARK, PLAIN_LIGHT], ids=["dark", "light"])
 @pytest.mark.parametrize("layers", range(1, 10))
 def test_as_many_dots_as_layers(layers, theme):
     """From two layers on there is a dot for every layer, apart from the others and with contrast enough."""
@@ -135,10 +135,10 @@ def test_a_dot_is_where_it_is_said_to_be():
     inset = 3.0 * shape.terrace
     for radius, angle, half in dots(4, shape._replace(half_width=1.0 - inset, half_angle=0.3 - inset / 5.0)):
         radii, angles = np.float32([radius, radius + 2.0 * half]) * scale, np.float32([angle, angle])
-        picture = np.zeros((2, 3), dtype=np.float32)
-        paint_parts(picture, parts(SlotContent(ContentKind.BRICKS, 4), shape, 0.0, DARK), shape, scale, radii, angles)
-        assert np.abs(picture[0] - mixed(layer_colour(DARK, 4), DARK.ground, DOT_SHADE)).max() < 1.0
-        assert np.abs(picture[1] - layer_colour(DARK, 4)).max() < 1.0
+        picture, pixels = np.zeros((3, 2), dtype=np.float32), PolarPixels(scale, radii, angles)
+        paint_parts(picture, parts(SlotContent(ContentKind.BRICKS, 4), shape, 0.0, DARK), shape, pixels)
+        assert np.abs(picture[:, 0] - mixed(layer_colour(DARK, 4), DARK.ground, DOT_SHADE)).max() < 1.0
+        assert np.abs(picture[:, 1] - layer_colour(DARK, 4)).max() < 1.0
 
 
 def test_what_cannot_break_differs_in_shape_too():

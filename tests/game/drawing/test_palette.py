@@ -1,10 +1,17 @@
 """The colours can be told apart, also without colour vision, and text can be read."""
 
+import numpy as np
 import pytest
 
+from game.drawing.ground.colours import ground_colours
 from game.drawing.palette import DARK, LIGHT, contrast, layer_colour, luminance, mixed
+from game.drawing.palettes import NAMES, themed
 
-THEMES = pytest.mark.parametrize("theme", [DARK, LIGHT], ids=["dark", "light"])
+THEMES = pytest.mark.parametrize(
+    "theme",
+    [themed(theme, name) for theme in (DARK, LIGHT) for name in NAMES],
+    ids=[f"{kind} {name}" for kind in ("dark", "light") for name in NAMES],
+)
 
 
 def test_contrast_is_21_between_black_and_white():
@@ -23,16 +30,46 @@ def test_text_is_readable_wherever_it_stands(theme):
 
 @THEMES
 def test_things_stand_out_from_the_ground(theme):
-    """Everything that the ball can meet has a contrast of at least 3 to the ground."""
+    """Everything that the ball can meet has a contrast of at least 3 to the ground, and of 2.6 where that is lit the most."""
+    lightest = tuple(np.rint(ground_colours(theme, np.float32(0.2))).astype(int).tolist())
     for thing in (theme.paddle, theme.paddle_top, theme.ball, theme.steel, theme.rim, *theme.layers):
         assert contrast(thing, theme.ground) >= 3.0
+        assert contrast(thing, lightest) >= 2.6
+
+
+def simulated(colour, kind):
+    """A colour as seen without one kind of cone: Machado, Oliveira and Fernandes (2009), severity 1, in linear light."""
+    matrix = {
+        "protanopia": ((0.152286, 1.052583, -0.204868), (0.114503, 0.786281, 0.099216), (-0.003882, -0.048116, 1.051998)),
+        "deuteranopia": ((0.367322, 0.860646, -0.227968), (0.280085, 0.672501, 0.047413), (-0.011820, 0.042940, 0.968881)),
+        "tritanopia": ((1.255528, -0.076749, -0.178779), (-0.078411, 0.930809, 0.147602), (0.004733, 0.691367, 0.303900)),
+    }[kind]
+    share = np.array(colour) / 255.0
+    linear = np.where(share <= 0.04045, share / 12.92, ((share + 0.055) / 1.055) ** 2.4)
+    seen = np.clip(np.array(matrix) @ linear, 0.0, 1.0)
+    back = np.where(seen <= 0.0031308, 12.92 * seen, 1.055 * seen ** (1.0 / 2.4) - 0.055)
+    return tuple(np.rint(255.0 * back).astype(int).tolist())
+
+
+@THEMES
+@pytest.mark.parametrize("kind", ["protanopia", "deuteranopia", "tritanopia"])
+def test_without_one_kind_of_cone_everything_stands_out_too(theme, kind):
+    """Without red, green or blue cones, all has a contrast above 2.2 to the ground, and six layers stay in order."""
+    ground = simulated(theme.ground, kind)
+    for thing in (theme.paddle, theme.paddle_top, theme.ball, theme.steel, theme.rim, *theme.layers):
+        assert contrast(simulated(thing, kind), ground) >= 2.2
+    light = [luminance(simulated(layer_colour(theme, layer), kind)) for layer in range(1, 7)]
+    assert light == sorted(light, reverse=luminance(theme.ground) > 0.5)
+    for layer in range(1, 6):
+        pair = (simulated(layer_colour(theme, number), kind) for number in (layer, layer + 1))
+        assert contrast(*pair) >= 1.08
 
 
 @THEMES
 def test_stacks_stay_in_order_in_grey(theme):
     """Each layer differs from the one below in lightness alone: by a fifth up to six, always in the same direction."""
     light = [luminance(layer_colour(theme, layer)) for layer in range(1, 10)]
-    assert light == sorted(light, reverse=theme is LIGHT)
+    assert light == sorted(light, reverse=luminance(theme.ground) > 0.5)
     assert len(set(light)) == len(light)
     for layer in range(1, 6):
         assert contrast(layer_colour(theme, layer), layer_colour(theme, layer + 1)) >= 1.2

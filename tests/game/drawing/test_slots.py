@@ -12,7 +12,7 @@ import pygame
 import pytest
 
 from game.drawing.flat.sample import brick_sample
-from game.drawing.flat.sector_colours import paint_parts
+from game.drawing.flat.sector_colours import PolarPixels, paint_parts
 from game.drawing.palette import DARK, LIGHT, layer_colour
 from game.drawing.slots.contents import (
     GLOW_STEPS,
@@ -30,6 +30,9 @@ SHAPE = SlotShape(5.0, 0.6, 0.3, 6, 0.0)
 CONTENTS = [
     SlotContent(ContentKind.PADDLE),
     SlotContent(ContentKind.STEEL),
+    SlotContent(ContentKind.BUMPER),
+    SlotContent(ContentKind.SHIELD, 1),
+    *[SlotContent(ContentKind.GROWING, layers) for layers in (1, 3)],
     *[SlotContent(ContentKind.BRICKS, layers) for layers in range(1, 10)],
 ]
 EVERY = pytest.mark.parametrize("content", CONTENTS)
@@ -44,11 +47,10 @@ def test_the_height_of_a_content_is_the_top_of_its_parts(content):
     assert [slab.bottom for slab in raised] == [0.0, *[slab.top for slab in raised[:-1]]]
 
 
-@pytest.mark.parametrize("kind", [ContentKind.EMPTY, ContentKind.RECOILING])
-def test_nothing_stands_in_an_empty_slot(kind):
-    """It has no parts and no height; a slot whose paddle is elsewhere for a moment is empty, too."""
-    assert parts(SlotContent(kind), SHAPE, 0.0, DARK) == ()
-    assert height(SlotContent(kind)) == 0.0
+def test_nothing_stands_in_an_empty_slot():
+    """It has no parts and no height."""
+    assert parts(SlotContent(ContentKind.EMPTY), SHAPE, 0.0, DARK) == ()
+    assert height(SlotContent(ContentKind.EMPTY)) == 0.0
 
 
 @EVERY
@@ -116,9 +118,9 @@ def test_a_bar_covers_its_area_with_smooth_edges(lean):
     scale, bar = 100.0, Bar(1.0, (4.8, -lean), (5.2, lean), 0.06, (255, 255, 255))
     x, y = np.meshgrid(np.arange(200) + 0.5 - 100.0, np.arange(100) + 0.5 + 450.0)
     radius, angle = np.hypot(x, y).astype(np.float32).ravel(), np.arctan2(x, y).astype(np.float32).ravel()
-    picture = np.zeros((radius.size, 3), dtype=np.float32)
-    paint_parts(picture, (bar,), SHAPE, scale, radius, angle)
-    cover = picture[:, 0] / 255.0
+    picture = np.zeros((3, radius.size), dtype=np.float32)
+    paint_parts(picture, (bar,), SHAPE, PolarPixels(scale, radius, angle))
+    cover = picture[0] / 255.0
     assert cover.sum() == pytest.approx(0.12 * 0.4 * scale**2, rel=0.02)
     edges = 2.0 * (math.hypot(0.4, 2.0 * lean * 5.0) + 0.12) * scale
     assert 0.8 * edges < ((cover > 0.01) & (cover < 0.99)).sum() < 1.6 * edges

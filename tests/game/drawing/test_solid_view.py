@@ -24,7 +24,7 @@ from game.drawing.solid.painters_order import back_to_front
 from game.drawing.solid.picture import SolidPicture
 from game.drawing.solid.prisms import Cut, ring_blocks, wedges_of
 from game.effects import Effects, after
-from game.effects.drops import Drop
+from game.effects.falling import FallingStack
 from game.input.view import FLAT, SOLID, Viewpoint
 from game.levels import built_in
 from game.replays.state_hash import state_hash
@@ -190,7 +190,7 @@ def mask_of(quadrilaterals):
 @pytest.mark.parametrize("level", [3, 6])
 def test_what_is_far_on_the_screen_hides_no_ball(level):
     """Around a ball, the blocks near it cover the same pixels as all blocks do."""
-    base = scene_at(game_after(level, 900)[0], 0.4, Effects())._replace(trails=(), flashes=(), drops=(), recoils=())
+    base = scene_at(game_after(level, 900)[0], 0.4, Effects())._replace(trails=(), flashes=(), falling=(), recoils=())
     chance = np.random.default_rng(level)
     x, y = np.mgrid[: SIZE[0], : SIZE[1]] + 0.5
     hidden = 0
@@ -211,7 +211,7 @@ def test_what_is_far_on_the_screen_hides_no_ball(level):
 def in_shadow(scene, spot, tilt):
     """Whether something is between a point of the ground and the light. Found by marching up the light."""
     standing = standing_heights(scene)
-    z, lifted = np.linspace(0.0, 3.0, 3000), {(drop.ring, drop.slot): 0.45 * drop.height for drop in scene.drops}
+    z, lifted = np.linspace(0.0, 3.0, 3000), {(drop.ring, drop.slot): 0.45 * drop.height for drop in scene.falling}
     ray = spot + LIGHT * SHADOW_SLANT * math.sin(tilt) * z
     radius, angle = np.abs(ray), np.angle(ray)
     for k, ring in enumerate(scene.rings):
@@ -228,8 +228,8 @@ def in_shadow(scene, spot, tilt):
 def test_shadows_lie_where_the_light_is_kept_out(level):
     """The ground is dark exactly where something is between it and the light, falling stacks included."""
     base = scene_at(game_after(level, 1800)[0], 0.4, Effects())
-    drops = tuple([Drop(1, slot, 1.2, 0.0) for slot in range(0, base.rings[1].count, 2) if base.layers[1][slot] > 0])
-    scene = base._replace(aim=None, trails=(), flashes=(), pops=(), balls=(), drops=drops)
+    falling = tuple([FallingStack(1, slot, 1.2, 0.0) for slot in range(0, base.rings[1].count, 2) if base.layers[1][slot] > 0])
+    scene = base._replace(aim=None, trails=(), flashes=(), pops=(), balls=(), falling=falling)
     bright, chance = DARK.ground, np.random.default_rng(level)
     dark = tuple(int(channel * (1.0 - DARK.shadow)) for channel in bright)
     wrong, checked = 0, Counter()
@@ -313,7 +313,7 @@ def test_tipping_leaves_the_game_alone():
         done = tick(game, pilot.controls(game))
         game, effects = done.game, after(effects, done)
         scene = scene_at(done, 0.3, effects)
-        fell += bool(scene.drops)
+        fell += bool(scene.falling)
         painter.paint(canvas_of(scene, (80, 60), VIEWS[number % 20]), scene)
     assert state_hash(game) == state_hash(game_after(4, 900)[0].game)
 

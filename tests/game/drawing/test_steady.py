@@ -94,7 +94,7 @@ def test_a_cached_picture_equals_a_fresh_one():
         done = tick(game, pilot.controls(game))
         game, effects = done.game, after(effects, done)
         scene = scene_at(done, 0.5, effects)
-        if number % 60 and not (scene.drops and number % 8 == 0):
+        if number % 60 and not (scene.falling and number % 8 == 0):
             continue
         if number > 1500:
             view = view._replace(azimuth=view.azimuth + 0.1, zoom=1.0 + number / 3000.0)
@@ -105,7 +105,7 @@ def test_a_cached_picture_equals_a_fresh_one():
             one.paint(canvas, scene)
             pictures.append(pygame.image.tobytes(canvas.surface, "RGB"))
         assert pictures[0] == pictures[1]
-        compared, fell = compared + 1, fell + bool(scene.drops)
+        compared, fell = compared + 1, fell + bool(scene.falling)
     assert min(compared, fell) > 50
 
 

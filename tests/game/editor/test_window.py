@@ -13,8 +13,8 @@ from game.input.keys import Action
 from game.input.signals import Pressed
 from game.levels import built_in, load_file
 from game.screens.app_state import AppState
-from game.screens.menu import Menu
 from game.screens.title import Title
+from game.screens.toolkit.menu import Menu
 from game.system.errors import BadInputError
 
 SIZE = (1280, 800)

@@ -1,6 +1,8 @@
 """Keys and mouse to controls."""
 
+import cmath
 import itertools
+import math
 import os
 
 os.environ["SDL_VIDEODRIVER"] = "dummy"
@@ -9,6 +11,7 @@ import pygame
 import pytest
 
 from game.drawing.camera import Camera
+from game.input.devices import Devices
 from game.input.hands import Hands
 from game.input.keys import BINDINGS, Action, Binding, KeyTable, position_of
 from game.input.signals import (
@@ -17,16 +20,22 @@ from game.input.signals import (
     FocusLost,
     KeyboardState,
     Moved,
+    PadChanged,
+    Pointed,
     Pressed,
     Released,
     Signal,
+    Squeezed,
     Zoomed,
     keyboard_state,
     translated,
 )
-from game.rules import POINTER_STEPS, Controls
+from game.levels import built_in
+from game.rules import POINTER_STEPS, Controls, Phase, new_game
 
 CAMERA = Camera(400 + 300j, 30.0)
+WAITING = new_game(built_in(), 1)
+GAME = WAITING._replace(phase=Phase.PLAYING)
 ONE = 1 + 1j
 ARROW_LEFT, ARROW_RIGHT = pygame.KSCAN_LEFT, pygame.KSCAN_RIGHT
 
@@ -47,13 +56,13 @@ def after(*signals):
 @pytest.mark.parametrize("code", [pygame.K_LEFT, pygame.K_a])
 def test_left_turns_clockwise(code):
     """The paddle at the bottom goes to the left."""
-    assert after(translated(key(code), ONE)).controls(CAMERA) == Controls(turn=-1)
+    assert after(translated(key(code), ONE)).controls(CAMERA, GAME) == Controls(turn=-1)
 
 
 @pytest.mark.parametrize("code", [pygame.K_RIGHT, pygame.K_d])
 def test_right_turns_counter_clockwise(code):
     """The paddle at the bottom goes to the right."""
-    assert after(translated(key(code), ONE)).controls(CAMERA) == Controls(turn=1)
+    assert after(translated(key(code), ONE)).controls(CAMERA, GAME) == Controls(turn=1)
 
 
 LAYOUTS = {
@@ -112,26 +121,26 @@ def test_the_last_key_pressed_wins_until_it_is_released():
     """Both directions held: the newer counts; released, the older counts again."""
     left, right = (Action.LEFT, ARROW_LEFT), (Action.RIGHT, ARROW_RIGHT)
     both = after(Pressed(*left), Pressed(*right))
-    assert both.controls(CAMERA).turn == 1
-    assert both.after(Released(*right)).controls(CAMERA).turn == -1
-    assert both.after(Released(*left)).controls(CAMERA).turn == 1
-    assert both.after(Released(*right)).after(Released(*left)).controls(CAMERA) == Controls()
+    assert both.controls(CAMERA, GAME).turn == 1
+    assert both.after(Released(*right)).controls(CAMERA, GAME).turn == -1
+    assert both.after(Released(*left)).controls(CAMERA, GAME).turn == 1
+    assert both.after(Released(*right)).after(Released(*left)).controls(CAMERA, GAME) == Controls()
 
 
 def test_of_two_keys_for_one_action_each_counts():
     """The left arrow held, A pressed and released: the paddles go on; the arrow released, they stop."""
     both = after(Pressed(Action.LEFT, ARROW_LEFT), Pressed(Action.LEFT, pygame.KSCAN_A))
     one = both.after(Released(Action.LEFT, pygame.KSCAN_A))
-    assert one.controls(CAMERA).turn == -1
-    assert one.after(Released(Action.LEFT, ARROW_LEFT)).controls(CAMERA).turn == 0
+    assert one.controls(CAMERA, GAME).turn == -1
+    assert one.after(Released(Action.LEFT, ARROW_LEFT)).controls(CAMERA, GAME).turn == 0
 
 
 def test_a_release_that_was_lost_is_noticed():
     """A key that is held by the events but up by the keyboard's state is let go; one that is down stays held."""
     hands = after(Pressed(Action.LEFT, ARROW_LEFT), Pressed(Action.RIGHT, ARROW_RIGHT))
     assert hands.after(KeyboardState(frozenset({ARROW_LEFT, ARROW_RIGHT}))) == hands
-    assert hands.after(KeyboardState(frozenset({ARROW_LEFT}))).controls(CAMERA).turn == -1
-    assert hands.after(KeyboardState(frozenset())).controls(CAMERA).turn == 0
+    assert hands.after(KeyboardState(frozenset({ARROW_LEFT}))).controls(CAMERA, GAME).turn == -1
+    assert hands.after(KeyboardState(frozenset())).controls(CAMERA, GAME).turn == 0
 
 
 def test_the_keyboards_state_is_in_positions(monkeypatch):
@@ -145,37 +154,67 @@ def test_the_keyboards_state_is_in_positions(monkeypatch):
 @pytest.mark.parametrize(("pixel", "turn"), [(500 + 300j, 0.0), (400 + 200j, 0.25), (300 + 300j, 0.5), (400 + 400j, 0.75)])
 def test_the_pointer_is_a_bearing(pixel, turn):
     """Right, up, left, down of the centre are the four quarters of a turn."""
-    assert after(Moved(pixel, held=False)).controls(CAMERA) == Controls(pointer=int(turn * POINTER_STEPS))
+    assert after(Moved(pixel, held=False)).controls(CAMERA, GAME) == Controls(pointer=int(turn * POINTER_STEPS))
 
 
 def test_keys_take_over_from_the_mouse_until_it_moves_again():
     """A turning key silences the pointer, also after its release; the next motion brings it back."""
     hands = after(Moved(500 + 300j, held=False), Pressed(Action.LEFT))
-    assert hands.controls(CAMERA) == Controls(turn=-1)
-    assert hands.after(Moved(400 + 200j, held=False)).controls(CAMERA) == Controls(turn=-1)
+    assert hands.controls(CAMERA, GAME) == Controls(turn=-1)
+    assert hands.after(Moved(400 + 200j, held=False)).controls(CAMERA, GAME) == Controls(turn=-1)
     released = hands.after(Released(Action.LEFT))
-    assert released.controls(CAMERA) == Controls()
-    assert released.after(Moved(500 + 300j, held=False)).controls(CAMERA) == Controls(pointer=0)
+    assert released.controls(CAMERA, GAME) == Controls()
+    assert released.after(Moved(500 + 300j, held=False)).controls(CAMERA, GAME) == Controls(pointer=0)
+
+
+def test_the_serve_is_aimed_at_the_mouse_or_by_the_right_stick():
+    """Before the serve: the ball flies to where the mouse is, inside of the paddles, which it moves from beyond them."""
+    ball = WAITING.arena.balls[0].position
+    inside, outside = 3 + 1j, 9.9 + 0j
+    aimed = after(Moved(CAMERA.project(inside), held=False)).controls(CAMERA, WAITING)
+    assert aimed.pointer is None
+    offset = cmath.phase((inside - ball) / cmath.rect(1.0, aimed.aim * math.tau / POINTER_STEPS))
+    assert offset == pytest.approx(0.0, abs=math.tau / POINTER_STEPS)
+    assert after(Moved(CAMERA.project(outside), held=False)).controls(CAMERA, WAITING) == Controls(pointer=0)
+    both = after(Pointed(1 + 0j), Pointed(1j, aims=True))
+    assert both.controls(CAMERA, WAITING) == Controls(pointer=0, aim=POINTER_STEPS // 4)
+    assert both.controls(CAMERA, GAME) == Controls(pointer=0)
+    assert after(Pressed(Action.LEFT, ARROW_LEFT)).controls(CAMERA, WAITING) == Controls(turn=-1)
+
+
+def test_one_button_serves_and_reverses():
+    """Any press: of a key, a button, on the screen; before the serve the paddles stand still."""
+    hands, turns = Hands(), []
+    assert hands.one_button_controls(WAITING) == Controls()
+    presses = (Pressed(Action.SERVE), Clicked(1 + 1j), Pressed(Action.LEFT, ARROW_LEFT), Pressed(Action.UP, pygame.KSCAN_UP))
+    for press in presses:
+        hands = hands.after(press)
+        assert hands.one_button_controls(WAITING).serve
+        turns.append(hands.one_button_controls(GAME).turn)
+        hands = hands.after_tick()
+        assert not hands.one_button_controls(WAITING).serve
+    assert turns == [-1, 1, -1, 1]
+    assert hands.after(Moved(3 + 3j, held=False)).after(Pressed(Action.MUTE)).one_button_controls(GAME) == Controls(turn=1)
 
 
 def test_a_pointer_on_the_centre_points_nowhere():
     """There every bearing is as good as another."""
-    assert after(Moved(CAMERA.centre, held=False)).controls(CAMERA) == Controls()
+    assert after(Moved(CAMERA.centre, held=False)).controls(CAMERA, GAME) == Controls()
 
 
 @pytest.mark.parametrize("signal", [Pressed(Action.SERVE), Clicked(10 + 10j)])
 def test_space_and_click_serve(signal):
     """Either asks for the serve, once."""
-    assert after(signal).controls(CAMERA).serve
-    assert not after(signal).after_tick().controls(CAMERA).serve
+    assert after(signal).controls(CAMERA, GAME).serve
+    assert not after(signal).after_tick().controls(CAMERA, GAME).serve
 
 
 def test_a_ball_is_given_up_once():
     """Whatever else is held."""
     for others in ((), (Pressed(Action.LEFT, ARROW_LEFT),)):
         hands = after(*others, Pressed(Action.GIVE_UP))
-        assert hands.controls(CAMERA).give_up
-        assert not hands.after_tick().controls(CAMERA).give_up
+        assert hands.controls(CAMERA, GAME).give_up
+        assert not hands.after_tick().controls(CAMERA, GAME).give_up
 
 
 def test_losing_the_focus_lets_everything_go():
@@ -194,6 +233,9 @@ def test_no_two_kinds_of_signal_are_equal():
         Clicked(one),
         Dragged(one),
         Zoomed(1.0),
+        Pointed(one),
+        Squeezed(1.0),
+        PadChanged("one", there=True),
         FocusLost(),
     ]
     assert {type(signal) for signal in signals} == set(Signal.__args__)
@@ -217,8 +259,41 @@ def test_events_become_signals():
     assert translated(pygame.Event(pygame.WINDOWSHOWN), ONE) is None
 
 
+def finger(kind, at, number=1, device=5):
+    """A finger's event. at: shares of the window's width and height."""
+    return pygame.Event(kind, touch_id=device, finger_id=number, x=at[0], y=at[1], dx=0.0, dy=0.0)
+
+
+def test_a_finger_points_and_clicks_where_it_stays():
+    """It points as soon as it is down, clicks when it is lifted unless it moved, and of two fingers the newest points."""
+    devices = Devices()
+
+    def heard(*events):
+        return [signal for event in events for signal in devices.signals(event, (800, 600), ONE)]
+
+    down, motion, up = pygame.FINGERDOWN, pygame.FINGERMOTION, pygame.FINGERUP
+    assert heard(finger(down, (0.5, 0.5)), finger(motion, (0.505, 0.5))) == [
+        Moved(400 + 300j, held=False),
+        Moved(404 + 300j, held=False),
+    ]
+    assert heard(finger(up, (0.505, 0.5))) == [Clicked(404 + 300j)]
+    heard(finger(down, (0.25, 0.5)))
+    assert heard(finger(motion, (0.5, 0.5))) == [Moved(400 + 300j, held=True)]
+    assert heard(finger(down, (0.75, 0.5), 2), finger(motion, (0.1, 0.1)), finger(up, (0.75, 0.5), 2)) == [
+        Moved(600 + 300j, held=False),
+        Clicked(600 + 300j),
+    ]
+    assert heard(finger(motion, (0.25, 0.5)), finger(up, (0.25, 0.5))) == [Moved(200 + 300j, held=True)]
+    assert heard(finger(down, (0.5, 0.5), device=-1), finger(up, (0.5, 0.5), device=-1)) == []
+    mouse = {"pos": (1, 1), "rel": (0, 0), "buttons": (1, 0, 0)}
+    assert heard(pygame.Event(pygame.MOUSEMOTION, mouse, touch=True)) == []
+    assert heard(pygame.Event(pygame.MOUSEMOTION, mouse, touch=False)) == [Moved(1 + 1j, held=True)]
+
+
 def test_every_action_has_a_key():
     """Nothing can only be done by nobody, and no key does two things."""
     assert {one.action for one in BINDINGS} == set(Action)
     claimed = [claim for one in BINDINGS for claim in (*one.codes, *one.positions)]
     assert len(claimed) == len(set(claimed))
+    buttons = [button for one in BINDINGS for button in one.buttons]
+    assert len(buttons) == len(set(buttons))

@@ -13,7 +13,6 @@ import pytest
 from game.autopilot import Autopilot
 from game.levels import built_in
 from game.replays import file as replay
-from game.replays import history as kept
 from game.replays.file import BLOCK, MAX_TICKS, Recorder, Recording, controls_of, decoded, load, played, save
 from game.replays.state_hash import FIELDS, field_checks, fields, state_hash
 from game.replays.verify import verified
@@ -318,96 +317,11 @@ def test_a_replay_that_cannot_be_written_is_named(mouse, tmp_path: Path):
     assert list(tmp_path.iterdir()) == []
 
 
-@pytest.fixture
-def data_folder(tmp_path: Path, monkeypatch):
-    """The user's data folder, for one test."""
-    folder = tmp_path / "data" / "replays"
-    monkeypatch.setattr(kept, "folder", lambda: folder)
-    return folder
-
-
-def keep_games(history, count, ticks):
-    """Play some games of some ticks with the history watching."""
-    for _ in range(count):
-        game = new_game(built_in(), 1)
-        for _ in range(ticks):
-            game = tick(game, Controls()).game
-            history(Controls(), game)
-    history.close()
-
-
-def test_games_are_kept_and_the_oldest_forgotten(data_folder, monkeypatch):
-    """Every game of five seconds or more is kept under its own name; of 52, the newest 50 stay."""
-    monkeypatch.setattr(kept, "_SHORTEST", 0.02)
-    history = kept.History()
-    keep_games(history, 52, 5)
-    assert history.problem is None
-    assert len(kept.kept_games()) == 50
-    assert all(load(path).ticks == 5 for path in kept.kept_games())
-    assert data_folder.is_dir()
-
-
-def test_two_games_that_end_in_the_same_second_are_both_kept(data_folder, monkeypatch):
-    """In two windows, each with its own history."""
-    monkeypatch.setattr(kept, "_SHORTEST", 0.0)
-    monkeypatch.setattr(kept.time, "strftime", lambda _: "2026-01-01 00-00-00")
-    for ticks in (5, 6):
-        keep_games(kept.History(), 1, ticks)
-    assert sorted(path.name for path in data_folder.iterdir()) == ["2026-01-01 00-00-00-2.polar", "2026-01-01 00-00-00.polar"]
-    assert {load(path).ticks for path in kept.kept_games()} == {5, 6}
-
-
-def test_a_link_to_nothing_does_not_break_the_list(data_folder, monkeypatch):
-    """It is left out, as a folder and a pipe of that name are, and it is not forgotten with the oldest."""
-    monkeypatch.setattr(kept, "_SHORTEST", 0.0)
-    keep_games(kept.History(), 1, 5)
-    (data_folder / "gone.polar").symlink_to("nothing")
-    (data_folder / "folder.polar").mkdir()
-    assert len(kept.kept_games()) == 1
-    keep_games(kept.History(), 51, 5)
-    assert len(kept.kept_games()) == 50
-    assert (data_folder / "gone.polar").is_symlink()
-
-
-def test_what_a_killed_session_left_is_removed_at_the_next_start(data_folder):
-    """The kept games stay."""
-    data_folder.mkdir(parents=True)
-    (data_folder / ".polar-breakout-00.tmp").write_bytes(b"half a ga")
-    (data_folder / "game.polar").write_bytes(b"a game")
-    kept.History()
-    assert [path.name for path in data_folder.iterdir()] == ["game.polar"]
-
-
 def test_a_string_that_is_not_utf_8_is_refused(mouse):
     """Its checksum may be right all the same."""
     body = msgspec.msgpack.encode(mouse).replace(b"Carousel", b"\xff\xfe\x80ousel")
     with pytest.raises(BadInputError, match=r"^x: damaged replay; [^\n]*utf-8[^\n]*$"):
         decoded(packed(zlib.compress(body)), "x")
-
-
-def test_short_games_are_not_kept(data_folder):
-    """A game of less than five seconds leaves no file."""
-    keep_games(kept.History(), 1, 1199)
-    assert not data_folder.exists()
-    keep_games(kept.History(), 1, 1200)
-    assert len(kept.kept_games()) == 1
-
-
-def test_a_named_recording_is_written_whatever_its_length(data_folder, tmp_path: Path):
-    """`--record` gets even a short game of the window."""
-    keep_games(kept.History(tmp_path / "mine.polar"), 1, 3)
-    assert load(tmp_path / "mine.polar").ticks == 3
-    assert not data_folder.exists()
-
-
-def test_play_goes_on_where_nothing_can_be_kept(tmp_path: Path, monkeypatch):
-    """A data folder that cannot be made is a problem to be told, not an error."""
-    (tmp_path / "data").write_text("a file where the folder should be")
-    monkeypatch.setattr(kept, "folder", lambda: tmp_path / "data" / "replays")
-    monkeypatch.setattr(kept, "_SHORTEST", 0.0)
-    history = kept.History()
-    keep_games(history, 1, 5)
-    assert history.problem
 
 
 def test_max_ticks_fit_the_largest_file():

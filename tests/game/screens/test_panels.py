@@ -8,13 +8,18 @@ os.environ["SDL_AUDIODRIVER"] = "dummy"
 import pygame
 import pytest
 
-from game.input.signals import Action, Pressed
+from game.input.signals import Action, Clicked, Pressed, Zoomed
 from game.levels import built_in
-from game.screens.help import Help
-from game.screens.menu import Entry, Menu
+from game.screens.menus.help import Help
+from game.screens.menus.settings_panel import SettingsPanel
 from game.screens.play import PlayScreen
-from game.screens.settings_panel import SettingsPanel
-from tests.support.dummy_window import shared
+from game.screens.toolkit.focus import TABS
+from game.screens.toolkit.items import Button
+from game.screens.toolkit.layout import Content
+from game.screens.toolkit.menu import Entry, Menu
+from game.screens.toolkit.panel import Panel
+from game.screens.toolkit.text_entry import TextEntry
+from tests.support.dummy_window import Desk, shared
 
 SIZE = (640, 400)
 
@@ -99,7 +104,7 @@ def test_another_size_is_another_picture(state, opened):
 
 @pytest.mark.parametrize("opened", [menu, SettingsPanel], ids=["menu", "settings"])
 def test_another_selection_is_another_picture(state, opened):
-    """Down moves the frame around an entry or a row; up moves it back."""
+    """Down moves the frame around an item; up moves it back."""
     panel = opened(state, Under(state, built_in()[4:]))
     first = picture(panel)
     panel.answer(Pressed(Action.DOWN), SIZE)
@@ -108,12 +113,82 @@ def test_another_selection_is_another_picture(state, opened):
     assert picture(panel) == first
 
 
-def test_help_over_a_menu_shows_the_menu_below(state):
-    """A panel over a panel: both are drawn once, and closing the upper one shows the lower one as it was."""
+def test_of_panels_over_each_other_one_is_seen(state):
+    """Help over a menu looks as help over the game itself, and closing it shows the menu as it was."""
     under = Under(state, built_in()[4:])
-    lower = menu(state, under)
+    lower = Menu(state, under, "Title", (), (Entry("Help", lambda: Help(state, lower)),), lambda: under)
     before = picture(lower)
-    upper = lower.answer(Pressed(Action.HELP), SIZE)
-    assert picture(upper) == picture(upper) != before
+    upper = lower.answer(Pressed(Action.CONFIRM), SIZE)
+    assert picture(upper) == picture(Help(state, under)) != before
     assert picture(upper.answer(Pressed(Action.BACK), SIZE)) == before
-    assert under.drawn == 1
+
+
+class Long(Panel):
+    """A panel with more rows than fit, of two buttons each, and what was used."""
+
+    def __init__(self, state):
+        super().__init__(state, None)
+        self.used = []
+
+    def content(self):
+        rows = [tuple(Button(f"{row}{side}", self._use(f"{row}{side}")) for side in "ab") for row in range(40)]
+        return Content("Long", tuple(rows), ((Button("end", self._use("end")),),), ("One", "Two"), self._tab)
+
+    def _use(self, label):
+        return lambda: self.used.append(label) or self
+
+
+def test_every_item_of_a_long_panel_is_reached_by_keys_and_seen(state):
+    """Down goes row by row to the footer and around by the tabs; the item with the focus is always inside the body."""
+    panel, seen = Long(state), []
+    for _ in range(41):
+        laid = panel._laid(SIZE)
+        focus = panel._settled(laid)
+        spot = next((spot for spot in laid.spots if (spot.row, spot.column) == focus), None)
+        if spot is not None and spot.in_body:
+            assert laid.body.contains(spot.box)
+        seen.append(focus)
+        panel.answer(Pressed(Action.CONFIRM), SIZE)
+        panel.answer(Pressed(Action.DOWN), SIZE)
+    assert panel.used == [*[f"{row}a" for row in range(40)], "end"]
+    assert len(set(seen)) == 41
+    assert panel._focus == (TABS, 0)
+    panel.answer(Pressed(Action.RIGHT), SIZE)
+    assert panel.content().tab == 1
+
+
+def test_the_wheel_and_the_scroll_bar_scroll(state):
+    """The wheel shows what is further down and a click uses it there; a drag on the bar goes to the end."""
+    panel = Long(state)
+    body = panel._laid(SIZE).body
+    pixel = complex(body.left + 20, body.centery)
+    panel.answer(Clicked(pixel), SIZE)
+    panel.answer(Zoomed(-2.0), SIZE)
+    panel.answer(Clicked(pixel), SIZE)
+    first, second = (int(label[:-1]) for label in panel.used)
+    assert second >= first + 2
+    bar = panel._laid(SIZE).plate.right - round(panel.unit(SIZE) * 1.8)
+    panel.answer(Clicked(complex(bar, body.bottom - 1)), SIZE)
+    assert panel._scroll == panel._laid(SIZE).over > 0
+    panel.answer(Zoomed(1000.0), SIZE)
+    assert panel._scroll == 0
+
+
+def test_text_is_entered_by_typing_and_by_pointing(state):
+    """Letters are typed, not obeyed; backspace takes one away; the small keyboard adds to it; Enter accepts it."""
+    done = []
+    state.open_lab = None
+    entry = TextEntry(state, Under(state, built_in()), "Name", "", 8, done.append)
+    desk = Desk(state, entry)
+    try:
+        desk.type("hmo")
+        desk.press(pygame.K_BACKSPACE)
+        desk.click_on("Q")
+        desk.type("toolong")
+        assert entry.text == "hmQtoolo"
+        assert desk.screen is entry
+        desk.focus("Done")
+        desk.press(pygame.K_RETURN)
+    finally:
+        desk.close()
+    assert done == ["hmQtoolo"]

@@ -4,15 +4,15 @@ import numpy as np
 import pygame
 import pytest
 
-from game.drawing.camera import unit_of
 from game.drawing.palette import LIGHT
 from game.drawing.raster.primitives import draw_box
 from game.effects import EffectKind
-from game.screens.menu import Menu
+from game.screens.menus.settings_panel import SettingsPanel
+from game.screens.menus.settings_rows import PARTS, effect_names
 from game.screens.play import PlayScreen
-from game.screens.settings_panel import SettingsPanel, _boxes, _volume_bar
-from game.screens.settings_rows import EFFECTS, ROWS
 from game.screens.title import Title
+from game.screens.toolkit.items import Choice, Slider, Switch
+from game.screens.toolkit.menu import Menu
 from game.settings.file import SettingsFile
 from game.settings.values import Settings
 from tests.support.dummy_window import FRAME, SIZE, Desk, shared
@@ -28,6 +28,13 @@ def desk():
     found.close()
 
 
+def open_part(desk, name):
+    """Open the settings at one of their parts."""
+    desk.press(pygame.K_o)
+    desk.screen.open_tab([part.name() for part in PARTS].index(name))
+    desk.wait(FRAME)
+
+
 def test_they_open_from_the_title_the_game_and_its_pause(desk):
     """O opens them over the title and a game, an entry over the pause menu; closing them leads back to that screen."""
     desk.press(pygame.K_o)
@@ -38,33 +45,48 @@ def test_they_open_from_the_title_the_game_and_its_pause(desk):
     assert isinstance(desk.screen, SettingsPanel)
     desk.press(pygame.K_o)
     assert isinstance(desk.screen, PlayScreen)
-    desk.press(pygame.K_p, pygame.K_DOWN, pygame.K_DOWN, pygame.K_RETURN)
+    desk.press(pygame.K_p)
+    desk.choose("Settings")
     assert isinstance(desk.screen, SettingsPanel)
     desk.press(pygame.K_ESCAPE)
     assert isinstance(desk.screen, Menu)
 
 
 def test_every_row_changes_something_and_changes_it_back(desk):
-    """Enter changes a row's setting, and again changes it back; each effect has its row."""
-    desk.press(pygame.K_o)
-    seen = set()
-    for row in ROWS[1:]:
-        desk.press(pygame.K_DOWN, pygame.K_RETURN)
-        assert row.on(desk.shared.settings) != row.on(Settings())
-        seen.add(desk.shared.settings)
-        desk.press(pygame.K_RETURN)
-        assert desk.shared.settings == Settings()
-    assert len(seen) == len(ROWS) - 1
-    assert {row.kind for row in EFFECTS} == set(EffectKind)
+    """Whatever can be set on any part is reached by arrow keys, changed by Enter, and can be set back."""
+    changed = 0
+    for index in range(len(PARTS)):
+        desk.press(pygame.K_o)
+        desk.screen.open_tab(index)
+        panel = desk.screen
+        for spot in panel._laid(desk.window.size).spots:
+            if not isinstance(spot.item, Switch | Choice | Slider) or spot.item.label == "Full screen":
+                continue
+            before = desk.shared.settings
+            desk.focus(spot.item.label)
+            desk.press(pygame.K_LEFT if isinstance(spot.item, Slider) and spot.item.level == 1.0 else pygame.K_RETURN)
+            assert desk.shared.settings != before, spot.item.label
+            options = len(spot.item.options) if isinstance(spot.item, Choice) else 2
+            for _ in range(options - 1):
+                back = pygame.K_RIGHT if before.speed > desk.shared.settings.speed else pygame.K_LEFT
+                desk.press(back if isinstance(spot.item, Slider) else pygame.K_RETURN)
+            assert desk.shared.settings == before, spot.item.label
+            changed += 1
+        desk.press(pygame.K_ESCAPE)
+    assert changed >= 5 + len(EffectKind)
+    assert set(effect_names()) == set(EffectKind)
 
 
 def test_the_volume_follows_keys_and_mouse(desk):
     """Left and right change it in its row, - and = everywhere, and a click or a drag on its bar sets it."""
-    desk.press(pygame.K_o, pygame.K_LEFT, pygame.K_LEFT)
+    open_part(desk, "Sound")
+    desk.focus("Volume")
+    desk.press(pygame.K_LEFT, pygame.K_LEFT)
     assert desk.shared.settings.volume == 60
     desk.press(pygame.K_RIGHT, pygame.K_EQUALS, pygame.K_MINUS)
     assert desk.shared.settings.volume == 70
-    bar = _volume_bar(_boxes(desk.window.size)[1][0], unit_of(desk.window.size))
+    spot = next(spot for spot in desk.screen._laid(desk.window.size).spots if isinstance(spot.item, Slider))
+    bar = spot.item.bar(spot.box, desk.screen.unit(desk.window.size))
     desk.click((bar.left + bar.width // 4, bar.centery))
     assert desk.shared.settings.volume == pytest.approx(25, abs=1)
     desk.move((bar.right + 1, bar.centery), held=True)
@@ -73,16 +95,29 @@ def test_the_volume_follows_keys_and_mouse(desk):
 
 
 def test_the_mouse_selects_and_switches(desk):
-    """Moving over a row selects it, a click on it switches it, and a click beside the rows does nothing."""
-    desk.press(pygame.K_o)
-    box = _boxes(desk.window.size)[1][2]
-    desk.move(box.center)
-    desk.wait(FRAME)
-    assert desk.screen._selected == 2
-    desk.click(box.center)
+    """A click on a row switches it, on the left half of a choice to the one before; beside the rows it does nothing."""
+    open_part(desk, "Picture")
+    desk.click_on("Colours")
     assert desk.shared.theme is LIGHT
+    desk.click_on("Reduced motion")
+    assert desk.shared.settings == Settings(colours="light", reduced_motion=True)
     desk.click((1, 1))
-    assert desk.shared.settings == Settings(colours="light")
+    assert desk.shared.settings == Settings(colours="light", reduced_motion=True)
+
+
+def test_the_switch_of_the_full_screen_is_f11(desk):
+    """It makes the window as large as the desktop, says so, and gives it its size back."""
+    open_part(desk, "Picture")
+    desktop, before = pygame.display.get_desktop_sizes()[0], (640, 480)
+    desk.window.size = before
+    desk.wait(FRAME)
+    desk.click_on("Full screen")
+    desk.wait(FRAME)
+    assert desk.window.size == desktop
+    assert desk.shared.full_screen
+    desk.click_on("Full screen")
+    desk.wait(FRAME)
+    assert desk.window.size == before
 
 
 def test_what_is_changed_reaches_what_sounds_now(desk):
@@ -110,7 +145,7 @@ def corner(surface):
 
 
 def test_a_change_by_key_is_told_for_a_moment(desk):
-    """A key that changes a setting shows words in the corner, which are gone two seconds later."""
+    """A key that changes a setting shows words in the corner, which are gone two seconds later, on a still screen too."""
     desk.press(pygame.K_o)
     surface = desk.window.get_surface()
     before = pygame.image.tobytes(corner(surface), "RGB")
@@ -126,10 +161,11 @@ def test_closing_the_panel_writes_the_settings(desk, tmp_path):
     """Changed settings are in the file once the panel is closed, and not before."""
     desk.shared.settings_file = SettingsFile(tmp_path / "settings.json")
     desk.shared.settings_file.load()
-    desk.press(pygame.K_o, pygame.K_LEFT)
+    open_part(desk, "Sound")
+    desk.click_on("Sound")
     assert not (tmp_path / "settings.json").exists()
     desk.press(pygame.K_ESCAPE)
-    assert SettingsFile(tmp_path / "settings.json").load() == desk.shared.settings
+    assert SettingsFile(tmp_path / "settings.json").load() == desk.shared.settings == Settings(sound=False)
 
 
 @pytest.mark.parametrize("size", [(1, 1), (40, 900), (900, 40), SIZE, (7680, 4320)])
@@ -137,16 +173,21 @@ def test_any_size_of_window(desk, size):
     """The panel can be drawn and used in a window of any size."""
     desk.window.size = size
     desk.press(pygame.K_o, pygame.K_DOWN, pygame.K_RETURN)
-    assert not desk.shared.settings.sound
+    assert isinstance(desk.screen, SettingsPanel)
 
 
-def test_rows_are_inside_the_panel_and_apart():
-    """No row is outside the panel, the panel is not outside the window, and no two rows overlap."""
-    for size in ((800, 600), (1280, 800), (3840, 2160), (700, 1200)):
-        panel, boxes = _boxes(size)
-        assert pygame.Rect(0, 0, *size).contains(panel)
-        assert all(panel.contains(box) for box in boxes)
-        assert all(len(box.collidelistall(boxes)) == 1 for box in boxes)
+@pytest.mark.parametrize("size", [(800, 600), (1280, 800), (3840, 2160), (700, 1200)])
+def test_items_are_inside_the_panel_and_apart(desk, size):
+    """No item is outside of the plate, the plate is not outside of the window, and no two items overlap."""
+    panel = SettingsPanel(desk.shared, desk.screen)
+    for index in range(len(PARTS)):
+        panel.open_tab(index)
+        laid = panel._laid(size)
+        assert pygame.Rect(0, 0, *size).contains(laid.plate)
+        assert laid.plate.contains(laid.body)
+        for boxes in ([spot.box for spot in laid.spots if spot.in_body is inside] for inside in (True, False)):
+            assert all(laid.plate.contains(box) for box in boxes) or laid.over
+            assert all(len(box.collidelistall(boxes)) == 1 for box in boxes)
 
 
 def test_reduced_motion_lets_the_camera_cut(desk):

@@ -10,7 +10,8 @@ from game.lab.window.screen import Lab
 from game.levels import built_in
 from game.replays.file import Recorder
 from game.replays.playback import Playback
-from game.screens.settings_panel import SettingsPanel
+from game.screens import play_buttons
+from game.screens.menus.settings_panel import SettingsPanel
 from game.screens.watch import SPEEDS, Watch
 from game.settings.values import Settings
 from tests.support.dummy_window import FRAME, SIZE, Desk, shared
@@ -104,8 +105,21 @@ def test_the_timeline_answers_to_the_mouse(desk):
     assert shown(desk) == pytest.approx(TICKS / 4, abs=TICKS / bar.width)
     before = shown(desk)
     desk.move((bar.right, bar.centery))
-    desk.click((bar.centerx, 5))
+    desk.wait(FRAME)
     assert shown(desk) == before
+
+
+def test_the_mouse_alone_plays_stops_and_leaves(desk):
+    """A click on the arena stops and goes on, one on the speed takes the next one, and the cross leaves."""
+    desk.click((SIZE[0] // 2, 60))
+    assert not desk.screen._playing
+    desk.click((SIZE[0] // 2, 60))
+    assert desk.screen._playing
+    desk.click((SIZE[0] - 20, desk.screen._timeline(SIZE).centery))
+    assert SPEEDS[desk.screen._speed] == 2.0
+    box = play_buttons.button_boxes(desk.screen._layout(SIZE), play_buttons.WATCHING)[0]
+    desk.click(box.center)
+    assert desk.screen is None
 
 
 def test_a_moment_looks_the_same_however_one_gets_there(desk):

@@ -10,10 +10,13 @@ from game.drawing.palette import DARK, LIGHT
 from game.levels import built_in
 from game.replays.state_hash import state_hash
 from game.rules import Phase, new_game, tick
-from game.screens.help import Help
-from game.screens.menu import Menu
+from game.screens import play_buttons
+from game.screens.menus.help import Help
+from game.screens.menus.results import Results
+from game.screens.menus.settings_panel import SettingsPanel
 from game.screens.play import PlayScreen
 from game.screens.title import Title
+from game.screens.toolkit.menu import Menu
 from game.system import ending
 from tests.support.dummy_window import FRAME, SIZE, Desk, shared
 
@@ -65,9 +68,13 @@ def test_a_whole_evening(desk, ticks):
     assert isinstance(desk.screen, PlayScreen)
     desk.wait(0.1)
     assert ticks[-1][1].tick < 30
-    desk.press(pygame.K_ESCAPE, pygame.K_DOWN, pygame.K_DOWN, pygame.K_DOWN, pygame.K_RETURN)
+    desk.press(pygame.K_ESCAPE)
+    desk.choose("Title")
+    assert isinstance(desk.screen, Title)
+    desk.press(pygame.K_ESCAPE, pygame.K_RETURN)
     assert isinstance(desk.screen, Title)
     desk.press(pygame.K_ESCAPE)
+    desk.choose("Quit")
     assert desk.screen is None
 
 
@@ -102,15 +109,16 @@ def test_escape_twice_loses_nothing(playing, ticks):
 
 
 def test_restart_asks_first(playing, ticks):
-    """R opens a question, and Esc there goes on with the game."""
+    """R opens a question; Esc and Enter there go on with the game."""
     playing.press(pygame.K_SPACE)
     playing.wait(0.2)
-    before = ticks[-1][1].tick
-    playing.press(pygame.K_r)
-    assert isinstance(playing.screen, Menu)
-    playing.press(pygame.K_ESCAPE)
-    playing.wait(1.0)
-    assert ticks[-1][1].tick > before
+    for answer in (pygame.K_ESCAPE, pygame.K_RETURN):
+        before = ticks[-1][1].tick
+        playing.press(pygame.K_r)
+        assert isinstance(playing.screen, Menu)
+        playing.press(answer)
+        playing.wait(1.0)
+        assert ticks[-1][1].tick > before
 
 
 def test_losing_the_focus_pauses_and_lets_go(playing, ticks):
@@ -140,53 +148,81 @@ def test_after_a_pause_there_is_a_moment_to_get_ready(playing, ticks):
 
 
 def test_help_opens_over_everything_and_closes_again(desk):
-    """H and F1 open it over the title, a game and its pause; a key of the game closes it, any other does not."""
-    for opens in (pygame.K_h, pygame.K_F1):
-        for screen in (Title, PlayScreen, Menu):
-            assert isinstance(desk.screen, screen)
+    """H and F1 open it over the title, a game and its pause, and close it; so do Esc and Enter."""
+    for kind, leads_on in ((Title, pygame.K_RETURN), (PlayScreen, pygame.K_p), (Menu, None)):
+        assert isinstance(desk.screen, kind)
+        keys = (pygame.K_h, pygame.K_F1) if kind is not Menu else (pygame.K_h,)
+        for opens, closes in zip(keys, (pygame.K_ESCAPE, pygame.K_RETURN), strict=False):
             desk.press(opens)
             assert isinstance(desk.screen, Help)
-            desk.press(pygame.K_x if screen is Title else pygame.K_SPACE)
-            if screen is Title:
-                assert isinstance(desk.screen, Help)
-                desk.press(pygame.K_ESCAPE)
-            assert isinstance(desk.screen, screen)
-            desk.press({Title: pygame.K_RETURN, PlayScreen: pygame.K_p, Menu: pygame.K_p}[screen])
-        desk.press(pygame.K_p, pygame.K_UP, pygame.K_UP, pygame.K_RETURN)
+            desk.press(closes)
+            assert isinstance(desk.screen, kind)
+            desk.press(opens, opens)
+            assert isinstance(desk.screen, kind)
+        if leads_on is not None:
+            desk.press(leads_on)
 
 
-def test_levels_are_chosen_by_arrows_and_mouse(desk, ticks):
-    """Arrows and the mouse choose a level, left of the first is the last, and a click starts it."""
-    desk.press(pygame.K_RIGHT, pygame.K_RIGHT, pygame.K_LEFT)
-    assert desk.shared.chosen == 1
-    desk.press(pygame.K_LEFT, pygame.K_LEFT)
-    assert desk.shared.chosen == len(built_in()) - 1
-    card = desk.screen._cards(SIZE)[3]
-    desk.move(card.center)
-    desk.wait(FRAME)
-    assert desk.shared.chosen == 3
-    desk.click(card.center)
-    desk.wait(0.1)
-    assert ticks[-1][1].level == built_in()[3]
-
-
-def test_a_click_beside_the_cards_starts_nothing(desk):
-    """A click where no card is leaves the title as it is."""
-    desk.click((2, 2))
-    assert isinstance(desk.screen, Title)
+def test_the_buttons_beside_the_arena_are_keys(playing, ticks):
+    """Pause, help and settings open with a click beside the arena; the same click serves no ball."""
+    boxes = play_buttons.button_boxes(playing.screen._layout(SIZE))
+    for box, kind in zip(boxes, (Menu, Help, SettingsPanel), strict=True):
+        playing.move(box.center)
+        playing.click(box.center)
+        assert type(playing.screen) is kind
+        playing.click(playing.screen._laid(SIZE).close.center)
+        assert isinstance(playing.screen, PlayScreen)
+    playing.wait(0.1)
+    assert {controls.serve for controls, _ in ticks} == {False}
 
 
 def test_menus_answer_to_the_mouse(playing):
     """Moving over an entry selects it, a click on it chooses it, and a click elsewhere does nothing."""
     playing.press(pygame.K_p)
-    boxes = playing.screen._boxes(SIZE)[1]
     playing.click((1, 1))
     assert isinstance(playing.screen, Menu)
-    playing.move(boxes[1].center)
+    playing.move(playing.box("Restart").center)
     playing.wait(FRAME)
-    assert playing.screen._selected == 1
-    playing.click(boxes[3].center)
+    assert playing.screen._focus == (2, 0)
+    playing.click_on("Title")
     assert isinstance(playing.screen, Title)
+
+
+def test_a_still_screen_is_drawn_once(playing, monkeypatch):
+    """A panel is not drawn again in the frames after the first; a key, another size and a picture lost draw it again."""
+    playing.press(pygame.K_p)
+    drawn = []
+    monkeypatch.setattr(Menu, "draw", lambda _, surface: drawn.append(surface.get_size()))
+    playing.wait(0.5)
+    assert drawn == []
+    playing.press(pygame.K_DOWN)
+    playing.wait(0.5)
+    assert len(drawn) == 1
+    playing.post(pygame.WINDOWEXPOSED)
+    playing.wait(0.5)
+    assert len(drawn) == 2
+    playing.window.size = (700, 500)
+    playing.wait(0.5)
+    assert drawn[2:] == [(700, 500)]
+
+
+def test_nothing_moves_while_the_player_is_in_another_window(desk, monkeypatch):
+    """The demonstration stands still while the window has no focus, at few frames a second, and goes on with it."""
+    seconds, rates = [], []
+    real = desk.screen.advance
+    monkeypatch.setattr(desk.screen, "advance", lambda time, size: seconds.append(time) or real(time, size))
+    events = iter([pygame.WINDOWFOCUSLOST, None, None, pygame.WINDOWFOCUSGAINED, None, pygame.QUIT])
+
+    class Clock:
+        def tick(self, rate):
+            rates.append(rate)
+            if (kind := next(events, None)) is not None:
+                pygame.event.post(pygame.Event(kind))
+
+    monkeypatch.setattr(app.pygame.time, "Clock", Clock)
+    app.run(desk.window, desk.shared, desk.screen)
+    assert [time == 0.0 for time in seconds] == [False, False, True, True, True, False]
+    assert rates[:6] == [30, 10, 10, 10, 30, 30]
 
 
 def test_the_title_plays_by_itself(desk):
@@ -202,7 +238,7 @@ def test_the_title_plays_by_itself(desk):
 
 
 def test_losing_every_ball_ends_the_game(playing, ticks):
-    """Serving without steering loses all balls. Keys pressed meanwhile choose nothing in the menu that follows; R restarts."""
+    """Serving without steering loses all balls. Keys pressed meanwhile choose nothing; "This level again" begins anew."""
     for _ in range(4000):
         if not isinstance(playing.screen, PlayScreen):
             break
@@ -211,19 +247,11 @@ def test_losing_every_ball_ends_the_game(playing, ticks):
         playing.wait(FRAME)
     assert ticks[-1][1].phase == Phase.OVER
     assert ticks[-1][1].phase_tick >= 200
-    assert isinstance(playing.screen, Menu)
-    playing.press(pygame.K_r)
+    assert isinstance(playing.screen, Results)
+    playing.wait(5.0)
+    playing.choose("This level again")
     playing.wait(0.1)
     assert ticks[-1][1].tick < 30
-
-
-def test_winning_ends_the_game_too():
-    """After the autopilot has cleared the only level there is a menu that says so."""
-    state = shared(autopilot=True)
-    screen = PlayScreen(state, built_in()[:1])
-    while isinstance(screen, PlayScreen):
-        screen = screen.advance(0.25, SIZE)
-    assert screen._title == "You won"
 
 
 def test_switches_work_on_every_screen(desk):

@@ -9,11 +9,16 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
+from game.drawing.colour_vision import VISIONS
 from game.drawing.palette import LIGHT
 from game.effects import ALL, MOVING, PLAIN, EffectKind
+from game.input.actions import Action, OwnKeys
+from game.input.rebinding import bindings, checked
+from game.language import CODES, SYSTEM, choose
 from game.settings import file as settings_file
 from game.settings.file import VERSION, SettingsFile, decoded, encoded
-from game.settings.values import Settings
+from game.settings.values import SPEEDS, TEXT_SIZES, Settings
+from game.unlocks import BALLS, TRAILS
 from tests.support.paths import ROOT
 
 CHOSEN = Settings("light", False, 30, True, False, frozenset({EffectKind.SHAKE, EffectKind.TRAIL}))
@@ -26,6 +31,16 @@ choices = st.builds(
     st.booleans(),
     st.booleans(),
     st.frozensets(st.sampled_from(EffectKind)),
+    speed=st.integers(*SPEEDS),
+    text_size=st.integers(*TEXT_SIZES),
+    vision=st.sampled_from(VISIONS),
+    music=st.integers(0, 100),
+    ball=st.sampled_from(list(BALLS)),
+    trail=st.sampled_from(list(TRAILS)),
+    language=st.sampled_from([SYSTEM, *CODES]),
+    own_keys=st.dictionaries(st.sampled_from(Action), st.lists(st.integers(0, 511)).map(tuple)).map(
+        lambda keys: OwnKeys(tuple(sorted(keys.items(), key=lambda choice: choice[0].value)))
+    ),
 )
 anything = st.recursive(
     st.none() | st.booleans() | st.integers() | st.floats(allow_nan=False) | st.text(),
@@ -52,6 +67,12 @@ def test_any_value_gives_settings_that_can_be_played(said):
     assert found.theme is not None
     assert 0 <= found.volume <= 100
     assert found.off <= ALL
+    assert SPEEDS[0] <= found.speed <= SPEEDS[1]
+    assert TEXT_SIZES[0] <= found.text_size <= TEXT_SIZES[1]
+    assert found.vision in VISIONS
+    choose(found.language)
+    choose("en")
+    assert bindings(checked(found.own_keys))
     assert all(isinstance(flag, bool) for flag in (found.sound, found.reduced_motion, found.effects))
     if isinstance(said.get("reduced_motion"), bool):
         assert found.reduced_motion == said["reduced_motion"]
@@ -221,10 +242,10 @@ def test_reduced_motion_does_without_what_moves_the_picture():
     assert {EffectKind.SHAKE, EffectKind.FLASH, EffectKind.HIT_STOP} <= MOVING
 
 
-def test_without_effects_only_the_trail_is_left():
-    """And not even that for those who do not want it."""
-    assert Settings(effects=False).shown == PLAIN == {EffectKind.TRAIL}
-    assert Settings(effects=False, off=frozenset({EffectKind.TRAIL})).shown == frozenset()
+def test_without_effects_only_the_trail_and_the_arenas_light_are_left():
+    """And not even these for those who do not want them."""
+    assert Settings(effects=False).shown == PLAIN == {EffectKind.TRAIL, EffectKind.DEPTH}
+    assert Settings(effects=False, off=PLAIN).shown == frozenset()
 
 
 def test_the_volume_goes_in_steps_and_ends_at_its_ends():

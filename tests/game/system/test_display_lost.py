@@ -15,7 +15,6 @@ from game import app
 from game.commands import app as command
 from game.levels import built_in
 from game.replays import file as replay
-from game.replays import history as kept
 from game.replays.verify import verified
 from game.system.command_line import run
 from game.system.errors import DisplayLostError
@@ -49,7 +48,7 @@ class Broken:
     focused, size = True, (320, 200)
 
     def __init__(self, pictures):
-        self.left, self.surface = pictures, pygame.Surface(self.size, 0, 32)
+        self.left, self.surface, self.position = pictures, pygame.Surface(self.size, 0, 32), (0, 0)
 
     def get_surface(self):
         return self.surface
@@ -63,8 +62,8 @@ class Broken:
 def test_a_window_that_cannot_be_shown_any_more_ends_the_game_cleanly(monkeypatch, tmp_path, capsys):
     """The system says so by an error: the recorded game is written whole, and the exit code is 3."""
     monkeypatch.setattr("game.commands.settings_path", lambda: tmp_path / "settings.json")
-    monkeypatch.setattr(kept, "folder", lambda: tmp_path / "replays")
-    monkeypatch.setattr(app.display, "open_window", lambda _title: pygame.display.init() or Broken(40))
+    monkeypatch.setattr("game.commands.data_folder", lambda: tmp_path)
+    monkeypatch.setattr(app.display, "open_window", lambda *_: pygame.display.init() or Broken(40))
     monkeypatch.setattr(app.display, "refresh_rate", lambda: 60)
     file = tmp_path / "game.polar"
     assert run(command, "polar-breakout", ["--autopilot", "--seed", "3", "--record", str(file)]) == 3

@@ -11,8 +11,9 @@ import pytest
 
 from game import app
 from game.commands import app as command
+from game.kept import games as kept_games
+from game.kept.store import Kept
 from game.replays import file as replay
-from game.replays import history
 from game.replays.verify import verified
 from game.settings.file import SettingsFile
 from game.system import ending
@@ -34,8 +35,8 @@ def test_a_signal_in_play_keeps_the_game_and_the_settings(monkeypatch, tmp_path,
     """In the middle of the 60th frame, and once more while everything is being saved."""
     frames, settings, file = [], tmp_path / "settings.json", tmp_path / "game.polar"
     monkeypatch.setattr("game.commands.settings_path", lambda: settings)
-    monkeypatch.setattr(history, "folder", lambda: tmp_path / "replays")
-    monkeypatch.setattr(history, "_SHORTEST", 0.0)
+    monkeypatch.setattr("game.commands.data_folder", lambda: tmp_path / "data")
+    monkeypatch.setattr(kept_games, "_SHORTEST", 0.0)
     drawn, quit_pygame = app.frame, app.pygame.quit
 
     def looked(window, shared, screen, _seconds):
@@ -58,11 +59,12 @@ def test_a_signal_in_play_keeps_the_game_and_the_settings(monkeypatch, tmp_path,
     assert (code, out, err) == (128 + number, "", f"polar-breakout: {ending.WORDS[number.name]}\n")
     assert len(frames) == 60
     assert SettingsFile(settings).load().volume == 30
-    for kept in (file, *history.kept_games()):
+    kept_files = Kept(tmp_path / "data").games.paths()
+    for kept in (file, *kept_files):
         recording = replay.load(kept)
         assert recording.ticks > 200
         assert verified(recording).divergence is None
-    assert len(history.kept_games()) == 1
+    assert len(kept_files) == 1
 
 
 @pytest.mark.parametrize("arguments", [["lab"], ["replay", "game.polar"]], ids=["lab", "replay"])

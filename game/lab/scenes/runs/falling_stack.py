@@ -3,8 +3,7 @@
 import math
 from typing import NamedTuple
 
-from game.effects import drops
-from game.effects.drops import Drop
+from game.effects.falling import BOUNCE, GRAVITY, FallingStack, after_hit, fallen
 from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import VELOCITY_SCALE, ring_marks
@@ -32,7 +31,7 @@ class _StackState(NamedTuple):
     """
 
     arena: Arena
-    falling: tuple[Drop, ...]
+    falling: tuple[FallingStack, ...]
     hits: tuple[Hit, ...]
     taken: int
     trail: tuple[complex, ...]
@@ -51,10 +50,10 @@ def _step(given: Given, state: _StackState) -> _StackState:
     falling, here = state.falling, [hit for hit in step.hits if (hit.ring, hit.slot) == (_STACKS, _SLOT)]
     for hit in step.hits:
         if hit.layers != PERMANENT:
-            falling = drops.after_hit(falling, hit.ring, hit.slot, hit.layers)
+            falling = after_hit(falling, hit.ring, hit.slot, hit.layers)
     bounces = [hit.contact.point + hit.contact.normal * _RADIUS for hit in step.hits]
     trail = (*state.trail, *bounces, step.arena.balls[0].position)[-_TRAIL:]
-    return _StackState(step.arena, drops.fallen(falling), tuple(here), state.taken + len(here), trail)
+    return _StackState(step.arena, fallen(falling), tuple(here), state.taken + len(here), trail)
 
 
 def _layers(state: _StackState) -> int:
@@ -112,15 +111,15 @@ def _formula(given: Given, state: _StackState) -> tuple[str, ...]:
     """The count, and the fall."""
     return (
         f"layers = {given.count('layers')} - {state.taken} hits = {_layers(state)}",
-        f"above the ground by {_height(state):.2f} layers,   falling with g = {drops.GRAVITY:g} layers/s²",
-        f"a landing leaves {drops.BOUNCE:g} of the speed",
+        f"above the ground by {_height(state):.2f} layers,   falling with g = {GRAVITY:g} layers/s²",
+        f"a landing leaves {BOUNCE:g} of the speed",
     )
 
 
 def _cited(state: _StackState) -> CitedLine:
     """The line that lets a stack fall, after a hit; before it, the one that flies the ball."""
     if state.taken:
-        return code_line(drops.after_hit, "return (*others, before._replace(height=before.height + 1.0))")
+        return code_line(after_hit, "return (*others, before._replace(height=before.height + 1.0))")
     return code_line(advance, "return _flown(free, _moved_balls(arena, free), dt, speed)")
 
 
@@ -158,10 +157,10 @@ def _check(given: Given) -> tuple[Claim, ...]:
     )
 
 
-def _settled(falling: tuple[Drop, ...]) -> tuple[Drop, ...]:
+def _settled(falling: tuple[FallingStack, ...]) -> tuple[FallingStack, ...]:
     """What is still falling two seconds later."""
     for _ in range(round(2.0 / TICK)):
-        falling = drops.fallen(falling)
+        falling = fallen(falling)
     return falling
 
 

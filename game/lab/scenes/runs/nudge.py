@@ -11,6 +11,7 @@ from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture,
 from game.lab.kit.scene import Claim, LabScene, Motion, Preset, ViewBox
 from game.levels import BallSpec, Level, PaddleSpec, RingSpec
 from game.rules import TICK, Controls, EventKind, Game, Phase, new_game, tick
+from game.rules.playing import played
 from physics import Arena, Ball, advance, cross, dot, length, to_cartesian
 
 _GROUND, _RADIUS, _SCALE = 5.0, 0.3, 0.06
@@ -116,7 +117,7 @@ def _last_nudge(state: _NudgedGame) -> str:
 def _cited(state: _NudgedGame) -> CitedLine:
     """The line that nudges; before the first nudge, the source's friction, which changes nothing here."""
     if state.nudges:
-        return code_line(tick, "return _played(game, arena")
+        return code_line(played, "game = nudged(game, events)")
     return source_line("Collision response", "Δv'_t = -μ_p min{|Δv_n|, |Δv_t|} Δv_t / |Δv_t|")
 
 

@@ -1,0 +1,1 @@
+"""What the arcade rules add to the picture: power-ups, their gauges, gravity wells."""

@@ -1,0 +1,70 @@
+"""What lasts and for how long yet: arcs beyond the rim, one for each power-up and one for the heart of a growing wall."""
+
+import math
+
+import numpy as np
+import pygame
+
+from game.drawing.arcade.icons import PowerIcons, power_colour
+from game.drawing.camera import Points
+from game.drawing.canvas import Canvas
+from game.drawing.palette import Colour, mixed
+from game.drawing.raster.pixels import pairs
+from game.drawing.raster.primitives import HALF_PIXEL, draw_dot
+from game.scene import Scene
+
+_RADIUS, _WIDTH = 1.042, 0.011
+"""Of the arcs' middles and their width, in ground radii."""
+_CHIP, _LEAST_CHIP = 0.030, 0.5
+"""Radius of an icon: in ground radii, and at least so many units of text."""
+_FIRST, _PITCH, _SPAN = math.radians(150.0), math.radians(34.0), math.radians(23.0)
+"""Angle of the first icon on the screen, from one to the next, and of a full arc; counter-clockwise from the right."""
+_CHIP_ROOM = math.radians(4.5)
+"""From an icon's middle to the beginning of its arc."""
+_ENDING = 0.25
+"""From this share of its time on an arc has the colour of warnings."""
+_CORE_MIDDLE, _CORE_SPAN = math.radians(35.0), math.radians(50.0)
+"""Where the heart's arc is on the screen."""
+_EMPTY = 0.55
+"""What is over is drawn in this share of the way from the rim's colour to the background's."""
+_STEPS = 24
+
+
+def draw(canvas: Canvas, scene: Scene, icons: PowerIcons) -> None:
+    """An icon and an arc for every power-up that lasts: the arc is as long as the time that is left. The heart has a target."""
+    camera, theme, ground = canvas.camera, canvas.theme, scene.ground_radius
+    radius = max(_CHIP * ground * camera.scale, _LEAST_CHIP * canvas.unit)
+    for index, power in enumerate(scene.powers):
+        angle = _FIRST + index * _PITCH
+        colour = power_colour(power.kind, theme)
+        begin, left = angle + _CHIP_ROOM, power.share_left
+        _draw_arc(canvas, ground, begin, begin + _SPAN, mixed(theme.rim, theme.background, _EMPTY))
+        _draw_arc(canvas, ground, begin, begin + _SPAN * left, theme.danger if left < _ENDING else colour)
+        point = ground * _RADIUS * complex(math.cos(angle), math.sin(angle)) / camera.turning
+        icons.draw(canvas.surface, power.kind, camera.project(point), radius, theme)
+    if scene.core is not None:
+        begin = _CORE_MIDDLE + _CORE_SPAN / 2.0
+        _draw_arc(canvas, ground, begin, begin - _CORE_SPAN, mixed(theme.rim, theme.background, _EMPTY))
+        _draw_arc(canvas, ground, begin, begin - _CORE_SPAN * scene.core, theme.danger)
+        angle = begin + _CHIP_ROOM
+        pixel = camera.project(ground * _RADIUS * complex(math.cos(angle), math.sin(angle)) / camera.turning)
+        for share, colour in ((1.0, theme.danger), (0.72, theme.background), (0.42, theme.danger)):
+            draw_dot(canvas.surface, pixel, radius * share, colour)
+
+
+def _draw_arc(canvas: Canvas, ground: float, start: float, end: float, colour: Colour) -> None:
+    """An arc beyond the rim. start, end: angles on the screen, radians."""
+    if abs(end - start) < 1e-3:
+        return
+    around = np.exp(1j * np.linspace(start, end, _STEPS))
+    half = max(_WIDTH / 2.0 * ground, 1.0 / canvas.camera.scale)
+    outline = np.concatenate(
+        [_arc(canvas, around, _RADIUS * ground + half), _arc(canvas, around, _RADIUS * ground - half)[::-1]]
+    )
+    pygame.draw.polygon(canvas.surface, colour, pairs(outline))
+    pygame.draw.aalines(canvas.surface, colour, True, pairs(outline - HALF_PIXEL))
+
+
+def _arc(canvas: Canvas, around: Points, radius: float) -> Points:
+    """Points at a radius, pixels."""
+    return canvas.camera.projected(around * radius, 0.0)

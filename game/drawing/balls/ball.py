@@ -1,0 +1,129 @@
+"""Balls as any camera sees them: shaded discs at fractions of a pixel, without what blocks in front of them hide."""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+import pygame
+
+from game.drawing.balls import marks
+from game.drawing.balls.skins import surface_colours
+from game.drawing.camera import Camera, Points
+from game.drawing.canvas import Canvas
+from game.drawing.light import ScreenLight, ball_light
+from game.drawing.palette import Theme
+from game.drawing.solid.ball_occlusion import occluding_quads
+from game.drawing.solid.faces import ProjectedBlocks
+from game.scene import Scene
+from physics import Ball
+
+_OFFSETS = 4
+"""Positions within a pixel, across and down each, that a ball has a picture for."""
+_SIZES = 4
+"""Radii within a pixel that a ball has a picture for."""
+_MOST_PICTURES = 512
+"""Pictures cached: of every radius from the arena's far side to the near one, at every position within a pixel."""
+_MARGIN = 2.0
+"""Blocks this many pixels around a ball are looked at, for they may hide it."""
+_FINER = 4
+"""Rows and columns per pixel of the drawing that tells how much of a pixel is hidden."""
+_DARK = (20, 30, 70)
+"""The side turned from the light is this colour's, by the share that follows; the highlight is white."""
+_DARK_SHARE = 0.55
+_WHITE = np.array((255.0, 255.0, 255.0))
+
+
+class _BallLook(NamedTuple):
+    """What a ball's picture depends on.
+
+    theme, light: as everywhere. skin: its name.
+    size: radius, in steps of which there are _SIZES per pixel.
+    across, down: offset of the centre within its pixel, in steps of which there are _OFFSETS per pixel.
+    """
+
+    theme: Theme
+    light: ScreenLight
+    skin: str
+    size: int
+    across: int
+    down: int
+
+
+class BallPictures:
+    """Draws balls; caches their pictures."""
+
+    def __init__(self) -> None:
+        """Start with nothing cached."""
+        self._pictures: dict[_BallLook, pygame.Surface] = {}
+
+    def draw(self, canvas: Canvas, scene: Scene, blocks: ProjectedBlocks | None = None) -> None:
+        """All balls of a scene, from back to front. blocks: what may hide them."""
+        camera = canvas.camera
+        for ball in sorted(scene.balls, key=lambda ball: -(ball.position * camera.turning).imag):
+            self._draw_ball(canvas, ball, blocks)
+            marks.draw(canvas, scene, ball)
+
+    def _draw_ball(self, canvas: Canvas, ball: Ball, blocks: ProjectedBlocks | None) -> None:
+        """One ball."""
+        camera = canvas.camera
+        centre, radius = _on_screen(ball, camera)
+        left, top = math.floor(centre.real), math.floor(centre.imag)
+        across, down = int((centre.real - left) * _OFFSETS), int((centre.imag - top) * _OFFSETS)
+        picture = self._picture(_BallLook(canvas.theme, ball_light(camera), canvas.ball, round(radius * _SIZES), across, down))
+        corner = complex(left - picture.get_width() // 2, top - picture.get_height() // 2)
+        if blocks is not None:
+            hidden = occluding_quads(blocks, camera, ball.position, centre, radius + _MARGIN)
+            if len(hidden):
+                picture = _without(picture, hidden - corner)
+        canvas.surface.blit(picture, (corner.real, corner.imag))
+
+    def _picture(self, look: _BallLook) -> pygame.Surface:
+        """The picture of a ball, drawn once."""
+        if look not in self._pictures:
+            if len(self._pictures) >= _MOST_PICTURES:
+                self._pictures.clear()
+            self._pictures[look] = _ball_picture(look)
+        return self._pictures[look]
+
+
+def _on_screen(ball: Ball, camera: Camera) -> tuple[complex, float]:
+    """Centre and radius of a ball, pixels. It lies on the ground, so its centre is as high as its radius."""
+    return camera.project(ball.position, ball.radius), ball.radius * camera.scale_at(ball.position, ball.radius)
+
+
+def _ball_picture(look: _BallLook) -> pygame.Surface:
+    """A shaded ball on a transparent square with an odd side, its centre in the middle pixel."""
+    theme, light, radius = look.theme, look.light, look.size / _SIZES
+    reach = math.ceil(radius) + 2
+    side = 2 * reach + 1
+    pixels = np.arange(side, dtype=np.float64) + 0.5 - reach
+    right = (pixels - (look.across + 0.5) / _OFFSETS)[:, None] / max(radius, 0.5)
+    up = ((look.down + 0.5) / _OFFSETS - pixels)[None, :] / max(radius, 0.5)
+    distance = np.hypot(right, up)
+    out = np.sqrt(np.maximum(1.0 - distance * distance, 0.0))
+    facing = right * light.right + up * light.up + out * light.out
+    own, gloss = surface_colours(look.skin, theme, right, up)
+    shade = np.clip(0.5 + 0.6 * facing, 0.0, 1.0)[:, :, None] ** 1.3
+    shine = np.clip(2.0 * out * facing - light.out, 0.0, 1.0)[:, :, None] ** 24.0
+    dark = own + (np.array(_DARK, dtype=np.float64) - own) * _DARK_SHARE
+    rgb = dark + (own - dark) * shade
+    rgb += (_WHITE - rgb) * gloss * shine
+    picture = pygame.Surface((side, side), pygame.SRCALPHA)
+    pygame.surfarray.pixels3d(picture)[:] = rgb.astype(np.uint8)
+    cover = np.clip((1.0 - distance) * radius + 0.5, 0.0, 1.0)
+    pygame.surfarray.pixels_alpha(picture)[:] = (cover * 255.0).astype(np.uint8)
+    return picture
+
+
+def _without(picture: pygame.Surface, hidden: Points) -> pygame.Surface:
+    """A picture without what quadrilaterals cover, four of its pixels a row, their edges anti-aliased."""
+    width, height = picture.get_size()
+    fine = pygame.Surface((width * _FINER, height * _FINER), 0, 32)
+    fine.fill((255, 255, 255))
+    for corners in np.floor(hidden.view(np.float64) * _FINER).astype(int).reshape(-1, 4, 2).tolist():
+        pygame.draw.polygon(fine, (0, 0, 0), corners)
+    left = picture.copy()
+    share = pygame.surfarray.array3d(pygame.transform.smoothscale(fine, (width, height)))[:, :, 0]
+    alpha = pygame.surfarray.pixels_alpha(left)
+    alpha[:] = alpha * (share / 255.0)
+    return left

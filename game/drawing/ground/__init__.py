@@ -1,0 +1,1 @@
+"""The ground: its colours, its patterns, its picture."""

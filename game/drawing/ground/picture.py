@@ -1,0 +1,175 @@
+"""The ground with its rim, its pattern and the paddles' track as any camera sees them, anti-aliased.
+
+Around the centre the colours are smooth: discs, one for every colour that a screen can show. Lines are circles of the ground: a
+row of pixels sees a straight line of the ground, parallel to the screen, and where it meets a circle is a square root.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+import pygame
+from numpy.typing import NDArray
+
+from game.drawing.camera import Camera
+from game.drawing.canvas import Canvas
+from game.drawing.ground.colours import Disc, discs_around, discs_of_ground, ground_colours
+from game.drawing.ground.patterns import PLAIN, marks
+from game.drawing.palette import Colour, Theme, mixed
+from game.drawing.raster.annulus import Floats, columns_between
+from game.drawing.raster.pixels import packed, pairs, pixels_of, unpacked
+from game.drawing.raster.quads import QuadRaster, fine_pixels
+
+_FRINGE = 3.0
+"""Pixels on both sides of a line that are looked at."""
+_RIM, _LEAST_RIM = 0.07, 2.0
+"""Width of the rim: world units, and pixels."""
+_THICKNESS = 0.03
+"""Of the disc that the ground is, in shares of its radius."""
+_EDGE_SHADE = 0.6
+"""The side of the disc has this share of the way from the rim's colour to the background's."""
+_EDGE_PIECES, _EDGE_FINER = 180, 2
+"""Quadrilaterals that the disc's side is cut into, and rows and columns of their drawing per pixel."""
+_DISC_CORNERS = 128
+_MARKS_FINER, _MANY_PIXELS = 2, 6_000_000
+"""Rows and columns per pixel of the drawing of the marks on the ground; on surfaces with so many pixels one is fine enough."""
+_TRACK, _TRACK_PIXELS = 0.03, 1.0
+"""The paddles' track is so many world units wide, and so many pixels more."""
+
+
+class Ground(NamedTuple):
+    """What the ground is.
+
+    radius: world units.
+    track: radius of the circle that the paddles run on; None for none.
+    pattern: its name.
+    """
+
+    radius: float
+    track: float | None = None
+    pattern: str = PLAIN
+
+
+class _CircleLine(NamedTuple):
+    """A circular line of the ground.
+
+    inner, width: its inner radius and its width, world units.
+    colour: of the line.
+    edge: whether the ground ends there.
+    """
+
+    inner: float
+    width: float
+    colour: Colour
+    edge: bool
+
+
+class _CirclePixels(NamedTuple):
+    """The pixels around a circle of the ground.
+
+    pixel: its index in the surface's memory, row after row.
+    radius: of the ground's point at the pixel's middle, world units.
+    scale: pixels per world unit there, away from the circle's centre.
+    """
+
+    pixel: NDArray[np.int64]
+    radius: Floats
+    scale: Floats
+
+
+def ground_picture(canvas: Canvas, ground: Ground) -> pygame.Surface:
+    """A picture of the ground without its pattern, as large as a canvas: from every azimuth the same."""
+    camera, theme, radius = canvas.camera, canvas.theme, ground.radius
+    picture = pygame.Surface(canvas.size, 0, canvas.surface)
+    picture.fill(theme.background)
+    rim = max(_LEAST_RIM / camera.scale, _RIM)
+    fringe = _fringe(camera, radius)
+    _draw_discs(picture, camera, discs_around(theme), radius)
+    _draw_edge(picture, camera, radius + rim, theme)
+    _draw_discs(picture, camera, discs_of_ground(theme), radius - fringe / 2.0)
+    _draw_line(picture, camera, theme, ground, _CircleLine(radius, rim, theme.rim, edge=True))
+    if ground.track is not None:
+        width = _TRACK + _TRACK_PIXELS / camera.scale
+        track = _CircleLine(ground.track - width / 2.0, width, theme.ground_line, edge=False)
+        _draw_line(picture, camera, theme, ground, track)
+    return picture
+
+
+def draw_pattern(canvas: Canvas, ground: Ground) -> None:
+    """The ground's pattern and the marks at its rim, over its picture."""
+    drawn, theme = marks(ground.pattern), canvas.theme
+    corners = drawn.corners * ground.radius
+    colours = ground_colours(theme, np.abs(drawn.corners.mean(axis=1)).astype(np.float32))
+    strength = drawn.strength.astype(np.float32)[:, None]
+    colours += (np.array(theme.ground_line, dtype=np.float32) - np.array(theme.ground, dtype=np.float32)) * strength
+    raster = QuadRaster()
+    shades = packed(raster.canvas, np.clip(colours, 0.0, 255.0))
+    finer = _MARKS_FINER if canvas.size[0] * canvas.size[1] < _MANY_PIXELS else 1
+    pixels = canvas.camera.projected(corners * canvas.camera.turning, 0.0)
+    raster.draw(canvas.surface, fine_pixels(pixels, finer), shades, finer)
+
+
+def _draw_discs(picture: pygame.Surface, camera: Camera, discs: tuple[Disc, ...], radius: float) -> None:
+    """Discs, the largest first. radius: that of the ground, world units."""
+    around = np.exp(1j * np.linspace(0.0, math.tau, _DISC_CORNERS, endpoint=False))
+    for disc in discs:
+        pygame.draw.polygon(picture, disc.colour, pairs(camera.projected(around * max(radius * disc.share, 0.0), 0.0)))
+
+
+def _draw_edge(picture: pygame.Surface, camera: Camera, radius: float, theme: Theme) -> None:
+    """The side of the disc that the ground is, where it is turned to the eye."""
+    around = np.exp(1j * np.linspace(0.0, math.tau, _EDGE_PIECES + 1))
+    shown = camera.nearer(around[:-1] * radius, around[:-1]) > -0.1
+    top, bottom = (camera.projected(around * radius, height * radius) for height in (0.0, -_THICKNESS))
+    strips = np.stack([top[:-1], top[1:], bottom[1:], bottom[:-1]], axis=1)[shown]
+    colour = np.array(mixed(theme.rim, theme.background, _EDGE_SHADE), dtype=np.float32)
+    raster = QuadRaster()
+    colours = packed(raster.canvas, np.repeat(colour[None], len(strips), axis=0))
+    raster.draw(picture, fine_pixels(strips, _EDGE_FINER), colours, _EDGE_FINER)
+
+
+def _fringe(camera: Camera, radius: float) -> float:
+    """World units that _FRINGE pixels span where the ground is seen most aslant."""
+    sine, cosine = math.sin(camera.tilt), math.cos(camera.tilt)
+    return min(_FRINGE / camera.scale * (1.0 + camera.closeness * radius * sine) ** 2 / cosine, radius / 2.0)
+
+
+def _draw_line(picture: pygame.Surface, camera: Camera, theme: Theme, ground: Ground, line: _CircleLine) -> None:
+    """A circular line and what is near it."""
+    fringe = _fringe(camera, ground.radius)
+    pixels = _pixels_between(picture, camera, max(line.inner - fringe, 0.0), line.inner + line.width + fringe)
+    if not len(pixels.pixel):
+        return
+    there = pixels_of(picture)
+    shares, colour = pixels.radius / np.float32(ground.radius), np.array(line.colour, dtype=np.float32)
+    within = ground_colours(theme, shares)
+    outside = within if not line.edge else unpacked(picture, there[pixels.pixel])
+    past_inner = np.clip((pixels.radius - line.inner) * pixels.scale + 0.5, 0.0, 1.0)[:, None]
+    past_outer = np.clip((pixels.radius - line.inner - line.width) * pixels.scale + 0.5, 0.0, 1.0)[:, None]
+    drawn = within + (colour - within) * past_inner
+    drawn += (outside - drawn) * past_outer
+    there[pixels.pixel] = packed(picture, drawn)
+
+
+def _pixels_between(picture: pygame.Surface, camera: Camera, inner: float, outer: float) -> _CirclePixels:
+    """The pixels that see the ground between two radii, world units."""
+    width, height = picture.get_size()
+    sine, cosine, near = math.sin(camera.tilt), math.cos(camera.tilt), camera.closeness
+    rows = np.arange(height, dtype=np.int64)
+    up = (camera.centre.imag - rows - 0.5) / camera.scale
+    slope = cosine - up * near * sine
+    seen = (slope > 1e-3) & (np.abs(up) <= outer * np.maximum(slope, 0.0))
+    rows, up, slope = rows[seen], up[seen], slope[seen]
+    away = up / slope
+    wide = 1.0 + near * sine * away
+    hole, reach = (np.sqrt(np.maximum(radius * radius - away * away, 0.0)) / wide * camera.scale for radius in (inner, outer))
+    xs, ys = columns_between(rows, camera.centre.real, hole, reach, width)
+    index = ys - rows[0] if len(rows) else ys
+    right = (xs + 0.5 - camera.centre.real) / camera.scale
+    away, wide, deep = away[index], wide[index], cosine / slope[index] ** 2
+    across = right * wide
+    radius = np.maximum(np.hypot(across, away), 1e-9)
+    steep = np.hypot(across * wide, across * right * near * sine * deep + away * deep) / radius
+    stride = picture.get_pitch() // 4
+    scale = camera.scale / np.maximum(steep, 1e-9)
+    return _CirclePixels(ys * stride + xs, radius.astype(np.float32), scale.astype(np.float32))

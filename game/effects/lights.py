@@ -1,0 +1,84 @@
+"""Light that a hit throws on the arena around it, for a moment."""
+
+from enum import Enum, auto
+from typing import NamedTuple
+
+from game.rules import BEST_COMBO, Event, EventKind, PowerUp, Ticked
+
+
+class LightSource(Enum):
+    """What shines; it tells the light's colour."""
+
+    PADDLE = auto()
+    BRICK = auto()
+    STEEL = auto()
+    GOOD = auto()
+    BAD = auto()
+    POWER = auto()
+
+
+class Light(NamedTuple):
+    """A light that fades.
+
+    reach: how far it is seen, in ground radii.
+    strength: 0 to 1, when new.
+    ticks: that it is seen.
+    layer: of a brick, 1 the lowest; 0 of all else. power: of a power-up.
+    """
+
+    source: LightSource
+    position: complex
+    reach: float
+    strength: float
+    ticks: int
+    layer: int = 0
+    power: PowerUp | None = None
+    age: int = 0
+
+    @property
+    def now(self) -> float:
+        """Strength at its age: it fades fast at first."""
+        return self.strength * (1.0 - self.age / self.ticks) ** 2
+
+
+MOST = 12
+"""Lights at once; the oldest make room."""
+_BRICK, _BRICK_PER_COMBO = 0.45, 0.06
+"""Strength of a brick's light, and what every brick in a row adds to it up to the best combo."""
+_LIGHTS = {
+    EventKind.PADDLE_HIT: Light(LightSource.PADDLE, 0j, 0.26, 0.6, 70),
+    EventKind.BALL_CAUGHT: Light(LightSource.PADDLE, 0j, 0.26, 0.6, 70),
+    EventKind.SHIELD_HIT: Light(LightSource.PADDLE, 0j, 0.5, 1.0, 130),
+    EventKind.WALL_HIT: Light(LightSource.STEEL, 0j, 0.16, 0.5, 50),
+    EventKind.BALLS_MET: Light(LightSource.STEEL, 0j, 0.16, 0.5, 50),
+    EventKind.BUMPER_HIT: Light(LightSource.GOOD, 0j, 0.36, 0.9, 110),
+    EventKind.LIFE_GAINED: Light(LightSource.GOOD, 0j, 0.36, 0.9, 110),
+    EventKind.BALL_LOST: Light(LightSource.BAD, 0j, 0.5, 1.0, 200),
+    EventKind.DROP_CAUGHT: Light(LightSource.POWER, 0j, 0.4, 0.9, 120),
+}
+"""The lights of events but for bricks, whose light depends on more."""
+
+
+def after_tick(lights: tuple[Light, ...], ticked: Ticked) -> tuple[Light, ...]:
+    """The lights a tick later."""
+    if lights:
+        older = [light._replace(age=light.age + 1) for light in lights]
+        lights = tuple([light for light in older if light.age < light.ticks])
+    new = [light for event in ticked.events if (light := _light(event, ticked)) is not None]
+    return (*[light for light in lights if not _covered(light, new, ticked)], *new)[-MOST:] if new else lights
+
+
+def _covered(light: Light, new: list[Light], ticked: Ticked) -> bool:
+    """Whether a light makes room for a new one of its kind that is close: two together would be glaring."""
+    room = 0.5 * light.reach * ticked.game.level.ground_radius
+    return any([other.source is light.source and abs(other.position - light.position) < room for other in new])
+
+
+def _light(event: Event, ticked: Ticked) -> Light | None:
+    """The light of an event; None for those that are dark."""
+    if event.kind == EventKind.BRICK_HIT:
+        layer = 1 if event.hit is None else max(event.hit.layers, 0) + 1
+        strength = min(_BRICK + _BRICK_PER_COMBO * min(ticked.game.combo, BEST_COMBO), 1.0)
+        return Light(LightSource.BRICK, event.position, 0.24, strength, 80, layer)
+    light = _LIGHTS.get(event.kind)
+    return None if light is None else light._replace(position=event.position, power=event.power)

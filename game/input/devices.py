@@ -1,0 +1,52 @@
+"""All that the player can have in hand: keyboard, mouse, touch screen and gamepads, as one stream of signals."""
+
+from collections.abc import Iterator
+
+import pygame
+
+from game.input.fingers import Fingers
+from game.input.pads import Pads
+from game.input.signals import Signal, translated
+
+_OTHERS = (pygame.KEYDOWN, pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.FINGERDOWN)
+"""Events that say that the player holds no gamepad."""
+
+
+class Devices:
+    """Follows every device from event to event."""
+
+    def __init__(self) -> None:
+        """Keyboard, mouse and touch screen; gamepads once `pads.listen` was called."""
+        self.pads = Pads()
+        self._fingers = Fingers()
+
+    def signals(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> Iterator[Signal]:
+        """What an event means, nothing for most. size: of the surface, pixels. pixels_per_point: as in `translated`."""
+        if event.type in _OTHERS:
+            self.pads.left_alone()
+        yield from self.pads.signals(event)
+        yield from self._fingers.signals(event, size)
+        if not getattr(event, "touch", False):  # what SDL makes of a finger for those who know mice only
+            signal = translated(event, pixels_per_point)
+            if signal is not None:
+                yield signal
+
+
+def as_key(event: pygame.Event) -> pygame.Event | None:
+    """The key that does what a gamepad's button does on a screen that hears events: arrows, Enter, Escape; None for others."""
+    if event.type not in (pygame.CONTROLLERBUTTONDOWN, pygame.CONTROLLERBUTTONUP) or event.button not in _AS_KEYS:
+        return None
+    kind = pygame.KEYDOWN if event.type == pygame.CONTROLLERBUTTONDOWN else pygame.KEYUP
+    code = _AS_KEYS[event.button]
+    return pygame.Event(kind, key=code, mod=0, scancode=0, unicode="\r" if code == pygame.K_RETURN else "")
+
+
+_AS_KEYS = {
+    pygame.CONTROLLER_BUTTON_DPAD_LEFT: pygame.K_LEFT,
+    pygame.CONTROLLER_BUTTON_DPAD_RIGHT: pygame.K_RIGHT,
+    pygame.CONTROLLER_BUTTON_DPAD_UP: pygame.K_UP,
+    pygame.CONTROLLER_BUTTON_DPAD_DOWN: pygame.K_DOWN,
+    pygame.CONTROLLER_BUTTON_A: pygame.K_RETURN,
+    pygame.CONTROLLER_BUTTON_B: pygame.K_ESCAPE,
+    pygame.CONTROLLER_BUTTON_START: pygame.K_ESCAPE,
+}

@@ -1,0 +1,64 @@
+"""How far the player has come: the best result of every level at every difficulty."""
+
+from typing import Annotated
+
+import msgspec
+from msgspec import Meta
+
+VERSION = 1
+RANKS = ("C", "B", "A", "S")
+"""The ranks of a finished level, worst first."""
+
+Word = Annotated[str, Meta(max_length=200)]
+Count = Annotated[int, Meta(ge=0, le=2**53)]
+Digest = Annotated[str, Meta(pattern="^([0-9a-f]{64})?$")]
+
+
+class Best(msgspec.Struct, frozen=True):
+    """The best that was done in one level at one difficulty.
+
+    level: its name. difficulty: its name. score: points made in the level. rank: index in RANKS. ticks: that it took.
+    replay: name of the file of the game in which the score was made, empty for none; sha256: of that file, in hex.
+    start: tick of that game at which the level began.
+    """
+
+    level: Word
+    difficulty: Word
+    score: Count = 0
+    rank: Annotated[int, Meta(ge=0, le=len(RANKS) - 1)] = 0
+    ticks: Count = 0
+    replay: Word = ""
+    sha256: Digest = ""
+    start: Count = 0
+
+
+class Progress(msgspec.Struct, frozen=True):
+    """All bests. last_level: where the player was last; last_difficulty: chosen last."""
+
+    version: int = VERSION
+    bests: Annotated[list[Best], Meta(max_length=10_000)] = []
+    last_level: Word = ""
+    last_difficulty: Word = ""
+
+    def best(self, level: str, difficulty: str) -> Best | None:
+        """The best of a level; None where it was never finished at this difficulty."""
+        return next((best for best in self.bests if (best.level, best.difficulty) == (level, difficulty)), None)
+
+    def finished(self, level: str) -> bool:
+        """Whether a level was finished at any difficulty."""
+        return any([best.level == level for best in self.bests])
+
+    def after(self, done: Best) -> "Progress":
+        """The progress after a level was finished once more: the better score with its replay, the better rank and time."""
+        before = self.best(done.level, done.difficulty)
+        if before is not None:
+            better = (done.score, bool(done.replay)) > (before.score, bool(before.replay))
+            leading, other = (done, before) if better else (before, done)
+            rank, ticks = max(done.rank, before.rank), min(leading.ticks or other.ticks, other.ticks or leading.ticks)
+            done = msgspec.structs.replace(leading, rank=rank, ticks=ticks)
+        others = [best for best in self.bests if best is not before]
+        return msgspec.structs.replace(self, bests=[*others, done])
+
+    def is_open(self, index: int, levels: list[str]) -> bool:
+        """Whether a level may be begun: the first, every finished one, and the one after it. levels: names in order."""
+        return index == 0 or self.finished(levels[index]) or self.finished(levels[index - 1])

@@ -1,0 +1,131 @@
+"""Captions: words for the sounds that matter, and from where on the screen they come."""
+
+import math
+from typing import NamedTuple
+
+import pygame
+
+from game.drawing.camera import Camera
+from game.drawing.canvas import Canvas
+from game.drawing.raster.primitives import draw_box
+from game.language import tr, tr_noop
+from game.rules import Event, EventKind, Ticked
+
+SECONDS = 2.2
+"""For which a caption is shown."""
+_MOST = 3
+"""Captions at a time."""
+_WORDS = {
+    EventKind.SERVED: tr_noop("ball served"),
+    EventKind.BRICK_HIT: tr_noop("brick struck"),
+    EventKind.WALL_HIT: tr_noop("steel struck"),
+    EventKind.BALL_LOST: tr_noop("ball lost"),
+    EventKind.LEVEL_CLEARED: tr_noop("level cleared"),
+    EventKind.GAME_WON: tr_noop("game won"),
+    EventKind.GAME_OVER: tr_noop("game over"),
+    EventKind.DROP_RELEASED: tr_noop("power-up on its way"),
+    EventKind.DROP_CAUGHT: tr_noop("power-up caught"),
+    EventKind.DROP_LOST: tr_noop("power-up missed"),
+    EventKind.POWER_ENDED: tr_noop("power-up ended"),
+    EventKind.LIFE_GAINED: tr_noop("one life more"),
+    EventKind.BALL_CAUGHT: tr_noop("ball sticks to the paddle"),
+    EventKind.SPEED_UP: tr_noop("balls faster"),
+    EventKind.SHIELD_HIT: tr_noop("shield used up"),
+    EventKind.BUMPER_HIT: tr_noop("bumper struck"),
+    EventKind.BRICK_REGROWN: tr_noop("brick grown again"),
+    EventKind.CORE_BROKEN: tr_noop("core broken"),
+}
+"""What sounds say, but for those that say only what is seen where one looks: paddles' hits, nudges, balls that meet."""
+_ON_ITS_POSITION = frozenset(
+    {
+        EventKind.BALL_LOST,
+        EventKind.DROP_RELEASED,
+        EventKind.BRICK_REGROWN,
+    }
+)
+"""Events of which it helps to know where."""
+_DIRECTIONS = (
+    tr_noop("right"),
+    tr_noop("upper right"),
+    tr_noop("above"),
+    tr_noop("upper left"),
+    tr_noop("left"),
+    tr_noop("lower left"),
+    tr_noop("below"),
+    tr_noop("lower right"),
+)
+# Lengths are in units of text.
+_SIZE, _PITCH, _MARGIN, _RIGHT, _BOTTOM = 1.1, 1.9, 0.6, 0.8, 5.2
+"""Size of letters, from line to line, from words to the plate's ends, and from the plates to the surface's edges."""
+_PLATE, _CORNER, _EDGE_LINE = 1.6, 0.4, 0.06
+"""Height of a plate, radius of its corners and width of its edge."""
+
+_WIDEST, _HIGHEST = 0.34, 0.62
+"""Share of the surface's width for the words, which are smaller where they need more; and of its height, above which only the
+newest caption may be."""
+
+
+class Caption(NamedTuple):
+    """A sound in words.
+
+    kind: of its event. direction: index in _DIRECTIONS; None where that does not matter. times: how often it came in a row.
+    left: seconds for which it is still shown.
+    """
+
+    kind: EventKind
+    direction: int | None
+    times: int = 1
+    left: float = SECONDS
+
+    @property
+    def text(self) -> str:
+        """In the player's language."""
+        words = tr(_WORDS[self.kind])
+        if self.direction is not None:
+            words = tr("{sound}, {direction}").format(sound=words, direction=tr(_DIRECTIONS[self.direction]))
+        return words if self.times == 1 else tr("{sound} ×{count}").format(sound=words, count=self.times)
+
+
+def after(captions: tuple[Caption, ...], ticked: Ticked, camera: Camera) -> tuple[Caption, ...]:
+    """The captions after a tick, the newest last; the same sound once more counts on."""
+    for event in ticked.events:
+        if event.kind in _WORDS:
+            captions = _with(captions, event, camera)
+    return captions
+
+
+def later(captions: tuple[Caption, ...], seconds: float) -> tuple[Caption, ...]:
+    """Those that are still shown some time later."""
+    aged = [caption._replace(left=caption.left - max(seconds, 0.0)) for caption in captions]
+    return tuple([caption for caption in aged if caption.left > 0.0])
+
+
+def draw(canvas: Canvas, captions: tuple[Caption, ...]) -> None:
+    """The captions in the lower right, where no ball and no paddle comes, the newest lowest."""
+    theme, unit, (width, height) = canvas.theme, canvas.unit, canvas.size
+    for index, caption in enumerate(reversed(captions)):
+        bottom = height - unit * (_BOTTOM + _PITCH * index)
+        if index and bottom - unit * _PLATE < height * _HIGHEST:
+            return
+        wide = canvas.type.rendered(caption.text, unit * _SIZE, theme.text).get_width()
+        size = _SIZE * min(width * _WIDEST / wide, 1.0)
+        words = canvas.type.rendered(caption.text, unit * size, theme.text)
+        plate = pygame.Rect(0, 0, round(words.get_width() + 2.0 * unit * _MARGIN), round(unit * _PLATE))
+        plate.bottomright = (round(width - unit * _RIGHT), round(bottom))
+        draw_box(canvas.surface, plate, unit * _CORNER, theme.panel, theme.panel_edge, unit * _EDGE_LINE)
+        canvas.surface.blit(words, words.get_rect(center=plate.center))
+
+
+def _with(captions: tuple[Caption, ...], event: Event, camera: Camera) -> tuple[Caption, ...]:
+    """The captions with that of an event."""
+    direction = _direction(event.position, camera) if event.kind in _ON_ITS_POSITION else None
+    same = [one for one in captions if one[:2] == (event.kind, direction)]
+    others = [one for one in captions if one not in same]
+    times = same[0].times + 1 if same else 1
+    return (*others, Caption(event.kind, direction, times))[-_MOST:]
+
+
+def _direction(position: complex, camera: Camera) -> int:
+    """Where on the screen a position is from the arena's centre, as an index in _DIRECTIONS."""
+    offset = (camera.project(position) - camera.centre).conjugate()
+    return round(math.atan2(offset.imag, offset.real) / (math.tau / len(_DIRECTIONS))) % len(_DIRECTIONS)

@@ -1,0 +1,67 @@
+"""Pictures of the levels, each drawn once per size and theme; no more than one a frame, so that no frame takes long."""
+
+from collections import OrderedDict
+
+import pygame
+
+from game.drawing.camera import Camera
+from game.drawing.canvas import Canvas
+from game.drawing.painter import Painter
+from game.drawing.palette import Theme
+from game.drawing.text import Type
+from game.effects import NOTHING
+from game.levels import Level
+from game.rules import PADDLES, new_game
+from game.scene import scene_at, still
+
+_FINER = 2
+"""Rows and columns of the drawing per pixel of the picture."""
+_RADIUS = 0.485
+"""Of what is shown, in shares of the picture's side."""
+_AROUND, _LEAST = 1.3, 0.4
+"""Shown is the wall with some ground around it, and of the paddles' track at least such a share; never more than the ground."""
+_MOST = 160
+"""Pictures cached."""
+
+
+class LevelPictures:
+    """Draws them and caches them."""
+
+    def __init__(self) -> None:
+        """Start with none."""
+        self._drawn: OrderedDict[tuple[object, ...], pygame.Surface] = OrderedDict()
+        self._budget = 1
+        self.waiting = False
+
+    def next_frame(self) -> bool:
+        """Let one more picture be drawn; whether one was asked for that could not be drawn yet."""
+        waited, self.waiting, self._budget = self.waiting, False, 1
+        return waited
+
+    def picture(self, level: Level, side: int, theme: Theme, *, whole: bool = False) -> pygame.Surface | None:
+        """A level's picture, `side` pixels square; None where it has to wait for the next frame. whole: with the paddles."""
+        key = (level.content_hash(), side, theme, whole)
+        if key in self._drawn:
+            self._drawn.move_to_end(key)
+            return self._drawn[key]
+        if self._budget <= 0:
+            self.waiting = True
+            return None
+        self._budget -= 1
+        self._drawn[key] = thumbnail(level, side, theme, whole=whole)
+        if len(self._drawn) > _MOST:
+            self._drawn.popitem(last=False)
+        return self._drawn[key]
+
+
+def thumbnail(level: Level, side: int, theme: Theme, *, whole: bool = False) -> pygame.Surface:
+    """The level before its first serve on the panel's colour, `side` pixels square: its wall, or with the paddles as well."""
+    side = max(side, 1)
+    large = pygame.Surface((side * _FINER, side * _FINER))
+    scene = scene_at(still(new_game((level,), 0)), 1.0, NOTHING)._replace(aim=None)
+    wall = max([ring.outer_radius for ring in scene.rings[PADDLES + 1 :]], default=0.0)
+    reach = min(max(wall * _AROUND, scene.rings[PADDLES].inner_radius * _LEAST), level.ground_radius)
+    reach = level.ground_radius if whole else reach
+    camera = Camera(complex(side, side) * _FINER / 2.0, side * _FINER * _RADIUS / reach)
+    Painter().paint(Canvas(large, camera, theme._replace(background=theme.panel), Type(), 1.0), scene)
+    return pygame.transform.smoothscale(large, (side, side))

@@ -1,0 +1,1 @@
+"""The panels that stand over the title and over a game."""

@@ -1,0 +1,46 @@
+"""How difficult new games are, or by whose rules they are played."""
+
+import msgspec
+
+from game.language import tr
+from game.rules import SOURCE_RULES, Difficulty, Ruleset
+from game.screens.app_state import SOURCE, AppState
+from game.screens.toolkit.items import Choice
+
+DIFFICULTIES = (*[difficulty.name.lower() for difficulty in Difficulty], SOURCE)
+"""The names under which scores and bests are kept."""
+
+
+def difficulty_name(name: str) -> str:
+    """A difficulty in the player's language; "" for no known one."""
+    names = (tr("Easy"), tr("Normal"), tr("Hard"), tr("Source's rules"))
+    return dict(zip(DIFFICULTIES, names, strict=True)).get(name, "")
+
+
+def ruleset_of(name: str) -> Ruleset:
+    """The rules of a difficulty; those of a normal game for no known one."""
+    if name == SOURCE:
+        return SOURCE_RULES
+    return Ruleset(Difficulty[name.upper()]) if name in DIFFICULTIES else Ruleset()
+
+
+def players_choice(state: AppState) -> Choice:
+    """The item that chooses how many play on this machine."""
+
+    def choose(index: int) -> None:
+        state.two_players = index == 1
+
+    tip = tr("Two together: one has the arrow keys, mouse or gamepad, the other A and D; who holds a key steers.")
+    return Choice(tr("Players"), (tr("One"), tr("Two together")), int(state.two_players), choose, tip)
+
+
+def difficulty_choice(state: AppState) -> Choice:
+    """The item that chooses it, and remembers it."""
+
+    def choose(index: int) -> None:
+        state.ruleset = ruleset_of(DIFFICULTIES[index])
+        state.kept.progress.update(lambda held: msgspec.structs.replace(held, last_difficulty=DIFFICULTIES[index]))
+
+    names = tuple([difficulty_name(name) for name in DIFFICULTIES])
+    tip = tr("Easy: slower balls, wider paddles, more lives. Source's rules: one speed, no power-ups. Each has its own scores.")
+    return Choice(tr("Difficulty"), names, DIFFICULTIES.index(state.difficulty), choose, tip)

@@ -1,0 +1,114 @@
+"""How to play, over another screen: what the game is about, how one aims, what drops out of bricks, and all keys."""
+
+from game.input.key_names import play_help
+from game.input.keys import Action
+from game.input.signals import Pressed, Signal
+from game.language import tr
+from game.screens.app_state import AppState
+from game.screens.base import Screen
+from game.screens.menus import help_pictures as pictures
+from game.screens.toolkit.focus import Focus
+from game.screens.toolkit.items import Cells, Drawing, Item, Text
+from game.screens.toolkit.layout import Content, Row
+from game.screens.toolkit.menu import back_row
+from game.screens.toolkit.panel import Panel
+
+_TALL = 21.5
+"""Height of the tallest part, units of text."""
+
+
+class Help(Panel):
+    """A panel with a part for each question; the key that opened it closes it."""
+
+    def __init__(
+        self, state: AppState, under: Screen, title: str = "", keys: tuple[tuple[str, str], ...] | None = None
+    ) -> None:
+        """Open over a screen. title, keys: pairs of keys and what they do, of a screen that has no other help."""
+        super().__init__(state, under)
+        self._title, self._keys = title, keys
+
+    def content(self) -> Content:
+        """The part that is shown."""
+        footer = back_row(tr("Back"), self.back)
+        if self._keys is not None:
+            return Content(self._title, _key_rows(self._keys), footer, width=40.0)
+        parts = (_game, _aiming, _controls, _key_part)
+        names = (tr("The game"), tr("Aiming"), tr("Ways to play"), tr("Keys"))
+        return Content(tr("How to play"), parts[self._tab](), footer, names, self._tab, 44.0, tall=_TALL)
+
+    def first(self) -> Focus | None:
+        """The button that closes it."""
+        return Focus(len(self.content().body), 1)
+
+    def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
+        """The keys that open it close it."""
+        if isinstance(signal, Pressed) and signal.action in (Action.HELP, Action.PAUSE):
+            return self.back()
+        return super().answer(signal, size)
+
+
+def _game() -> tuple[Row, ...]:
+    """What it is about."""
+    words = (
+        tr("Keep the ball inside the circle and break every brick."),
+        tr("The paddles run around the rim, all together. A ball that leaves the circle is lost."),
+        tr("Every step of a brick is one layer, and takes one hit. Steel never breaks."),
+        tr("Bricks in a row, without a paddle between them, multiply the points: up to eight times."),
+    )
+    beside = Text("\n".join(words), 1.15, width_share=1.25)
+    return (
+        (Drawing(12.5, pictures.draw_arena), beside),
+        (Text(""),),
+        (Drawing(4.2, pictures.draw_bricks),),
+    )
+
+
+def _aiming() -> tuple[Row, ...]:
+    """How one steers a ball."""
+    return (
+        (
+            Drawing(10.5, pictures.draw_hit_position),
+            Drawing(10.5, pictures.draw_moving_paddle),
+            Drawing(10.5, pictures.draw_serve),
+        ),
+        (
+            Text(tr("Off the middle: the ball leaves towards that side, the more the nearer the end it meets."), 1.0),
+            Text(tr("On the move: a turning paddle takes the ball along."), 1.0),
+            Text(tr("The serve: it flies along the arrow. Wait for the right moment, or point there."), 1.0),
+        ),
+        (Text(""),),
+        (
+            Text(
+                tr("A ball that flies past the core comes back at you from the far side: be there before it."), 1.0, faint=True
+            ),
+        ),
+    )
+
+
+def _controls() -> tuple[Row, ...]:
+    """Keyboard, mouse, gamepad, touch."""
+    ways = (
+        (tr("Keyboard"), tr("Two keys turn the paddles; Space serves.")),
+        (
+            tr("Mouse"),
+            tr("The nearest paddle follows the pointer; a click serves. The signs at the right pause, help and set."),
+        ),
+        (tr("Gamepad"), tr("The stick's angle is the paddle's angle; the triggers turn; the lower button serves.")),
+        (tr("Touch"), tr("Drag where a paddle shall go; tap to serve.")),
+        (tr("One button"), tr("In the settings: the paddles never stop, and every press turns them round.")),
+    )
+    rows: list[Row] = []
+    for name, how in ways:
+        row: tuple[Item, ...] = (Text(name, 1.2, width_share=0.35), Text(how, 1.1))
+        rows += [row, (Item(),)]
+    return tuple(rows)
+
+
+def _key_part() -> tuple[Row, ...]:
+    """All keys of a game."""
+    return _key_rows(play_help())
+
+
+def _key_rows(keys: tuple[tuple[str, str], ...]) -> tuple[Row, ...]:
+    """A line for each."""
+    return tuple([(Cells(((names, 1.0, "left"), (meaning, 2.0, "left"))),) for names, meaning in keys])

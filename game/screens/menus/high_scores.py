@@ -1,0 +1,71 @@
+"""The table of high scores, a part for every difficulty; a line leads to its replay."""
+
+from game.kept.scores import Score
+from game.language import tr
+from game.overlay.toast import Toast
+from game.screens.app_state import AppState
+from game.screens.base import Screen
+from game.screens.menus.difficulty import DIFFICULTIES, difficulty_name
+from game.screens.menus.replay_file import opened_replay
+from game.screens.toolkit.focus import Focus
+from game.screens.toolkit.items import Button, Cells, Item, Text
+from game.screens.toolkit.layout import Content
+from game.screens.toolkit.menu import Entry, back_row
+from game.screens.toolkit.panel import Panel
+
+_COLUMNS = ((0.6, "right"), (0.2, "left"), (3.6, "left"), (2.0, "right"), (0.6, "left"), (3.6, "left"), (2.2, "right"))
+"""The columns, two of them empty: parts of the width, and where their words stand."""
+
+
+class HighScores(Panel):
+    """The best games."""
+
+    def __init__(self, state: AppState, under: Screen, entered: Score | None = None, entries: tuple[Entry, ...] = ()) -> None:
+        """Open at the present difficulty. entered: the score that was just made, marked; entries: where it leads then."""
+        super().__init__(state, under)
+        self._entered, self._entries = entered, entries
+        self._tab = DIFFICULTIES.index(state.difficulty)
+
+    def content(self) -> Content:
+        """The table of one difficulty."""
+        table = self.state.kept.scores.value.table(DIFFICULTIES[self._tab])
+        heads = ("#", "", tr("Name"), tr("Score"), "", tr("Until"), tr("Date"))
+        head = Cells(tuple([(word, *column) for word, column in zip(heads, _COLUMNS, strict=True)]), faint=True)
+        rows: list[tuple[Item, ...]] = [(head,)]
+        rows += [(self._line(number, score),) for number, score in enumerate(table, 1)]
+        if not table:
+            rows.append((Text(tr("Nobody yet: the first game that ends with points stands here."), 1.1, faint=True),))
+        names = tuple([difficulty_name(name) for name in DIFFICULTIES])
+        footer = back_row(tr("Back"), self.back)
+        if self._entries:
+            footer = (tuple([Button(one.label, one.chosen, centred=True) for one in self._entries]),)
+        return Content(tr("High scores"), tuple(rows), footer, names, self._tab, 42.0, tall=20.0)
+
+    def back(self) -> Screen | None:
+        """After a game to the title, else to the screen below."""
+        return self.state.open_title(self.state) if self._entries else super().back()
+
+    def first(self) -> Focus | None:
+        """After a game, where it leads from here."""
+        return Focus(len(self.content().body), 0) if self._entries else None
+
+    def _line(self, number: int, score: Score) -> Cells:
+        """A line of the table."""
+        until = tr("the end") if score.won else score.last
+        name = score.name or "-"
+        if score.speed < 100:
+            name = tr("{name} ({speed} %)").format(name=name, speed=score.speed)
+        words = (str(number), "", name, f"{score.score:,}", "", until, score.date)
+        cells = tuple([(word, *column) for word, column in zip(words, _COLUMNS, strict=True)])
+        tip = tr("Watch this game.") if score.replay else tr("No replay of this game was kept.")
+        return Cells(cells, lambda: self._watched(score), tip, strong=score == self._entered)
+
+    def _watched(self, score: Score) -> Screen:
+        """The score's replay; where it cannot be had, a word about it."""
+        if not score.replay:
+            return self
+        opened = opened_replay(self.state, self, score.replay)
+        if isinstance(opened, str):
+            self.state.toast = Toast(opened)
+            return self
+        return opened

@@ -1,0 +1,226 @@
+"""The choice of a level: chapters of pictures, with the best score and rank of each."""
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from itertools import groupby
+from pathlib import Path
+
+import pygame
+
+from game.drawing.canvas import Canvas
+from game.drawing.raster.primitives import draw_box
+from game.drawing.text import Type
+from game.kept.progress import RANKS, Best
+from game.language import tr
+from game.levels import Level
+from game.overlay.toast import Toast
+from game.screens.app_state import AppState
+from game.screens.base import Screen
+from game.screens.menus.difficulty import difficulty_choice, difficulty_name, players_choice
+from game.screens.play import PlayScreen
+from game.screens.play_record import record_name
+from game.screens.toolkit.focus import Focus
+from game.screens.toolkit.icons import draw_lock
+from game.screens.toolkit.items import Button, Heading, Item
+from game.screens.toolkit.layout import Content, Row
+from game.screens.toolkit.menu import Entry, Menu
+from game.screens.toolkit.panel import Panel
+from game.screens.toolkit.plate import draw_focus, write_fitting
+from game.system.errors import BadInputError
+
+_COLUMNS = 5
+_CARD_MARGIN, _CARD_TEXT = 0.45, 2.9
+"""From a card's edges to its picture, and the height of the words below it; units of text."""
+_LOCKED = 110
+"""How much of a locked level's picture is seen, of 255."""
+
+
+@dataclass(frozen=True)
+class Card(Item):
+    """A level to be begun. number: from 1, 0 for none; best: at this difficulty; is_open: whether it may be begun."""
+
+    state: AppState
+    level: Level
+    number: int
+    best: Best | None
+    is_open: bool
+    chosen: Callable[[], Screen | None]
+    tip: str = ""
+
+    @property
+    def focusable(self) -> bool:
+        """Also a locked one: its tip says how to open it."""
+        return True
+
+    def height(self, _type: Type, unit: float, width: float) -> float:
+        """A square picture and two lines."""
+        return width / unit + _CARD_TEXT
+
+    def draw(self, canvas: Canvas, box: pygame.Rect, *, focused: bool) -> None:
+        """Picture, number and name, best score and rank."""
+        theme, unit = canvas.theme, canvas.unit
+        draw_focus(canvas, box, focused=focused, resting=True)
+        margin = round(unit * _CARD_MARGIN)
+        side = max(box.width - 2 * margin, 1)
+        hole = pygame.Rect(box.left + margin, box.top + margin, side, side)
+        draw_box(canvas.surface, hole, unit * 0.3, theme.panel)
+        picture = self.state.pictures.picture(self.level, side, theme)
+        if picture is not None:
+            picture.set_alpha(None if self.is_open else _LOCKED)
+            canvas.surface.blit(picture, hole)
+            picture.set_alpha(None)
+        if not self.is_open:
+            lock = pygame.Rect(0, 0, round(unit * 3.0), round(unit * 3.0))
+            lock.center = hole.center
+            draw_lock(canvas, lock, theme.text)
+        colour = theme.accent if focused else theme.text if self.is_open else theme.faint
+        left, room = complex(hole.left, hole.bottom + unit * 0.25), float(side)
+        name = f"{self.number}  {self.level.name}" if self.number else self.level.name
+        write_fitting(canvas, name, 1.05, colour, left, "topleft", room)
+        foot = hole.bottom + unit * 1.55
+        if self.best is not None:
+            canvas.write(f"{self.best.score:,}", 0.95, theme.faint, complex(hole.left, foot))
+            _draw_rank(canvas, RANKS[self.best.rank], complex(hole.right, foot + unit * 0.35))
+
+    def accepted(self, panel: Screen) -> Screen | None:
+        """Begin it, if that is allowed."""
+        return self.chosen() if self.is_open else panel
+
+
+class LevelSelect(Panel):
+    """All levels, in chapters."""
+
+    def __init__(self, state: AppState, under: Screen) -> None:
+        """Open over a screen, at the level to be played next."""
+        super().__init__(state, under)
+        self._shows_next = True
+        self._own = state.own_levels()
+
+    @property
+    def looks(self) -> tuple[object, ...]:
+        """The choices above the levels are kept elsewhere."""
+        return *super().looks, self.state.difficulty, self.state.two_players
+
+    def content(self) -> Content:
+        """The difficulty, and the chapters."""
+        state = self.state
+        rows: list[Row] = [(difficulty_choice(state), players_choice(state))]
+        cards = [self._card(index) for index in range(len(state.catalogue))]
+        for chapter, group in groupby(cards, key=lambda card: chapter_of(card.level)):
+            found = list(group)
+            finished = len([card for card in found if state.kept.progress.value.finished(card.level.name)])
+            note = tr("{finished} of {count} finished").format(finished=finished, count=len(found))
+            rows.append((Heading(chapter or tr("Levels"), note),))
+            for start in range(0, len(found), _COLUMNS):
+                row: list[Item] = list(found[start : start + _COLUMNS])
+                rows.append((*row, *[Item()] * (_COLUMNS - len(row))))
+        return Content(tr("Levels"), (*rows, *self._own_rows()), width=48.0)
+
+    def first(self) -> Focus | None:
+        """The level to be played next."""
+        wanted = next_level(self.state) + 1
+        for number, row in enumerate(self.content().body):
+            for column, item in enumerate(row):
+                if isinstance(item, Card) and item.number == wanted:
+                    return Focus(number, column)
+        return None
+
+    def advance(self, _seconds: float, size: tuple[int, int]) -> Screen | None:
+        """Draw one more picture, if one is missing."""
+        if self._shows_next:
+            self._shows_next = False
+            self._settled(self._laid(size))
+            self._show_focus(size)
+        if self.state.pictures.next_frame():
+            self._changes += 1
+        return self
+
+    def _card(self, index: int) -> Card:
+        """A level's card."""
+        state, level = self.state, self.state.catalogue[index]
+        progress, names = state.kept.progress.value, [level.name for level in state.catalogue]
+        best, is_open = progress.best(level.name, state.difficulty), progress.is_open(index, names)
+        tip = level.description if is_open else tr("Finish {level} to open this one.").format(level=names[index - 1])
+        if best is not None:
+            words = tr("Best at {difficulty}: {score} points, rank {rank}, {time}")
+            told = words.format(
+                difficulty=difficulty_name(state.difficulty),
+                score=f"{best.score:,}",
+                rank=RANKS[best.rank],
+                time=clock(best.ticks),
+            )
+            tip = f"{tip} {told}"
+        return Card(state, level, index + 1, best, is_open, lambda: self._begun(index), tip)
+
+    def _own_rows(self) -> tuple[Row, ...]:
+        """The player's own levels, and the way into the editor; nothing where there is no editor."""
+        if self.state.open_editor is None:
+            return ()
+        note = tr("{count} files cannot be read").format(count=len(self._own.problems)) if self._own.problems else ""
+        cards: list[Item] = [self._own_card(level, path) for level, path in zip(self._own.levels, self._own.paths, strict=True)]
+        rows: list[Row] = [(Heading(tr("Your own levels"), note),)]
+        for start in range(0, len(cards), _COLUMNS):
+            row = cards[start : start + _COLUMNS]
+            rows.append((*row, *[Item()] * (_COLUMNS - len(row))))
+        tip = tr("Opens the editor. Your levels are files in a folder of their own.")
+        return (*rows, (Button(tr("Make a new level"), lambda: self._edited(None), tip=tip, centred=True),))
+
+    def _own_card(self, level: Level, path: Path) -> Card:
+        """A level of the player's."""
+        best = self.state.kept.progress.value.best(record_name(level), self.state.difficulty)
+        entries = (
+            Entry(tr("Play"), lambda: PlayScreen(self.state, (level,))),
+            Entry(tr("Edit"), lambda: self._edited(path)),
+            Entry(tr("Back"), lambda: self),
+        )
+
+        def chosen() -> Screen:
+            return Menu(self.state, self, level.name, (path.name,), entries, back=lambda: self)
+
+        return Card(self.state, level, 0, best, is_open=True, chosen=chosen, tip=level.description or path.name)
+
+    def _edited(self, path: Path | None) -> Screen:
+        """The editor, which leads back to a new choice of levels."""
+        state = self.state
+        if state.open_editor is None:
+            return self
+        try:
+            return state.open_editor(state, lambda: LevelSelect(state, self._under or self), path)
+        except BadInputError as error:
+            state.toast = Toast(str(error))
+            return self
+
+    def _begun(self, index: int) -> Screen:
+        """The campaign from a level on."""
+        self.state.chosen = index
+        return PlayScreen(self.state, self.state.catalogue[index:])
+
+
+def next_level(state: AppState) -> int:
+    """Index of the first level that is open and was not finished yet; the one chosen last where all are finished."""
+    progress, names = state.kept.progress.value, [level.name for level in state.catalogue]
+    for index, name in enumerate(names):
+        if not progress.finished(name) and progress.is_open(index, names):
+            return max(index, state.chosen if progress.is_open(state.chosen, names) else 0)
+    return state.chosen
+
+
+def chapter_of(level: Level) -> str:
+    """The chapter that a level belongs to; empty for none."""
+    return str(getattr(level, "chapter", ""))
+
+
+def clock(ticks: int) -> str:
+    """Ticks as minutes and seconds."""
+    seconds = ticks // 240
+    return f"{seconds // 60}:{seconds % 60:02}"
+
+
+def _draw_rank(canvas: Canvas, rank: str, right: complex) -> None:
+    """A rank's letter on a small plate. right: pixel at the middle of its right edge."""
+    theme, unit = canvas.theme, canvas.unit
+    plate = pygame.Rect(0, 0, round(unit * 1.3), round(unit * 1.2))
+    plate.midright = (round(right.real), round(right.imag))
+    best = rank == RANKS[-1]
+    draw_box(canvas.surface, plate, unit * 0.3, theme.accent if best else theme.panel_edge)
+    canvas.write(rank, 1.0, theme.panel if best else theme.text, complex(*plate.center), "center")

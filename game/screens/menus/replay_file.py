@@ -1,0 +1,20 @@
+"""A finished game's file on the screen."""
+
+from game.language import tr
+from game.replays.file import load
+from game.replays.playback import Playback
+from game.screens.app_state import AppState
+from game.screens.base import Screen
+from game.screens.watch import Watch
+from game.system.errors import BadInputError
+
+
+def opened_replay(state: AppState, under: Screen, name: str) -> Screen | str:
+    """A finished game to be watched, or in one line why that cannot be. name: of its file; under: where it leads back to."""
+    folder = state.kept.games.folder
+    if folder is None:
+        return tr("This game was not kept.")
+    try:
+        return Watch(state, Playback(load(folder / name)), lambda: under)
+    except BadInputError as error:
+        return str(error).removeprefix(f"{folder}/")

@@ -1,0 +1,141 @@
+"""The finished games: to be watched, renamed, kept, copied or deleted."""
+
+from collections.abc import Callable
+from pathlib import Path
+
+import msgspec
+import platformdirs
+
+from game.kept.games import MOST, KeptGame
+from game.language import tr
+from game.overlay.toast import Toast
+from game.screens.base import Screen
+from game.screens.menus.difficulty import difficulty_name
+from game.screens.menus.level_select import clock
+from game.screens.menus.replay_file import opened_replay
+from game.screens.toolkit.items import Cells, Item, Text
+from game.screens.toolkit.layout import Content
+from game.screens.toolkit.menu import Entry, Menu, back_row
+from game.screens.toolkit.panel import Panel
+from game.screens.toolkit.text_entry import TextEntry
+
+_SHARES = ((4.2, "left"), (3.4, "left"), (1.8, "right"), (1.2, "right"), (1.4, "centre"))
+"""The columns: parts of the width, and where their words stand."""
+_LONGEST_TITLE, _LONGEST_PATH = 40, 240
+_TOLD_SECONDS = 5.0
+"""How long a path is told: it takes time to read."""
+
+
+class Replays(Panel):
+    """The list of games, newest first."""
+
+    def content(self) -> Content:
+        """A line for every game."""
+        rows: list[tuple[Item, ...]] = [(Text(_rule(), 1.0, faint=True),)]
+        games = self.state.kept.games.listed()
+        if games:
+            heads = (tr("Game"), tr("Until"), tr("Score"), tr("Time"), tr("Kept"))
+            cells = tuple([(word, *column) for word, column in zip(heads, _SHARES, strict=True)])
+            rows.append((Cells(cells, faint=True),))
+        else:
+            rows.append((Text(tr("None yet: a game is kept at its end if it took five seconds or more."), 1.1),))
+        rows += [(self._line(game),) for game in games]
+        footer = back_row(tr("Back"), self.back)
+        return Content(tr("Replays"), tuple(rows), footer, width=44.0)
+
+    def _line(self, game: KeptGame) -> Cells:
+        """A game's line."""
+        until = tr("the end") if game.won else game.last
+        words = (
+            game.title or game.date,
+            until,
+            f"{game.score:,}" if game.ticks else "",
+            clock(game.ticks) if game.ticks else "",
+            tr("yes") if game.kept else "",
+        )
+        cells = tuple([(word, *column) for word, column in zip(words, _SHARES, strict=True)])
+        return Cells(cells, lambda: self._menu(game), tr("Watch, rename, keep, copy or delete it."))
+
+    def _menu(self, game: KeptGame) -> Screen:
+        """What can be done with a game."""
+        lines = [f"{game.date}   {_played(game)}".strip()]
+        keep = tr("Let it go with the oldest") if game.kept else tr("Keep it")
+        entries = (
+            Entry(tr("Watch"), lambda: self._watched(game)),
+            Entry(tr("Rename"), lambda: self._rename(game)),
+            Entry(keep, lambda: self._changed(msgspec.structs.replace(game, kept=not game.kept))),
+            Entry(tr("Copy to a folder"), lambda: self._export(game)),
+            Entry(tr("Delete"), lambda: self._delete(game)),
+            Entry(tr("Back"), lambda: self),
+        )
+        return Menu(self.state, self, game.title or tr("Replay"), tuple(lines), entries, back=lambda: self)
+
+    def _watched(self, game: KeptGame) -> Screen:
+        """The game on the screen; where it cannot be had, a word about it."""
+        opened = opened_replay(self.state, self, game.file)
+        return self._told(opened) if isinstance(opened, str) else opened
+
+    def _rename(self, game: KeptGame) -> Screen:
+        """Enter a title; a game that has one is kept."""
+
+        def done(title: str) -> Screen:
+            return self._changed(msgspec.structs.replace(game, title=title, kept=game.kept or bool(title)))
+
+        return TextEntry(self.state, self, tr("Title of this game"), game.title, _LONGEST_TITLE, done)
+
+    def _export(self, game: KeptGame) -> Screen:
+        """Enter a folder, and copy the file there."""
+
+        def done(folder: str) -> Screen:
+            try:
+                path = self.state.kept.games.export(game, Path(folder).expanduser())
+            except (OSError, RuntimeError, ValueError) as error:
+                return self._told(tr("Not copied: {reason}").format(reason=getattr(error, "strerror", None) or error))
+            return self._told(tr("Copied to {path}").format(path=path))
+
+        return TextEntry(self.state, self, tr("Folder to copy it to"), _share_folder(), _LONGEST_PATH, done)
+
+    def _delete(self, game: KeptGame) -> Screen:
+        """Ask first; the safe answer is selected."""
+
+        def deleted() -> Screen:
+            problem = self.state.kept.games.delete(game)
+            self._changes += 1
+            return self if problem is None else self._told(problem)
+
+        entries = (Entry(tr("Keep it"), lambda: self), Entry(tr("Delete"), deleted))
+        line = tr("Its file is removed for good.")
+        if game.file in self.state.kept.needed():
+            line = tr("A score or a best refers to it and could not be verified any more.")
+        return Menu(self.state, self, tr("Delete this game?"), (line,), entries, back=lambda: self)
+
+    def _changed(self, game: KeptGame) -> Screen:
+        """Back to the list, which says something else about a game."""
+        self.state.kept.games.change(game)
+        self._changes += 1
+        return self
+
+    def _told(self, words: str) -> Screen:
+        """Back to the list with some words."""
+        self.state.toast = Toast(words, left=_TOLD_SECONDS)
+        return self
+
+
+def _rule() -> str:
+    """Which games stay."""
+    return tr("The last {count} games are here, and those that you keep or that a score refers to.").format(count=MOST)
+
+
+def _played(game: KeptGame) -> str:
+    """What was played, in words."""
+    words = [game.first if game.first == game.last else f"{game.first} - {game.last}"] if game.first else []
+    return ", ".join([word for word in (*words, difficulty_name(game.difficulty)) if word])
+
+
+def _share_folder() -> str:
+    """The folder that is offered: the user's documents."""
+    finder: Callable[[], str] = platformdirs.user_documents_dir
+    try:
+        return finder()
+    except (OSError, RuntimeError):
+        return ""

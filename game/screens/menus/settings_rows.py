@@ -1,0 +1,153 @@
+"""What can be set: the rows of every part of the settings, what each means, and what using it does."""
+
+from collections.abc import Callable
+from typing import NamedTuple
+
+from game.effects import MOVING, PLAIN, EffectKind
+from game.language import tr
+from game.rules import Rank
+from game.screens.app_state import AppState
+from game.screens.base import Screen
+from game.screens.menus.access_rows import access_rows
+from game.screens.menus.control_rows import control_rows
+from game.screens.toolkit.items import Choice, Heading, Slider, Switch
+from game.screens.toolkit.layout import Row
+from game.settings.values import LOUDEST, VOLUME_STEP, Settings
+from game.unlocks import BALLS, TRAILS, Condition, Feat, ball_names, trail_names, unlocked
+
+
+class Part(NamedTuple):
+    """A part of the settings. name: in the player's language; rows: as they are now, on a panel."""
+
+    name: Callable[[], str]
+    rows: Callable[[AppState, Screen], tuple[Row, ...]]
+
+
+def effect_names() -> dict[EffectKind, tuple[str, str]]:
+    """What every effect is called, and what it is."""
+    return {
+        EffectKind.TRAIL: (tr("Ball trail"), tr("Where the ball has just been; it grows warmer with every brick in a row.")),
+        EffectKind.FLASH: (tr("Flashes"), tr("What is struck lights up.")),
+        EffectKind.RING: (tr("Ring light"), tr("Light runs around a ring when one of its bricks breaks.")),
+        EffectKind.SHARDS: (tr("Shards"), tr("Bricks break into pieces of their colour.")),
+        EffectKind.SPARKS: (tr("Sparks"), tr("Steel and paddles give off sparks; a lost ball bursts.")),
+        EffectKind.RECOIL: (tr("Paddle recoil"), tr("A struck paddle gives way and springs back.")),
+        EffectKind.FALLING: (tr("Falling stacks"), tr("In 3D, the rest of a stack comes down and bounces.")),
+        EffectKind.POINTS: (tr("Points"), tr("Points rise where they are made, larger the longer the row.")),
+        EffectKind.COMBO: (tr("Combo counter"), tr("The counter of bricks in a row springs with every brick.")),
+        EffectKind.WAVES: (tr("Waves"), tr("Circles run over the ground when a level begins or ends, or a ball is lost.")),
+        EffectKind.SHAKE: (tr("Shake"), tr("Great moments shake the arena.")),
+        EffectKind.DEPTH: (tr("Light and shadow"), tr("The arena has depth: bricks throw shadows, the rim glows.")),
+        EffectKind.LIGHTS: (tr("Lights"), tr("What is struck throws light on the arena, and balls shine.")),
+        EffectKind.SWIRL: (tr("Swirls"), tr("Gravity wells turn, power-ups float.")),
+        EffectKind.ENTRY: (tr("Entry"), tr("The wall is built up when a level begins.")),
+        EffectKind.SLOW_MOTION: (tr("Slow motion"), tr("Time slows down before the last brick breaks.")),
+        EffectKind.HIT_STOP: (tr("Hit-stop"), tr("On great moments the game holds its breath for a tenth of a second.")),
+    }
+
+
+def _switch(state: AppState, label: str, field: str, tip: str) -> Switch:
+    """A setting that is on or off. field: of `Settings`."""
+    on = bool(getattr(state.settings, field))
+
+    def turned() -> None:
+        state.change(Settings(**{**state.settings._asdict(), field: not on}))
+
+    return Switch(label, on, turned, tip, (tr("off"), tr("on")))
+
+
+def _picture(state: AppState, _panel: Screen) -> tuple[Row, ...]:
+    """Colours and motion."""
+    names = {"dark": tr("Dark"), "light": tr("Light")}
+    keys = list(names)
+
+    def choose(index: int) -> None:
+        state.change(state.settings._replace(colours=keys[index]))
+
+    def switch_full_screen() -> None:
+        state.wants_full_screen = not state.full_screen
+
+    colours = Choice(
+        tr("Colours"), tuple(names.values()), keys.index(state.settings.colours), choose, tr("T changes them at any time.")
+    )
+    screen = Switch(
+        tr("Full screen"), state.full_screen, switch_full_screen, tr("F11 changes it at any time."), (tr("off"), tr("on"))
+    )
+    motion = tr("No shake, flashes, waves or hit-stop, the camera cuts instead of gliding, and the title stands still.")
+    return (
+        (colours,),
+        (screen,),
+        (_switch(state, tr("Reduced motion"), "reduced_motion", motion),),
+        (_switch(state, tr("Ghost"), "ghost", tr("Pale outlines show your best run of the level beside you.")),),
+        (_unlockable(state, tr("Ball"), "ball", BALLS, ball_names()),),
+        (_unlockable(state, tr("Trail"), "trail", TRAILS, trail_names()),),
+    )
+
+
+def _unlockable(state: AppState, label: str, field: str, conditions: dict[str, Condition], names: dict[str, str]) -> Choice:
+    """A choice among what the player has earned. field: of `Settings`; what it holds stays, even if not earned any more."""
+    now = str(getattr(state.settings, field))
+    feats = [Feat(best.level, best.score, Rank(best.rank)) for best in state.kept.progress.value.bests]
+    earned = unlocked(conditions, feats)
+    open_ones = [name for name in conditions if name in earned or name == now]
+    following = next((name for name in conditions if name not in earned), None)
+    tip = tr("All are yours.") if following is None else f"{names[following]}: {conditions[following].text}"
+
+    def choose(index: int) -> None:
+        state.change(Settings(**{**state.settings._asdict(), field: open_ones[index]}))
+
+    return Choice(label, tuple([names[name] for name in open_ones]), open_ones.index(now), choose, tip)
+
+
+def _effects(state: AppState, _panel: Screen) -> tuple[Row, ...]:
+    """One switch for all, and one for each, in two columns."""
+    tip = tr("All that is listed below, but for the trail; E turns them off and on at any time.")
+    items = [_effect(state, kind, *words) for kind, words in effect_names().items()]
+    pairs: list[Row] = [tuple(items[first : first + 2]) for first in range(0, len(items), 2)]
+    return ((_switch(state, tr("Effects"), "effects", tip),), (Heading(tr("One by one")),), *pairs)
+
+
+def _effect(state: AppState, kind: EffectKind, label: str, tip: str) -> Switch:
+    """The switch of one effect. It is overruled where it is wanted but not seen all the same."""
+    settings, why = state.settings, ""
+    on = kind not in settings.off
+    if on and not settings.effects and kind not in PLAIN:
+        why = tr("Off now: effects are.")
+    elif on and settings.reduced_motion and kind in MOVING:
+        why = tr("Off now: reduced motion.")
+    words = (tr("off"), tr("on"))
+    return Switch(label, on, lambda: state.change(state.settings.toggled(kind)), f"{tip} {why}".strip(), words, bool(why))
+
+
+def _sound(state: AppState, _panel: Screen) -> tuple[Row, ...]:
+    """Loudness of all sounds, and of the music beside them."""
+
+    def step_music(steps: int) -> None:
+        put_music(state.settings.music / LOUDEST + steps * VOLUME_STEP / LOUDEST)
+
+    def put_music(level: float) -> None:
+        state.change(state.settings._replace(music=round(min(max(level, 0.0), 1.0) * LOUDEST)))
+
+    def step(steps: int) -> None:
+        state.change(state.settings.louder(steps))
+
+    def put(level: float) -> None:
+        state.change(state.settings._replace(volume=round(level * LOUDEST)))
+
+    volume, music = state.settings.volume, state.settings.music
+    music_tip = tr("Beside all other sounds; it grows with every brick in a row and with the last bricks of a level.")
+    tip = tr("Left and right change it; so do - and = at any time.")
+    return (
+        (_switch(state, tr("Sound"), "sound", tr("M turns it off and on at any time.")),),
+        (Slider(tr("Volume"), volume / LOUDEST, f"{volume} %", step, put, tip),),
+        (Slider(tr("Music"), music / LOUDEST, f"{music} %", step_music, put_music, music_tip),),
+    )
+
+
+PARTS = (
+    Part(lambda: tr("Picture"), _picture),
+    Part(lambda: tr("Effects"), _effects),
+    Part(lambda: tr("Sound"), _sound),
+    Part(lambda: tr("Keys"), control_rows),
+    Part(lambda: tr("Access"), access_rows),
+)

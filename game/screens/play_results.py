@@ -1,0 +1,115 @@
+"""The panels after a level and after a game: figures, and where to go on; a high score is entered on the way."""
+
+import time
+from collections.abc import Callable
+from typing import Protocol
+
+import msgspec
+
+from game.kept.progress import RANKS, Best
+from game.kept.scores import LONGEST_NAME, Score
+from game.language import tr
+from game.rules import Game, Phase
+from game.screens.app_state import AppState
+from game.screens.base import Screen
+from game.screens.menus.high_scores import HighScores
+from game.screens.menus.results import Figure, Results
+from game.screens.play_record import PlayRecord
+from game.screens.toolkit.menu import Entry
+from game.screens.toolkit.text_entry import TextEntry
+
+
+class Played(Screen, Protocol):
+    """A game on the screen, as far as its results lead back to it."""
+
+    def went_on(self) -> Screen:
+        """The game, with the next level at once."""
+
+    def again(self) -> Screen:
+        """A new game at the level that was played last."""
+
+    def restarted(self) -> Screen:
+        """A new game at the level where this one began."""
+
+
+def clock(ticks: int) -> str:
+    """Ticks as minutes, seconds and tenths."""
+    tenths = ticks * 10 // 240
+    return f"{tenths // 600}:{tenths // 10 % 60:02}.{tenths % 10}"
+
+
+def level_results(state: AppState, play: Played, game: Game, record: PlayRecord) -> Results:
+    """After a level: its figures, and the next one."""
+    result = game.results[-1]
+    before = record.before
+    following = game.levels[game.number + 1].name
+    entries = (
+        Entry(tr("Next: {level}").format(level=following), play.went_on),
+        Entry(tr("All levels"), state.levels),
+    )
+    figures = (
+        Figure(tr("Points"), result.score, best=_is_better(before, result.score)),
+        Figure(tr("Time"), result.ticks, clock, best=before is not None and result.ticks < before.ticks),
+        Figure(tr("Best combo"), result.best_combo),
+        Figure(tr("Balls lost"), result.balls_lost),
+        Figure(tr("Score so far"), game.score),
+    )
+    rank = RANKS[int(result.rank)]
+    return Results(state, play, tr("Level cleared"), game.level.name, figures, entries, rank, back=play.went_on)
+
+
+def game_results(state: AppState, play: Played, game: Game, record: PlayRecord) -> Screen:
+    """After a game: its figures; the name of who made a high score; and how to go on."""
+    kept_game = state.kept.game_done() if record.counts else None
+    won = game.phase == Phase.WON
+    tally = game.statistics.game
+    figures = (
+        Figure(tr("Score"), game.score),
+        Figure(tr("Levels cleared"), len(game.results)),
+        Figure(tr("Bricks"), tally.bricks),
+        Figure(tr("Best combo"), tally.best_combo),
+        Figure(tr("Balls lost"), tally.balls_lost),
+        Figure(tr("Time"), game.tick, clock),
+    )
+    title = tr("You won") if won else tr("Game over")
+    line = tr("Every level is cleared.") if won else tr("The last ball is gone in {level}.").format(level=game.level.name)
+    entries = _after_game(state, play, game)
+    menu = Results(state, play, title, line, figures, entries, back=lambda: state.open_title(state))
+    difficulty = state.difficulty
+    if not record.ranked or not state.kept.scores.value.qualifies(game.score, difficulty):
+        return menu
+    score = Score(
+        "", game.score, difficulty, game.levels[0].name, game.level.name, won, record.speed, time.strftime("%Y-%m-%d")
+    )
+    if kept_game is not None:
+        score = msgspec.structs.replace(score, replay=kept_game.file, sha256=kept_game.sha256)
+    entered = Entry(tr("Enter your name"), _name_entry(state, play, score, entries))
+    return Results(state, play, title, line, figures, (entered, *entries), back=lambda: state.open_title(state))
+
+
+def _after_game(state: AppState, play: Played, game: Game) -> tuple[Entry, ...]:
+    """Where to go after a game."""
+    again = Entry(tr("This level again"), play.again)
+    first = Entry(tr("From the first level"), play.restarted)
+    begin = (first,) if game.phase == Phase.WON else (again, first) if game.number else (again,)
+    return (*begin, Entry(tr("All levels"), state.levels), Entry(tr("Title"), lambda: state.open_title(state)))
+
+
+def _name_entry(state: AppState, play: Played, score: Score, entries: tuple[Entry, ...]) -> Callable[[], Screen]:
+    """Opens the entry of the name; then the table with the new line, and from there on as after any game."""
+
+    def opened() -> Screen:
+        title = tr("A high score: {score}").format(score=f"{score.score:,}")
+        return TextEntry(state, play, title, state.kept.scores.value.last_name, LONGEST_NAME, done)
+
+    def done(name: str) -> Screen:
+        entered = msgspec.structs.replace(score, name=name)
+        state.kept.enter(entered)
+        return HighScores(state, play, entered, entries)
+
+    return opened
+
+
+def _is_better(before: Best | None, score: int) -> bool:
+    """Whether a score is higher than the best before; the first of all is not called so."""
+    return before is not None and score > before.score

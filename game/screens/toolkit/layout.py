@@ -1,0 +1,159 @@
+"""Where the items of a panel are: title, tabs, a body of rows that scrolls where it is too long, a footer, and a tip."""
+
+from typing import NamedTuple
+
+import pygame
+
+from game.drawing.text import Type
+from game.screens.toolkit.items import Item
+from game.screens.toolkit.plate import centred
+
+Row = tuple[Item, ...]
+
+# Lengths are in units of text.
+MARGIN = 1.6
+"""From the plate's edges to what is on it."""
+TOP, TITLE, TITLE_GAP = 1.1, 2.2, 0.9
+"""From the plate's upper edge to the title, size of its letters, and from them down to what follows."""
+TABS, TABS_GAP = 2.0, 0.6
+"""Height of the tabs' heads, and below them."""
+_ROW_GAP, _COLUMN_GAP = 0.25, 0.7
+"""Between two rows, and between two items of one."""
+_FOOTER_GAP, _BOTTOM = 0.7, 1.2
+"""Above the footer, and below all."""
+TIP, TIP_LINES, _TIP_GAP = 1.0, 2, 0.5
+"""Size of the tip's letters, lines of it, and above it."""
+LINE = 1.25
+"""From line to line, in sizes of the letters."""
+_SCREEN_MARGIN = 0.6
+"""From the plate to the edges of the surface, at least."""
+BAR = 0.45
+"""Width of the scroll bar."""
+_BAR_ROOM = 1.1
+CLOSE = 1.9
+"""Side of the button in the upper right corner."""
+
+
+class Content(NamedTuple):
+    """What a panel shows.
+
+    title: over all. body: rows of items, which scroll where they are too many. footer: rows that stay.
+    tabs: names of the panel's parts; tab: index of the one that is shown.
+    width: of the plate, units; less where the surface is narrower. centred: the title.
+    tall: units, height of the body that the plate's upper edge is put for: it stays from tab to tab.
+    tips: whether room is left for a tip even where no item has one.
+    """
+
+    title: str
+    body: tuple[Row, ...]
+    footer: tuple[Row, ...] = ()
+    tabs: tuple[str, ...] = ()
+    tab: int = 0
+    width: float = 40.0
+    centred: bool = False
+    tall: float = 0.0
+    tips: bool = False
+
+
+class Spot(NamedTuple):
+    """An item and its box. box: pixels. row, column: counted from 0 over body and footer; in_body: whether it scrolls."""
+
+    item: Item
+    box: pygame.Rect
+    row: int
+    column: int
+    in_body: bool
+
+
+class Laid(NamedTuple):
+    """A panel's content, laid out. All in pixels.
+
+    plate: the whole. close: the button that leads back. tabs: the tabs' heads. body: what is seen of it.
+    spots: all items; those of the body where the scrolling puts them. tip: where words about the focused item stand.
+    over: how far the body can be scrolled.
+    """
+
+    plate: pygame.Rect
+    close: pygame.Rect
+    tabs: tuple[pygame.Rect, ...]
+    body: pygame.Rect
+    spots: tuple[Spot, ...]
+    tip: pygame.Rect
+    over: int
+
+
+def laid_out(content: Content, area: pygame.Rect, type_: Type, unit: float, scroll: float) -> Laid:
+    """Everything in its position. area: that the plate may take; unit: size of text; scroll: of the body. All in pixels."""
+    free = area.inflate(-round(2.0 * _SCREEN_MARGIN * unit), -round(2.0 * _SCREEN_MARGIN * unit))
+    width = min(round(content.width * unit), free.width)
+    inner = max(round(width - 2.0 * MARGIN * unit), 1)
+    footer = sum([_row_height(row, type_, unit, inner) for row in content.footer])
+    has_tip = content.tips or any([item.tip for row in (*content.body, *content.footer) for item in row])
+    head = (TOP + (TITLE + TITLE_GAP if content.title else 0.0) + (TABS + TABS_GAP if content.tabs else 0.0)) * unit
+    foot = (_BOTTOM + (_FOOTER_GAP if content.footer else 0.0)) * unit + footer
+    foot += (TIP * LINE * TIP_LINES + _TIP_GAP) * unit if has_tip else 0.0
+    wanted = sum([_row_height(row, type_, unit, inner) for row in content.body])
+    room = max(free.height - head - foot, unit)
+    if wanted > room:
+        inner = max(round(inner - _BAR_ROOM * unit), 1)
+        wanted = sum([_row_height(row, type_, unit, inner) for row in content.body])
+    seen = min(wanted, room)
+    plate = centred(area.size, width, head + seen + foot).move(area.topleft)
+    if content.tall:
+        plate.top = centred(area.size, width, head + min(max(wanted, content.tall * unit), room) + foot).top + area.top
+    left = plate.left + round(MARGIN * unit)
+    body = pygame.Rect(left, round(plate.top + head), inner, round(seen))
+    over = max(round(wanted - seen), 0)
+    spots = _spots(content.body, type_, unit, (left, body.top - min(scroll, over), inner), (0, True))
+    footer_top = plate.bottom - round(_BOTTOM * unit + footer)
+    whole = max(round(width - 2.0 * MARGIN * unit), 1)
+    below = _spots(content.footer, type_, unit, (left, footer_top, whole), (len(content.body), False))
+    tip_top = body.bottom + round(_TIP_GAP * unit)
+    tip = pygame.Rect(left, tip_top, whole, round(TIP * LINE * TIP_LINES * unit) if has_tip else 0)
+    close = pygame.Rect(0, 0, round(CLOSE * unit), round(CLOSE * unit))
+    close.topright = (round(plate.right - 0.7 * unit), round(plate.top + 0.7 * unit))
+    tabs = _tabs(content.tabs, type_, unit, (left, round(body.top - (TABS + TABS_GAP) * unit), whole))
+    return Laid(plate, close, tabs, body, (*spots, *below), tip, over)
+
+
+def _row_height(row: Row, type_: Type, unit: float, width: float) -> float:
+    """Height of a row with the gap below it, pixels."""
+    widths = _widths(row, unit, width)
+    return unit * (
+        max([item.height(type_, unit, wide) for item, wide in zip(row, widths, strict=True)], default=0.0) + _ROW_GAP
+    )
+
+
+def _widths(row: Row, unit: float, width: float) -> list[float]:
+    """Widths of the items of a row, pixels."""
+    total = sum([item.share for item in row])
+    room = max(width - _COLUMN_GAP * unit * (len(row) - 1), 1.0)
+    return [room * item.share / total for item in row]
+
+
+def _spots(
+    rows: tuple[Row, ...], type_: Type, unit: float, start: tuple[int, float, float], first: tuple[int, bool]
+) -> list[Spot]:
+    """Rows of items below each other. start: left, top and width; first: number of the first row, and whether it scrolls."""
+    left, y, width = start
+    spots = []
+    for number, row in enumerate(rows, first[0]):
+        tall, x = _row_height(row, type_, unit, width), float(left)
+        for column, (item, wide) in enumerate(zip(row, _widths(row, unit, width), strict=True)):
+            box = pygame.Rect(round(x), round(y), round(wide), round(tall - _ROW_GAP * unit))
+            spots.append(Spot(item, box, number, column, first[1]))
+            x += wide + _COLUMN_GAP * unit
+        y += tall
+    return spots
+
+
+def _tabs(names: tuple[str, ...], type_: Type, unit: float, start: tuple[int, int, int]) -> tuple[pygame.Rect, ...]:
+    """The tabs' heads: as wide as their words, narrower where there is no room. start: left, top and width."""
+    left, top, width = start
+    wanted = [type_.rendered(name, unit * 1.15, (0, 0, 0)).get_width() + 1.4 * unit for name in names]
+    shrunk = min(width / max(sum(wanted), 1.0), 1.0)
+    boxes, x = [], float(left)
+    for wide in wanted:
+        boxes.append(pygame.Rect(round(x), top, round(wide * shrunk), round(TABS * unit)))
+        x += wide * shrunk
+    return tuple(boxes)

@@ -1,0 +1,93 @@
+"""A panel to enter a line of text: typed on a keyboard, or letter by letter with mouse, touch or gamepad."""
+
+from collections.abc import Callable
+
+import pygame
+
+from game.drawing.canvas import Canvas
+from game.drawing.raster.primitives import draw_box
+from game.language import tr
+from game.screens.app_state import AppState
+from game.screens.base import Screen
+from game.screens.toolkit.focus import Focus
+from game.screens.toolkit.items import Button, Drawing, Item
+from game.screens.toolkit.layout import Content, Row
+from game.screens.toolkit.panel import Panel
+from game.screens.toolkit.plate import write_fitting
+
+_LETTERS = ("ABCDEFGHIJ", "KLMNOPQRST", "UVWXYZ-_.!", "0123456789")
+_NAVIGATION = frozenset(
+    {pygame.K_UP, pygame.K_DOWN, pygame.K_LEFT, pygame.K_RIGHT, pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_ESCAPE}
+)
+"""Keys that keep their meaning while text is entered."""
+
+
+class TextEntry(Panel):
+    """A field and a small keyboard of buttons. Enter on a real keyboard accepts what is in the field."""
+
+    def __init__(
+        self, state: AppState, under: Screen, title: str, text: str, longest: int, done: Callable[[str], Screen | None]
+    ) -> None:
+        """Open with a text. longest: characters that it may have; done: the screen after it was accepted."""
+        super().__init__(state, under)
+        self._title, self._longest, self._done = title, longest, done
+        self.text = text[:longest]
+
+    def content(self) -> Content:
+        """The field, the letters, and what to do with them."""
+        keys: list[Row] = [(Drawing(2.6, self._draw_field),)]
+        keys += [tuple([Button(letter, self._typed(letter), centred=True) for letter in line]) for line in _LETTERS]
+        space = Button(tr("Space"), self._typed(" "), centred=True, width_share=2.0)
+        erase = Button(tr("Erase"), self._erase, centred=True)
+        keys.append((space, erase))
+        done = Button(tr("Done"), lambda: self._done(self.text.strip()), centred=True, large=True)
+        footer: tuple[tuple[Item, ...], ...] = ((done,),)
+        return Content(self._title, tuple(keys), footer, width=30.0)
+
+    def first(self) -> Focus | None:
+        """The button that accepts, so that one can type and press Enter."""
+        return Focus(len(_LETTERS) + 2, 0)
+
+    def typed(self, event: pygame.Event) -> bool:
+        """Take an event of the keyboard as text; whether it is one. Arrows, Enter and Esc mean what they mean everywhere."""
+        if event.type == pygame.TEXTINPUT:
+            self._type(str(event.text))
+            return True
+        if event.type != pygame.KEYDOWN or event.key in _NAVIGATION:
+            return False
+        if event.key == pygame.K_BACKSPACE:
+            self._erase()
+        return True
+
+    def _typed(self, letter: str) -> Callable[[], Screen | None]:
+        """What a button of the small keyboard does."""
+
+        def typed() -> Screen | None:
+            self._type(letter)
+            return self
+
+        return typed
+
+    def _type(self, text: str) -> None:
+        """Add to the field what can be read in one line."""
+        self.text = (self.text + "".join([letter for letter in text if letter.isprintable()]))[: self._longest]
+        self._changes += 1
+
+    def _erase(self) -> Screen | None:
+        """Take the last letter away."""
+        self.text = self.text[:-1]
+        self._changes += 1
+        return self
+
+    def _draw_field(self, canvas: Canvas, box: pygame.Rect) -> None:
+        """The text and where the next letter goes."""
+        theme, unit = canvas.theme, canvas.unit
+        draw_box(canvas.surface, box, unit * 0.4, theme.background, theme.panel_edge, unit * 0.08)
+        left = complex(box.left + unit * 0.7, box.centery)
+        shown = self.text[-60:]
+        end = (
+            write_fitting(canvas, shown, 1.6, theme.text, left, "midleft", box.width - unit * 2.0).right if shown else left.real
+        )
+        caret = pygame.Rect(round(end + unit * 0.15), 0, max(round(unit * 0.1), 1), round(unit * 1.5))
+        caret.centery = box.centery
+        pygame.draw.rect(canvas.surface, theme.accent, caret)

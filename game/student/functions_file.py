@@ -1,0 +1,185 @@
+"""A Python file of the player's own functions: asked in a child process, read again when it is saved."""
+
+import importlib.util
+import queue
+import time
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Self
+
+from game.language import tr
+from game.student.program import Limits, Lines, Reply, Student, Wait, next_line, parsed_answer, python_host
+from game.system.errors import BadInputError, CheckFailedError
+from game.system.wording import quoted_path
+
+OWN_LIMITS = Limits(answer=2.0, start=20.0, memory=1024)
+"""What a file may use that the game or the lab waits for."""
+_LOOK_EVERY = 1.0
+"""Seconds between two looks at whether the file was saved."""
+_LARGEST_FILE = 1 << 20
+"""Bytes."""
+_LISTED = 4
+"""Functions that are named; of more, the number."""
+
+
+class FunctionsFile:
+    """The functions of a file, as it was when it could last be read. Close it after use.
+
+    A file that cannot be read, or fails to run, leaves the functions that were there before; one that fails an answer has none
+    until it is saved again. Nothing of it raises: `problem` tells.
+
+    Attributes:
+        own: names of the source's functions that the file defines, and "advance" where it has one; empty where none answers.
+        problem: what is wrong, in one line that names the file's line where there is one; "" where nothing is.
+        broken: the first problem there ever was.
+    """
+
+    def __init__(
+        self,
+        path: Path,
+        limits: Limits = OWN_LIMITS,
+        wait: Wait = next_line,
+        clock: Callable[[], float] = time.monotonic,
+    ) -> None:
+        """Read the file. wait, clock: by the clock, unless a test decides.
+
+        BadInputError is raised for a file that is not there, EnvironmentMissingError where no Python can run it.
+        """
+        if not path.is_file():
+            raise BadInputError(f"--with {quoted_path(path)}: no such file")
+        self._path, self._limits, self._wait, self._clock = path.resolve(), limits, wait, clock
+        self._command = python_host(limits)
+        self.own: frozenset[str] = frozenset()
+        self.problem = self.broken = self._news = ""
+        self._student: Student | None = None
+        self._loading: tuple[Student, Lines, float] | None = None
+        self._stamp: tuple[int, int] | None = None
+        self._next_look = clock() + _LOOK_EVERY
+        self._load()
+        if self._loading is not None:
+            student, lines, _ = self._loading
+            self._loaded(student, self._wait(lines, limits.start))
+        self._news = ""
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, *_: object) -> None:
+        self.close()
+
+    @property
+    def name(self) -> str:
+        """The file's name."""
+        return self._path.name
+
+    @property
+    def note(self) -> str:
+        """One line that says whose functions answer."""
+        if self.problem and self._student is None:
+            return tr("{problem}; the slides' own functions answer until it is saved again").format(problem=self.problem)
+        if self.problem:
+            return tr("{problem}; the version before goes on").format(problem=self.problem)
+        if len(self.own) > _LISTED:
+            return tr("Your functions, from {file}: {count}; the rest is the slides'").format(
+                file=self.name, count=len(self.own)
+            )
+        names = ", ".join(sorted(self.own)) or tr("nothing yet")
+        return tr("Yours, from {file}: {functions}; the rest is the slides'").format(file=self.name, functions=names)
+
+    def refresh(self) -> str:
+        """Look at the file, at most once a second, and read it again if it was saved; news in a few words, "" for none.
+
+        It does not wait: what is being read answers at a later call.
+        """
+        if self._loading is not None:
+            student, lines, until = self._loading
+            try:
+                self._loaded(student, lines.get_nowait())
+            except queue.Empty:
+                if self._clock() > until:
+                    self._loaded(student, None)
+        elif self._clock() >= self._next_look:
+            self._next_look = self._clock() + _LOOK_EVERY
+            self._load()
+        news, self._news = self._news, ""
+        return news
+
+    def ask(self, name: str, arguments: Sequence[object]) -> object:
+        """The result of one question; None where there is none, and then nothing of the file answers until it is saved."""
+        if self._student is None:
+            return None
+        reply = self._student.ask(name, arguments)
+        if reply.problem is not None or not reply.defined:
+            self.reject(reply.problem or f"{name} is not there")
+            return None
+        return reply.result
+
+    def calls(self, calls: Sequence[tuple[str, Sequence[float]]], *, composed: bool = False) -> list[Reply]:
+        """The answers to calls of the source's functions, each with its flat list of numbers; one that fails has a problem.
+
+        composed: of the slides' functions with the file's in their place, so that every function has an answer.
+        """
+        answers = self.ask("composed" if composed else "calls", calls) if calls else []
+        if not isinstance(answers, list) or len(answers) != len(calls):
+            return [Reply(problem=self.problem)] * len(calls)
+        return [parsed_answer(answer) for answer in answers]
+
+    def reject(self, problem: str) -> None:
+        """Let nothing of the file answer until it is saved again. problem: why, without the file's name."""
+        self._tell(problem)
+        self.own = frozenset()
+        if self._student is not None:
+            self._student.close()
+            self._student = None
+
+    def check(self) -> None:
+        """Raise CheckFailedError where anything has been wrong with the file."""
+        if self.broken:
+            raise CheckFailedError(f"{self.broken}; from there on the slides' own functions answered")
+
+    def close(self) -> None:
+        """End the child process."""
+        for student in (self._student, None if self._loading is None else self._loading[0]):
+            if student is not None:
+                student.close()
+        self._student = self._loading = None
+
+    def _load(self) -> None:
+        """Begin to read the file, if it is another one than was last read."""
+        try:
+            found = self._path.stat()
+            if (found.st_mtime_ns, found.st_size) == self._stamp:
+                return
+            text = importlib.util.decode_source(self._path.read_bytes()[:_LARGEST_FILE])
+        except OSError:
+            return  # it is being replaced: the next look will find it
+        except (UnicodeDecodeError, SyntaxError) as error:
+            self._stamp = found.st_mtime_ns, found.st_size
+            self._tell(str(error))
+            return
+        self._stamp = found.st_mtime_ns, found.st_size
+        student = Student(self._command, self._limits, self._wait, self._path)
+        lines = student.send("load", [str(self._path), text])
+        self._loading = student, lines, self._clock() + self._limits.start
+
+    def _loaded(self, student: Student, line: bytes | None) -> None:
+        """Take the place of the version before with what was read, if it could be."""
+        self._loading = None
+        try:
+            reply = student.reply(line, self._limits.start)
+        except BadInputError as error:
+            reply = Reply(problem=str(error))
+        if reply.problem is not None or not isinstance(reply.result, list):
+            student.close()
+            self._tell(reply.problem or "not an answer")
+            return
+        if self._student is not None:
+            self._student.close()
+        self._student, self.own, self.problem = student, frozenset(map(str, reply.result)), ""
+        self._news = tr("{file}: read again").format(file=self.name)
+
+    def _tell(self, problem: str) -> None:
+        """Remember a problem."""
+        self.problem = f"{self.name}, {problem}" if problem.startswith("line ") else f"{self.name}: {problem}"
+        self.broken = self.broken or self.problem
+        self._news = ": ".join(self.problem.split(": ")[:2])  # where and what; `note` has the rest

@@ -1,0 +1,106 @@
+"""Light and shadow of the flat view, the ground's colours and its patterns."""
+
+import cmath
+import math
+import os
+
+os.environ["SDL_VIDEODRIVER"] = "dummy"
+
+import numpy as np
+import pygame
+import pytest
+
+from game.drawing.ground.colours import discs_of_ground, ground_colours
+from game.drawing.ground.patterns import NAMES, marks
+from game.drawing.painter import Painter
+from game.drawing.palette import DARK, LIGHT, luminance, without_depth
+from game.effects import NOTHING
+from game.input.view import FLAT, SOLID
+from game.scene import scene_at
+from tests.support.games import game_after
+from tests.support.pictures import canvas_of
+
+SIZE = (900, 700)
+THEMES = pytest.mark.parametrize("theme", [DARK, LIGHT], ids=["dark", "light"])
+
+
+def painted(theme, view=FLAT, **changes):
+    """The first level with single bricks before its serve, as an array of colours, its camera and its scene."""
+    scene = scene_at(game_after(0, 0)[0], 1.0, NOTHING)
+    single = (scene.layers[0], *[(1,) * ring.count for ring in scene.rings[1:]])
+    scene = scene._replace(aim=None, balls=(), layers=single, **changes)
+    canvas = canvas_of(scene, SIZE, view, theme)
+    Painter().paint(canvas, scene)
+    return pygame.surfarray.array3d(canvas.surface).astype(int), canvas.camera, scene
+
+
+def brightness(picture, camera, point):
+    """Of the pixel that a point of the ground falls into."""
+    pixel = camera.project(point)
+    return luminance(tuple(picture[math.floor(pixel.real), math.floor(pixel.imag)]))
+
+
+@THEMES
+def test_light_falls_from_the_centre(theme):
+    """A brick's inner edge is brighter than its middle, that than its outer edge; behind it the ground lies in its shadow."""
+    picture, camera, scene = painted(theme)
+    ring, pixel = scene.rings[1], 1.0 / camera.scale
+    for slot in range(ring.count):
+        out = cmath.exp(1j * ring.angle(slot))
+        radii = (ring.inner_radius + 1.5 * pixel, ring.radius, ring.outer_radius - 1.5 * pixel)
+        inner, middle, outer = (brightness(picture, camera, out * radius) for radius in radii)
+        assert inner > middle > outer
+        shaded = brightness(picture, camera, out * (ring.outer_radius + 2.0 * pixel))
+        assert shaded < 0.9 * brightness(picture, camera, out * (ring.outer_radius + 0.5))
+
+
+@THEMES
+def test_the_ground_is_lighter_in_the_middle_and_smooth(theme):
+    """Its discs show its colours to a step of 255, and neighbouring ones differ by a step; the middle is the lightest."""
+    discs = discs_of_ground(theme)
+    shares = np.array([disc.share for disc in discs], dtype=np.float32)
+    exact = ground_colours(theme, shares)
+    assert np.abs(exact - np.array([disc.colour for disc in discs])).max() <= 0.5001
+    steps = np.abs(np.diff([disc.colour for disc in discs], axis=0))
+    assert steps.max() <= 1
+    assert luminance(discs[-1].colour) == max(luminance(disc.colour) for disc in discs if disc.share < 0.9)
+    assert len(discs_of_ground(without_depth(theme))) == 1
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_a_pattern_stays_on_the_ground_and_faint(name):
+    """Every mark lies within the rim, and no mark is as strong as what the ball can meet."""
+    drawn = marks(name)
+    assert np.abs(drawn.corners).max() < 1.0
+    assert len(drawn.strength) == len(drawn.corners)
+    inner = np.abs(drawn.corners).max(axis=1) < 0.95
+    assert (drawn.strength[inner] <= 1.0).all()
+    assert inner.any() == (name != "plain")
+
+
+def test_a_pattern_turns_with_the_arena():
+    """Seen from the side, what was at the right is at the bottom: the ground's pattern is of the world, not of the screen."""
+    dots = [painted(DARK, SOLID._replace(azimuth=azimuth), ground="rays")[:2] for azimuth in (0.0, 0.2)]
+    spots = [cmath.rect(6.5, math.tau * (k + 0.5) / 24.0 + 0.01) for k in range(24)]
+    rows = [[brightness(picture, camera, spot) for spot in spots] for picture, camera in dots]
+    assert np.corrcoef(*rows)[0, 1] > 0.8
+
+
+def test_gaps_of_a_turning_ring_show_the_pattern():
+    """Where no brick stands, the pixels are those of a picture without the ring."""
+    scene = scene_at(game_after(3, 0)[0], 1.0, NOTHING)._replace(aim=None, balls=(), ground="dots")
+    assert scene.rings[1].spin
+    pictures = []
+    for one in (scene, scene._replace(layers=(scene.layers[0], *[(0,) * len(ring) for ring in scene.layers[1:]]))):
+        canvas = canvas_of(one, SIZE, FLAT, DARK)
+        Painter().paint(canvas, one)
+        pictures.append(pygame.surfarray.array3d(canvas.surface).astype(int))
+    columns, rows = np.indices(SIZE) + 0.5
+    points = (columns - canvas.camera.centre.real) + 1j * (canvas.camera.centre.imag - rows)
+    radius, angle = np.abs(points) / canvas.camera.scale, np.angle(points)
+    free = np.ones(SIZE, dtype=bool)
+    for ring in scene.rings[1:]:
+        off = np.abs((angle - ring.phase + math.pi / ring.count) % (math.tau / ring.count) - math.pi / ring.count)
+        free &= (np.abs(radius - ring.radius) > ring.half_width + 0.3) | (off > ring.half_angle + 0.3 / ring.radius)
+    assert (np.abs(pictures[0] - pictures[1]).max(axis=2)[free] <= 1).all()
+    assert (np.abs(pictures[0] - pictures[1]).max(axis=2)[~free] > 30).any()

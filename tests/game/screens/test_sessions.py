@@ -1,0 +1,221 @@
+"""Whole sessions: from the title through a game, its results, the scores and a replay, and out; by keys, and by mouse."""
+
+import msgspec
+import pygame
+import pytest
+
+from game.autopilot import Autopilot
+from game.kept import games as kept_games
+from game.kept.progress import Best
+from game.kept.store import Kept
+from game.levels import built_in
+from game.replays.file import load
+from game.replays.verify import verified
+from game.rules import Phase, Ruleset, new_game, tick
+from game.screens import ghost, play_buttons
+from game.screens.menus.credits import Credits
+from game.screens.menus.help import Help
+from game.screens.menus.high_scores import HighScores
+from game.screens.menus.level_select import LevelSelect
+from game.screens.menus.replays import Replays
+from game.screens.menus.results import Results
+from game.screens.menus.settings_panel import SettingsPanel
+from game.screens.play import PlayScreen
+from game.screens.play_record import record_name
+from game.screens.title import Title
+from game.screens.toolkit.menu import Menu
+from game.screens.toolkit.text_entry import TextEntry
+from game.screens.watch import Watch
+from tests.support.dummy_window import FRAME, Desk, shared
+
+
+@pytest.fixture
+def desk(tmp_path, monkeypatch):
+    """The app at its title, with a folder for what it keeps."""
+    monkeypatch.setattr(kept_games, "_SHORTEST", 0.1)
+    state = shared()
+    state.kept, state.ruleset = Kept(tmp_path), Ruleset()
+    state.recorder = state.kept.games
+    found = Desk(state, Title(state), (960, 600))
+    found.wait(FRAME)
+    yield found
+    found.close()
+
+
+def lose(desk, serve):
+    """Let every ball go, but for what hits a brick on its way."""
+    for _ in range(3000):
+        if not isinstance(desk.screen, PlayScreen):
+            return
+        if desk.screen._ticked.game.phase == Phase.SERVING:
+            serve()
+        desk.screen._untouched = 10**6  # the ball may be given up
+        if desk.screen._ticked.game.score and desk.screen._ticked.game.phase == Phase.PLAYING:
+            desk.press(pygame.K_g)
+        desk.wait(0.1)
+    raise AssertionError("the game does not end")
+
+
+def visit(desk, *expected):
+    """The screens that are opened by functions, one after the other, each led back from by another."""
+    for opens, kind, leaves in expected:
+        before = desk.screen
+        opens()
+        assert isinstance(desk.screen, kind)
+        leaves()
+        assert desk.screen is before
+
+
+def test_by_keys_alone(desk, tmp_path):
+    """Every panel from the title and back; a game lost, a name entered, the score in the table, its replay watched; out."""
+    esc = lambda: desk.press(pygame.K_ESCAPE)  # noqa: E731
+    panels = (("High scores", HighScores), ("Replays", Replays), ("How to play", Help), ("Settings", SettingsPanel))
+    visit(desk, *[(lambda label=label: desk.choose(label), kind, esc) for label, kind in (*panels, ("Credits", Credits))])
+    desk.choose("Levels")
+    assert isinstance(desk.screen, LevelSelect)
+    desk.choose(built_in()[1].name)
+    assert isinstance(desk.screen, LevelSelect), "it is locked"
+    desk.choose(built_in()[0].name)
+    assert isinstance(desk.screen, PlayScreen)
+    visit(desk, (lambda: desk.press(pygame.K_p), Menu, esc), (lambda: desk.press(pygame.K_o), SettingsPanel, esc))
+    lose(desk, lambda: desk.press(pygame.K_SPACE))
+    assert isinstance(desk.screen, Results)
+    score = desk.screen._under._ticked.game.score
+    desk.wait(4.0)
+    desk.choose("Enter your name")
+    assert isinstance(desk.screen, TextEntry)
+    desk.type("Mo")
+    desk.choose("Done")
+    assert isinstance(desk.screen, HighScores)
+    (entry,) = Kept(tmp_path).scores.value.entries
+    assert (entry.name, entry.score, entry.difficulty) == ("Mo", score, "normal")
+    desk.choose("1    Mo")
+    assert isinstance(desk.screen, Watch)
+    desk.press(pygame.K_END, pygame.K_ESCAPE)
+    assert isinstance(desk.screen, HighScores)
+    desk.choose("Title")
+    assert isinstance(desk.screen, Title)
+    desk.press(pygame.K_ESCAPE)
+    desk.choose("Quit")
+    assert desk.screen is None
+    recording = load(tmp_path / "replays" / entry.replay)
+    assert verified(recording).game.score == score
+
+
+def test_by_mouse_alone(desk, tmp_path):
+    """The same without a key: what a key opens has a button, and every panel has a cross."""
+    close = lambda: desk.click(desk.screen._laid(desk.window.size).close.center)  # noqa: E731
+    panels = (("High scores", HighScores), ("Replays", Replays), ("How to play", Help), ("Settings", SettingsPanel))
+    visit(desk, *[(lambda label=label: desk.click_on(label), kind, close) for label, kind in (*panels, ("Credits", Credits))])
+    desk.click_on("Levels")
+    desk.click_on(built_in()[0].name)
+    assert isinstance(desk.screen, PlayScreen)
+
+    def button(index):
+        desk.click(play_buttons.button_boxes(desk.screen._layout(desk.window.size))[index].center)
+
+    kinds = (Menu, Help, SettingsPanel)
+    visit(desk, *[(lambda index=index: button(index), kind, close) for index, kind in enumerate(kinds)])
+    lose(desk, lambda: desk.click((300, 300)))
+    desk.wait(4.0)
+    desk.click_on("Enter your name")
+    for letter in "MO":
+        desk.click_on(letter)
+    desk.click_on("Done")
+    assert [entry.name for entry in Kept(tmp_path).scores.value.entries] == ["MO"]
+    desk.click_on("Title")
+    desk.click_on("Replays")
+    (game,) = desk.shared.kept.games.listed()
+    desk.click_on(game.date)
+    desk.click_on("Rename")
+    desk.click_on("Z")
+    desk.click_on("Done")
+    desk.click_on("Z")
+    desk.click_on("Delete")
+    desk.click_on("Keep it")
+    desk.click_on("Z")
+    desk.click_on("Watch")
+    assert isinstance(desk.screen, Watch)
+    desk.click(play_buttons.button_boxes(desk.screen._layout(desk.window.size), play_buttons.WATCHING)[0].center)
+    desk.click_on("Z")
+    desk.click_on("Delete")
+    desk.click_on("Delete")
+    assert Kept(tmp_path).games.listed() == []
+    close()
+    desk.click_on("Quit")
+    assert desk.screen is None
+
+
+def test_a_cleared_level_shows_its_results_and_opens_the_next(desk, tmp_path):
+    """Its rank and score are kept at once, the next level is open, and Enter there goes on with the same game."""
+    desk.press(pygame.K_RETURN)
+    play = desk.screen
+    game = play._ticked.game
+    layers = (game.arena.layers[0], *[(0,) * len(ring) for ring in game.arena.layers[1:-1]], game.arena.layers[-1])
+    one = ((1, *layers[1][1:]), *layers[2:])
+    desk.press(pygame.K_SPACE)
+    playing = play._ticked.game
+    play._ticked = play._ticked._replace(
+        game=playing._replace(arena=playing.arena._replace(layers=(layers[0], *one)), flight=None)
+    )
+    for _ in range(3000):
+        if not isinstance(desk.screen, PlayScreen):
+            break
+        if desk.screen._ticked.game.phase == Phase.SERVING:
+            desk.press(pygame.K_SPACE)
+        desk.move(_pointer(desk))
+        desk.wait(FRAME)
+    assert isinstance(desk.screen, Results)
+    kept = Kept(tmp_path)
+    (best,) = kept.progress.value.bests
+    result = play._ticked.game.results[-1]
+    assert (best.level, best.difficulty, best.score, best.rank) == (built_in()[0].name, "normal", result.score, result.rank)
+    assert kept.progress.value.is_open(1, [level.name for level in built_in()])
+    desk.press(pygame.K_RETURN, pygame.K_RETURN)
+    desk.wait(0.5)
+    assert desk.screen is play
+    assert play._ticked.game.number == 1
+
+
+def _pointer(desk):
+    """Where the mouse has to be to return the ball."""
+    game, seen = desk.screen._ticked.game, desk.screen._layout(desk.window.size)
+    ball = game.arena.balls[0].position if game.arena.balls else 1j
+    pixel = seen.camera.project(ball / max(abs(ball), 1e-9) * game.level.ground_radius * 0.9)
+    return round(pixel.real), round(pixel.imag)
+
+
+def test_the_best_run_of_a_level_is_raced_as_a_ghost(desk, monkeypatch):
+    """Once the player serves, the ghost stands where its recording does, tick by tick from its own first serve."""
+    levels, kept = built_in()[1:3], desk.shared.kept
+    recorded, pilot, game = [], Autopilot(), new_game(built_in()[1:3], 5, Ruleset())
+    for _ in range(700):
+        controls = pilot.controls(game)
+        game = tick(game, controls).game
+        recorded.append(game)
+        kept.games(controls, game)
+    kept.level_done(Best(levels[0].name, "normal", 5))
+    kept.game_done()
+    served = next(number for number, game in enumerate(recorded) if game.phase == Phase.PLAYING)
+    monkeypatch.setattr(ghost, "_BUDGET", 60.0)
+    desk.screen = PlayScreen(desk.shared, levels)
+    desk.wait(0.3)
+    assert desk.screen._record.ghost.game is None
+    desk.press(pygame.K_SPACE)
+    desk.wait(0.4)
+    ticks = desk.screen._ticked.game.phase_tick
+    assert desk.screen._record.ghost.game.arena == recorded[served + ticks + 1].arena
+    plain = pygame.image.tobytes(desk.window.get_surface(), "RGB")
+    desk.screen._record.ghost = None
+    desk.screen.draw(desk.window.get_surface())
+    assert pygame.image.tobytes(desk.window.get_surface(), "RGB") != plain
+
+
+def test_a_game_on_a_level_of_ones_own_makes_no_high_score(desk):
+    """Anybody can make an easy level: it has a best of its own, under what is in it, and opens no level of the game."""
+    own = msgspec.structs.replace(built_in()[1], ground_radius=built_in()[1].ground_radius + 0.5)
+    desk.screen = PlayScreen(desk.shared, (own,))
+    lose(desk, lambda: desk.press(pygame.K_SPACE))
+    desk.wait(4.0)
+    assert "Enter your name" not in [entry.label for entry in desk.screen._entries]
+    assert record_name(own) != own.name == record_name(built_in()[1])

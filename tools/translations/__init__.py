@@ -1,0 +1,1 @@
+"""The translations of the game's texts, compared with the texts."""
