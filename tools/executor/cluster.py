@@ -19,7 +19,7 @@ from tools.executor.lost import Lost, raised
 Job = TypeVar("Job")
 Result = TypeVar("Result")
 
-_PATIENCE = 5.0
+PATIENCE = 5.0
 """Seconds to wait for the scheduler, and then for its first worker."""
 _AHEAD = 4
 """Jobs for each of the cluster's threads that are with it at a time."""
@@ -60,7 +60,7 @@ def cluster_results(
             yield answer
     finally:
         client.cancel(list(waiting), asynchronous=False, force=True)
-        client.close(timeout=_PATIENCE)
+        client.close(timeout=PATIENCE)
 
 
 def _connected(address: str) -> tuple[Any, int]:
@@ -73,18 +73,18 @@ def _connected(address: str) -> tuple[Any, int]:
     for name in ("distributed", "distributed.client", "distributed.core"):
         logging.getLogger(name).setLevel(logging.CRITICAL)  # what is wrong is said here
     _check_scheduler(address)
-    client = Client(address, timeout=_PATIENCE, set_as_default=False)
+    client = Client(address, timeout=PATIENCE, set_as_default=False)
     try:
-        client.wait_for_workers(1, timeout=_PATIENCE)
+        client.wait_for_workers(1, timeout=PATIENCE)
         _check_versions(client, address)
         return client, sum(client.nthreads().values())
     except TimeoutError:
-        client.close(timeout=_PATIENCE)
+        client.close(timeout=PATIENCE)
         raise EnvironmentMissingError(
             f"--cluster {quoted(address)}: the scheduler has no worker; start some with `dask worker {address}`"
         ) from None
     except BaseException:
-        client.close(timeout=_PATIENCE)
+        client.close(timeout=PATIENCE)
         raise
 
 
@@ -94,7 +94,7 @@ def _check_scheduler(address: str) -> None:
 
     async def identity() -> Any:
         """What the scheduler says of itself."""
-        comm = await connect(address, timeout=_PATIENCE)
+        comm = await connect(address, timeout=PATIENCE)
         try:
             await comm.write({"op": "identity", "reply": True})
             return await comm.read()
@@ -102,13 +102,13 @@ def _check_scheduler(address: str) -> None:
             comm.abort()
 
     try:
-        answer = asyncio.run(asyncio.wait_for(identity(), _PATIENCE))
+        answer = asyncio.run(asyncio.wait_for(identity(), PATIENCE))
     except ValueError as error:
         raise BadInputError(f"--cluster {quoted(address)}: expected tcp://HOST:PORT; {error}") from None
     except Exception:  # noqa: BLE001  # whatever may be at an address that is no scheduler
         answer = None
     if not isinstance(answer, dict) or answer.get("type") != "Scheduler":
-        said = f"no Dask scheduler answers within {_PATIENCE:g} s; start one with `dask scheduler`"
+        said = f"no Dask scheduler answers within {PATIENCE:g} s; start one with `dask scheduler`"
         raise EnvironmentMissingError(f"--cluster {quoted(address)}: {said}")
 
 
