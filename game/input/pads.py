@@ -13,7 +13,17 @@ import pygame
 from pygame._sdl2 import controller
 
 from game.input.keys import KEYS, Action
-from game.input.signals import PAD_POSITIONS, FocusLost, PadChanged, Pointed, Pressed, Released, Signal, Squeezed
+from game.input.signals import (
+    PAD_POSITIONS,
+    POSITIONS_PER_PAD,
+    FocusLost,
+    PadChanged,
+    Pointed,
+    Pressed,
+    Released,
+    Signal,
+    Squeezed,
+)
 
 _PUSHED, _LET_GO = 0.6, 0.4
 """Shares of the stick's reach: it means something from the first on, until it is below the second."""
@@ -21,17 +31,22 @@ _TRIGGER_SLACK = 0.08
 """Share of a trigger's travel that does nothing: few of them come back to 0."""
 _FULL = 32767
 """Value of an axis at its end."""
-_PER_PAD, _STICK = 64, 32
-"""Positions of a gamepad, and the first that is of its stick and not of a button."""
+_STICK = 32
+"""The first of a gamepad's positions that is of its stick and not of a button."""
 _DIRECTIONS = {1: Action.RIGHT, 1j: Action.UP, -1: Action.LEFT, -1j: Action.DOWN}
 
 
 @dataclass(slots=True)
 class _Pad:
-    """A gamepad that is plugged in. axes: their values by number. pushed: the direction of its stick as a key, 0 for none."""
+    """A gamepad that is plugged in.
+
+    number: SDL's, new for every time that it is plugged in. index: the least that no other has. axes: their values by number.
+    points, aims: whether the left and the right stick do. pushed: the direction of the left one as a key, 0 for none.
+    """
 
     device: controller.Controller
     number: int
+    index: int
     axes: dict[int, int] = field(default_factory=dict)
     points: bool = False
     aims: bool = False
@@ -43,12 +58,12 @@ class _Pad:
 
     def position(self, control: int) -> int:
         """The position of a button, or of a direction of the stick."""
-        return PAD_POSITIONS + self.number * _PER_PAD + control
+        return PAD_POSITIONS + self.index * POSITIONS_PER_PAD + control
 
 
 def of_stick(position: int) -> bool:
     """Whether a position is a direction of a gamepad's stick."""
-    return position >= PAD_POSITIONS and (position - PAD_POSITIONS) % _PER_PAD >= _STICK
+    return position >= PAD_POSITIONS and (position - PAD_POSITIONS) % POSITIONS_PER_PAD >= _STICK
 
 
 class Pads:
@@ -63,6 +78,11 @@ class Pads:
         """Let the system tell of gamepads; where it cannot, there are none."""
         with contextlib.suppress(pygame.error):
             controller.init()
+
+    def close(self) -> None:
+        """Let go of all gamepads, and of the system's part for them."""
+        self._pads.clear()
+        controller.quit()
 
     def signals(self, event: pygame.Event) -> Iterator[Signal]:
         """What an event means; nothing if it is not of a gamepad."""
@@ -88,8 +108,13 @@ class Pads:
             return
         number = device.as_joystick().get_instance_id()
         if number not in self._pads:
-            self._pads[number] = _Pad(device, number)
+            self._pads[number] = _Pad(device, number, self._free_index())
             yield PadChanged(device.name, there=True)
+
+    def _free_index(self) -> int:
+        """The least index that no gamepad has."""
+        taken = {pad.index for pad in self._pads.values()}
+        return next(index for index in range(len(taken) + 1) if index not in taken)
 
     def _removed(self, event: pygame.Event) -> Iterator[Signal]:
         """A gamepad is gone, with all that was held on it."""
@@ -125,7 +150,7 @@ class Pads:
                 for axis in (pygame.CONTROLLER_AXIS_TRIGGERLEFT, pygame.CONTROLLER_AXIS_TRIGGERRIGHT)
             )
             self._last = pad.number if left or right else self._last
-            yield Squeezed(right - left)
+            yield Squeezed(right - left, pad.index)
 
     def _right_stick(self, pad: _Pad) -> Iterator[Signal]:
         """The right stick moved."""
@@ -133,7 +158,7 @@ class Pads:
         aims = abs(at) >= (_LET_GO if pad.aims else _PUSHED)
         if aims or pad.aims:
             self._last = pad.number
-            yield Pointed(at / abs(at) if aims else 0j, aims=True)
+            yield Pointed(at / abs(at) if aims else 0j, aims=True, pad=pad.index)
         pad.aims = aims
 
     def _stick(self, pad: _Pad) -> Iterator[Signal]:
@@ -143,9 +168,9 @@ class Pads:
         points = reach >= (_LET_GO if pad.points else _PUSHED)
         if points:
             self._last = pad.number
-            yield Pointed(at / reach)
+            yield Pointed(at / reach, pad=pad.index)
         elif pad.points:
-            yield Pointed(0j)
+            yield Pointed(0j, pad=pad.index)
         pad.points = points
         pushed = _main_direction(at, pad.pushed) if points else 0
         if pushed == pad.pushed:

@@ -71,18 +71,23 @@ class Pointed:
     """A gamepad's stick points somewhere.
 
     direction: of length 1, to the right and up; 0 once the stick is let go. aims: it is the right stick, which aims the serve;
-    the left one moves the paddles.
+    the left one moves the paddles. pad: index of the gamepad, 0 for the one that was plugged in first.
     """
 
     direction: complex
     aims: bool = False
+    pad: int = 0
 
 
 @dataclass(frozen=True)
 class Squeezed:
-    """A gamepad's triggers moved. spin: -1.0 the left one all the way, 0.0 neither or both, +1.0 the right one."""
+    """A gamepad's triggers moved.
+
+    spin: -1.0 the left one all the way, 0.0 neither or both, +1.0 the right one. pad: as that of `Pointed`.
+    """
 
     spin: float
+    pad: int = 0
 
 
 @dataclass(frozen=True)
@@ -101,8 +106,19 @@ class FocusLost:
 Signal = Pressed | Released | KeyboardState | Moved | Clicked | Dragged | Zoomed | Pointed | Squeezed | PadChanged | FocusLost
 """Every kind is a class of its own, and a dataclass equals only its own class: no two kinds compare equal."""
 
-PAD_POSITIONS = 1 << 10
-"""Positions from here on are of gamepads: above every scancode."""
+PAD_POSITIONS, POSITIONS_PER_PAD = 1 << 10, 64
+"""Positions from the first on are of gamepads: above every scancode, so many for each gamepad."""
+
+
+def pad_of(signal: Signal) -> int | None:
+    """Index of the gamepad that a signal comes from; None for one that comes from elsewhere."""
+    match signal:
+        case Pressed(_, position) | Released(_, position) if position >= PAD_POSITIONS:
+            return (position - PAD_POSITIONS) // POSITIONS_PER_PAD
+        case Pointed() | Squeezed():
+            return signal.pad
+        case _:
+            return None
 
 
 def translated(event: pygame.Event, pixels_per_point: complex) -> Signal | None:

@@ -62,7 +62,7 @@ def readings(game: Game, streak: Streak = NO_STREAK, *, muted: bool = False, bad
     """The figures of a game. The other arguments are those of `Readings`."""
     number, count = number_of(game.level, game.levels)
     left = layers_left(game)
-    return Readings(game.score, game.combo, game.lives, number, count, game.level.name, left, muted, badge, streak)
+    return Readings(game.score, game.combo, game.lives, number, count, tr(game.level.name), left, muted, badge, streak)
 
 
 def draw(canvas: Canvas, shown: Readings, layout: Layout) -> None:
@@ -81,11 +81,10 @@ def draw(canvas: Canvas, shown: Readings, layout: Layout) -> None:
     number = tr("LEVEL {number} of {count}").format(number=shown.level_number, count=shown.level_count)
     canvas.write(number, _CAPTION, theme.faint, complex(left, box.top - unit * 0.2), "bottomleft")
     muted = tr("sound off ({key})").format(key=key_name(Action.MUTE)) if shown.muted else ""
-    state = "   ".join(filter(None, [shown.badge, muted]))
     lines = (
         (tr("{key}  help").format(key=key_name(Action.HELP)), theme.faint),
         (ntr("{count} layer left", "{count} layers left", shown.layers).format(count=shown.layers), theme.text),
-        (state, theme.accent),
+        *[(line, theme.accent) for line in (muted, *shown.badge.split(", ")) if line],
     )
     for text, colour in lines:
         box = canvas.write(text, _CAPTION, colour, complex(right, bottom), "bottomright")

@@ -20,6 +20,8 @@ _GAP = 0.25
 """Between title and hint."""
 _MARGIN = complex(0.8, 0.5)
 """From the words to the plate's edges, across and down."""
+_WIDEST = 0.52
+"""Share of the surface's width for the words, which are smaller where they need more: the figures are beside them."""
 _CORNER, _EDGE_LINE = 0.6, 0.06
 """Radius of the plate's corners, and width of its edge."""
 _TOP, _NARROW_TOP = 0.6, 0.115
@@ -47,7 +49,7 @@ def notice(game: Game) -> Notice | None:
     if game.phase == Phase.SERVING:
         return Notice(_serve_title(game), tr("{key} or click: serve along the arrow").format(key=serve))
     if game.phase == Phase.CLEARED:
-        words = tr("Next: {level}. {key} or click: go on").format(level=game.levels[game.number + 1].name, key=serve)
+        words = tr("Next: {level}. {key} or click: go on").format(level=tr(game.levels[game.number + 1].name), key=serve)
         return Notice(tr("Level cleared"), words)
     if game.phase == Phase.WON:
         return Notice(tr("All levels cleared"), "")
@@ -57,6 +59,8 @@ def notice(game: Game) -> Notice | None:
 def draw(canvas: Canvas, shown: Notice, scene: Scene) -> None:
     """The words on a plate at the upper edge of the arena, at the lower one while a ball is at the upper: never over bricks."""
     surface, theme, type_, unit = canvas.surface, canvas.theme, canvas.type, canvas.unit
+    wide = max([type_.rendered(words, unit * size, theme.text).get_width() for words, size in _sized(shown)])
+    unit *= min(_WIDEST * canvas.size[0] / wide, 1.0)
     title = type_.rendered(shown.title, unit * _TITLE, theme.text)
     hint = type_.rendered(shown.hint, unit * _HINT, theme.faint)
     gap = unit * _GAP if shown.hint else 0.0
@@ -75,10 +79,15 @@ def draw(canvas: Canvas, shown: Notice, scene: Scene) -> None:
         surface.blit(hint, hint.get_rect(midtop=(plate.centerx, round(top + title.get_height() + gap))))
 
 
+def _sized(shown: Notice) -> tuple[tuple[str, float], tuple[str, float]]:
+    """Both lines and the sizes of their letters."""
+    return (shown.title, _TITLE), (shown.hint, _HINT)
+
+
 def _serve_title(game: Game) -> str:
     """The level's name before its first serve, else what is left."""
     if game.tick == game.phase_tick or (game.statistics.level.balls_lost == 0 and game.ruleset.arcade) or game.lives == LIVES:
-        return game.level.name
+        return tr(game.level.name)
     if game.lives == 1:
         return tr("Last life")
     return ntr("{count} life left", "{count} lives left", game.lives).format(count=game.lives)

@@ -6,7 +6,8 @@ from game.rules.chance import drawn
 from game.rules.power_up import ActivePower, PowerUp
 from game.rules.shape import shaped
 from game.rules.speed import with_speed_now
-from game.rules.state import PADDLES, POINTER_STEPS, SERVE_GAP, Controls, Event, EventKind, Game, Phase, Ticked, in_phase
+from game.rules.state import POINTER_STEPS, SERVE_GAP, Controls, Event, EventKind, Game, Phase, Ticked, in_phase
+from game.rules.versus import served_from
 from physics import Arena, Ball, Ring, Step, direction, normalize_angle, signed_difference
 
 _AIM_RANGE = math.radians(55.0)
@@ -27,8 +28,8 @@ def swung_aim(ticks: int) -> float:
 
 
 def with_served_ball(game: Game, arena: Arena, wanted: int | None = None) -> Arena:
-    """The arena with the ball resting on paddle 0, its velocity where the serve is aimed. wanted: as `Controls.aim`."""
-    paddles = arena.rings[PADDLES]
+    """The arena with the ball resting on a paddle, its velocity where the serve is aimed. wanted: as `Controls.aim`."""
+    paddles = arena.rings[served_from(game)]
     ball = served_ball(paddles, game.level.ball.radius, game.speed, _aimed(game, paddles.angle(0), wanted))
     return arena._replace(balls=(ball,))
 

@@ -42,7 +42,7 @@ def level_results(state: AppState, play: Played, game: Game, record: PlayRecord)
     """After a level: its figures, and the next one."""
     result = game.results[-1]
     before = record.before
-    following = game.levels[game.number + 1].name
+    following = tr(game.levels[game.number + 1].name)
     entries = (
         Entry(tr("Next: {level}").format(level=following), play.went_on),
         Entry(tr("All levels"), state.levels),
@@ -55,12 +55,16 @@ def level_results(state: AppState, play: Played, game: Game, record: PlayRecord)
         Figure(tr("Score so far"), game.score),
     )
     rank = RANKS[int(result.rank)]
-    return Results(state, play, tr("Level cleared"), game.level.name, figures, entries, rank, back=play.went_on)
+    line = tr(game.level.name)
+    if record.earned:
+        line = tr("{level}. Yours from now on, in the settings: {things}").format(level=line, things=", ".join(record.earned))
+    return Results(state, play, tr("Level cleared"), line, figures, entries, rank, back=play.went_on)
 
 
 def game_results(state: AppState, play: Played, game: Game, record: PlayRecord) -> Screen:
     """After a game: its figures; the name of who made a high score; and how to go on."""
     kept_game = state.kept.game_done() if record.counts else None
+    state.tell_problem()
     won = game.phase == Phase.WON
     tally = game.statistics.game
     figures = (
@@ -72,7 +76,7 @@ def game_results(state: AppState, play: Played, game: Game, record: PlayRecord) 
         Figure(tr("Time"), game.tick, clock),
     )
     title = tr("You won") if won else tr("Game over")
-    line = tr("Every level is cleared.") if won else tr("The last ball is gone in {level}.").format(level=game.level.name)
+    line = tr("Every level is cleared.") if won else tr("The last ball is gone in {level}.").format(level=tr(game.level.name))
     entries = _after_game(state, play, game)
     menu = Results(state, play, title, line, figures, entries, back=lambda: state.open_title(state))
     difficulty = state.difficulty
@@ -105,6 +109,7 @@ def _name_entry(state: AppState, play: Played, score: Score, entries: tuple[Entr
     def done(name: str) -> Screen:
         entered = msgspec.structs.replace(score, name=name)
         state.kept.enter(entered)
+        state.tell_problem()
         return HighScores(state, play, entered, entries)
 
     return opened

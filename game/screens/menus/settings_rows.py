@@ -4,16 +4,18 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from game.effects import MOVING, PLAIN, EffectKind
+from game.input.key_names import key_name
+from game.input.keys import Action
 from game.language import tr
-from game.rules import Rank
 from game.screens.app_state import AppState
 from game.screens.base import Screen
+from game.screens.earned import feats
 from game.screens.menus.access_rows import access_rows
 from game.screens.menus.control_rows import control_rows
-from game.screens.toolkit.items import Choice, Heading, Slider, Switch
+from game.screens.toolkit.items import Choice, Heading, Item, Slider, Switch, Text
 from game.screens.toolkit.layout import Row
 from game.settings.values import LOUDEST, VOLUME_STEP, Settings
-from game.unlocks import BALLS, TRAILS, Condition, Feat, ball_names, trail_names, unlocked
+from game.unlocks import BALLS, TRAILS, Condition, ball_names, trail_names, unlocked
 
 
 class Part(NamedTuple):
@@ -68,10 +70,18 @@ def _picture(state: AppState, _panel: Screen) -> tuple[Row, ...]:
         state.wants_full_screen = not state.full_screen
 
     colours = Choice(
-        tr("Colours"), tuple(names.values()), keys.index(state.settings.colours), choose, tr("T changes them at any time.")
+        tr("Colours"),
+        tuple(names.values()),
+        keys.index(state.settings.colours),
+        choose,
+        tr("{key} changes them at any time.").format(key=key_name(Action.THEME)),
     )
     screen = Switch(
-        tr("Full screen"), state.full_screen, switch_full_screen, tr("F11 changes it at any time."), (tr("off"), tr("on"))
+        tr("Full screen"),
+        state.full_screen,
+        switch_full_screen,
+        tr("{key} changes it at any time.").format(key=key_name(Action.FULL_SCREEN)),
+        (tr("off"), tr("on")),
     )
     motion = tr("No shake, flashes, waves or hit-stop, the camera cuts instead of gliding, and the title stands still.")
     return (
@@ -84,14 +94,15 @@ def _picture(state: AppState, _panel: Screen) -> tuple[Row, ...]:
     )
 
 
-def _unlockable(state: AppState, label: str, field: str, conditions: dict[str, Condition], names: dict[str, str]) -> Choice:
-    """A choice among what the player has earned. field: of `Settings`; what it holds stays, even if not earned any more."""
+def _unlockable(state: AppState, label: str, field: str, conditions: dict[str, Condition], names: dict[str, str]) -> Item:
+    """A choice among what the player has earned, or words on how to earn some. field: of `Settings`; what it holds stays."""
     now = str(getattr(state.settings, field))
-    feats = [Feat(best.level, best.score, Rank(best.rank)) for best in state.kept.progress.value.bests]
-    earned = unlocked(conditions, feats)
+    earned = unlocked(conditions, feats(state.kept.progress.value))
     open_ones = [name for name in conditions if name in earned or name == now]
     following = next((name for name in conditions if name not in earned), None)
     tip = tr("All are yours.") if following is None else f"{names[following]}: {conditions[following].text}"
+    if len(open_ones) == 1:
+        return Text(tr("{what}: {name}. To earn: {how}").format(what=label, name=names[now], how=tip))
 
     def choose(index: int) -> None:
         state.change(Settings(**{**state.settings._asdict(), field: open_ones[index]}))
@@ -101,7 +112,9 @@ def _unlockable(state: AppState, label: str, field: str, conditions: dict[str, C
 
 def _effects(state: AppState, _panel: Screen) -> tuple[Row, ...]:
     """One switch for all, and one for each, in two columns."""
-    tip = tr("All that is listed below, but for the trail; E turns them off and on at any time.")
+    tip = tr("All that is listed below, but for the trail; {key} turns them off and on at any time.").format(
+        key=key_name(Action.EFFECTS)
+    )
     items = [_effect(state, kind, *words) for kind, words in effect_names().items()]
     pairs: list[Row] = [tuple(items[first : first + 2]) for first in range(0, len(items), 2)]
     return ((_switch(state, tr("Effects"), "effects", tip),), (Heading(tr("One by one")),), *pairs)
@@ -136,9 +149,11 @@ def _sound(state: AppState, _panel: Screen) -> tuple[Row, ...]:
 
     volume, music = state.settings.volume, state.settings.music
     music_tip = tr("Beside all other sounds; it grows with every brick in a row and with the last bricks of a level.")
-    tip = tr("Left and right change it; so do - and = at any time.")
+    tip = tr("Left and right change it; so do {less} and {more} at any time.").format(
+        less=key_name(Action.LESS), more=key_name(Action.MORE)
+    )
     return (
-        (_switch(state, tr("Sound"), "sound", tr("M turns it off and on at any time.")),),
+        (_switch(state, tr("Sound"), "sound", tr("{key} turns it off and on at any time.").format(key=key_name(Action.MUTE))),),
         (Slider(tr("Volume"), volume / LOUDEST, f"{volume} %", step, put, tip),),
         (Slider(tr("Music"), music / LOUDEST, f"{music} %", step_music, put_music, music_tip),),
     )
