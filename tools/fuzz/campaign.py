@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator
 from contextlib import closing
+from itertools import chain
 from typing import NamedTuple
 
 from physics import Arena, FreeFlight, Step, advance
@@ -12,7 +13,9 @@ from tools.fuzz.checks import first_fault
 SPARED = "a tick that was spared the search went another way than with it"
 """A fault that the tick alone does not show: it needs the one before."""
 
-_CASES_PER_JOB = 10
+_CASES_PER_TALLY = 10
+_TALLIES_PER_FAR_JOB = 50
+"""For a cluster: about a minute's work. Its scheduler needs about a millisecond for a job."""
 
 
 class Failure(NamedTuple):
@@ -73,25 +76,33 @@ def checked_tick(arena: Arena, speed: float, flight: FreeFlight | None = None) -
     return first_fault(arena, step, TICK, speed), step
 
 
-def tallies(seed: int, steps: int, workers: Where) -> Iterator[Tally]:
-    """Tallies as they come, until the ball-steps are done, a case has failed, or the caller has enough."""
-    done = 0
-    batches = ((seed, first) for first in range(0, 10**15, _CASES_PER_JOB))
-    with closing(sure(results(_batch, batches, workers))) as done_batches:
-        for tally in done_batches:
+def tallies(seed: int, steps: int, workers: Where, first: int = 0) -> Iterator[Tally]:
+    """Tallies as they come, until the ball-steps are done, a case has failed, or the caller has enough.
+
+    first: the first case. The cases are the same ones in the same order, wherever they are played.
+    """
+    done, count = 0, _TALLIES_PER_FAR_JOB if isinstance(workers, str) else 1
+    jobs = ((seed, start, count) for start in range(first, 10**15, count * _CASES_PER_TALLY))
+    with closing(sure(results(_tallies, jobs, workers))) as answers:
+        for tally in chain.from_iterable(answers):
             yield tally
             done += tally.steps
             if done >= steps or tally.failures:
                 return
 
 
-def _batch(job: tuple[int, int]) -> Tally:
-    """The cases of one job."""
-    seed, first = job
-    tally = Tally()
-    for index in range(first, first + _CASES_PER_JOB):
-        tally = tally.plus(play(seed, index))
-    return tally
+def _tallies(job: tuple[int, int, int]) -> list[Tally]:
+    """So many tallies of cases, from the first on, as far as none fails. job: the seed, the first case, how many tallies."""
+    seed, start, count = job
+    tallies = []
+    for first in range(start, start + count * _CASES_PER_TALLY, _CASES_PER_TALLY):
+        tally = Tally()
+        for index in range(first, first + _CASES_PER_TALLY):
+            tally = tally.plus(play(seed, index))
+        tallies.append(tally)
+        if tally.failures:
+            break
+    return tallies
 
 
 def smallest(failure: Failure) -> Failure:

@@ -29,6 +29,9 @@ def fuzz(
     context: typer.Context,
     steps: Annotated[int, typer.Option(min=1, max=_MOST, help="Ball-steps: ticks, counted once for every ball.")] = 100_000,
     seed: Annotated[int, typer.Option(min=0, max=2**63 - 1, help="Seed of the cases.")] = 1,
+    first: Annotated[
+        int, typer.Option(min=0, max=_MOST, help="Number of the first case, to go on where a run was stopped.")
+    ] = 0,
     workers: WorkersOption = 1,
     cluster: ClusterOption = None,
     case: Annotated[str | None, typer.Option(metavar="SEED:INDEX", help="Play this one case again.")] = None,
@@ -41,12 +44,12 @@ def fuzz(
     Exit code 0: nothing found. 1: a promise was broken. 2: bad input. 3: no mpmath, for --impacts. 130: Ctrl-C.
     """
     if case is not None:
-        refuse_ignored(context, "does nothing beside --case", "steps", "seed", "workers", "cluster", "impacts")
+        refuse_ignored(context, "does nothing beside --case", "steps", "seed", "first", "workers", "cluster", "impacts")
         return _again(*_numbers(case))
     if impacts is not None:
-        refuse_ignored(context, "does nothing beside --impacts", "steps")
+        refuse_ignored(context, "does nothing beside --impacts", "steps", "first")
         return _impacts(impacts, seed, where(context, workers, cluster))
-    return _campaign(steps, seed, where(context, workers, cluster))
+    return _campaign(steps, seed, first, where(context, workers, cluster))
 
 
 def _numbers(case: str) -> tuple[int, int]:
@@ -64,17 +67,17 @@ def _again(seed: int, index: int) -> int:
     return _verdict(tally)
 
 
-def _campaign(steps: int, seed: int, workers: Where) -> int:
+def _campaign(steps: int, seed: int, first: int, workers: Where) -> int:
     """Play cases until the steps are done, one fails, or a signal ends it: then what was done until then is still told."""
     total = Tally()
     try:
         with _bar() as bar:
             task = bar.add_task("ball-steps", total=steps)
-            for tally in tallies(seed, steps, workers):
+            for tally in tallies(seed, steps, workers, first):
                 total = total.plus(tally)
                 bar.update(task, completed=min(total.steps, steps))
     except KeyboardInterrupt:
-        _say(f"seed {seed}", total, _STOPPED)
+        _say(f"seed {seed}", total, f"{_STOPPED}; --first {first + total.cases} goes on")
         raise
     _say(f"seed {seed}", total, "done")
     return _verdict(total)
