@@ -66,6 +66,8 @@ def check_subnormals() -> None:
 Result = TypeVar("Result")
 
 _LOCK = threading.Lock()
+_REPLACED = {"set_layers", "play_one_tick"}
+"""Functions in whose place others are compiled."""
 _NOT_COMPILED = {f"physics.batch{name}" for name in ("", ".arrays", ".batch", ".compilation", ".hits")}
 
 
@@ -136,6 +138,7 @@ def _compiled() -> Compiled:
     integer, real = numba.int64, numba.float64
     steer.compile((games, real[:, ::1], integer, integer))
     play.compile((games, integer, integer, integer, integer, real, real, numba.typeof(np.empty(0, HIT)), integer))
+    _register_tick(play)
     hits = sum(play.stats.cache_hits.values())
     return Compiled(steer, play, time.perf_counter() - start, hits > 0)
 
@@ -147,7 +150,7 @@ def _register() -> None:
     for name in sorted(sys.modules):
         if name.startswith("physics.") and name not in _NOT_COMPILED:
             for function in list(vars(sys.modules[name]).values()):
-                if isfunction(function) and function.__module__ == name and function is not set_layers:
+                if isfunction(function) and function.__module__ == name and function.__name__ not in _REPLACED:
                     register_jitable(function)
     _register_members()
 
@@ -162,6 +165,21 @@ def _register() -> None:
             layers[ring, slot] = left
 
         return write
+
+
+def _register_tick(play: Any) -> None:
+    """Have `play_one_tick` call what is compiled already, instead of compiling it once more into every loop that uses it."""
+    from numba.extending import overload  # noqa: PLC0415  # an extra
+
+    none, one = np.int64(0), np.int64(1)  # numba would compile it anew for literals
+
+    @overload(loop.play_one_tick)
+    def _play_one_tick(games, g, dt, speed, hits):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
+        def tick(games, g, dt, speed, hits):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+            _, _, count = play(games, g, g + 1, np.int64(none), np.int64(one), dt, speed, hits, np.int64(none))
+            return count
+
+        return tick
 
 
 def _register_members() -> None:

@@ -84,6 +84,12 @@ def play(
     return last, 0, count
 
 
+def play_one_tick(games: Games, g: int, dt: float, speed: float, hits: npt.NDArray[Any]) -> int:
+    """One tick of one game; how many rows of hits it filled. Other compiled loops call by it the machine code of `play`."""
+    _, _, count = play(games, g, g + 1, 0, 1, dt, speed, hits, 0)
+    return count
+
+
 def ticks_of_free_flight(known: bool, seconds: float, dt: float, most: int) -> tuple[int, float]:  # noqa: FBT001
     """How many of the next ticks, at most so many, touch nothing, and the seconds of free flight after them."""
     free = 0

@@ -4,13 +4,12 @@ import functools
 import time
 from collections.abc import Callable
 from inspect import isfunction
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 
 import game.rules
 import physics.batch
-from game.rules import TICK
 from game.rules.nudging import nudged_ball
 from game.rules.scoring import layer_points
 from game.rules.serving import served_ball, swung_aim
@@ -55,11 +54,11 @@ def compiled_loops(progress: Callable[[float], None] | None = None) -> CompiledL
 @functools.cache
 def _compiled_loops() -> CompiledLoops:
     """Compile or load; once in a process."""
-    physics_loop = physics.batch.compiled()
+    physics.batch.compiled()
     import numba  # noqa: PLC0415  # an extra
 
     start = time.perf_counter()
-    _register(physics_loop.play)
+    _register()
     key = "".join([sources_hash(package) for package in (physics, game.rules, environments)])
     to_step, to_begin, to_write, to_paint = ticks.step, ticks.begin, observation.write_row, observation.paint
 
@@ -104,24 +103,14 @@ def _compiled_loops() -> CompiledLoops:
     return CompiledLoops(step, begin, write_states, paint, time.perf_counter() - start, cached)
 
 
-def _register(play: Any) -> None:
-    """Tell numba of every function that is compiled here, and that the batch's own machine code plays a tick."""
-    from numba.extending import overload, register_jitable  # noqa: PLC0415  # an extra
+def _register() -> None:
+    """Tell numba of every function that is compiled here."""
+    from numba.extending import register_jitable  # noqa: PLC0415  # an extra
 
     for function in (keyed_spin, spin_to_pointer, served_ball, swung_aim, nudged_ball, layer_points):
         register_jitable(function)
     for module in (ticks, observation):
         for function in list(vars(module).values()):
             own = isfunction(function) and function.__module__ == module.__name__
-            if own and function is not ticks.fly_by_physics:
+            if own:
                 register_jitable(forceinline=True)(function)
-
-    @overload(ticks.fly_by_physics)
-    def _fly_by_physics(games, g, speed, hits):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
-        dt, none, one = TICK, np.int64(0), np.int64(1)  # numba would compile it anew for literals
-
-        def fly(games, g, speed, hits):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
-            _, _, count = play(games, g, g + 1, np.int64(none), np.int64(one), dt, speed, hits, np.int64(none))
-            return count
-
-        return fly

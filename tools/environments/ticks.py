@@ -16,7 +16,7 @@ from game.rules.scoring import POINTS_PER_LIFE, layer_points
 from game.rules.serving import served_ball, swung_aim
 from game.rules.steering import keyed_spin, spin_to_pointer
 from physics.batch.arrays import Floats, Games, Integers
-from physics.batch.games import play, ring_of, startable, turned, with_turn
+from physics.batch.games import play_one_tick, ring_of, startable, turned, with_turn
 from physics.broad_phase import has_left
 from physics.free_flight import may_be_steered
 from physics.shapes import PERMANENT, Ball, Ring
@@ -77,7 +77,7 @@ def step(  # noqa: C901, PLR0912, PLR0915  # in pieces that are given the arrays
                 e.tick += 1
                 e.phase_tick += 1
                 if e.phase == _PLAYING and (known[g] == 0 or not seconds[g] >= TICK):
-                    _credit(e, hits, fly_by_physics(games, g, numbers.speed, hits))
+                    _credit(e, hits, play_one_tick(games, g, TICK, numbers.speed, hits))
                 else:
                     for k in range(spins.shape[1]):
                         if spins[g, k] != 0.0:
@@ -159,12 +159,6 @@ def _serving(numbers: LevelNumbers, e: Any, paddles: Ring) -> Ball:
     if e.phase_tick > e.serve_at:
         e.phase, e.phase_tick, e.idle, e.combo, e.served = _PLAYING, 0, 0, 0, e.played
     return ball
-
-
-def fly_by_physics(games: Games, g: int, speed: float, hits: npt.NDArray[Any]) -> int:
-    """One tick of one game by the physics; how many hits there were. Compiled, it calls the batch's own machine code."""
-    _, _, count = play(games, g, g + 1, 0, 1, TICK, speed, hits, 0)
-    return count
 
 
 def _credit(e: Any, hits: npt.NDArray[Any], count: int) -> None:

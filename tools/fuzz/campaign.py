@@ -1,6 +1,6 @@
 """A campaign: cases by the number, the tally of what happened in them, and the smallest arena that fails."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import closing
 from itertools import chain
 from typing import NamedTuple
@@ -13,7 +13,7 @@ from tools.fuzz.checks import first_fault
 SPARED = "a tick that was spared the search went another way than with it"
 """A fault that the tick alone does not show: it needs the one before."""
 
-_CASES_PER_TALLY = 10
+CASES_PER_TALLY = 10
 _TALLIES_PER_FAR_JOB = 50
 """For a cluster: about a minute's work. Its scheduler needs about a millisecond for a job."""
 
@@ -76,13 +76,16 @@ def checked_tick(arena: Arena, speed: float, flight: FreeFlight | None = None) -
     return first_fault(arena, step, TICK, speed), step
 
 
-def tallies(seed: int, steps: int, workers: Where, first: int = 0) -> Iterator[Tally]:
+def tallies(
+    seed: int, steps: int, workers: Where, first: int = 0, one: Callable[[int, int], Tally] | None = None
+) -> Iterator[Tally]:
     """Tallies as they come, until the ball-steps are done, a case has failed, or the caller has enough.
 
-    first: the first case. The cases are the same ones in the same order, wherever they are played.
+    first: the first case. one: plays a case of a seed and number, importable by its name; `play` unless given. The cases are
+    the same ones in the same order, wherever they are played.
     """
     done, count = 0, _TALLIES_PER_FAR_JOB if isinstance(workers, str) else 1
-    jobs = ((seed, start, count) for start in range(first, 10**15, count * _CASES_PER_TALLY))
+    jobs = ((one or play, seed, start, count) for start in range(first, 10**15, count * CASES_PER_TALLY))
     with closing(sure(results(_tallies, jobs, workers))) as answers:
         for tally in chain.from_iterable(answers):
             yield tally
@@ -91,14 +94,14 @@ def tallies(seed: int, steps: int, workers: Where, first: int = 0) -> Iterator[T
                 return
 
 
-def _tallies(job: tuple[int, int, int]) -> list[Tally]:
-    """So many tallies of cases, from the first on, as far as none fails. job: the seed, the first case, how many tallies."""
-    seed, start, count = job
+def _tallies(job: tuple[Callable[[int, int], Tally], int, int, int]) -> list[Tally]:
+    """So many tallies of cases, as far as none fails. job: what plays a case, the seed, the first case, how many tallies."""
+    one, seed, start, count = job
     tallies = []
-    for first in range(start, start + count * _CASES_PER_TALLY, _CASES_PER_TALLY):
+    for first in range(start, start + count * CASES_PER_TALLY, CASES_PER_TALLY):
         tally = Tally()
-        for index in range(first, first + _CASES_PER_TALLY):
-            tally = tally.plus(play(seed, index))
+        for index in range(first, first + CASES_PER_TALLY):
+            tally = tally.plus(one(seed, index))
         tallies.append(tally)
         if tally.failures:
             break

@@ -1,6 +1,7 @@
 """The options of the fuzzer: `python -m tools.fuzz`."""
 
-from contextlib import closing
+from collections.abc import Callable
+from contextlib import closing, nullcontext
 from typing import Annotated
 
 import typer
@@ -34,6 +35,9 @@ def fuzz(
     ] = 0,
     workers: WorkersOption = 1,
     cluster: ClusterOption = None,
+    compiled: Annotated[
+        bool, typer.Option("--compiled", help="Play 64 games of every arena on the compiled engine, the checks compiled too.")
+    ] = False,
     case: Annotated[str | None, typer.Option(metavar="SEED:INDEX", help="Play this one case again.")] = None,
     impacts: Annotated[
         int | None, typer.Option(min=1, max=_MOST, help="Check so many times of impact with 50 digits instead.")
@@ -45,11 +49,11 @@ def fuzz(
     """
     if case is not None:
         refuse_ignored(context, "does nothing beside --case", "steps", "seed", "first", "workers", "cluster", "impacts")
-        return _again(*_numbers(case))
+        return _again(*_numbers(case), _played_by(compiled=compiled), compiled=compiled)
     if impacts is not None:
-        refuse_ignored(context, "does nothing beside --impacts", "steps", "first")
+        refuse_ignored(context, "does nothing beside --impacts", "steps", "first", "compiled")
         return _impacts(impacts, seed, where(context, workers, cluster))
-    return _campaign(steps, seed, first, where(context, workers, cluster))
+    return _campaign(steps, seed, first, where(context, workers, cluster), compiled=compiled)
 
 
 def _numbers(case: str) -> tuple[int, int]:
@@ -60,27 +64,44 @@ def _numbers(case: str) -> tuple[int, int]:
     return int(seed), int(index)
 
 
-def _again(seed: int, index: int) -> int:
+def _played_by(*, compiled: bool) -> Callable[[int, int], Tally]:
+    """What plays a case. The compiled loops are compiled here, before other processes would, each for itself."""
+    if not compiled:
+        return play
+    try:
+        from tools.fuzz.compiled.campaign import compiled_fuzzer, play_compiled  # noqa: PLC0415  # an extra
+
+        console = Console(stderr=True)
+        with console.status("compiling") if console.is_terminal else nullcontext():
+            done = compiled_fuzzer()
+    except ImportError as error:
+        raise EnvironmentMissingError(f"--compiled: {error}") from None
+    if not done.cached:
+        tell(f"compiled in {done.seconds:.0f} s")
+    return play_compiled
+
+
+def _again(seed: int, index: int, one: Callable[[int, int], Tally], *, compiled: bool) -> int:
     """Play one case."""
-    tally = play(seed, index)
+    tally = one(seed, index)
     _say(f"case {seed}:{index}", tally, "done")
-    return _verdict(tally)
+    return _verdict(tally, compiled=compiled)
 
 
-def _campaign(steps: int, seed: int, first: int, workers: Where) -> int:
+def _campaign(steps: int, seed: int, first: int, workers: Where, *, compiled: bool) -> int:
     """Play cases until the steps are done, one fails, or a signal ends it: then what was done until then is still told."""
-    total = Tally()
+    total, one = Tally(), _played_by(compiled=compiled)
     try:
         with _bar() as bar:
             task = bar.add_task("ball-steps", total=steps)
-            for tally in tallies(seed, steps, workers, first):
+            for tally in tallies(seed, steps, workers, first, one):
                 total = total.plus(tally)
                 bar.update(task, completed=min(total.steps, steps))
     except KeyboardInterrupt:
         _say(f"seed {seed}", total, f"{_STOPPED}; --first {first + total.cases} goes on")
         raise
     _say(f"seed {seed}", total, "done")
-    return _verdict(total)
+    return _verdict(total, compiled=compiled)
 
 
 def _impacts(count: int, seed: int, workers: Where) -> int:
@@ -113,18 +134,18 @@ def _impacts_line(seed: int, done: int, touches: int, wrong: int, how: str) -> s
     return f"seed {seed}: {done} times of impact, {touches} of them touches, {wrong} wrong; {how}"
 
 
-def _verdict(tally: Tally) -> int:
+def _verdict(tally: Tally, *, compiled: bool) -> int:
     """The exit code, after the shortest failure and how to see it again."""
     if not tally.failures:
         return 0
-    _show(min(tally.failures, key=lambda failure: (failure.tick, failure.number)))
+    _show(min(tally.failures, key=lambda failure: (failure.tick, failure.number)), " --compiled" if compiled else "")
     return 1
 
 
-def _show(failure: Failure) -> None:
+def _show(failure: Failure, option: str) -> None:
     """The smallest arena that fails, and the commands that show it."""
     tell(f"case {failure.seed}:{failure.number} fails at tick {failure.tick}: {failure.what}")
-    tell(f"again: python -m tools.fuzz --case {failure.seed}:{failure.number}")
+    tell(f"again: python -m tools.fuzz --case {failure.seed}:{failure.number}{option}")
     if failure.what == SPARED:
         return
     least = smallest(failure)
