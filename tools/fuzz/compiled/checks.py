@@ -1,8 +1,8 @@
 """`tools.fuzz.checks` and the walk of `tools.fuzz.oracle` on arrays: what must hold after a tick, as a number of `Fault`.
 
-The distances are those of the oracle's own functions. Written anew for the compiler are the search for the nearest living slot,
-the walk along a flight, which there is a function of a function, and the order of the checks. A fault that is found here is told
-by `tools.fuzz.checks`, which gets the tick as an `Arena`.
+The distance to a sector is the oracle's own function. Written anew for the compiler are the search for the nearest living slot,
+the walk along a flight, which there is a function of a function, and the order of the checks. A fault that is found here is
+told in words by `tools.fuzz.checks`, which gets the tick as an `Arena`.
 """
 
 import math
@@ -92,7 +92,7 @@ def _state_fault(
     speed: float,
     work: Slots,
 ) -> int:
-    """Finite state, fixed speed; rings turned, layers taken by hits and by nothing else, hits in order."""
+    """Finite state, fixed speed; rings turned; the bookkeeping of hits."""
     for i in range(len(before.positions)):
         p, v = games.positions[g, i], games.velocities[g, i]
         if not (math.isfinite(p.real) and math.isfinite(p.imag) and math.isfinite(v.real) and math.isfinite(v.imag)):
@@ -104,20 +104,25 @@ def _state_fault(
         lag = _remainder(phase - before.phases[k] - before.spins[k] * dt)
         if not (0.0 <= phase < 2.0 * math.pi) or abs(lag) > PLACE or games.spins[g, k] != before.spins[k]:
             return 2
+    return 0 if _layers_fit(before, games, g, hits, count, work) else 3
+
+
+def _layers_fit(before: Before, games: Games, g: int, hits: npt.NDArray[Any], count: int, work: Slots) -> bool:
+    """Layers are taken by hits and by nothing else; hits are in order."""
     _copy(before.layers, work)
     time = 0.0
     for n in range(count):
         hit = hits[n]
         left = work[hit["ring"], hit["slot"]]
         if left == 0 or hit["layers"] != (left - 1 if left > 0 else left) or hit["time"] < time:
-            return 3
+            return False
         work[hit["ring"], hit["slot"]] = hit["layers"]
         time = hit["time"]
     for k in range(work.shape[0]):
         for slot in range(work.shape[1]):
             if work[k, slot] != games.layers[g, k, slot]:
-                return 3
-    return 0
+                return False
+    return True
 
 
 def _flight_fault(
@@ -169,7 +174,7 @@ def _is_one_bounce(one: Any, other: Any) -> bool:
 
 def _clear(p: complex, v: complex, r: float, start: float, stop: float, rings: list[Ring], layers: Slots) -> bool:
     """No living sector is overlapped on a straight flight."""
-    for k in range(len(rings)):
+    for k in range(len(rings)):  # noqa: SIM110  # what compiles
         if overlap_time(p, v, r, rings[k], start, stop, layers[k]) >= 0.0:
             return False
     return True
@@ -212,7 +217,7 @@ def _is_real(hit: Any, p: complex, v: complex, r: float, ring: Ring) -> bool:
 
 def _overlaps(p: complex, r: float, rings: list[Ring], layers: Slots) -> bool:
     """Whether a ball overlaps anything by what a bounce cannot leave."""
-    for k in range(len(rings)):
+    for k in range(len(rings)):  # noqa: SIM110  # what compiles
         if gap_beside(p, r, rings[k], 0.0, layers[k], -1) < -0.9 * SQUEEZED * r:
             return True
     return False
@@ -236,7 +241,7 @@ def _angle_beside(bearing: float, count: int, pitch: float, alive: Slots) -> flo
 
     Slots are asked by their distance from the one that is nearest of all; the first living one may lie on either side.
     """
-    middle = int(math.floor(bearing / pitch + 0.5))
+    middle = math.floor(bearing / pitch + 0.5)
     for away in range(count // 2 + 1):
         before, after = (middle - away) % count, (middle + away) % count
         if alive[before] != 0 or alive[after] != 0:
@@ -247,7 +252,7 @@ def _angle_beside(bearing: float, count: int, pitch: float, alive: Slots) -> flo
 
 def _remainder(angle: float) -> float:
     """The angle less its whole turns, in [-pi, pi]."""
-    return angle - 2.0 * math.pi * np.rint(angle / (2.0 * math.pi))
+    return angle - 2.0 * math.pi * math.floor(angle / (2.0 * math.pi) + 0.5)
 
 
 def _ring(games: Games, before: Before, k: int) -> Ring:

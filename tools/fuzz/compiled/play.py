@@ -15,6 +15,8 @@ _FIRST, _SECOND = np.uint64(0xBF58476D1CE4E5B9), np.uint64(0x94D049BB133111EB)
 """Of SplitMix64 (Steele, Lea, Flood 2014)."""
 _ROOM = 1e-6
 _TRIES = 30
+_LONGEST_TURN = 1e3
+"""Seconds: for as long as that a ring may have turned before a game."""
 _CALM = 8
 """A ring that turns is steered in one tick of so many."""
 
@@ -32,11 +34,11 @@ def play_checked(
     speed: float,
     edge: float,
 ) -> tuple[int, int, int]:
-    """Play every game for some ticks, its balls and phases drawn by chance: the game, the tick and the `Fault` of the first fault.
+    """Play every game, balls and phases drawn by chance: game, tick and `Fault` of the first fault; or -1, -1, 0.
 
-    before: room; after a fault the tick's start. full: (rings, slots), the layers with which a game begins. work: room, as full. counter: (1,), of the
-    chance. hits: room for those of a tick. tally: (4,), added to: ball-steps, hits, dropped and freed balls. edge: world units,
-    where a ball is lost. The games are those of one batch; -1, -1, 0 where nothing is wrong.
+    before: room; after a fault the tick's start. full: (rings, slots), the layers with which a game begins. work: room.
+    counter: (1,), of the chance. hits: room for those of a tick. tally: (4,), added to: ball-steps, hits, dropped balls, freed.
+    edge: world units, where a ball is lost.
     """
     for g in range(len(games.known)):
         _begin(games, full, counter, speed, edge, g)
