@@ -21,7 +21,7 @@ def test_the_example_of_the_page_runs():
 
 def test_the_example_agent_trains(monkeypatch, capsys):
     """Two generations: a line for each, one before and one after them."""
-    monkeypatch.setattr(sys, "argv", ["train_agent.py", "--generations", "2"])
+    monkeypatch.setattr(sys, "argv", ["train_agent.py", "--generations", "2", "--agents", "16"])
     runpy.run_path(str(ROOT / "docs" / "examples" / "train_agent.py"), run_name="__main__")
     lines = capsys.readouterr().out.splitlines()
     assert [line.split()[0] for line in lines] == ["at", "generation", "generation", "trained,"]
