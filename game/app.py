@@ -50,6 +50,8 @@ _IDLE_RATE = 10
 """Frames per second while the window has no focus: nothing moves then."""
 _STILL_RATE = 60
 """Frames per second, at most, of a screen that stands still."""
+_LEFT, _BACK = (pygame.WINDOWFOCUSLOST, pygame.WINDOWMINIMIZED), (pygame.WINDOWFOCUSGAINED, pygame.WINDOWRESTORED)
+"""The player goes to another window, and comes back."""
 _SHOWN_AGAIN = (pygame.WINDOWEXPOSED, pygame.WINDOWRESIZED, pygame.WINDOWSIZECHANGED, pygame.WINDOWRESTORED, pygame.WINDOWSHOWN)
 """After these the window's picture may be gone."""
 
@@ -109,9 +111,10 @@ def watch(recording: Recording, services: Services = NO_SERVICES) -> int:
     return _shown(state, lambda: Watch(state, Playback(recording)), services, Audio)
 
 
-def lab(line: str | None, services: Services = NO_SERVICES) -> int:
+def lab(line: str | None, services: Services = NO_SERVICES, *, presents: bool = False) -> int:
     """Open a window with the lab until it is closed; the exit code. line: a share line, None for the first scene.
 
+    presents: whether it begins full screen, for a lecture room.
     Raises BadInputError for a line that names no scene as it may stand. Other errors are those of `play`.
     """
     engine = None if services.engine is None else services.engine()
@@ -121,9 +124,9 @@ def lab(line: str | None, services: Services = NO_SERVICES) -> int:
     def first() -> Screen:
         from game.lab.window.screen import Lab  # noqa: PLC0415  # its widgets, only where they are needed
 
-        return Lab(state, session.opened(opened))
+        return Lab(state, session.opened(opened), step=opened.step, presents=presents)
 
-    return _shown(state, first, services)
+    return _shown(state, first, services, full_screen=presents)
 
 
 def edit(path: Path, services: Services = NO_SERVICES) -> int:
@@ -166,10 +169,22 @@ def _lab_opener(engine: Callable[[], Engine] | None) -> Callable[[AppState, Scre
     return opened
 
 
-def _shown(state: AppState, opened: Callable[[], Screen], services: Services, audio: Callable[[], Audio] | None = None) -> int:
-    """Show screens in a window until the last one is left; the exit code. audio: opens the sound, where there is some."""
+def _shown(
+    state: AppState,
+    opened: Callable[[], Screen],
+    services: Services,
+    audio: Callable[[], Audio] | None = None,
+    *,
+    full_screen: bool = False,
+) -> int:
+    """Show screens in a window until the last one is left; the exit code.
+
+    audio: opens the sound, where there is some. full_screen: whether the window begins as large as the desktop.
+    """
     box = state.kept.window.value
     window = display.open_window(_TITLE, (box.width, box.height) if box.width else None, (box.left, box.top))
+    if full_screen:
+        _toggle_full_screen(window, state)
     handler = on_display_lost(lambda: _save(state, services.lost))  # noqa: F841  # must live as long as the window
     with deferred():
         try:
@@ -301,8 +316,8 @@ def _answered(window: pygame.Window, state: AppState, screen: Screen) -> Screen 
             layout_changed()
         if event.type in _SHOWN_AGAIN:
             state.shown = None
-        if event.type in (pygame.WINDOWFOCUSLOST, pygame.WINDOWFOCUSGAINED):
-            state.away = event.type == pygame.WINDOWFOCUSLOST
+        if event.type in (*_LEFT, *_BACK):
+            state.away = event.type in _LEFT
         following = _following(event, size, window, state, screen)
         if following is None:
             return None

@@ -8,7 +8,7 @@ from game.lab.kit.bounce import Bounce, bounce
 from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import VELOCITY_SCALE, ring_marks, two_decimals
 from game.lab.kit.parameters import Given, Number
-from game.lab.kit.picture import Arrow, Disc, Mark, Pane, Picture, Role, Stroke, Toggle
+from game.lab.kit.picture import Arrow, Disc, Mark, Pane, Picture, RevealStep, Role, Stroke, Toggle, in_steps
 from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import Ball, Ring, contact, dot, length, response_steps, to_cartesian
 
@@ -19,6 +19,8 @@ _NORMAL_LENGTH = 1.2
 """World units drawn for the unit normal."""
 _TOP = complex(0.0, _RADIUS + _HALF_WIDTH)
 """The touched point: the highest of the outer face, where the normal is the y axis."""
+_CENTRE = _TOP + _BALL_RADIUS * 1j
+"""Of the ball that touches there."""
 
 
 class _FrictionBounces(NamedTuple):
@@ -33,7 +35,7 @@ def _friction_bounces(given: Given) -> _FrictionBounces:
     """The bounces that the values make."""
     speed = given.number("speed")
     ring = Ring(_RADIUS, _HALF_WIDTH, _HALF_ANGLE, 1, math.pi / 2.0, given.number("spin"))
-    ball = Ball(_TOP + _BALL_RADIUS * 1j, to_cartesian(speed, given.angle("heading")), _BALL_RADIUS)
+    ball = Ball(_CENTRE, to_cartesian(speed, given.angle("heading")), _BALL_RADIUS)
     touch = contact(ball, ring, 0)
     surface = ring.surface_velocity(touch.point)
     return _FrictionBounces(ball, ring, tuple([bounce(ball.velocity, touch.normal, surface, mu, speed) for mu in FRICTIONS]))
@@ -42,28 +44,30 @@ def _friction_bounces(given: Given) -> _FrictionBounces:
 def _picture(given: Given) -> Picture:
     """Three times the same bounce, each with another friction."""
     ball, ring, bounces = _friction_bounces(given)
-    panes = tuple([Pane(_marks(ball, ring, found), f"μ_p = {found.friction:g}") for found in bounces])
-    return Picture(panes, _formula(bounces), _cited(bounces[0]), _note(bounces[0]))
-
-
-def _marks(ball: Ball, ring: Ring, found: Bounce) -> tuple[Mark, ...]:
-    """The paddle, the ball, the normal, the velocity before and after, and the change by friction."""
-    p, steps = ball.position, found.steps
-    arrows = (
-        (_TOP, found.surface_velocity, Role.TWO, "v_p", Stroke.THICK),
-        (p, found.v, Role.PLAIN, "v before", Stroke.THICK),
-        (p + found.v * VELOCITY_SCALE, steps.tangential_change, Role.FOUR, "Δv'_t", Stroke.SOLID),
-        (p, steps.velocity, Role.GOOD, "v after", Stroke.THICK),
-    )
-    return (
+    panes = tuple([Pane((), f"μ_p = {found.friction:g}") for found in bounces])
+    p = ball.position
+    situation: tuple[Mark, ...] = (
         *ring_marks(ring),
         Disc(p, ball.radius, Role.BALL),
-        Arrow(_TOP, found.normal * _NORMAL_LENGTH, Role.OURS, Toggle.NORMALS, Stroke.SOLID, "n"),
-        *[
-            Arrow(start, velocity * VELOCITY_SCALE, role, None, stroke, label)
-            for start, velocity, role, label, stroke in arrows
-        ],
+        Arrow(_TOP, bounces[0].normal * _NORMAL_LENGTH, Role.OURS, Toggle.NORMALS, Stroke.SOLID, "n"),
     )
+    before = (_arrow(_TOP, bounces[0].surface_velocity, Role.TWO, "v_p"), _arrow(p, bounces[0].v, Role.PLAIN, "v before"))
+    tip = p + bounces[0].v * VELOCITY_SCALE
+    changes = [(_arrow(tip, found.steps.tangential_change, Role.FOUR, "Δv'_t", Stroke.SOLID),) for found in bounces]
+    after = [(_arrow(p, found.steps.velocity, Role.GOOD, "v after"),) for found in bounces]
+    lines = _formula(bounces)
+    steps = (
+        RevealStep("the same bounce three times", (situation,) * 3),
+        RevealStep("v and v_p", (before,) * 3, lines[:2]),
+        RevealStep("Δv'_t, the friction", tuple(changes), lines[2:3]),
+        RevealStep("v after the bounce", tuple(after), lines[3:]),
+    )
+    return in_steps(steps, _cited(bounces[0]), _note(bounces[0]), panes)
+
+
+def _arrow(start: complex, velocity: complex, role: Role, label: str, stroke: Stroke = Stroke.THICK) -> Arrow:
+    """A velocity."""
+    return Arrow(start, velocity * VELOCITY_SCALE, role, None, stroke, label)
 
 
 def _formula(bounces: tuple[Bounce, ...]) -> tuple[str, ...]:
@@ -147,11 +151,12 @@ SCENE = LabScene(
         Number("spin", "ω", "rad/s", -2.0, 2.0, 0.4, 0.01, "the paddle's spin; v_p = ω × q"),
     ),
     handles=(
-        handles.polar_vector("speed", "heading", lambda _: _TOP + _BALL_RADIUS * 1j, VELOCITY_SCALE, "velocity"),
+        handles.polar_vector("speed", "heading", lambda _: _CENTRE, VELOCITY_SCALE, "velocity")._replace(step=2),
         handles.Handle(
             "v_p",
             lambda given: _TOP - given.number("spin") * _TOP.imag * VELOCITY_SCALE,
             lambda _, target: {"spin": (_TOP - target).real / _TOP.imag / VELOCITY_SCALE},
+            step=2,
         ),
     ),
     view_box=ViewBox(0.0 + 7.0j, 3.3 + 2.8j),

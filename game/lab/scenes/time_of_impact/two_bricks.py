@@ -9,7 +9,21 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import ring_marks, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, PointMark, Role, Stroke, Toggle
+from game.lab.kit.picture import (
+    Arrow,
+    Circle,
+    Disc,
+    Line,
+    Mark,
+    Pane,
+    Picture,
+    PointMark,
+    RevealStep,
+    Role,
+    Stroke,
+    Toggle,
+    in_steps,
+)
 from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import PERMANENT, Arena, Ball, Hit, Ring, Step, advance, contact, dot, length, response_steps, time_of_impact
 from physics.source_mode import normal_at
@@ -60,17 +74,29 @@ def _picture(given: Given) -> Picture:
     """The source's path at the left, ours at the right."""
     notch = _notch(given)
     panes = (
-        Pane(_theirs(notch), f"the source: the nearest brick, {_RATE} tests a second"),
-        Pane(_ours(notch), "here: every brick, in the order of time"),
+        Pane((), f"the source: the nearest brick, {_RATE} tests a second"),
+        Pane((), "here: every brick, in the order of time"),
     )
-    return Picture(panes, _formula(notch), _cited(notch), _note(notch))
+    ball, formula = notch.ball, _formula(notch)
+    situation: tuple[Mark, ...] = (
+        *ring_marks(notch.ring),
+        Disc(ball.position, ball.radius, Role.BALL),
+        Arrow(ball.position, ball.velocity * _SCALE, Role.PLAIN, label="v"),
+    )
+    ours = len(formula) - (1 if notch.tie else 0)
+    steps = (
+        RevealStep("a ball before a notch between two bricks", (situation, situation)),
+        RevealStep("the source, once a frame", (_theirs(notch), ()), formula[ours:]),
+        RevealStep("here, in the order of time", ((), _ours(notch)), formula[:ours]),
+    )
+    return in_steps(steps, _cited(notch), _note(notch), panes)
 
 
 def _theirs(notch: _Notch) -> tuple[Mark, ...]:
     """The source's ball, frame by frame."""
     ball, speed = notch.ball, length(notch.ball.velocity)
     flight, positions = source.SourceBall(ball.position, ball.velocity), [ball.position]
-    marks: list[Mark] = list(ring_marks(notch.ring))
+    marks: list[Mark] = []
     for _ in range(round(notch.dt * _RATE)):
         flight = source.frame(flight, ball.radius, (notch.ring,), 1.0 / _RATE, speed)
         positions.append(flight.position)
@@ -85,7 +111,7 @@ def _theirs(notch: _Notch) -> tuple[Mark, ...]:
 def _ours(notch: _Notch) -> tuple[Mark, ...]:
     """Our ball, bounce by bounce, the bounces numbered."""
     ball = notch.ball
-    marks: list[Mark] = list(ring_marks(notch.ring))
+    marks: list[Mark] = []
     positions = [ball.position]
     for number, hit in enumerate(notch.hits, 1):
         position = hit.contact.point + hit.contact.normal * ball.radius
@@ -97,11 +123,9 @@ def _ours(notch: _Notch) -> tuple[Mark, ...]:
 
 
 def _flown(ball: Ball, positions: tuple[complex, ...]) -> tuple[Mark, ...]:
-    """A path, the ball at its beginning with its velocity, and at its end."""
+    """A path, and the ball at its end."""
     return (
         Line(positions, Role.PLAIN, Toggle.SWEPT),
-        Disc(positions[0], ball.radius, Role.BALL),
-        Arrow(positions[0], ball.velocity * _SCALE, Role.PLAIN, label="v"),
         Circle(positions[-1], ball.radius, Role.GHOST, Toggle.SWEPT, Stroke.DASHED),
     )
 
