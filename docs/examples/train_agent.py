@@ -37,7 +37,7 @@ def points(env: gymnasium.vector.VectorEnv, weights: np.ndarray | None, seed: in
 def main() -> None:
     """Train, print the curve, and compare with an agent that acts at random."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--level", default="1")
+    parser.add_argument("--level", default="First Wall")
     parser.add_argument("--generations", type=int, default=20)
     parser.add_argument("--agents", type=int, default=256)
     parser.add_argument("--seed", type=int, default=1)

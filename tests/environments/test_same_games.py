@@ -87,7 +87,7 @@ def test_a_level_is_the_game_of_the_rules(level):
 def test_what_is_rare_is_the_same_too():
     """Nudges of a ball that loops, games that are won, games that are over: brought about by hand, then played by both."""
     played = Played()
-    many = environments("1", "continuous")
+    many = environments("First Wall", "continuous")
     play(many, 400, np.random.default_rng(1), played)
     many._episodes["idle"] = 11  # the next contact nudges
     play(many, 500, np.random.default_rng(2), played)
