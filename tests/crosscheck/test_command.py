@@ -29,7 +29,7 @@ from tools.crosscheck.results.findings import Findings
 from tools.crosscheck.results.measurements import VERDICT_MEANINGS, ContactVerdict
 from tools.crosscheck.run import Job, RunResult, check_game, default_sources
 from tools.crosscheck.sabotage.suite import suite_jobs
-from tools.crosscheck.workers import Lost
+from tools.executor import Lost
 
 SHORT = ["--games", "1", "--level", "6", "--ticks", "1500"]
 
