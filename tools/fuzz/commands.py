@@ -15,7 +15,7 @@ from game.system.wording import quoted
 from tools.executor import Where, results, sure
 from tools.executor.options import ClusterOption, WorkersOption, where
 from tools.fuzz.arenas import TICK
-from tools.fuzz.campaign import SPARED, Failure, Tally, play, smallest, tallies
+from tools.fuzz.campaign import Failure, Tally, checked_tick, play, smallest, tallies
 from tools.fuzz.impacts import checked_chunk, multiprecision
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
@@ -146,8 +146,8 @@ def _show(failure: Failure, option: str) -> None:
     """The smallest arena that fails, and the commands that show it."""
     tell(f"case {failure.seed}:{failure.number} fails at tick {failure.tick}: {failure.what}")
     tell(f"again: python -m tools.fuzz --case {failure.seed}:{failure.number}{option}")
-    if failure.what == SPARED:
-        return
+    if checked_tick(failure.arena, failure.speed)[0] is None:
+        return  # it needs the ticks before, or the compiler
     least = smallest(failure)
     tell(f"its smallest form fails in one tick, advance(arena, {TICK!r}, {least.speed!r}): {least.what}")
     tell(f"arena = {least.arena!r}")

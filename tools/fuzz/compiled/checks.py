@@ -63,10 +63,7 @@ def tick_fault(
     fault = _state_fault(before, games, g, hits, count, dt, speed, work)
     if fault != 0:
         return fault
-    overlapped = False
-    for i in range(len(before.positions)):
-        overlapped = overlapped or _overlaps(before.positions[i], games.ball_radii[g, i], rings, before.layers)
-    if freed > 0 and dropped == 0 and not overlapped:
+    if freed > 0 and dropped == 0 and not _any_overlaps(before, games, g, rings):
         return 4
     for i in range(len(before.positions)):
         if not (freed > 0 and _overlaps(before.positions[i], games.ball_radii[g, i], rings, before.layers)):
@@ -76,8 +73,7 @@ def tick_fault(
     for k in range(len(rings)):
         ring = _turned(rings[k], games.phases[g, k])
         for i in range(len(before.positions)):
-            r = games.ball_radii[g, i]
-            if gap_beside(games.positions[g, i], r, ring, 0.0, games.layers[g, k], -1) < -PENETRATION * r:
+            if _is_within(games.positions[g, i], games.ball_radii[g, i], ring, games.layers[g, k], PENETRATION):
                 return 9
     return 0
 
@@ -152,7 +148,7 @@ def _flight_fault(
         if mine:
             left -= 0 if last >= 0 and _is_one_bounce(hits[last], hit) else 1
             last, v = n, hit["after"]
-            if not _is_real(hit, p, v, r, rings[hit["ring"]]):
+            if not _is_real(hit, p, v, r, rings[hit["ring"]], work[hit["ring"]]):
                 return 6
             if left == 0 and dropped > 0:
                 return 0  # it rests for what is left of the tick
@@ -181,31 +177,72 @@ def _clear(p: complex, v: complex, r: float, start: float, stop: float, rings: l
 
 
 def overlap_time(p: complex, v: complex, r: float, ring: Ring, start: float, stop: float, alive: Slots) -> float:
-    """`tools.fuzz.oracle.first_overlap`, of a ball that is at p at time `start`; -1 for none."""
-    size, distance = math.hypot(v.real, v.imag), math.hypot(p.real, p.imag)
-    far = distance + size * (stop - start)
-    if abs(distance - ring.radius) > ring.half_width + r + size * (stop - start):
+    """`tools.fuzz.oracle.first_overlap`, of a ball that is at p at time `start`; -1 for none.
+
+    It walks only while the ball is in the ring's band. Elsewhere the faces' circles alone keep it apart from every sector.
+    """
+    enters, reaches_hole, leaves_hole, leaves = _times_in_band(p, v, r, ring)
+    one, other = start + max(enters, 0.0), start + max(leaves_hole, 0.0)
+    one_stop, other_stop = min(start + reaches_hole, stop), min(start + leaves, stop)
+    if one > one_stop and other > other_stop:
         return -1.0
+    size = math.hypot(v.real, v.imag)
     closed = ring.half_angle >= math.pi / ring.count
     for slot in range(ring.count):
         closed = closed and alive[slot] != 0
-    spin = 0.0 if closed else abs(ring.spin)
-    pace = size + spin * min(far, ring.radius + ring.half_width + r)
+    far = min(math.hypot(p.real, p.imag) + size * (stop - start), ring.radius + ring.half_width + r)
+    pace = size if closed else size + abs(ring.spin) * far
     shortest = max(FINEST * r / pace, (stop - start) / LONGEST_WALK) if pace > 0.0 else 0.0
-    time = start
-    while True:
+    time = _walk(p, v, r, ring, start, one, one_stop, alive, pace, shortest)
+    return time if time >= 0.0 else _walk(p, v, r, ring, start, other, other_stop, alive, pace, shortest)
+
+
+def _times_in_band(p: complex, v: complex, r: float, ring: Ring) -> tuple[float, float, float, float]:
+    """When a ball at p enters the ring's band, enters the hole inside of it, leaves the hole and the band: seconds from now.
+
+    The band is where the ball may overlap a sector by half of PENETRATION. A flight that misses the band enters it after it
+    has left it. One that misses the hole passes it at one moment, that of its least distance from the centre.
+    """
+    size = math.sqrt(v.real * v.real + v.imag * v.imag)
+    if size == 0.0:
+        return 0.0, math.inf, math.inf, -1.0
+    nearest, least = -(p.real * v.real + p.imag * v.imag) / (size * size), abs(p.real * v.imag - p.imag * v.real) / size
+    outer = ring.radius + ring.half_width + r * (1.0 - 0.5 * PENETRATION)
+    inner = ring.radius - ring.half_width - r * (1.0 - 0.5 * PENETRATION)
+    if outer <= least:
+        return math.inf, -1.0, math.inf, -1.0
+    band = math.sqrt((outer - least) * (outer + least)) / size
+    hole = math.sqrt((inner - least) * (inner + least)) / size if inner > least else 0.0
+    return nearest - band, nearest - hole, nearest + hole, nearest + band
+
+
+def _walk(
+    p: complex,
+    v: complex,
+    r: float,
+    ring: Ring,
+    start: float,
+    time: float,
+    stop: float,
+    alive: Slots,
+    pace: float,
+    shortest: float,
+) -> float:
+    """The first moment seen from `time` to `stop` at which a ball that is at p at `start` overlaps; -1 for none."""
+    while time <= stop:
         gap = gap_beside(p + v * (time - start), r, ring, time, alive, -1)
         if gap < -PENETRATION * r:
             return time
-        if time >= stop:
+        if time >= stop or pace == 0.0:
             return -1.0
-        time = min(time + max(gap / pace, shortest), stop) if pace > 0.0 else stop
+        time = min(time + max(gap / pace, shortest), stop)
+    return -1.0
 
 
-def _is_real(hit: Any, p: complex, v: complex, r: float, ring: Ring) -> bool:
+def _is_real(hit: Any, p: complex, v: complex, r: float, ring: Ring, alive: Slots) -> bool:
     """A hit is a touch, from the side its normal says, and the ball then leaves the surface."""
     n, q = hit["normal"], hit["point"]
-    if abs(gap_beside(p, r, ring, hit["time"], np.ones(1, np.int32), hit["slot"])) > PENETRATION * r:
+    if abs(gap_beside(p, r, ring, hit["time"], alive, hit["slot"])) > PENETRATION * r:
         return False
     away = p - n * r - q
     if math.hypot(away.real, away.imag) > NORMAL * r or abs(math.hypot(n.real, n.imag) - 1.0) > NORMAL:
@@ -215,12 +252,26 @@ def _is_real(hit: Any, p: complex, v: complex, r: float, ring: Ring) -> bool:
     return leaves or abs(ring.spin) * (ring.radius + ring.half_width) >= math.hypot(v.real, v.imag)
 
 
+def _any_overlaps(before: Before, games: Games, g: int, rings: list[Ring]) -> bool:
+    """Whether any ball overlaps anything at the tick's start by what a bounce cannot leave."""
+    for i in range(len(before.positions)):
+        if _overlaps(before.positions[i], games.ball_radii[g, i], rings, before.layers):
+            return True
+    return False
+
+
 def _overlaps(p: complex, r: float, rings: list[Ring], layers: Slots) -> bool:
     """Whether a ball overlaps anything by what a bounce cannot leave."""
     for k in range(len(rings)):  # noqa: SIM110  # what compiles
-        if gap_beside(p, r, rings[k], 0.0, layers[k], -1) < -0.9 * SQUEEZED * r:
+        if _is_within(p, r, rings[k], layers[k], 0.9 * SQUEEZED):
             return True
     return False
+
+
+def _is_within(p: complex, r: float, ring: Ring, alive: Slots, depth: float) -> bool:
+    """Whether a ball overlaps a living sector by more than a fraction of its radius."""
+    beyond = abs(math.sqrt(p.real * p.real + p.imag * p.imag) - ring.radius) - ring.half_width - r
+    return beyond < 0.0 and gap_beside(p, r, ring, 0.0, alive, -1) < -depth * r
 
 
 def gap_beside(p: complex, r: float, ring: Ring, time: float, alive: Slots, only: int) -> float:

@@ -6,8 +6,8 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
-from physics.batch.arrays import Games, Integers
-from physics.batch.games import play_one_tick, ring_of
+from physics.batch.arrays import Floats, Games, Integers
+from physics.batch.games import play_one_tick, ring_of, steer
 from tools.fuzz.compiled.checks import Before, Slots, gap_beside, tick_fault
 
 _STEP = np.uint64(0x9E3779B97F4A7C15)
@@ -15,8 +15,6 @@ _FIRST, _SECOND = np.uint64(0xBF58476D1CE4E5B9), np.uint64(0x94D049BB133111EB)
 """Of SplitMix64 (Steele, Lea, Flood 2014)."""
 _ROOM = 1e-6
 _TRIES = 30
-_LONGEST_TURN = 1e3
-"""Seconds: for as long as that a ring may have turned before a game."""
 _CALM = 8
 """A ring that turns is steered in one tick of so many."""
 
@@ -26,21 +24,27 @@ def play_checked(
     before: Before,
     full: Slots,
     work: Slots,
-    counter: npt.NDArray[np.uint64],
+    spins: Floats,
+    counters: npt.NDArray[np.uint64],
     hits: npt.NDArray[Any],
     tally: Integers,
+    first: int,
+    last: int,
     ticks: int,
     dt: float,
     speed: float,
     edge: float,
 ) -> tuple[int, int, int]:
-    """Play every game, balls and phases drawn by chance: game, tick and `Fault` of the first fault; or -1, -1, 0.
+    """Play the games from `first` to below `last`, balls and phases drawn by chance: game, tick and `Fault` of the first fault.
 
+    Without a fault -1, -1, 0. What happens in a game does not depend on the others.
     before: room; after a fault the tick's start. full: (rings, slots), the layers with which a game begins. work: room.
-    counter: (1,), of the chance. hits: room for those of a tick. tally: (4,), added to: ball-steps, hits, dropped balls, freed.
-    edge: world units, where a ball is lost.
+    spins: (games, rings), room. counters: (games,), the seeds of their chance. hits: room for those of a tick.
+    tally: (4,), added to: ball-steps, hits, dropped balls, freed. edge: world units, where a ball is lost.
     """
-    for g in range(len(games.known)):
+    counter = np.empty(1, np.uint64)
+    for g in range(first, last):
+        counter[0] = counters[g]
         _begin(games, full, counter, speed, edge, g)
         for tick in range(ticks):
             _remember(games, before, g)
@@ -53,7 +57,7 @@ def play_checked(
             fault = tick_fault(before, games, g, hits, count, dt, speed, games.freed[g], games.dropped[g], work)
             if fault != 0:
                 return g, tick, fault
-            _go_on(games, counter, speed, edge, g)
+            _go_on(games, spins, counter, speed, edge, g)
     return -1, -1, 0
 
 
@@ -69,17 +73,20 @@ def _begin(games: Games, full: Slots, counter: npt.NDArray[np.uint64], speed: fl
         _serve(games, counter, speed, edge, g, i)
 
 
-def _go_on(games: Games, counter: npt.NDArray[np.uint64], speed: float, edge: float, g: int) -> None:
+def _go_on(games: Games, spins: Floats, counter: npt.NDArray[np.uint64], speed: float, edge: float, g: int) -> None:
     """Serve the balls that are lost, and once in a while steer a ring that turns."""
     for i in range(games.positions.shape[1]):
         p = games.positions[g, i]
         if math.hypot(p.real, p.imag) > edge + 2.0 * games.ball_radii[g, i]:
             _serve(games, counter, speed, edge, g, i)
+    another = False
     for k in range(games.spins.shape[1]):
-        if games.spins[g, k] != 0.0 and chance(counter) * _CALM * games.spins.shape[1] < 1.0:
-            rim = games.ring_radii[k] + games.half_widths[k]
-            games.spins[g, k] = (2.0 * chance(counter) - 1.0) * 0.99 * speed / rim
-            games.known[g] = 0
+        spins[g, k] = games.spins[g, k]
+        if spins[g, k] != 0.0 and chance(counter) * _CALM * games.spins.shape[1] < 1.0:
+            spins[g, k] = (2.0 * chance(counter) - 1.0) * 0.99 * speed / (games.ring_radii[k] + games.half_widths[k])
+            another = True
+    if another:
+        steer(games, spins, g, g + 1)
 
 
 def _serve(games: Games, counter: npt.NDArray[np.uint64], speed: float, edge: float, g: int, i: int) -> None:
