@@ -204,11 +204,14 @@ class LevelSelect(Panel):
 
 
 def next_level(state: AppState) -> int:
-    """Index of the first level that is open and was not finished yet; the one chosen last where all are finished."""
+    """Index of the first level that is open and was not finished yet, or of the one chosen last if it comes later.
+
+    That one may be locked: `--level` on the command line opens any.
+    """
     progress, names = state.kept.progress.value, [level.name for level in state.catalogue]
     for index, name in enumerate(names):
         if not progress.finished(name) and progress.is_open(index, names):
-            return max(index, state.chosen if progress.is_open(state.chosen, names) else 0)
+            return max(index, state.chosen)
     return state.chosen
 
 
