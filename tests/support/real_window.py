@@ -6,6 +6,7 @@ import select
 import shutil
 import subprocess
 import sys
+from types import MappingProxyType
 
 import pygame
 import pytest
@@ -13,8 +14,9 @@ import pytest
 from tests.support.children import GIVE_UP
 from tests.support.paths import ROOT
 
+_XDOTOOL = shutil.which("xdotool") or ""
 NO_SERVER = pytest.mark.skipif(
-    not all([shutil.which(program) for program in ("Xvfb", "xdotool")]), reason="needs a display to use: Xvfb and xdotool"
+    not _XDOTOOL or shutil.which("Xvfb") is None, reason="needs an X server and a hand on it: Xvfb and xdotool"
 )
 _SCREEN = "480x400x24"
 
@@ -105,7 +107,7 @@ class _Walker:
 class Keys(_Walker):
     """A keyboard."""
 
-    NAMES = {"ACCEPT": "Return", "BACK": "Escape", "PAUSE": "p", "SERVE": "space"}
+    NAMES = MappingProxyType({"ACCEPT": "Return", "BACK": "Escape", "PAUSE": "p", "SERVE": "space"})
 
     def press(self, action):
         """Press and release a key."""
@@ -124,16 +126,18 @@ class Keys(_Walker):
 class Pad(_Walker):
     """A gamepad."""
 
-    BUTTONS = {
-        "ACCEPT": pygame.CONTROLLER_BUTTON_A,
-        "SERVE": pygame.CONTROLLER_BUTTON_A,
-        "BACK": pygame.CONTROLLER_BUTTON_B,
-        "PAUSE": pygame.CONTROLLER_BUTTON_START,
-        "UP": pygame.CONTROLLER_BUTTON_DPAD_UP,
-        "DOWN": pygame.CONTROLLER_BUTTON_DPAD_DOWN,
-        "LEFT": pygame.CONTROLLER_BUTTON_DPAD_LEFT,
-        "RIGHT": pygame.CONTROLLER_BUTTON_DPAD_RIGHT,
-    }
+    BUTTONS = MappingProxyType(
+        {
+            "ACCEPT": pygame.CONTROLLER_BUTTON_A,
+            "SERVE": pygame.CONTROLLER_BUTTON_A,
+            "BACK": pygame.CONTROLLER_BUTTON_B,
+            "PAUSE": pygame.CONTROLLER_BUTTON_START,
+            "UP": pygame.CONTROLLER_BUTTON_DPAD_UP,
+            "DOWN": pygame.CONTROLLER_BUTTON_DPAD_DOWN,
+            "LEFT": pygame.CONTROLLER_BUTTON_DPAD_LEFT,
+            "RIGHT": pygame.CONTROLLER_BUTTON_DPAD_RIGHT,
+        }
+    )
 
     def press(self, action):
         """Press and release a button."""
@@ -211,4 +215,5 @@ class Mouse:
 
 def _xdotool(game, *words):
     """Let the X server see keys and mouse; what xdotool answers."""
-    return subprocess.run(["xdotool", *words], env=game.environment, check=True, capture_output=True, text=True).stdout
+    command = [_XDOTOOL, *words]
+    return subprocess.run(command, env=game.environment, check=True, capture_output=True, text=True).stdout

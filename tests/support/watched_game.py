@@ -41,7 +41,8 @@ class _Told:
             told = json.dumps({"screen": type(following).__name__, "focused": window.focused} | _described(following, size))
             if told != self.told:
                 self.told = told
-                print(told, flush=True)
+                sys.stdout.write(f"{told}\n")
+                sys.stdout.flush()
         return following
 
     def _obey_hands(self):
