@@ -112,7 +112,7 @@ class LevelSelect(Panel):
             found = list(group)
             finished = len([card for card in found if state.kept.progress.value.finished(card.level.name)])
             note = tr("{finished} of {count} finished").format(finished=finished, count=len(found))
-            rows.append((Heading(chapter or tr("Levels"), note),))
+            rows.append((Heading(tr(chapter) if chapter else tr("Levels"), note),))
             for start in range(0, len(found), self._columns):
                 row: list[Item] = list(found[start : start + self._columns])
                 rows.append((*row, *[Item()] * (self._columns - len(row))))
