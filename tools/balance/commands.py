@@ -60,7 +60,8 @@ def balance(
     finally:  # after Ctrl-C too: what was played is told
         _print(levels, skills, trials)
         if json is not None:
-            games = [{**trial._asdict(), "skill": trial.skill._asdict()} for trial in trials]
+            hashes = {one.name: one.content_hash()[:16] for one in levels}
+            games = [{**trial._asdict(), "skill": trial.skill._asdict(), "level_hash": hashes[trial.level]} for trial in trials]
             write_text(json, msgspec.json.format(msgspec.json.encode(games), indent=1).decode() + "\n")
 
 
