@@ -38,11 +38,11 @@ class RealGame:
     """A game in a window. seen: what it told last (tests/support/watched_game.py)."""
 
     def __init__(self, children, display, folder, *arguments, pad=False):
-        """Start it; what it keeps goes into a folder."""
+        """Start it without a sound card; what it keeps goes into a folder."""
         hidden = {"SDL_VIDEODRIVER", "WAYLAND_DISPLAY", "PAD", "LANGUAGE", "LC_ALL", "LANG"}
         self.environment = {key: value for key, value in os.environ.items() if key not in hidden}
         self.environment |= dict.fromkeys(("XDG_DATA_HOME", "XDG_CONFIG_HOME", "HOME"), str(folder))
-        self.environment |= {"DISPLAY": display, "SDL_AUDIODRIVER": "dummy"} | ({"PAD": "1"} if pad else {})
+        self.environment |= {"DISPLAY": display, "SDL_AUDIODRIVER": "none"} | ({"PAD": "1"} if pad else {})
         self.process = children.start(
             [sys.executable, "-m", "tests.support.watched_game", *arguments],
             cwd=ROOT,

@@ -69,7 +69,7 @@ def draw_hit_position(canvas: Canvas, box: pygame.Rect) -> None:
         inward = _flipped(1.0, angle) * -1.0
         _path(canvas, (foot + inward * radius * 0.75, foot), canvas.theme.faint, arrow=False)
         turned = inward * complex(math.cos(share * _TURN), math.sin(share * _TURN))
-        _path(canvas, (foot, foot + turned * radius * 0.85), canvas.theme.accent, arrow=True)
+        _path(canvas, (foot, foot + turned * radius * 0.76), canvas.theme.accent, arrow=True)
         draw_dot(canvas.surface, foot, canvas.unit * 0.34, canvas.theme.ball)
 
 
@@ -95,7 +95,7 @@ def draw_serve(canvas: Canvas, box: pygame.Rect) -> None:
         direction = -1j * complex(math.cos(math.radians(degrees)), math.sin(math.radians(degrees)))
         chosen = degrees == 22
         colour = canvas.theme.accent if chosen else mixed(canvas.theme.ground, canvas.theme.faint, 0.45)
-        _path(canvas, (foot, foot + direction * radius * (0.95 if chosen else 0.6)), colour, arrow=chosen)
+        _path(canvas, (foot, foot + direction * radius * (0.85 if chosen else 0.6)), colour, arrow=chosen)
     draw_dot(canvas.surface, foot, canvas.unit * 0.34, canvas.theme.ball)
 
 

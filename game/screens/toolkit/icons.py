@@ -1,6 +1,7 @@
 """Small signs that need no words: pause, help, settings, back."""
 
 import math
+from functools import lru_cache
 
 import pygame
 
@@ -10,13 +11,14 @@ from game.drawing.raster.primitives import draw_dot
 
 _THIN = 0.13
 """Width of a stroke, in sides of the box."""
+_REACH, _FINER = 0.2, 4
+"""Of a cross: half its width, in sides of the box; and how much larger it is drawn."""
 
 
 def draw_cross(canvas: Canvas, box: pygame.Rect, colour: Colour) -> None:
     """A cross: it closes what it stands on."""
-    reach, middle = box.width * 0.22, complex(*box.center)
-    _stroke(canvas, middle - reach * (1 + 1j), middle + reach * (1 + 1j), box.width, colour)
-    _stroke(canvas, middle + reach * (-1 + 1j), middle + reach * (1 - 1j), box.width, colour)
+    picture = _cross(max(box.width, 1), colour)
+    canvas.surface.blit(picture, picture.get_rect(center=box.center))
 
 
 def draw_bars(canvas: Canvas, box: pygame.Rect, colour: Colour) -> None:
@@ -58,11 +60,17 @@ def draw_lock(canvas: Canvas, box: pygame.Rect, colour: Colour) -> None:
     pygame.draw.rect(canvas.surface, colour, body, border_radius=max(width, 1))
 
 
-def _stroke(canvas: Canvas, start: complex, end: complex, side: int, colour: Colour) -> None:
-    """A straight stroke with round ends."""
-    width = side * _THIN / 2.0
-    across = (end - start) / abs(end - start) * 1j * width
-    corners = (start + across, end + across, end - across, start - across)
-    pygame.draw.polygon(canvas.surface, colour, [(corner.real, corner.imag) for corner in corners])
-    pygame.draw.aaline(canvas.surface, colour, (corners[0].real, corners[0].imag), (corners[1].real, corners[1].imag))
-    pygame.draw.aaline(canvas.surface, colour, (corners[2].real, corners[2].imag), (corners[3].real, corners[3].imag))
+@lru_cache(maxsize=32)
+def _cross(side: int, colour: Colour) -> pygame.Surface:
+    """A cross of two strokes with round ends, drawn finer and scaled down."""
+    fine = side * _FINER
+    large = pygame.Surface((fine, fine), pygame.SRCALPHA)
+    large.fill((*colour[:3], 0))
+    middle, width = complex(fine, fine) / 2.0, fine * _THIN / 2.0
+    for towards in (1 + 1j, 1 - 1j):
+        across, reach = towards / abs(towards) * 1j * width, towards * fine * _REACH
+        corners = (middle - reach + across, middle + reach + across, middle + reach - across, middle - reach - across)
+        pygame.draw.polygon(large, colour, [(corner.real, corner.imag) for corner in corners])
+        for end in (middle - reach, middle + reach):
+            pygame.draw.circle(large, colour, (end.real, end.imag), width)
+    return pygame.transform.smoothscale(large, (side, side))
