@@ -31,7 +31,7 @@ from tools.crosscheck.run import Job, RunResult, check_game, default_sources
 from tools.crosscheck.sabotage.suite import suite_jobs
 from tools.executor import Lost
 
-SHORT = ["--games", "1", "--level", "6", "--ticks", "1500"]
+SHORT = ["--games", "1", "--level", "The Keep", "--ticks", "1500"]
 
 
 @pytest.fixture(autouse=True)
