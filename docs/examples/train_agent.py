@@ -14,7 +14,8 @@ NUMBERS = 4
 """Of the state: position and velocity."""
 SECONDS = 90
 """Of an episode at most."""
-AGENTS, BEST = 256, 32
+BEST = 8
+"""One in so many agents is among the best of its generation."""
 
 
 def points(env: gymnasium.vector.VectorEnv, weights: np.ndarray | None, seed: int) -> np.ndarray:
@@ -36,13 +37,14 @@ def points(env: gymnasium.vector.VectorEnv, weights: np.ndarray | None, seed: in
 def main() -> None:
     """Train, print the curve, and compare with an agent that acts at random."""
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
-    parser.add_argument("--level", default="1")
+    parser.add_argument("--level", default="First Wall")
     parser.add_argument("--generations", type=int, default=20)
+    parser.add_argument("--agents", type=int, default=256)
     parser.add_argument("--seed", type=int, default=1)
     chosen = parser.parse_args()
     env = gymnasium.make_vec(
         "tools.environments:PolarBreakout-v0",
-        num_envs=AGENTS,
+        num_envs=chosen.agents,
         level=chosen.level,
         actions="continuous",
         frame_skip=8,
@@ -53,14 +55,16 @@ def main() -> None:
     chance = np.random.default_rng(chosen.seed)
     mean, spread = np.zeros((2, NUMBERS)), np.ones((2, NUMBERS))
     for generation in range(chosen.generations):
-        weights = mean + spread * chance.normal(size=(AGENTS, 2, NUMBERS))
+        weights = mean + spread * chance.normal(size=(chosen.agents, 2, NUMBERS))
         scored = points(env, weights, chosen.seed + generation)
-        best = weights[np.argsort(scored)[-BEST:]]
+        best = weights[np.argsort(scored)[-chosen.agents // BEST :]]
         mean, spread = best.mean(axis=0), best.std(axis=0) + 0.02
         bar = "#" * int(scored.mean() / 20)
         print(f"generation {generation + 1:2d}: mean {scored.mean():5.0f}, best {scored.max():5.0f}  {bar}")
-    trained = points(env, np.broadcast_to(mean, (AGENTS, 2, NUMBERS)), chosen.seed + 10_000).mean()
-    print(f"trained, in {AGENTS} games that it has not seen: {trained:.0f} points, {trained / at_random:.1f} times as many")
+    trained = points(env, np.broadcast_to(mean, (chosen.agents, 2, NUMBERS)), chosen.seed + 10_000).mean()
+    print(
+        f"trained, in {chosen.agents} games that it has not seen: {trained:.0f} points, {trained / at_random:.1f} times as many"
+    )
     env.close()
 
 

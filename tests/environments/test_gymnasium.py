@@ -17,7 +17,7 @@ from tools.environments.checker import check_vector_env
     "options",
     [
         {},
-        {"level": "7", "observation": "rings", "actions": "continuous", "frame_skip": 1},
+        {"level": "Sunflower", "observation": "rings", "actions": "continuous", "frame_skip": 1},
         {"observation": "pixels", "repeat_action_probability": 0.25},
     ],
 )
@@ -35,7 +35,7 @@ def test_gymnasiums_checker_has_nothing_to_say(options, recwarn):
 SHORT = {"max_ticks": 500, "frame_skip": 4}
 
 
-@pytest.mark.parametrize("options", [{}, {"level": "7", "actions": "continuous", "repeat_action_probability": 0.5}])
+@pytest.mark.parametrize("options", [{}, {"level": "Sunflower", "actions": "continuous", "repeat_action_probability": 0.5}])
 def test_many_environments_answer_as_single_ones_do(options):
     """In all autoreset modes: observations, rewards, ends and infos are those of Gymnasium's own vector environment."""
     options = SHORT | options
@@ -70,7 +70,7 @@ def played(env, steps):
 
 def test_a_state_that_is_set_goes_on_as_it_did():
     """Also in another object; the actions held by chance are the same, too."""
-    options = {"level": "5", "actions": "continuous", "repeat_action_probability": 0.5, "recorded": [1]}
+    options = {"level": "Towers", "actions": "continuous", "repeat_action_probability": 0.5, "recorded": [1]}
     first, second = [PolarBreakoutVectorEnv(3, **options) for _ in range(2)]
     first.reset(seed=2)
     first.action_space.seed(2)
@@ -88,14 +88,14 @@ def test_a_state_that_is_set_goes_on_as_it_did():
 
 def state_observations(state):
     """What an environment sees that has been given a state."""
-    env = PolarBreakoutVectorEnv(3, level="5", recorded=[1])
+    env = PolarBreakoutVectorEnv(3, level="Towers", recorded=[1])
     return env.set_state(state)
 
 
 @pytest.mark.parametrize("actions", ["discrete", "continuous"])
 def test_a_recorded_game_is_played_and_verified_by_the_game(tmp_path, actions):
     """A game that is over, written after the next has begun; and that next one, unfinished."""
-    env = PolarBreakoutVectorEnv(2, level="2", actions=actions, recorded=[1], frame_skip=3)
+    env = PolarBreakoutVectorEnv(2, level="Three Rings", actions=actions, recorded=[1], frame_skip=3)
     env.reset(seed=4)
     env.action_space.seed(4)
     while not env.step(env.action_space.sample())[2][1]:
@@ -179,7 +179,7 @@ def test_only_recorded_environments_write_replays(tmp_path):
 
 def test_a_picture_shows_ball_paddles_and_bricks():
     """Each at its grey, where the game has it; the unrolled ground has the ball at its distance and angle."""
-    env = PolarBreakoutVectorEnv(1, observation="rings", level="1")
+    env = PolarBreakoutVectorEnv(1, observation="rings", level="First Wall")
     seen = env.reset(seed=1)[0][0, :, :, 0]
     ball, ground = env.game(0).arena.balls[0], env._environments.level.ground_radius
     row, column = int(abs(ball.position) / ground * 48), int(np.angle(ball.position) % (2 * np.pi) / (2 * np.pi) * 96)

@@ -8,7 +8,7 @@ from game.replays.state_hash import state_hash
 from game.rules import SOURCE_RULES, Controls, Phase, new_game, tick
 from tools.environments.many import ManyEnvironments, Options, base_seed
 
-COUNT, STEPS = 3, 700
+COUNT, STEPS = 3, 400
 EVERY = np.ones(COUNT, np.bool_)
 
 
@@ -87,7 +87,7 @@ def test_a_level_is_the_game_of_the_rules(level):
 def test_what_is_rare_is_the_same_too():
     """Nudges of a ball that loops, games that are won, games that are over: brought about by hand, then played by both."""
     played = Played()
-    many = environments("1", "continuous")
+    many = environments("First Wall", "continuous")
     play(many, 400, np.random.default_rng(1), played)
     many._episodes["idle"] = 11  # the next contact nudges
     play(many, 500, np.random.default_rng(2), played)

@@ -13,9 +13,9 @@ from tools.sweep.play import Row, played
 from tools.sweep.plots import plot
 from tools.sweep.table import summaries
 
-LEVELS = (chosen("1")[0], chosen("5")[0])
+LEVELS = (chosen("First Wall")[0], chosen("Towers")[0])
 AXES = Axes(LEVELS, ["autopilot", "220/5"], [0.5, 0.9], [0.0, 1.0], [1.0])
-FEW = ["--level", "1", "--players", "autopilot,150/2", "--top-speed", "0.6,0.9", "--seeds", "2", "--minutes", "0.05"]
+FEW = ["--level", "First Wall", "--players", "autopilot,150/2", "--top-speed", "0.6,0.9", "--seeds", "2", "--minutes", "0.05"]
 
 
 def sweep(capsys, *arguments):
@@ -145,7 +145,7 @@ def test_other_games_are_not_gone_on_with(capsys, tmp_path):
 def test_bad_input_is_named(capsys, monkeypatch, tmp_path, arguments, reason):
     """Exit code 2, one line for it, nothing written."""
     monkeypatch.chdir(tmp_path)
-    code, out, err = sweep(capsys, "--level", "1", *arguments)
+    code, out, err = sweep(capsys, "--level", "First Wall", *arguments)
     assert (code, out) == (2, "")
     assert reason in err.splitlines()[-1]
     assert [*tmp_path.iterdir()] == []

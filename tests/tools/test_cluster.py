@@ -20,7 +20,7 @@ from tools.sweep.play import played
 
 distributed = pytest.importorskip("distributed")
 
-JOBS = grid(Axes(chosen("1")[:1], ["220/5"], [0.9], [], [1.0]), 24, SOURCE_RULES, 500).jobs
+JOBS = grid(Axes(chosen("First Wall")[:1], ["220/5"], [0.9], [], [1.0]), 24, SOURCE_RULES, 500).jobs
 
 
 @pytest.fixture

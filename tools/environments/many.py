@@ -89,12 +89,14 @@ class ManyEnvironments:
         self._hits = np.empty(2 * MAX_IMPACTS, HIT)
         self._cells = _cells(self._start, self.level.ground_radius, options.observation)
         self._histories = {index: History() for index in recorded}
+        self._begun = False
         self._no_pointers = np.full(count, -1, np.int64)
 
     @property
     def begun(self) -> bool:
         """Whether every environment has had its first episode."""
-        return bool(self._episodes["number"].all())
+        self._begun = self._begun or bool(self._episodes["number"].all())
+        return self._begun
 
     @property
     def state_size(self) -> int:
@@ -117,6 +119,7 @@ class ManyEnvironments:
         self._episodes["base"][mask] = np.array(bases, np.uint64)[mask]
         self._episodes["number"][mask] = 0
         self._episodes["actions"][mask] = 0
+        self._begun = False
 
     def begin(self, mask: npt.NDArray[np.bool_]) -> None:
         """Begin the next episode in the environments of a mask."""
@@ -197,6 +200,7 @@ class ManyEnvironments:
             raise ValueError(f"state must be of {len(self)} environments, {sorted(self._histories)} of them recorded")
         self._games = _copied(state.games)
         self._episodes[:] = state.episodes
+        self._begun = False
         self._episodes["changed"] = 1
         self._loops.write_states(self._numbers, self._games, self._episodes, self._states)
         self._histories = {index: history.copy() for index, history in state.histories.items()}

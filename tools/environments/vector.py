@@ -121,8 +121,11 @@ class PolarBreakoutVectorEnv(gymnasium.vector.VectorEnv[Array, Array, Array]):
     def _info(self, mask: npt.NDArray[np.bool_]) -> dict[str, Any]:
         """Score, lives and ticks of the episodes in the environments of a mask."""
         episodes = self._environments.episodes
-        info = {name: np.where(mask, episodes[field], 0) for name, field in _INFO.items()}
-        return info | {f"_{name}": mask.copy() for name in _INFO}
+        info: dict[str, Any] = {}
+        for name, field in _INFO.items():
+            info[name] = episodes[field].copy() if mask is self._all else np.where(mask, episodes[field], 0)
+            info[f"_{name}"] = mask.copy()
+        return info
 
     def _final(self, ended: npt.NDArray[np.bool_]) -> dict[str, Any]:
         """The last observations and infos of the episodes that have ended."""

@@ -94,8 +94,7 @@ class Lab:
 
     def present(self) -> None:
         """Show the scene to a lecture room, from its first step on."""
-        self._scale = DEFAULT_SCALE
-        self._reveal = self._first_step()
+        self._scale, self._reveal = DEFAULT_SCALE, self._first_step()
 
     def layout(self, size: tuple[int, int]) -> WindowLayout:
         """How a window of that size is divided."""
@@ -128,7 +127,8 @@ class Lab:
 
     def advance(self, seconds: float, _size: tuple[int, int]) -> Screen | None:
         """Let time pass."""
-        self._session = sessions.later(self._session, seconds)
+        if self._reveal.seen is None:  # a scene that runs waits until all of it is shown
+            self._session = sessions.later(self._session, seconds)
         if self._repeat is not None:
             held, command = self._repeat
             held, due = held.later(seconds)
@@ -193,7 +193,7 @@ class Lab:
 
     def _step_name(self) -> str:
         """Which step of a reveal is shown."""
-        name, asked = step_name(self._reveal, self._picture()), reveals.prediction(self._reveal, self._picture())
+        asked, name = reveals.prediction(self._reveal, self._picture()), step_name(self._reveal, self._picture())
         return name if asked is None else f"{name}.   Now drag your {asked.asked}"
 
     def _key(self, event: pygame.Event, size: tuple[int, int]) -> Screen | None:

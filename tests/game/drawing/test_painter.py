@@ -141,6 +141,23 @@ def test_a_dot_is_where_it_is_said_to_be():
         assert np.abs(picture[:, 1] - layer_colour(DARK, 4)).max() < 1.0
 
 
+@pytest.mark.parametrize("layers", [2, 3, 5])
+def test_dots_are_where_they_belong_and_nowhere_else(layers):
+    """Along the middle of a stack's top the colours change as often as its dots say: twice for every dot on the way."""
+    scene = bare(tick_after(0, 0))
+    scene = scene._replace(layers=(scene.layers[0], (layers,) * scene.rings[1].count), tallest=(0, 9))
+    surface, camera = painted(scene, (1800, 1400))
+    ring = scene.rings[1]
+    shape = SlotShape(ring.radius, ring.half_width, ring.half_angle, 9, 1.0 / camera.scale)
+    inset = (layers - 1) * shape.terrace
+    top = shape._replace(half_width=ring.half_width - inset, half_angle=ring.half_angle - inset / ring.radius)
+    row = [dot for dot in dots(layers, top) if dot[0] == max(radius for radius, _, _ in dots(layers, top))]
+    radius, reach = row[0][0], 0.8 * top.half_angle
+    angles = ring.angle(2) + np.linspace(-reach, reach, 900)
+    seen = [colour_at(surface, camera, radius * cmath.exp(1j * float(angle))) == layer_colour(DARK, layers) for angle in angles]
+    assert sum(one != other for one, other in itertools.pairwise(seen)) == 2 * len(row)
+
+
 def test_what_cannot_break_differs_in_shape_too():
     """A steel sector is crossed by lines; a stack's top is plain."""
     scene = bare(tick_after(5, 0))

@@ -6,7 +6,17 @@ from game.effects import ALL, EffectKind, Effects, after
 from game.effects.entry import ENTRY_TICKS
 from game.effects.slow_motion import SLOWEST, pace
 from game.levels import classic
-from game.rules import Controls, Phase, Ruleset, layers_left, new_game, tick
+from game.rules import (
+    ActivePower,
+    Controls,
+    EventKind,
+    Phase,
+    PowerUp,
+    Ruleset,
+    layers_left,
+    new_game,
+    tick,
+)
 from game.scene import scene_at
 
 
@@ -51,3 +61,16 @@ def test_nobody_waits_for_the_wall():
     whole = sum(count > 0 for ring in entering(1).layers[1:] for count in ring)
     assert standing(entering(40, controls=Controls(serve=True))) == whole
     assert standing(entering(5, ALL - {EffectKind.ENTRY})) == whole
+
+
+def test_a_hit_that_two_events_tell_is_shown_once():
+    """A ball that sticks to a paddle is a hit and a catch; one paddle flashes, and one burst of sparks flies."""
+    game, pilot, shown = new_game(classic(), 1, Ruleset()), Autopilot(), Effects()
+    for _ in range(4000):
+        sticky = game._replace(powers=(ActivePower(PowerUp.STICKY, 900, 900),)) if game.phase == Phase.PLAYING else game
+        done = tick(sticky, pilot.controls(game))
+        game, shown = done.game, after(Effects(), done)
+        if any(event.kind == EventKind.BALL_CAUGHT for event in done.events):
+            break
+    assert any(event.kind == EventKind.PADDLE_HIT for event in done.events)
+    assert (len(shown.flashes), len(shown.bursts), len(shown.lights)) == (1, 1, 1)

@@ -214,8 +214,8 @@ def recorded(folder, x, volume=1.0, *, muted=False):
         from game.rules import Event, EventKind
         audio = Audio()
         audio.volume, audio.muted = {volume}, {muted}
-        before = os.path.getsize({str(path)!r}) if os.path.exists({str(path)!r}) else 0
         audio.play([Event(EventKind.BALL_LOST, position=complex({x}))], lambda position: position.real / 10.0, 0)
+        before = os.path.getsize({str(path)!r}) if os.path.exists({str(path)!r}) else 0
         while audio.problem is None and os.path.getsize({str(path)!r}) < before + 3 * 4 * 44100:
             time.sleep(0.005)
         audio.close()
