@@ -74,7 +74,7 @@ def test_a_session(children, tmp_path, hands):
     assert err.count(b"\n") == 1, err
     assert b"sound" in err
     (score,) = Kept(folder).scores.value.entries
-    assert (score.name, score.difficulty) == ("MO", "hard")
+    assert (score.name, score.difficulty, score.first) == ("MO", "hard", "The Heart")
     assert score.score > 0
     assert objection(score, folder / "replays") is None
     assert len([load_file(path) for path in (folder / "levels").glob("*.toml")]) == 2
