@@ -9,9 +9,10 @@ from typing import NamedTuple
 import pygame
 
 from game.chosen_physics import SWEPT, ChosenPhysics
+from game.input.events import keyboard_state
 from game.input.key_names import layout_changed
 from game.input.keys import Action
-from game.input.signals import FocusLost, KeyboardState, PadChanged, Pressed, Signal, keyboard_state
+from game.input.signals import FocusLost, KeyboardState, PadChanged, Pressed, Signal
 from game.kept.store import Kept
 from game.kept.window import WindowBox
 from game.lab.kit.second_engine import Engine

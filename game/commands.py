@@ -14,8 +14,9 @@ from game.chosen_physics import SWEPT, ChosenPhysics, flown_on, functions_of
 from game.editor.command import file_to_edit
 from game.effects import LONGEST
 from game.headless import autopilot_game, result_line
+from game.kept.folder import data_folder
 from game.kept.scores import objection
-from game.kept.store import Kept, data_folder
+from game.kept.store import Kept
 from game.lab.kit.second_engine import Engine
 from game.levels import Level, chosen, level_schema, warnings
 from game.picture_file import PlayedGame, picture_folders, save_picture, size_of

@@ -5,7 +5,8 @@ from collections.abc import Sequence
 import numpy as np
 import pygame
 
-from game.drawing.camera import Camera, Points, Reals
+from game.drawing.camera import Camera
+from game.drawing.raster.arrays import Points, Reals
 from game.drawing.canvas import Canvas
 from game.drawing.light import LIGHT
 from game.drawing.palette import Colour, Theme, layer_colour

@@ -5,7 +5,8 @@ import math
 import numpy as np
 import pygame
 
-from game.drawing.camera import Camera, Points
+from game.drawing.camera import Camera
+from game.drawing.raster.arrays import Points
 from game.drawing.canvas import Canvas
 from game.drawing.palette import Colour, mixed
 from game.drawing.raster.pixels import pairs

@@ -6,7 +6,7 @@ import numpy as np
 import pygame
 
 from game.drawing.arcade.icons import PowerIcons, power_colour
-from game.drawing.camera import Points
+from game.drawing.raster.arrays import Points
 from game.drawing.canvas import Canvas
 from game.drawing.palette import Colour, mixed
 from game.drawing.raster.pixels import pairs

@@ -5,7 +5,7 @@ from collections.abc import Callable
 
 import numpy as np
 
-from game.drawing.camera import Reals
+from game.drawing.raster.arrays import Reals
 from game.drawing.palette import Colour, Theme, layer_colour, luminance, mixed
 
 _GLOSS = 0.7

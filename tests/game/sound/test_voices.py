@@ -10,8 +10,10 @@ from hypothesis import strategies as st
 
 from game.rules import HARMFUL, Event, EventKind, PowerUp
 from game.sound.patches import Patch
-from game.sound.synth import Note, brick, every_note, waveform
-from game.sound.voices import SILENCE, TAIL_STEP, VOICES, Cue, chorus, cues, panned, tail
+from game.sound.notes import Note, brick, every_note
+from game.sound.synth import waveform
+from game.sound.tails import tail
+from game.sound.voices import SILENCE, TAIL_STEP, VOICES, Cue, chorus, cues, panned
 from physics import Contact, Feature, Hit
 
 RATE = 8000
