@@ -53,8 +53,6 @@ _STILL_RATE = 60
 """Frames per second, at most, of a screen that stands still."""
 _SHOWN_AGAIN = (pygame.WINDOWEXPOSED, pygame.WINDOWRESIZED, pygame.WINDOWSIZECHANGED, pygame.WINDOWRESTORED, pygame.WINDOWSHOWN)
 """After these the window's picture may be gone."""
-_TOLD_SECONDS = 6.0
-"""How long is told at the start what is wrong with the kept files."""
 
 
 class Services(NamedTuple):
@@ -152,8 +150,7 @@ def _state(catalogue: tuple[Level, ...], services: Services, chosen: int, seed: 
     state.open_levels = lambda state: LevelSelect(state, Title(state))
     if services.kept is not None:
         state.kept = services.kept
-        if state.kept.problems:
-            state.toast = toast.Toast(state.kept.problems[0], left=_TOLD_SECONDS)
+        state.tell_problem()
     state.ruleset = ruleset_of(state.kept.progress.value.last_difficulty)
     return state
 

@@ -1,5 +1,6 @@
 """Settings that every test shares."""
 
+import gc
 import os
 
 import pytest
@@ -22,6 +23,13 @@ settings.load_profile("ci" if os.environ.get("CI") else "desk")
 def pytest_addoption(parser):
     """`--regen` records the golden games anew."""
     parser.addoption("--regen", action="store_true", help="record the golden games anew; the changelog must say why")
+
+
+@pytest.hookimpl(trylast=True)
+def pytest_collection_finish():
+    """What there is before the first test stays until the last, and the garbage collector need not look at it again."""
+    gc.collect()
+    gc.freeze()
 
 
 @pytest.fixture

@@ -20,7 +20,7 @@ class Theme(NamedTuple):
     panel, panel_edge: of plates with text.
     paddle, paddle_top, ball, trail: of these. steel, steel_line: of what never breaks, and of the lines on it.
     flash: the light of a hit. danger: bad news.
-    shadow: share of the ground's light that a shadow takes.
+    shadow: share of the ground's light that a shadow takes. shade: how dark the sides of blocks are, 0 to 1.
     vignette: share of its light by which the ground is darker at the rim than in the middle.
     glow: strength of the light that the rim gives off, 0 to 1.
     relief: strength of light and shadow on what stands in the flat view, 0 to 1.
@@ -45,6 +45,7 @@ class Theme(NamedTuple):
     flash: Colour
     danger: Colour
     shadow: float
+    shade: float
     vignette: float
     glow: float
     relief: float
@@ -70,6 +71,7 @@ DARK = Theme(
     flash=(255, 255, 255),
     danger=(255, 138, 128),
     shadow=0.42,
+    shade=1.0,
     vignette=0.5,
     glow=1.0,
     relief=1.0,
@@ -105,6 +107,7 @@ LIGHT = Theme(
     flash=(255, 176, 0),
     danger=(176, 24, 36),
     shadow=0.22,
+    shade=0.6,
     vignette=0.06,
     glow=1.0,
     relief=1.0,

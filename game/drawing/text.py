@@ -25,7 +25,7 @@ class Type:
 
     def rendered(self, text: str, size: float, colour: Colour, spacing: float = 0.0) -> pygame.Surface:
         """A line of text on a transparent surface. size: pixels; spacing: between letters, as a share of the size."""
-        pixels = min(max(round(size), _SMALLEST), _LARGEST)
+        pixels = _pixels(size)
         key = (text, pixels, colour, spacing)
         if key in self._lines:
             self._lines.move_to_end(key)
@@ -60,9 +60,10 @@ class Type:
     def wrapped(self, text: str, size: float, width: float) -> list[str]:
         """The text in lines no wider than `width` pixels, as far as words allow."""
         lines: list[str] = []
+        font = self._font(_pixels(size))
         for word in text.split():
             longer = f"{lines[-1]} {word}" if lines else word
-            if lines and self.rendered(longer, size, (0, 0, 0)).get_width() <= width:
+            if lines and -(-font.size(longer)[0] // _FINER) <= width:  # as wide as `rendered` would make it
                 lines[-1] = longer
             else:
                 lines.append(word)
@@ -90,6 +91,11 @@ class Type:
             line.blit(letter, (left, 0))
             left += letter.get_width() + gap
         return line
+
+
+def _pixels(size: float) -> int:
+    """A size of letters that there is a font for, pixels."""
+    return min(max(round(size), _SMALLEST), _LARGEST)
 
 
 def stepped(size: float) -> float:

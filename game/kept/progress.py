@@ -9,6 +9,9 @@ VERSION = 1
 RANKS = ("C", "B", "A", "S")
 """The ranks of a finished level, worst first."""
 
+OWN = "own "
+"""Begins the name under which the best of a level of the player's own is kept."""
+
 Word = Annotated[str, Meta(max_length=200)]
 Count = Annotated[int, Meta(ge=0, le=2**53)]
 Digest = Annotated[str, Meta(pattern="^([0-9a-f]{64})?$")]

@@ -16,7 +16,7 @@ LONGEST_RUN = 65535
 """Ticks."""
 _RUN = struct.Struct("<HHHHH")
 _OLD_RUN = struct.Struct("<HBH")
-_KNOWN = 0b1_1111_1111
+_POSSIBLE = frozenset([flags for flags in range(0b10_0000_0000) if flags & 3 != 3 and flags >> 6 & 3 != 3])
 _OLD_KNOWN = {1: 0b01111, 2: 0b11111}
 """The flags that each older format knows."""
 _NO_SECOND_TURN = 1 << 6
@@ -53,7 +53,7 @@ def problem_of(runs: bytes, ticks: int) -> str | None:
     total = 0
     for length, flags, pointer, aim, second_pointer in _RUN.iter_unpack(runs):
         absent = (pointer and not flags & 8) or (aim and not flags & 32) or (second_pointer and not flags & 256)
-        if length == 0 or flags & 3 == 3 or flags >> 6 & 3 == 3 or flags & ~_KNOWN or absent:
+        if length == 0 or flags not in _POSSIBLE or absent:
             return f"unknown action {flags} at tick {total}"
         total += length
     return None if total == ticks else f"{total} where {ticks} ticks need {ticks}"

@@ -76,7 +76,10 @@ def _by_arcade_rules(game: Game, controls: Controls, flown: Ticked, events: list
 
 def _level_cleared(game: Game, events: list[Event]) -> Game:
     """The game after the last brick of a level."""
+    before = game.score
     game = with_result(game, events)._replace(drops=(), held=())
+    if game.ruleset.arcade:
+        game = with_extra_lives(game, before, events)
     if game.number + 1 < len(game.levels):
         return in_phase(game, Phase.CLEARED)
     events.append(Event(EventKind.GAME_WON))

@@ -37,6 +37,8 @@ Recorder = Callable[[Controls, Game], None]
 
 SOURCE = "source"
 """The name under which scores by the source's rules are kept."""
+_TOLD_SECONDS = 6.0
+"""How long is told what is wrong with the kept files."""
 _PIXELS = Camera(0j, 1.0)
 """For what is no picture of the world."""
 
@@ -64,8 +66,8 @@ class AppState:
     audio: the sound; None without.
     toast: words that are shown for a moment.
     devices: what the player has in hand.
-    away: whether the player is in another window. shown: all that the picture on the window depended on when it was drawn;
-    None where it has to be drawn again.
+    told: what was said about the kept files. away: whether the player is in another window.
+    shown: all that the picture on the window depended on when it was drawn; None where it has to be drawn again.
     painter, type: draw all pictures and all text, and cache them; pictures: those of the levels.
     """
 
@@ -90,6 +92,7 @@ class AppState:
     audio: Audio | None = None
     settings_file: SettingsFile | None = None
     toast: Toast | None = None
+    told: set[str] = field(default_factory=set)
     away: bool = False
     shown: object = None
     physics: ChosenPhysics = SWEPT
@@ -150,6 +153,13 @@ class AppState:
         """Write the settings down for the next session."""
         if self.settings_file is not None:
             self.settings_file.keep(self.settings)
+
+    def tell_problem(self) -> None:
+        """Say on the screen what could not be saved, once."""
+        problems = self.kept.problems
+        if problems and problems[-1] not in self.told:
+            self.told.add(problems[-1])
+            self.toast = Toast(problems[-1], left=_TOLD_SECONDS)
 
     def play_sounds(self, ticked: Ticked, camera: Camera) -> None:
         """Make the sounds of a tick, each where its event is on the screen; the music follows the game."""

@@ -3,11 +3,12 @@
 from functools import cache
 
 from game.chosen_physics import SWEPT
-from game.kept.progress import Best
+from game.kept.progress import OWN, Best
 from game.levels import Level, built_in
 from game.replays.file import load
 from game.rules import EventKind, Game, Ticked
 from game.screens.app_state import AppState
+from game.screens.earned import earned
 from game.screens.ghost import Ghost
 from game.system.errors import BadInputError
 
@@ -31,6 +32,7 @@ class PlayRecord:
         self.speed = 100  # per cent, the slowest so far
         self.done: Best | None = None
         self.before: Best | None = None
+        self.earned: tuple[str, ...] = ()
         self.ghost: Ghost | None = None
         if self.counts:
             state.kept.game_done()
@@ -59,7 +61,10 @@ class PlayRecord:
         result = game.results[-1]
         difficulty = self._state.difficulty
         self.done = Best(record_name(game.level), difficulty, result.score, int(result.rank), result.ticks, start=self._start)
+        earned_before = earned(self._state.kept.progress.value)
         self.before = self._state.kept.level_done(self.done)
+        self.earned = tuple([name for name in earned(self._state.kept.progress.value) if name not in earned_before])
+        self._state.tell_problem()
 
     def _open_ghost(self, number: int) -> None:
         """The best run of a level, where its replay is still there."""
@@ -77,7 +82,7 @@ class PlayRecord:
 
 def record_name(level: Level) -> str:
     """The name under which a level's best is kept: its own, or for a level of the player's what is in it."""
-    return level.name if _is_built_in(level) else f"own {level.content_hash()}"
+    return level.name if _is_built_in(level) else f"{OWN}{level.content_hash()}"
 
 
 def _is_built_in(level: Level) -> bool:

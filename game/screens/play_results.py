@@ -55,12 +55,16 @@ def level_results(state: AppState, play: Played, game: Game, record: PlayRecord)
         Figure(tr("Score so far"), game.score),
     )
     rank = RANKS[int(result.rank)]
-    return Results(state, play, tr("Level cleared"), game.level.name, figures, entries, rank, back=play.went_on)
+    line = game.level.name
+    if record.earned:
+        line = tr("{level}. Yours from now on, in the settings: {things}").format(level=line, things=", ".join(record.earned))
+    return Results(state, play, tr("Level cleared"), line, figures, entries, rank, back=play.went_on)
 
 
 def game_results(state: AppState, play: Played, game: Game, record: PlayRecord) -> Screen:
     """After a game: its figures; the name of who made a high score; and how to go on."""
     kept_game = state.kept.game_done() if record.counts else None
+    state.tell_problem()
     won = game.phase == Phase.WON
     tally = game.statistics.game
     figures = (
@@ -105,6 +109,7 @@ def _name_entry(state: AppState, play: Played, score: Score, entries: tuple[Entr
     def done(name: str) -> Screen:
         entered = msgspec.structs.replace(score, name=name)
         state.kept.enter(entered)
+        state.tell_problem()
         return HighScores(state, play, entered, entries)
 
     return opened

@@ -110,7 +110,7 @@ class Title(Panel):
         """The demonstration alone."""
         size, state = surface.get_size(), self.state
         scene = self._demo.scene()._replace(aim=None, pops=())
-        canvas = state.canvas(surface, _demo_camera(size, scene.ground_radius))
+        canvas = state.canvas(surface, _demo_camera(size, self.unit(size), scene.ground_radius))
         state.painter.paint(canvas, scene)
 
     def draw_plate(self, canvas: Canvas, _content: Content, laid: Laid) -> None:
@@ -145,12 +145,15 @@ def _is_wide(size: tuple[int, int]) -> bool:
     return size[0] > size[1] * _WIDE
 
 
-def _demo_camera(size: tuple[int, int], ground_radius: float) -> Camera:
-    """The camera that shows the demonstration: at the right, its edge perhaps beyond the surface's; else in the middle."""
+def _demo_camera(size: tuple[int, int], unit: float, ground_radius: float) -> Camera:
+    """The camera that shows the demonstration: at the right, its edge perhaps beyond the surface's; else in the middle.
+
+    unit: size of the buttons' text, pixels.
+    """
     width, height = size
     if not _is_wide(size):
         return Camera(complex(width, height) / 2.0, max(min(size) * _DEMO_RADIUS / ground_radius, 1e-3))
     radius = height * _DEMO_RADIUS
-    left = unit_of(size) * (_LEFT + _COLUMN + 0.5)
+    left = unit * (_LEFT + _COLUMN + 0.5)
     middle = max(left + radius, (left + width) / 2.0)
     return Camera(complex(middle, height / 2.0), max(radius / ground_radius, 1e-3))

@@ -284,11 +284,14 @@ def test_a_squeezed_ball_that_used_up_its_bounces_is_confirmed():
     assert what(rows, Comparison.SET_FREE) == set()
 
 
-@pytest.mark.parametrize("facets", [3, 8, 4096])
-def test_the_bounds_hold_for_any_number_of_facets(facets):
-    """Also where a chord is so coarse that it lies behind the ball's centre, and its normal says nothing."""
-    rows = check_game(Job(Source(None, AIMED, 4, 600), facets)).rows
-    assert (rows.unexplained, rows.contacts > 1000) == (0, True)
+@pytest.mark.parametrize(("facets", "ticks", "least"), [(3, 600, 1000), (8, 600, 1000), (1024, 600, 1000), (4096, 40, 50)])
+def test_the_bounds_hold_for_any_number_of_facets(facets, ticks, least):
+    """Also where a chord is so coarse that it lies behind the ball's centre, and its normal says nothing.
+
+    Fewer contacts with the most facets: making the 8,192 chords of a ring takes longer than comparing a hundred contacts.
+    """
+    rows = check_game(Job(Source(None, AIMED, 4, ticks), facets)).rows
+    assert (rows.unexplained, rows.contacts > least) == (0, True)
     assert all(
         error <= bound for samples in rows.samples.values() for error, bound in zip(samples.errors, samples.bounds, strict=True)
     )

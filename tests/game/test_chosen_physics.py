@@ -87,9 +87,7 @@ def test_a_line_on_the_screen_says_so(size):
     room = pygame.Rect(0, size[1] - round(unit * 1.5), size[0], round(unit * 1.5))
 
     def ink(picture):
-        mask = pygame.mask.from_threshold(picture.subsurface(room), state.theme.background, (8, 8, 8, 255))
-        mask.invert()
-        return mask
+        return pygame.mask.from_threshold(picture.subsurface(room), state.theme.accent, (190, 160, 255, 255))
 
     letters = ink(given).get_bounding_rects()
     box = letters[0].unionall(letters)

@@ -1,5 +1,6 @@
-"""The published vectors, made once; and students' programs that end with their test."""
+"""The vectors of a seed, made once; and students' programs that end with their test."""
 
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -12,9 +13,15 @@ PATIENT = Limits(answer=600.0, start=600.0)
 
 
 @pytest.fixture(scope="session")
-def published():
+def vectors_of():
+    """The vectors of a seed, made once: that takes a second and a half."""
+    return cache(vectors)
+
+
+@pytest.fixture(scope="session")
+def published(vectors_of):
     """The vectors of seed 0."""
-    return vectors(0)
+    return vectors_of(0)
 
 
 @pytest.fixture

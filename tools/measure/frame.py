@@ -34,7 +34,7 @@ from game.input.signals import Pressed
 from game.input.view import FLAT, SOLID, Viewpoint
 from game.levels import built_in
 from game.overlay import hud
-from game.rules import Ticked, new_game, tick
+from game.rules import Ruleset, Ticked, new_game, tick
 from game.scene import scene_at, still
 from game.screens.app_state import AppState
 from game.screens.base import Screen
@@ -148,7 +148,7 @@ def timed(
 
 def game_frames(level: int, view: Viewpoint, orbit: float = 0.0) -> Iterator[Draw]:
     """Frames of an autopilot's game. orbit: radians that the camera turns in a frame."""
-    pilot, effects, done = Autopilot(), Effects(), still(new_game(built_in()[level - 1 :], 1))
+    pilot, effects, done = Autopilot(), Effects(), still(new_game(built_in()[level - 1 :], 1, Ruleset()))
     for _ in range(_SERVED_TICKS):
         done, effects = _later(done, effects, pilot)
     painter, type_ = Painter(), Type()

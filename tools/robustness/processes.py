@@ -30,7 +30,7 @@ SIGNALS = tuple([signal.Signals[name] for name in WORDS if name in signal.Signal
 _FROM_A_TERMINAL = 0.5
 """How often a signal goes to all processes of a command, as a terminal sends it, and not to the first alone."""
 _LATEST = 3.0
-"""Seconds after which a signal comes, at most."""
+"""Seconds after which a signal comes, at most, unless told otherwise."""
 _GIVE_UP = 300.0
 """Seconds that a command may take to end."""
 
@@ -163,8 +163,11 @@ class SignalAnswer(NamedTuple):
     fault: str | None
 
 
-def ended(command: CommandRun, number: signal.Signals, chance: Random) -> SignalAnswer:
-    """Send a signal to a command at a random moment after the first line of the project's own code has run."""
+def ended(command: CommandRun, number: signal.Signals, chance: Random, latest: float = _LATEST) -> SignalAnswer:
+    """Send a signal to a command at a random moment after the first line of the project's own code has run.
+
+    latest: seconds from then on after which it comes, at most.
+    """
     with tempfile.TemporaryDirectory() as name:
         folder = Path(name)
         _save_game(folder / "w\u00fc\u2603.polar")
@@ -180,7 +183,7 @@ def ended(command: CommandRun, number: signal.Signals, chance: Random) -> Signal
         try:
             while child.poll() is None and not _catches(child.pid, number):
                 time.sleep(0.001)
-            time.sleep(chance.random() ** 2 * _LATEST)
+            time.sleep(chance.random() ** 2 * latest)
             if chance.random() < _FROM_A_TERMINAL:
                 os.killpg(child.pid, number)
             else:

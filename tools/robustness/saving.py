@@ -1,6 +1,7 @@
 """Processes killed in the middle of saving: is every file whole, and is nothing left behind after the next start?
 
-A child is forked for every kill. It writes settings and replays over and over, until SIGKILL ends it at a random moment.
+A child is forked for every kill. It writes settings, progress and replays over and over, until SIGKILL ends it at a random
+moment.
 Windows cannot fork.
 """
 
@@ -8,11 +9,13 @@ import contextlib
 import os
 import signal
 import time
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from random import Random
 from typing import NamedTuple
 
+from game.kept.document import Document
+from game.kept.progress import VERSION, Best, Progress
 from game.levels import built_in
 from game.replays.file import Recorder, encoded, load, save
 from game.rules import Controls, new_game, tick
@@ -51,7 +54,7 @@ def kills(count: int, seed: int, folder: Path) -> Iterator[Kill]:
         os.kill(child, signal.SIGKILL)
         os.waitpid(child, 0)
         left = _temporary(folder)
-        torn = _torn(settings, record, history)
+        torn = _torn(settings, record, history) + bool(_progress(folder).problem)
         SettingsFile(settings).load()  # the next start
         sweep(history)
         yield Kill(torn, left, _temporary(folder))
@@ -74,12 +77,23 @@ def _save_for_ever(settings: Path, record: Path, history: Path, recorder: Record
     """The life of a child."""
     for name in ("SIGINT", "SIGTERM", "SIGHUP"):
         signal.signal(getattr(signal, name), signal.SIG_DFL)
-    recording = recorder.recording()
+    recording, progress = recorder.recording(), _progress(settings.parent)
     while True:
         for volume in (0, 50, 100):
+            progress.update(_with_best(volume))
             SettingsFile(settings).keep(Settings(volume=volume))
             save(recording, record)
             write_new(history, "2026-01-01 00-00-00.polar", encoded(recording))
+
+
+def _progress(folder: Path) -> Document[Progress]:
+    """The progress kept in a folder."""
+    return Document(folder / "progress.json", Progress, VERSION)
+
+
+def _with_best(score: int) -> Callable[[Progress], Progress]:
+    """What adds a best to the progress."""
+    return lambda held: held.after(Best(f"level {score}", "easy", score))
 
 
 def _torn(settings: Path, record: Path, history: Path) -> int:
@@ -107,4 +121,5 @@ def _is_torn(replay: Path) -> bool:
 
 def _temporary(folder: Path) -> int:
     """How many files in a folder have no proper name."""
-    return len([path for path in folder.rglob("*") if path.is_file() and path.name.startswith(".")])
+    files = [path for path in folder.rglob(".*") if path.is_file()]
+    return len([path for path in files if path.suffix != ".lock"])  # a lock's file stays

@@ -17,13 +17,15 @@ _RADIUS, _WIDTH = 1.042, 0.011
 """Of the arcs' middles and their width, in ground radii."""
 _CHIP, _LEAST_CHIP = 0.030, 0.5
 """Radius of an icon: in ground radii, and at least so many units of text."""
-_FIRST, _PITCH, _SPAN = math.radians(150.0), math.radians(34.0), math.radians(23.0)
-"""Angle of the first icon on the screen, from one to the next, and of a full arc; counter-clockwise from the right."""
+_ICONS = tuple([math.radians(degrees) for degrees in (150.0, 182.0, 214.0, 302.0, 334.0, 6.0, 118.0)])
+"""Angles of the icons on the screen, counter-clockwise from the right: none where a tipped arena fills the surface."""
+_SPAN = math.radians(23.0)
+"""Angle of a full arc, counter-clockwise from its icon."""
 _CHIP_ROOM = math.radians(4.5)
 """From an icon's middle to the beginning of its arc."""
 _ENDING = 0.25
 """From this share of its time on an arc has the colour of warnings."""
-_CORE_MIDDLE, _CORE_SPAN = math.radians(35.0), math.radians(50.0)
+_CORE_MIDDLE, _CORE_SPAN = math.radians(57.0), math.radians(36.0)
 """Where the heart's arc is on the screen."""
 _EMPTY = 0.55
 """What is over is drawn in this share of the way from the rim's colour to the background's."""
@@ -34,8 +36,7 @@ def draw(canvas: Canvas, scene: Scene, icons: PowerIcons) -> None:
     """An icon and an arc for every power-up that lasts: the arc is as long as the time that is left. The heart has a target."""
     camera, theme, ground = canvas.camera, canvas.theme, scene.ground_radius
     radius = max(_CHIP * ground * camera.scale, _LEAST_CHIP * canvas.unit)
-    for index, power in enumerate(scene.powers):
-        angle = _FIRST + index * _PITCH
+    for angle, power in zip(_ICONS, scene.powers, strict=False):
         colour = power_colour(power.kind, theme)
         begin, left = angle + _CHIP_ROOM, power.share_left
         _draw_arc(canvas, ground, begin, begin + _SPAN, mixed(theme.rim, theme.background, _EMPTY))

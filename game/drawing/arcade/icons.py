@@ -57,7 +57,6 @@ _HEART: Outline = (
     -0.92j,
     *[complex(0.45, 0.3) + 0.46 * cmath.exp(1j * math.radians(-40 + 12 * k)) for k in range(16)],
 )
-_CREST: Outline = (-0.75 + 0.8j, 0.75 + 0.8j, 0.75 + 0j, 0.45 - 0.55j, -0.95j, -0.45 - 0.55j, -0.75 + 0j)
 _SIGNS: dict[PowerUp, tuple[Outline, ...]] = {
     PowerUp.MULTI_BALL: (_disc(0.55j, 0.36), _disc(-0.52 - 0.38j, 0.36), _disc(0.52 - 0.38j, 0.36)),
     PowerUp.WIDE: (_box(-0.5, -0.16, 0.5, 0.16), _POINTER, _mirrored(_POINTER)),
@@ -76,7 +75,7 @@ _SIGNS: dict[PowerUp, tuple[Outline, ...]] = {
         _box(0.36, 0.48, 0.82, 0.8),
     ),
     PowerUp.LIFE: (_HEART,),
-    PowerUp.SHIELD: (_CREST,),
+    PowerUp.SHIELD: (_arc(0.66, 0.95, 0.0, 180.0), _arc(0.66, 0.95, 180.0, 360.0), _disc(0j, 0.3)),
     PowerUp.PIERCE: (
         (0.95j, 0.5 + 0.3j, 0.17 + 0.3j, 0.17 - 0.9j, -0.17 - 0.9j, -0.17 + 0.3j, -0.5 + 0.3j),
         _box(-0.9, -0.42, -0.34, -0.14),

@@ -31,7 +31,7 @@ _EDGE_SHADE = 0.6
 _EDGE_PIECES, _EDGE_FINER = 180, 2
 """Quadrilaterals that the disc's side is cut into, and rows and columns of their drawing per pixel."""
 _DISC_CORNERS = 128
-_MARKS_FINER, _MANY_PIXELS = 2, 6_000_000
+_MARKS_FINER, _MANY_PIXELS = 2, 5_000_000
 """Rows and columns per pixel of the drawing of the marks on the ground; on surfaces with so many pixels one is fine enough."""
 _TRACK, _TRACK_PIXELS = 0.03, 1.0
 """The paddles' track is so many world units wide, and so many pixels more."""
@@ -80,13 +80,9 @@ class _CirclePixels(NamedTuple):
 def ground_picture(canvas: Canvas, ground: Ground) -> pygame.Surface:
     """A picture of the ground without its pattern, as large as a canvas: from every azimuth the same."""
     camera, theme, radius = canvas.camera, canvas.theme, ground.radius
-    picture = pygame.Surface(canvas.size, 0, canvas.surface)
-    picture.fill(theme.background)
+    picture = _smooth_picture(canvas, radius)
     rim = max(_LEAST_RIM / camera.scale, _RIM)
-    fringe = _fringe(camera, radius)
-    _draw_discs(picture, camera, discs_around(theme), radius)
     _draw_edge(picture, camera, radius + rim, theme)
-    _draw_discs(picture, camera, discs_of_ground(theme), radius - fringe / 2.0)
     _draw_line(picture, camera, theme, ground, _CircleLine(radius, rim, theme.rim, edge=True))
     if ground.track is not None:
         width = _TRACK + _TRACK_PIXELS / camera.scale
@@ -109,6 +105,18 @@ def draw_pattern(canvas: Canvas, ground: Ground) -> None:
     raster.draw(canvas.surface, fine_pixels(pixels, finer), shades, finer)
 
 
+def _smooth_picture(canvas: Canvas, radius: float) -> pygame.Surface:
+    """The ground and what is around it, without lines: large ones are drawn half as large and scaled up, nothing is sharp."""
+    camera, theme, (width, height) = canvas.camera, canvas.theme, canvas.size
+    half = width * height > _MANY_PIXELS
+    small = camera._replace(centre=camera.centre / 2.0, scale=camera.scale / 2.0) if half else camera
+    picture = pygame.Surface(((width + 1) // 2, (height + 1) // 2) if half else canvas.size, 0, canvas.surface)
+    picture.fill(theme.background)
+    _draw_discs(picture, small, discs_around(theme), radius)
+    _draw_discs(picture, small, discs_of_ground(theme), radius - _fringe(small, radius) / 2.0)
+    return pygame.transform.smoothscale(picture, canvas.size) if half else picture
+
+
 def _draw_discs(picture: pygame.Surface, camera: Camera, discs: tuple[Disc, ...], radius: float) -> None:
     """Discs, the largest first. radius: that of the ground, world units."""
     around = np.exp(1j * np.linspace(0.0, math.tau, _DISC_CORNERS, endpoint=False))
@@ -119,7 +127,7 @@ def _draw_discs(picture: pygame.Surface, camera: Camera, discs: tuple[Disc, ...]
 def _draw_edge(picture: pygame.Surface, camera: Camera, radius: float, theme: Theme) -> None:
     """The side of the disc that the ground is, where it is turned to the eye."""
     around = np.exp(1j * np.linspace(0.0, math.tau, _EDGE_PIECES + 1))
-    shown = camera.nearer(around[:-1] * radius, around[:-1]) > -0.1
+    shown = camera.nearer(around[:-1] * radius, around[:-1]) > 0.0
     top, bottom = (camera.projected(around * radius, height * radius) for height in (0.0, -_THICKNESS))
     strips = np.stack([top[:-1], top[1:], bottom[1:], bottom[:-1]], axis=1)[shown]
     colour = np.array(mixed(theme.rim, theme.background, _EDGE_SHADE), dtype=np.float32)

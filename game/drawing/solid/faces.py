@@ -75,8 +75,8 @@ def projected(blocks: Blocks, phase: Reals, parting: Reals, rank: Integers, came
     )
 
 
-def visible_faces(seen: ProjectedBlocks, camera: Camera, finer: int) -> Faces:
-    """All visible faces, from back to front. finer: rows and columns of the drawing per pixel.
+def visible_faces(seen: ProjectedBlocks, camera: Camera, finer: int, shade: float) -> Faces:
+    """All visible faces, from back to front. finer: rows and columns of the drawing per pixel. shade: as in `Theme`.
 
     Of a convex block the sides that face the eye never hide one another.
     """
@@ -86,6 +86,7 @@ def visible_faces(seen: ProjectedBlocks, camera: Camera, finer: int) -> Faces:
     row = order[position]
     points = fine_pixels(np.concatenate([seen.top, seen.bottom], axis=1), finer)
     light = _light(blocks.facing[row, np.minimum(face, _TOP - 1)] * (seen.turn[row] / camera.turning))
+    light = 1.0 - shade * (1.0 - light)
     light[face == _TOP] = 1.0
     colours = blocks.colours[row] * light[:, None]
     return Faces(points.ravel()[8 * row[:, None] + _FACES[face]], colours.astype(np.float32))

@@ -94,7 +94,7 @@ class SolidPicture:
         finer = _finer(canvas.size)
         seen = self._projected(canvas, scene, contents, finer)
         dark = shadows(seen, scene.balls, canvas.camera, finer)
-        faces = visible_faces(seen, canvas.camera, finer)
+        faces = visible_faces(seen, canvas.camera, finer, canvas.theme.shade)
         pixel = self._raster.canvas
         shade = np.full(len(dark), round(canvas.theme.shadow * 255.0) << pixel.get_shifts()[3], dtype=np.uint32)
         colours = np.concatenate([shade, packed(pixel, faces.colours)])

@@ -1,6 +1,6 @@
 """Every scene's own claims, at its defaults, at its presets, and after random drags."""
 
-import math
+import cmath
 import random
 from collections.abc import Iterator
 from typing import NamedTuple
@@ -101,10 +101,8 @@ def _some_value(parameter: Parameter, chance: random.Random) -> complex:
 
 def _is_finite(value: object) -> bool:
     """Whether every number in a nested value is finite; cells of a field may be empty."""
+    if isinstance(value, float | complex):
+        return cmath.isfinite(value)
     if isinstance(value, Field):
         return not np.isinf(value.values).any()
-    if isinstance(value, float | complex):
-        return math.isfinite(value.real) and math.isfinite(value.imag)
-    if isinstance(value, tuple):
-        return all([_is_finite(part) for part in value])
-    return True
+    return not isinstance(value, tuple) or all(map(_is_finite, value))

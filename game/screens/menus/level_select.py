@@ -1,5 +1,6 @@
 """The choice of a level: chapters of pictures, with the best score and rank of each."""
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import groupby
@@ -29,6 +30,7 @@ from game.screens.toolkit.plate import draw_focus, write_fitting
 from game.system.errors import BadInputError
 
 _COLUMNS = 5
+"""Cards beside each other; fewer where the player wants large texts."""
 _CARD_MARGIN, _CARD_TEXT = 0.45, 2.9
 """From a card's edges to its picture, and the height of the words below it; units of text."""
 _LOCKED = 110
@@ -111,9 +113,9 @@ class LevelSelect(Panel):
             finished = len([card for card in found if state.kept.progress.value.finished(card.level.name)])
             note = tr("{finished} of {count} finished").format(finished=finished, count=len(found))
             rows.append((Heading(chapter or tr("Levels"), note),))
-            for start in range(0, len(found), _COLUMNS):
-                row: list[Item] = list(found[start : start + _COLUMNS])
-                rows.append((*row, *[Item()] * (_COLUMNS - len(row))))
+            for start in range(0, len(found), self._columns):
+                row: list[Item] = list(found[start : start + self._columns])
+                rows.append((*row, *[Item()] * (self._columns - len(row))))
         return Content(tr("Levels"), (*rows, *self._own_rows()), width=48.0)
 
     def first(self) -> Focus | None:
@@ -124,6 +126,11 @@ class LevelSelect(Panel):
                 if isinstance(item, Card) and item.number == wanted:
                     return Focus(number, column)
         return None
+
+    @property
+    def _columns(self) -> int:
+        """Cards beside each other."""
+        return math.ceil(_COLUMNS / self.state.text_scale)
 
     def advance(self, _seconds: float, size: tuple[int, int]) -> Screen | None:
         """Draw one more picture, if one is missing."""
@@ -159,9 +166,9 @@ class LevelSelect(Panel):
         note = tr("{count} files cannot be read").format(count=len(self._own.problems)) if self._own.problems else ""
         cards: list[Item] = [self._own_card(level, path) for level, path in zip(self._own.levels, self._own.paths, strict=True)]
         rows: list[Row] = [(Heading(tr("Your own levels"), note),)]
-        for start in range(0, len(cards), _COLUMNS):
-            row = cards[start : start + _COLUMNS]
-            rows.append((*row, *[Item()] * (_COLUMNS - len(row))))
+        for start in range(0, len(cards), self._columns):
+            row = cards[start : start + self._columns]
+            rows.append((*row, *[Item()] * (self._columns - len(row))))
         tip = tr("Opens the editor. Your levels are files in a folder of their own.")
         return (*rows, (Button(tr("Make a new level"), lambda: self._edited(None), tip=tip, centred=True),))
 

@@ -5,15 +5,15 @@ from typing import NamedTuple
 
 from game.effects import MOVING, PLAIN, EffectKind
 from game.language import tr
-from game.rules import Rank
 from game.screens.app_state import AppState
 from game.screens.base import Screen
+from game.screens.earned import feats
 from game.screens.menus.access_rows import access_rows
 from game.screens.menus.control_rows import control_rows
-from game.screens.toolkit.items import Choice, Heading, Slider, Switch
+from game.screens.toolkit.items import Choice, Heading, Item, Slider, Switch, Text
 from game.screens.toolkit.layout import Row
 from game.settings.values import LOUDEST, VOLUME_STEP, Settings
-from game.unlocks import BALLS, TRAILS, Condition, Feat, ball_names, trail_names, unlocked
+from game.unlocks import BALLS, TRAILS, Condition, ball_names, trail_names, unlocked
 
 
 class Part(NamedTuple):
@@ -84,14 +84,15 @@ def _picture(state: AppState, _panel: Screen) -> tuple[Row, ...]:
     )
 
 
-def _unlockable(state: AppState, label: str, field: str, conditions: dict[str, Condition], names: dict[str, str]) -> Choice:
-    """A choice among what the player has earned. field: of `Settings`; what it holds stays, even if not earned any more."""
+def _unlockable(state: AppState, label: str, field: str, conditions: dict[str, Condition], names: dict[str, str]) -> Item:
+    """A choice among what the player has earned, or words on how to earn some. field: of `Settings`; what it holds stays."""
     now = str(getattr(state.settings, field))
-    feats = [Feat(best.level, best.score, Rank(best.rank)) for best in state.kept.progress.value.bests]
-    earned = unlocked(conditions, feats)
+    earned = unlocked(conditions, feats(state.kept.progress.value))
     open_ones = [name for name in conditions if name in earned or name == now]
     following = next((name for name in conditions if name not in earned), None)
     tip = tr("All are yours.") if following is None else f"{names[following]}: {conditions[following].text}"
+    if len(open_ones) == 1:
+        return Text(tr("{what}: {name}. To earn: {how}").format(what=label, name=names[now], how=tip))
 
     def choose(index: int) -> None:
         state.change(Settings(**{**state.settings._asdict(), field: open_ones[index]}))

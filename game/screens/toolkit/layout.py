@@ -25,6 +25,8 @@ TIP, TIP_LINES, _TIP_GAP = 1.0, 2, 0.5
 """Size of the tip's letters, lines of it, and above it."""
 LINE = 1.25
 """From line to line, in sizes of the letters."""
+_LEAST_BODY = 0.4
+"""A body that needs more room than it has gets at least this share of the height that there is."""
 _SCREEN_MARGIN = 0.6
 """From the plate to the edges of the surface, at least."""
 BAR = 0.45
@@ -82,18 +84,27 @@ class Laid(NamedTuple):
     over: int
 
 
-def laid_out(content: Content, area: pygame.Rect, type_: Type, unit: float, scroll: float) -> Laid:
-    """Everything in its position. area: that the plate may take; unit: size of text; scroll: of the body. All in pixels."""
+def laid_out(content: Content, area: pygame.Rect, type_: Type, units: tuple[float, float], scroll: float) -> Laid:
+    """Everything in its position. All in pixels.
+
+    area: that the plate may take. units: size of text, and of the title, which is large enough where the player wants large
+    texts. scroll: of the body. Where little would be seen of the body, the footer scrolls with it.
+    """
+    unit, title_unit = units
     free = area.inflate(-round(2.0 * _SCREEN_MARGIN * unit), -round(2.0 * _SCREEN_MARGIN * unit))
     width = min(round(content.width * unit), free.width)
     inner = max(round(width - 2.0 * MARGIN * unit), 1)
     footer = sum([_row_height(row, type_, unit, inner) for row in content.footer])
     has_tip = content.tips or any([item.tip for row in (*content.body, *content.footer) for item in row])
-    head = (TOP + (TITLE + TITLE_GAP if content.title else 0.0) + (TABS + TABS_GAP if content.tabs else 0.0)) * unit
+    head = (TOP + (TITLE + TITLE_GAP if content.title else 0.0)) * title_unit
+    head += (TABS + TABS_GAP) * unit if content.tabs else 0.0
     foot = (_BOTTOM + (_FOOTER_GAP if content.footer else 0.0)) * unit + footer
     foot += (TIP * LINE * TIP_LINES + _TIP_GAP) * unit if has_tip else 0.0
     wanted = sum([_row_height(row, type_, unit, inner) for row in content.body])
     room = max(free.height - head - foot, unit)
+    if content.footer and wanted > room and room < free.height * _LEAST_BODY:
+        together = content._replace(body=(*content.body, *content.footer), footer=())
+        return laid_out(together, area, type_, units, scroll)
     if wanted > room:
         inner = max(round(inner - _BAR_ROOM * unit), 1)
         wanted = sum([_row_height(row, type_, unit, inner) for row in content.body])

@@ -125,11 +125,17 @@ class Panel:
         draw_cross(canvas, laid.close, theme.accent if self._on_close else theme.faint)
         anchor, x = ("midtop", float(plate.centerx)) if content.centred else ("topleft", plate.left + unit * layout.MARGIN)
         room = plate.width - unit * (2.0 * layout.MARGIN + layout.CLOSE * (2.0 if content.centred else 1.0))
-        write_fitting(canvas, content.title, layout.TITLE, theme.text, complex(x, plate.top + unit * layout.TOP), anchor, room)
+        titled = canvas._replace(unit=self._title_unit(canvas.size))
+        pixel = complex(x, plate.top + titled.unit * layout.TOP)
+        write_fitting(titled, content.title, layout.TITLE, theme.text, pixel, anchor, room)
 
     def unit(self, size: tuple[int, int]) -> float:
         """Size of text, pixels."""
         return unit_of(size) * self._state.text_scale
+
+    def _title_unit(self, size: tuple[int, int]) -> float:
+        """Half way from the usual size of text to the player's, pixels: a title is large already."""
+        return (unit_of(size) + self.unit(size)) / 2.0
 
     def draw_ground(self, surface: pygame.Surface) -> None:
         """What is below all panels: of panels over each other only the uppermost is seen."""
@@ -147,7 +153,8 @@ class Panel:
 
     def _laid(self, size: tuple[int, int]) -> Laid:
         """Where everything is now."""
-        laid = laid_out(self.content(), self.area(size), self._state.type, self.unit(size), self._scroll)
+        units = self.unit(size), self._title_unit(size)
+        laid = laid_out(self.content(), self.area(size), self._state.type, units, self._scroll)
         self._scroll = min(self._scroll, float(laid.over))
         return laid
 
@@ -166,13 +173,22 @@ class Panel:
         steps = {Action.LEFT: -1, Action.RIGHT: 1}.get(action, 0)
         tabs = self.content().tabs
         self._changes += 1
+        if not steps and self._read_on(laid, size, 1.0 if action is Action.DOWN else -1.0):
+            return
         if focus is None:
-            self._scroll_by({Action.UP: -1.0, Action.DOWN: 1.0}.get(action, 0.0) * _WHEEL * self.unit(size), size)
-        elif steps and focus.row == TABS:
+            return
+        if steps and focus.row == TABS:
             self.open_tab((self._tab + steps) % len(tabs))
         elif not steps or _shares_row(laid, focus) or (spot := _spot_at(laid, focus)) is None or not spot.item.stepped(steps):
             self._focus = moved_focus(laid, focus, action, self._tab if tabs else None)
             self._show_focus(size)
+
+    def _read_on(self, laid: Laid, size: tuple[int, int], direction: float) -> bool:
+        """Scroll a body that can only be read, -1.0 up or 1.0 down; whether there was more of it."""
+        before = self._scroll
+        if not any([spot.in_body and spot.item.focusable for spot in laid.spots]):
+            self._scroll_by(direction * _WHEEL * self.unit(size), size)
+        return self._scroll != before
 
     def _accepted(self, size: tuple[int, int]) -> Screen | None:
         """Use the item that has the focus."""

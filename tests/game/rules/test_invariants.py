@@ -103,7 +103,7 @@ def test_every_tick_of_a_game_with_everything():
     turn=st.floats(0.0, 6.28),
 )
 def test_no_power_up_puts_a_ball_into_material(kinds, angles, distance, turn):
-    """Wherever balls are when power-ups are caught, none is put into a paddle, a brick or the shield; none is lost."""
+    """Wherever balls are when power-ups are caught: none is put into a paddle, a brick or the shield."""
     game = arcade(seed=3)
     ring = paddle_ring(game)._replace(phase=turn)
     game = game._replace(arena=game.arena._replace(rings=(ring, *game.arena.rings[1:])))

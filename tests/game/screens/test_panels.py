@@ -174,6 +174,17 @@ def test_the_wheel_and_the_scroll_bar_scroll(state):
     assert panel._scroll == 0
 
 
+def test_a_text_that_is_too_long_is_read_on_with_the_arrow_keys(state):
+    """Down scrolls the list of keys to its end before it moves the focus, and up scrolls back."""
+    panel = Help(state, Under(state, built_in()), "Keys", tuple((f"key {number}", "does it") for number in range(60)))
+    while panel._scroll < panel._laid(SIZE).over:
+        before = panel._scroll
+        panel.answer(Pressed(Action.DOWN), SIZE)
+        assert panel._scroll > before
+    panel.answer(Pressed(Action.UP), SIZE)
+    assert panel._scroll < panel._laid(SIZE).over
+
+
 def test_text_is_entered_by_typing_and_by_pointing(state):
     """Letters are typed, not obeyed; backspace takes one away; the small keyboard adds to it; Enter accepts it."""
     done = []

@@ -26,6 +26,7 @@ from game.screens.title import Title
 from game.screens.toolkit.menu import Menu
 from game.screens.toolkit.text_entry import TextEntry
 from game.screens.watch import Watch
+from physics import direction
 from tests.support.dummy_window import FRAME, Desk, shared
 
 
@@ -36,7 +37,7 @@ def desk(tmp_path, monkeypatch):
     state = shared()
     state.kept, state.ruleset = Kept(tmp_path), Ruleset()
     state.recorder = state.kept.games
-    found = Desk(state, Title(state), (960, 600))
+    found = Desk(state, Title(state), (640, 400))
     found.wait(FRAME)
     yield found
     found.close()
@@ -81,7 +82,7 @@ def test_by_keys_alone(desk, tmp_path):
     lose(desk, lambda: desk.press(pygame.K_SPACE))
     assert isinstance(desk.screen, Results)
     score = desk.screen._under._ticked.game.score
-    desk.wait(4.0)
+    desk.press(pygame.K_RETURN)  # the figures need not be waited for
     desk.choose("Enter your name")
     assert isinstance(desk.screen, TextEntry)
     desk.type("Mo")
@@ -117,7 +118,7 @@ def test_by_mouse_alone(desk, tmp_path):
     kinds = (Menu, Help, SettingsPanel)
     visit(desk, *[(lambda index=index: button(index), kind, close) for index, kind in enumerate(kinds)])
     lose(desk, lambda: desk.click((300, 300)))
-    desk.wait(4.0)
+    desk.click((5, 5))  # the figures need not be waited for
     desk.click_on("Enter your name")
     for letter in "MO":
         desk.click_on(letter)
@@ -146,25 +147,25 @@ def test_by_mouse_alone(desk, tmp_path):
     assert desk.screen is None
 
 
+def with_one_brick(game):
+    """A game in play with one layer of one brick left, which the ball flies to."""
+    ball, wall = game.arena.balls[0], game.arena.rings[1]
+    path = [ball.position + ball.velocity * step / 100.0 for step in range(300)]
+    touched = next(point for point in path if abs(point) < wall.outer_radius)
+    slot = min(range(wall.count), key=lambda slot: abs(wall.radius * direction(wall.angle(slot)) - touched))
+    layers = [tuple([0] * len(ring)) for ring in game.arena.layers]
+    layers[0], layers[-1] = game.arena.layers[0], game.arena.layers[-1]
+    layers[1] = tuple([int(number == slot) for number in range(wall.count)])
+    return game._replace(arena=game.arena._replace(layers=tuple(layers)), flight=None)
+
+
 def test_a_cleared_level_shows_its_results_and_opens_the_next(desk, tmp_path):
     """Its rank and score are kept at once, the next level is open, and Enter there goes on with the same game."""
     desk.press(pygame.K_RETURN)
     play = desk.screen
-    game = play._ticked.game
-    layers = (game.arena.layers[0], *[(0,) * len(ring) for ring in game.arena.layers[1:-1]], game.arena.layers[-1])
-    one = ((1, *layers[1][1:]), *layers[2:])
     desk.press(pygame.K_SPACE)
-    playing = play._ticked.game
-    play._ticked = play._ticked._replace(
-        game=playing._replace(arena=playing.arena._replace(layers=(layers[0], *one)), flight=None)
-    )
-    for _ in range(3000):
-        if not isinstance(desk.screen, PlayScreen):
-            break
-        if desk.screen._ticked.game.phase == Phase.SERVING:
-            desk.press(pygame.K_SPACE)
-        desk.move(_pointer(desk))
-        desk.wait(FRAME)
+    play._ticked = play._ticked._replace(game=with_one_brick(play._ticked.game))
+    desk.wait(3.0)
     assert isinstance(desk.screen, Results)
     kept = Kept(tmp_path)
     (best,) = kept.progress.value.bests
@@ -175,14 +176,6 @@ def test_a_cleared_level_shows_its_results_and_opens_the_next(desk, tmp_path):
     desk.wait(0.5)
     assert desk.screen is play
     assert play._ticked.game.number == 1
-
-
-def _pointer(desk):
-    """Where the mouse has to be to return the ball."""
-    game, seen = desk.screen._ticked.game, desk.screen._layout(desk.window.size)
-    ball = game.arena.balls[0].position if game.arena.balls else 1j
-    pixel = seen.camera.project(ball / max(abs(ball), 1e-9) * game.level.ground_radius * 0.9)
-    return round(pixel.real), round(pixel.imag)
 
 
 def test_the_best_run_of_a_level_is_raced_as_a_ghost(desk, monkeypatch):
@@ -211,11 +204,26 @@ def test_the_best_run_of_a_level_is_raced_as_a_ghost(desk, monkeypatch):
     assert pygame.image.tobytes(desk.window.get_surface(), "RGB") != plain
 
 
+def test_two_players_steer_the_same_paddles(desk):
+    """With two players A and D are the second one's keys, the arrows stay the first one's; both are in the recording."""
+    told = []
+    desk.shared.recorder = lambda controls, _: told.append((controls.turn, controls.second_turn))
+    desk.choose("Levels")
+    desk.choose("Players")
+    desk.choose(built_in()[0].name)
+    for key in (pygame.K_d, pygame.K_RIGHT, pygame.K_a):
+        desk.hold(key)
+        desk.wait(0.1)
+    assert list(dict.fromkeys(told))[-3:] == [(0, 1), (1, 1), (1, -1)]
+    desk.release(pygame.K_a)
+    desk.wait(0.1)
+    assert told[-1] == (1, 1)
+
+
 def test_a_game_on_a_level_of_ones_own_makes_no_high_score(desk):
     """Anybody can make an easy level: it has a best of its own, under what is in it, and opens no level of the game."""
     own = msgspec.structs.replace(built_in()[1], ground_radius=built_in()[1].ground_radius + 0.5)
     desk.screen = PlayScreen(desk.shared, (own,))
     lose(desk, lambda: desk.press(pygame.K_SPACE))
-    desk.wait(4.0)
     assert "Enter your name" not in [entry.label for entry in desk.screen._entries]
     assert record_name(own) != own.name == record_name(built_in()[1])

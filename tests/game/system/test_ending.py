@@ -13,7 +13,7 @@ if sys.platform == "win32":
     pytest.skip("Windows has no such signals", allow_module_level=True)
 
 BEGIN = """
-import os, signal, sys, time
+import os, signal, sys, time, types
 for number in (signal.SIGINT, signal.SIGTERM, signal.SIGHUP):
     signal.signal(number, signal.SIG_DFL)
 signal.signal(signal.SIGINT, signal.default_int_handler)
@@ -111,12 +111,15 @@ finally:
 def test_a_block_that_does_not_end_is_ended_by_one_more_signal_later():
     """Not by three at once, as some systems send them."""
     work = """
-ending._PATIENCE = 0.2
+now = 7.0
+ending.time = types.SimpleNamespace(monotonic=lambda: now)
 with ending.deferred():
     for number in (signal.SIGHUP, signal.SIGTERM, signal.SIGHUP):
         os.kill(me, number)
+    now += ending._PATIENCE
+    os.kill(me, signal.SIGTERM)
     print("still here", flush=True)
-    time.sleep(0.3)
+    now += 0.1
     os.kill(me, signal.SIGTERM)
     time.sleep(60)
 """

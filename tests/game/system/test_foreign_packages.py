@@ -40,7 +40,7 @@ def test_the_console_scripts_find_their_own_packages(tmp_path, names):
     played = ran(PLAY, [*HEADLESS, "--ticks", "100"], path, tmp_path)
     assert (played.returncode, played.stderr) == (0, "")
     assert played.stdout.startswith("ticks=100 ")
-    checked = ran(CROSSCHECK, ["--level", "1", "--games", "2", "--ticks", "1200", "--workers", "2"], path, tmp_path)
+    checked = ran(CROSSCHECK, ["--level", "aimed", "--games", "2", "--ticks", "5", "--workers", "2"], path, tmp_path)
     assert (checked.returncode, checked.stderr) == (0, "")
 
 

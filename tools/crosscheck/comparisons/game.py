@@ -28,8 +28,8 @@ from tools.crosscheck.results.coverage import Cell, Judged, cell_of
 from tools.crosscheck.results.measurements import ANYWHERE, Compared, Comparison, ContactVerdict, Measurement, Situation
 from tools.crosscheck.results.rows import Rows
 
-_BLOCK = 240
-"""Ticks between two looks at the clock."""
+_BLOCK = 24
+"""Ticks between two looks at the clock, and at whether there is enough."""
 _NOWHERE = (0j, 0.0)
 _STRAIGHT = 2.0**-50
 """Fraction of a coordinate: a few roundings."""

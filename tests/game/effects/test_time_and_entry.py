@@ -1,0 +1,53 @@
+"""Slow motion before the last brick, and the wall that is built up at a level's start."""
+
+from game.autopilot import Autopilot
+from game.drawing.slots.contents import ContentKind, slot_contents
+from game.effects import ALL, EffectKind, Effects, after
+from game.effects.entry import ENTRY_TICKS
+from game.effects.slow_motion import SLOWEST, pace
+from game.levels import built_in
+from game.rules import Controls, Phase, Ruleset, layers_left, new_game, tick
+from game.scene import scene_at
+
+
+def test_time_slows_down_only_just_before_the_last_brick():
+    """With more than one layer left the pace is 1; then it is slow for less than a quarter of a second."""
+    game, pilot = new_game(built_in()[:2], 3, Ruleset()), Autopilot()
+    slow = 0
+    while game.phase != Phase.CLEARED:
+        now = pace(game)
+        assert now == 1.0 or layers_left(game) == 1
+        slow = slow + 1 if now == SLOWEST else 0
+        game = tick(game, pilot.controls(game)).game
+    assert 5 < slow <= 0.22 * 240 + 1
+    assert pace(game) == 1.0
+
+
+def entering(ticks, shown=ALL, controls=Controls()):  # noqa: B008  # immutable
+    """A level's first ticks: the scene at the end."""
+    game, effects = new_game(built_in()[4:], 1), Effects()
+    for _ in range(ticks):
+        done = tick(game, controls)
+        game, effects = done.game, after(effects, done, shown)
+    return scene_at(done, 1.0, effects)
+
+
+def standing(scene):
+    """How many bricks are to be seen."""
+    return sum(content.kind is ContentKind.BRICKS for ring in slot_contents(scene)[1:] for content in ring)
+
+
+def test_the_wall_is_built_up_brick_by_brick():
+    """More and more bricks are seen, at last all of them without any glow; to the rules they are there from the first tick."""
+    seen = [standing(entering(ticks)) for ticks in range(1, ENTRY_TICKS + 60, 20)]
+    whole = sum(count > 0 for ring in entering(1).layers[1:] for count in ring)
+    assert seen == sorted(seen)
+    assert (seen[0], seen[-1]) == (1, whole) or (seen[0] < 3 and seen[-1] == whole)
+    assert not any(content.glow for ring in slot_contents(entering(ENTRY_TICKS + 60)) for content in ring)
+
+
+def test_nobody_waits_for_the_wall():
+    """With the first serve it stands; and for players who want no entry it stands from the beginning."""
+    whole = sum(count > 0 for ring in entering(1).layers[1:] for count in ring)
+    assert standing(entering(40, controls=Controls(serve=True))) == whole
+    assert standing(entering(5, ALL - {EffectKind.ENTRY})) == whole
