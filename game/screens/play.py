@@ -19,6 +19,7 @@ from game.language import tr
 from game.levels import Level, number_of
 from game.overlay import captions, hud, notice
 from game.overlay.captions import Caption
+from game.overlay.readings import readings
 from game.overlay.toast import Toast
 from game.rules import TICK, Controls, EventKind, Phase, new_game, tick
 from game.scene import scene_at, still
@@ -136,7 +137,7 @@ class PlayScreen:
         if state.shows_normals:
             contact_normals.draw(canvas, self._normals)
         badge = aids.badge(state.settings) if self._pilot is None else tr("autopilot")
-        shown = hud.readings(self._ticked.game, self._effects.streak, muted=not state.settings.sound, badge=badge)
+        shown = readings(self._ticked.game, self._effects.streak, muted=not state.settings.sound, badge=badge)
         words = state.words(canvas)
         hud.draw(words, shown, seen)
         play_buttons.draw(canvas, seen, self._hovered)

@@ -13,6 +13,7 @@ from game.sound.patches import Patch
 from game.sound.tuning import bell, melody, pitch
 from game.sound.waves import Partial, Waveform, finished, glide, hiss, sequence, swell, tone
 
+
 def waveform(note: Note, rate: int) -> Waveform:
     """The sound of a note at `rate` samples per second."""
     if note.patch is Patch.BRICK:

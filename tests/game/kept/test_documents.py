@@ -9,9 +9,9 @@ import pytest
 
 from game.kept import document, progress
 from game.kept.document import Document
+from game.kept.folder import data_folder
 from game.kept.progress import Best, Progress
 from game.kept.scores import MOST, Score, Scores
-from game.kept.folder import data_folder
 from game.kept.store import NO_FOLDER, Kept
 from tests.support.paths import ROOT
 

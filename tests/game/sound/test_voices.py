@@ -9,8 +9,8 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from game.rules import HARMFUL, Event, EventKind, PowerUp
-from game.sound.patches import Patch
 from game.sound.notes import Note, brick, every_note
+from game.sound.patches import Patch
 from game.sound.synth import waveform
 from game.sound.tails import tail
 from game.sound.voices import SILENCE, TAIL_STEP, VOICES, Cue, chorus, cues, panned
