@@ -24,7 +24,8 @@ from game.replays import file as replay
 from game.replays.verify import verified
 from game.rules import SOURCE_RULES, Difficulty, Ruleset, Ticked
 from game.second_opinion import Compare, NormalPair
-from game.settings.file import SettingsFile, settings_path
+from game.settings.file import SettingsFile
+from game.settings.folder import settings_path
 from game.student.functions_file import FunctionsFile
 from game.system.command_line import refuse_ignored
 from game.system.ending import deferred
@@ -254,6 +255,17 @@ def watch_replay(
 
     with _settings() as settings:
         watch(recording, Services(_second_opinion(), _second_engine, settings, lost=_say_lost))
+
+
+@app.command("web")
+def serve_web(
+    port: Annotated[int, typer.Option(min=0, max=65535, help="Port on this machine; 0 for any free one.")] = 8000,
+    quiet: Annotated[bool, typer.Option("--no-browser", help="Do not open the browser.")] = False,
+) -> None:
+    """Serve the game for a browser on this machine, until it is interrupted."""
+    from game.web.command import serve  # noqa: PLC0415  # numpy and the sounds, only where they are needed
+
+    serve(port, opens=not quiet)
 
 
 @app.command("lab")

@@ -5,7 +5,8 @@ import math
 import numpy as np
 import pygame
 
-from game.drawing.arcade.icons import PowerIcons, power_colour
+from game.drawing.arcade.icons import PowerIcons
+from game.drawing.arcade.signs import power_colour
 from game.drawing.canvas import Canvas
 from game.drawing.palette import Colour, mixed
 from game.drawing.raster.arrays import Points
