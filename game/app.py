@@ -29,8 +29,8 @@ from game.replays.playback import Playback
 from game.rules import Ruleset
 from game.screens.app_state import AppState, Recorder
 from game.screens.base import Listener, Screen, Still, Typist
+from game.screens.difficulty_names import ruleset_of
 from game.screens.editors import OpenEditors
-from game.screens.menus.difficulty import ruleset_of
 from game.screens.menus.level_select import LevelSelect
 from game.screens.play import PlayScreen
 from game.screens.title import Title

@@ -21,7 +21,7 @@ from physics import Ball, Ring
 
 _DIMMEST, _BRIGHTEST = 0.42, 0.78
 """Shares of its colour that a side shows when it is turned from the light, and towards it."""
-_WIDEST = math.radians(9.0)
+_WIDEST = math.radians(6.0)
 """Angle from corner to corner of a prism's arcs, at most."""
 _BLACK = (0, 0, 0)
 _MOST_SLOTS = 4096
@@ -131,7 +131,7 @@ def _add_slab(out: DisplayList, slab: Slab, shape: SlotShape, angle: float, unit
 def _faces_the_eye(side: tuple[complex, complex, complex, complex]) -> bool:
     """Whether a side, its corners taken around the top's outline and back along the foot, is seen from outside."""
     along, down = side[1] - side[0], side[3] - side[0]
-    return along.real * down.imag - along.imag * down.real > 0.0
+    return along.real * down.imag - along.imag * down.real < 0.0
 
 
 def _shaded(colour: Colour, outward: complex) -> Colour:
@@ -155,7 +155,8 @@ def _add_shadows(out: DisplayList, scene: Scene, camera: Camera, theme: Theme, c
             if content.kind in (ContentKind.EMPTY, ContentKind.GHOST):
                 continue
             angle, half = ring.angle(slot), min(ring.half_angle, math.pi)
-            shares = (-1.0, 0.0, 1.0)
+            steps = max(math.ceil(half / _WIDEST), 1)
+            shares = [2.0 * step / steps - 1.0 for step in range(steps + 1)]
             inside = [cmath.rect(ring.inner_radius, angle + share * half) for share in shares]
             outside = [cmath.rect(ring.outer_radius, angle + share * half) for share in reversed(shares)]
             moved = down_light * height(content)

@@ -24,7 +24,8 @@ from game.web.samples import rendered
 _COMPRESSED = ("pyodide.asm.wasm", "pyodide.asm.mjs", "pyodide-lock.json")
 """Files of the runtime that are served compressed; the page unpacks them."""
 _PAGE = files("game") / "web" / "page"
-_CACHE_LIST = "offline.json"
+_STAMP = b"VERSION-OF-THE-SITE"
+"""Stands in the service worker for what `_version` says."""
 _PYTHON = """The runtime contains CPython 3.14 and its standard library (runtime/python_stdlib.zip), under the
 Python Software Foundation License Version 2: https://docs.python.org/3/license.html"""
 
@@ -34,15 +35,17 @@ def built_site(cache: Path) -> dict[str, bytes]:
     site = {entry.name: entry.read_bytes() for entry in _PAGE.iterdir() if entry.is_file()}
     for name, data in runtime_files(fetched(RUNTIME, cache)).items():
         if name in _COMPRESSED:
-            site[f"runtime/{name}.gz"] = gzip.compress(data, 9, mtime=0)
+            site[f"runtime/{name}.packed"] = gzip.compress(data, 9, mtime=0)
         else:
             site[f"runtime/{name}"] = data
     wheel = fetched(MSGSPEC, cache)
-    site[f"runtime/{wheel.name}"] = wheel.read_bytes()
+    site["runtime/msgspec.whl"] = wheel.read_bytes()
     samples, index = rendered()
     site |= {"game.zip": archive(), "sounds.bin": samples, "sounds.json": msgspec.json.encode(index)}
     site["notices.txt"] = _notices(wheel).encode()
-    site[_CACHE_LIST] = _offline(site)
+    version = _version(site)
+    site["offline.js"] = site["offline.js"].replace(_STAMP, version.encode())
+    site["offline.json"] = json.dumps({"version": version, "files": ["./", *sorted(site)]}, indent=1).encode()
     return site
 
 
@@ -57,12 +60,12 @@ def write_site(site: dict[str, bytes], folder: Path) -> None:
         raise BadInputError(f"{quoted_path(folder)}: cannot be written; {error.strerror}") from None
 
 
-def _offline(site: dict[str, bytes]) -> bytes:
-    """What the service worker stores at the first visit: all files, and a version that changes with any of them."""
+def _version(site: dict[str, bytes]) -> str:
+    """A name for the files that changes with any of them: browsers look for a new service worker, and for nothing else."""
     digest = hashlib.sha256()
     for name in sorted(site):
         digest.update(name.encode() + b"\0" + hashlib.sha256(site[name]).digest())
-    return json.dumps({"version": digest.hexdigest()[:16], "files": ["./", *sorted(site)]}, indent=1).encode()
+    return digest.hexdigest()[:16]
 
 
 def _notices(wheel: Path) -> str:
@@ -75,7 +78,7 @@ def _notices(wheel: Path) -> str:
         f"The polar breakout {VERSION} is under the MIT licence.\n\nIt is served together with these files, unchanged:",
         _about(RUNTIME, "runtime/pyodide*") + "\nIts licence: https://www.mozilla.org/MPL/2.0/",
         _PYTHON,
-        _about(MSGSPEC, f"runtime/{MSGSPEC.file}") + f"\n\n{msgspec_licence}",
+        _about(MSGSPEC, "runtime/msgspec.whl") + f"\n\n{msgspec_licence}",
         python.read_text(encoding="utf-8") if python.is_file() else "",
     ]
     return "\n\n".join(parts).rstrip() + "\n"

@@ -15,6 +15,7 @@ from game.effects import ALL, MOVING, PLAIN, EffectKind
 from game.input.actions import Action, OwnKeys
 from game.input.rebinding import bindings, checked
 from game.language import CODES, SYSTEM, choose
+from game.settings import folder as settings_folder
 from game.settings.file import VERSION, SettingsFile, decoded, encoded
 from game.settings.values import SPEEDS, TEXT_SIZES, Settings
 from game.unlocks import BALLS, TRAILS
