@@ -110,9 +110,10 @@ def watch(recording: Recording, services: Services = NO_SERVICES) -> int:
     return _shown(state, lambda: Watch(state, Playback(recording)), services, Audio)
 
 
-def lab(line: str | None, services: Services = NO_SERVICES) -> int:
+def lab(line: str | None, services: Services = NO_SERVICES, *, presents: bool = False) -> int:
     """Open a window with the lab until it is closed; the exit code. line: a share line, None for the first scene.
 
+    presents: whether it begins full screen, for a lecture room.
     Raises BadInputError for a line that names no scene as it may stand. Other errors are those of `play`.
     """
     engine = None if services.engine is None else services.engine()
@@ -122,9 +123,9 @@ def lab(line: str | None, services: Services = NO_SERVICES) -> int:
     def first() -> Screen:
         from game.lab.window.screen import Lab  # noqa: PLC0415  # its widgets, only where they are needed
 
-        return Lab(state, session.opened(opened))
+        return Lab(state, session.opened(opened), step=opened.step, presents=presents)
 
-    return _shown(state, first, services)
+    return _shown(state, first, services, full_screen=presents)
 
 
 def edit(path: Path, services: Services = NO_SERVICES) -> int:
@@ -167,10 +168,22 @@ def _lab_opener(engine: Callable[[], Engine] | None) -> Callable[[AppState, Scre
     return opened
 
 
-def _shown(state: AppState, opened: Callable[[], Screen], services: Services, audio: Callable[[], Audio] | None = None) -> int:
-    """Show screens in a window until the last one is left; the exit code. audio: opens the sound, where there is some."""
+def _shown(
+    state: AppState,
+    opened: Callable[[], Screen],
+    services: Services,
+    audio: Callable[[], Audio] | None = None,
+    *,
+    full_screen: bool = False,
+) -> int:
+    """Show screens in a window until the last one is left; the exit code.
+
+    audio: opens the sound, where there is some. full_screen: whether the window begins as large as the desktop.
+    """
     box = state.kept.window.value
     window = display.open_window(_TITLE, (box.width, box.height) if box.width else None, (box.left, box.top))
+    if full_screen:
+        _toggle_full_screen(window, state)
     handler = on_display_lost(lambda: _save(state, services.lost))  # noqa: F841  # must live as long as the window
     with deferred():
         try:
@@ -184,6 +197,7 @@ def _shown(state: AppState, opened: Callable[[], Screen], services: Services, au
             state.save_settings()
             if state.audio is not None:
                 state.audio.close()
+            state.devices.pads.close()
             pygame.quit()
     return 0
 

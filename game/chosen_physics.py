@@ -6,6 +6,7 @@ from pathlib import Path
 from typing import NamedTuple, Protocol
 
 import physics
+from game.language import tr_noop
 from game.rules import Advance
 from game.student.functions_file import FunctionsFile
 from game.student.own_physics import OwnPhysics
@@ -40,7 +41,7 @@ class _FixedPhysics(NamedTuple):
 
 SWEPT: ChosenPhysics = _FixedPhysics(physics.advance)
 SOURCE: ChosenPhysics = _FixedPhysics(
-    source_mode.advance, "The slides' own algorithm: one test a frame, errors included (--physics source)"
+    source_mode.advance, tr_noop("The slides' own algorithm: one test a frame, errors included (--physics source)")
 )
 NAMED: dict[str, ChosenPhysics] = {"swept": SWEPT, "source": SOURCE}
 """Those that `--physics` takes."""

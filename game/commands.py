@@ -17,6 +17,7 @@ from game.headless import autopilot_game, result_line
 from game.kept.folder import data_folder
 from game.kept.scores import objection
 from game.kept.store import Kept
+from game.lab.commands import LabServices, lab_command
 from game.lab.kit.second_engine import Engine
 from game.levels import Level, chosen, level_schema, warnings
 from game.picture_file import PlayedGame, picture_folders, save_picture, size_of
@@ -63,7 +64,6 @@ _GAME_OPTIONS = (
 )
 
 
-_LAB_OPTIONS = ("headless", "drags", "screenshot", "size", "theme", "with_")
 _WITH_HELP = "A Python file with any of the source's functions, in place of ours or beside them (docs/student.md)."
 
 
@@ -268,53 +268,6 @@ def serve_web(
     serve(port, opens=not quiet)
 
 
-@app.command("lab")
-def open_lab(
-    context: typer.Context,
-    scene: Annotated[
-        str | None,
-        typer.Argument(help='A scene, or one as it stands: "case-2?ball=9.9,0.3&r=1".', show_default=False),
-    ] = None,
-    list_: Annotated[bool, typer.Option("--list", help="List the scenes.")] = False,
-    headless: Annotated[bool, typer.Option("--headless", help="Check every scene's claims without a window.")] = False,
-    drags: Annotated[int, typer.Option(min=0, max=10**6, help="Random drags of each scene to check after.")] = 1000,
-    screenshot: Annotated[Path | None, typer.Option(help="Draw the scene into this PNG file.")] = None,
-    size: Annotated[str, typer.Option(metavar="WxH", help="Size of the screenshot in pixels.")] = "1280x800",
-    theme: Annotated[Literal["dark", "light"], typer.Option(help="Colours of the screenshot.")] = "dark",
-    with_: Annotated[Path | None, typer.Option("--with", help=_WITH_HELP)] = None,
-) -> None:
-    """Open the lab: scenes of the collision detection one can touch."""
-    from game.lab import command  # noqa: PLC0415  # its scenes, only where they are needed
-
-    if list_:
-        refuse_ignored(context, "does nothing beside --list", "scene", *_LAB_OPTIONS)
-        command.list_scenes()
-        return
-    if headless:
-        refuse_ignored(context, "does nothing beside --headless", "screenshot", "size", "theme")
-    else:
-        refuse_ignored(context, "is for checking scenes; add --headless", "drags")
-    if screenshot is None:
-        refuse_ignored(context, "is for a picture; add --screenshot FILE", "size", "theme")
-    pixels = size_of(size)
-    check_target(screenshot, "--screenshot", ".png")
-    with functions_of(with_) as own:
-        if headless:
-            if own is None:
-                command.check_scenes(scene, drags, _second_engine())
-            else:
-                command.check_yours(scene, drags, own)
-        elif screenshot is not None:
-            check_pygame()
-            command.save_picture(scene, screenshot, pixels, theme, _second_engine(), own)
-        else:
-            check_pygame()
-            from game.app import Services, lab  # noqa: PLC0415  # pygame, only where it is needed
-
-            with _settings() as settings:
-                lab(scene, Services(engine=_second_engine, settings=settings, lost=_say_lost, functions=own))
-
-
 def _verify(files: list[Path]) -> None:
     """Verify every file; CheckFailedError with the first divergence, after all have been looked at."""
     failed: list[str] = []
@@ -455,3 +408,6 @@ def _demonstrate(chosen_game: _ChosenGame) -> None:
             save_picture(last, path, (1280, 800))
             tell(f"picture: {path.absolute()}")
             return
+
+
+app.command("lab")(lab_command(LabServices(_second_engine, _settings, _say_lost, _WITH_HELP)))

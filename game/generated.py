@@ -8,6 +8,7 @@ import datetime as dt
 import random
 from collections.abc import Callable
 
+from game.language import tr_noop
 from game.levels import BallSpec, Level, PaddleSpec, RingSpec, checked, warnings
 from game.system.errors import BadInputError
 from physics import PERMANENT
@@ -83,7 +84,7 @@ def _drawn(chance: Chance, hardness: float, number: int) -> Level:
             friction=0.5,
         ),
         rings=rings,
-        description="A level from a seed: the same for everyone who plays it.",
+        description=tr_noop("A level from a seed: the same for everyone who plays it."),
     )
 
 

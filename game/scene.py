@@ -175,9 +175,11 @@ def _core(game: Game, growing: frozenset[int]) -> float | None:
 
 
 def _tallest(game: Game) -> tuple[int, ...]:
-    """Per ring, layers of its highest stack when the level began; the paddles have none, the shield has one."""
+    """Per ring, layers of its highest stack when the level began; paddles have none, the shield has one."""
     wall = [max(ring.slots()) for ring in game.level.rings]
-    return (0, *wall, 1) if game.ruleset.arcade else (0, *wall)
+    if not game.ruleset.arcade:
+        return (0, *wall)
+    return (0, *wall, 0, 1) if game.ruleset.versus else (0, *wall, 1)
 
 
 def _starts_afresh(ticked: Ticked) -> bool:

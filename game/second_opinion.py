@@ -4,6 +4,7 @@ import math
 from collections.abc import Callable
 from typing import NamedTuple
 
+from game.language import tr
 from game.rules import Ticked
 
 SHOWN_TICKS = 480
@@ -40,7 +41,7 @@ class NormalPair(NamedTuple):
     def text(self) -> str:
         """The angle in words."""
         if self.theirs is None:
-            return "pymunk: no contact"
+            return tr("pymunk: no contact")
         degrees = math.degrees(self.angle)
         return f"{degrees:.2f}°" if degrees >= _LEAST_READABLE else f"{degrees:.0e}°"
 

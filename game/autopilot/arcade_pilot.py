@@ -7,6 +7,7 @@ from game.autopilot.prediction import LOOK, crossing, pointer_to, without_paddle
 from game.autopilot.source_pilot import SERVE_WAIT, serve_delay
 from game.rules import HARMFUL, TICK, Controls, Drop, Game, Phase, PowerUp, paddle_ring
 from game.rules.pierce import without_bricks
+from game.rules.state import player_at
 from game.rules.steering import top_spin
 from game.rules.turn import place_turn, turned
 from physics import Arena, Ball, Ring, angle_of, direction, length, normalize_angle, signed_difference
@@ -68,6 +69,8 @@ class ArcadePilot:
         if game.phase != Phase.PLAYING:
             return Controls(serve=True)
         coming = self._coming(game)
+        if game.ruleset.versus:
+            return _for_both(game, coming)
         first = coming[0][1] if coming else None
         left = math.inf if first is None else (first.tick - game.tick) * TICK
         serve = any([ball.ticks >= _HOLD for ball in game.held]) and left > _CALM
@@ -96,6 +99,16 @@ class ArcadePilot:
         if self._chosen is None or self._chosen[0] != velocity:
             self._chosen = velocity, _best_target(game, first, [one for _, one in coming[1:]])
         return self._chosen[1]
+
+
+def _for_both(game: Game, coming: list[tuple[int, _Arrival]]) -> Controls:
+    """Controls of both players: each meets the first ball that comes to the own half, off the paddle's middle by turns."""
+    pointers: list[int | None] = [None, None]
+    for _, arrival in reversed(coming):
+        player = player_at(direction(arrival.bearing))
+        share = _SHARES[game.paddle_hits % len(_SHARES)]
+        pointers[player] = pointer_to(arrival.bearing - share * paddle_ring(game).half_angle)
+    return Controls(pointer=pointers[0], serve=bool(game.held), second_pointer=pointers[1])
 
 
 def _holds(known: _Known, ball: Ball, game: Game) -> bool:

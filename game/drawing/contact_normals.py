@@ -4,6 +4,7 @@ import pygame
 
 from game.drawing.canvas import Canvas
 from game.drawing.palette import Colour
+from game.language import tr
 from game.second_opinion import NormalPair
 
 _LENGTH = 1.6
@@ -19,7 +20,7 @@ _TEXT = 0.8
 def draw(canvas: Canvas, shown: tuple[NormalPair, ...]) -> None:
     """Both normals of every contact, and the angle between them: the game's thick, pymunk's thin and longer."""
     camera, theme, unit = canvas.camera, canvas.theme, canvas.unit
-    caption = "normals: ours thick, pymunk's thin, and the angle between them"
+    caption = tr("normals: ours thick, pymunk's thin, and the angle between them")
     canvas.write(caption, _TEXT, theme.faint, complex(canvas.size[0] / 2.0, unit * 0.2), "midtop")
     for pair in shown:
         start = camera.project(pair.point)

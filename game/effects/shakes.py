@@ -6,7 +6,9 @@ from typing import NamedTuple
 
 from game.rules import BEST_COMBO, TICK, EventKind, Ticked
 
-SHAKE_TICKS = 110
+SHAKE_TICKS = 240
+"""Ticks of a blow, in which there is no other: what moves to and fro flashes at its edges, and more than three flashes a second
+may harm some players. It has calmed down after half of them."""
 _STRENGTHS = {EventKind.BALL_LOST: 0.03, EventKind.LEVEL_CLEARED: 0.014, EventKind.GAME_OVER: 0.02}
 """First offset of the picture, in shares of the ground's radius."""
 _BEST_COMBO_STRENGTH = 0.007
@@ -40,14 +42,14 @@ class Shake(NamedTuple):
 
 
 def after_tick(shake: Shake | None, ticked: Ticked) -> Shake | None:
-    """The shake a tick later: the newest blow, or none."""
+    """The shake a tick later: the last blow, or none."""
     if shake is not None:
         shake = shake._replace(age=shake.age + 1) if shake.age < SHAKE_TICKS else None
     for event in ticked.events:
         strength = _STRENGTHS.get(event.kind, 0.0)
         if event.kind == EventKind.BRICK_HIT and ticked.game.combo == BEST_COMBO:
             strength = _BEST_COMBO_STRENGTH
-        if strength:
+        if strength and (shake is None or shake.age == 0):
             shake = Shake(_direction(event.position, ticked.game.tick), strength)
     return shake
 

@@ -54,7 +54,8 @@ def after_tick(waves: tuple[Wave, ...], ticked: Ticked) -> tuple[Wave, ...]:
         older = [wave._replace(age=wave.age + 1) for wave in waves]
         waves = tuple([wave for wave in older if wave.age < WAVE_TICKS])
     for event in ticked.events:
-        waves = (*waves, *_waves(event, ticked))
+        if event.kind != EventKind.BALL_LOST or not any([wave.tone is WaveTone.BAD for wave in waves]):  # no flashing
+            waves = (*waves, *_waves(event, ticked))
     if ticked.game.tick == 1 and ticked.game.phase == Phase.SERVING:
         waves = _started(ticked)
     return waves

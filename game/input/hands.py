@@ -24,6 +24,8 @@ from game.rules import POINTER_STEPS, TICK, Controls, Game, Phase, paddle_ring
 _TURNS = (Action.LEFT, Action.RIGHT)
 _ANY_BUTTON = frozenset({*_TURNS, Action.UP, Action.DOWN, Action.SERVE, Action.CONFIRM})
 """What a player with one button may have bound it to."""
+_ONE_BUTTON_SPIN = 0.6
+"""Share of their top speed at which the paddles turn by themselves: who reacts late loses fewer balls than at all of it."""
 _AIMING_SHARE = 0.8
 """Before the serve the mouse aims within this share of the paddles' inner radius; beyond it, it moves them."""
 _STICK_PIXELS = 100.0
@@ -97,8 +99,8 @@ class Hands(NamedTuple):
 
     def one_button_controls(self, game: Game) -> Controls:
         """The controls of the next tick for a player with one button: a press serves, and reverses the paddles in play."""
-        turn = self.turned if game.phase == Phase.PLAYING else 0
-        return Controls(turn, None, self.pressed, self.give_up)
+        pointer = _spun(game, self.turned * _ONE_BUTTON_SPIN) if game.phase == Phase.PLAYING else None
+        return Controls(0, pointer, self.pressed, self.give_up)
 
     def after_tick(self) -> "Hands":
         """What is still held once a tick has been given its controls: what is asked for once is asked for no more."""

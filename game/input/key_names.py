@@ -17,8 +17,8 @@ _WORDS = {
     "space": tr_noop("Space"),
     "tab": tr_noop("Tab"),
     "backspace": tr_noop("Backspace"),
-    "delete": tr_noop("Delete"),
-    "insert": tr_noop("Insert"),
+    "delete": tr_noop("Del"),
+    "insert": tr_noop("Ins"),
     "left": tr_noop("Left"),
     "right": tr_noop("Right"),
     "up": tr_noop("Up"),
@@ -101,21 +101,21 @@ def play_help() -> tuple[tuple[str, str], ...]:
     """Pairs of keys and what they do in a game."""
     left, right = key_names(Action.LEFT), key_names(Action.RIGHT)
     return (
-        (f"{left[0]}, {right[0]}   {left[-1]} {right[-1]}", "turn the paddles"),
-        ("Mouse", "the nearest paddle follows"),
-        (f"{key_name(Action.SERVE)}   Click", "serve along the arrow; go on"),
-        (_all(Action.PAUSE, Action.BACK), "pause; leave through the menu there"),
-        (_all(Action.RESTART), "restart (asks first)"),
-        (_all(Action.GIVE_UP), "give up a ball that no paddle reaches"),
-        (_all(Action.TIP, Action.FLAT, Action.SOLID), "tip the camera; from above; in 3D"),
-        ("Right drag   Wheel", "in 3D: orbit and tilt; zoom"),
-        (_all(Action.FULL_SCREEN), "full screen"),
-        (_all(Action.MUTE, Action.LESS, Action.MORE), "sound off / on; softer; louder"),
-        (_all(Action.THEME, Action.EFFECTS), "dark / light colours; effects off / on"),
-        (_all(Action.SETTINGS), "settings: every effect, reduced motion"),
-        (_all(Action.NORMALS), "normals: ours thick, pymunk's thin"),
-        (_all(Action.LAB), "the lab: the collision detection to touch"),
-        ("   ".join(key_names(Action.HELP)), "this help"),
+        (f"{left[0]}, {right[0]}   {left[-1]} {right[-1]}", tr("turn the paddles")),
+        (tr("Mouse"), tr("the nearest paddle follows")),
+        (f"{key_name(Action.SERVE)}   {tr('Click')}", tr("serve along the arrow; go on")),
+        (_all(Action.PAUSE, Action.BACK), tr("pause; leave through the menu there")),
+        (_all(Action.RESTART), tr("restart (asks first)")),
+        (_all(Action.GIVE_UP), tr("give up a ball that no paddle reaches")),
+        (_all(Action.TIP, Action.FLAT, Action.SOLID), tr("tip the camera; from above; in 3D")),
+        (tr("Right drag   Wheel"), tr("in 3D: orbit and tilt; zoom")),
+        (_all(Action.FULL_SCREEN), tr("full screen")),
+        (_all(Action.MUTE, Action.LESS, Action.MORE), tr("sound off / on; softer; louder")),
+        (_all(Action.THEME, Action.EFFECTS), tr("dark / light colours; effects off / on")),
+        (_all(Action.SETTINGS), tr("settings: every effect, reduced motion")),
+        (_all(Action.NORMALS), tr("normals: ours thick, pymunk's thin")),
+        (_all(Action.LAB), tr("the lab: the collision detection to touch")),
+        ("   ".join(key_names(Action.HELP)), tr("this help")),
     )
 
 
@@ -123,18 +123,18 @@ def watch_help() -> tuple[tuple[str, str], ...]:
     """Pairs of keys and what they do while a recorded game is watched."""
     others = _all(Action.FULL_SCREEN, Action.MUTE, Action.THEME, Action.EFFECTS, Action.SETTINGS)
     return (
-        (_all(Action.SERVE, Action.PAUSE), "play / stop"),
-        (_all(Action.STEP, Action.STEP_BACK), "one tick forward / back"),
-        (_all(Action.LEFT, Action.RIGHT), "5 seconds back / forward"),
-        (_all(Action.MORE, Action.LESS), "faster / slower, 1/8 to 8 times"),
-        (_all(Action.START, Action.END), "to the beginning / the end"),
-        ("Mouse", "click or drag on the timeline"),
-        (_all(Action.TIP, Action.FLAT, Action.SOLID), "tip the camera; from above; in 3D"),
-        (others, "full screen, sound, colours, effects, settings"),
-        (_all(Action.NORMALS), "normals: ours thick, pymunk's thin"),
-        (_all(Action.LAB), "the lab: the collision detection to touch"),
-        (_all(Action.BACK), "leave"),
-        ("   ".join(key_names(Action.HELP)), "this help"),
+        (_all(Action.SERVE, Action.PAUSE), tr("play / stop")),
+        (_all(Action.STEP, Action.STEP_BACK), tr("one tick forward / back")),
+        (_all(Action.LEFT, Action.RIGHT), tr("5 seconds back / forward")),
+        (_all(Action.MORE, Action.LESS), tr("faster / slower, 1/8 to 8 times")),
+        (_all(Action.START, Action.END), tr("to the beginning / the end")),
+        (tr("Mouse"), tr("click or drag on the timeline")),
+        (_all(Action.TIP, Action.FLAT, Action.SOLID), tr("tip the camera; from above; in 3D")),
+        (others, tr("full screen, sound, colours, effects, settings")),
+        (_all(Action.NORMALS), tr("normals: ours thick, pymunk's thin")),
+        (_all(Action.LAB), tr("the lab: the collision detection to touch")),
+        (_all(Action.BACK), tr("leave")),
+        ("   ".join(key_names(Action.HELP)), tr("this help")),
     )
 
 

@@ -26,10 +26,15 @@ _DIRECTIONS = {1: Action.RIGHT, 1j: Action.UP, -1: Action.LEFT, -1j: Action.DOWN
 
 @dataclass(slots=True)
 class _Pad:
-    """A gamepad that is plugged in. axes: their values by number. pushed: the direction of its stick as a key, 0 for none."""
+    """A gamepad that is plugged in.
+
+    number: SDL's, new for every time that it is plugged in. index: the least that no other has. axes: their values by number.
+    points, aims: whether the left and the right stick do. pushed: the direction of the left one as a key, 0 for none.
+    """
 
     device: controller.Controller
     number: int
+    index: int
     axes: dict[int, int] = field(default_factory=dict)
     points: bool = False
     aims: bool = False
@@ -41,7 +46,7 @@ class _Pad:
 
     def position(self, control: int) -> int:
         """The position of a button, or of a direction of the stick."""
-        return pad_position(self.number, control)
+        return pad_position(self.index, control)
 
 
 class Pads:
@@ -56,6 +61,11 @@ class Pads:
         """Let the system tell of gamepads; where it cannot, there are none."""
         with contextlib.suppress(pygame.error):
             controller.init()
+
+    def close(self) -> None:
+        """Let go of all gamepads, and of the system's part for them."""
+        self._pads.clear()
+        controller.quit()
 
     def signals(self, event: pygame.Event) -> Iterator[Signal]:
         """What an event means; nothing if it is not of a gamepad."""
@@ -81,8 +91,13 @@ class Pads:
             return
         number = device.as_joystick().get_instance_id()
         if number not in self._pads:
-            self._pads[number] = _Pad(device, number)
+            self._pads[number] = _Pad(device, number, self._free_index())
             yield PadChanged(device.name, there=True)
+
+    def _free_index(self) -> int:
+        """The least index that no gamepad has."""
+        taken = {pad.index for pad in self._pads.values()}
+        return next(index for index in range(len(taken) + 1) if index not in taken)
 
     def _removed(self, event: pygame.Event) -> Iterator[Signal]:
         """A gamepad is gone, with all that was held on it."""
@@ -118,7 +133,7 @@ class Pads:
                 for axis in (pygame.CONTROLLER_AXIS_TRIGGERLEFT, pygame.CONTROLLER_AXIS_TRIGGERRIGHT)
             )
             self._last = pad.number if left or right else self._last
-            yield Squeezed(right - left)
+            yield Squeezed(right - left, pad.index)
 
     def _right_stick(self, pad: _Pad) -> Iterator[Signal]:
         """The right stick moved."""
@@ -126,7 +141,7 @@ class Pads:
         aims = abs(at) >= (_LET_GO if pad.aims else _PUSHED)
         if aims or pad.aims:
             self._last = pad.number
-            yield Pointed(at / abs(at) if aims else 0j, aims=True)
+            yield Pointed(at / abs(at) if aims else 0j, aims=True, pad=pad.index)
         pad.aims = aims
 
     def _stick(self, pad: _Pad) -> Iterator[Signal]:
@@ -136,9 +151,9 @@ class Pads:
         points = reach >= (_LET_GO if pad.points else _PUSHED)
         if points:
             self._last = pad.number
-            yield Pointed(at / reach)
+            yield Pointed(at / reach, pad=pad.index)
         elif pad.points:
-            yield Pointed(0j)
+            yield Pointed(0j, pad=pad.index)
         pad.points = points
         pushed = _main_direction(at, pad.pushed) if points else 0
         if pushed == pad.pushed:

@@ -65,18 +65,23 @@ class Pointed:
     """A gamepad's stick points somewhere.
 
     direction: of length 1, to the right and up; 0 once the stick is let go. aims: it is the right stick, which aims the serve;
-    the left one moves the paddles.
+    the left one moves the paddles. pad: index of the gamepad, 0 for the one that was plugged in first.
     """
 
     direction: complex
     aims: bool = False
+    pad: int = 0
 
 
 @dataclass(frozen=True)
 class Squeezed:
-    """A gamepad's triggers moved. spin: -1.0 the left one all the way, 0.0 neither or both, +1.0 the right one."""
+    """A gamepad's triggers moved.
+
+    spin: -1.0 the left one all the way, 0.0 neither or both, +1.0 the right one. pad: as that of `Pointed`.
+    """
 
     spin: float
+    pad: int = 0
 
 
 @dataclass(frozen=True)
@@ -95,17 +100,28 @@ class FocusLost:
 Signal = Pressed | Released | KeyboardState | Moved | Clicked | Dragged | Zoomed | Pointed | Squeezed | PadChanged | FocusLost
 """Every kind is a class of its own, and a dataclass equals only its own class: no two kinds compare equal."""
 
-PAD_POSITIONS = 1 << 10
-"""Positions from here on are of gamepads: above every scancode."""
-_PER_PAD, STICK = 64, 32
-"""Positions of a gamepad, and the first that is of its stick and not of a button."""
+PAD_POSITIONS, POSITIONSPOSITIONS_PER_PAD = 1 << 10, 64
+"""Positions from the first on are of gamepads: above every scancode, so many for each gamepad."""
+STICK = 32
+"""The first of a gamepad's positions that is of its stick and not of a button."""
 
 
-def pad_position(number: int, control: int) -> int:
-    """The position of a gamepad's button, or from STICK on of a direction of its stick. number: of the gamepad."""
-    return PAD_POSITIONS + number * _PER_PAD + control
+def pad_of(signal: Signal) -> int | None:
+    """Index of the gamepad that a signal comes from; None for one that comes from elsewhere."""
+    match signal:
+        case Pressed(_, position) | Released(_, position) if position >= PAD_POSITIONS:
+            return (position - PAD_POSITIONS) // POSITIONSPOSITIONS_PER_PAD
+        case Pointed() | Squeezed():
+            return signal.pad
+        case _:
+            return None
+
+
+def pad_position(index: int, control: int) -> int:
+    """The position of a gamepad's button, or from STICK on of a direction of its stick. index: of the gamepad."""
+    return PAD_POSITIONS + index * POSITIONS_PER_PAD + control
 
 
 def of_stick(position: int) -> bool:
     """Whether a position is a direction of a gamepad's stick."""
-    return position >= PAD_POSITIONS and (position - PAD_POSITIONS) % _PER_PAD >= STICK
+    return position >= PAD_POSITIONS and (position - PAD_POSITIONS) % POSITIONS_PER_PAD >= STICK

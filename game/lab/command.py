@@ -2,22 +2,32 @@
 
 from collections import Counter
 from pathlib import Path
+from typing import Literal
 
 from rich.console import Console
 from rich.table import Table
 
+from game.lab.kit.arena_level import ARENA, given_of
 from game.lab.kit.second_engine import Engine
-from game.lab.registry import chapters, scenes
+from game.lab.registry import chapters, scene_named, scenes
 from game.lab.session.checks import Report, after_drags, lines, report
 from game.lab.session.share import SharedScene, parsed, share_line
 from game.lab.yours.answers import AnswerVerdict, OwnAnswer, own_answers
 from game.lab.yours.calls import calls_of
+from game.levels import load_file
 from game.student.functions_file import FunctionsFile
 from game.system.errors import BadInputError, CheckFailedError
 from game.system.output import say, tell
 from game.system.wording import quoted_path
 
 _SEED = 1
+FILE_KINDS: tuple[Literal["png", "svg", "gif"], ...] = ("png", "svg", "gif")
+
+
+def arena_line(path: Path) -> str:
+    """The share line of an arena of one's own with a level's numbers; BadInputError for a file that is no level."""
+    scene = scene_named(ARENA)
+    return share_line(SharedScene(scene, given_of(load_file(path), scene.parameters)))
 
 
 def list_scenes() -> None:
@@ -91,16 +101,34 @@ def save_picture(
     theme: str,
     engine: Engine | None,
     functions: FunctionsFile | None = None,
+    *,
+    presents: bool = False,
 ) -> None:
-    """Draw a scene into a PNG file and say where it is; BadInputError where it cannot be written."""
+    """Draw a scene into a PNG file and say where it is; BadInputError where it cannot be written.
+
+    presents: whether it is drawn as for a lecture room.
+    """
     from game.lab.window.screenshot import save_screenshot  # noqa: PLC0415  # pygame, only where it is needed
 
     shared = parsed(scenes()[0].name if line is None else line, engine)
     try:
-        save_screenshot(shared, path, size, theme, functions)
+        save_screenshot(shared, path, size, theme, functions, presents=presents)
     except OSError as error:
         raise BadInputError(f"--screenshot {quoted_path(path)}: cannot write; {error.strerror or error}") from None
     tell(f"picture: {path.absolute()}")
+
+
+def export(line: str | None, folder: Path, kind: str, size: tuple[int, int], theme: str, *, steps: bool) -> None:
+    """Write pictures of every scene, or of one, into a folder, and say how many; BadInputError where they cannot be written.
+
+    line: a share line; None for every scene. kind: png, svg, gif or all. steps: whether each is a file of its own, too.
+    """
+    from game.lab.export.folder import ExportWish, export_scenes  # noqa: PLC0415  # pygame, only where it is needed
+
+    shared = [parsed(scene.name) for scene in scenes()] if line is None else [parsed(line)]
+    kinds = tuple([one for one in FILE_KINDS if kind in {one, "all"}])
+    files = export_scenes(shared, folder, ExportWish(kinds, size, theme, steps))
+    tell(f"{len(files)} pictures in {folder.absolute()}")
 
 
 def _raise_failures(reports: list[Report]) -> None:

@@ -55,7 +55,7 @@ _DIRECTIONS = (
     tr_noop("lower right"),
 )
 # Lengths are in units of text.
-_SIZE, _PITCH, _MARGIN, _RIGHT, _BOTTOM = 1.1, 1.9, 0.6, 0.8, 5.2
+_SIZE, _PITCH, _MARGIN, _RIGHT, _BOTTOM = 1.1, 1.9, 0.6, 0.8, 7.0
 """Size of letters, from line to line, from words to the plate's ends, and from the plates to the surface's edges."""
 _PLATE, _CORNER, _EDGE_LINE = 1.6, 0.4, 0.06
 """Height of a plate, radius of its corners and width of its edge."""
@@ -109,11 +109,10 @@ def draw(canvas: Canvas, captions: tuple[Caption, ...]) -> None:
             return
         wide = canvas.type.rendered(caption.text, unit * _SIZE, theme.text).get_width()
         size = _SIZE * min(width * _WIDEST / wide, 1.0)
-        words = canvas.type.rendered(caption.text, unit * size, theme.text)
-        plate = pygame.Rect(0, 0, round(words.get_width() + 2.0 * unit * _MARGIN), round(unit * _PLATE))
+        plate = pygame.Rect(0, 0, round(wide * size / _SIZE + 2.0 * unit * _MARGIN), round(unit * _PLATE))
         plate.bottomright = (round(width - unit * _RIGHT), round(bottom))
         draw_box(canvas.surface, plate, unit * _CORNER, theme.panel, theme.panel_edge, unit * _EDGE_LINE)
-        canvas.surface.blit(words, words.get_rect(center=plate.center))
+        canvas.write(caption.text, size, theme.text, complex(*plate.center), "center")
 
 
 def _with(captions: tuple[Caption, ...], event: Event, camera: Camera) -> tuple[Caption, ...]:

@@ -49,11 +49,10 @@ def draw(canvas: Canvas, shown: Readings, layout: Layout) -> None:
     number = tr("LEVEL {number} of {count}").format(number=shown.level_number, count=shown.level_count)
     canvas.write(number, _CAPTION, theme.faint, complex(left, box.top - unit * 0.2), "bottomleft")
     muted = tr("sound off ({key})").format(key=key_name(Action.MUTE)) if shown.muted else ""
-    state = "   ".join(filter(None, [shown.badge, muted]))
     lines = (
         (tr("{key}  help").format(key=key_name(Action.HELP)), theme.faint),
         (ntr("{count} layer left", "{count} layers left", shown.layers).format(count=shown.layers), theme.text),
-        (state, theme.accent),
+        *[(line, theme.accent) for line in (muted, *shown.badge.split(", ")) if line],
     )
     for text, colour in lines:
         box = canvas.write(text, _CAPTION, colour, complex(right, bottom), "bottomright")

@@ -15,6 +15,8 @@ _GAP = 0.25
 """Between title and hint."""
 _MARGIN = complex(0.8, 0.5)
 """From the words to the plate's edges, across and down."""
+_WIDEST = 0.52
+"""Share of the surface's width for the words, which are smaller where they need more: the figures are beside them."""
 _CORNER, _EDGE_LINE = 0.6, 0.06
 """Radius of the plate's corners, and width of its edge."""
 _TOP, _NARROW_TOP = 0.6, 0.115
@@ -27,6 +29,8 @@ _SQUARE = 1.2
 def draw(canvas: Canvas, shown: Notice, scene: Scene) -> None:
     """The words on a plate at the upper edge of the arena, at the lower one while a ball is at the upper: never over bricks."""
     surface, theme, type_, unit = canvas.surface, canvas.theme, canvas.type, canvas.unit
+    wide = max([type_.rendered(words, unit * size, theme.text).get_width() for words, size in _sized(shown)])
+    unit *= min(_WIDEST * canvas.size[0] / wide, 1.0)
     title = type_.rendered(shown.title, unit * _TITLE, theme.text)
     hint = type_.rendered(shown.hint, unit * _HINT, theme.faint)
     gap = unit * _GAP if shown.hint else 0.0
@@ -43,6 +47,11 @@ def draw(canvas: Canvas, shown: Notice, scene: Scene) -> None:
     surface.blit(title, title.get_rect(midtop=(plate.centerx, round(top))))
     if shown.hint:
         surface.blit(hint, hint.get_rect(midtop=(plate.centerx, round(top + title.get_height() + gap))))
+
+
+def _sized(shown: Notice) -> tuple[tuple[str, float], tuple[str, float]]:
+    """Both lines and the sizes of their letters."""
+    return (shown.title, _TITLE), (shown.hint, _HINT)
 
 
 def _edge(canvas: Canvas) -> float:

@@ -23,7 +23,7 @@ def notice(game: Game, serve: str) -> Notice | None:
     if game.phase == Phase.SERVING:
         return Notice(_serve_title(game), tr("{key} or click: serve along the arrow").format(key=serve))
     if game.phase == Phase.CLEARED:
-        words = tr("Next: {level}. {key} or click: go on").format(level=game.levels[game.number + 1].name, key=serve)
+        words = tr("Next: {level}. {key} or click: go on").format(level=tr(game.levels[game.number + 1].name), key=serve)
         return Notice(tr("Level cleared"), words)
     if game.phase == Phase.WON:
         return Notice(tr("All levels cleared"), "")
@@ -33,7 +33,7 @@ def notice(game: Game, serve: str) -> Notice | None:
 def _serve_title(game: Game) -> str:
     """The level's name before its first serve, else what is left."""
     if game.tick == game.phase_tick or (game.statistics.level.balls_lost == 0 and game.ruleset.arcade) or game.lives == LIVES:
-        return game.level.name
+        return tr(game.level.name)
     if game.lives == 1:
         return tr("Last life")
     return ntr("{count} life left", "{count} lives left", game.lives).format(count=game.lives)

@@ -4,6 +4,7 @@ from typing import NamedTuple
 
 from game.effects import Streak
 from game.effects.streaks import NO_STREAK
+from game.language import tr
 from game.levels import number_of
 from game.rules import Game, layers_left
 
@@ -35,4 +36,4 @@ def readings(game: Game, streak: Streak = NO_STREAK, *, muted: bool = False, bad
     """The figures of a game. The other arguments are those of `Readings`."""
     number, count = number_of(game.level, game.levels)
     left = layers_left(game)
-    return Readings(game.score, game.combo, game.lives, number, count, game.level.name, left, muted, badge, streak)
+    return Readings(game.score, game.combo, game.lives, number, count, tr(game.level.name), left, muted, badge, streak)

@@ -208,6 +208,8 @@ def _check(recording: Recording, source: str) -> None:
         checked(level, f"{source}: levels[{number}]")
     if levels_hash(tuple(recording.levels)) != recording.levels_hash:
         raise BadInputError(f"{source}: levels_hash: another level than the one the game was played on")
+    if recording.ruleset.versus and not recording.ruleset.arcade:
+        raise BadInputError(f"{source}: ruleset: two players need the arcade rules")
     problem = run_coding.problem_of(recording.runs, recording.ticks)
     if problem is not None:
         raise BadInputError(f"{source}: runs: {problem}")

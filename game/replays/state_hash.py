@@ -53,8 +53,9 @@ def _arcade_state(game: Game) -> tuple[bytes, ...]:
     drops, powers, held = game.drops, game.powers, game.held
     moving = [game.speed, game.arena.rings[PADDLES].half_angle]
     moving += [x for drop in drops for x in (drop.position.real, drop.position.imag, drop.velocity.real, drop.velocity.imag)]
-    lasting = [x for power in powers for x in power] + [x for ball in held for x in (ball.slot, ball.ticks)]
+    lasting = [x for power in powers for x in power] + [x for ball in held for x in (ball.ring, ball.slot, ball.ticks)]
     counts = [game.paddle_hits, game.waited, game.burst, game.aim_start, game.score_before, *game.statistics.level]
+    counts += [game.server, game.last_player, *[x for side in game.sides for x in side]]
     counts += [*game.statistics.game, *[x for result in game.results for x in result]]
     return (
         _floats(moving) + _integers([len(drops), *[drop.kind for drop in drops]]),

@@ -23,14 +23,18 @@ from game.rules.state import (
     LevelResult,
     Phase,
     Rank,
+    Side,
     Statistics,
     Tally,
     Ticked,
     held_balls,
     layers_left,
     paddle_ring,
+    paddle_rings,
+    player_at,
 )
 from game.rules.ticking import continued, new_game, tick
+from game.rules.versus import winner
 
 __all__ = [
     "BEST_COMBO",
@@ -57,6 +61,7 @@ __all__ = [
     "PowerUp",
     "Rank",
     "Ruleset",
+    "Side",
     "Statistics",
     "Tally",
     "Ticked",
@@ -66,8 +71,11 @@ __all__ = [
     "layers_left",
     "new_game",
     "paddle_ring",
+    "paddle_rings",
     "par",
+    "player_at",
     "rank_of",
     "shield_layers",
     "tick",
+    "winner",
 ]

@@ -3,7 +3,8 @@
 from game.level_format.specs import DropKind
 from game.rules.chance import drawn
 from game.rules.power_up import Drop, PowerUp
-from game.rules.state import TICK, Event, EventKind, Game, paddle_ring
+from game.rules.state import TICK, Event, EventKind, Game, paddle_rings, player_at
+from game.rules.versus import with_points
 from physics import Ball, Ring, angle_of, contact, in_band, length, nearest_slot
 from physics.vectors import unit
 
@@ -50,19 +51,23 @@ def drifted(game: Game, events: list[Event]) -> tuple[Game, list[Drop]]:
     """The game after its drops have drifted for a tick, and those that a paddle has caught."""
     if not game.drops:
         return game, []
-    paddles, radius = paddle_ring(game), DROP_RADIUS * game.level.ground_radius
+    radius = DROP_RADIUS * game.level.ground_radius
+    paddles = [game.arena.rings[k] for k in paddle_rings(game)]
     going: list[Drop] = []
     caught: list[Drop] = []
     for drop in game.drops:
         moved = drop._replace(position=drop.position + drop.velocity * TICK)
-        if _touches(Ball(moved.position, moved.velocity, radius), paddles):
+        if any([_touches(Ball(moved.position, moved.velocity, radius), ring) for ring in paddles]):
             caught.append(moved)
             events.append(Event(EventKind.DROP_CAUGHT, points=_CATCH_POINTS, position=moved.position, power=drop.kind))
         elif length(moved.position) - radius > game.level.ground_radius:
             events.append(Event(EventKind.DROP_LOST, position=moved.position, power=drop.kind))
         else:
             going.append(moved)
-    return game._replace(drops=tuple(going), score=game.score + _CATCH_POINTS * len(caught)), caught
+    game = game._replace(drops=tuple(going), score=game.score + _CATCH_POINTS * len(caught))
+    for drop in caught:
+        game = with_points(game, _CATCH_POINTS, player_at(drop.position))
+    return game, caught
 
 
 def _touches(drop: Ball, paddles: Ring) -> bool:

@@ -24,10 +24,12 @@ from game.rules.state import (
     Phase,
     Ticked,
     counted,
+    held_balls,
     in_phase,
     wall_layers,
 )
 from game.rules.turn import paddle_hits_answered, released
+from game.rules.versus import with_lost_ball
 from game.rules.wells import pulled
 from physics import Arena, Ball, Outcome, broad_phase_outcome
 
@@ -92,12 +94,13 @@ def _without_lost_balls(game: Game, events: list[Event], *, give_up: bool) -> Ga
     staying = () if give_up else tuple(kept)
     if len(staying) == len(game.arena.balls) and not (give_up and game.held):
         return game
-    lost = [ball for ball in game.arena.balls if ball not in staying]
+    lost = [ball for ball in game.arena.balls if ball not in staying] + [*(held_balls(game) if give_up else ())]
     events.extend([Event(EventKind.BALL_LOST, position=ball.position) for ball in lost])
     game = game._replace(arena=game.arena._replace(balls=staying), held=() if give_up else game.held)
     if staying or game.held:
         return game
-    game = counted(game._replace(lives=game.lives - 1, combo=0, idle=0), balls_lost=1)
+    game = counted(game._replace(combo=0, idle=0), balls_lost=1)
+    game = with_lost_ball(game, lost[-1].position) if game.sides else game._replace(lives=game.lives - 1)
     if game.lives == 0:
         events.append(Event(EventKind.GAME_OVER))
         return in_phase(game._replace(drops=()), Phase.OVER)

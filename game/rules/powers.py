@@ -3,7 +3,8 @@
 import math
 
 from game.rules.power_up import LASTING, OPPOSITES, ActivePower, Drop, PowerUp
-from game.rules.state import Event, EventKind, Game, counted
+from game.rules.state import Event, EventKind, Game, counted, player_at
+from game.rules.versus import with_lives
 from physics import Ball, angle_of, direction
 
 MOST_LIVES = 9
@@ -29,9 +30,12 @@ def with_caught(game: Game, drops: list[Drop], events: list[Event]) -> Game:
 
 def with_life(game: Game, position: complex, events: list[Event]) -> Game:
     """The game with one more life, up to MOST_LIVES."""
-    if game.lives >= MOST_LIVES:
+    lives = game.sides[player_at(position)].lives if game.sides else game.lives
+    if lives >= MOST_LIVES:
         return game
     events.append(Event(EventKind.LIFE_GAINED, position=position))
+    if game.sides:
+        return with_lives(game, 1, player_at(position))
     return game._replace(lives=game.lives + 1)
 
 

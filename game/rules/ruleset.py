@@ -44,11 +44,13 @@ class Ruleset(NamedTuple):
     """The rules of a game.
 
     arcade: False for the source's rules: one speed, no power-ups, no turn by the position of a hit, no wells, and a difficulty
-    changes nothing.
+    changes nothing. versus: whether two players play against each other, each with one paddle in a half of the ring; it needs
+    the arcade rules.
     """
 
     difficulty: Difficulty = Difficulty.NORMAL
     arcade: bool = True
+    versus: bool = False
 
     @property
     def handicap(self) -> Handicap:

@@ -7,7 +7,6 @@ from game.rules.powers import with_life, without_power
 from game.rules.regrow import play_ticks
 from game.rules.state import (
     BEST_COMBO,
-    PADDLES,
     TICK,
     Event,
     EventKind,
@@ -17,7 +16,9 @@ from game.rules.state import (
     Statistics,
     Tally,
     counted,
+    paddle_rings,
 )
+from game.rules.versus import player_of, with_points
 from physics import PERMANENT, Hit
 
 EXTRA_LIFE_POINTS = 10_000
@@ -29,7 +30,7 @@ _POINTS_PER_LIFE = 100
 _BUMPER_POINTS = 5
 _BURST_TICKS = 240
 """Ticks for which a bumper makes the balls faster."""
-_PAR_START, _PAR_PER_LAYER = 20.0, 2.0
+_PAR_START, _PAR_PER_LAYER = 15.0, 1.5
 """Seconds: a level's par is the first, and the second for every layer."""
 _POINTS_PER_SECOND = 10
 """Points for every whole second below par."""
@@ -58,9 +59,9 @@ def rank_of(level: Level, tally: Tally) -> Rank:
 def credited(game: Game, hit: Hit, events: list[Event]) -> Game:
     """The game after one hit is scored."""
     where = hit.contact.point
-    if hit.ring == PADDLES:
+    if hit.ring in paddle_rings(game):
         events.append(Event(EventKind.PADDLE_HIT, hit, position=where))
-        game = counted(game, paddle_hits=1)
+        game = counted(game, paddle_hits=1)._replace(last_player=player_of(hit.ring))
         return game._replace(combo=0, idle=game.idle + 1, paddle_hits=game.paddle_hits + 1)
     if game.ruleset.arcade and hit.ring == len(game.arena.rings) - 1:
         events.append(Event(EventKind.SHIELD_HIT, hit, position=where))
@@ -69,7 +70,7 @@ def credited(game: Game, hit: Hit, events: list[Event]) -> Game:
         game = game._replace(idle=game.idle + 1)
         if game.ruleset.arcade and game.level.rings[hit.ring - 1].bumper:
             events.append(Event(EventKind.BUMPER_HIT, hit, _BUMPER_POINTS, where))
-            return game._replace(score=game.score + _BUMPER_POINTS, burst=_BURST_TICKS)
+            return with_points(game._replace(score=game.score + _BUMPER_POINTS, burst=_BURST_TICKS), _BUMPER_POINTS)
         events.append(Event(EventKind.WALL_HIT, hit, position=where))
         return game
     return with_broken(game, hit, 1, events)
@@ -82,7 +83,7 @@ def with_broken(game: Game, hit: Hit, layers: int, events: list[Event]) -> Game:
     points = sum([_POINTS_PER_BRICK * min(game.combo + k, BEST_COMBO) for k in range(1, layers + 1)])
     events.append(Event(EventKind.BRICK_HIT, hit, points, where))
     game = _with_combo(counted(game, bricks=layers), combo)
-    game = game._replace(score=game.score + points, combo=combo, idle=0, waited=0)
+    game = with_points(game._replace(score=game.score + points, combo=combo, idle=0, waited=0), points)
     return with_drop(game, where, events) if hit.layers == 0 and game.ruleset.arcade else game
 
 
@@ -97,7 +98,9 @@ def _with_combo(game: Game, combo: int) -> Game:
 
 
 def with_extra_lives(game: Game, before: int, events: list[Event]) -> Game:
-    """The game with a life for every multiple of EXTRA_LIFE_POINTS that the score has passed since it was `before`."""
+    """The game with a life for every multiple of EXTRA_LIFE_POINTS that the score of its player has passed since `before`."""
+    if game.sides:
+        return game
     for _ in range(game.score // EXTRA_LIFE_POINTS - before // EXTRA_LIFE_POINTS):
         game = with_life(game, 0j, events)
     return game
@@ -107,10 +110,10 @@ def with_result(game: Game, events: list[Event]) -> Game:
     """The game with the bonuses and the result of the level that has just been cleared."""
     tally = game.statistics.level._replace(ticks=play_ticks(game))
     time_bonus = loss_bonus = 0
-    if game.ruleset.arcade:
+    if game.ruleset.arcade and not game.sides:
         time_bonus = _POINTS_PER_SECOND * max(int(par(game.level) - tally.ticks * TICK), 0)
         loss_bonus = 0 if tally.balls_lost else _NO_LOSS_POINTS
-    points = _POINTS_PER_LIFE * game.lives + time_bonus + loss_bonus
+    points = time_bonus + loss_bonus + (0 if game.sides else _POINTS_PER_LIFE * game.lives)
     game = game._replace(score=game.score + points)
     events.append(Event(EventKind.LEVEL_CLEARED, points=points))
     result = LevelResult(

@@ -6,7 +6,8 @@ from game.rules.chance import drawn
 from game.rules.power_up import ActivePower, PowerUp
 from game.rules.shape import shaped
 from game.rules.speed import with_speed_now
-from game.rules.state import PADDLES, POINTER_STEPS, SERVE_GAP, Controls, Event, EventKind, Game, Phase, Ticked, in_phase
+from game.rules.state import POINTER_STEPS, SERVE_GAP, Controls, Event, EventKind, Game, Phase, Ticked, in_phase
+from game.rules.versus import served_from
 from physics import Arena, Ball, Step, direction, normalize_angle, signed_difference
 
 _AIM_RANGE = math.radians(55.0)
@@ -22,9 +23,9 @@ def aim(game: Game) -> float:
 
 
 def with_served_ball(game: Game, arena: Arena, wanted: int | None = None) -> Arena:
-    """The arena with the ball resting on paddle 0, its velocity where the serve is aimed. wanted: as `Controls.aim`."""
+    """The arena with the ball resting on a paddle, its velocity where the serve is aimed. wanted: as `Controls.aim`."""
     radius = game.level.ball.radius
-    paddles = arena.rings[PADDLES]
+    paddles = arena.rings[served_from(game)]
     angle = paddles.angle(0)
     distance = paddles.inner_radius - radius * (1.0 + SERVE_GAP)
     velocity = direction(angle + math.pi + _aimed(game, angle, wanted)) * game.speed

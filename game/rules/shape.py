@@ -6,8 +6,9 @@ Both change only at a moment when no ball is where new material comes to be.
 import math
 
 from game.rules.power_up import PowerUp
-from game.rules.state import PADDLES, Game, paddle_ring
-from physics import Arena, Ball, Ring, contact, in_band, length
+from game.rules.state import PADDLES, Game, paddle_rings
+from game.rules.versus import fits, own_half_angle, paddle_of
+from physics import PERMANENT, Arena, Ball, Ring, contact, in_band, length
 
 _WIDE, _NARROW = 1.4, 0.7
 """Factors of the paddles' half angle."""
@@ -24,19 +25,26 @@ def arcade_arena(game: Game) -> Arena:
     outer = rings[PADDLES].outer_radius
     half_width = _SHIELD_HALF_WIDTH * level.ground_radius
     shield = Ring(outer + _SHIELD_DISTANCE * level.ground_radius + half_width, half_width, math.pi, 1)
+    if game.ruleset.versus:
+        both = [paddle_of(rings[PADDLES], player)._replace(half_angle=wanted_half_angle(game)) for player in range(2)]
+        fixed = (PERMANENT,)
+        return Arena(balls, (both[0], *rings[PADDLES + 1 :], both[1], shield), (fixed, *layers[PADDLES + 1 :], fixed, (0,)))
     paddles = rings[PADDLES]._replace(half_angle=wanted_half_angle(game))
     return Arena(balls, (paddles, *rings[PADDLES + 1 :], shield), (*layers, (0,)))
 
 
 def wanted_half_angle(game: Game) -> float:
     """Half the angle of a paddle as difficulty and power-ups want it, radians; the paddles leave gaps between them."""
-    own = math.radians(game.level.paddles.half_angle)
+    spec = game.level.paddles
+    own, count = math.radians(spec.half_angle), spec.count
+    if game.ruleset.versus:
+        own, count = own_half_angle(own, count), 2
     factor = game.ruleset.handicap.paddle_width
     if game.power(PowerUp.WIDE) is not None:
         factor *= _WIDE
     if game.power(PowerUp.NARROW) is not None:
         factor *= _NARROW
-    return min(own * factor, max(own, _WIDEST * math.pi / game.level.paddles.count))
+    return min(own * factor, max(own, _WIDEST * math.pi / count))
 
 
 def shield_layers(game: Game) -> int:
@@ -46,12 +54,13 @@ def shield_layers(game: Game) -> int:
 
 def shaped(game: Game) -> Game:
     """The game with paddles and shield as its power-ups want them, as far as no ball is in the way."""
-    paddles = paddle_ring(game)
     half_angle = wanted_half_angle(game)
-    if half_angle != paddles.half_angle:
-        resized = paddles._replace(half_angle=half_angle)
-        if half_angle < paddles.half_angle or not any([_overlaps(ball, resized) for ball in game.arena.balls]):
-            game = _with_paddles(game, resized)
+    for player, k in enumerate(paddle_rings(game)):
+        paddles = game.arena.rings[k]
+        if half_angle != paddles.half_angle:
+            resized = paddles._replace(half_angle=half_angle)
+            if half_angle < paddles.half_angle or _has_room(game, resized, player):
+                game = _with_paddles(game, resized, k)
     layers = 0 if game.power(PowerUp.SHIELD) is None else 1
     if layers != shield_layers(game):
         shield = game.arena.rings[-1]
@@ -61,11 +70,19 @@ def shaped(game: Game) -> Game:
     return game
 
 
-def _with_paddles(game: Game, paddles: Ring) -> Game:
-    """The game with other paddles. A ball that sticks to one stays on it."""
+def _has_room(game: Game, paddles: Ring, player: int) -> bool:
+    """Whether larger paddles overlap no ball and, where two players have one each, stay in their half."""
+    if game.ruleset.versus and not fits(paddles, player):
+        return False
+    return not any([_overlaps(ball, paddles) for ball in game.arena.balls])
+
+
+def _with_paddles(game: Game, paddles: Ring, k: int) -> Game:
+    """The game with other paddles in a ring. A ball that sticks to one stays on it."""
     reach = paddles.half_angle
-    held = tuple([ball._replace(offset=min(max(ball.offset, -reach), reach)) for ball in game.held])
-    return game._replace(held=held, arena=game.arena._replace(rings=(paddles, *game.arena.rings[PADDLES + 1 :])))
+    held = tuple([ball._replace(offset=min(max(ball.offset, -reach), reach)) if ball.ring == k else ball for ball in game.held])
+    rings = (*game.arena.rings[:k], paddles, *game.arena.rings[k + 1 :])
+    return game._replace(held=held, arena=game.arena._replace(rings=rings))
 
 
 def _overlaps(ball: Ball, ring: Ring) -> bool:

@@ -2,7 +2,7 @@
 
 from game.level_format.arcade_checks import SLOWEST
 from game.rules.power_up import PowerUp
-from game.rules.state import PADDLES, Event, EventKind, Game, paddle_ring
+from game.rules.state import PADDLES, Event, EventKind, Game, paddle_ring, paddle_rings
 from physics import Ball
 from physics.vectors import unit
 
@@ -36,7 +36,8 @@ def speed_now(game: Game) -> float:
             speed *= _FAST
     if game.burst > 0:
         speed *= _BURST
-    rim = max([abs(ring.spin) * ring.outer_radius for ring in game.arena.rings[PADDLES + 1 :]])
+    wall = game.arena.rings[PADDLES + 1 : len(game.level.rings) + 1]
+    rim = max([abs(ring.spin) * ring.outer_radius for ring in wall])
     return max(speed, SLOWEST * spec.speed, min(_RING_RIM * rim, spec.speed))
 
 
@@ -61,9 +62,10 @@ def with_speed_now(game: Game, events: list[Event]) -> Game:
     balls, rings = game.arena.balls, game.arena.rings
     balls = tuple([Ball(ball.position, at_speed(ball.velocity, speed), ball.radius) for ball in balls])
     top = fastest_spin(game)
-    spin = min(max(rings[PADDLES].spin, -top), top)
-    if spin != rings[PADDLES].spin:
-        rings = (rings[PADDLES].steered(spin), *rings[PADDLES + 1 :])
+    for k in paddle_rings(game):
+        spin = min(max(rings[k].spin, -top), top)
+        if spin != rings[k].spin:
+            rings = (*rings[:k], rings[k].steered(spin), *rings[k + 1 :])
     return game._replace(arena=game.arena._replace(balls=balls, rings=rings))
 
 

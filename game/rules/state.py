@@ -14,7 +14,7 @@ TICK = 1.0 / 240.0
 POINTER_STEPS = 65536
 """Steps of a full turn in `Controls.pointer` and `Controls.aim`."""
 PADDLES = 0
-"""Index of the paddles in `Arena.rings`."""
+"""Index of the paddles in `Arena.rings`; of the first player's, where two play against each other."""
 BEST_COMBO = 8
 """Combo length from which the multiplier stops growing."""
 
@@ -55,13 +55,21 @@ class HeldBall(NamedTuple):
     """A ball that sticks to the inner face of a paddle.
 
     slot: of the paddle. offset: from the paddle's middle, radians, counter-clockwise. radius: world units. ticks: since it was
-    caught.
+    caught. ring: of the paddle.
     """
 
     slot: int
     offset: float
     radius: float
     ticks: int
+    ring: int = PADDLES
+
+
+class Side(NamedTuple):
+    """One of two players who play against each other."""
+
+    score: int
+    lives: int
 
 
 class Tally(NamedTuple):
@@ -122,7 +130,8 @@ class Game(NamedTuple):
     drops: on their way outward. powers: that last, in the order in which they were caught. held: balls that stick to a
     paddle. results: of the levels cleared so far. paddle_hits: since the last serve; they make the balls faster. waited:
     ticks in play since a brick was hit. burst: ticks for which a bumper makes the balls faster. aim_start: where the swing of
-    the aim begins, in ticks. score_before: at the level's start.
+    the aim begins, in ticks. score_before: at the level's start. sides: of two players who play against each other, else none;
+    then `lives` are those of the one who has fewer. server: the player who serves. last_player: whose paddle was hit last.
     """
 
     levels: tuple[Level, ...]
@@ -150,6 +159,9 @@ class Game(NamedTuple):
     burst: int = 0
     aim_start: int = 0
     score_before: int = 0
+    sides: tuple[Side, ...] = ()
+    server: int = 0
+    last_player: int = 0
 
     @property
     def level(self) -> Level:
@@ -227,6 +239,16 @@ def paddle_ring(game: Game) -> Ring:
     return game.arena.rings[PADDLES]
 
 
+def paddle_rings(game: Game) -> tuple[int, ...]:
+    """Indices of the rings that are paddles: of the one, or of each of two players who play against each other."""
+    return (PADDLES, len(game.arena.rings) - 2) if game.ruleset.versus else (PADDLES,)
+
+
+def player_at(position: complex) -> int:
+    """In whose half of the ring a position is: 0 below the centre, 1 above it."""
+    return 0 if position.imag < 0.0 else 1
+
+
 def layers_left(game: Game) -> int:
     """Layers still to be broken in the level."""
     return sum([layers for ring in wall_layers(game) for layers in ring if layers > 0])
@@ -240,9 +262,9 @@ def wall_layers(game: Game) -> tuple[tuple[int, ...], ...]:
 
 def held_balls(game: Game) -> tuple[Ball, ...]:
     """The balls that stick to a paddle, where they are, their velocities straight to the centre."""
-    paddles = paddle_ring(game)
     balls = []
     for held in game.held:
+        paddles = game.arena.rings[held.ring]
         outward = direction(paddles.angle(held.slot) + held.offset)
         distance = paddles.inner_radius - held.radius * (1.0 + SERVE_GAP)
         balls.append(Ball(outward * distance, outward * -game.speed, held.radius))

@@ -3,29 +3,48 @@
 import math
 
 from game.rules.speed import fastest_spin
-from game.rules.state import PADDLES, POINTER_STEPS, TICK, Controls, Game, paddle_ring
+from game.rules.state import PADDLES, POINTER_STEPS, TICK, Controls, Game, paddle_ring, paddle_rings
+from game.rules.versus import spin_within
 from physics import Arena, Ring, signed_difference
 
 
 def steered(game: Game, controls: Controls) -> Arena:
     """The arena with the paddles' spin set for this tick. Keys go before pointers, the first player before the second."""
-    paddles, spec = paddle_ring(game), game.level.paddles
-    top = top_spin(game)
+    if game.ruleset.versus:
+        return _both_steered(game, controls)
     turn, pointer = controls.turn, controls.pointer
     if turn == 0:
         turn = controls.second_turn
         pointer = controls.second_pointer if pointer is None else pointer
+    return _with_spin(game.arena, PADDLES, _spin(game, paddle_ring(game), turn, pointer))
+
+
+def _both_steered(game: Game, controls: Controls) -> Arena:
+    """The arena with the spin of each player's paddle, which stays in its half."""
+    arena = game.arena
+    asked = (controls.turn, controls.pointer), (controls.second_turn, controls.second_pointer)
+    for player, (k, (turn, pointer)) in enumerate(zip(paddle_rings(game), asked, strict=True)):
+        spin = _spin(game, arena.rings[k], turn, pointer)
+        arena = _with_spin(arena, k, spin_within(arena.rings[k], player, spin))
+    return arena
+
+
+def _with_spin(arena: Arena, k: int, spin: float) -> Arena:
+    """The arena with another spin of a ring; the arena itself where it has it already."""
+    if spin == arena.rings[k].spin:
+        return arena
+    return arena._replace(rings=(*arena.rings[:k], arena.rings[k].steered(spin), *arena.rings[k + 1 :]))
+
+
+def _spin(game: Game, paddles: Ring, turn: int, pointer: int | None) -> float:
+    """The spin that a player's controls give paddles in this tick, rad/s."""
+    top = top_spin(game)
     if turn == 0 and pointer is not None:
-        spin = _spin_to_pointer(paddles, pointer, top)
-    else:
-        change = math.radians(spec.acceleration) * TICK
-        wanted = top * turn
-        spin = min(max(wanted, paddles.spin - change), paddles.spin + change)
-        if game.ruleset.arcade:
-            spin = min(max(spin, -top), top)  # the balls may have become slower
-    if spin == paddles.spin:
-        return game.arena
-    return game.arena._replace(rings=(paddles.steered(spin), *game.arena.rings[PADDLES + 1 :]))
+        return _spin_to_pointer(paddles, pointer, top)
+    change = math.radians(game.level.paddles.acceleration) * TICK
+    wanted = top * turn
+    spin = min(max(wanted, paddles.spin - change), paddles.spin + change)
+    return min(max(spin, -top), top) if game.ruleset.arcade else spin  # the balls may have become slower
 
 
 def top_spin(game: Game) -> float:

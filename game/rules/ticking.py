@@ -8,6 +8,7 @@ from game.rules.serving import before_serve, serving
 from game.rules.shape import arcade_arena
 from game.rules.state import TICK, Advance, Controls, Event, EventKind, Game, Phase, Statistics, Tally, Ticked
 from game.rules.steering import steered
+from game.rules.versus import sides
 from physics import Arena, Step
 
 _CLEARED_TICKS = 480
@@ -17,9 +18,15 @@ _CLEARED_LEAST = 60
 
 
 def new_game(levels: tuple[Level, ...], seed: int, ruleset: Ruleset = SOURCE_RULES) -> Game:
-    """A game at the first of the levels, waiting for its first serve. seed: 0 <= seed < 2**63."""
+    """A game at the first of the levels, waiting for its first serve. seed: 0 <= seed < 2**63.
+
+    Raises ValueError for two players under the source's rules.
+    """
+    if ruleset.versus and not ruleset.arcade:
+        raise ValueError("two players need the arcade rules")
     lives = ruleset.handicap.lives
-    game = Game(levels, 0, seed, 0, 0, Phase.SERVING, 0, levels[0].arena(), 0, lives, 0, 0, ruleset=ruleset)
+    start = levels[0].arena()
+    game = Game(levels, 0, seed, 0, 0, Phase.SERVING, 0, start, 0, lives, 0, 0, ruleset=ruleset, sides=sides(ruleset))
     return before_serve(_in_own_arena(game))
 
 
@@ -47,7 +54,9 @@ def _next_level(game: Game, step: Step, moving: Arena) -> Ticked:
     lives = max(game.lives, game.ruleset.handicap.lives) if game.ruleset.arcade else game.lives
     statistics = Statistics(Tally(), game.statistics.game)
     speed = game.speed
-    game = game._replace(number=game.number + 1, lives=lives, statistics=statistics, score_before=game.score, powers=())
+    both = tuple([side._replace(lives=max(side.lives, game.ruleset.handicap.lives)) for side in game.sides])
+    game = game._replace(number=game.number + 1, lives=lives, statistics=statistics, score_before=game.score)
+    game = game._replace(powers=(), sides=both)
     return Ticked(before_serve(_in_own_arena(game)), (Event(EventKind.LEVEL_STARTED),), step, moving, speed)
 
 

@@ -8,7 +8,7 @@ import math
 
 from game.rules.closing import closing_turn
 from game.rules.power_up import PowerUp
-from game.rules.state import PADDLES, Event, EventKind, Game, HeldBall, held_balls
+from game.rules.state import PADDLES, Event, EventKind, Game, HeldBall, held_balls, paddle_rings
 from physics import Arena, Ball, Feature, Hit, Step, angle_of, direction, normalize_angle, signed_difference
 
 MOST_LEANING = math.radians(75.0)
@@ -22,18 +22,18 @@ def paddle_hits_answered(game: Game, moving: Arena, step: Step, events: list[Eve
     last: dict[int, Hit] = {}
     for hit in step.hits:
         last[hit.ball] = hit
-    sticky = game.power(PowerUp.STICKY) is not None
+    sticky, paddles = game.power(PowerUp.STICKY) is not None, paddle_rings(game)
     balls: list[Ball] = []
     held: list[HeldBall] = []
     changed = False
     for index, ball in enumerate(game.arena.balls):
         found = last.get(index)
-        if found is None or found.ring != PADDLES or found.contact.feature != Feature.INNER_FACE:
+        if found is None or found.ring not in paddles or found.contact.feature != Feature.INNER_FACE:
             balls.append(ball)
             continue
         changed = True
         if sticky:
-            held.append(HeldBall(found.slot, hit_offset(found, moving), ball.radius, 0))
+            held.append(HeldBall(found.slot, hit_offset(found, moving), ball.radius, 0, found.ring))
             events.append(Event(EventKind.BALL_CAUGHT, found, position=found.contact.point))
         else:
             balls.append(_returned(game, ball, found, moving, events))
@@ -44,7 +44,7 @@ def paddle_hits_answered(game: Game, moving: Arena, step: Step, events: list[Eve
 
 def hit_offset(hit: Hit, moving: Arena) -> float:
     """How far from the middle of its paddle a hit is, radians, counter-clockwise. moving: the arena at the tick's start."""
-    paddles = moving.rings[PADDLES].turned(hit.time)
+    paddles = moving.rings[hit.ring].turned(hit.time)
     return signed_difference(angle_of(hit.contact.point), paddles.angle(hit.slot))
 
 

@@ -108,7 +108,7 @@ def _screens() -> Iterator[tuple[str, Callable[[AppState], Screen]]]:
     yield "replays", lambda state: Replays(state, Title(state))
     yield "replay", _watched
     yield "credits", lambda state: Credits(state, Title(state))
-    for index in range(4):
+    for index in range(5):
         yield f"help-{index + 1}", _tab_opener(Help, index)
     for index in range(len(PARTS)):
         yield f"settings-{index + 1}", _tab_opener(SettingsPanel, index)

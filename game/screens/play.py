@@ -14,7 +14,7 @@ from game.fixed_step import Due, due
 from game.input.hands import Hands
 from game.input.key_names import key_name
 from game.input.keys import Action
-from game.input.signals import Clicked, FocusLost, KeyboardState, Moved, Pressed, Released, Signal
+from game.input.signals import Clicked, FocusLost, KeyboardState, Moved, Pressed, Released, Signal, pad_of
 from game.language import tr
 from game.levels import Level, number_of
 from game.overlay import captions, hud, notice
@@ -97,8 +97,9 @@ class PlayScreen:
         return self
 
     def _hold(self, signal: Signal) -> None:
-        """Note what a player holds down; where two play, the second one's keys are not the first one's."""
+        """Note what a player holds down; where two play, the second one's keys and gamepad are not the first one's."""
         keys = isinstance(signal, Pressed | Released) and signal.position in _SECOND_PLAYERS
+        keys = keys or pad_of(signal) == 1
         if self._state.two_players and (keys or isinstance(signal, KeyboardState)):
             self._second = self._second.after(signal)
         if not (self._state.two_players and keys):
@@ -148,7 +149,7 @@ class PlayScreen:
             notice.draw(words, told, scene)
         captions.draw(words, self._captions)
         if state.physics.note:
-            _draw_note(canvas, state.physics.note)
+            _draw_note(canvas, tr(state.physics.note))
 
     @property
     def _may_give_up(self) -> bool:
@@ -173,7 +174,7 @@ class PlayScreen:
         """Which level is being played, in words."""
         game = self._ticked.game
         number, _ = number_of(game.level, game.levels)
-        return tr("Level {number}: {name}").format(number=number, name=game.level.name)
+        return tr("Level {number}: {name}").format(number=number, name=tr(game.level.name))
 
     def restarted(self) -> Screen:
         """The same levels from their first serve."""
@@ -207,7 +208,7 @@ class PlayScreen:
         """Run one tick and tell the recorder."""
         game = self._ticked.game
         controls = self._controls(camera) if self._pilot is None else self._pilot.controls(game)
-        self._hands = self._hands.after_tick()
+        self._hands, self._second = self._hands.after_tick(), self._second.after_tick()
         self._ticked = tick(game, controls, self._state.physics.advance)
         touched = self._ticked.game.phase != Phase.PLAYING or any(
             [event.kind in {EventKind.PADDLE_HIT, EventKind.SERVED} for event in self._ticked.events]
@@ -227,8 +228,10 @@ class PlayScreen:
         if self._state.settings.one_button:
             return self._hands.one_button_controls(self._ticked.game)
         controls = self._hands.controls(camera, self._ticked.game)
-        if self._second.held:
-            controls = controls._replace(second_turn=self._second.controls(camera, self._ticked.game).turn)
+        if self._state.two_players:
+            second = self._second.controls(camera, self._ticked.game)
+            controls = controls._replace(second_turn=second.turn, second_pointer=second.pointer)
+            controls = controls._replace(serve=controls.serve or self._second.serve)
         return controls
 
     def _paused(self, panel: Screen) -> Screen:

@@ -42,7 +42,7 @@ def level_results(state: AppState, play: Played, game: Game, record: PlayRecord)
     """After a level: its figures, and the next one."""
     result = game.results[-1]
     before = record.before
-    following = game.levels[game.number + 1].name
+    following = tr(game.levels[game.number + 1].name)
     entries = (
         Entry(tr("Next: {level}").format(level=following), play.went_on),
         Entry(tr("All levels"), state.levels),
@@ -55,7 +55,7 @@ def level_results(state: AppState, play: Played, game: Game, record: PlayRecord)
         Figure(tr("Score so far"), game.score),
     )
     rank = RANKS[int(result.rank)]
-    line = game.level.name
+    line = tr(game.level.name)
     if record.earned:
         line = tr("{level}. Yours from now on, in the settings: {things}").format(level=line, things=", ".join(record.earned))
     return Results(state, play, tr("Level cleared"), line, figures, entries, rank, back=play.went_on)
@@ -76,7 +76,7 @@ def game_results(state: AppState, play: Played, game: Game, record: PlayRecord) 
         Figure(tr("Time"), game.tick, clock),
     )
     title = tr("You won") if won else tr("Game over")
-    line = tr("Every level is cleared.") if won else tr("The last ball is gone in {level}.").format(level=game.level.name)
+    line = tr("Every level is cleared.") if won else tr("The last ball is gone in {level}.").format(level=tr(game.level.name))
     entries = _after_game(state, play, game)
     menu = Results(state, play, title, line, figures, entries, back=lambda: state.open_title(state))
     difficulty = state.difficulty

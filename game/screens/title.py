@@ -62,7 +62,7 @@ class Title(Panel):
     def content(self) -> Content:
         """Where one can go."""
         state = self.state
-        following = state.catalogue[next_level(state)].name
+        following = tr(state.catalogue[next_level(state)].name)
         items: tuple[Item, ...] = (
             Button(tr("Play"), self._play, note=following, large=True),
             Button(tr("Levels"), lambda: LevelSelect(state, self)),

@@ -116,7 +116,7 @@ class Watch:
         state.painter.paint(canvas, scene_at(self._shown, self._at - self._number, self._effects))
         if state.shows_normals:
             contact_normals.draw(canvas, self._normals)
-        shown = readings(self._shown.game, self._effects.streak, muted=not state.settings.sound, badge="replay")
+        shown = readings(self._shown.game, self._effects.streak, muted=not state.settings.sound, badge=tr("replay"))
         hud.draw(state.words(canvas), shown, seen)
         play_buttons.draw(canvas, seen, self._hovered, play_buttons.WATCHING)
         self._draw_timeline(canvas)
@@ -220,5 +220,11 @@ def _speed_text(speed: float) -> str:
 
 def _keys_help() -> str:
     """The main keys, as the player's layout writes them."""
-    words = tr("Space: play / stop    , . : one tick    Left Right: 5 s    + -: speed    {key}: help")
-    return words.format(key=key_name(Action.HELP))
+    told = (
+        (tr("play / stop"), (Action.SERVE,)),
+        (tr("one tick"), (Action.STEP_BACK, Action.STEP)),
+        (tr("5 s"), (Action.LEFT, Action.RIGHT)),
+        (tr("speed"), (Action.LESS, Action.MORE)),
+        (tr("help"), (Action.HELP,)),
+    )
+    return "    ".join([f"{' '.join([key_name(action) for action in actions])}: {words}" for words, actions in told])

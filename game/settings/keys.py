@@ -1,6 +1,7 @@
 """The keys that change a setting on every screen, and what is said about it."""
 
 from game.input.keys import Action
+from game.language import tr
 from game.overlay.toast import Toast
 from game.settings.values import LOUDEST, Settings
 
@@ -10,14 +11,14 @@ def changed(settings: Settings, action: Action) -> tuple[Settings, Toast] | None
     match action:
         case Action.MUTE:
             settings = settings._replace(sound=not settings.sound)
-            return settings, Toast("Sound on" if settings.sound else "Sound off")
+            return settings, Toast(tr("Sound on") if settings.sound else tr("Sound off"))
         case Action.LESS | Action.MORE:
             settings = settings.louder(1 if action is Action.MORE else -1)
-            return settings, Toast(f"Volume {settings.volume} %", settings.volume / LOUDEST)
+            return settings, Toast(tr("Volume {percent} %").format(percent=settings.volume), settings.volume / LOUDEST)
         case Action.THEME:
             settings = settings.other_colours()
-            return settings, Toast(f"{settings.colours.capitalize()} colours")
+            return settings, Toast(tr("Dark colours") if settings.colours == "dark" else tr("Light colours"))
         case Action.EFFECTS:
             settings = settings._replace(effects=not settings.effects)
-            return settings, Toast("Effects on" if settings.effects else "Effects off")
+            return settings, Toast(tr("Effects on") if settings.effects else tr("Effects off"))
     return None

@@ -120,12 +120,13 @@ def _bounce(
 def _ring_in_reach(functions: OwnFunctions, p: complex, r: float, rings: Sequence[PlainRing]) -> int | None:
     """The ring that the first page's outcome names: the paddles, which are the first ring, or one of the bricks'."""
     paddles = rings[0]
-    for number, bricks in enumerate(rings[1:] or rings, 1):
+    for number in range(1, len(rings)) or (0,):
+        bricks = rings[number]
         outcome = functions.broad_phase_outcome(
             p, r, _ENDLESS, paddles.radius, paddles.half_width, bricks.radius, bricks.half_width
         )
-        if outcome in {"paddles", "game over"}:
-            return 0 if outcome == "paddles" else None
+        if outcome == "paddles":
+            return 0
         if outcome == "bricks":
-            return number % len(rings)
+            return number
     return None

@@ -25,6 +25,7 @@ def test_the_right_file(capsys):
     assert (code, err) == (0, "")
     assert set(rows) == {"bounce", *[f"normal, {feature}" for feature in ("outer face", "inner face", "end", "corner")]}
     assert [row for name, row in rows.items() if row[0] == 0] == [rows["normal, corner"]]
+    assert rows["normal, end"][0] > 3 * rows["normal, end"][1]
     assert [row[3] for row in rows.values()] == [0] * 5
 
 

@@ -12,6 +12,11 @@ from hypothesis import assume, given
 from game.drawing.camera import Camera
 from game.drawing.palette import DARK, LIGHT, contrast
 from game.drawing.text import Type
+from game.lab.drawing import strokes
+from game.lab.drawing.canvas import PaneCanvas, camera_for
+from game.lab.drawing.colours import role_colour, text_colour
+from game.lab.drawing.labels import placed_labels
+from game.lab.drawing.painting import draw_marks
 from game.lab.kit.marks import angle_between, contact_marks, ring_marks, second_opinion
 from game.lab.kit.parameters import Given
 from game.lab.kit.picture import (
@@ -31,10 +36,6 @@ from game.lab.kit.picture import (
 )
 from game.lab.kit.scene import ViewBox
 from game.lab.kit.second_engine import EngineContact
-from game.lab.window import strokes
-from game.lab.window.canvas import PaneCanvas, camera_for, write_words
-from game.lab.window.colours import role_colour, text_colour
-from game.lab.window.marks import draw_marks
 from physics import Ball, Ring, contact
 from tests.support.strategies import balls, balls_beside_an_end, reals, rings
 from tools.crosscheck.second_engine import Pymunk
@@ -242,9 +243,9 @@ def test_nothing_is_drawn_outside_of_the_area(canvas):
 def test_words_at_the_same_point_do_not_cover_each_other(canvas):
     """Three words at one point are placed beside each other, also in a corner of the pane."""
     for corner in (AREA.center, AREA.topleft, AREA.bottomright):
-        boxes = []
-        for text in ("first", "second", "third"):
-            boxes.append(write_words(canvas, complex(*corner), text, (255, 255, 255), "center", boxes))
+        point = canvas.camera.unproject(complex(*corner))
+        boxes = [one.box for one in placed_labels(canvas, [Words(point, text, Role.PLAIN) for text in ("one", "two", "three")])]
+        assert len(boxes) == 3
         assert all([AREA.contains(box) for box in boxes])
         assert all([not one.colliderect(other) for one, other in combinations(boxes, 2)])
 

@@ -16,7 +16,7 @@ from game.lab.registry import scene_named, scenes
 from game.lab.session import session
 from game.lab.session.checks import lines
 from game.lab.session.share import SharedScene, parsed
-from game.lab.window import screen
+from game.lab.window import saving, screen
 from game.lab.window.commands import KEYS, Command, command_of
 from game.lab.window.layout import layout_of
 from game.lab.window.pan_zoom import PanZoom
@@ -120,13 +120,13 @@ def test_defaults_and_restart(desk):
 def test_copy_and_save_say_what_became_of_it(desk, tmp_path, monkeypatch):
     """S saves the line of the scene as it stands, C copies it, and a notice says so for five seconds."""
     file = tmp_path / "cases.txt"
-    monkeypatch.setattr(screen, "case_file", lambda: file)
+    monkeypatch.setattr(saving, "case_file", lambda: file)
     desk.press(pygame.K_s)
     assert file.read_text() == f"{desk.session.line}\n"
     assert desk.screen._notes() == (f"saved in {file}",)
     desk.press(pygame.K_c)
     assert "line" in desk.screen._notes()[-1]
-    monkeypatch.setattr(screen, "case_file", lambda: tmp_path)
+    monkeypatch.setattr(saving, "case_file", lambda: tmp_path)
     desk.press(pygame.K_s)
     assert "case not saved" in desk.screen._notes()[-1]
     desk.screen.advance(6.0, SIZE)
@@ -254,7 +254,7 @@ def random_event(chance, size):
     pixel = (int(chance.random() * size[0]), int(chance.random() * size[1]))
     kind = int(chance.random() * 6)
     if kind == 0:
-        codes = [code for key in KEYS for code in key.keys if key.command is not Command.LEAVE]
+        codes = [code for key in KEYS for code in key.keys if key.command not in {Command.LEAVE, *saving.PICTURES}]
         code = chance.choice([*codes, pygame.K_1, pygame.K_7, pygame.K_RETURN, pygame.K_BACKSPACE, pygame.K_TAB, pygame.K_F5])
         return pygame.Event(pygame.KEYDOWN, key=code, mod=0, unicode=chance.choice("a9.-"))
     if kind == 1:
@@ -271,7 +271,9 @@ def random_event(chance, size):
 @pytest.mark.parametrize("scene", scenes(), ids=lambda scene: scene.name)
 def test_no_hands_break_it(scene, tmp_path, monkeypatch):
     """After random keys, clicks, drags and letters the lab goes on, and every value is in its range."""
-    monkeypatch.setattr(screen, "case_file", lambda: tmp_path / "cases.txt")
+    monkeypatch.setattr(saving, "case_file", lambda: tmp_path / "cases.txt")
+    monkeypatch.setattr(saving, "own_levels_folder", lambda: tmp_path)
+    monkeypatch.setattr(screen, "progress_path", lambda: tmp_path / "progress.json")
     chance = random.Random(scene.name)
     desk = LabDesk(scene.name, (800, 600))
     for _ in range(20):

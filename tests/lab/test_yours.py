@@ -13,6 +13,7 @@ from game.student.engine_functions import EngineFunctions
 from game.student.signatures import SIGNATURES, answer
 from tests.game.student.conftest import own  # noqa: F401  # a fixture
 from tests.grade.wrong_files import RIGHT
+from tests.support.children import eventually
 from tests.support.command_line import polar
 from tests.support.lab_desk import LabDesk
 
@@ -67,17 +68,22 @@ def test_a_wrong_answer_is_red(own):  # noqa: F811  # the fixture
     assert with_yours(picture, scene_named("free-run"), given, right) is picture
 
 
-def test_the_window_shows_it(own):  # noqa: F811  # the fixture
-    """Beside the panes of the scene, also after a fault, whose line is told."""
+def test_the_window_shows_it(own, tmp_path):  # noqa: F811  # the fixture
+    """Beside the panes of the scene; the picture is drawn anew when the file was saved."""
     desk = LabDesk("case-1")
     try:
-        desk.shared.functions = own("def narrow_phase_case_1(p, r_p):\n    return [p][r_p > 9.5]\n")
+        desk.shared.functions = file = own(WRONG)
         desk.screen._drawn = None
         desk.wait_once(0.1)
-        assert len(desk.screen._picture().panes) == 2
-        desk.screen._session = desk.session._replace(given=lines(scene_named("case-1"))[0])
-        desk.screen._drawn = None
-        assert desk.screen._picture().panes[-1].lines[0] == ("narrow_phase_case_1 = (7.60, 1.60)", Role.SOURCE)
+
+        def role():
+            return desk.screen._picture().panes[-1].lines[0][1]
+
+        assert (len(desk.screen._picture().panes), role()) == (2, Role.SOURCE)
+        (tmp_path / "mine.py").write_text(f"# saved\n{RIGHT.read_text(encoding='utf-8')}", encoding="utf-8")
+        file._next_look = 0.0
+        eventually(lambda: desk.wait_once(0.01) or role() is Role.GOOD)
+        assert desk.screen._notes()[-1] == "mine.py: read again"
     finally:
         desk.close()
 

@@ -19,7 +19,8 @@ class LabDesk(Desk):
     def __init__(self, line="case-2", size=SIZE):
         app = shared()
         super().__init__(app, None, size)
-        self.screen = Lab(app, session.opened(parsed(line, Pymunk())))
+        named = parsed(line, Pymunk())
+        self.screen = Lab(app, session.opened(named), step=named.step)
         self.size = size
         self.wait(FRAME)
 

@@ -21,7 +21,7 @@ from tools.crosscheck.comparisons.bounce import mirrored, with_friction
 from tools.crosscheck.comparisons.hit_frame import CheckedTick, Moment, geometry_of, moment_of
 from tools.crosscheck.comparisons.rules import MOST_BOUNCES, STOPPED
 from tools.crosscheck.games.sources import Source, ticks_of
-from tools.crosscheck.games.trajectory import flight_paths, one_bounce
+from tools.crosscheck.games.trajectory import flight_paths
 from tools.crosscheck.pymunk_model.ring_model import RingModel, ShapeContact, ring_model
 from tools.crosscheck.results.measurements import FEATURE_OF_PART
 
@@ -85,27 +85,26 @@ def compare_own(sources: Sequence[Source], functions: FunctionsFile, console: Co
 
 
 def _contacts(source: Source) -> Iterator[list[OwnContact]]:
-    """For each tick with a hit of its own, off one sector, what is asked there."""
+    """For each tick with one hit, what is asked there. Where there are more, it is not known what each of them met."""
     models: list[RingModel] = []
     level: object = None
     for tick in ticks_of(source):
         if tick.level is not level:
             level, models = tick.level, [ring_model(ring.geometry, _FACETS) for ring in tick.level.rings]
-        if tick.step.hits and not tick.step.freed:
-            yield [contact for moment in _moments(CheckedTick(tick, models, source.options())) for contact in _asked(moment)]
+        if len(tick.step.hits) == 1 and not tick.step.freed:
+            moment = _moment(CheckedTick(tick, models, source.options()))
+            yield [] if moment is None else _asked(moment)
 
 
-def _moments(checked: CheckedTick) -> Iterator[Moment]:
-    """The hits of a tick, each before it takes its layer; those that are one bounce off two sectors are left out."""
-    tick = checked.tick
-    legs = {id(leg.hit): leg for path in flight_paths(tick, MOST_BOUNCES) if path.fits for leg in path.legs if leg.hit}
-    layers = [list(slots) for slots in tick.arena.layers]
-    for hit in tick.step.hits:
-        checked.models[hit.ring].set_alive(layers[hit.ring])
-        shared = any([one_bounce(hit, other) for other in tick.step.hits if other is not hit])
-        if id(hit) in legs and not shared and geometry_of(tick.arena.rings[hit.ring]) == checked.models[hit.ring].geometry:
-            yield moment_of(checked, hit, legs[id(hit)].end)
-        layers[hit.ring][hit.slot] = hit.layers
+def _moment(checked: CheckedTick) -> Moment | None:
+    """The only hit of a tick; None where the ball's flight does not lead there, or the ring has not the level's sizes."""
+    tick, (hit,) = checked.tick, checked.tick.step.hits
+    ends = [leg.end for path in flight_paths(tick, MOST_BOUNCES) if path.fits for leg in path.legs if leg.hit is hit]
+    model = checked.models[hit.ring]
+    if not ends or geometry_of(tick.arena.rings[hit.ring]) != model.geometry:
+        return None
+    model.set_alive(tick.arena.layers[hit.ring])
+    return moment_of(checked, hit, ends[0])
 
 
 def _asked(moment: Moment) -> list[OwnContact]:

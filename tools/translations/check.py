@@ -79,7 +79,10 @@ def _placeholders(text: str) -> set[str]:
 
 def _texts_in(path: Path) -> Iterator[Text]:
     """The texts in a file, from its top down."""
-    calls = [node for node in ast.walk(ast.parse(path.read_text(encoding="utf-8"))) if isinstance(node, ast.Call)]
+    text = path.read_text(encoding="utf-8")
+    if "game.language" not in text:
+        return
+    calls = [node for node in ast.walk(ast.parse(text)) if isinstance(node, ast.Call)]
     for call in sorted(calls, key=lambda call: (call.lineno, call.col_offset)):
         if not (isinstance(call.func, ast.Name) and call.func.id in TEMPLATES):
             continue
@@ -87,7 +90,7 @@ def _texts_in(path: Path) -> Iterator[Text]:
         constants = [one.value for one in arguments if isinstance(one, ast.Constant) and isinstance(one.value, str)]
         if len(constants) == len(arguments):
             yield Text(*constants)
-        elif call.func.id != "tr" or any([isinstance(one, ast.JoinedStr | ast.BinOp) for one in ast.walk(call)]):
+        elif call.func.id != "tr" or any([isinstance(one, ast.JoinedStr | ast.BinOp) for one in arguments]):
             raise CheckFailedError(f"{path}:{call.lineno}: a text is put together before it is translated")
 
 

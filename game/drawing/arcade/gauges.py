@@ -43,15 +43,22 @@ def draw(canvas: Canvas, scene: Scene, icons: PowerIcons) -> None:
         _draw_arc(canvas, ground, begin, begin + _SPAN, mixed(theme.rim, theme.background, _EMPTY))
         _draw_arc(canvas, ground, begin, begin + _SPAN * left, theme.danger if left < _ENDING else colour)
         point = ground * _RADIUS * complex(math.cos(angle), math.sin(angle)) / camera.turning
-        icons.draw(canvas.surface, power.kind, camera.project(point), radius, theme)
+        icons.draw(canvas.surface, power.kind, _within(camera.project(point), radius, canvas.size), radius, theme)
     if scene.core is not None:
         begin = _CORE_MIDDLE + _CORE_SPAN / 2.0
         _draw_arc(canvas, ground, begin, begin - _CORE_SPAN, mixed(theme.rim, theme.background, _EMPTY))
         _draw_arc(canvas, ground, begin, begin - _CORE_SPAN * scene.core, theme.danger)
         angle = begin + _CHIP_ROOM
         pixel = camera.project(ground * _RADIUS * complex(math.cos(angle), math.sin(angle)) / camera.turning)
+        pixel = _within(pixel, radius, canvas.size)
         for share, colour in ((1.0, theme.danger), (0.72, theme.background), (0.42, theme.danger)):
             draw_dot(canvas.surface, pixel, radius * share, colour)
+
+
+def _within(pixel: complex, radius: float, size: tuple[int, int]) -> complex:
+    """The pixel, moved so that an icon around it is on the surface as a whole."""
+    room = radius + 1.0
+    return complex(min(max(pixel.real, room), size[0] - room), min(max(pixel.imag, room), size[1] - room))
 
 
 def _draw_arc(canvas: Canvas, ground: float, start: float, end: float, colour: Colour) -> None:

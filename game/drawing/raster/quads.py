@@ -82,16 +82,18 @@ class QuadRaster:
         """
         width, height = quads.box[2:]
         right, bottom = width * finer, height * finer
-        if not self.canvas.get_rect().contains((0, 0, right, bottom)):
+        if finer > 1 and not self.canvas.get_rect().contains((0, 0, right, bottom)):
             self.canvas = pygame.Surface((_TILE * finer).tolist(), pygame.SRCALPHA, 32)
             self._flattened = pygame.Surface((finer * int(_TILE[0]), int(_TILE[1])), pygame.SRCALPHA, 32)
-        canvas, fill = self.canvas, pygame.draw.polygon
+        canvas, fill = picture if finer == 1 else self.canvas, pygame.draw.polygon
         fill(canvas, 0, ((0, 0), (right, 0), (right, bottom)))  # Surface.fill leaves the processor's cache empty
         fill(canvas, 0, ((0, 0), (right, bottom), (0, bottom)))
         corner = _CORNER.iter_unpack(quads.corners)
         for colour, a, b, c, d in zip(quads.colours, corner, corner, corner, corner, strict=True):
             fill(canvas, colour, (a, b, c))
             fill(canvas, colour, (a, c, d))
+        if finer == 1:
+            return
         flattened = self._flattened.subsurface((0, 0, right, height))
         pygame.transform.smoothscale(canvas.subsurface((0, 0, right, bottom)), flattened.size, flattened)
         pygame.transform.smoothscale(flattened, (width, height), picture.subsurface((0, 0, width, height)))

@@ -3,7 +3,7 @@
 import pygame
 
 from game.input.signals import Clicked, Pressed, Signal
-from game.language import tr
+from game.language import tr, tr_noop
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.still_picture import StillPicture
@@ -14,24 +14,24 @@ _WIDTH, _LEFT, _TOP, _BOTTOM = 36.0, 2.0, 1.2, 1.2
 _TITLE, _TEXT, _PITCH, _LINES_TOP, _MEANING_LEFT = 2.2, 1.05, 1.5, 3.8, 11.0
 
 LINES = (
-    ("Left button", "paint bricks with the brush, also by dragging"),
-    ("Right button", "take bricks away"),
-    ("Wheel", "over the arena: the brush; over a number: the number"),
-    ("1-9, 0, -", "brush: layers of a stack, a gap, unbreakable"),
-    ("R, M", "repeat a stroke around the ring; mirror it"),
-    ("Tab, Shift+Tab", "choose the next ring outward or inward"),
-    ("Up, down", "choose a number"),
-    ("Left, right", "change it; with Shift ten steps at once"),
-    ("Enter", "type it; Enter again takes it over"),
-    ("C or Ins, Del", "copy the chosen ring outward; remove it"),
-    ("F", "fill the chosen ring with the brush"),
-    ("Ctrl+Z, Ctrl+Y", "undo, redo"),
-    ("F5", "play the level; Esc there comes back"),
-    ("Ctrl+S", "save; comments in the file stay"),
-    ("Esc", "leave; asks where changes are not saved"),
+    (tr_noop("Left button"), tr_noop("paint bricks with the brush, also by dragging")),
+    (tr_noop("Right button"), tr_noop("take bricks away")),
+    (tr_noop("Wheel"), tr_noop("over the arena: the brush; over a number: the number")),
+    ("1-9, 0, -", tr_noop("brush: layers of a stack, a gap, unbreakable")),
+    ("R, M", tr_noop("repeat a stroke around the ring; mirror it")),
+    ("Tab, Shift+Tab", tr_noop("choose the next ring outward or inward")),
+    (tr_noop("Up, down"), tr_noop("choose a number")),
+    (tr_noop("Left, right"), tr_noop("change it; with Shift ten steps at once")),
+    (tr_noop("Enter"), tr_noop("type it; Enter again takes it over")),
+    ("C or Ins, Del", tr_noop("copy the chosen ring outward; remove it")),
+    ("F", tr_noop("fill the chosen ring with the brush")),
+    ("Ctrl+Z, Ctrl+Y", tr_noop("undo, redo")),
+    ("F5", tr_noop("play the level; Esc there comes back")),
+    ("Ctrl+S", tr_noop("save; comments in the file stay")),
+    ("Esc", tr_noop("leave; asks where changes are not saved")),
 )
 """Keys, and what they do."""
-_NOTE = "A file that is changed in a text editor is taken over at once, and can be undone."
+_NOTE = tr_noop("A file that is changed in a text editor is taken over at once, and can be undone.")
 
 
 class EditorHelp:
@@ -67,7 +67,7 @@ class EditorHelp:
         canvas.write(tr("The editor"), _TITLE, theme.text, corner)
         for index, (keys, meaning) in enumerate(LINES):
             line = complex(corner.real, panel.top + unit * (_LINES_TOP + _PITCH * index))
-            canvas.write(keys, _TEXT, theme.accent, line)
+            canvas.write(tr(keys), _TEXT, theme.accent, line)
             canvas.write(tr(meaning), _TEXT, theme.text, line + unit * _MEANING_LEFT)
         last = complex(corner.real, panel.top + unit * (_LINES_TOP + _PITCH * len(LINES)))
         canvas.write(tr(_NOTE), _TEXT, theme.faint, last)

@@ -7,6 +7,7 @@ import pygame
 from game.drawing.camera import Camera, layout, unit_of
 from game.editor.session import EditorSession, Row, rows
 from game.editor.symmetry import FOLDS
+from game.language import tr_noop
 
 BRUSHES = (1, 2, 3, 4, 5, 6, 7, 8, 9, 0, -1)
 """As the chips show them."""
@@ -36,16 +37,16 @@ class Button(NamedTuple):
 
 
 BUTTONS = (
-    Button("add", "Copy ring", "Ins"),
-    Button("remove", "Remove ring", "Del"),
-    Button("fill", "Fill ring", "F"),
-    Button("mirror", "Mirror", "M"),
-    Button("undo", "Undo", "Ctrl+Z"),
-    Button("redo", "Redo", "Ctrl+Y"),
-    Button("test", "Play-test", "F5"),
-    Button("save", "Save", "Ctrl+S"),
-    Button("help", "Help", "F1"),
-    Button("leave", "Leave", "Esc"),
+    Button("add", tr_noop("Copy ring"), "Ins"),
+    Button("remove", tr_noop("Remove ring"), "Del"),
+    Button("fill", tr_noop("Fill ring"), "F"),
+    Button("mirror", tr_noop("Mirror"), "M"),
+    Button("undo", tr_noop("Undo"), "Ctrl+Z"),
+    Button("redo", tr_noop("Redo"), "Ctrl+Y"),
+    Button("test", tr_noop("Play-test"), "F5"),
+    Button("save", tr_noop("Save"), "Ctrl+S"),
+    Button("help", tr_noop("Help"), "F1"),
+    Button("leave", tr_noop("Leave"), "Esc"),
 )
 
 

@@ -16,6 +16,7 @@ from game.editor.window.help import EditorHelp
 from game.editor.window.layout import EditorLayout, editor_layout
 from game.editor.window.panel import draw_panel, stepper_at
 from game.editor.window.play_test import PlayTest
+from game.input.devices import as_key
 from game.input.signals import Signal
 from game.language import tr
 from game.levels import Level
@@ -50,6 +51,7 @@ class Editor:
 
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> Screen | None:
         """React to a window's event."""
+        event = as_key(event) or event
         if event.type == pygame.KEYDOWN:
             return self._key(event)
         if event.type == pygame.MOUSEWHEEL:

@@ -8,10 +8,25 @@ from typing import NamedTuple
 
 from game.lab import source
 from game.lab.kit.bounce import Bounce, bounce
+from game.lab.kit.cited_line import CitedLine
 from game.lab.kit.handles import Handle, polar_vector
 from game.lab.kit.marks import ring_marks
 from game.lab.kit.parameters import Given
-from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Role, Stroke, Toggle, Words
+from game.lab.kit.picture import (
+    Arrow,
+    Circle,
+    Disc,
+    Line,
+    Mark,
+    Pane,
+    Picture,
+    RevealStep,
+    Role,
+    Stroke,
+    Toggle,
+    Words,
+    in_steps,
+)
 from game.rules import TICK
 from physics import PERMANENT, Arena, Ball, Ring, advance, contact, to_cartesian
 
@@ -21,6 +36,8 @@ NORMAL = 1j
 _HALF_WIDTH, _HALF_ANGLE = 1.0, 0.4
 _AT = complex(REACH - _HALF_WIDTH, 0.0)
 """The inner corner, where one takes hold of the end's velocity."""
+_TOUCH = 1e-9
+"""World units. A gap below 0 by less than this is rounding."""
 _SCALE = 0.3
 """World units drawn per unit of speed."""
 
@@ -77,13 +94,26 @@ def step(given: Given, state: EndFlight) -> EndFlight:
     return EndFlight(ring, by_source, after.balls[0])
 
 
-def panes(after: EndBounce, state: EndFlight) -> tuple[Pane, Pane]:
-    """The source's ball at the left, ours at the right."""
-    left, right = state.by_source, state.by_physics
-    return (
-        _pane(after, state.ring, left, Role.SOURCE, "the source"),
-        _pane(after, state.ring, source.SourceBall(right.position, right.velocity), Role.GOOD, "here"),
+def end_picture(after: EndBounce, state: EndFlight, formula: tuple[str, ...], cited: CitedLine, note: str) -> Picture:
+    """The source's ball at the left, ours at the right: the bounce first, then both answers.
+
+    formula: its first line is of the situation, its last two, where there are so many, are the answers.
+    """
+    left, right = state.by_source, source.SourceBall(state.by_physics.position, state.by_physics.velocity)
+    panes = tuple(
+        [
+            Pane((), f"{title}:   {_gap_words(contact(Ball(ball.position, 0j, RADIUS), state.ring, 0).gap)}")
+            for title, ball in (("the source", left), ("here", right))
+        ]
     )
+    before = _before(after, state.ring)
+    first, between, last = formula[:1], formula[1:-1], formula[max(len(formula) - 1, 1) :]
+    steps = (
+        RevealStep("v and v_p at the moment of the bounce", (before, before), first),
+        RevealStep("the source's answer", (_flight(after, left, Role.SOURCE), ()), between),
+        RevealStep("the answer here", ((), _flight(after, right, Role.GOOD)), last),
+    )
+    return in_steps(steps, cited, note, panes)
 
 
 def handles() -> tuple[Handle, Handle]:
@@ -108,23 +138,32 @@ def least_gap(given: Given, ticks: int) -> float:
     return least
 
 
-def _pane(after: EndBounce, ring: Ring, flight: source.SourceBall, role: Role, title: str) -> Pane:
-    """The paddle and one ball as they are now, and where the ball came from."""
-    touched, now = after.ball.position, flight.position
-    marks: list[Mark] = [
+def _before(after: EndBounce, ring: Ring) -> tuple[Mark, ...]:
+    """The paddle as it is now, and where the ball came from."""
+    touched = after.ball.position
+    return (
         *ring_marks(ring),
         Circle(touched, RADIUS, Role.GHOST, Toggle.SWEPT, Stroke.DASHED),
-        Line((touched, now), role, Toggle.SWEPT, Stroke.DASHED),
         *[_surface_arrow(after.ring, q) for q in (_AT, 2.0 * REACH - _AT)],
-        Disc(now, RADIUS, Role.BALL),
         Arrow(touched, after.ball.velocity * _SCALE, Role.PLAIN, label="v before"),
-    ]
-    if flight.velocity is None:
-        marks.append(Words(now + 0.75j, "v = 0 / 0", role))
-    else:
-        marks.append(Arrow(now, flight.velocity * _SCALE, role, label="v"))
-    gap = contact(Ball(now, 0j, RADIUS), ring, 0).gap
-    return Pane(tuple(marks), f"{title}:   gap = {gap + 0.0:.3f}")
+    )
+
+
+def _flight(after: EndBounce, flight: source.SourceBall, role: Role) -> tuple[Mark, ...]:
+    """One ball as it is now, and its way from the bounce."""
+    now = flight.position
+    velocity = (
+        Words(now + 0.75j, "v = 0 / 0", role)
+        if flight.velocity is None
+        else Arrow(now, flight.velocity * _SCALE, role, label="v after")
+    )
+    line = Line((after.ball.position, now), role, Toggle.SWEPT, Stroke.DASHED)
+    return (line, Disc(now, RADIUS, Role.BALL), velocity)
+
+
+def _gap_words(gap: float) -> str:
+    """A gap, or how deep an overlap is."""
+    return f"gap = {gap + 0.0:.3f}" if gap > -_TOUCH else f"they overlap by {-gap:.3f}"
 
 
 def _surface_arrow(ring: Ring, q: complex) -> Arrow:

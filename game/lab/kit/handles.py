@@ -17,12 +17,14 @@ class Handle(NamedTuple):
     position: where it is, world units.
     values_at: the values that put it at a point of the world.
     reach: world units around its position within which it can be taken hold of, too; None for the drawn ring alone.
+    step: of a reveal, from which on it is there: that which draws what it moves.
     """
 
     label: str
     position: Callable[[Given], complex]
     values_at: Callable[[Given, complex], Mapping[str, complex]]
     reach: Callable[[Given], float] | None = None
+    step: int = 1
 
 
 def dragged(parameters: Sequence[Parameter], given: Given, handle: Handle, target: complex) -> Clamped:

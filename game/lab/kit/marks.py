@@ -65,6 +65,11 @@ def contact_marks(ball: Ball, found: Contact, length: float = 1.0) -> tuple[Mark
     return tuple(marks)
 
 
+def gap_words(gap: float) -> str:
+    """A gap, and what it means below 0."""
+    return f"gap = {gap:.3f}" if gap >= 0.0 else f"gap = {gap:.3f}: they overlap by {-gap:.3f}"
+
+
 def outline_points(ring: Ring, samples: int) -> list[complex]:
     """Points of the outline of sector 0: so many more than one on each face and, unless the ring is closed, on each end."""
     shares = [2.0 * k / samples - 1.0 for k in range(samples + 1)]

@@ -4,6 +4,7 @@ World units, y up; angles in radians, counter-clockwise. A mark is coloured by i
 None is always on.
 """
 
+from collections.abc import Sequence
 from enum import Enum
 from typing import NamedTuple
 
@@ -32,7 +33,7 @@ class Role(Enum):
     SECTOR: the sector that the scene looks at. OTHER: every other sector.
     OURS: the answer of the physics. SOURCE: the answer of the source taken literally, where it differs.
     PYMUNK: the second engine's answer. GOOD: a result to keep.
-    ONE, TWO, THREE, FOUR: what must be told apart, such as velocities.
+    ONE, TWO, THREE, FOUR: what must be told apart, such as velocities. GUESS: an answer that was drawn by hand.
     """
 
     PLAIN = "plain"
@@ -49,6 +50,7 @@ class Role(Enum):
     TWO = "two"
     THREE = "three"
     FOUR = "four"
+    GUESS = "guess"
 
 
 class Stroke(Enum):
@@ -182,24 +184,91 @@ class Pane(NamedTuple):
     lines: tuple[tuple[str, Role], ...] = ()
 
 
+class Prediction(NamedTuple):
+    """What can be drawn by hand before a step shows it.
+
+    asked: its name, in the source's letters. start: where the arrow begins; None where a point is asked for.
+    tip: where the arrow ends, or the point. scale: world units drawn per unit of what is asked for.
+    """
+
+    asked: str
+    start: complex | None
+    tip: complex
+    scale: float = 1.0
+
+
+class RevealStep(NamedTuple):
+    """What of a picture appears at once.
+
+    name: what it is, in a few words. marks: those that appear in each pane, from back to front. formula: the lines that appear.
+    prediction: what can be drawn by hand before; None for nothing.
+    """
+
+    name: str
+    marks: tuple[tuple[Mark, ...], ...]
+    formula: tuple[str, ...] = ()
+    prediction: Prediction | None = None
+
+
 class Picture(NamedTuple):
     """All there is to see and to read.
 
     formula: lines of the phase's formula with the numbers in it, in the source's letters.
-    cited: the line that decided. note: what is special about these values, and why.
+    cited: the line that decided; None while it would tell too much. note: what is special about these values, and why.
+    steps: those that the picture is made of, in which it can be revealed; none for a picture that is shown at once.
     """
 
     panes: tuple[Pane, ...]
     formula: tuple[str, ...]
-    cited: CitedLine
+    cited: CitedLine | None
     note: str = ""
+    steps: tuple[RevealStep, ...] = ()
 
     @property
     def toggles(self) -> frozenset[Toggle]:
         """What of it can be hidden."""
         return frozenset([mark.toggle for pane in self.panes for mark in pane.marks if mark.toggle is not None])
 
+    def revealed(self, count: int) -> "Picture":
+        """What is seen after so many of its steps, at least one; all of it after the last.
+
+        A pane that was added to the picture, and that no step has marks of, appears with the last.
+        """
+        if count >= len(self.steps):
+            return self
+        steps = self.steps[: max(count, 1)]
+        panes = self.panes[: len(steps[0].marks)]
+        return self._replace(panes=_with_marks(panes, steps), formula=_formula_of(steps), cited=None, note="")
+
 
 def single(marks: tuple[Mark, ...], formula: tuple[str, ...], cited: CitedLine, note: str = "") -> Picture:
     """A picture of one world."""
     return Picture((Pane(marks),), formula, cited, note)
+
+
+def in_steps(steps: Sequence[RevealStep], cited: CitedLine, note: str = "", panes: tuple[Pane, ...] = (Pane(()),)) -> Picture:
+    """A picture made of steps. panes: without marks; each gets its own of every step."""
+    steps = tuple(steps)
+    return Picture(_with_marks(panes, steps), _formula_of(steps), cited, note, steps)
+
+
+def one_step(name: str, marks: Sequence[Mark], formula: Sequence[str] = (), prediction: Prediction | None = None) -> RevealStep:
+    """A step of a picture of one world."""
+    return RevealStep(name, (tuple(marks),), tuple(formula), prediction)
+
+
+def with_more_marks(step: RevealStep, marks: Sequence[Mark]) -> RevealStep:
+    """A step with more marks in its first pane."""
+    first, *others = step.marks
+    return step._replace(marks=((*first, *marks), *others))
+
+
+def _with_marks(panes: tuple[Pane, ...], steps: tuple[RevealStep, ...]) -> tuple[Pane, ...]:
+    """The panes with all marks of some steps."""
+    marks = [tuple([mark for step in steps for mark in step.marks[index]]) for index in range(len(panes))]
+    return tuple([pane._replace(marks=seen) for pane, seen in zip(panes, marks, strict=True)])
+
+
+def _formula_of(steps: tuple[RevealStep, ...]) -> tuple[str, ...]:
+    """All lines of some steps."""
+    return tuple([line for step in steps for line in step.formula])

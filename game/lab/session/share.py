@@ -10,16 +10,19 @@ from game.lab.registry import scene_named
 from game.system.errors import BadInputError
 from game.system.wording import quoted
 
-_TICK = "tick"
+_TICK, _STEP = "tick", "step"
 _LONGEST = 4096
+_MOST_STEPS = 99
+"""No scene has as many; of a higher step than it has, the whole picture is shown."""
 
 
 class SharedScene(NamedTuple):
-    """A scene with its values, at a tick."""
+    """A scene with its values, at a tick. step: of its reveal; None for the whole picture."""
 
     scene: LabScene
     given: Given
     tick: int = 0
+    step: int | None = None
 
 
 def share_line(shared: SharedScene) -> str:
@@ -29,6 +32,8 @@ def share_line(shared: SharedScene) -> str:
     ]
     if shared.tick:
         parts.append(f"{_TICK}={shared.tick}")
+    if shared.step is not None:
+        parts.append(f"{_STEP}={shared.step}")
     return f"{shared.scene.name}?{'&'.join(parts)}"
 
 
@@ -42,40 +47,40 @@ def parsed(line: str, engine: Engine | None = None) -> SharedScene:
         raise BadInputError(f"lab: a share line of {len(line)} characters; expected at most {_LONGEST}")
     name, mark, rest = line.strip().partition("?")
     scene = scene_named(name)
-    given, tick = _read(scene, rest, engine) if mark and rest else (defaults(scene.parameters, engine), 0)
-    return SharedScene(scene, given, tick)
+    return _read(scene, rest, engine) if mark and rest else SharedScene(scene, defaults(scene.parameters, engine))
 
 
 def preset(scene: LabScene, line: str, engine: Engine | None = None) -> Given:
     """The values of one of a scene's presets."""
-    return _read(scene, line, engine)[0]
+    return _read(scene, line, engine).given
 
 
-def _read(scene: LabScene, rest: str, engine: Engine | None) -> tuple[Given, int]:
-    """The values and the tick after the question mark."""
+def _read(scene: LabScene, rest: str, engine: Engine | None) -> SharedScene:
+    """The values, the tick and the step after the question mark."""
     parameters = {parameter.name: parameter for parameter in scene.parameters}
+    counted = {_TICK: scene.shows.ticks, _STEP: _MOST_STEPS} if isinstance(scene.shows, Motion) else {_STEP: _MOST_STEPS}
     values: dict[str, complex] = {}
-    tick: int | None = None
+    counts: dict[str, int] = {}
     for part in rest.split("&"):
         name, equals, text = part.partition("=")
         if not equals:
             raise _refused(part, "expected NAME=VALUE")
-        if name in values or (name == _TICK and tick is not None):
+        if name in values or name in counts:
             raise _refused(part, f"{quoted(name)} is given twice")
-        if name == _TICK and isinstance(scene.shows, Motion):
-            tick = _tick(part, text, scene.shows)
-        elif name in parameters:
+        if name in parameters:
             values[name] = _value(part, text, parameters[name])
+        elif name in counted:
+            counts[name] = _whole_number(part, text, counted[name])
         else:
-            names = ", ".join([*parameters, *([_TICK] if isinstance(scene.shows, Motion) else [])])
-            raise _refused(part, f"{scene.name} has no '{quoted(name)}'; expected {names}")
-    return clamped(scene.parameters, defaults(scene.parameters, engine), values).given, tick or 0
+            raise _refused(part, f"{scene.name} has no '{quoted(name)}'; expected {', '.join([*parameters, *counted])}")
+    given = clamped(scene.parameters, defaults(scene.parameters, engine), values).given
+    return SharedScene(scene, given, counts.get(_TICK, 0), counts.get(_STEP))
 
 
-def _tick(part: str, text: str, motion: Motion) -> int:
-    """The tick that a part names."""
-    if not text.isdecimal() or not text.isascii() or len(text) > 9 or int(text) > motion.ticks:
-        raise _refused(part, f"expected a whole number from 0 to {motion.ticks}")
+def _whole_number(part: str, text: str, most: int) -> int:
+    """The whole number that a part names."""
+    if not text.isdecimal() or not text.isascii() or len(text) > 9 or int(text) > most:
+        raise _refused(part, f"expected a whole number from 0 to {most}")
     return int(text)
 
 

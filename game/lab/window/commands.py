@@ -12,6 +12,20 @@ class Command(Enum):
     """What can be asked for by a key alone. The value is the button's text."""
 
     PLAY = "Play"
+    REVEAL = "Reveal"
+    UNDO_STEP = "Step back"
+    PAGE_DOWN = "Page down"
+    PAGE_UP = "Page up"
+    PREDICT = "Predict"
+    COURSE = "Course"
+    PRESENT = "Present"
+    LARGER = "Larger text"
+    SMALLER = "Smaller text"
+    MORE = "More values"
+    SAVE_LEVEL = "Save level"
+    SAVE_PNG = "PNG"
+    SAVE_SVG = "SVG"
+    SAVE_GIF = "GIF"
     FORWARD = "Step"
     BACK = "Back"
     RESTART = "Restart"
@@ -40,19 +54,33 @@ class KeyBinding(NamedTuple):
 
 
 KEYS = (
-    KeyBinding((pygame.K_SPACE,), Command.PLAY, "run or pause"),
+    KeyBinding((pygame.K_SPACE,), Command.PLAY, "next step; where all is shown, run or pause"),
+    KeyBinding((pygame.K_BACKSPACE,), Command.UNDO_STEP, "take the last step away"),
+    KeyBinding((pygame.K_v,), Command.REVEAL, "from the first step, or all at once"),
+    KeyBinding((pygame.K_g,), Command.PREDICT, "guess first: drag the answer, then see it"),
+    KeyBinding((pygame.K_e,), Command.COURSE, "the course: questions and exercises by the slides"),
+    KeyBinding((pygame.K_PAGEDOWN,), Command.PAGE_DOWN, "next step, then next scene (a presenter's key)"),
+    KeyBinding((pygame.K_PAGEUP,), Command.PAGE_UP, "the step or scene before (a presenter's key)"),
     KeyBinding((pygame.K_PERIOD, pygame.K_RIGHT), Command.FORWARD, "one step forward"),
     KeyBinding((pygame.K_COMMA, pygame.K_LEFT), Command.BACK, "one step back"),
     KeyBinding((pygame.K_MINUS, pygame.K_KP_MINUS), Command.SLOWER, "slower"),
     KeyBinding((pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS), Command.FASTER, "faster"),
     KeyBinding((pygame.K_r,), Command.RESTART, "restart; the settings stay"),
     KeyBinding((pygame.K_d,), Command.DEFAULTS, "the scene's defaults"),
-    KeyBinding((pygame.K_LEFTBRACKET, pygame.K_PAGEUP), Command.PREVIOUS, "the scene before"),
-    KeyBinding((pygame.K_RIGHTBRACKET, pygame.K_PAGEDOWN), Command.NEXT, "the scene after"),
+    KeyBinding((pygame.K_LEFTBRACKET,), Command.PREVIOUS, "the scene before; the task before, in the course"),
+    KeyBinding((pygame.K_RIGHTBRACKET,), Command.NEXT, "the scene after; the task after, in the course"),
+    KeyBinding((pygame.K_TAB,), Command.MORE, "the next page of values, where there are several"),
+    KeyBinding((pygame.K_w,), Command.SAVE_LEVEL, "save an arena of your own as a level"),
     KeyBinding((pygame.K_HOME,), Command.WHOLE, "show the whole scene again"),
     KeyBinding((pygame.K_c,), Command.COPY, "copy the share line"),
     KeyBinding((pygame.K_s,), Command.SAVE, "save as a case that pytest runs"),
     KeyBinding((pygame.K_t,), Command.THEME, "dark or light colours"),
+    KeyBinding((pygame.K_p,), Command.PRESENT, "for a lecture room: large text, no sliders"),
+    KeyBinding((pygame.K_UP,), Command.LARGER, "larger text, in a lecture room"),
+    KeyBinding((pygame.K_DOWN,), Command.SMALLER, "smaller text, in a lecture room"),
+    KeyBinding((pygame.K_F5,), Command.SAVE_PNG, "save as PNG, at the size of a slide"),
+    KeyBinding((pygame.K_F6,), Command.SAVE_SVG, "save as SVG"),
+    KeyBinding((pygame.K_F7,), Command.SAVE_GIF, "save as GIF: its steps, or its run"),
     KeyBinding((pygame.K_h, pygame.K_F1), Command.HELP, "this help"),
     KeyBinding((pygame.K_ESCAPE,), Command.LEAVE, "leave the lab"),
 )
@@ -67,6 +95,7 @@ MORE_HELP = (
     ("Drag elsewhere", "move the world"),
     ("Wheel", "zoom about the pointer"),
     ("1 to 7", "show or hide what is listed at the right"),
+    ("1 to 3", "answer the question of the course"),
     ("F11", "full screen"),
 )
 

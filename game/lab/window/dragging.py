@@ -7,18 +7,28 @@ import pygame
 
 from game.drawing.camera import Camera
 from game.drawing.palette import mixed
+from game.lab.drawing.canvas import PaneCanvas
+from game.lab.drawing.labels import label_at
+from game.lab.drawing.painting import paint_labels
 from game.lab.kit.handles import Handle
 from game.lab.kit.parameters import Given
-from game.lab.window.canvas import PaneCanvas, write_words
 
-_RADIUS, _CATCH, _WIDTH = 0.42, 1.0, 0.14
+_RADIUS, _CATCH, _WIDTH = 0.42, 1.2, 0.14
 """In units: radius of a handle's ring, distance within which a press takes hold of it, width of its line."""
+_LEAST_CATCH = 12.0
+"""Pixels: no target is smaller than a disc of this radius."""
+_MISSED = 2.2
+"""Within so many catches of a handle a press that takes hold of nothing was meant for it: the world stays where it is."""
 
 
 class PaneView(NamedTuple):
-    """One pane on the screen. area: pixels. handles: those that are drawn and can be dragged in it."""
+    """One pane on the screen.
+
+    area: pixels. focus: its part in which the scene is shown whole. handles: those that are drawn and can be dragged in it.
+    """
 
     area: pygame.Rect
+    focus: pygame.Rect
     camera: Camera
     handles: tuple[Handle, ...]
 
@@ -36,11 +46,17 @@ class Drag(NamedTuple):
 
 
 def drag_at(pixel: complex, panes: Sequence[PaneView], given: Given, unit: float) -> Drag | None:
-    """What a press at a pixel takes hold of; None outside of the panes. unit: size of body text, pixels."""
+    """What a press at a pixel takes hold of; None outside of the panes, and where it just missed a handle.
+
+    unit: pixels, the measure of lines and points.
+    """
     for index, pane in enumerate(panes):
         if pane.area.collidepoint(pixel.real, pixel.imag):
-            point = pane.camera.unproject(pixel)
-            handle = _nearest(point, given, pane.handles, _CATCH * unit / pane.camera.scale)
+            point, catch = pane.camera.unproject(pixel), max(_CATCH * unit, _LEAST_CATCH) / pane.camera.scale
+            handle = _nearest(point, given, pane.handles, catch)
+            distances = [abs(one.position(given) - point) for one in pane.handles]
+            if handle is None and distances and min(distances) < _MISSED * catch:
+                return None
             return Drag(index, handle, 0j if handle is None else handle.position(given) - point)
     return None
 
@@ -59,7 +75,7 @@ def draw_handles(canvas: PaneCanvas, given: Given, handles: Sequence[Handle], ho
             pygame.draw.aacircle(canvas.surface, colour, centre, radius + 0.5 * width, width)
     if hovered is not None:
         pixel = canvas.camera.project(hovered.position(given)) + 1.5j * canvas.unit
-        write_words(canvas, pixel, hovered.label, canvas.theme.accent)
+        paint_labels(canvas.surface, canvas.type, label_at(canvas, pixel, hovered.label, canvas.theme.accent))
     canvas.surface.set_clip(before)
 
 

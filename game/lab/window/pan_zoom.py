@@ -6,8 +6,9 @@ from typing import NamedTuple
 import pygame
 
 from game.drawing.camera import Camera
-from game.lab.kit.scene import ViewBox
-from game.lab.window.canvas import camera_for
+from game.lab.drawing.canvas import camera_for
+from game.lab.kit.parameters import Given
+from game.lab.kit.scene import LabScene, ViewBox
 
 _STEP = 1.15
 """The zoom of one step of the wheel."""
@@ -38,6 +39,11 @@ class PanZoom(NamedTuple):
         middle = complex(max(xs) + min(xs), max(ys) + min(ys)) / 2.0
         zoom = 2.0 * min(half.real / (max(xs) - min(xs)), half.imag / (max(ys) - min(ys)))
         return cls(middle - box.centre, zoom) if zoom < 1.0 else cls()
+
+    @classmethod
+    def whole(cls, scene: LabScene, given: Given) -> "PanZoom":
+        """Shows a scene's view box, and the positions of its first two handles wherever they are."""
+        return cls.showing(scene.view_box, [handle.position(given) for handle in scene.handles[:2]])
 
     def dragged(self, camera: Camera, pixels: complex) -> "PanZoom":
         """After the world was dragged by so many pixels."""

@@ -4,8 +4,8 @@ import pygame
 
 from game.drawing.palette import Theme
 from game.drawing.text import Type
+from game.lab.drawing.colours import text_colour
 from game.lab.kit.picture import Pane
-from game.lab.window.colours import text_colour
 
 _SIZE, _LINE, _EDGE = 0.92, 1.22, 0.6
 """Size of letters and height of a line in units; from the words to the pane's edges."""

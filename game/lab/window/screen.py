@@ -1,36 +1,37 @@
 """The lab's screen: events become changes of the session, the session becomes a picture."""
 
-from collections.abc import Callable
-
 import pygame
 
 from game.drawing.palette import Theme
-from game.input.devices import as_key
 from game.input.keys import code_among, position_in
 from game.input.repeat import Repeat
 from game.input.signals import KeyboardState, Signal
+from game.lab.course.progress import course_progress, progress_path
+from game.lab.export.files import step_name
+from game.lab.export.slide import SLIDE_SIZE, SlideStyle
 from game.lab.kit.handles import Handle, dragged
 from game.lab.kit.parameters import Clamped, clamped
 from game.lab.kit.picture import Picture, Toggle
-from game.lab.registry import scene_named, scenes
+from game.lab.registry import scenes
+from game.lab.session import reveal as reveals
 from game.lab.session import session as sessions
-from game.lab.session.cases import case_file, save_case
 from game.lab.session.session import Session
-from game.lab.session.share import preset
-from game.lab.window.canvas import PaneCanvas, write_words
+from game.lab.session.share import SharedScene, parsed, preset, share_line
+from game.lab.window import saving
 from game.lab.window.commands import BOUND, TOGGLE_KEYS, Command, command_of
-from game.lab.window.dragging import Drag, PaneView, drag_at, draw_handles
+from game.lab.window.dragging import Drag, PaneView, drag_at
 from game.lab.window.help import draw_help
-from game.lab.window.layout import layout_of, pane_areas
-from game.lab.window.marks import draw_marks
+from game.lab.window.layout import DEFAULT_SCALE, TEXT_SCALES, WindowLayout, layout_of
+from game.lab.window.lesson import Lesson
 from game.lab.window.pan_zoom import PanZoom
-from game.lab.window.pane_lines import draw_pane_lines
-from game.lab.window.widgets import PresetChosen, Refused, Request, SceneChosen, Side, ValueRequested
+from game.lab.window.presented import paint_presented, presented_words
+from game.lab.window.stepping import SESSION_CHANGES, STEPS, Following, stepped_by
+from game.lab.window.view import draw_all_handles, draw_halo, draw_panes, letters_for, pane_views
+from game.lab.window.widgets import PageTurned, PresetChosen, Refused, Request, SceneChosen, Side, ValueRequested
 from game.lab.window.words import TextSheet, draw_head, draw_notice, draw_small_print, draw_words
 from game.lab.yours.pane import with_yours
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.system.errors import BadInputError
 
 SHOWN = frozenset(Toggle) - {Toggle.PYMUNK}
 """What is shown at first."""
@@ -40,28 +41,32 @@ _MODIFIERS = pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META
 _REPEATED = frozenset({Command.FORWARD, Command.BACK})
 """Commands that a held key gives again and again: single steps."""
 
-_CHANGES: dict[Command, Callable[[Session], Session]] = {
-    Command.PLAY: sessions.toggled,
-    Command.FORWARD: lambda session: sessions.moved(session, 1),
-    Command.BACK: lambda session: sessions.moved(session, -1),
-    Command.RESTART: sessions.restarted,
-    Command.SLOWER: lambda session: sessions.paced(session, -1),
-    Command.FASTER: lambda session: sessions.paced(session, 1),
-    Command.DEFAULTS: sessions.reset,
-}
-"""Commands that only change the session."""
-
 
 class Lab:
     """One scene at a time, and everything that can be done to it."""
 
-    def __init__(self, shared: AppState, session: Session, under: Screen | None = None) -> None:
-        """Open with a session. under: the screen to go back to; None leaves the program."""
+    def __init__(
+        self,
+        shared: AppState,
+        session: Session,
+        under: Screen | None = None,
+        *,
+        step: int | None = None,
+        presents: bool = False,
+    ) -> None:
+        """Open with a session.
+
+        under: the screen to go back to; None leaves the program. step: of the reveal; None for the whole picture.
+        presents: whether it is shown to a lecture room.
+        """
         self._shared, self._session, self._under = shared, session, under
+        self._letters = letters_for(shared.type)
         self._shown = SHOWN
-        self._pan_zoom = _whole(session)
+        self._reveal = reveals.WHOLE
+        self._scale: int | None = None  # of TEXT_SCALES, while presenting
+        self._pan_zoom = PanZoom.whole(session.scene, session.given)
         self._drawn: tuple[Session, Picture] | None = None
-        self._side: tuple[tuple[tuple[int, int], Theme, str], Side] | None = None
+        self._side: tuple[tuple[tuple[int, int], Theme, str, int], Side] | None = None
         self._drag: Drag | None = None
         self._repeat: tuple[Repeat, Command] | None = None
         self._pointer = -1 - 1j  # pixels
@@ -69,11 +74,32 @@ class Lab:
         self._seconds = 0.0  # since the last picture
         self._notice, self._notice_left = "", 0.0
         self._help = False
+        self._lesson: Lesson | None = None
+        self._page = 0  # of the parameters
+        if presents:
+            self.present()
+        if step is not None and self._picture().steps:
+            self._reveal = reveals.Reveal(max(step, 1))
 
     @property
     def session(self) -> Session:
         """The scene as it stands."""
         return self._session
+
+    @property
+    def presents(self) -> bool:
+        """Whether it is shown to a lecture room."""
+        return self._scale is not None
+
+    def present(self) -> None:
+        """Show the scene to a lecture room, from its first step on."""
+        self._scale = DEFAULT_SCALE
+        self._reveal = self._first_step()
+
+    def layout(self, size: tuple[int, int]) -> WindowLayout:
+        """How a window of that size is divided."""
+        found = layout_of(size, None if self._scale is None else TEXT_SCALES[self._scale])
+        return found if self._lesson is None else self._lesson.lowered(found, self._shared.type)
 
     def answer(self, signal: Signal, _size: tuple[int, int]) -> Screen | None:
         """Let go of a repeating key that is up; everything else is heard as an event of the window."""
@@ -84,7 +110,6 @@ class Lab:
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> Screen | None:
         """React to an event of the window."""
         self._pixels_per_point = pixels_per_point
-        event = as_key(event) or event
         if event.type == pygame.WINDOWFOCUSLOST:
             self._repeat = None
         if self._help:
@@ -92,7 +117,7 @@ class Lab:
             return self
         if event.type == pygame.KEYDOWN:
             return self._key(event, size)
-        taken, request = self._widgets(size).hear(event)
+        taken, request = (False, None) if self.presents else self._widgets(size).hear(event)
         if request is not None:
             return self._do(request)
         if not taken:
@@ -110,6 +135,8 @@ class Lab:
                 self._obey(command)
         self._seconds += seconds
         self._notice_left -= seconds
+        if self._lesson is not None:
+            self._lesson.observe(self._session)
         functions = self._shared.functions
         if functions is not None and (news := functions.refresh()):
             self._drawn = None
@@ -118,43 +145,59 @@ class Lab:
 
     def draw(self, surface: pygame.Surface) -> None:
         """The world, the words, the widgets."""
-        theme, type_, size = self._shared.theme, self._shared.type, surface.get_size()
-        sheet = TextSheet(surface, layout_of(size), theme, type_)
+        theme, size = self._shared.theme, surface.get_size()
+        sheet = TextSheet(surface, self.layout(size), theme, self._shared.type)
         surface.fill(theme.background)
-        self._draw_world(sheet)
-        bottom = float(sheet.layout.world.bottom)
+        views = self._pane_views(size)
+        seen, given = self._seen(), self._session.given
+        draw_panes(sheet, self._letters, seen, views, self._shown, given)
+        draw_all_handles(sheet, self._letters, seen, views, given, self._hovered(views, sheet.layout.pen))
+        bottom = self._draw_words(sheet)
         for note in reversed(self._notes()):
             bottom = draw_notice(sheet, note, bottom - sheet.unit * 0.5)
-        picture, side = self._picture(), self._widgets(size)
-        draw_head(sheet, self._session.scene)
-        draw_words(sheet, picture)
-        side.show(self._session, self._shown, picture.toggles)
-        draw_small_print(sheet, side.bottom, (f"state hash {sessions.state_hash(self._session)}", self._session.line))
-        side.draw(surface, self._session, self._seconds, self._pixels_per_point)
+        if not sheet.layout.presents:
+            self._draw_side(sheet)
+        elif self._pointer.real >= 0.0:
+            draw_halo(sheet, self._pointer)
+        if self._lesson is not None:
+            self._lesson.draw(sheet)
         self._seconds = 0.0
         if self._help:
-            draw_help(surface, theme, type_)
+            draw_help(surface, theme, self._shared.type)
 
-    def _draw_world(self, sheet: TextSheet) -> None:
-        """Every pane with its title and the handles."""
-        given, views = self._session.given, self._pane_views(sheet.surface.get_size())
-        hovered = self._hovered(views, sheet.unit)
-        for pane, view in zip(self._picture().panes, views, strict=True):
-            pygame.draw.rect(sheet.surface, sheet.theme.ground, view.area)
-            canvas = PaneCanvas(sheet.surface, view.area, view.camera, sheet.theme, sheet.type, sheet.unit, self._shown)
-            draw_marks(canvas, pane.marks)
-            if pane.title:
-                top = complex(view.area.centerx, view.area.top + sheet.unit * 0.4)
-                write_words(canvas, top, pane.title, sheet.theme.text, "midtop")
-            if view.area.left > sheet.layout.world.left:
-                pygame.draw.line(sheet.surface, sheet.theme.panel_edge, view.area.topleft, view.area.bottomleft)
-            draw_handles(canvas, given, view.handles, hovered if hovered in view.handles else None)
-            draw_pane_lines(sheet.surface, view.area, pane, sheet.theme, sheet.type, sheet.unit)
+    def _draw_words(self, sheet: TextSheet) -> float:
+        """The words around the picture; returns where notices end, above them."""
+        scene, picture, step = self._session.scene, self._seen(), self._step_name()
+        if sheet.layout.presents:
+            words = presented_words(sheet.layout, self._letters.around, sheet.theme, scene.title, step, picture)
+            paint_presented(sheet.surface, self._letters.around, sheet.theme, words)
+            return float(words.plates[-1].top)
+        draw_head(sheet, scene, step)
+        draw_words(sheet, picture)
+        return float(sheet.layout.world.bottom)
+
+    def _line(self) -> str:
+        """The share line that opens the lab as it stands, at its step."""
+        session, seen = self._session, self._reveal.seen
+        step = None if seen is None else self._reveal.shown(self._picture())
+        return share_line(SharedScene(session.scene, session.given, session.tick, step))
+
+    def _draw_side(self, sheet: TextSheet) -> None:
+        """The widgets, and the small print below them."""
+        side = self._widgets(sheet.surface.get_size())
+        side.show(self._session, self._shown, self._picture().toggles)
+        draw_small_print(sheet, side.bottom, (f"state hash {sessions.state_hash(self._session)}", self._line()))
+        side.draw(sheet.surface, self._session, self._seconds, self._pixels_per_point)
+
+    def _step_name(self) -> str:
+        """Which step of a reveal is shown."""
+        name, asked = step_name(self._reveal, self._picture()), reveals.prediction(self._reveal, self._picture())
+        return name if asked is None else f"{name}.   Now drag your {asked.asked}"
 
     def _key(self, event: pygame.Event, size: tuple[int, int]) -> Screen | None:
         """React to a key. While a field is typed into, the key is the field's."""
         side = self._widgets(size)
-        if side.busy:
+        if side.busy and not self.presents:
             if event.key == pygame.K_ESCAPE:
                 side.release_focus()
                 return self
@@ -165,12 +208,14 @@ class Lab:
         request = toggle or command
         if request is None or event.mod & _MODIFIERS:
             return self
+        if toggle is not None and self._lesson is not None and self._lesson.answer(list(Toggle).index(toggle)):
+            return self
         self._repeat = None if command is None or command not in _REPEATED else (Repeat(position_in(event)), command)
         return self._do(request)
 
     def _mouse(self, event: pygame.Event, size: tuple[int, int]) -> None:
         """React to the mouse over the world."""
-        views, unit = self._pane_views(size), layout_of(size).unit
+        views, unit = self._pane_views(size), self.layout(size).pen
         match event.type:
             case pygame.MOUSEMOTION:
                 before, self._pointer = self._pointer, self._pixel(event.pos)
@@ -187,7 +232,7 @@ class Lab:
                 for view in views:
                     if view.area.collidepoint(self._pointer.real, self._pointer.imag):
                         box, steps = self._session.scene.view_box, float(event.precise_y)
-                        self._pan_zoom = self._pan_zoom.zoomed(box, view.area, self._pointer, steps)
+                        self._pan_zoom = self._pan_zoom.zoomed(box, view.focus, self._pointer, steps)
 
     def _move(self, drag: Drag, views: list[PaneView], pixels: complex) -> None:
         """Move what is held by so many pixels."""
@@ -197,6 +242,10 @@ class Lab:
             return
         target = camera.unproject(self._pointer) + drag.offset
         scene = self._session.scene
+        requested = drag.handle.values_at(self._session.given, target)
+        if reveals.GUESS in requested:
+            self._reveal = self._reveal._replace(guess=requested[reveals.GUESS])
+            return
         self._session = sessions.changed(self._session, dragged(scene.parameters, self._session.given, drag.handle, target))
 
     def _do(self, request: Request) -> Screen | None:
@@ -205,6 +254,8 @@ class Lab:
         match request:
             case Command.LEAVE:
                 return self._under
+            case PageTurned() | Command.MORE:
+                self._page += 1
             case Command():
                 self._obey(request)
             case Toggle():
@@ -217,35 +268,90 @@ class Lab:
                 self._open(name)
             case PresetChosen(line):
                 self._session = sessions.changed(self._session, Clamped(preset(scene, line, given.engine), ()))
-                self._pan_zoom = _whole(self._session)
+                self._pan_zoom = PanZoom.whole(self._session.scene, self._session.given)
         return self
 
     def _obey(self, command: Command) -> None:
         """Do what a command asks for, of those that do not leave the lab."""
-        session = self._session
-        if command in _CHANGES:
-            self._session = _CHANGES[command](session)
+        if command in SESSION_CHANGES:
+            self._session = SESSION_CHANGES[command](self._session)
+            return
+        if command in STEPS:
+            self._step(command)
+            return
+        if command in saving.WRITING:
+            self._tell(self._written(command))
             return
         match command:
             case Command.PREVIOUS | Command.NEXT:
-                names = [scene.name for scene in scenes()]
-                step = 1 if command is Command.NEXT else -1
-                self._open(names[(names.index(session.scene.name) + step) % len(names)])
+                self._turn(1 if command is Command.NEXT else -1)
             case Command.WHOLE:
-                self._pan_zoom = _whole(self._session)
-            case Command.COPY:
-                self._tell(_copied(session.line))
-            case Command.SAVE:
-                self._tell(_saved(session.line))
+                self._pan_zoom = PanZoom.whole(self._session.scene, self._session.given)
+            case Command.PRESENT | Command.LARGER | Command.SMALLER:
+                self._resize(command)
             case Command.THEME:
                 self._shared.change(self._shared.settings.other_colours())
+            case Command.COURSE:
+                self._attend()
             case Command.HELP:
                 self._help = True
 
+    def _written(self, command: Command) -> str:
+        """Write what a command asks for; a sentence that says what became of it."""
+        if command not in saving.PICTURES:
+            return saving.written(command, self._session, self._line())
+        style = SlideStyle(SLIDE_SIZE, self._shared.theme, self._letters, self._shown)
+        return saving.saved_picture(saving.PICTURES[command], style, self._session, self._reveal, self._pan_zoom)
+
+    def _step(self, command: Command) -> None:
+        """Show more or less of the picture, and what follows from that."""
+        self._reveal, following = stepped_by(command, self._reveal, self._picture(), runs=self._session.runs)
+        if command is Command.PREDICT:
+            self._tell("guess first: drag the answer, then press Space" if self._reveal.predicts else "no more guessing")
+        if following is Following.PLAY:
+            self._session = sessions.toggled(self._session)
+        elif following is not Following.NOTHING:
+            self._turn(1 if following is Following.NEXT else -1)
+
+    def _attend(self) -> None:
+        """Begin the course, or leave it."""
+        self._lesson = Lesson(course_progress(progress_path())) if self._lesson is None else None
+        if self._lesson is not None:
+            self._show(parsed(self._lesson.line, self._session.given.engine))
+            self._tell(self._lesson.problem or "the course: [ and ] turn its pages, E leaves it")
+
+    def _turn(self, step: int) -> None:
+        """Open the scene so many after this one; in the course, the task."""
+        if self._lesson is not None:
+            self._show(parsed(self._lesson.turn(step), self._session.given.engine))
+            return
+        names = [scene.name for scene in scenes()]
+        self._open(names[(names.index(self._session.scene.name) + step) % len(names)])
+
+    def _resize(self, command: Command) -> None:
+        """Begin or end to present, or change the size of the text there."""
+        if command is Command.PRESENT and self._scale is None:
+            self.present()
+        elif command is Command.PRESENT:
+            self._scale, self._reveal = None, reveals.whole(self._reveal)
+        elif self._scale is not None:
+            self._scale = min(max(self._scale + (1 if command is Command.LARGER else -1), 0), len(TEXT_SCALES) - 1)
+
     def _open(self, name: str) -> None:
-        """Another scene, at its defaults, shown whole."""
-        self._session = sessions.fresh(scene_named(name), self._session.given.engine)
-        self._pan_zoom, self._drag = _whole(self._session), None
+        """Another scene, at its defaults, shown whole; to a lecture room from its first step on."""
+        self._show(parsed(name, self._session.given.engine))
+        if self.presents:
+            self._reveal = self._first_step()
+
+    def _show(self, shared: SharedScene) -> None:
+        """A scene as a share line names it."""
+        self._session = sessions.opened(shared)
+        self._pan_zoom, self._drag, self._page = PanZoom.whole(shared.scene, shared.given), None, 0
+        self._reveal = reveals.Reveal(shared.step, self._reveal.predicts)
+
+    def _first_step(self) -> reveals.Reveal:
+        """The beginning of the reveal, where the picture has steps."""
+        return reveals.begun(self._reveal) if self._picture().steps else reveals.whole(self._reveal)
 
     def _tell(self, notice: str) -> None:
         """Show a notice for some seconds."""
@@ -265,21 +371,20 @@ class Lab:
         self._drawn = session, with_yours(session.picture, session.scene, session.given, self._shared.functions)
         return self._drawn[1]
 
+    def _seen(self) -> Picture:
+        """What is shown of the picture."""
+        return reveals.shown_picture(self._reveal, self._picture())
+
     def _widgets(self, size: tuple[int, int]) -> Side:
         """The widgets, built anew when the window's size, the theme or the scene changes."""
-        key = (size, self._shared.theme, self._session.scene.name)
+        key = (size, self._shared.theme, self._session.scene.name, self._page)
         if self._side is None or self._side[0] != key:
-            self._side = key, Side(layout_of(size), self._shared.theme, self._shared.type, self._session)
+            self._side = key, Side(layout_of(size), self._shared.theme, self._shared.type, self._session, self._page)
         return self._side[1]
 
     def _pane_views(self, size: tuple[int, int]) -> list[PaneView]:
-        """Area, camera and handles of each pane; all of them show the same part of the world."""
-        scene, panes = self._session.scene, self._picture().panes
-        areas = pane_areas(layout_of(size), len(panes))
-        return [
-            PaneView(area, self._pan_zoom.camera(scene.view_box, area), scene.handles if pane.has_handles else ())
-            for area, pane in zip(areas, panes, strict=True)
-        ]
+        """Area, camera and handles of each pane."""
+        return pane_views(self.layout(size), self._session.scene, self._seen(), self._pan_zoom, self._reveal)
 
     def _hovered(self, views: list[PaneView], unit: float) -> Handle | None:
         """The handle that is held, or that a press would take hold of."""
@@ -291,25 +396,3 @@ class Lab:
     def _pixel(self, point: tuple[int, int]) -> complex:
         """The pixel at a point given in the mouse's coordinates."""
         return complex(point[0] * self._pixels_per_point.real, point[1] * self._pixels_per_point.imag)
-
-
-def _whole(session: Session) -> PanZoom:
-    """Shows the scene's view box, and the positions of its first two handles wherever they are."""
-    return PanZoom.showing(session.scene.view_box, [handle.position(session.given) for handle in session.scene.handles[:2]])
-
-
-def _copied(line: str) -> str:
-    """Put a line on the clipboard; returns a sentence that says whether that worked."""
-    try:
-        pygame.scrap.put_text(f'python -m game lab "{line}"')
-    except pygame.error as error:
-        return f"no clipboard here ({error}); the line is at the right"
-    return "copied: the line that opens this"
-
-
-def _saved(line: str) -> str:
-    """Save a line as a case; returns a sentence that says whether that worked."""
-    try:
-        return save_case(line, case_file())
-    except BadInputError as error:
-        return str(error)

@@ -19,11 +19,18 @@ from game.system.window import open_window
 
 
 def save_screenshot(
-    scene: SharedScene, path: Path, size: tuple[int, int], colours: str, functions: FunctionsFile | None = None
+    scene: SharedScene,
+    path: Path,
+    size: tuple[int, int],
+    colours: str,
+    functions: FunctionsFile | None = None,
+    *,
+    presents: bool = False,
 ) -> None:
     """Draw the lab with a scene as it stands and save it as PNG; OSError where it cannot be written. Needs no display.
 
     colours: a key of `settings.THEMES`. functions: the player's own, to be shown beside ours.
+    presents: whether it is drawn as for a lecture room.
     """
     if not pygame.display.get_init():
         os.environ["SDL_VIDEODRIVER"] = "dummy"
@@ -31,7 +38,7 @@ def save_screenshot(
     try:
         surface = pygame.Surface(size, 0, 32)
         state = AppState(built_in(), 0, 0, Title, settings=Settings(colours=colours), functions=functions)
-        Lab(state, session.opened(scene)).draw(surface)
+        Lab(state, session.opened(scene), step=scene.step, presents=presents).draw(surface)
     finally:
         window.destroy()
     picture = io.BytesIO()

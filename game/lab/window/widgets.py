@@ -1,5 +1,6 @@
 """The side of the window, made of pygame_gui's widgets: the list of scenes, sliders with fields, check boxes, buttons."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import pygame
@@ -24,6 +25,8 @@ _NAME, _NUMBER, _BOX = 1.25, 1.5, 1.25
 """Heights of a parameter's name, of a slider, of a check box, in units."""
 _SMALL_PRINT = 5.0
 """Room for the small print below the widgets, in units."""
+_MOST_PAGES = 6
+"""In a window so small that even these do not fit, the rest is cut off."""
 _TIGHTEST = 0.7
 """In a low window all rows are made lower, down to this share of their heights."""
 
@@ -53,7 +56,11 @@ class PresetChosen(NamedTuple):
     line: str
 
 
-Request = ValueRequested | Refused | SceneChosen | PresetChosen | Toggle | Command
+class PageTurned(NamedTuple):
+    """The next page of parameters is asked for."""
+
+
+Request = ValueRequested | Refused | SceneChosen | PresetChosen | PageTurned | Toggle | Command
 
 
 class _Row(NamedTuple):
@@ -71,8 +78,8 @@ class _Row(NamedTuple):
 class Side:
     """The widgets of one scene, for one size and theme of the window."""
 
-    def __init__(self, layout: WindowLayout, theme: Theme, type_: Type, session: Session) -> None:
-        """Build them for a division of the window."""
+    def __init__(self, layout: WindowLayout, theme: Theme, type_: Type, session: Session, page: int = 0) -> None:
+        """Build them for a division of the window. page: of the parameters, where they are too many for one; taken round."""
         area, unit = layout.side, layout.unit
         self._area, self._unit, self._theme, self._type = area, unit, theme, type_
         self._manager = pygame_gui.UIManager(layout.size, widget_theme(theme, round(unit)), enable_live_theme_updates=False)
@@ -81,10 +88,16 @@ class Side:
         self._boxes: dict[UICheckBox, Toggle] = {}
         self._shown: frozenset[Toggle] = frozenset()
         self._presets = {preset.label: preset.line for preset in session.scene.presets}
-        self._squeeze = _squeeze(session, area.height / unit)
+        pages = _pages(session, area.height / unit)
+        parameters = pages[page % len(pages)]
+        self._squeeze = _squeeze(session, parameters, area.height / unit, paged=len(pages) > 1)
+        self._page: UIButton | None = None
         self._names: list[tuple[Parameter, pygame.Rect]] = []
         self._list, self._preset_list = self._lists(session)
-        self._rows = [row for parameter in session.scene.parameters for row in self._parameter(parameter)]
+        self._rows = [row for parameter in parameters for row in self._parameter(parameter)]
+        if len(pages) > 1:
+            text = f"page {page % len(pages) + 1} of {len(pages)}: more values"
+            self._page = UIButton(self._line(), text, self._manager, tool_tip_text="the next page of values (Tab)")
         self._clock: pygame.Rect | None = None
         self._play: UIButton | None = None
         if session.runs:
@@ -123,7 +136,7 @@ class Side:
             case pygame_gui.UI_DROP_DOWN_MENU_CHANGED:
                 return True, self._picked(event)
             case pygame_gui.UI_BUTTON_PRESSED:
-                return True, self._commands.get(event.ui_element)
+                return True, PageTurned() if event.ui_element is self._page else self._commands.get(event.ui_element)
         return taken, self._ticked()
 
     def release_focus(self) -> None:
@@ -315,14 +328,31 @@ def _clock(session: Session) -> str:
     return f"tick {session.tick} of {session.last}, {'real' if pace == 1.0 else f'1/{round(1 / pace)}'} time"
 
 
-def _squeeze(session: Session, room: float) -> float:
+def _squeeze(session: Session, parameters: Sequence[Parameter], room: float, *, paged: bool) -> float:
     """The share of their heights with which all rows fit into the side. room: the side's height, in units."""
+    return min(max((room - _SMALL_PRINT) / _height(session, parameters, paged=paged), _TIGHTEST), 1.0)
+
+
+def _pages(session: Session, room: float) -> list[tuple[Parameter, ...]]:
+    """The parameters on as few pages as fit into the side, each with about as many."""
+    parameters = session.scene.parameters
+    for count in range(1, len(parameters) + 1):
+        size = -(-len(parameters) // count)
+        pages = [parameters[first : first + size] for first in range(0, len(parameters), size)]
+        heights = [_height(session, page, paged=count > 1) * _TIGHTEST for page in pages]
+        if max(heights, default=0.0) <= room - _SMALL_PRINT or count >= _MOST_PAGES:
+            return pages
+    return [parameters]
+
+
+def _height(session: Session, parameters: Sequence[Parameter], *, paged: bool) -> float:
+    """Of all rows at their full heights, in units."""
     row = _HEIGHT + _GAP
-    numbers = [2 if isinstance(parameter, Point) else 1 for parameter in session.scene.parameters]
-    rows = row * (4 + (1 if session.scene.presets else 0) + (2 if session.runs else 0))
-    parameters = _NAME * len(numbers) + (_NUMBER + _GAP) * sum(numbers)
+    numbers = [2 if isinstance(parameter, Point) else 1 for parameter in parameters]
+    rows = row * (4 + (1 if session.scene.presets else 0) + (2 if session.runs else 0) + (1 if paged else 0))
+    sliders = _NAME * len(numbers) + (_NUMBER + _GAP) * sum(numbers)
     toggles = (_BOX + 0.2) * (len(Toggle) + 1) // 2
-    return min(max((room - _SMALL_PRINT) / (rows + parameters + toggles + 2 * _GAP), _TIGHTEST), 1.0)
+    return rows + sliders + toggles + 2 * _GAP
 
 
 def _set_box(box: UICheckBox, *, on: bool, enabled: bool) -> None:

@@ -1,5 +1,6 @@
 """The words around the picture: title and idea above; formula, cited line and note below; small print; notices."""
 
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import pygame
@@ -13,6 +14,8 @@ from game.lab.window.layout import WindowLayout
 
 _LINE = 1.25
 """Height of a line of text in the size of its letters."""
+_BETWEEN = "      "
+"""Between formulas on one line."""
 
 
 class TextSheet(NamedTuple):
@@ -29,11 +32,14 @@ class TextSheet(NamedTuple):
         return self.layout.unit
 
 
-def draw_head(sheet: TextSheet, scene: LabScene) -> float:
-    """The title, the idea, and where the scene goes beyond the source; returns where they end, pixels."""
+def draw_head(sheet: TextSheet, scene: LabScene, step: str = "") -> float:
+    """The title, the idea, and where it goes beyond the source; returns where they end, pixels. step: the one shown last."""
     unit, theme, head = sheet.unit, sheet.theme, sheet.layout.head
     pygame.draw.rect(sheet.surface, theme.background, head)
     title = sheet.type.write(sheet.surface, scene.title, unit * 1.35, theme.text, complex(unit * 0.9, unit * 0.45))
+    room = head.right - unit * 0.9 - title.right - unit
+    if step and sheet.type.rendered(step, unit, theme.accent).get_width() <= room:
+        sheet.type.write(sheet.surface, step, unit, theme.accent, complex(head.right - unit * 0.9, title.bottom), "bottomright")
     top = title.bottom + unit * 0.25
     for text, colour in ((scene.idea, theme.text), (differences_line(scene.rows), theme.faint)):
         top = _write_lines(sheet, text, colour, top, unit * 0.95)
@@ -41,15 +47,40 @@ def draw_head(sheet: TextSheet, scene: LabScene) -> float:
 
 
 def draw_words(sheet: TextSheet, picture: Picture) -> float:
-    """The formula, the cited line, and the note; returns where they end, pixels."""
+    """The formula, the cited line, and the note; returns where they end, pixels.
+
+    Where there is too little room, formulas stand beside each other; where that is not enough, the first are left out.
+    """
     unit, theme, area = sheet.unit, sheet.theme, sheet.layout.words
     pygame.draw.rect(sheet.surface, theme.background, area)
+    cited = "" if picture.cited is None else f"{picture.cited.where}:  {picture.cited.text}"
+    width = sheet.layout.side.left - 1.8 * unit
+    below = [(line, theme.faint) for line in sheet.type.wrapped(cited, unit, width)]
+    below += [(line, theme.accent) for line in sheet.type.wrapped(picture.note, unit, width)]
+    room = area.height - unit * 0.75 - unit * _LINE * len(below)
+    lines = _fitting(sheet.type, picture.formula, unit, width, int(room / (unit * _LINE)))
     top = area.top + unit * 0.5
-    for line in picture.formula:
-        top = _write_lines(sheet, line, theme.text, top, unit)
+    for line in lines:
+        top = _write_line(sheet, line, theme.text, top)
     top += unit * 0.25
-    top = _write_lines(sheet, f"{picture.cited.where}:  {picture.cited.text}", theme.faint, top, unit)
-    return _write_lines(sheet, picture.note, theme.accent, top, unit)
+    for line, colour in below:
+        top = _write_line(sheet, line, colour, top)
+    return top
+
+
+def _fitting(type_: Type, lines: Sequence[str], size: float, width: float, most: int) -> list[str]:
+    """Formulas on at most so many lines, if need be several on a line, the first ones left out."""
+    found = [part for line in lines for part in type_.wrapped(line, size, width)]
+    if len(found) <= most:
+        return found
+    joined: list[str] = []
+    for line in lines:
+        longer = f"{joined[-1]}{_BETWEEN}{line}" if joined else line
+        if joined and type_.rendered(longer, size, (0, 0, 0)).get_width() <= width:
+            joined[-1] = longer
+        else:
+            joined += type_.wrapped(line, size, width)
+    return joined[-most:] if most > 0 else []
 
 
 def draw_small_print(sheet: TextSheet, top: float, lines: tuple[str, ...]) -> None:
@@ -85,6 +116,12 @@ def _write_lines(sheet: TextSheet, text: str, colour: Colour, top: float, size: 
         sheet.type.write(sheet.surface, line, size, colour, complex(edge, top))
         top += size * _LINE
     return top
+
+
+def _write_line(sheet: TextSheet, line: str, colour: Colour, top: float) -> float:
+    """One line; returns where the next one begins."""
+    sheet.type.write(sheet.surface, line, sheet.unit, colour, complex(sheet.unit * 0.9, top))
+    return top + sheet.unit * _LINE
 
 
 def _wrapped_anywhere(type_: Type, text: str, size: float, width: float) -> list[str]:

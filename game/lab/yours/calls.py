@@ -156,7 +156,8 @@ def _closest_point(given: Given) -> tuple[OwnCall, ...]:
 def _wall(given: Given) -> tuple[OwnCall, ...]:
     """The bounce off a wall at rest."""
     n = to_cartesian(1.0, given.angle("theta"))
-    return (_response(n * 7.1, _velocity(given), n, 0j, given.number("mu"), given.number("speed")),)
+    bounce = _response(n * 7.1, _velocity(given), n, 0j, given.number("mu"), given.number("speed"))
+    return (bounce._replace(scale=0.34),)
 
 
 def _paddle(given: Given) -> tuple[OwnCall, ...]:
@@ -166,7 +167,8 @@ def _paddle(given: Given) -> tuple[OwnCall, ...]:
     ball = Ball(there.point + there.normal * 0.5, v, 0.5)
     touch = contact(ball, ring, 0)
     v_p = ring.surface_velocity(touch.point)
-    return (_response(ball.position, v, touch.normal, v_p, given.number("mu"), given.number("speed")),)
+    bounce = _response(ball.position, v, touch.normal, v_p, given.number("mu"), given.number("speed"))
+    return (bounce._replace(scale=0.28),)
 
 
 def _friction(given: Given) -> tuple[OwnCall, ...]:

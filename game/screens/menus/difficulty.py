@@ -14,7 +14,7 @@ def players_choice(state: AppState) -> Choice:
     def choose(index: int) -> None:
         state.two_players = index == 1
 
-    tip = tr("Two together: one has the arrow keys, mouse or gamepad, the other A and D; who holds a key steers.")
+    tip = tr("Two together: one has the arrow keys, mouse or gamepad, the other A and D or a second gamepad.")
     return Choice(tr("Players"), (tr("One"), tr("Two together")), int(state.two_players), choose, tip)
 
 

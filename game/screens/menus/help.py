@@ -1,12 +1,13 @@
 """How to play, over another screen: what the game is about, how one aims, what drops out of bricks, and all keys."""
 
-from game.input.key_names import play_help
+from game.input.key_names import key_name, play_help
 from game.input.keys import Action
 from game.input.signals import Pressed, Signal
 from game.language import tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.menus import help_pictures as pictures
+from game.screens.menus.help_powers import power_rows
 from game.screens.toolkit.focus import Focus
 from game.screens.toolkit.items import Cells, Drawing, Item, Text
 from game.screens.toolkit.layout import Content, Row
@@ -32,8 +33,8 @@ class Help(Panel):
         footer = back_row(tr("Back"), self.back)
         if self._keys is not None:
             return Content(self._title, _key_rows(self._keys), footer, width=40.0)
-        parts = (_game, _aiming, _controls, _key_part)
-        names = (tr("The game"), tr("Aiming"), tr("Ways to play"), tr("Keys"))
+        parts = (_game, _aiming, power_rows, _controls, _key_part)
+        names = (tr("The game"), tr("Aiming"), tr("Power-ups"), tr("Ways to play"), tr("Keys"))
         return Content(tr("How to play"), parts[self._tab](), footer, names, self._tab, 44.0, tall=_TALL)
 
     def first(self) -> Focus | None:
@@ -88,7 +89,7 @@ def _aiming() -> tuple[Row, ...]:
 def _controls() -> tuple[Row, ...]:
     """Keyboard, mouse, gamepad, touch."""
     ways = (
-        (tr("Keyboard"), tr("Two keys turn the paddles; Space serves.")),
+        (tr("Keyboard"), tr("Two keys turn the paddles; {key} serves.").format(key=key_name(Action.SERVE))),
         (
             tr("Mouse"),
             tr("The nearest paddle follows the pointer; a click serves. The signs at the right pause, help and set."),

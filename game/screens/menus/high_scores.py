@@ -51,7 +51,7 @@ class HighScores(Panel):
 
     def _line(self, number: int, score: Score) -> Cells:
         """A line of the table."""
-        until = tr("the end") if score.won else score.last
+        until = tr("the end") if score.won else tr(score.last)
         name = score.name or "-"
         if score.speed < 100:
             name = tr("{name} ({speed} %)").format(name=name, speed=score.speed)

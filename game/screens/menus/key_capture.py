@@ -44,7 +44,7 @@ class KeyCapture(Panel):
         asked = tr("Press a button of the gamepad.") if self._wanted.of_pad else tr("Press a key.")
         lines = (asked, tr("Esc, or B on a gamepad: leave it as it is."))
         rows = tuple([(Text(line, 1.1, faint=index > 0, centred=True),) for index, line in enumerate(lines)])
-        return Content(self._wanted.name, rows, back_row(tr("Leave"), self.back), width=28.0, centred=True)
+        return Content(self._wanted.name, rows, back_row(tr("Back"), self.back), width=28.0, centred=True)
 
     def typed(self, event: pygame.Event) -> bool:
         """Take a key or a button before it means anything; whether the event is one."""

@@ -78,7 +78,7 @@ class Card(Item):
             draw_lock(canvas, lock, theme.text)
         colour = theme.accent if focused else theme.text if self.is_open else theme.faint
         left, room = complex(hole.left, hole.bottom + unit * 0.25), float(side)
-        name = f"{self.number}  {self.level.name}" if self.number else self.level.name
+        name = f"{self.number}  {tr(self.level.name)}" if self.number else tr(self.level.name)
         write_fitting(canvas, name, 1.05, colour, left, "topleft", room)
         foot = hole.bottom + unit * 1.55
         if self.best is not None:
@@ -148,7 +148,7 @@ class LevelSelect(Panel):
         state, level = self.state, self.state.catalogue[index]
         progress, names = state.kept.progress.value, [level.name for level in state.catalogue]
         best, is_open = progress.best(level.name, state.difficulty), progress.is_open(index, names)
-        tip = level.description if is_open else tr("Finish {level} to open this one.").format(level=names[index - 1])
+        tip = tr(level.description) if is_open else tr("Finish {level} to open this one.").format(level=tr(names[index - 1]))
         if best is not None:
             words = tr("Best at {difficulty}: {score} points, rank {rank}, {time}")
             told = words.format(

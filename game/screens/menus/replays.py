@@ -45,7 +45,7 @@ class Replays(Panel):
 
     def _line(self, game: KeptGame) -> Cells:
         """A game's line."""
-        until = tr("the end") if game.won else game.last
+        until = tr("the end") if game.won else tr(game.last)
         words = (
             game.title or game.date,
             until,
@@ -128,7 +128,7 @@ def _rule() -> str:
 
 def _played(game: KeptGame) -> str:
     """What was played, in words."""
-    words = [game.first if game.first == game.last else f"{game.first} - {game.last}"] if game.first else []
+    words = [" – ".join(dict.fromkeys([tr(game.first), tr(game.last)]))] if game.first else []
     return ", ".join([word for word in (*words, difficulty_name(game.difficulty)) if word])
 
 

@@ -4,6 +4,8 @@ from collections.abc import Callable
 from typing import NamedTuple
 
 from game.effects import MOVING, PLAIN, EffectKind
+from game.input.key_names import key_name
+from game.input.keys import Action
 from game.language import tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
@@ -68,10 +70,18 @@ def _picture(state: AppState, _panel: Screen) -> tuple[Row, ...]:
         state.wants_full_screen = not state.full_screen
 
     colours = Choice(
-        tr("Colours"), tuple(names.values()), keys.index(state.settings.colours), choose, tr("T changes them at any time.")
+        tr("Colours"),
+        tuple(names.values()),
+        keys.index(state.settings.colours),
+        choose,
+        tr("{key} changes them at any time.").format(key=key_name(Action.THEME)),
     )
     screen = Switch(
-        tr("Full screen"), state.full_screen, switch_full_screen, tr("F11 changes it at any time."), (tr("off"), tr("on"))
+        tr("Full screen"),
+        state.full_screen,
+        switch_full_screen,
+        tr("{key} changes it at any time.").format(key=key_name(Action.FULL_SCREEN)),
+        (tr("off"), tr("on")),
     )
     motion = tr("No shake, flashes, waves or hit-stop, the camera cuts instead of gliding, and the title stands still.")
     return (
@@ -102,7 +112,9 @@ def _unlockable(state: AppState, label: str, field: str, conditions: dict[str, C
 
 def _effects(state: AppState, _panel: Screen) -> tuple[Row, ...]:
     """One switch for all, and one for each, in two columns."""
-    tip = tr("All that is listed below, but for the trail; E turns them off and on at any time.")
+    tip = tr("All that is listed below, but for the trail; {key} turns them off and on at any time.").format(
+        key=key_name(Action.EFFECTS)
+    )
     items = [_effect(state, kind, *words) for kind, words in effect_names().items()]
     pairs: list[Row] = [tuple(items[first : first + 2]) for first in range(0, len(items), 2)]
     return ((_switch(state, tr("Effects"), "effects", tip),), (Heading(tr("One by one")),), *pairs)
@@ -137,9 +149,11 @@ def _sound(state: AppState, _panel: Screen) -> tuple[Row, ...]:
 
     volume, music = state.settings.volume, state.settings.music
     music_tip = tr("Beside all other sounds; it grows with every brick in a row and with the last bricks of a level.")
-    tip = tr("Left and right change it; so do - and = at any time.")
+    tip = tr("Left and right change it; so do {less} and {more} at any time.").format(
+        less=key_name(Action.LESS), more=key_name(Action.MORE)
+    )
     return (
-        (_switch(state, tr("Sound"), "sound", tr("M turns it off and on at any time.")),),
+        (_switch(state, tr("Sound"), "sound", tr("{key} turns it off and on at any time.").format(key=key_name(Action.MUTE))),),
         (Slider(tr("Volume"), volume / LOUDEST, f"{volume} %", step, put, tip),),
         (Slider(tr("Music"), music / LOUDEST, f"{music} %", step_music, put_music, music_tip),),
     )

@@ -7,7 +7,6 @@ os.environ["SDL_VIDEODRIVER"] = "dummy"
 
 import pygame
 import pytest
-from pygame._sdl2 import controller
 
 from game.input.hands import Hands
 from game.rules import Phase, paddle_ring
@@ -26,11 +25,11 @@ pytestmark = pytest.mark.skipif(SDL is None, reason="no SDL library to plug a vi
 def desk():
     """The app at its title, its gamepads heard."""
     state = shared()
-    found = Desk(state, Title(state))
+    found = Desk(state, Title(state), (240, 150))
     state.devices.pads.listen()
     found.wait(FRAME)
     yield found
-    controller.quit()
+    state.devices.pads.close()
     found.close()
 
 
@@ -81,7 +80,7 @@ def test_a_gamepad_alone_chooses_serves_steers_pauses_and_leaves(desk, pad):
     for angle in (30.0, 135.0, 260.0):
         pad.push(X, math.cos(math.radians(angle)))
         pad.push(Y, -math.sin(math.radians(angle)))
-        desk.wait(1.5)
+        desk.wait(1.2)
         paddles = paddle_ring(game_of(desk))
         apart = [abs(math.remainder(paddles.angle(slot) - math.radians(angle), math.tau)) for slot in range(paddles.count)]
         assert min(apart) < math.radians(0.1)
@@ -132,3 +131,23 @@ def test_a_gamepad_pulled_out_pauses_the_game_that_it_plays(desk, pad):
     other.pull_out()
     desk.wait(3 * FRAME)
     assert isinstance(desk.screen, PlayScreen)
+
+
+def test_a_second_gamepad_is_the_second_players(desk, pad):
+    """Where two play together it steers whenever the first asks for nothing; its button serves, too."""
+    desk.shared.two_players = True
+    other = VirtualPad(SDL)
+    desk.wait(3 * FRAME)
+    tap(desk, pad, pygame.CONTROLLER_BUTTON_A)
+    other.push(pygame.CONTROLLER_AXIS_TRIGGERRIGHT, 1.0)
+    desk.wait(0.2)
+    assert paddle_ring(game_of(desk)).spin > 0.0
+    assert desk.screen._hands.spin == 0.0
+    pad.push(pygame.CONTROLLER_AXIS_TRIGGERLEFT, 1.0)
+    desk.wait(0.2)
+    assert paddle_ring(game_of(desk)).spin < 0.0
+    pad.push(pygame.CONTROLLER_AXIS_TRIGGERLEFT, -1.0)
+    other.push(pygame.CONTROLLER_AXIS_TRIGGERRIGHT, -1.0)
+    tap(desk, other, pygame.CONTROLLER_BUTTON_A)
+    assert game_of(desk).phase == Phase.PLAYING
+    other.pull_out()

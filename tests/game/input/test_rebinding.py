@@ -6,7 +6,7 @@ os.environ["SDL_VIDEODRIVER"] = "dummy"
 
 import pygame
 import pytest
-from hypothesis import given
+from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from game.input import key_names
@@ -82,6 +82,7 @@ def test_what_accepts_and_goes_back_stays(control):
 numbers = st.lists(st.sampled_from([0, 1, *FIXED_KEYS, P, M, UP, W, pygame.KSCAN_LEFT, pygame.KSCAN_A, 511, 512]), max_size=3)
 
 
+@settings(max_examples=40)
 @given(
     st.dictionaries(st.sampled_from(Action), numbers.map(tuple)), st.dictionaries(st.sampled_from(Action), numbers.map(tuple))
 )

@@ -30,24 +30,24 @@ def last_brick(game):
     return with_balls(game, (5.0 + 0j, -1.0 + 0j))
 
 
-def test_par_is_twenty_seconds_and_two_for_every_layer():
+def test_par_is_fifteen_seconds_and_one_and_a_half_for_every_layer():
     """Unbreakable sectors count nothing."""
-    assert par(LEVEL) == 20.0 + 2.0 * 12
-    assert par(parse(GOOD.replace(b"count = 12", b"count = 12\nlayers = [3, -1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0]"), "x")) == 44.0
+    assert par(LEVEL) == 15.0 + 1.5 * 12
+    assert par(parse(GOOD.replace(b"count = 12", b"count = 12\nlayers = [3, -1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 0]"), "x")) == 33.0
 
 
 @pytest.mark.parametrize(
     ("lost", "seconds", "combo", "rank"),
     [
-        (0, 44, 8, Rank.S),
-        (0, 44, 7, Rank.A),
-        (0, 45, 8, Rank.A),
-        (1, 44, 8, Rank.A),
-        (1, 44, 0, Rank.B),
-        (0, 89, 0, Rank.B),
-        (1, 88, 0, Rank.B),
-        (1, 89, 0, Rank.C),
-        (5, 89, 8, Rank.C),
+        (0, 33, 8, Rank.S),
+        (0, 33, 7, Rank.A),
+        (0, 34, 8, Rank.A),
+        (1, 33, 8, Rank.A),
+        (1, 33, 0, Rank.B),
+        (0, 67, 0, Rank.B),
+        (1, 66, 0, Rank.B),
+        (1, 67, 0, Rank.C),
+        (5, 67, 8, Rank.C),
     ],
 )
 def test_a_rank_is_the_sum_of_its_marks(lost, seconds, combo, rank):
@@ -61,7 +61,7 @@ def test_a_cleared_level_gives_its_bonuses_and_a_result():
     done = until(game, EventKind.LEVEL_CLEARED, 60)
     (result,) = done.game.results
     seconds = (10 * SECOND + 1) / SECOND
-    assert result.time_bonus == 10 * int(44.0 - result.ticks / SECOND)
+    assert result.time_bonus == 10 * int(33.0 - result.ticks / SECOND)
     assert result.ticks >= seconds * SECOND
     assert (result.loss_bonus, result.balls_lost, result.level) == (500, 0, 0)
     assert result.score == done.game.score == 10 + 300 + 500 + result.time_bonus

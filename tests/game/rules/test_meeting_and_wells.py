@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from game.levels import parse
 from game.rules import SOURCE_RULES, EventKind, new_game
 from game.rules.meeting import met
+from game.system.errors import BadInputError
 from physics import collision_response, cross, direction, dot, length
 from physics.vectors import unit
 from tests.support.arcade import GOOD, after, arcade, kinds, with_balls
@@ -107,8 +108,6 @@ def test_no_well_keeps_a_ball(bearing, share, heading):
 
 def test_a_well_that_could_keep_a_ball_is_refused():
     """And one beside the ground, by key and rule."""
-    from game.system.errors import BadInputError  # noqa: PLC0415
-
     for changed, rule in (
         (WELL.replace(b"40.0", b"80.0"), r"wells\[0\].strength: could hold"),
         (WELL.replace(b"6.0", b"11.0"), r"wells\[0\].distance"),

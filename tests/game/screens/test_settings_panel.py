@@ -65,6 +65,8 @@ def test_every_row_changes_something_and_changes_it_back(desk):
         for spot in panel._laid(desk.window.size).spots:
             if not isinstance(spot.item, Switch | Choice | Slider) or spot.item.label == "Full screen":
                 continue
+            if isinstance(spot.item, Choice) and len(spot.item.options) == 1:  # the others are not unlocked yet
+                continue
             before = desk.shared.settings
             desk.focus(spot.item.label)
             desk.press(pygame.K_LEFT if isinstance(spot.item, Slider) and spot.item.level == 1.0 else pygame.K_RETURN)

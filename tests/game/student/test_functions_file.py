@@ -45,6 +45,7 @@ def test_a_saved_file_is_read_again(tmp_path):
         assert file.refresh() == ""
         assert saved(GOOD) == "mine.py: read again"
         assert answer() is True
+        assert (file.problem, file.broken) == ("", "mine.py, line 1: SyntaxError: expected ':'")
 
 
 def test_the_window_says_so(own):

@@ -57,6 +57,18 @@ def test_a_recorded_game_verifies(capsys, tmp_path: Path):
     assert verified == f"verified {file}: {out}"
 
 
+def test_the_rules_and_the_difficulty_are_chosen(capsys, tmp_path: Path):
+    """Each is another game; arcade at normal difficulty is played where nothing is said, and a replay knows its rules."""
+    chosen = [[], ["--rules", "arcade"], ["--difficulty", "easy"], ["--difficulty", "hard"], ["--rules", "source"]]
+    file = tmp_path / "game.polar"
+    lines = []
+    for options in chosen:
+        lines.append(polar(capsys, *HEADLESS, *options, "--record", file)[1])
+        assert polar(capsys, "replay", "--verify", file)[1].endswith(lines[-1])
+    assert lines[0] == lines[1]
+    assert len(set(lines)) == 4
+
+
 def test_headless_imports_no_pygame(tmp_path: Path):
     """A headless game, recorded and verified, and the list of levels never import pygame."""
     file = tmp_path / "game.polar"
@@ -93,6 +105,10 @@ def test_headless_imports_no_pygame(tmp_path: Path):
         ([*HEADLESS, "--screenshot", "a.txt"], "--screenshot a.txt: expected a name that ends in .png, not .txt"),
         ([*HEADLESS, "--size", "100x100"], "--size: is for a picture; add --screenshot FILE"),
         ([*HEADLESS, "--view", "solid"], "--view: is for a picture"),
+        ([*HEADLESS, "--rules", "arcade", "--physics", "source"], "--rules arcade: the slides' own algorithm"),
+        ([*HEADLESS, "--rules", "source", "--difficulty", "easy"], "--difficulty: is for the arcade rules"),
+        ([*HEADLESS, "--difficulty", "brutal"], "--difficulty"),
+        (["--rules", "source", "levels"], "--rules: is not for the command levels"),
         (["--ticks", "5"], "--ticks: is for a headless game"),
         (["--headless", "levels"], "--headless: is not for the command levels"),
         (["--seed", "3", "replays"], "--seed: is not for the command replays"),

@@ -61,6 +61,8 @@ def _changed(left: Arena, moving: Arena, numbers: LevelNumbers, speed: float) ->
 
 def _of_level(level: Level, arena: Arena, done: Ticked) -> LevelNumbers:
     """The numbers of a level's file, its paddles as wide as the difficulty makes them, with the shield of the arena."""
+    if done.game.ruleset.versus:  # its paddles are no level's
+        return _of_arena(level, arena, done)
     numbers = numbers_of_level(level)
     paddles, *wall = numbers.rings
     own = paddles.geometry.half_angle

@@ -6,7 +6,7 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import angle_arc, degrees, ray
 from game.lab.kit.parameters import Given, Number
-from game.lab.kit.picture import Circle, Line, Mark, Picture, PointMark, Role, Stroke, Words, single
+from game.lab.kit.picture import Circle, Line, Mark, Picture, PointMark, Role, Stroke, Words, in_steps, one_step
 from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import add_angles, min_difference, normalize_angle, on_left, signed_difference, subtract_angles, to_cartesian
 
@@ -22,7 +22,7 @@ def _picture(given: Given) -> Picture:
     """Two directions, the smaller angle between them, and the plain difference a - b."""
     a, b = _angles(given)
     shorter = signed_difference(a, b)
-    marks: list[Mark] = [
+    directions: list[Mark] = [
         Line((0j, 8 + 0j), Role.FAINT, None, Stroke.DASHED),
         Words(5.0 - 0.3j, "polar axis", Role.FAINT),
         Circle(0j, _RADIUS, Role.FAINT),
@@ -30,17 +30,23 @@ def _picture(given: Given) -> Picture:
         ray(b, _RADIUS, Role.TWO),
         PointMark(to_cartesian(_RADIUS, a), Role.PLAIN, label="a"),
         PointMark(to_cartesian(_RADIUS, b), Role.TWO, label="b"),
-        angle_arc(2.2, b, shorter, Role.OURS, "smaller angle"),
     ]
-    if abs(a - b) > math.pi:
-        marks.append(angle_arc(1.2, b, a - b, Role.SOURCE, "a - b"))
-    formula = (
+    plain = [angle_arc(1.2, b, a - b, Role.SOURCE, "a - b")] if abs(a - b) > math.pi else []
+    difference = (
         f"a - b = {degrees(a)} - {degrees(b)} = {degrees(a - b)}",
         f"counter-clockwise from b to a:   {degrees(subtract_angles(a, b))}",
-        f"min_difference(a, b) = {degrees(min_difference(a, b))}",
-        f"on_left(a, b) = {on_left(a, b)}:   a {_side(shorter)} b",
     )
-    return single(tuple(marks), formula, _cited(a, b), _note(a, b))
+    steps = (
+        one_step("two directions", directions),
+        one_step("a - b, the plain difference", plain, difference),
+        one_step(
+            "the smaller angle",
+            [angle_arc(2.2, b, shorter, Role.OURS, "smaller angle")],
+            [f"min_difference(a, b) = {degrees(min_difference(a, b))}"],
+        ),
+        one_step("on which side?", [], [f"on_left(a, b) = {on_left(a, b)}:   a {_side(shorter)} b"]),
+    )
+    return in_steps(steps, _cited(a, b), _note(a, b))
 
 
 def _side(shorter: float) -> str:

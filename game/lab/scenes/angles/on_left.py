@@ -8,7 +8,21 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import degrees, ray
 from game.lab.kit.parameters import Given, Number
-from game.lab.kit.picture import AnnularSector, Arrow, Disc, Line, Mark, Pane, Picture, PointMark, Role, Stroke, Toggle
+from game.lab.kit.picture import (
+    AnnularSector,
+    Arrow,
+    Disc,
+    Line,
+    Mark,
+    Pane,
+    Picture,
+    PointMark,
+    RevealStep,
+    Role,
+    Stroke,
+    Toggle,
+    in_steps,
+)
 from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import (
     closest_point_on_line,
@@ -69,31 +83,50 @@ def _chosen_end(p: complex, r: float, angle: float, half_angle: float, sign: int
 def _picture(given: Given) -> Picture:
     """The source's choice at the left, ours at the right."""
     both = _both(given)
-    panes = (
-        Pane(_marks(both, both.theirs, Role.SOURCE), "the source: on_left(θ, θ_p + φ_p)"),
-        Pane(_marks(both, both.ours, Role.OURS), "here: on_left(θ, θ_p)"),
-    )
+    panes = (Pane((), "the source: on_left(θ, θ_p + φ_p)"), Pane((), "here: on_left(θ, θ_p)"))
     far = normalize_angle(both.angle + both.half_angle)
-    formula = (
-        f"θ = {degrees(both.theta)},   θ_p = {degrees(both.angle)},   φ_p = {degrees(both.half_angle)}",
-        f"the source:   on_left(θ, θ_p + φ_p = {degrees(far)}) = {both.theirs.sign > 0}:   sign = {both.theirs.sign}",
-        f"here:   on_left(θ, θ_p) = {both.ours.sign > 0}:   sign = {both.ours.sign}",
-        f"|p - q|:   {length(both.p - both.theirs.q):.3f} by the source's end, {length(both.p - both.ours.q):.3f} by ours",
+    theirs, ours = _end_marks(both, both.theirs, Role.SOURCE), _end_marks(both, both.ours, Role.OURS)
+    distances = f"{length(both.p - both.theirs.q):.3f} by the source's end, {length(both.p - both.ours.q):.3f} by ours"
+    steps = (
+        RevealStep(
+            "a ball and a wide sector",
+            (_situation(both),) * 2,
+            (f"θ = {degrees(both.theta)},   θ_p = {degrees(both.angle)},   φ_p = {degrees(both.half_angle)}",),
+        ),
+        RevealStep(
+            "the source's end",
+            (theirs, ()),
+            (f"the source:   on_left(θ, θ_p + φ_p = {degrees(far)}) = {both.theirs.sign > 0}:   sign = {both.theirs.sign}",),
+        ),
+        RevealStep(
+            "the end by the sector's middle",
+            ((), ours),
+            (f"here:   on_left(θ, θ_p) = {both.ours.sign > 0}:   sign = {both.ours.sign}",),
+        ),
+        RevealStep("which is nearer?", ((), ()), (f"|p - q|:   {distances}",)),
     )
-    return Picture(panes, formula, _cited(both), _note(both))
+    return in_steps(steps, _cited(both), _note(both), panes)
 
 
-def _marks(both: _BothRulesForEnd, end: _ChosenEnd, role: Role) -> tuple[Mark, ...]:
-    """The ball, the sector, and the end that a rule chooses."""
-    marks: list[Mark] = [
+def _situation(both: _BothRulesForEnd) -> tuple[Mark, ...]:
+    """The ball and the sector."""
+    return (
         AnnularSector(_RADIUS, _HALF_WIDTH, both.angle, both.half_angle, Role.SECTOR),
         ray(both.angle, 8.0, Role.FAINT, "θ_p"),
         ray(both.theta, 8.0),
         Disc(both.p, both.r, Role.BALL),
+    )
+
+
+def _end_marks(both: _BothRulesForEnd, end: _ChosenEnd, role: Role) -> tuple[Mark, ...]:
+    """The end that a rule chooses."""
+    if not both.applies:
+        return ()
+    marks: list[Mark] = [
+        Line((end.a, end.b), role, Toggle.CLOSEST, Stroke.THICK),
+        PointMark(end.q, role, Toggle.CLOSEST, "q"),
     ]
-    if both.applies:
-        marks += [Line((end.a, end.b), role, Toggle.CLOSEST, Stroke.THICK), PointMark(end.q, role, Toggle.CLOSEST, "q")]
-    if both.applies and end.normal is not None:
+    if end.normal is not None:
         marks.append(Arrow(end.q, end.normal * 2.0, role, Toggle.NORMALS, label="n"))
     return tuple(marks)
 

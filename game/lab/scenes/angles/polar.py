@@ -7,7 +7,20 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import angle_arc, degrees, ray, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arrow, Circle, Line, Mark, Picture, PointMark, Role, Stroke, Words, single
+from game.lab.kit.picture import (
+    Arrow,
+    Circle,
+    Line,
+    Mark,
+    Picture,
+    PointMark,
+    Prediction,
+    Role,
+    Stroke,
+    Words,
+    in_steps,
+    one_step,
+)
 from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import length, normalize_angle, to_cartesian, to_polar
 
@@ -25,26 +38,38 @@ def _picture(given: Given) -> Picture:
     p, turn = given.point("p"), _turned(given)
     radius, theta = to_polar(p)
     folded, plain = normalize_angle(turn), source.normalize_angle(turn)
-    marks: list[Mark] = [
-        Line((0j, 12 + 0j), Role.FAINT, None, Stroke.DASHED, "polar axis"),
+    axis: list[Mark] = [Line((0j, 12 + 0j), Role.FAINT, None, Stroke.DASHED, "polar axis")]
+    point: list[Mark] = [
         Circle(0j, radius, Role.FAINT, None, Stroke.DASHED),
         Line((0j, complex(p.real, 0.0), p), Role.FAINT),
         Arrow(0j, p, Role.PLAIN, None, Stroke.THICK, "p"),
-        angle_arc(1.2, 0.0, theta, Role.PLAIN, "θ"),
-        ray(folded, 5.0, Role.OURS),
-        angle_arc(2.4, 0.0, folded, Role.OURS, "a, normalised"),
+    ]
+    spiral: list[Mark] = [
         Line(_spiral(turn), Role.TWO),
         Words(_spiral(turn)[-1] * 1.08 + 0.3j, "a" if abs(turn) > 0.1 else "", Role.TWO),
+    ]
+    normalised: list[Mark] = [
+        ray(folded, 5.0, Role.OURS),
+        angle_arc(2.4, 0.0, folded, Role.OURS, "a, normalised"),
         PointMark(to_cartesian(5.0, folded), Role.OURS),
     ]
-    formula = (
-        f"p = {two_decimals(p)}:   |p| = √(x² + y²) = {radius:.3f},   θ = {degrees(theta)}",
-        f"back:   |p| (cos θ, sin θ) = {two_decimals(to_cartesian(radius, theta))}",
-        f"a = {_number(turn)} rad",
-        f"a mod 2π = {_number(plain)} rad" + (",   which is 2π: out of range" if plain >= math.tau else ""),
-        f"normalised, in [0, 2π):   {_number(folded)} rad = {degrees(folded)}",
+    polar = f"p = {two_decimals(p)}:   |p| = √(x² + y²) = {radius:.3f},   θ = {degrees(theta)}"
+    steps = (
+        one_step("p, a point", axis + point),
+        one_step("|p| and θ, its polar coordinates", [angle_arc(1.2, 0.0, theta, Role.PLAIN, "θ")], [polar]),
+        one_step("and back", [], [f"back:   |p| (cos θ, sin θ) = {two_decimals(to_cartesian(radius, theta))}"]),
+        one_step("a, an angle of any size", spiral, [f"a = {_number(turn)} rad"]),
+        one_step(
+            "a normalised",
+            normalised,
+            [
+                f"a mod 2π = {_number(plain)} rad" + (",   which is 2π: out of range" if plain >= math.tau else ""),
+                f"normalised, in [0, 2π):   {_number(folded)} rad = {degrees(folded)}",
+            ],
+            Prediction("normalised a", None, to_cartesian(5.0, folded)),
+        ),
     )
-    return single(tuple(marks), formula, _cited(plain), _note(p, turn, plain))
+    return in_steps(steps, _cited(plain), _note(p, turn, plain))
 
 
 def _spiral(turn: float) -> tuple[complex, ...]:

@@ -7,7 +7,7 @@ from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.handles import Handle
 from game.lab.kit.marks import ball_marks, ray
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Annulus, Circle, Line, Mark, Picture, Role, Stroke, Toggle, Words, single
+from game.lab.kit.picture import Annulus, Circle, Line, Mark, Picture, Role, Stroke, Toggle, Words, in_steps, one_step
 from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import (
     Ball,
@@ -51,28 +51,46 @@ def _picture(given: Given) -> Picture:
     distance, theta = to_polar(p)
     outcome = _outcome(given)
     role = _ROLES[outcome] if outcome is not Outcome.NO_COLLISION else Role.PLAIN
-    marks: list[Mark] = [
-        Annulus(r_g + r, _FAR, Role.SOURCE, Toggle.BANDS, 0.16),
-        Annulus(max(bricks.inner_radius - r, 0.0), bricks.outer_radius + r, Role.ONE, Toggle.BANDS, 0.3),
-        Annulus(max(paddles.inner_radius - r, 0.0), paddles.outer_radius + r, Role.GOOD, Toggle.BANDS, 0.3),
+    covered = (to_cartesian(max(distance - r, 0.0), theta), to_cartesian(distance + r, theta))
+    over, *bands, so = _formula(given)
+    steps = (
+        one_step("the ball, and two rings on the ground", [*_rings_marks(r_g, paddles, bricks), *ball_marks(p, r)]),
+        one_step(
+            "from |p| - r to |p| + r: all that the ball covers",
+            [ray(theta, distance), Line(covered, role, None, Stroke.THICK)],
+            [f"|p| = {distance:.2f},   |p| - r = {distance - r:.2f},   |p| + r = {distance + r:.2f}"],
+        ),
+        one_step("game over: beyond the ground", [Annulus(r_g + r, _FAR, Role.SOURCE, Toggle.BANDS, 0.16)], [over]),
+        one_step("the band of the paddles: their ring, grown by r", _band_marks(paddles, r, Role.GOOD, "paddles"), bands[:1]),
+        one_step(
+            "the band of the bricks: their ring, grown by r", _band_marks(bricks, r, Role.ONE, "bricks"), [*bands[1:], so]
+        ),
+    )
+    return in_steps(steps, _cited(outcome), _note(outcome, distance))
+
+
+def _rings_marks(r_g: float, paddles: Ring, bricks: Ring) -> list[Mark]:
+    """The ground's rim, and the faces of both rings."""
+    faces = [radius for ring in (paddles, bricks) for radius in (ring.inner_radius, ring.outer_radius)]
+    return [
         Circle(0j, r_g, Role.PLAIN),
-        *[
-            Circle(0j, radius, Role.GHOST, None, Stroke.DASHED)
-            for ring in (paddles, bricks)
-            for radius in (ring.inner_radius, ring.outer_radius)
-        ],
-        ray(theta, distance),
-        *ball_marks(p, r),
-        Line((to_cartesian(max(distance - r, 0.0), theta), to_cartesian(distance + r, theta)), role, None, Stroke.THICK),
+        *[Circle(0j, radius, Role.GHOST, None, Stroke.DASHED) for radius in faces],
         Words(to_cartesian(r_g, 2.0) + 0.6j, "ground: r_g", Role.PLAIN),
-        Words(to_cartesian(paddles.radius, 2.5), "band of the paddles", Role.PLAIN, Toggle.BANDS),
-        Words(to_cartesian(bricks.radius, 2.5), "band of the bricks", Role.PLAIN, Toggle.BANDS),
+        Words(to_cartesian(paddles.radius, -2.3), "paddles: r_p ± w_p", Role.PLAIN),
+        Words(to_cartesian(bricks.radius, -2.3), "bricks: r_b ± w_b", Role.PLAIN),
     ]
-    return single(tuple(marks), _formula(given), _cited(outcome), _note(outcome, distance))
+
+
+def _band_marks(ring: Ring, r: float, role: Role, name: str) -> list[Mark]:
+    """Where the ball's centre is while the ball can touch a ring."""
+    return [
+        Annulus(max(ring.inner_radius - r, 0.0), ring.outer_radius + r, role, Toggle.BANDS, 0.3),
+        Words(to_cartesian(ring.radius, 2.5), f"p here: may touch {name}", Role.PLAIN, Toggle.BANDS),
+    ]
 
 
 def _formula(given: Given) -> tuple[str, ...]:
-    """The three tests, in the source's order."""
+    """The three tests, in the source's order, and the outcome."""
     p, r, r_g = given.point("ball"), given.number("r"), given.number("r_g")
     distance = length(p)
     low, high = distance - r, distance + r

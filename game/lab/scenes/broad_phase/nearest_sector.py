@@ -4,9 +4,20 @@ import math
 
 from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line
-from game.lab.kit.marks import ball_marks, contact_marks, degrees, ray, ring_marks, second_opinion
+from game.lab.kit.marks import ball_marks, contact_marks, degrees, gap_words, ray, ring_marks, second_opinion
 from game.lab.kit.parameters import Count, Given, Number, Point
-from game.lab.kit.picture import Line, Mark, Picture, Role, Stroke, Words, single
+from game.lab.kit.picture import (
+    AnnularSector,
+    Line,
+    Mark,
+    Picture,
+    Prediction,
+    Role,
+    Stroke,
+    Words,
+    in_steps,
+    one_step,
+)
 from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import (
     Ball,
@@ -43,21 +54,36 @@ def _picture(given: Given) -> Picture:
     theta = angle_of(ball.position)
     slot = nearest_slot(ring, theta)
     found = contact(ball, ring, slot)
-    marks: list[Mark] = [*_borders(ring), *ring_marks(ring, None, slot)]
+    situation: list[Mark] = [*ring_marks(ring, None, -1), *ball_marks(ball.position, ball.radius)]
     if ring.count <= _NUMBERED:
-        marks += [Words(to_cartesian(_RADIUS, ring.angle(k)), str(k), Role.PLAIN) for k in range(ring.count)]
-    marks += [ray(theta, 11.0), *ball_marks(ball.position, ball.radius), *contact_marks(ball, found, 2.0)]
+        situation += [Words(to_cartesian(_RADIUS, ring.angle(k)), str(k), Role.PLAIN) for k in range(ring.count)]
     neighbours = tuple({(slot + step) % ring.count: None for step in (-1, 0, 1)})
-    marks += second_opinion(given, ball, ring, neighbours, found)
+    nearest = AnnularSector(ring.radius, ring.half_width, ring.angle(slot), ring.half_angle, Role.SECTOR)
+    contact_drawn = [*contact_marks(ball, found, 2.0), *second_opinion(given, ball, ring, neighbours, found)]
     difference = min_difference(theta, ring.angle(slot))
     pitch, face = math.tau / ring.count, difference <= ring.half_angle
-    formula = (
-        f"the source searches all {ring.count}:   the least min_difference(θ, θ_p) is {degrees(difference)}, of sector {slot}",
-        f"here:   round((θ - θ_0) / (2π / n)) mod n = round({_turned(theta, ring) / pitch:.2f}) mod {ring.count} = {slot}",
-        f"min_difference {'≤' if face else '>'} φ_p = {degrees(ring.half_angle)}:   case {1 if face else 2}",
-        f"gap = {found.gap:.3f}",
+    searched = f"the least min_difference(θ, θ_p) is {degrees(difference)}, of sector {slot}"
+    turned = f"round({_turned(theta, ring) / pitch:.2f}) mod {ring.count} = {slot}"
+    steps = (
+        one_step("a ball and a ring of sectors", situation),
+        one_step("θ, the ball's angle", [ray(theta, 11.0)], [f"θ = {degrees(theta)}"]),
+        one_step(
+            "the search of the source",
+            [nearest],
+            [f"the source searches all {ring.count}:   {searched}"],
+            Prediction("nearest sector", None, to_cartesian(_RADIUS, ring.angle(slot))),
+        ),
+        one_step("the same by a division", _borders(ring), [f"here:   round((θ - θ_0) / (2π / n)) mod n = {turned}"]),
+        one_step(
+            "case 1 or case 2, and the contact",
+            contact_drawn,
+            [
+                f"min_difference {'≤' if face else '>'} φ_p = {degrees(ring.half_angle)}:   case {1 if face else 2}",
+                gap_words(found.gap),
+            ],
+        ),
     )
-    return single(tuple(marks), formula, _cited(), _note(given, ring, ball))
+    return in_steps(steps, _cited(), _note(given, ring, ball))
 
 
 def _borders(ring: Ring) -> list[Mark]:

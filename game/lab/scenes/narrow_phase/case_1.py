@@ -6,9 +6,19 @@ from typing import NamedTuple
 from game.lab import source
 from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line
-from game.lab.kit.marks import ball_marks, contact_marks, degrees, is_unit, ray, ring_marks, second_opinion, two_decimals
+from game.lab.kit.marks import (
+    ball_marks,
+    contact_marks,
+    degrees,
+    gap_words,
+    is_unit,
+    ray,
+    ring_marks,
+    second_opinion,
+    two_decimals,
+)
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arrow, Circle, Mark, Picture, Role, Stroke, Toggle, single
+from game.lab.kit.picture import Arrow, Circle, Picture, Prediction, Role, Stroke, Toggle, in_steps, one_step
 from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import (
     Ball,
@@ -61,29 +71,39 @@ def _picture(given: Given) -> Picture:
     """The sector, its middle radius where the sign turns, and the normal."""
     case = _case(given)
     ball, ring = case.ball, case.ring
-    marks: list[Mark] = [*ring_marks(ring), Circle(0j, ring.radius, Role.FAINT, None, Stroke.DASHED)]
-    marks += [ray(case.theta, 15.0), *ball_marks(ball.position, ball.radius)]
-    if case.inside and dot(case.normal, case.found.normal) < 1.0 - 1e-9:
-        marks.append(Arrow(ball.position, case.normal * 1.5, Role.SOURCE, Toggle.NORMALS, label="case 1"))
-    marks += contact_marks(ball, case.found)
-    marks += second_opinion(given, ball, ring, (0,), case.found)
-    return single(tuple(marks), _formula(case), _cited(case), _note(case))
-
-
-def _formula(case: _FaceCase) -> tuple[str, ...]:
-    """Which case, and the normal."""
-    p, ring = case.ball.position, case.ring
-    difference, distance = min_difference(case.theta, ring.angle(0)), length(p)
-    compared = f"min_difference(θ, θ_p) = {degrees(difference)} {'≤' if case.applies else '>'} φ_p = {degrees(ring.half_angle)}"
+    p, distance = ball.position, length(ball.position)
+    closest, gap, normal, *touch = contact_marks(ball, case.found)
+    compared = f"min_difference(θ, θ_p) = {degrees(min_difference(case.theta, ring.angle(0)))}"
+    compared += f" {'≤' if case.applies else '>'} φ_p = {degrees(ring.half_angle)}"
+    situation = one_step("a ball and a sector", [*ring_marks(ring), *ball_marks(p, ball.radius)])
+    angle = one_step("θ, the ball's angle: case 1?", [ray(case.theta, 15.0)], [compared])
+    last = [closest, gap, *touch, *second_opinion(given, ball, ring, (0,), case.found)]
     if not case.applies:
-        return (compared, "so this is case 2: an end is nearest")
+        ends = one_step("case 2 instead", [normal, *last], ["so this is case 2: an end is nearest"])
+        return in_steps((situation, angle, ends), _cited(case), _note(case))
+    n = p / distance if distance else 0j
+    outward = Arrow(p, n * 0.8, Role.ONE, None, Stroke.SOLID)
+    pushes = [Arrow(p, case.normal * 1.5, Role.SOURCE, Toggle.NORMALS, label="case 1")] if _disagrees(case) else []
     side = "<" if distance < ring.radius else "≥"
-    return (
-        compared,
-        f"n = p / |p| = {two_decimals(p / distance if distance else 0j)}",
-        f"|p| = {distance:.3f} {side} r_p = {ring.radius:g}:   {'-n' if side == '<' else 'n'} = {two_decimals(case.normal)}",
-        f"gap = {case.found.gap:.3f}",
+    sign = f"|p| = {distance:.3f} {side} r_p = {ring.radius:g}:   {'-n' if side == '<' else 'n'} = {two_decimals(case.normal)}"
+    steps = (
+        situation,
+        angle,
+        one_step("p / |p|, away from the centre", [outward], [f"n = p / |p| = {two_decimals(n)}"]),
+        one_step(
+            "n, by the side of r_p",
+            [Circle(0j, ring.radius, Role.FAINT, None, Stroke.DASHED), *pushes, normal],
+            [sign],
+            Prediction("n", case.found.point, case.found.point + case.found.normal),
+        ),
+        one_step("the gap", last, [gap_words(case.found.gap)]),
     )
+    return in_steps(steps, _cited(case), _note(case))
+
+
+def _disagrees(case: _FaceCase) -> bool:
+    """Whether the centre is inside the material, and the shortest way out is not along case 1's normal."""
+    return case.inside and dot(case.normal, case.found.normal) < 1.0 - 1e-9
 
 
 def _cited(case: _FaceCase) -> CitedLine:

@@ -1,14 +1,28 @@
 """Case 2: the ball's angle lies outside of the sector's."""
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from game.lab import source
 from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line
-from game.lab.kit.marks import ball_marks, contact_marks, degrees, is_unit, ray, second_opinion
+from game.lab.kit.marks import ball_marks, contact_marks, degrees, gap_words, is_unit, ray, second_opinion, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import AnnularSector, Line, Mark, Picture, PointMark, Role, Stroke, Toggle, single
+from game.lab.kit.picture import (
+    AnnularSector,
+    Line,
+    Mark,
+    Picture,
+    PointMark,
+    Prediction,
+    RevealStep,
+    Role,
+    Stroke,
+    Toggle,
+    in_steps,
+    one_step,
+)
 from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import (
     Ball,
@@ -25,6 +39,7 @@ from physics import (
     narrow_phase_case_2,
     normalize_angle,
     on_left,
+    to_cartesian,
 )
 
 _SAMPLES = 64
@@ -87,15 +102,37 @@ def _picture(given: Given) -> Picture:
     case = _case(given)
     ball, ring = case.ball, _ring(case)
     found = _found(case, ring)
-    marks: list[Mark] = [AnnularSector(case.radius, case.half_width, case.angle, case.half_angle, Role.SECTOR)]
-    marks += [ray(case.theta, 15.0), *ball_marks(ball.position, ball.radius)]
+    sector = AnnularSector(case.radius, case.half_width, case.angle, case.half_angle, Role.SECTOR)
+    more = second_opinion(given, ball, ring, (0,), found) if ring is not None else ()
+    compared, *lines = _formula(case, found)
+    steps = [
+        one_step("a ball and a sector", [sector, *ball_marks(ball.position, ball.radius)]),
+        one_step("θ, the ball's angle: case 2?", [ray(case.theta, 15.0)], [compared]),
+    ]
     if case.applies:
-        marks.append(Line((case.a, case.b), Role.PLAIN, Toggle.CLOSEST, Stroke.THICK))
-        marks += [PointMark(case.a, Role.PLAIN, Toggle.CLOSEST, "A"), PointMark(case.b, Role.PLAIN, Toggle.CLOSEST, "B")]
-    marks += contact_marks(ball, found)
-    if ring is not None:
-        marks += second_opinion(given, ball, ring, (0,), found)
-    return single(tuple(marks), _formula(case, found), _cited(case, found), _note(case, found))
+        steps += _end_steps(case, found, more, lines)
+    else:
+        steps.append(one_step("case 1 instead", [*contact_marks(ball, found), *more], lines))
+    return in_steps(steps, _cited(case, found), _note(case, found))
+
+
+def _end_steps(case: _EndCase, found: Contact, more: Sequence[Mark], lines: Sequence[str]) -> list[RevealStep]:
+    """Which end, its corners A and B, the closest point q, and n. lines: one for each. more: the second engine's marks."""
+    closest, gap, normal, *touch = contact_marks(case.ball, found)
+    which, corners, nearest, answer = lines
+    middle = to_cartesian(case.radius, case.angle)
+    a, b = [PointMark(point, Role.PLAIN, Toggle.CLOSEST, name) for point, name in ((case.a, "A"), (case.b, "B"))]
+    return [
+        one_step("which end?", [Line((0j, middle * 1.4), Role.FAINT, None, Stroke.DASHED, "θ_p")], [which]),
+        one_step("A and B, its corners", [Line((case.a, case.b), Role.PLAIN, Toggle.CLOSEST, Stroke.THICK), a, b], [corners]),
+        one_step("q, the closest point of AB", [closest, gap], [nearest], Prediction("q", None, found.point)),
+        one_step(
+            "n, from q to p",
+            [normal, *touch, *more],
+            [answer],
+            Prediction("n", found.point, found.point + found.normal),
+        ),
+    ]
 
 
 def _found(case: _EndCase, ring: Ring | None) -> Contact:
@@ -114,15 +151,17 @@ def _formula(case: _EndCase, found: Contact) -> tuple[str, ...]:
     difference = min_difference(case.theta, case.angle)
     compared = f"min_difference(θ, θ_p) = {degrees(difference)} {'>' if case.applies else '≤'} φ_p = {degrees(case.half_angle)}"
     if not case.applies:
-        return (compared, "so this is case 1: a face is nearest", f"gap = {found.gap:.3f}")
+        return (compared, "so this is case 1: a face is nearest", gap_words(found.gap))
     distance = length(case.ball.position - found.point)
     side = "is" if case.sign > 0 else "is not"
+    touches = found.gap < 0.0
+    answer = f"n = (p - q) / |p - q| = {two_decimals(found.normal)}" if touches else "None"
     return (
         compared,
         f"θ = {degrees(case.theta)} {side} on the left of θ_p = {degrees(case.angle)}: sign = {case.sign}",
-        "A, B = (r_p - w_p, θ_p + sign φ_p), (r_p + w_p, θ_p + sign φ_p)",
-        f"|p - q| = {distance:.3f} {'<' if found.gap < 0.0 else '≥'} r = {case.ball.radius:g}: "
-        + ("n = (p - q) / |p - q|" if found.gap < 0.0 else "None"),
+        f"A = (r_p - w_p, θ_p + sign φ_p) = {two_decimals(case.a)},   B = (r_p + w_p, θ_p + sign φ_p) = {two_decimals(case.b)}",
+        f"q = {two_decimals(found.point)},   p = {two_decimals(case.ball.position)}",
+        f"|p - q| = {distance:.3f} {'<' if touches else '≥'} r = {case.ball.radius:g}:   {answer}",
     )
 
 

@@ -5,7 +5,7 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import two_decimals
 from game.lab.kit.parameters import Given, Point
-from game.lab.kit.picture import Line, Mark, Picture, PointMark, Role, Stroke, Toggle, single
+from game.lab.kit.picture import Line, Mark, Picture, PointMark, Prediction, Role, Stroke, Toggle, in_steps, one_step
 from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import closest_point_on_line, dot, length
 
@@ -16,22 +16,31 @@ def _picture(given: Given) -> Picture:
     """The segment, the endless line through A and B, and the closest point of each."""
     a, b, p = given.point("A"), given.point("B"), given.point("P")
     q, foot = closest_point_on_line(a, b, p), source.foot_on_line(a, b, p)
-    marks: list[Mark] = []
+    line: list[Mark] = []
     if foot is not None:
         far = (b - a) * (100.0 / length(b - a))
-        marks.append(Line((a - far, b + far), Role.FAINT, None, Stroke.DASHED))
+        line.append(Line((a - far, b + far), Role.FAINT, None, Stroke.DASHED))
         if foot != q:
-            marks.append(Line((p, foot), Role.SOURCE, Toggle.CLOSEST, Stroke.DASHED))
-            marks.append(PointMark(foot, Role.SOURCE, Toggle.CLOSEST, "on the line"))
-    marks.append(Line((a, b), Role.SECTOR, None, Stroke.THICK))
-    marks.append(Line((p, q), Role.OURS, Toggle.GAP))
-    marks += [PointMark(a, Role.PLAIN, label="A"), PointMark(b, Role.PLAIN, label="B"), PointMark(p, Role.BALL, label="p")]
-    marks.append(PointMark(q, Role.OURS, Toggle.CLOSEST, "q"))
+            line.append(Line((p, foot), Role.SOURCE, Toggle.CLOSEST, Stroke.DASHED))
+            line.append(PointMark(foot, Role.SOURCE, Toggle.CLOSEST, "on the line"))
+    situation: list[Mark] = [
+        Line((a, b), Role.SECTOR, None, Stroke.THICK),
+        PointMark(a, Role.PLAIN, label="A"),
+        PointMark(b, Role.PLAIN, label="B"),
+        PointMark(p, Role.BALL, label="p"),
+    ]
+    nearest: list[Mark] = [Line((p, q), Role.OURS, Toggle.GAP), PointMark(q, Role.OURS, Toggle.CLOSEST, "q")]
     along, square = dot(p - a, b - a), dot(b - a, b - a)
-    formula = (
-        "q = A + t (B - A),   t = (p - A) · (B - A) / |B - A|²",
-        f"t = {along:.2f} / {square:.2f}" + (f" = {along / square:.3f}" if square else ", which is undefined"),
-        f"q = {two_decimals(q)},   |p - q| = {length(p - q):.3f}",
+    ratio = f"t = {along:.2f} / {square:.2f}" + (f" = {along / square:.3f}" if square else ", which is undefined")
+    steps = (
+        one_step("a segment AB and a point p", situation),
+        one_step("the foot on the endless line", line, ["q = A + t (B - A),   t = (p - A) · (B - A) / |B - A|²", ratio]),
+        one_step(
+            "q, the closest point of the segment",
+            nearest,
+            [f"q = {two_decimals(q)},   |p - q| = {length(p - q):.3f}"],
+            Prediction("q", None, q),
+        ),
     )
     if foot is None:
         note = "A = B: there is no line, and the source's formula divides by zero. The segment is a point, and q is that point."
@@ -39,7 +48,7 @@ def _picture(given: Given) -> Picture:
         note = f"The foot on the endless line, {two_decimals(foot)}, is not on the segment: q is clamped to the end."
     else:
         note = ""
-    return single(tuple(marks), formula, _cited(along, square), note)
+    return in_steps(steps, _cited(along, square), note)
 
 
 def _check(given: Given) -> tuple[Claim, ...]:

@@ -11,15 +11,29 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import FEATURE_WORDS, ball_marks, contact_marks, is_unit, outline_points, second_opinion, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arc, Arrow, Field, Line, Mark, Picture, Role, Stroke, Toggle, Words, single
+from game.lab.kit.picture import (
+    Arc,
+    Arrow,
+    Field,
+    Line,
+    Mark,
+    Picture,
+    Prediction,
+    Role,
+    Stroke,
+    Toggle,
+    Words,
+    in_steps,
+    one_step,
+)
 from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import Ball, Contact, Feature, Ring, contact, length, narrow_phase_case_2, to_cartesian
 from physics.narrow_phase import end_contact, face_contact
 
 _BOX = ViewBox(1.5 + 1.6j, 10.2 + 6.2j)
-_HALF = 15 + 8j
-"""Half of what the field covers, around the view's centre."""
-_CELLS = (150, 80)
+_HALF, _NORMALS_HALF = 26 + 14j, 15 + 8j
+"""Half of what the field covers, and of what the drawn normals do, around the view's centre."""
+_CELLS = (260, 140)
 _BAND, _SPAN = 1.0, 7.0
 _SPACING, _ARROW = 1.7, 0.65
 _SAMPLES = 32
@@ -50,20 +64,38 @@ def _picture(given: Given) -> Picture:
     y = np.linspace(-_HALF.imag, _HALF.imag, rows) + _BOX.centre.imag
     gaps = _gaps(x[:, None], y[None, :], ring) - ball.radius
     bands = gaps * np.where(np.floor(gaps / _BAND) % 2.0 == 0.0, 1.0, 0.7)
-    marks: list[Mark] = [Field(_BOX.centre - _HALF, _BOX.centre + _HALF, bands, _SPAN, Toggle.BANDS)]
-    marks += [*_sides(ring), *[Line(points, Role.PLAIN, None, Stroke.DASHED) for points in _borders(ring)]]
-    marks += [*_normals(ball.radius, ring), *_legend(ring)]
-    marks += [*ball_marks(ball.position, ball.radius), *contact_marks(ball, found)]
-    marks += second_opinion(given, ball, ring, (0,), found)
+    field: list[Mark] = [Field(_BOX.centre - _HALF, _BOX.centre + _HALF, bands, _SPAN, Toggle.BANDS), *_sides(ring)]
     p, q = ball.position, found.point
-    formula = (
+    closest, drawn_gap, normal, *touch = contact_marks(ball, found)
+    gap = (
         f"gap = |p - q| - r = {length(p - q):.3f} - {ball.radius:g} = {length(p - q) - ball.radius:.3f}"
         if not _is_inside(p, ring)
-        else f"gap = -|p - q| - r = -{length(p - q):.3f} - {ball.radius:g} = {found.gap:.3f}",
-        f"p = {two_decimals(p)},   q = {two_decimals(q)},   n = {two_decimals(found.normal)}",
-        f"nearest: {FEATURE_WORDS[found.feature]};   bands of colour, {_BAND:g} wide: blue for gaps above 0, red for overlaps",
+        else f"gap = -|p - q| - r = -{length(p - q):.3f} - {ball.radius:g} = {found.gap:.3f}"
     )
-    return single(tuple(marks), formula, _cited(found), _note(ball, ring))
+    legend = (
+        f"nearest: {FEATURE_WORDS[found.feature]};   bands of colour, {_BAND:g} wide: blue for gaps above 0, red for overlaps"
+    )
+    steps = (
+        one_step("a ball and a sector, and the gap at every position of the ball", [*field, *ball_marks(p, ball.radius)]),
+        one_step("the gap", [closest, drawn_gap], [gap]),
+        one_step(
+            "n, its gradient",
+            [normal, *touch],
+            [f"p = {two_decimals(p)},   q = {two_decimals(q)},   n = {two_decimals(found.normal)}"],
+            Prediction("n", q, q + found.normal),
+        ),
+        one_step(
+            "the normals everywhere, and where they jump",
+            [
+                *[Line(points, Role.PLAIN, None, Stroke.DASHED) for points in _borders(ring)],
+                *_normals(ball.radius, ring),
+                *_legend(ring),
+                *second_opinion(given, ball, ring, (0,), found),
+            ],
+            [legend],
+        ),
+    )
+    return in_steps(steps, _cited(found), _note(ball, ring))
 
 
 def _gaps(x: NDArray[np.float64], y: NDArray[np.float64], ring: Ring) -> NDArray[np.float64]:
@@ -134,7 +166,7 @@ def _borders(ring: Ring) -> list[tuple[complex, ...]]:
 
 def _normals(ball_radius: float, ring: Ring) -> list[Mark]:
     """A normal at every point of a coarse grid, in the colour of the feature that is nearest there."""
-    across, up = round(_HALF.real / _SPACING), round(_HALF.imag / _SPACING)
+    across, up = round(_NORMALS_HALF.real / _SPACING), round(_NORMALS_HALF.imag / _SPACING)
     positions = [_BOX.centre + complex(i, j) * _SPACING for i in range(-across, across + 1) for j in range(-up, up + 1)]
     marks: list[Mark] = []
     for position in positions:

@@ -7,7 +7,20 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import FEATURE_WORDS, ball_marks, contact_marks, outline_points, ring_marks, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arrow, Circle, Line, Mark, Picture, Role, Stroke, Toggle, Words, single
+from game.lab.kit.picture import (
+    Arrow,
+    Circle,
+    Line,
+    Mark,
+    Picture,
+    Prediction,
+    Role,
+    Stroke,
+    Toggle,
+    Words,
+    in_steps,
+    one_step,
+)
 from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from game.rules import TICK
 from physics import (
@@ -67,21 +80,30 @@ def _picture(given: Given) -> Picture:
     """The ball, and where it is put by the source and by the physics."""
     start = _ball_inside(given)
     ball, ring = start.ball, start.ring
-    marks: list[Mark] = [*ring_marks(ring), *ball_marks(ball.position, ball.radius)]
-    if start.over and start.face.gap < 0.0:
-        marks += _push(ball, start.face, Role.SOURCE, "the source: a face")
-    if start.step.freed:
-        position = start.step.arena.balls[0].position
-        if length(position - ball.position + start.found.normal * start.found.gap) < 1e-9:
-            marks += _push(ball, start.found, Role.OURS, "here: the nearest side")
-        else:
-            marks += [
-                Circle(position, ball.radius, Role.OURS, Toggle.SWEPT, Stroke.THICK),
-                Line((ball.position, position), Role.OURS),
-            ]
-    else:
-        marks += contact_marks(ball, start.found)
-    return single(tuple(marks), _formula(start), _cited(start), _note(start))
+    *depths, last = _formula(start)
+    theirs = _push(ball, start.face, Role.SOURCE, "the source: a face") if start.over and start.face.gap < 0.0 else []
+    there = ball.position - start.found.normal * start.found.gap
+    steps = (
+        one_step("a ball inside the material", [*ring_marks(ring), *ball_marks(ball.position, ball.radius)]),
+        one_step("the depths", [], depths),
+        one_step("the source: always a face", theirs),
+        one_step("here: the nearest side", _put_by_physics(start), [last], Prediction("new position", None, there)),
+    )
+    return in_steps(steps, _cited(start), _note(start))
+
+
+def _put_by_physics(start: _BallInside) -> list[Mark]:
+    """Where the physics puts the ball; the contact, for a ball that is left where it is."""
+    ball = start.ball
+    if not start.step.freed:
+        return list(contact_marks(ball, start.found))
+    position = start.step.arena.balls[0].position
+    if length(position - ball.position + start.found.normal * start.found.gap) < 1e-9:
+        return _push(ball, start.found, Role.OURS, "here: the nearest side")
+    return [
+        Circle(position, ball.radius, Role.OURS, Toggle.SWEPT, Stroke.THICK),
+        Line((ball.position, position), Role.OURS),
+    ]
 
 
 def _push(ball: Ball, side: Contact, role: Role, words: str) -> list[Mark]:
@@ -98,7 +120,7 @@ def _formula(start: _BallInside) -> tuple[str, ...]:
     """The depths, and the least of them."""
     ring, p, r = start.ring, start.ball.position, start.ball.radius
     if not start.inside:
-        return ("the centre is not in the material:", f"gap = {start.found.gap:.3f},   n = {two_decimals(start.found.normal)}")
+        return ("the centre is not in the material", f"gap = {start.found.gap:.3f},   n = {two_decimals(start.found.normal)}")
     offset = ring.half_angle - min_difference(angle_of(p), ring.angle(0))
     end = f"{length(p) * math.sin(offset):.3f}" if offset < math.pi / 2.0 else "out of reach"
     return (

@@ -1,9 +1,10 @@
 """Collision response: the velocity after a bounce."""
 
-from game.lab.scenes.response import axis_slip, carried, friction, response_paddle, response_wall, stopped_dead
+from game.lab.scenes.response import axis_slip, carried, friction, moving_surface, response_paddle, response_wall, stopped_dead
 
 SCENES = (
     response_wall.SCENE,
+    moving_surface.SCENE,
     response_paddle.SCENE,
     friction.SCENE,
     axis_slip.SCENE,

@@ -7,7 +7,7 @@ from game.lab.kit.bounce import Bounce, bounce, response_line
 from game.lab.kit.cited_line import CitedLine, source_line
 from game.lab.kit.marks import VELOCITY_SCALE, ring_marks, two_decimals
 from game.lab.kit.parameters import Given, Number
-from game.lab.kit.picture import Arrow, Disc, Mark, Pane, Picture, Role, Toggle
+from game.lab.kit.picture import Arrow, Disc, Mark, Pane, Picture, RevealStep, Role, Toggle, in_steps
 from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import Ball, Ring, contact, length, to_cartesian
 
@@ -61,24 +61,24 @@ def _two_readings(given: Given) -> _TwoReadings:
 def _picture(given: Given) -> Picture:
     """The literal reading at the left, the plane at the right, both from above."""
     both = _two_readings(given)
-    literal = complex(both.three.x, both.three.z)
-    panes = (
-        Pane(_marks(both, literal, Role.SOURCE), f"read literally:   height component v_y = {both.three.y:.2f}"),
-        Pane(_marks(both, both.found.steps.velocity, Role.GOOD), "here: both in the ground's plane"),
-    )
-    return Picture(panes, _formula(both), _cited(both), _note(both))
-
-
-def _marks(both: _TwoReadings, after: complex, role: Role) -> tuple[Mark, ...]:
-    """The wall, the ball, its normal, and its velocity before and after."""
-    p, found = both.ball.position, both.found
-    return (
+    p, found, literal = both.ball.position, both.found, complex(both.three.x, both.three.z)
+    panes = (Pane((), "the source, read literally"), Pane((), "here: both in the ground's plane"))
+    situation: tuple[Mark, ...] = (
         *ring_marks(both.ring),
         Disc(p, _BALL_RADIUS, Role.BALL),
         Arrow(p, found.normal * 1.2, Role.OURS, Toggle.NORMALS, label="n"),
         Arrow(p, found.v * VELOCITY_SCALE, Role.PLAIN, label="v before"),
-        Arrow(p, after * VELOCITY_SCALE, role, label="v after"),
     )
+    theirs = Arrow(p, literal * VELOCITY_SCALE, Role.SOURCE, label="v after")
+    ours = Arrow(p, found.steps.velocity * VELOCITY_SCALE, Role.GOOD, label="v after")
+    vectors, product, after, plane, mirrored = _formula(both)
+    steps = (
+        RevealStep("v and n, as the source writes them", (situation, situation), (vectors,)),
+        RevealStep("v · n by these components", ((), ()), (product,)),
+        RevealStep("v after, read literally", ((theirs,), ()), (after,)),
+        RevealStep("v after, in the plane", ((), (ours,)), (plane, mirrored)),
+    )
+    return in_steps(steps, _cited(both), _note(both), panes)
 
 
 def _formula(both: _TwoReadings) -> tuple[str, ...]:
@@ -87,7 +87,7 @@ def _formula(both: _TwoReadings) -> tuple[str, ...]:
     return (
         f"the source:   v = ({v.real:.2f}, 0, {v.imag:.2f}),   n = ({n.real:.2f}, {n.imag:.2f}, 0)",
         f"v · n = v_x n_x = {both.literal_approach + 0.0:.2f}",
-        f"v after = ({three.x:.2f}, {three.y + 0.0:.2f}, {three.z:.2f})",
+        f"v after = ({three.x:.2f}, {three.y + 0.0:.2f}, {three.z:.2f}),   its height: {three.y + 0.0:.2f}",
         f"here:   v = {two_decimals(v)},   n = {two_decimals(n)},   v · n = {both.found.approach:.2f}",
         f"v after = v - 2 (v · n) n = {two_decimals(both.found.steps.result)}",
     )
@@ -150,7 +150,7 @@ SCENE = LabScene(
         ),
         handles.on_circle("theta", lambda _: _RADIUS, "wall"),
     ),
-    view_box=ViewBox(0j, 5.4 + 5.4j),
+    view_box=ViewBox(0j, 4.7 + 4.7j),
     shows=_picture,
     check=_check,
     rows=(12,),

@@ -8,7 +8,7 @@ from game.lab.kit.bounce import Bounce, bounce
 from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import VELOCITY_SCALE, ring_marks, two_decimals
 from game.lab.kit.parameters import Given, Number
-from game.lab.kit.picture import Arrow, Disc, Mark, Pane, Picture, Role, Stroke, Toggle
+from game.lab.kit.picture import Arrow, Disc, Mark, Pane, Picture, RevealStep, Role, Stroke, Toggle, in_steps
 from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import Ball, Ring, contact, dot, length, response_steps, to_cartesian
 
@@ -42,28 +42,30 @@ def _friction_bounces(given: Given) -> _FrictionBounces:
 def _picture(given: Given) -> Picture:
     """Three times the same bounce, each with another friction."""
     ball, ring, bounces = _friction_bounces(given)
-    panes = tuple([Pane(_marks(ball, ring, found), f"μ_p = {found.friction:g}") for found in bounces])
-    return Picture(panes, _formula(bounces), _cited(bounces[0]), _note(bounces[0]))
-
-
-def _marks(ball: Ball, ring: Ring, found: Bounce) -> tuple[Mark, ...]:
-    """The paddle, the ball, the normal, the velocity before and after, and the change by friction."""
-    p, steps = ball.position, found.steps
-    arrows = (
-        (_TOP, found.surface_velocity, Role.TWO, "v_p", Stroke.THICK),
-        (p, found.v, Role.PLAIN, "v before", Stroke.THICK),
-        (p + found.v * VELOCITY_SCALE, steps.tangential_change, Role.FOUR, "Δv'_t", Stroke.SOLID),
-        (p, steps.velocity, Role.GOOD, "v after", Stroke.THICK),
-    )
-    return (
+    panes = tuple([Pane((), f"μ_p = {found.friction:g}") for found in bounces])
+    p = ball.position
+    situation: tuple[Mark, ...] = (
         *ring_marks(ring),
         Disc(p, ball.radius, Role.BALL),
-        Arrow(_TOP, found.normal * _NORMAL_LENGTH, Role.OURS, Toggle.NORMALS, Stroke.SOLID, "n"),
-        *[
-            Arrow(start, velocity * VELOCITY_SCALE, role, None, stroke, label)
-            for start, velocity, role, label, stroke in arrows
-        ],
+        Arrow(_TOP, bounces[0].normal * _NORMAL_LENGTH, Role.OURS, Toggle.NORMALS, Stroke.SOLID, "n"),
     )
+    before = (_arrow(_TOP, bounces[0].surface_velocity, Role.TWO, "v_p"), _arrow(p, bounces[0].v, Role.PLAIN, "v before"))
+    tip = p + bounces[0].v * VELOCITY_SCALE
+    changes = [(_arrow(tip, found.steps.tangential_change, Role.FOUR, "Δv'_t", Stroke.SOLID),) for found in bounces]
+    after = [(_arrow(p, found.steps.velocity, Role.GOOD, "v after"),) for found in bounces]
+    lines = _formula(bounces)
+    steps = (
+        RevealStep("the same bounce three times", (situation,) * 3),
+        RevealStep("v and v_p", (before,) * 3, lines[:2]),
+        RevealStep("Δv'_t, the friction", tuple(changes), lines[2:3]),
+        RevealStep("v after the bounce", tuple(after), lines[3:]),
+    )
+    return in_steps(steps, _cited(bounces[0]), _note(bounces[0]), panes)
+
+
+def _arrow(start: complex, velocity: complex, role: Role, label: str, stroke: Stroke = Stroke.THICK) -> Arrow:
+    """A velocity."""
+    return Arrow(start, velocity * VELOCITY_SCALE, role, None, stroke, label)
 
 
 def _formula(bounces: tuple[Bounce, ...]) -> tuple[str, ...]:

@@ -5,14 +5,17 @@ from typing import NamedTuple
 
 from game.lab.kit import handles
 from game.lab.kit.bounce import Bounce, bounce, response_line
-from game.lab.kit.marks import VELOCITY_SCALE, ball_marks, contact_marks, ring_marks, second_opinion, two_decimals
+from game.lab.kit.marks import ball_marks, contact_marks, ring_marks, second_opinion, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arrow, Mark, Picture, Role, Stroke, single
+from game.lab.kit.picture import Picture, in_steps, one_step, with_more_marks
+from game.lab.kit.response_reveal import DrawnBounce, response_reveal
 from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import Ball, Contact, Ring, collision_response, contact, dot, length, to_cartesian
 
 _RADIUS, _HALF_WIDTH, _HALF_ANGLE = 9.0, 0.5, 0.35
 _BALL_RADIUS = 0.5
+_SCALE = 0.28
+"""World units drawn per unit of speed."""
 
 
 class _PaddleBounce(NamedTuple):
@@ -49,38 +52,12 @@ def _start(given: Given) -> complex:
 def _picture(given: Given) -> Picture:
     """The velocity before, its two parts relative to the paddle, and the velocity after."""
     ball, ring, touch, found = _paddle_bounce(given)
-    p, steps = ball.position, found.steps
-    marks: list[Mark] = [*ring_marks(ring), *ball_marks(p, _BALL_RADIUS), *contact_marks(ball, touch)]
-    marks += [
-        _arrow(touch.point, found.surface_velocity, Role.TWO, "v_p"),
-        _arrow(p, steps.normal_part, Role.THREE, "Δv_n", Stroke.DASHED),
-        _arrow(p, steps.tangential_part, Role.FOUR, "Δv_t", Stroke.DASHED),
-        _arrow(p, found.v, Role.PLAIN, "v before"),
-        _arrow(p, steps.velocity, Role.GOOD, "v after"),
-    ]
-    marks += second_opinion(given, ball, ring, (0,), touch)
-    return single(tuple(marks), _formula(found), response_line(found), _note(found))
-
-
-def _arrow(start: complex, velocity: complex, role: Role, label: str, stroke: Stroke = Stroke.THICK) -> Arrow:
-    """A velocity."""
-    return Arrow(start, velocity * VELOCITY_SCALE, role, None, stroke, label)
-
-
-def _formula(found: Bounce) -> tuple[str, ...]:
-    """The source's four equations."""
-    steps, mu = found.steps, found.friction
-    normal, tangential = length(steps.normal_part), length(steps.tangential_part)
-    compared = f"Δv = v - v_p = {two_decimals(steps.relative)},   Δv · n = {found.approach:.2f}"
-    if found.separates:
-        return (compared, "Δv · n is not below 0: they separate, nothing happens")
-    return (
-        compared,
-        f"Δv'_n = -2 Δv_n,   |Δv_n| = {normal:.2f}",
-        f"Δv'_t = -μ min(|Δv_n|, |Δv_t|) Δv_t / |Δv_t|,   |Δv'_t| = {mu:g} · {min(normal, tangential):.2f}",
-        f"v_res = v + Δv'_n + Δv'_t = {two_decimals(steps.result)},   |v_res| = {length(steps.result):.2f}",
-        f"v := v_0 v_res / |v_res| = {two_decimals(steps.velocity)},   v_0 = {found.speed:g}",
-    )
+    situation = [*ring_marks(ring), *ball_marks(ball.position, _BALL_RADIUS), *contact_marks(ball, touch)]
+    line = f"n = {two_decimals(found.normal)},   μ_p = {found.friction:g}"
+    drawn = DrawnBounce(found, ball.position, touch.point, _SCALE)
+    steps = [one_step("the ball touches a paddle", situation, [line]), *response_reveal(drawn, "v_p = ω × q")]
+    steps[-1] = with_more_marks(steps[-1], second_opinion(given, ball, ring, (0,), touch))
+    return in_steps(steps, response_line(found), _note(found))
 
 
 def _note(found: Bounce) -> str:
@@ -135,10 +112,10 @@ SCENE = LabScene(
         Number("mu", "μ_p", "", 0.0, 1.0, 0.5, 0.01, "friction"),
     ),
     handles=(
-        handles.polar_vector("speed", "heading", _start, VELOCITY_SCALE, "velocity"),
+        handles.polar_vector("speed", "heading", _start, _SCALE, "velocity")._replace(step=2),
         handles.Handle("ball", _start, lambda _given, position: {"ball": position}, lambda _given: _BALL_RADIUS),
     ),
-    view_box=ViewBox(0.0 + 7.6j, 5.2 + 3.6j),
+    view_box=ViewBox(0.4 + 7.3j, 5.4 + 4.4j),
     shows=_picture,
     check=_check,
     rows=(4, 5, 10),

@@ -7,7 +7,6 @@ from game.lab.kit import handles
 from game.lab.kit.bounce import Bounce, bounce
 from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import (
-    VELOCITY_SCALE,
     angle_between,
     ball_marks,
     contact_marks,
@@ -16,12 +15,15 @@ from game.lab.kit.marks import (
     two_decimals,
 )
 from game.lab.kit.parameters import Given, Number
-from game.lab.kit.picture import Arrow, Line, Mark, Picture, Role, Stroke, Toggle, single
+from game.lab.kit.picture import Arrow, Line, Mark, Picture, Role, Stroke, Toggle, in_steps, one_step, with_more_marks
+from game.lab.kit.response_reveal import DrawnBounce, response_reveal
 from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import Ball, Contact, Ring, collision_response, contact, cross, dot, length, response_steps, to_cartesian, to_polar
 
 _RADIUS, _HALF_WIDTH, _HALF_ANGLE = 6.0, 0.6, 0.7
 _BALL_RADIUS = 0.5
+_SCALE = 0.34
+"""World units drawn per unit of speed."""
 
 
 class _WallBounce(NamedTuple):
@@ -52,31 +54,18 @@ def _picture(given: Given) -> Picture:
     """The flight to the wall and from it, and the mirrored one that a smooth wall would give."""
     ball, ring, touch, found = _wall_bounce(given)
     p, v = ball.position, ball.velocity
-    marks: list[Mark] = [*ring_marks(ring), *ball_marks(p, _BALL_RADIUS), *contact_marks(ball, touch)]
-    marks.append(Line((p - v * VELOCITY_SCALE, p), Role.PLAIN, Toggle.SWEPT, Stroke.DASHED))
+    situation: list[Mark] = [*ring_marks(ring), *ball_marks(p, _BALL_RADIUS), *contact_marks(ball, touch)]
+    situation.append(Line((p - v * _SCALE, p), Role.PLAIN, Toggle.SWEPT, Stroke.DASHED))
+    line = f"n = {two_decimals(found.normal)},   μ_p = {found.friction:g}"
+    first = one_step("the ball touches a wall at rest", situation, [line])
+    steps = [first, *response_reveal(DrawnBounce(found, p, touch.point, _SCALE), "the wall is at rest:   v_p")]
     if not found.separates:
-        mirrored = v + found.steps.normal_change
-        marks.append(Arrow(p, mirrored * VELOCITY_SCALE, Role.FAINT, None, Stroke.DASHED, "mirrored"))
-    marks.append(Arrow(p, v * VELOCITY_SCALE, Role.PLAIN, None, Stroke.THICK, "v before"))
-    marks.append(Arrow(p, found.steps.velocity * VELOCITY_SCALE, Role.GOOD, None, Stroke.THICK, "v after"))
-    marks += second_opinion(given, ball, ring, (0,), touch)
-    return single(tuple(marks), _formula(found), _cited(found), _note(found))
-
-
-def _formula(found: Bounce) -> tuple[str, ...]:
-    """The equations with v_p = 0."""
-    steps = found.steps
-    compared = f"v_p = 0, so Δv = v = {two_decimals(found.v)},   Δv · n = {found.approach:.2f}"
-    if found.separates:
-        return (compared, "Δv · n is not below 0: they separate, nothing happens")
-    normal, tangential = length(steps.normal_part), length(steps.tangential_part)
-    taken = length(steps.tangential_change)
-    return (
-        compared,
-        f"|Δv_n| = {normal:.2f},   |Δv_t| = {tangential:.2f},   μ min(|Δv_n|, |Δv_t|) = {taken:.2f}",
-        f"v := v_0 v_res / |v_res| = {two_decimals(steps.velocity)}",
-        f"to the normal:   in {angle_between(-found.v, found.normal)},   out {angle_between(steps.velocity, found.normal)}",
-    )
+        mirrored = (v + found.steps.normal_change) * _SCALE
+        angles = f"in {angle_between(-v, found.normal)},   out {angle_between(found.steps.velocity, found.normal)}"
+        mirror = Arrow(p, mirrored, Role.FAINT, None, Stroke.DASHED, "mirrored")
+        steps.append(one_step("beside a mirror", [mirror], [f"to the normal:   {angles}"]))
+    steps[-1] = with_more_marks(steps[-1], second_opinion(given, ball, ring, (0,), touch))
+    return in_steps(steps, _cited(found), _note(found))
 
 
 def _cited(found: Bounce) -> CitedLine:
@@ -127,7 +116,7 @@ SCENE = LabScene(
         Number("mu", "μ_p", "", 0.0, 1.0, 0.3, 0.01, "friction"),
     ),
     handles=(
-        handles.polar_vector("speed", "heading", _start, VELOCITY_SCALE, "velocity"),
+        handles.polar_vector("speed", "heading", _start, _SCALE, "velocity")._replace(step=2),
         handles.Handle(
             "ball",
             _start,
@@ -135,7 +124,7 @@ SCENE = LabScene(
             lambda _: _BALL_RADIUS,
         ),
     ),
-    view_box=ViewBox(0.4 + 7.2j, 5.4 + 3.4j),
+    view_box=ViewBox(1.8 + 7.4j, 5.0 + 3.3j),
     shows=_picture,
     check=_check,
     presets=(

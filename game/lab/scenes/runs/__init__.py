@@ -1,6 +1,16 @@
 """Scenes that run: whole flights, tick by tick."""
 
-from game.lab.scenes.runs import discrete_swept, falling_stack, free_run, game_over_once, nudge, source_game, squeezed, symmetry
+from game.lab.scenes.runs import (
+    discrete_swept,
+    falling_stack,
+    free_run,
+    game_over_once,
+    nudge,
+    own_arena,
+    source_game,
+    squeezed,
+    symmetry,
+)
 
 SCENES = (
     discrete_swept.SCENE,
@@ -11,5 +21,6 @@ SCENES = (
     free_run.SCENE,
     game_over_once.SCENE,
     nudge.SCENE,
+    own_arena.SCENE,
 )
 """In the order of the lab's list."""

@@ -8,7 +8,21 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import FEATURE_WORDS, ball_marks, contact_marks, ring_marks, second_opinion
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arc, Arrow, Circle, Line, Mark, Picture, PointMark, Role, Stroke, Toggle, single
+from game.lab.kit.picture import (
+    Arc,
+    Arrow,
+    Circle,
+    Line,
+    Mark,
+    Picture,
+    PointMark,
+    Prediction,
+    Role,
+    Stroke,
+    Toggle,
+    in_steps,
+    one_step,
+)
 from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import Ball, Contact, Feature, Impact, Ring, contact, cross, dot, length, time_of_impact, to_cartesian
 from physics.time_of_impact import first_impact
@@ -83,21 +97,40 @@ def _picture(given: Given) -> Picture:
     """The path, the roots on it, and the ball at the first touch."""
     flight = _flight_past(given)
     ball, ring, impact = flight.ball, flight.ring, flight.impact
-    marks: list[Mark] = [*ring_marks(ring), *_grown(ball.radius, ring)]
-    marks.append(Line((ball.position, ball.moved(flight.dt).position), Role.PLAIN, Toggle.SWEPT, Stroke.DASHED))
-    for root in flight.roots:
-        first = impact is not None and abs(root.time - impact.time) < 1e-9
-        role = Role.FAINT if not root.touches else Role.TWO
-        marks.append(
-            PointMark(root.position, Role.OURS if first else role, Toggle.SWEPT, f"{root.time:.3f}" if root.touches else "")
-        )
-    marks += ball_marks(ball.position, ball.radius)
-    marks.append(Arrow(ball.position, ball.velocity * _SCALE, Role.PLAIN, label="v"))
+    count, *equation, last = _formula(flight)
+    path = Line((ball.position, ball.moved(flight.dt).position), Role.PLAIN, Toggle.SWEPT, Stroke.DASHED)
+    touch: list[Mark] = []
     if impact is not None:
         there = ball.moved(impact.time)
-        marks += [Circle(there.position, ball.radius, Role.OURS, None, Stroke.THICK), *contact_marks(there, impact.contact)]
-        marks += second_opinion(given, there, ring, (0,), impact.contact)
-    return single(tuple(marks), _formula(flight), _cited(flight), _note(flight))
+        touch += [Circle(there.position, ball.radius, Role.OURS, None, Stroke.THICK), *contact_marks(there, impact.contact)]
+        touch += second_opinion(given, there, ring, (0,), impact.contact)
+    steps = (
+        one_step(
+            "a ball and a sector at rest",
+            [
+                *ring_marks(ring),
+                *ball_marks(ball.position, ball.radius),
+                Arrow(ball.position, ball.velocity * _SCALE, Role.PLAIN, label="v"),
+            ],
+        ),
+        one_step("the path, and the sector grown by r", [path, *_grown(ball.radius, ring)]),
+        one_step("where they meet", [_root_mark(root, impact) for root in flight.roots], [count]),
+        one_step(
+            "the first touch",
+            touch,
+            [*equation, last],
+            None if impact is None else Prediction("position at the touch", None, ball.moved(impact.time).position),
+        ),
+    )
+    return in_steps(steps, _cited(flight), _note(flight))
+
+
+def _root_mark(root: _Root, impact: Impact | None) -> PointMark:
+    """Where the path meets one part of the grown outline, with the time where that is on the sector."""
+    first = impact is not None and abs(root.time - impact.time) < 1e-9
+    role = Role.TWO if root.touches else Role.FAINT
+    label = f"{root.time:.3f}" if root.touches else ""
+    return PointMark(root.position, Role.OURS if first else role, Toggle.SWEPT, label)
 
 
 def _grown(r: float, ring: Ring) -> list[Mark]:

@@ -7,7 +7,21 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import ball_marks, contact_marks, ghost_marks
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import AnnularSector, Arrow, Circle, Line, Mark, Picture, PointMark, Role, Stroke, Toggle, single
+from game.lab.kit.picture import (
+    AnnularSector,
+    Arrow,
+    Circle,
+    Line,
+    Mark,
+    Picture,
+    PointMark,
+    Prediction,
+    Role,
+    Stroke,
+    Toggle,
+    in_steps,
+    one_step,
+)
 from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import (
     Ball,
@@ -97,22 +111,45 @@ def _picture(given: Given) -> Picture:
     """The ball and the end at every step of the search."""
     search = _search(given)
     ball, ring = search.ball, search.ring
-    marks: list[Mark] = [AnnularSector(ring.radius, ring.half_width, ring.phase, ring.half_angle, Role.OTHER, None, 0.5)]
-    marks.append(Line((ball.position, ball.moved(search.dt).position), Role.FAINT, Toggle.SWEPT, Stroke.DASHED))
-    for number, time in enumerate(search.times):
-        position = ball.moved(time).position
-        marks.append(Line(search.end(time), Role.SECTOR, Toggle.SWEPT, Stroke.THICK if number == 0 else Stroke.SOLID))
-        if number:
-            marks += ghost_marks(position, ball.radius, Toggle.SWEPT)
-            marks.append(PointMark(position, Role.PLAIN, Toggle.SWEPT, str(number) if number <= _NUMBERED else ""))
-    marks += ball_marks(ball.position, ball.radius)
-    marks.append(Arrow(ball.position, ball.velocity * _SCALE, Role.PLAIN, label="v"))
-    marks.append(_spin_arrow(ring))
+    bound, jerk, sizes, last = _formula(search)
+    situation: list[Mark] = [
+        AnnularSector(ring.radius, ring.half_width, ring.phase, ring.half_angle, Role.OTHER, None, 0.5),
+        Line((ball.position, ball.moved(search.dt).position), Role.FAINT, Toggle.SWEPT, Stroke.DASHED),
+        Line(search.end(0.0), Role.SECTOR, Toggle.SWEPT, Stroke.THICK),
+        *ball_marks(ball.position, ball.radius),
+        Arrow(ball.position, ball.velocity * _SCALE, Role.PLAIN, label="v"),
+        _spin_arrow(ring),
+    ]
+    touch: list[Mark] = []
     if search.touch is not None:
         there = ball.moved(search.touch)
-        marks.append(Circle(there.position, ball.radius, Role.OURS, None, Stroke.THICK))
-        marks += contact_marks(there, search.contact(search.touch))
-    return single(tuple(marks), _formula(search), _cited(search), _note(search))
+        touch = [
+            Circle(there.position, ball.radius, Role.OURS, None, Stroke.THICK),
+            *contact_marks(there, search.contact(search.touch)),
+        ]
+    steps = (
+        one_step("a ball and a turning end", situation),
+        one_step("how far a step is safe", [], [bound, jerk]),
+        one_step("step by step nearer", _step_marks(search), [sizes]),
+        one_step(
+            "the touch",
+            touch,
+            [last],
+            None if search.touch is None else Prediction("position at the touch", None, ball.moved(search.touch).position),
+        ),
+    )
+    return in_steps(steps, _cited(search), _note(search))
+
+
+def _step_marks(search: _Search) -> list[Mark]:
+    """The ball and the end after every step of the search."""
+    marks: list[Mark] = []
+    for number, time in enumerate(search.times[1:], 1):
+        position = search.ball.moved(time).position
+        marks.append(Line(search.end(time), Role.SECTOR, Toggle.SWEPT, Stroke.SOLID))
+        marks += ghost_marks(position, search.ball.radius, Toggle.SWEPT)
+        marks.append(PointMark(position, Role.PLAIN, Toggle.SWEPT, str(number) if number <= _NUMBERED else ""))
+    return marks
 
 
 def _spin_arrow(ring: Ring) -> Arrow:

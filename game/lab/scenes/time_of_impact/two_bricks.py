@@ -9,7 +9,21 @@ from game.lab.kit import handles
 from game.lab.kit.cited_line import CitedLine, code_line, source_line
 from game.lab.kit.marks import ring_marks, two_decimals
 from game.lab.kit.parameters import Given, Number, Point
-from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Pane, Picture, PointMark, Role, Stroke, Toggle
+from game.lab.kit.picture import (
+    Arrow,
+    Circle,
+    Disc,
+    Line,
+    Mark,
+    Pane,
+    Picture,
+    PointMark,
+    RevealStep,
+    Role,
+    Stroke,
+    Toggle,
+    in_steps,
+)
 from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import PERMANENT, Arena, Ball, Hit, Ring, Step, advance, contact, dot, length, response_steps, time_of_impact
 from physics.source_mode import normal_at
@@ -60,17 +74,24 @@ def _picture(given: Given) -> Picture:
     """The source's path at the left, ours at the right."""
     notch = _notch(given)
     panes = (
-        Pane(_theirs(notch), f"the source: the nearest brick, {_RATE} tests a second"),
-        Pane(_ours(notch), "here: every brick, in the order of time"),
+        Pane((), f"the source: the nearest brick, {_RATE} tests a second"),
+        Pane((), "here: every brick, in the order of time"),
     )
-    return Picture(panes, _formula(notch), _cited(notch), _note(notch))
+    bricks, formula = ring_marks(notch.ring), _formula(notch)
+    ours = len(formula) - (1 if notch.tie else 0)
+    steps = (
+        RevealStep("a ball before a notch between two bricks", (bricks, bricks)),
+        RevealStep("the source, once a frame", (_theirs(notch), ()), formula[ours:]),
+        RevealStep("here, in the order of time", ((), _ours(notch)), formula[:ours]),
+    )
+    return in_steps(steps, _cited(notch), _note(notch), panes)
 
 
 def _theirs(notch: _Notch) -> tuple[Mark, ...]:
     """The source's ball, frame by frame."""
     ball, speed = notch.ball, length(notch.ball.velocity)
     flight, positions = source.SourceBall(ball.position, ball.velocity), [ball.position]
-    marks: list[Mark] = list(ring_marks(notch.ring))
+    marks: list[Mark] = []
     for _ in range(round(notch.dt * _RATE)):
         flight = source.frame(flight, ball.radius, (notch.ring,), 1.0 / _RATE, speed)
         positions.append(flight.position)
@@ -85,7 +106,7 @@ def _theirs(notch: _Notch) -> tuple[Mark, ...]:
 def _ours(notch: _Notch) -> tuple[Mark, ...]:
     """Our ball, bounce by bounce, the bounces numbered."""
     ball = notch.ball
-    marks: list[Mark] = list(ring_marks(notch.ring))
+    marks: list[Mark] = []
     positions = [ball.position]
     for number, hit in enumerate(notch.hits, 1):
         position = hit.contact.point + hit.contact.normal * ball.radius

@@ -26,6 +26,7 @@ def role_colour(theme: Theme, role: Role) -> Colour:
         Role.TWO: theme.layers[3],
         Role.THREE: theme.layers[1],
         Role.FOUR: theme.layers[5],
+        Role.GUESS: theme.trail,
     }[role]
 
 

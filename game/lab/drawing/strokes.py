@@ -12,6 +12,8 @@ from game.drawing.palette import Colour
 
 _CURVE = 9
 """A line through so many points is drawn as a curve."""
+_BESIDE, _WIDE = 0.5, 2.5
+"""Pixels: from one thin line of a wide one to the next, so that no gap shows; half of the width of one with a polygon."""
 _FAR = 1e6
 """Nothing is drawn farther out: coordinates beyond it overflow."""
 
@@ -60,7 +62,10 @@ def draw_dashed(surface: pygame.Surface, pixels: Sequence[complex], colour: Colo
 
 
 def draw_segment(surface: pygame.Surface, start: complex, end: complex, colour: Colour, width: float) -> None:
-    """A straight line of some width."""
+    """A straight line of some width: thin lines beside each other, and a polygon between them where it is wide.
+
+    The polygon has no smooth edge, so it ends a pixel within the line's.
+    """
     if not (is_near(start) and is_near(end)):
         return
     half = 0.5 + 0.5j
@@ -68,24 +73,37 @@ def draw_segment(surface: pygame.Surface, start: complex, end: complex, colour: 
     if width <= 1.5 or start == end:
         pygame.draw.aaline(surface, colour, (start.real, start.imag), (end.real, end.imag))
         return
-    side = (end - start) / abs(end - start) * 1j * (width - 1.0) / 2.0
-    corners = [start + side, end + side, end - side, start - side]
-    draw_polygon(surface, colour, [(corner.real + 0.5, corner.imag + 0.5) for corner in corners])
-    pygame.draw.aalines(surface, colour, True, [(corner.real, corner.imag) for corner in corners])
+    side, length = (end - start) / abs(end - start) * 1j, (width - 1.0) / 2.0
+    if length > _WIDE:
+        inner = side * (length - 1.0)
+        corners = [start + inner + half, end + inner + half, end - inner + half, start - inner + half]
+        draw_polygon(surface, colour, [(corner.real, corner.imag) for corner in corners])
+    for offset in _offsets(length):
+        a, b = start + side * offset, end + side * offset
+        pygame.draw.aaline(surface, colour, (a.real, a.imag), (b.real, b.imag))
+
+
+def _offsets(half: float) -> list[float]:
+    """How far thin lines lie from the middle of a line that is wider by twice so much."""
+    if half > _WIDE:
+        return [half, half - _BESIDE, _BESIDE - half, -half]
+    count = math.ceil(2.0 * half / _BESIDE)
+    return [half * (2.0 * k / count - 1.0) for k in range(count + 1)] if count else [0.0]
 
 
 def _draw_curve(surface: pygame.Surface, pixels: Sequence[complex], colour: Colour, width: float) -> None:
-    """A smooth line of many short pieces: its two sides, and what is between them."""
+    """A smooth line of many short pieces; see `draw_segment`."""
     points = np.array(pixels, dtype=np.complex128) - (0.5 + 0.5j)
     if not (np.abs(points.real).max() < _FAR and np.abs(points.imag).max() < _FAR):
         return
     along = np.gradient(points)
-    side = 1j * along / np.maximum(np.abs(along), 1e-9) * max(width - 1.0, 0.0) / 2.0
-    left, right = (_pairs(line) for line in (points + side, points - side))
-    if width > 1.5:
-        draw_polygon(surface, colour, left + right[::-1])
-        pygame.draw.aalines(surface, colour, False, right)
-    pygame.draw.aalines(surface, colour, False, left)
+    side = 1j * along / np.maximum(np.abs(along), 1e-9)
+    half = max(width - 1.0, 0.0) / 2.0
+    if half > _WIDE:
+        inner, corner = side * (half - 1.0), 0.5 + 0.5j  # polygons count pixels from their corners
+        draw_polygon(surface, colour, _pairs(points + inner + corner) + _pairs(points - inner + corner)[::-1])
+    for offset in _offsets(half):
+        pygame.draw.aalines(surface, colour, False, _pairs(points + side * offset))
 
 
 def _cut(corners: Sequence[Sequence[float]], row: int, sign: int) -> list[Sequence[float]]:

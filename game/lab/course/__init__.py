@@ -1,0 +1,1 @@
+"""The guided course: the scenes in the order of the slides, each with a question, and exercises whose goals are checked."""

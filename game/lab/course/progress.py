@@ -1,0 +1,34 @@
+"""Which tasks of the course are done, kept in the user's data folder from one session to the next."""
+
+from pathlib import Path
+
+import msgspec
+
+from game.kept.document import Document
+from game.kept.folder import data_folder
+
+VERSION = 1
+_NAME = "lab-progress.json"
+
+
+class CourseProgress(msgspec.Struct, frozen=True):
+    """The file. done: names of tasks."""
+
+    version: int = VERSION
+    done: frozenset[str] = frozenset()
+
+
+def course_progress(path: Path | None) -> Document[CourseProgress]:
+    """This session's hold on a file of progress; None keeps it in memory alone."""
+    return Document(path, CourseProgress, VERSION)
+
+
+def progress_path() -> Path | None:
+    """Where the progress is kept; None where the system knows no folder of the user's."""
+    folder = data_folder()
+    return None if folder is None else folder / _NAME
+
+
+def keep_done(file: Document[CourseProgress], done: frozenset[str]) -> None:
+    """Write down what is done now, beside what another process has written."""
+    file.update(lambda held: CourseProgress(VERSION, held.done | done))

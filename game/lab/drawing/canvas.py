@@ -1,0 +1,58 @@
+"""What a pane of the world is drawn with, and how the world lies on it."""
+
+import cmath
+import math
+from typing import NamedTuple
+
+import pygame
+
+from game.drawing.camera import Camera
+from game.drawing.palette import Theme
+from game.drawing.text import Type
+from game.lab.kit.picture import Toggle
+from game.lab.kit.scene import ViewBox
+
+_PIXELS_PER_CHORD = 3.0
+_MOST_CHORDS = 720
+
+
+class PaneCanvas(NamedTuple):
+    """Where and how one pane is drawn.
+
+    area: the pane's part of the surface. unit: pixels, the measure of lines and points. shown: the toggles that are on.
+    letters: size of words in the world, in units. focus: the part of the area that nothing lies over; None for all of it.
+    plates: whether words stand on plates, which a projector needs.
+    """
+
+    surface: pygame.Surface
+    area: pygame.Rect
+    camera: Camera
+    theme: Theme
+    type: Type
+    unit: float
+    shown: frozenset[Toggle]
+    letters: float = 0.95
+    focus: pygame.Rect | None = None
+    plates: bool = False
+
+    @property
+    def free(self) -> pygame.Rect:
+        """Where words can be read."""
+        return self.area if self.focus is None else self.focus
+
+    @property
+    def size(self) -> float:
+        """Size of words in the world, pixels."""
+        return self.unit * self.letters
+
+
+def camera_for(box: ViewBox, area: pygame.Rect) -> Camera:
+    """The camera that shows a part of the world in the middle of an area, as large as fits."""
+    scale = max(min(area.width / (2.0 * box.half.real), area.height / (2.0 * box.half.imag)), 1e-3)
+    return Camera(complex(*area.center) - box.centre.conjugate() * scale, scale)
+
+
+def arc_pixels(camera: Camera, centre: complex, radius: float, start: float, sweep: float) -> list[complex]:
+    """Pixels along an arc, close enough to look round. centre, radius: world units; start, sweep: radians."""
+    chords = min(max(math.ceil(abs(sweep) * radius * camera.scale / _PIXELS_PER_CHORD), 8), _MOST_CHORDS)
+    return [camera.project(centre + cmath.rect(radius, start + sweep * k / chords)) for k in range(chords + 1)]

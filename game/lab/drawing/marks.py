@@ -1,0 +1,163 @@
+"""The shapes that marks are drawn as, from back to front."""
+
+import math
+from collections.abc import Sequence
+
+import numpy as np
+
+from game.drawing.palette import Colour, mixed
+from game.lab.drawing.canvas import PaneCanvas, arc_pixels
+from game.lab.drawing.colours import role_colour
+from game.lab.drawing.labels import SHORTEST
+from game.lab.drawing.shapes import ColourGrid, FilledPolygon, PixelShape, Polyline, Round
+from game.lab.drawing.strokes import is_near
+from game.lab.kit.picture import (
+    AnnularSector,
+    Annulus,
+    Arc,
+    Arrow,
+    Circle,
+    Disc,
+    Field,
+    Line,
+    Mark,
+    PointMark,
+    Stroke,
+    Words,
+)
+
+_WIDTHS = {Stroke.SOLID: 0.1, Stroke.THICK: 0.2, Stroke.DASHED: 0.1}
+"""Of lines, in units."""
+_DASH = 0.5
+"""Length of a dash, in units."""
+_BALL_OPACITY = 0.235
+"""What a ball overlaps can be seen through it."""
+_POINT = 0.24
+"""Radius of a point, in units."""
+_EDGE, _LEAST_EDGE = 0.12, 2.0
+"""Width of a sector's outline, in units, and at least, pixels."""
+_LARGE = 8e3
+"""Pixels: of a circle with a larger radius only the part in sight is drawn, as an arc."""
+_LARGEST = 1e6
+"""Pixels: a filled circle of a larger radius is not drawn."""
+_MOST_CELLS = 16384
+"""Pixels: a field drawn wider or higher is left out."""
+
+
+def shapes_of(canvas: PaneCanvas, marks: Sequence[Mark]) -> list[PixelShape]:
+    """The shapes of every mark whose toggle is on, without its words."""
+    return [shape for mark in marks if mark.toggle is None or mark.toggle in canvas.shown for shape in _shapes(canvas, mark)]
+
+
+def _shapes(canvas: PaneCanvas, mark: Mark) -> list[PixelShape]:  # noqa: C901, PLR0911  # a table of all kinds of marks
+    """The shapes of one mark."""
+    project = canvas.camera.project
+    colour = canvas.theme.text if isinstance(mark, Field) else role_colour(canvas.theme, mark.role)
+    match mark:
+        case Disc():
+            return _ball(canvas, mark, colour)
+        case Circle(centre, radius):
+            return [_circle(canvas, centre, radius, colour, mark.stroke)]
+        case AnnularSector():
+            return _sector(canvas, mark, colour)
+        case Annulus():
+            return _annulus(canvas, mark, colour)
+        case Line(points):
+            return [_stroke(canvas, [project(point) for point in points], colour, mark.stroke)]
+        case Arrow():
+            return _arrow(canvas, mark, colour)
+        case PointMark(position):
+            return [Round(project(position), canvas.unit * _POINT, colour)]
+        case Arc(centre, radius, start, sweep):
+            return [_stroke(canvas, arc_pixels(canvas.camera, centre, radius, start, sweep), colour, mark.stroke)]
+        case Field():
+            return _field(canvas, mark)
+        case Words():
+            return []
+
+
+def _stroke(canvas: PaneCanvas, pixels: Sequence[complex], colour: Colour, stroke: Stroke) -> Polyline:
+    """A line through pixels."""
+    dash = canvas.unit * _DASH if stroke is Stroke.DASHED else 0.0
+    return Polyline(tuple(pixels), colour, canvas.unit * _WIDTHS[stroke], dash)
+
+
+def _circle(canvas: PaneCanvas, centre: complex, radius: float, colour: Colour, stroke: Stroke) -> PixelShape:
+    """The line of a circle. centre, radius: world units."""
+    pixels, middle = radius * canvas.camera.scale, canvas.camera.project(centre)
+    if stroke is Stroke.DASHED or not (is_near(middle) and pixels < _LARGE):
+        return _stroke(canvas, arc_pixels(canvas.camera, centre, radius, 0.0, math.tau), colour, stroke)
+    return Round(middle, pixels, colour, max(round(canvas.unit * _WIDTHS[stroke]), 1))
+
+
+def _ball(canvas: PaneCanvas, mark: Disc, colour: Colour) -> list[PixelShape]:
+    """A translucent disc with a line around it."""
+    centre, radius = canvas.camera.project(mark.centre), mark.radius * canvas.camera.scale
+    if not is_near(centre) or not 1.0 <= radius < _LARGEST:
+        return []
+    line = _circle(canvas, mark.centre, mark.radius, colour, Stroke.SOLID)
+    return [Round(centre, radius, colour, 0.0, _BALL_OPACITY), line]
+
+
+def _sector(canvas: PaneCanvas, mark: AnnularSector, colour: Colour) -> list[PixelShape]:
+    """A filled sector with a line around it."""
+    inner, outer = max(mark.radius - mark.half_width, 0.0), mark.radius + mark.half_width
+    outer_arc = arc_pixels(canvas.camera, 0j, outer, mark.angle - mark.half_angle, 2.0 * mark.half_angle)
+    inner_arc = arc_pixels(canvas.camera, 0j, inner, mark.angle + mark.half_angle, -2.0 * mark.half_angle)
+    fill = mixed(canvas.theme.ground, colour, mark.opacity)
+    edge = mixed(canvas.theme.ground, mixed(colour, canvas.theme.text, 0.45), mark.opacity)
+    outline = [pixel for pixel in outer_arc + inner_arc if is_near(pixel)]
+    if len(outline) < 3:
+        return []
+    width = max(canvas.unit * _EDGE, _LEAST_EDGE)
+    shapes: list[PixelShape] = [FilledPolygon(tuple(_inset(canvas, mark, width / 4.0)), fill)]
+    if mark.half_angle >= math.pi:
+        return shapes + [_circle(canvas, 0j, radius, edge, Stroke.SOLID) for radius in (inner, outer)]
+    ends = ((outer_arc[-1], inner_arc[0]), (inner_arc[-1], outer_arc[0]))
+    return shapes + [Polyline(tuple(pixels), edge, width) for pixels in (outer_arc, inner_arc, *ends)]
+
+
+def _inset(canvas: PaneCanvas, mark: AnnularSector, pixels: float) -> list[complex]:
+    """A sector's outline, its arcs moved inwards: a filled polygon has no smooth edge, so its line's must cover it."""
+    half_width = max(mark.half_width - pixels / canvas.camera.scale, 0.5 * mark.half_width)
+    inner, outer = max(mark.radius - half_width, 0.0), mark.radius + half_width
+    there = arc_pixels(canvas.camera, 0j, outer, mark.angle - mark.half_angle, 2.0 * mark.half_angle)
+    back = arc_pixels(canvas.camera, 0j, inner, mark.angle + mark.half_angle, -2.0 * mark.half_angle)
+    return [pixel for pixel in there + back if is_near(pixel)]
+
+
+def _annulus(canvas: PaneCanvas, mark: Annulus, colour: Colour) -> list[PixelShape]:
+    """A faint ring with its two circles."""
+    scale, centre = canvas.camera.scale, canvas.camera.project(0j)
+    shapes: list[PixelShape] = []
+    if mark.outer * scale < _LARGEST:
+        fill = mixed(canvas.theme.ground, colour, mark.opacity)
+        width = 0.0 if mark.inner <= 0.0 else max((mark.outer - mark.inner) * scale, 1.0)
+        shapes.append(Round(centre, mark.outer * scale - width / 2.0, fill, width))
+    edge = mixed(canvas.theme.ground, colour, min(2.2 * mark.opacity, 1.0))
+    return shapes + [_circle(canvas, 0j, radius, edge, Stroke.SOLID) for radius in (mark.inner, mark.outer) if radius > 0.0]
+
+
+def _arrow(canvas: PaneCanvas, mark: Arrow, colour: Colour) -> list[PixelShape]:
+    """A vector with its head; nothing for the vector 0."""
+    start, tip = canvas.camera.project(mark.start), canvas.camera.project(mark.start + mark.vector)
+    length = abs(tip - start)
+    if length < SHORTEST or not (is_near(start) and is_near(tip)):
+        return []
+    along = (tip - start) / length
+    head = min(canvas.unit * (0.75 if mark.stroke is Stroke.SOLID else 0.95), length * 0.7)
+    corners = (tip, tip - along * head + along * 0.38j * head, tip - along * head - along * 0.38j * head)
+    return [_stroke(canvas, [start, tip - along * head * 0.8], colour, mark.stroke), FilledPolygon(corners, colour)]
+
+
+def _field(canvas: PaneCanvas, mark: Field) -> list[PixelShape]:
+    """Cells in two colours, fading to the ground's where the number is 0."""
+    theme = canvas.theme
+    share = np.nan_to_num(np.clip(mark.values / mark.span, -1.0, 1.0))[:, ::-1, None]
+    ground = np.array(theme.ground, dtype=np.float64)
+    above, below = (np.array(colour, dtype=np.float64) for colour in (theme.layers[0], theme.danger))
+    rgb = ground + (above - ground) * np.clip(share, 0.0, 1.0) * 0.8 + (below - ground) * np.clip(-share, 0.0, 1.0) * 0.8
+    upper_left = canvas.camera.project(complex(mark.lower.real, mark.upper.imag))
+    lower_right = canvas.camera.project(complex(mark.upper.real, mark.lower.imag))
+    size = (max(round(lower_right.real - upper_left.real), 1), max(round(lower_right.imag - upper_left.imag), 1))
+    return [ColourGrid(upper_left, size, rgb.astype(np.uint8))] if max(size) < _MOST_CELLS else []

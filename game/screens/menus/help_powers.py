@@ -1,0 +1,59 @@
+"""The part of the help about what drops out of bricks: every power-up's sign, and what it does."""
+
+import pygame
+
+from game.drawing.arcade.icons import PowerIcons
+from game.drawing.canvas import Canvas
+from game.effects.pops import POWER_NAMES
+from game.language import tr
+from game.rules import HARMFUL, LASTING, TICK, PowerUp
+from game.screens.toolkit.items import Drawing, Item, Text
+from game.screens.toolkit.layout import Row
+
+_SIGN = 0.16
+"""Width of a sign's column, in comparison with the words'."""
+_ROW, _ICON = 2.9, 0.95
+"""Height of a row and radius of an icon, units of text."""
+_icons = PowerIcons()
+
+
+def power_rows() -> tuple[Row, ...]:
+    """All power-ups, two in a row."""
+    cells = [_cell(kind) for kind in PowerUp]
+    rows: list[Row] = [
+        (*left, *right)
+        for left, right in zip(cells[::2], [*cells[1::2], (Text("", width_share=_SIGN), Text(""))], strict=False)
+    ]
+    caught = tr("A broken brick may leave one. It drifts outward; catch it with a paddle before it leaves the circle.")
+    harmful = tr("Signs with prickles are better not caught.")
+    return ((Text(f"{caught} {harmful}", 1.1),), (Text("", 0.4),), *rows)
+
+
+def _cell(kind: PowerUp) -> tuple[Item, Item]:
+    """A sign, and what it does."""
+    words, seconds = _first_upper(tr(POWER_NAMES[kind])), LASTING.get(kind, 0) * TICK
+    if seconds:
+        words = tr("{power} for {seconds:.0f} s").format(power=words, seconds=seconds)
+    if kind in _meanings():
+        words = f"{words}: {_meanings()[kind]}"
+
+    def paint(canvas: Canvas, box: pygame.Rect) -> None:
+        pixel = complex(box.centerx, box.top + canvas.unit * 1.1)
+        _icons.draw(canvas.surface, kind, pixel, canvas.unit * _ICON, canvas.theme)
+
+    return Drawing(_ROW, paint, width_share=_SIGN), Text(words, 1.0, faint=kind in HARMFUL)
+
+
+def _first_upper(words: str) -> str:
+    """Words that begin a sentence."""
+    return words[:1].upper() + words[1:]
+
+
+def _meanings() -> dict[PowerUp, str]:
+    """What those do whose names do not say it."""
+    return {
+        PowerUp.MULTI_BALL: tr("two more balls; a life is lost with the last."),
+        PowerUp.STICKY: tr("a paddle holds the ball; serve lets it go."),
+        PowerUp.SHIELD: tr("a ring at the rim returns one ball."),
+        PowerUp.PIERCE: tr("it breaks them and flies on."),
+    }
