@@ -100,7 +100,7 @@ class FocusLost:
 Signal = Pressed | Released | KeyboardState | Moved | Clicked | Dragged | Zoomed | Pointed | Squeezed | PadChanged | FocusLost
 """Every kind is a class of its own, and a dataclass equals only its own class: no two kinds compare equal."""
 
-PAD_POSITIONS, POSITIONSPOSITIONS_PER_PAD = 1 << 10, 64
+PAD_POSITIONS, POSITIONS_PER_PAD = 1 << 10, 64
 """Positions from the first on are of gamepads: above every scancode, so many for each gamepad."""
 STICK = 32
 """The first of a gamepad's positions that is of its stick and not of a button."""
@@ -110,7 +110,7 @@ def pad_of(signal: Signal) -> int | None:
     """Index of the gamepad that a signal comes from; None for one that comes from elsewhere."""
     match signal:
         case Pressed(_, position) | Released(_, position) if position >= PAD_POSITIONS:
-            return (position - PAD_POSITIONS) // POSITIONSPOSITIONS_PER_PAD
+            return (position - PAD_POSITIONS) // POSITIONS_PER_PAD
         case Pointed() | Squeezed():
             return signal.pad
         case _:
