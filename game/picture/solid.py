@@ -121,10 +121,13 @@ def _add_slab(out: DisplayList, slab: Slab, shape: SlotShape, angle: float, unit
     tops = [camera.project(point, slab.top * unit) for point in foot]
     if slab.top > slab.bottom:
         bottoms = [camera.project(point, slab.bottom * unit) for point in foot]
-        for k, _ in enumerate(foot):
-            side = (tops[k - 1], tops[k], bottoms[k], bottoms[k - 1])
+        sides = [(tops[k - 1], tops[k], bottoms[k], bottoms[k - 1]) for k, _ in enumerate(foot)]
+        for k, side in enumerate(sides):
             if _faces_the_eye(side):
-                out.polygon(side, _shaded(slab.colour, (foot[k] - foot[k - 1]) * 1j))
+                shade = _shaded(slab.colour, (foot[k] - foot[k - 1]) * 1j)
+                out.polygon(side, shade)
+                if k and _faces_the_eye(sides[k - 1]):  # smooth edges of two sides let through what is behind their seam
+                    out.line((tops[k - 1], bottoms[k - 1]), 1.0, shade)
     out.polygon(tops, slab.colour)
 
 

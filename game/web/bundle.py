@@ -9,8 +9,8 @@ from importlib.resources.abc import Traversable
 
 _EPOCH = (1980, 1, 1, 0, 0, 0)
 """The date of every file in the archive: the same sources give the same bytes."""
-_START = "game.web.client.page"
-"""The module that the browser imports."""
+_STARTS = ("game.web.client.page", "game.lab.scenes")
+"""What the browser imports, and what that imports only once it is wanted."""
 _PACKAGES = ("game", "physics")
 
 
@@ -27,7 +27,7 @@ def _contents() -> dict[str, bytes]:
     """The files of the archive by name."""
     modules = _sources()
     needed: dict[str, bytes] = {}
-    open_ = [_START]
+    open_ = [*_STARTS]
     while open_:
         module = open_.pop()
         name = next((name for name in _file_names(module) if name in modules), None)

@@ -14,7 +14,7 @@ from pathlib import Path
 import msgspec
 
 from game import VERSION
-from game.system.errors import BadInputError
+from game.system.errors import BadInputError, EnvironmentMissingError
 from game.system.files import write_whole
 from game.system.wording import quoted_path
 from game.web.bundle import archive
@@ -32,6 +32,8 @@ Python Software Foundation License Version 2: https://docs.python.org/3/license.
 
 def built_site(cache: Path) -> dict[str, bytes]:
     """Every file by its name. cache: the folder of fetched packages. EnvironmentMissingError as of `fetched`."""
+    if not _PAGE.is_dir():
+        raise EnvironmentMissingError("the page is not part of this application; install the package polar-breakout instead")
     site = {entry.name: entry.read_bytes() for entry in _PAGE.iterdir() if entry.is_file()}
     for name, data in runtime_files(fetched(RUNTIME, cache)).items():
         if name in _COMPRESSED:

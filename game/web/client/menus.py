@@ -17,6 +17,8 @@ from game.web.client.state import PageScreen, PageState, Pictures
 
 NAME = "Polar Breakout"
 _DEMO_SEED = 5
+_ASIDE = 0.17
+"""How far to the right the demonstration is, in shares of a wide canvas: the menu stands at the left."""
 _STILL_SECONDS = 6.0
 """With reduced motion: the moment of the demonstration that is shown."""
 _HELP = (
@@ -116,7 +118,9 @@ class MenuScreen:
             self._under.draw(out, size)
         elif self._demo is not None:
             scene = self._demo.scene()
-            self.state.draw_scene(out, scene, self.state.layout(size, scene.ground_radius).camera, size)
+            seen = self.state.layout(size, scene.ground_radius)
+            aside = _ASIDE * size[0] if seen.beside else 0.0
+            self.state.draw_scene(out, scene, seen.camera._replace(centre=seen.camera.centre + aside), size)
         else:
             out.frame = DisplayList()
 

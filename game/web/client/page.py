@@ -9,6 +9,7 @@ import msgspec
 
 from game.drawing.palette import Theme
 from game.kept.store import Kept
+from game.lab.session.session import state_hash as hash_of_session
 from game.levels import Level, parse
 from game.picture.display_list import DisplayList
 from game.replays.file import decoded
@@ -18,8 +19,18 @@ from game.settings.file import SettingsFile
 from game.settings.values import Settings
 from game.system.errors import BadInputError
 from game.web.client.devices import PageDevices
+from game.web.client.lab import LabOnPage
 from game.web.client.menus import Screens, title
-from game.web.client.messages import Chosen, FileGiven, FrameReply, FrameRequest, LinkOpened, PageSignal
+from game.web.client.messages import (
+    Chosen,
+    FileGiven,
+    FrameReply,
+    FrameRequest,
+    LinkOpened,
+    PageSignal,
+    PointerChange,
+    WheelTurn,
+)
 from game.web.client.playing import GameOnPage
 from game.web.client.sounds import Sounds
 from game.web.client.state import PageScreen, PageState, Pictures
@@ -31,16 +42,16 @@ _REPLAY, _LEVEL = ".polar", ".toml"
 class Page:
     """The game as the page sees it. numbers, backdrop: the lists of primitives of the last frame."""
 
-    def __init__(self, sounds: bytes, folder: str, *, calm: bool, light: bool) -> None:
+    def __init__(self, sounds: bytes, folder: str, *, calm: bool) -> None:
         """sounds: a `SoundIndex`. folder: of what is stored, "" for none.
 
-        calm, light: whether the system prefers no motion, and light colours; they are the defaults of the settings.
+        calm: whether the system prefers no motion; a default of the settings.
         """
         stored = Path(folder) if folder else None
         settings_file = None if stored is None else SettingsFile(stored / "settings.json")
         settings = None if settings_file is None else settings_file.load()
         if settings is None or settings == Settings():
-            settings = Settings(reduced_motion=calm, colours="light" if light else "dark")
+            settings = Settings(reduced_motion=calm)
         chance = random.SystemRandom()
         self._state = PageState(Sounds(sounds), stored, Kept(stored), settings_file, settings, lambda: chance.getrandbits(32))
         self._state.choose_difficulty(self._state.kept.progress.value.last_difficulty)
@@ -85,8 +96,11 @@ class Page:
             return str(error)
 
     def probe(self) -> str:
-        """How the game stands, for tests: in JSON. {} where none is played."""
+        """How the game or the lab's scene stands, for tests: in JSON. {} where there is neither."""
         screen = self._screen
+        if isinstance(screen, LabOnPage):
+            session = screen.session
+            return msgspec.json.encode({"line": session.line, "hash": hash_of_session(session)}).decode()
         if not isinstance(screen, GameOnPage):
             return "{}"
         game = screen.game
@@ -111,6 +125,8 @@ class Page:
                 self._open_file(name, data)
             case LinkOpened(fragment=fragment):
                 self._open_link(fragment)
+            case PointerChange() | WheelTurn() if isinstance(self._screen, LabOnPage):
+                self._screen.point(message, size)
             case _:
                 for signal in self._devices.signals(message, size):
                     self._screen = self._screen.answer(signal, size)
@@ -185,8 +201,7 @@ class Page:
 
     def _lab(self, line: str) -> PageScreen:
         """The lab. line: a share line, "" for the first scene."""
-        del line
-        return self._title()
+        return LabOnPage(self._state, self._screens, line)
 
 
 def _colours(theme: Theme) -> dict[str, str]:

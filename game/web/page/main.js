@@ -79,7 +79,7 @@ function heed(reply) {
   if (reply.toolbar) controls.showToolbar(reply.toolbar);
   if (reply.menu) controls.show(reply.menu);
   if (reply.menu_closed) controls.close();
-  document.body.classList.toggle("playing", element("menu").hidden);
+  document.body.classList.toggle("playing", element("menu").hidden || element("menu").classList.contains("side"));
   if (reply.sounds) speaker.play(reply.sounds);
   if (reply.said) element("said").textContent = reply.said;
   if (reply.described && canvas.getAttribute("aria-label") !== reply.described) canvas.setAttribute("aria-label", reply.described);
@@ -162,9 +162,8 @@ function start() {
   worker = new Worker("worker.js", { type: "module" });
   worker.onerror = (event) => fail(`The game cannot be started: ${event.message ?? "its worker is missing"}`);
   worker.onmessage = heard;
-  const prefers = (what) => matchMedia(what).matches;
   const base = new URL("./", location.href).href;
-  worker.postMessage({ kind: "start", base, calm: prefers("(prefers-reduced-motion: reduce)"), light: prefers("(prefers-color-scheme: light)") });
+  worker.postMessage({ kind: "start", base, calm: matchMedia("(prefers-reduced-motion: reduce)").matches });
   for (const name of ["pointerdown", "keydown"]) addEventListener(name, () => speaker.wake());
   addEventListener("hashchange", openFragment);
   addEventListener("dragover", (event) => event.preventDefault());

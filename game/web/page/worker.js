@@ -25,7 +25,7 @@ async function bytes(address) {
   return new Uint8Array(await answer.arrayBuffer());
 }
 
-async function start({ base, calm, light }) {
+async function start({ base, calm }) {
   const program = URL.createObjectURL(new Blob([await bytes(`${base}runtime/pyodide.asm.mjs`)], { type: "text/javascript" }));
   const createPyodideModule = (await import(program)).default;
   URL.revokeObjectURL(program);
@@ -39,7 +39,7 @@ async function start({ base, calm, light }) {
 import sys
 sys.path.insert(0, "/program/game.zip")
 from game.web.client.page import Page
-Page(bytes(index), ${stored ? `"${KEPT}"` : '""'}, calm=${calm ? "True" : "False"}, light=${light ? "True" : "False"})
+Page(bytes(index), ${stored ? `"${KEPT}"` : '""'}, calm=${calm ? "True" : "False"})
 `);
 }
 
