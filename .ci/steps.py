@@ -161,8 +161,9 @@ def web() -> None:
         print(f".ci/run: web skipped: no {' and no '.join(missing)}", flush=True)
         return
     install("test", "web")
+    node = shutil.which("node") or "node"  # npm's own
     for script in sorted((ROOT / "game" / "web" / "page").glob("*.js")):
-        subprocess.run(["node", "--check", script], check=True)
+        subprocess.run([node, "--check", script], check=True)
     run(HERE, "python", "-m", "pytest", "-q", "tests/web", BROWSER_TESTS="1")
 
 

@@ -76,11 +76,8 @@ def test_a_finished_game_is_kept_and_the_desktop_verifies_its_download(page, tmp
     """Three balls are lost; the replay is watched, verified, downloaded, and it plays again to the same hashes elsewhere."""
     page.go("level/2")
     page.tab.keyboard.down("ArrowRight")
-    while page.standing().get("phase") != "OVER":
-        page.tab.keyboard.press("Space")
-        page.tab.wait_for_timeout(200)
+    page.wait(lambda: page.tab.keyboard.press("Space") or page.title() == "Game over", page.standing)
     page.tab.keyboard.up("ArrowRight")
-    page.wait(lambda: page.title() == "Game over")
     page.use("watch")
     page.use("verify")
     page.wait(lambda: "every hash agrees" in page.tab.inner_text("#menu"))
@@ -131,7 +128,7 @@ def test_both_views_are_drawn_and_the_tab_pauses_when_it_is_hidden(page):
     [
         ("level/99", "expected #level/NUMBER"),
         ("lab/nothing", "no scene 'nothing'"),
-        ("lab/case-2?ball=x", "not"),
+        ("lab/case-2?ball=x", "expected two numbers"),
         ("%E0%A4", "broken"),
     ],
 )

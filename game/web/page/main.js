@@ -16,6 +16,7 @@ const questions = new Map();
 let worker = null, latest = null, waiting = false, sentAt = 0, background = "#000", toldUntil = 0, asked = 0;
 
 function fail(words) {
+  console.error(words);
   element("loading").textContent = words;
   element("loading").hidden = false;
 }
