@@ -51,6 +51,8 @@ _IDLE_RATE = 10
 """Frames per second while the window has no focus: nothing moves then."""
 _STILL_RATE = 60
 """Frames per second, at most, of a screen that stands still."""
+_LEFT, _BACK = (pygame.WINDOWFOCUSLOST, pygame.WINDOWMINIMIZED), (pygame.WINDOWFOCUSGAINED, pygame.WINDOWRESTORED)
+"""The player goes to another window, and comes back."""
 _SHOWN_AGAIN = (pygame.WINDOWEXPOSED, pygame.WINDOWRESIZED, pygame.WINDOWSIZECHANGED, pygame.WINDOWRESTORED, pygame.WINDOWSHOWN)
 """After these the window's picture may be gone."""
 
@@ -315,8 +317,8 @@ def _answered(window: pygame.Window, state: AppState, screen: Screen) -> Screen 
             layout_changed()
         if event.type in _SHOWN_AGAIN:
             state.shown = None
-        if event.type in (pygame.WINDOWFOCUSLOST, pygame.WINDOWFOCUSGAINED):
-            state.away = event.type == pygame.WINDOWFOCUSLOST
+        if event.type in (*_LEFT, *_BACK):
+            state.away = event.type in _LEFT
         following = _following(event, size, window, state, screen)
         if following is None:
             return None

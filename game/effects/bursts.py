@@ -8,7 +8,7 @@ import math
 from enum import Enum, auto
 from typing import NamedTuple
 
-from game.effects.kinds import EffectKind, Shown
+from game.effects.kinds import RETOLD, EffectKind, Shown
 from game.rules import PADDLES, Event, EventKind, Ticked
 from physics import PERMANENT, Hit, Ring, direction, to_polar
 
@@ -83,17 +83,26 @@ def _effect(burst: Burst) -> EffectKind:
 def _bursts(event: Event, ticked: Ticked) -> tuple[Burst, ...]:
     """The bursts of an event; some have none."""
     tick = ticked.game.tick
-    if event.hit is not None:
+    if event.kind in {EventKind.LEVEL_CLEARED, EventKind.CORE_BROKEN}:
+        return _fireworks(tick, ticked.game.level.ground_radius)
+    if event.kind in RETOLD:
+        return ()
+    if event.hit is not None and event.kind != EventKind.SHIELD_HIT:
         return (_burst_of_hit(event.hit, tick, ticked.game.arena.rings[event.hit.ring]),)
+    thrown = _thrown(event, ticked)
+    return () if thrown is None else (Burst(*thrown, 0, tick),)
+
+
+def _thrown(event: Event, ticked: Ticked) -> tuple[Matter, BurstOrigin, complex] | None:
+    """What flies off at the position of an event that is no hit of a sector, and where it is driven."""
     match event.kind:
         case EventKind.BALL_LOST:
-            return (Burst(Matter.BALL, _point(event.position), -_unit(event.position), 0, tick),)
+            return Matter.BALL, _point(event.position), -_unit(event.position)
         case EventKind.SERVED:
-            served = _unit(ticked.game.arena.balls[0].velocity)
-            return (Burst(Matter.PADDLE, _point(event.position), served, 0, tick),)
-        case EventKind.LEVEL_CLEARED:
-            return _fireworks(tick, ticked.game.level.ground_radius)
-    return ()
+            return Matter.PADDLE, _point(event.position), _unit(ticked.game.arena.balls[0].velocity)
+        case EventKind.SHIELD_HIT | EventKind.DROP_CAUGHT | EventKind.BRICK_REGROWN:
+            return Matter.PADDLE, _point(event.position), -_unit(event.position)
+    return None
 
 
 def _burst_of_hit(hit: Hit, tick: int, ring: Ring) -> Burst:

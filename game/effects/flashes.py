@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from game.effects.kinds import EffectKind, Shown
+from game.effects.kinds import RETOLD, EffectKind, Shown
 from game.rules import Event, EventKind, Ticked
 from physics import Hit
 
@@ -32,7 +32,7 @@ def after_tick(flashes: tuple[Flash, ...], ticked: Ticked, shown: Shown) -> tupl
     if flashes:
         older = [flash._replace(age=flash.age + 1.0 / FLASH_TICKS) for flash in flashes]
         flashes = tuple([flash for flash in older if flash.age < 1.0])
-    new = [_flash(event, event.hit, shown) for event in ticked.events if event.hit is not None]
+    new = [_flash(event, event.hit, shown) for event in ticked.events if event.hit is not None and event.kind not in RETOLD]
     return (*flashes, *[flash for flash in new if flash.lit or flash.echoed]) if new else flashes
 
 

@@ -2,6 +2,8 @@
 
 from enum import StrEnum
 
+from game.rules import EventKind
+
 
 class EffectKind(StrEnum):
     """An effect; its value is its name in the settings file."""
@@ -25,6 +27,8 @@ class EffectKind(StrEnum):
     SLOW_MOTION = "slow_motion"
 
 
+RETOLD = frozenset({EventKind.BALL_CAUGHT, EventKind.AIMED})
+"""Events that say more about a hit that another event has told already."""
 Shown = frozenset[EffectKind]
 """The effects that the player wants to see."""
 

@@ -47,13 +47,13 @@ _BRICK, _BRICK_PER_COMBO = 0.45, 0.06
 """Strength of a brick's light, and what every brick in a row adds to it up to the best combo."""
 _LIGHTS = {
     EventKind.PADDLE_HIT: Light(LightSource.PADDLE, 0j, 0.26, 0.6, 70),
-    EventKind.BALL_CAUGHT: Light(LightSource.PADDLE, 0j, 0.26, 0.6, 70),
     EventKind.SHIELD_HIT: Light(LightSource.PADDLE, 0j, 0.5, 1.0, 130),
     EventKind.WALL_HIT: Light(LightSource.STEEL, 0j, 0.16, 0.5, 50),
     EventKind.BALLS_MET: Light(LightSource.STEEL, 0j, 0.16, 0.5, 50),
     EventKind.BUMPER_HIT: Light(LightSource.GOOD, 0j, 0.36, 0.9, 110),
     EventKind.LIFE_GAINED: Light(LightSource.GOOD, 0j, 0.36, 0.9, 110),
     EventKind.BALL_LOST: Light(LightSource.BAD, 0j, 0.5, 1.0, 200),
+    EventKind.BRICK_REGROWN: Light(LightSource.GOOD, 0j, 0.16, 0.6, 90),
     EventKind.DROP_CAUGHT: Light(LightSource.POWER, 0j, 0.4, 0.9, 120),
 }
 """The lights of events but for bricks, whose light depends on more."""

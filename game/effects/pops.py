@@ -29,6 +29,8 @@ POWER_NAMES = {
 _GOOD = frozenset({EventKind.LEVEL_CLEARED, EventKind.LIFE_GAINED, EventKind.CORE_BROKEN, EventKind.DROP_CAUGHT})
 """Good news beside bricks."""
 _BAD = frozenset({EventKind.BALL_LOST})
+_BESIDE = 0.82
+"""Words about what a paddle caught are at this share of its distance from the centre."""
 _CLOSEST = 1.8
 """World units between the positions of two pops that can be read together."""
 
@@ -58,7 +60,7 @@ def after_tick(pops: tuple[Pop, ...], ticked: Ticked) -> tuple[Pop, ...]:
         risen = [pop._replace(age=pop.age + 1.0 / POP_TICKS) for pop in pops]
         pops = tuple([pop for pop in risen if pop.age < 1.0])
     new = [
-        Pop(event.position, text, _is_bad(event), 0.0, _weight(event, ticked.game.combo), event.kind in _GOOD)
+        Pop(_position(event), text, _is_bad(event), 0.0, _weight(event, ticked.game.combo), event.kind in _GOOD)
         for event in ticked.events
         if (text := _text(event))
     ]
@@ -68,6 +70,11 @@ def after_tick(pops: tuple[Pop, ...], ticked: Ticked) -> tuple[Pop, ...]:
 def _covered(pop: Pop, new: list[Pop]) -> bool:
     """Whether words make room for newer ones that are close; bad news never does."""
     return not pop.bad and any([abs(other.position - pop.position) < _CLOSEST for other in new])
+
+
+def _position(event: Event) -> complex:
+    """Where the words of an event belong: those of what a paddle caught beside it, so that it is not hidden."""
+    return event.position * _BESIDE if event.kind == EventKind.DROP_CAUGHT else event.position
 
 
 def _text(event: Event) -> str:

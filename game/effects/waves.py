@@ -67,7 +67,7 @@ def _waves(event: Event, ticked: Ticked) -> tuple[Wave, ...]:
     match event.kind:
         case EventKind.LEVEL_STARTED:
             return _started(ticked)
-        case EventKind.LEVEL_CLEARED:
+        case EventKind.LEVEL_CLEARED | EventKind.CORE_BROKEN:
             return _series(WaveTone.GOOD, _CLEARED, _CLEARED_RADII[0] * ground, _CLEARED_RADII[1] * ground)
         case EventKind.BALL_LOST:
             return _series(WaveTone.BAD, _LOST, _LOST_RADII[0] * ground, _LOST_RADII[1] * ground)

@@ -10,7 +10,7 @@ from typing import Annotated
 import msgspec
 from msgspec import Meta
 
-from game.kept.document import Document
+from game.kept.kept_file import KeptFile
 from game.kept.progress import Count, Digest, Word
 from game.replays.file import Recorder, encoded, save
 from game.rules import TICK, Controls, Game, Phase
@@ -21,7 +21,7 @@ from game.system.wording import quoted_path
 
 VERSION = 1
 MOST = 20
-"""Games that are kept of themselves."""
+"""GameFiles that are kept of themselves."""
 _SHORTEST = 5.0
 """Seconds of a game that is worth keeping."""
 SUFFIX = ".polar"
@@ -55,7 +55,7 @@ class KeptGames(msgspec.Struct, frozen=True):
     games: Annotated[list[KeptGame], Meta(max_length=10_000)] = []
 
 
-class Games:
+class GameFiles:
     """Records every game of a session in the window, and writes each when it ends.
 
     Shorter games than five seconds are not kept. Where writing fails, `problem` says why, and play goes on.
@@ -67,7 +67,7 @@ class Games:
         record: a file that gets the last game of the session as well.
         """
         self.folder, self._needed, self._record = folder, needed, record
-        self._index = Document(None if folder is None else folder / "games.json", KeptGames, VERSION)
+        self._index = KeptFile(None if folder is None else folder / "games.json", KeptGames, VERSION)
         self._recorder: Recorder | None = None
         self._game: Game | None = None
         self._written: str | None = None

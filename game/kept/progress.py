@@ -9,6 +9,8 @@ VERSION = 1
 RANKS = ("C", "B", "A", "S")
 """The ranks of a finished level, worst first."""
 
+_MOST_OWN = 100
+"""Bests of levels of the player's own that are kept: every change of such a level makes another one of it."""
 OWN = "own "
 """Begins the name under which the best of a level of the player's own is kept."""
 
@@ -60,6 +62,9 @@ class Progress(msgspec.Struct, frozen=True):
             rank, ticks = max(done.rank, before.rank), min(leading.ticks or other.ticks, other.ticks or leading.ticks)
             done = msgspec.structs.replace(leading, rank=rank, ticks=ticks)
         others = [best for best in self.bests if best is not before]
+        own = [best for best in others if best.level.startswith(OWN)]
+        if len(own) >= _MOST_OWN:
+            others.remove(own[0])
         return msgspec.structs.replace(self, bests=[*others, done])
 
     def is_open(self, index: int, levels: list[str]) -> bool:

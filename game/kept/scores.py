@@ -16,6 +16,8 @@ from game.system.files import read_input
 VERSION = 1
 MOST = 10
 """Scores in the table of one difficulty."""
+ENDLESS = "endless"
+"""The name of the table, in place of a difficulty's, for games on levels that are made from a seed."""
 LONGEST_NAME = 16
 """Characters of a player's name."""
 _LARGEST_REPLAY = 16 * 1024 * 1024

@@ -5,8 +5,8 @@ from pathlib import Path
 import msgspec
 
 from game.kept import progress, scores, window
-from game.kept.document import Document
-from game.kept.games import Games, KeptGame
+from game.kept.games import GameFiles, KeptGame
+from game.kept.kept_file import KeptFile
 from game.kept.progress import Best, Progress
 from game.kept.scores import Score, Scores
 from game.kept.window import WindowBox
@@ -21,10 +21,10 @@ class Kept:
         """Read what there is. record: a file that gets the last game of the session as well."""
         self._homeless = folder is None
         self._finished: list[Best] = []
-        self.scores = Document(None if folder is None else folder / "scores.json", Scores, scores.VERSION)
-        self.progress = Document(None if folder is None else folder / "progress.json", Progress, progress.VERSION)
-        self.window = Document(None if folder is None else folder / "window.json", WindowBox, window.VERSION)
-        self.games = Games(None if folder is None else folder / "replays", self.needed, record)
+        self.scores = KeptFile(None if folder is None else folder / "scores.json", Scores, scores.VERSION)
+        self.progress = KeptFile(None if folder is None else folder / "progress.json", Progress, progress.VERSION)
+        self.window = KeptFile(None if folder is None else folder / "window.json", WindowBox, window.VERSION)
+        self.games = GameFiles(None if folder is None else folder / "replays", self.needed, record)
 
     @property
     def problems(self) -> list[str]:

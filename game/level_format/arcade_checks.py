@@ -9,6 +9,9 @@ SLOWEST = 0.64
 """Share of `ball.speed`: under no rules does a ball fly slower."""
 FASTEST = 3.0
 """Shares of `ball.speed`: the most that `ball.top_speed` may be."""
+_MANY_DROPS = 0.5
+_FAST_GROWTH = 0.5
+"""Seconds."""
 _CAPTURE = 0.95
 """Share of the pull that could keep a ball in a circle."""
 
@@ -29,6 +32,21 @@ def broken_arcade_rules(level: Level) -> Iterator[tuple[str, str]]:
         if abs(well.strength) * well.reach > strongest:
             limit = strongest / well.reach
             yield f"wells[{number}].strength", f"could hold a ball for ever; at most {limit:.4g} for this speed and reach"
+
+
+def arcade_warnings(level: Level) -> list[str]:
+    """What these keys allow and yet makes a level tedious to play: key and reason, a line each."""
+    found = []
+    if level.drops.chance > _MANY_DROPS:
+        found.append(f"drops.chance: above {_MANY_DROPS:g} power-ups hide the balls")
+    for number, ring in enumerate(level.rings):
+        if 0.0 < ring.regrow < _FAST_GROWTH:
+            found.append(f"rings[{number}].regrow: below {_FAST_GROWTH:g} s it grows faster than it can be broken")
+    track = level.paddles.radius - level.paddles.half_width
+    for number, well in enumerate(level.wells):
+        if well.distance + well.reach > track:
+            found.append(f"wells[{number}].reach: it turns balls at the paddles' track {track:g}, where nobody can answer")
+    return found
 
 
 def _broken_ring_rules(key: str, ring: RingSpec, level: Level) -> Iterator[tuple[str, str]]:

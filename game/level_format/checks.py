@@ -7,7 +7,7 @@ from typing import Any
 
 import msgspec
 
-from game.level_format.arcade_checks import broken_arcade_rules
+from game.level_format.arcade_checks import arcade_warnings, broken_arcade_rules
 from game.level_format.specs import BallSpec, Level, RingSpec
 from physics import PERMANENT
 from physics.tolerances import MAX_IMPACTS
@@ -33,7 +33,7 @@ def warnings(level: Level) -> list[str]:
         f"where a gate is narrower than {_EASY_GATE}"
         for number, width in widths
         if width is not None and across < width < _EASY_GATE * across
-    ]
+    ] + arcade_warnings(level)
 
 
 def broken_rules(level: Level) -> Iterator[tuple[str, str]]:

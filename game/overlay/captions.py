@@ -32,6 +32,7 @@ _WORDS = {
     EventKind.SPEED_UP: tr_noop("balls faster"),
     EventKind.SHIELD_HIT: tr_noop("shield used up"),
     EventKind.BUMPER_HIT: tr_noop("bumper struck"),
+    EventKind.BRICK_CRUMBLED: tr_noop("brick crumbled"),
     EventKind.BRICK_REGROWN: tr_noop("brick grown again"),
     EventKind.CORE_BROKEN: tr_noop("core broken"),
 }
@@ -40,6 +41,7 @@ _ON_ITS_POSITION = frozenset(
     {
         EventKind.BALL_LOST,
         EventKind.DROP_RELEASED,
+        EventKind.BRICK_CRUMBLED,
         EventKind.BRICK_REGROWN,
     }
 )

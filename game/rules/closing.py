@@ -9,8 +9,8 @@ from typing import NamedTuple
 from game.rules.state import PADDLES, TICK, Game
 from physics import Ball, angle_of, direction, length, signed_difference, time_of_impact
 
-CLOSING_TICKS = 1200
-"""Ticks in play without a brick after which the help begins: 5 s."""
+CLOSING_TICKS = 840
+"""Ticks in play without a brick after which the help begins: 3.5 s."""
 _LEAST, _MORE, _MOST = math.radians(15.0), math.radians(15.0), math.radians(60.0)
 """Radians: the help's bound at first, what every second adds to it, and where that ends."""
 _CANDIDATES = 12

@@ -25,8 +25,8 @@ def without_bricks(arena: Arena) -> Arena:
 
 
 def with_bricks(flown: Arena, before: Arena) -> Arena:
-    """The arena after such a flight, with the bricks that were there before it."""
-    return flown._replace(layers=(before.layers[PADDLES], *before.layers[PADDLES + 1 : -1], flown.layers[-1]))
+    """The arena after such a flight, with all that was there before it. A shield that was hit is taken away by the rules."""
+    return flown._replace(layers=before.layers)
 
 
 def pierced(game: Game, events: list[Event]) -> Game:

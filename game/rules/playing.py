@@ -2,6 +2,7 @@
 
 import math
 
+from game.rules.crumbling import crumbled
 from game.rules.drops import drifted
 from game.rules.meeting import met
 from game.rules.nudging import nudged
@@ -73,6 +74,7 @@ def _by_arcade_rules(game: Game, controls: Controls, flown: Ticked, events: list
     game = with_caught(game, caught, events)
     game = one_tick_later(game, events)
     game = reversed_rings(regrown(shaped(game), events))
+    game = crumbled(game, events)
     return with_speed_now(game, events)
 
 

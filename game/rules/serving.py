@@ -46,7 +46,7 @@ def before_serve(game: Game) -> Game:
     if game.ruleset.arcade:
         chance, game = drawn(game)
         game = game._replace(
-            paddle_hits=0, waited=0, burst=0, drops=(), powers=_at_serve(game), held=(), aim_start=int(chance * _AIM_PERIOD)
+            paddle_hits=0, waited=0, burst=0, drops=(), powers=_at_serve(game), aim_start=int(chance * _AIM_PERIOD)
         )
         game = shaped(game._replace(arena=game.arena._replace(balls=())))
     game = with_speed_now(game, [])

@@ -177,7 +177,12 @@ class Game(NamedTuple):
 
 
 class EventKind(IntEnum):
-    """What happened, for drawing and sound."""
+    """What happened, for drawing and sound.
+
+    DROP_LOST: it left the ground. BALL_CAUGHT: it sticks to a paddle. BALL_RELEASED: it no longer does. SPEED_UP: balls got
+    faster by the level's growth. CORE_BROKEN: a wall that would have grown again fell. AIMED: a ball was turned to a brick
+    after a long wait. BRICK_CRUMBLED: a brick lost a layer by itself after a longer one.
+    """
 
     SERVED = 0
     PADDLE_HIT = 1
@@ -203,6 +208,7 @@ class EventKind(IntEnum):
     BRICK_REGROWN = 21
     CORE_BROKEN = 22
     AIMED = 23
+    BRICK_CRUMBLED = 24
 
 
 class Event(NamedTuple):

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from enum import IntEnum
 from pathlib import Path
 
 import pygame
@@ -42,6 +43,14 @@ _PIXELS = Camera(0j, 1.0)
 """For what is no picture of the world."""
 
 
+class Players(IntEnum):
+    """How many play on this machine, and how."""
+
+    ONE = 0
+    TOGETHER = 1
+    VERSUS = 2
+
+
 @dataclass(slots=True)
 class AppState:
     """The state that all screens share, and what they do with it.
@@ -54,7 +63,7 @@ class AppState:
     kept: scores, progress and finished games.
     recorder: told every tick that is played; None for nobody.
     autopilot: whether it plays instead of the player.
-    physics: that games are flown on. ruleset: of new games. two_players: whether two steer the paddles.
+    physics: that games are flown on. ruleset: of new games. players: how many steer the paddles.
     functions: the player's own, which the lab shows beside ours; None without.
     settings: the player's, as they hold now; settings_file: where they outlive the session.
     full_screen: whether the window is; wants_full_screen: whether it shall be, as the settings say; None for no wish.
@@ -97,7 +106,7 @@ class AppState:
     physics: ChosenPhysics = SWEPT
     functions: FunctionsFile | None = None
     ruleset: Ruleset = SOURCE_RULES
-    two_players: bool = False
+    players: Players = Players.ONE
     devices: Devices = field(default_factory=Devices)
     painter: Painter = field(default_factory=Painter)
     type: Type = field(default_factory=Type)
@@ -107,6 +116,12 @@ class AppState:
     def difficulty(self) -> str:
         """The name under which scores and bests of new games are kept."""
         return self.ruleset.difficulty.name.lower() if self.ruleset.arcade else SOURCE
+
+    @property
+    def game_rules(self) -> Ruleset:
+        """Of new games: two who play against each other need the arcade rules."""
+        versus = self.players == Players.VERSUS
+        return self.ruleset._replace(versus=versus, arcade=self.ruleset.arcade or versus)
 
     @property
     def theme(self) -> Theme:

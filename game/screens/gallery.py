@@ -19,9 +19,10 @@ from game.levels import built_in
 from game.replays.file import Recorder
 from game.replays.playback import Playback
 from game.rules import Ruleset, new_game, tick
-from game.screens.app_state import AppState
+from game.screens.app_state import AppState, Players
 from game.screens.base import Screen
 from game.screens.menus.credits import Credits
+from game.screens.menus.endless import endless_menu
 from game.screens.menus.help import Help
 from game.screens.menus.high_scores import HighScores
 from game.screens.menus.level_select import LevelSelect
@@ -100,6 +101,8 @@ def _screens() -> Iterator[tuple[str, Callable[[AppState], Screen]]]:
     yield "levels", lambda state: LevelSelect(state, Title(state))
     yield "play", _played
     yield "ghost", _raced
+    yield "versus", _versus
+    yield "endless", lambda state: endless_menu(state, Title(state))
     yield "pause", lambda state: _clicked(_played(state), 0)
     yield "level-cleared", lambda state: _results(state, "Level cleared", "A")
     yield "game-over", lambda state: _results(state, "Game over", "")
@@ -136,6 +139,12 @@ def _played(state: AppState) -> Screen:
     """The autopilot in the middle of a level."""
     state.autopilot = True
     return _later(PlayScreen(state, state.catalogue[3:]), _PLAY_SECONDS)
+
+
+def _versus(state: AppState) -> Screen:
+    """Two against each other."""
+    state.players = Players.VERSUS
+    return _played(state)
 
 
 def _raced(state: AppState) -> Screen:

@@ -25,8 +25,8 @@ from game.overlay.readings import readings
 from game.overlay.toast import Toast
 from game.rules import TICK, Controls, EventKind, Phase, new_game, tick
 from game.scene import scene_at, still
-from game.screens import ghost, play_buttons
-from game.screens.app_state import AppState
+from game.screens import ghost, play_buttons, versus
+from game.screens.app_state import AppState, Players
 from game.screens.base import Screen
 from game.screens.menus.help import Help
 from game.screens.menus.settings_panel import SettingsPanel
@@ -56,10 +56,10 @@ _NOTE, _NOTE_ROOM, _NOTE_BOTTOM, _NOTE_MARGIN = 0.95, 1.6, 0.3, 0.8
 class PlayScreen:
     """One game from its first serve on."""
 
-    def __init__(self, state: AppState, levels: tuple[Level, ...]) -> None:
-        """Start a new game at the first of the levels."""
-        self._state, self._levels = state, levels
-        self._ticked = still(new_game(levels, state.seed, state.ruleset))
+    def __init__(self, state: AppState, levels: tuple[Level, ...], endless: int | None = None) -> None:
+        """Start a new game at the first of the levels. endless: the seed that they were made from; None for others."""
+        self._state, self._levels, self.endless = state, levels, endless
+        self._ticked = still(new_game(levels, state.seed if endless is None else endless, state.game_rules))
         self._effects = Effects()
         self._normals: tuple[NormalPair, ...] = ()
         self._hands = Hands()
@@ -72,7 +72,7 @@ class PlayScreen:
         self._untouched = 0  # ticks with a ball in play since a paddle touched it
         self._hovered: Action | None = None  # what the button means that the mouse is on
         self._told = -1  # number of the level whose results were shown last
-        self._record = PlayRecord(state, levels)
+        self._record = PlayRecord(state, levels, endless=endless is not None)
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
         """Take the player's controls into account, or open a panel."""
@@ -100,9 +100,9 @@ class PlayScreen:
         """Note what a player holds down; where two play, the second one's keys and gamepad are not the first one's."""
         keys = isinstance(signal, Pressed | Released) and signal.position in _SECOND_PLAYERS
         keys = keys or pad_of(signal) == 1
-        if self._state.two_players and (keys or isinstance(signal, KeyboardState)):
+        if self._state.players != Players.ONE and (keys or isinstance(signal, KeyboardState)):
             self._second = self._second.after(signal)
-        if not (self._state.two_players and keys):
+        if not (self._state.players != Players.ONE and keys):
             self._hands = self._hands.after(signal)
 
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
@@ -144,6 +144,7 @@ class PlayScreen:
         words = state.words(canvas)
         hud.draw(words, shown, seen)
         play_buttons.draw(canvas, seen, self._hovered)
+        versus.draw(canvas, self._ticked.game)
         told = self._notice()
         if told is not None:
             notice.draw(words, told, scene)
@@ -174,14 +175,18 @@ class PlayScreen:
         """Which level is being played, in words."""
         game = self._ticked.game
         number, _ = number_of(game.level, game.levels)
+        if self.endless is not None:
+            return tr("{name}, of the levels with the number {seed}").format(name=tr(game.level.name), seed=self.endless)
         return tr("Level {number}: {name}").format(number=number, name=tr(game.level.name))
 
     def restarted(self) -> Screen:
         """The same levels from their first serve."""
-        return PlayScreen(self._state, self._levels)
+        return PlayScreen(self._state, self._levels, self.endless)
 
     def again(self) -> Screen:
-        """A new game at the level being played."""
+        """A new game at the level being played; of endless ones at the first, as everybody begins there."""
+        if self.endless is not None:
+            return self.restarted()
         return PlayScreen(self._state, self._levels[self._ticked.game.number :])
 
     def went_on(self) -> Screen:
@@ -228,7 +233,7 @@ class PlayScreen:
         if self._state.settings.one_button:
             return self._hands.one_button_controls(self._ticked.game)
         controls = self._hands.controls(camera, self._ticked.game)
-        if self._state.two_players:
+        if self._state.players != Players.ONE:
             second = self._second.controls(camera, self._ticked.game)
             controls = controls._replace(second_turn=second.turn, second_pointer=second.pointer)
             controls = controls._replace(serve=controls.serve or self._second.serve)
@@ -236,7 +241,7 @@ class PlayScreen:
 
     def _paused(self, panel: Screen) -> Screen:
         """A panel over the game; keys that were held when it opened are let go."""
-        self._hands, self._second = self._hands.after(FocusLost()), Hands()
+        self._hands, self._second, self._hovered = self._hands.after(FocusLost()), Hands(), None
         if self._ticked.game.phase == Phase.PLAYING:
             self._ready = _READY_SECONDS
         return panel

@@ -1,13 +1,16 @@
 """The buttons beside the arena, so that pause, help and settings can be reached by mouse and touch while the ball flies."""
 
 from collections.abc import Callable
+from functools import lru_cache
 
+import numpy as np
 import pygame
 
-from game.drawing.camera import Layout
+from game.drawing.camera import Camera, Layout
 from game.drawing.canvas import Canvas
-from game.drawing.palette import Colour, mixed
+from game.drawing.palette import Colour, Theme, mixed
 from game.drawing.raster.primitives import draw_box
+from game.drawing.text import Type
 from game.input.keys import Action
 from game.screens.toolkit.icons import draw_bars, draw_cross, draw_gear, draw_question
 
@@ -15,10 +18,16 @@ from game.screens.toolkit.icons import draw_bars, draw_cross, draw_gear, draw_qu
 _SIDE, _PITCH, _EDGE = 1.9, 2.3, 0.7
 """Side of a button, from one to the next, and to the surface's edge."""
 _CORNER, _LINE = 0.45, 0.06
+_FINER = 3
+"""A button is drawn so much larger and scaled down."""
 _FAINT = 0.55
 """A button that the mouse is not on has this share of the way from the background to its colours."""
 
-Buttons = tuple[tuple[Action, Callable[[Canvas, pygame.Rect, Colour], None]], ...]
+_PIXELS = Camera(0j, 1.0)
+"""For what is no picture of the world."""
+
+Sign = Callable[[Canvas, pygame.Rect, Colour], None]
+Buttons = tuple[tuple[Action, Sign], ...]
 """What each means, and what draws its sign in a box."""
 PLAYING: Buttons = ((Action.PAUSE, draw_bars), (Action.HELP, draw_question), (Action.SETTINGS, draw_gear))
 WATCHING: Buttons = ((Action.BACK, draw_cross), (Action.HELP, draw_question), (Action.SETTINGS, draw_gear))
@@ -50,10 +59,26 @@ def action_at(layout: Layout, pixel: complex, buttons: Buttons = PLAYING) -> Act
 
 def draw(canvas: Canvas, layout: Layout, hovered: Action | None, buttons: Buttons = PLAYING) -> None:
     """All of them, faint but for the one that the mouse is on."""
-    theme, unit = canvas.theme, canvas.unit
     for (action, paint), box in zip(buttons, button_boxes(layout, buttons), strict=True):
-        lit = action is hovered
+        canvas.surface.blit(_button(paint, box.size, canvas.theme, canvas.unit, lit=action is hovered), box)
+
+
+@lru_cache(maxsize=32)
+def _button(paint: Sign, size: tuple[int, int], theme: Theme, unit: float, *, lit: bool) -> pygame.Surface:
+    """A button's picture with transparent corners: to draw it anew in every frame takes a millisecond on a large surface."""
+    grounds = []
+    for ground in ((0, 0, 0), (255, 255, 255)):
+        picture = pygame.Surface((size[0] * _FINER, size[1] * _FINER), 0, 32)
+        picture.fill(ground)
         edge = theme.accent if lit else mixed(theme.background, theme.panel_edge, _FAINT)
-        draw_box(canvas.surface, box, unit * _CORNER, theme.panel if lit else theme.background, edge, unit * _LINE)
-        plain = canvas._replace(theme=theme if lit else theme._replace(panel=theme.background))
-        paint(plain, box, theme.accent if lit else mixed(theme.background, theme.faint, _FAINT + 0.2))
+        fill = theme.panel if lit else theme.background
+        draw_box(picture, picture.get_rect(), unit * _FINER * _CORNER, fill, edge, unit * _FINER * _LINE)
+        canvas = Canvas(picture, _PIXELS, theme._replace(panel=fill), Type(), unit * _FINER)
+        paint(canvas, picture.get_rect(), theme.accent if lit else mixed(theme.background, theme.faint, _FAINT + 0.2))
+        grounds.append(pygame.surfarray.array3d(pygame.transform.smoothscale(picture, size)).astype(float))
+    dark, light = grounds
+    cover = 1.0 - (light - dark).mean(axis=2) / 255.0
+    cut = pygame.Surface(size, pygame.SRCALPHA, 32)
+    pygame.surfarray.blit_array(cut, (dark / np.maximum(cover, 1e-3)[:, :, None]).clip(0.0, 255.0).astype(int))
+    pygame.surfarray.pixels_alpha(cut)[:] = np.rint(cover * 255.0).astype(np.uint8)
+    return cut

@@ -4,10 +4,11 @@ from functools import cache
 
 from game.chosen_physics import SWEPT
 from game.kept.progress import OWN, Best
+from game.kept.scores import ENDLESS
 from game.levels import Level, built_in
 from game.replays.file import load
 from game.rules import EventKind, Game, Ticked
-from game.screens.app_state import AppState
+from game.screens.app_state import AppState, Players
 from game.screens.earned import earned
 from game.screens.ghost import Ghost
 from game.system.errors import BadInputError
@@ -20,23 +21,26 @@ class PlayRecord:
     that no replay can be verified with.
     """
 
-    def __init__(self, state: AppState, levels: tuple[Level, ...]) -> None:
+    def __init__(self, state: AppState, levels: tuple[Level, ...], *, endless: bool) -> None:
         """Begin with a new game; what the one before has left is written.
 
+        endless: whether its levels are made from a seed; they have a table of scores, and no bests.
         ranked: whether its score may stand in the table, which it may not with levels that anybody can make.
         """
         self._state, self._levels = state, levels
-        self.counts = not state.autopilot and state.physics is SWEPT and state.recorder is not None
-        self.ranked = self.counts and all([_is_built_in(level) for level in levels])
+        alone = state.players == Players.ONE and not state.autopilot
+        self.counts = alone and state.physics is SWEPT and state.recorder is not None
+        self._has_bests = self.counts and not endless
+        self.ranked = self.counts and (endless or all([_is_built_in(level) for level in levels]))
+        self.table = ENDLESS if endless else state.difficulty
         self._start = 0
         self.speed = 100  # per cent, the slowest so far
         self.done: Best | None = None
         self.before: Best | None = None
         self.earned: tuple[str, ...] = ()
         self.ghost: Ghost | None = None
-        if self.counts:
-            state.kept.game_done()
-            self._open_ghost(0)
+        state.kept.game_done()
+        self._open_ghost(0)
 
     def prepare(self) -> None:
         """Note how slow the game is played now, and bring the ghost a little nearer to its start."""
@@ -53,7 +57,7 @@ class PlayRecord:
             if event.kind == EventKind.LEVEL_STARTED:
                 self._start = game.tick
                 self._open_ghost(game.number)
-            elif event.kind == EventKind.LEVEL_CLEARED and self.counts:
+            elif event.kind == EventKind.LEVEL_CLEARED and self._has_bests:
                 self._note(game)
 
     def _note(self, game: Game) -> None:
@@ -71,7 +75,7 @@ class PlayRecord:
         self.ghost = None
         kept, folder = self._state.kept, self._state.kept.games.folder
         best = kept.progress.value.best(record_name(self._levels[number]), self._state.difficulty)
-        if not self.counts or folder is None or best is None or not best.replay:
+        if not self._has_bests or folder is None or best is None or not best.replay:
             return
         try:
             recording = load(folder / best.replay)

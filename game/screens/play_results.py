@@ -17,10 +17,13 @@ from game.screens.menus.results import Figure, Results
 from game.screens.play_record import PlayRecord
 from game.screens.toolkit.menu import Entry
 from game.screens.toolkit.text_entry import TextEntry
+from game.screens.versus import player_name, verdict
 
 
 class Played(Screen, Protocol):
-    """A game on the screen, as far as its results lead back to it."""
+    """A game on the screen, as far as its results lead back to it. endless: the seed of its levels, None for others."""
+
+    endless: int | None
 
     def went_on(self) -> Screen:
         """The game, with the next level at once."""
@@ -52,7 +55,7 @@ def level_results(state: AppState, play: Played, game: Game, record: PlayRecord)
         Figure(tr("Time"), result.ticks, clock, best=before is not None and result.ticks < before.ticks),
         Figure(tr("Best combo"), result.best_combo),
         Figure(tr("Balls lost"), result.balls_lost),
-        Figure(tr("Score so far"), game.score),
+        *(_scores(game) if game.sides else (Figure(tr("Score so far"), game.score),)),
     )
     rank = RANKS[int(result.rank)]
     line = tr(game.level.name)
@@ -68,27 +71,35 @@ def game_results(state: AppState, play: Played, game: Game, record: PlayRecord) 
     won = game.phase == Phase.WON
     tally = game.statistics.game
     figures = (
-        Figure(tr("Score"), game.score),
+        *_scores(game),
         Figure(tr("Levels cleared"), len(game.results)),
         Figure(tr("Bricks"), tally.bricks),
         Figure(tr("Best combo"), tally.best_combo),
         Figure(tr("Balls lost"), tally.balls_lost),
         Figure(tr("Time"), game.tick, clock),
     )
-    title = tr("You won") if won else tr("Game over")
+    title = verdict(game) if game.sides else tr("You won") if won else tr("Game over")
     line = tr("Every level is cleared.") if won else tr("The last ball is gone in {level}.").format(level=tr(game.level.name))
+    if play.endless is not None:
+        line = tr("{line} Number of these levels: {seed}").format(line=line, seed=play.endless)
     entries = _after_game(state, play, game)
     menu = Results(state, play, title, line, figures, entries, back=lambda: state.open_title(state))
-    difficulty = state.difficulty
-    if not record.ranked or not state.kept.scores.value.qualifies(game.score, difficulty):
+    if not record.ranked or not state.kept.scores.value.qualifies(game.score, record.table):
         return menu
-    score = Score(
-        "", game.score, difficulty, game.levels[0].name, game.level.name, won, record.speed, time.strftime("%Y-%m-%d")
-    )
+    last = game.level.name if play.endless is None else f"{game.level.name} ({play.endless})"
+    first, date = game.levels[0].name, time.strftime("%Y-%m-%d")
+    score = Score("", game.score, record.table, first, last, won, record.speed, date)
     if kept_game is not None:
         score = msgspec.structs.replace(score, replay=kept_game.file, sha256=kept_game.sha256)
     entered = Entry(tr("Enter your name"), _name_entry(state, play, score, entries))
     return Results(state, play, title, line, figures, (entered, *entries), back=lambda: state.open_title(state))
+
+
+def _scores(game: Game) -> tuple[Figure, ...]:
+    """The score, or those of two who play against each other."""
+    if not game.sides:
+        return (Figure(tr("Score"), game.score),)
+    return tuple([Figure(player_name(index), side.score) for index, side in enumerate(game.sides)])
 
 
 def _after_game(state: AppState, play: Played, game: Game) -> tuple[Entry, ...]:
@@ -96,6 +107,8 @@ def _after_game(state: AppState, play: Played, game: Game) -> tuple[Entry, ...]:
     again = Entry(tr("This level again"), play.again)
     first = Entry(tr("From the first level"), play.restarted)
     begin = (first,) if game.phase == Phase.WON else (again, first) if game.number else (again,)
+    if play.endless is not None:
+        begin = (Entry(tr("The same levels again"), play.restarted),)
     return (*begin, Entry(tr("All levels"), state.levels), Entry(tr("Title"), lambda: state.open_title(state)))
 
 

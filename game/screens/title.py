@@ -10,13 +10,14 @@ from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.demo import Demo
 from game.screens.menus.credits import Credits
+from game.screens.menus.endless import endless_menu
 from game.screens.menus.help import Help
 from game.screens.menus.high_scores import HighScores
 from game.screens.menus.level_select import LevelSelect, next_level
 from game.screens.menus.replays import Replays
 from game.screens.menus.settings_panel import SettingsPanel
 from game.screens.play import PlayScreen
-from game.screens.toolkit.items import Button, Item
+from game.screens.toolkit.items import ButtonItem, Item
 from game.screens.toolkit.layout import Content, Laid
 from game.screens.toolkit.menu import Entry, Menu
 from game.screens.toolkit.panel import Panel
@@ -25,11 +26,11 @@ NAME = ("POLAR", "BREAKOUT")
 # Lengths are in units of text.
 _NAME, _NAME_SPACING, _NAME_PITCH = 4.2, 0.12, 4.0
 """Size of the name's letters, the gaps between them in shares of their size, and from line to line."""
-_NAME_TOP, _LEFT, _COLUMN = 2.4, 2.2, 18.0
+_NAME_TOP, _LEFT, _COLUMN = 1.7, 2.2, 15.0
 """From the surface's upper edge to the name, from its left edge to name and buttons, and width of these."""
 _INSET = 2.9
 """From the edge of the buttons' room to their words."""
-_BUTTONS_TOP = 11.0
+_BUTTONS_TOP = 9.4
 """From the surface's upper edge to the room of the buttons."""
 _WIDE = 1.2
 """Aspect ratio from which the demonstration has its own part of the surface, at the right."""
@@ -64,16 +65,17 @@ class Title(Panel):
         state = self.state
         following = tr(state.catalogue[next_level(state)].name)
         items: tuple[Item, ...] = (
-            Button(tr("Play"), self._play, note=following, large=True),
-            Button(tr("Levels"), lambda: LevelSelect(state, self)),
-            Button(tr("High scores"), lambda: HighScores(state, self)),
-            Button(tr("Replays"), lambda: Replays(state, self)),
-            Button(tr("How to play"), lambda: Help(state, self), Action.HELP),
-            Button(tr("Settings"), lambda: SettingsPanel(state, self), Action.SETTINGS),
-            Button(tr("Credits"), lambda: Credits(state, self)),
-            Button(tr("Quit"), lambda: None),
+            ButtonItem(tr("Play"), self._play, note=following, large=True),
+            ButtonItem(tr("Levels"), lambda: LevelSelect(state, self)),
+            ButtonItem(tr("Endless"), lambda: endless_menu(state, self)),
+            ButtonItem(tr("High scores"), lambda: HighScores(state, self)),
+            ButtonItem(tr("Replays"), lambda: Replays(state, self)),
+            ButtonItem(tr("How to play"), lambda: Help(state, self), Action.HELP),
+            ButtonItem(tr("Settings"), lambda: SettingsPanel(state, self), Action.SETTINGS),
+            ButtonItem(tr("Credits"), lambda: Credits(state, self)),
+            ButtonItem(tr("Quit"), lambda: None),
         )
-        return Content("", tuple([(item,) for item in items]), width=_COLUMN)
+        return Content("", tuple([(item,) for item in items]), width=_COLUMN + 2.0 * _INSET)
 
     def back(self) -> Screen | None:
         """Esc asks first."""
@@ -88,14 +90,14 @@ class Title(Panel):
         room = max(min(round(unit * (_COLUMN + 2.0 * _INSET)), round(width - left)), 1)
         return pygame.Rect(round(left), top, room, max(height - top, 1))
 
-    def advance(self, seconds: float, _size: tuple[int, int]) -> Screen | None:
+    def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
         """Let the demonstration play."""
         if not self.state.settings.reduced_motion:
             self._demo.advance(seconds, self.state.settings.shown)
             self._shown += 1
             if self._demo.ended:
                 self._demo = self._new_demo()
-        return self
+        return super().advance(seconds, size)
 
     def draw_behind(self, surface: pygame.Surface) -> None:
         """The demonstration, under a veil where the buttons stand over it."""
@@ -154,6 +156,6 @@ def _demo_camera(size: tuple[int, int], unit: float, ground_radius: float) -> Ca
     if not _is_wide(size):
         return Camera(complex(width, height) / 2.0, max(min(size) * _DEMO_RADIUS / ground_radius, 1e-3))
     radius = height * _DEMO_RADIUS
-    left = unit * (_LEFT + _COLUMN + 0.5)
+    left = unit * (_LEFT + _COLUMN + 3.5)
     middle = max(left + radius, (left + width) / 2.0)
     return Camera(complex(middle, height / 2.0), max(radius / ground_radius, 1e-3))

@@ -83,6 +83,12 @@ def _regrown(rate: int) -> Waveform:
     return finished(sequence([(0.0, bubble * swell(len(bubble))), (0.08, 0.7 * bubble * swell(len(bubble)))], rate), 0.6, rate)
 
 
+def _crumbled(rate: int) -> Waveform:
+    """A little gravel that falls."""
+    gravel = hiss(0.12, 0.06, 900.0, rate)
+    return finished(sequence([(0.0, gravel), (0.09, 0.6 * gravel)], rate), 0.6, rate)
+
+
 def _core(rate: int) -> Waveform:
     """A wall that comes down, and a bright chord over it."""
     rumble = 1.4 * hiss(1.1, 0.3, 260.0, rate)
@@ -104,6 +110,7 @@ ARCADE_SOUNDS: dict[Patch, Callable[[int], Waveform]] = {
     Patch.SHIELD: _shield,
     Patch.BUMPER: _bumper,
     Patch.REGROWN: _regrown,
+    Patch.CRUMBLED: _crumbled,
     Patch.CORE: _core,
 }
 """The kinds, and what makes them, at a number of samples per second."""

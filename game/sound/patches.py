@@ -27,4 +27,5 @@ class Patch(Enum):
     SHIELD = auto()
     BUMPER = auto()
     REGROWN = auto()
+    CRUMBLED = auto()
     CORE = auto()

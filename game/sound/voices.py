@@ -38,6 +38,7 @@ _PATCHES: dict[EventKind, Patch | None] = {
     EventKind.SHIELD_HIT: Patch.SHIELD,
     EventKind.BUMPER_HIT: Patch.BUMPER,
     EventKind.BRICK_REGROWN: Patch.REGROWN,
+    EventKind.BRICK_CRUMBLED: Patch.CRUMBLED,
     EventKind.CORE_BROKEN: Patch.CORE,
     EventKind.AIMED: None,  # the paddle is heard
     EventKind.LEVEL_STARTED: None,  # the jingle of the level before has only just ended
@@ -46,7 +47,18 @@ _PATCHES: dict[EventKind, Patch | None] = {
 _REPLACED = {EventKind.GAME_WON: EventKind.LEVEL_CLEARED, EventKind.GAME_OVER: EventKind.BALL_LOST}
 """Where both happen at once, the first is heard and the second is not."""
 _HITS = frozenset(
-    {Patch.PADDLE, Patch.BRICK, Patch.WALL, Patch.NUDGE, Patch.BALLS, Patch.CATCH, Patch.RELEASE, Patch.BUMPER, Patch.REGROWN}
+    {
+        Patch.PADDLE,
+        Patch.BRICK,
+        Patch.WALL,
+        Patch.NUDGE,
+        Patch.BALLS,
+        Patch.CATCH,
+        Patch.RELEASE,
+        Patch.BUMPER,
+        Patch.REGROWN,
+        Patch.CRUMBLED,
+    }
 )
 """Sounds that are many and small; all others are news, and hits leave room for them."""
 _VOICES_FOR_HITS, _SCALE_FOR_HITS = 9, 0.8

@@ -78,7 +78,7 @@ def own_advance(
         moved, hits = result
         states = [[checked_result(part, "point", advance) for part in (p, v)] for p, v in moved]
         answered = [(int(ball), int(ring), int(slot), checked_result(n, "point", advance)) for ball, ring, slot, n in hits]
-        known = all([layers[ring][slot] != 0 and 0 <= ball < len(balls) for ball, ring, slot, _ in answered])
+        known = all([min(one[:3]) >= 0 and one[0] < len(balls) and layers[one[1]][one[2]] != 0 for one in answered])
     except (TypeError, ValueError, IndexError):
         raise wrong_result(advance, result, expected) from None
     if len(states) != len(balls) or not known:

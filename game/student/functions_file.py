@@ -80,7 +80,7 @@ class FunctionsFile:
         if self.problem:
             return tr("{problem}; the version before goes on").format(problem=self.problem)
         if len(self.own) > _LISTED:
-            return tr("Your functions, from {file}: {count}; the rest is the slides'").format(
+            return tr("Your {count} functions, from {file}; the rest is the slides'").format(
                 file=self.name, count=len(self.own)
             )
         names = ", ".join(sorted(self.own)) or tr("nothing yet")

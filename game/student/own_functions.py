@@ -3,12 +3,11 @@
 For the child process that runs the file.
 """
 
-import math
 from collections.abc import Callable, Mapping, Sequence
 from types import ModuleType
 from typing import Any, TypeGuard
 
-from game.student.signatures import OUTCOMES, SIGNATURES, Signature
+from game.student.signatures import OUTCOMES, SIGNATURES, Signature, is_number
 from game.student.slides import Plane, Scalar, SlideFunctions
 
 PYTHON_ORDER: Mapping[str, Sequence[str]] = {
@@ -118,9 +117,9 @@ def checked_result(result: Any, kind: str, function: Callable[..., Any]) -> Any:
         return bool(value)
     if (kind == "outcome" and value in OUTCOMES) or (kind == "normal" and value is None):
         return value
-    if kind in {"number", "angle"} and _is_number(value):
+    if kind in {"number", "angle"} and is_number(value):
         return float(value)
-    if kind in {"point", "polar", "normal"} and isinstance(value, list) and len(value) == 2 and all(map(_is_number, value)):
+    if kind in {"point", "polar", "normal"} and isinstance(value, list) and len(value) == 2 and all(map(is_number, value)):
         return (float(value[0]), float(value[1])) if kind == "polar" else complex(*value)
     raise wrong_result(function, result, _EXPECTED[kind])
 
@@ -136,8 +135,3 @@ def wrong_result(function: Callable[..., Any], result: object, expected: str) ->
 def wrong_result_line(error: BaseException) -> int | None:
     """The line of a WrongResultError; None for any other."""
     return error.line if isinstance(error, WrongResultError) else None
-
-
-def _is_number(value: object) -> bool:
-    """Whether something is a finite number."""
-    return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) < math.inf

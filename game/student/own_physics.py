@@ -79,7 +79,7 @@ def _read_bounces(answer: object, arena: Arena) -> list[SlidesBounce] | None:
         for ball, ring, slot, *numbers in answer:  # type: ignore[attr-defined]  # whatever the child has answered
             n_x, n_y, v_x, v_y = [float(number) for number in numbers]
             Ball(arena.balls[ball].position, complex(v_x, v_y), arena.balls[ball].radius)
-            if arena.layers[ring][slot] == 0 or not math.isfinite(n_x + n_y):
+            if min(ball, ring, slot) < 0 or arena.layers[ring][slot] == 0 or not math.isfinite(n_x + n_y):
                 return None
             found.append(SlidesBounce(ball, ring, slot, complex(n_x, n_y), complex(v_x, v_y)))
     except (TypeError, ValueError, IndexError):

@@ -1,8 +1,9 @@
 """What each function of the source is asked and answers, with every argument as a flat list of numbers."""
 
 import math
+import sys
 from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, TypeGuard
 
 from game.student.slides import SlideFunctions
 
@@ -111,8 +112,12 @@ def _numbers(given: object) -> list[float] | None:
     """A list of finite numbers; None for anything else."""
     if not isinstance(given, list):
         return None
-    good = [isinstance(part, int | float) and not isinstance(part, bool) and abs(part) < math.inf for part in given]
-    return [float(part) for part in given] if all(good) else None
+    return [float(part) for part in given if is_number(part)] if all([is_number(part) for part in given]) else None
+
+
+def is_number(value: object) -> TypeGuard[int | float]:
+    """Whether something is a finite number, no truth value, and no integer larger than every float."""
+    return isinstance(value, int | float) and not isinstance(value, bool) and abs(value) <= sys.float_info.max
 
 
 def _is_angle(one: float, other: float, tolerance: float) -> bool:

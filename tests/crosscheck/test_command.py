@@ -347,17 +347,20 @@ def test_the_command_line_knows_every_player_and_verdict():
 
 
 def test_by_default_all_kinds_of_games_are_checked():
-    """Every level by the autopilot and by a player who is less good, random arenas, and aimed contacts."""
+    """Every level by the autopilot, by a player who is less good and by the arcade rules; random arenas, and aimed contacts."""
     sources = default_sources(1, 14_400)
-    kinds = {(source.level if source.level.isalpha() else "level", source.player) for source in sources}
+    kinds = {(source.level if source.level.isalpha() else "level", source.player, source.arcade) for source in sources}
     assert kinds == {
-        ("level", "autopilot"),
-        ("level", "mouse"),
-        ("level", "keys"),
-        ("random", "autopilot"),
-        ("aimed", "autopilot"),
+        ("level", "autopilot", None),
+        ("level", "mouse", None),
+        ("level", "keys", None),
+        ("level", "autopilot", "easy"),
+        ("level", "autopilot", "normal"),
+        ("level", "autopilot", "hard"),
+        ("random", "autopilot", None),
+        ("aimed", "autopilot", None),
     }
-    assert len(set(sources)) == len(sources) == 21
+    assert len(set(sources)) == len(sources) == 28
 
 
 def test_the_suite_of_mistakes_is_a_table(capsys, monkeypatch, tmp_path: Path):

@@ -5,7 +5,7 @@ import random
 
 import pytest
 
-from game.levels import built_in
+from game.levels import classic
 from physics import PERMANENT, Arena, Ball, Feature, Ring, advance
 from tests.support.crosscheck import what
 from tools.crosscheck.comparisons.game import Wanted, checked_ticks
@@ -90,7 +90,7 @@ def test_the_book_takes_layers_as_the_level_says():
     assert book.differs_from([(1, 1, 0, UNBREAKABLE)]) == "ring 0, slot 1 has 1 layers in the game, no brick by the hits"
 
 
-@pytest.mark.parametrize("level", built_in(), ids=lambda level: level.name)
+@pytest.mark.parametrize("level", classic(), ids=lambda level: level.name)
 def test_a_levels_numbers_are_those_of_its_arena(level):
     """Read from the file's degrees, without the game's rings: sizes, friction and spins to the bit, phases to rounding."""
     arena = level.arena()

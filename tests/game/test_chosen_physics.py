@@ -10,7 +10,7 @@ from game import app, commands
 from game.chosen_physics import SOURCE, SWEPT
 from game.kept import games as kept_games
 from game.kept.store import Kept
-from game.levels import Level, built_in, parse
+from game.levels import Level, classic, parse
 from game.screens.play import PlayScreen
 from tests.support.command_line import polar
 from tests.support.dummy_window import FRAME, SIZE, Desk, shared
@@ -62,7 +62,7 @@ def flown_in_a_window(physics, seconds, size=SIZE):
     """The picture of a game of the autopilot after some seconds, the game, and the layout."""
     state = shared(autopilot=True)
     state.physics = physics
-    desk = Desk(state, PlayScreen(state, built_in()), size)
+    desk = Desk(state, PlayScreen(state, classic()), size)
     desk.wait(seconds)
     picture = pygame.Surface(size, 0, 32)
     desk.screen.draw(picture)

@@ -3,7 +3,7 @@
 import pygame
 import pytest
 
-from game.levels import built_in
+from game.levels import classic
 from game.rules import LIVES, TICK, Controls, Event, EventKind, Phase, new_game, tick
 from game.screens import play
 from game.screens.play import PlayScreen
@@ -12,7 +12,7 @@ from tests.support.dummy_window import FRAME, Desk, shared
 
 def served():
     """A game with a ball in play."""
-    return tick(new_game(built_in(), 3), Controls(serve=True)).game
+    return tick(new_game(classic(), 3), Controls(serve=True)).game
 
 
 def test_a_ball_given_up_costs_a_life():
@@ -35,7 +35,7 @@ def test_the_last_ball_given_up_ends_the_game():
 @pytest.mark.parametrize("phase", [phase for phase in Phase if phase != Phase.PLAYING])
 def test_without_a_ball_in_play_there_is_nothing_to_give_up(phase):
     """The tick is the same with and without it."""
-    game = new_game(built_in(), 3)._replace(phase=phase)
+    game = new_game(classic(), 3)._replace(phase=phase)
     assert tick(game, Controls(give_up=True)) == tick(game, Controls())
 
 
@@ -45,7 +45,7 @@ def playing(monkeypatch):
     monkeypatch.setattr(play, "_OFFER_TICKS", 24)
     told = []
     kept = shared(recorder=lambda controls, after: told.append((controls, after)))
-    desk = Desk(kept, PlayScreen(kept, built_in()))
+    desk = Desk(kept, PlayScreen(kept, classic()))
     desk.told = told
     desk.press(pygame.K_SPACE)
     yield desk

@@ -3,7 +3,7 @@
 import pytest
 
 from game.headless import autopilot_game, result_line
-from game.levels import built_in, parse
+from game.levels import classic, parse
 from game.overlay.readings import readings
 from game.rules import new_game
 from tests.support.level_text import GOOD
@@ -14,7 +14,7 @@ def values(line):
     return dict(word.split("=") for word in line.split())
 
 
-@pytest.mark.parametrize("levels", [built_in(), built_in()[1:], built_in()[6:], (parse(GOOD, "good"),)])
+@pytest.mark.parametrize("levels", [classic(), classic()[1:], classic()[6:], (parse(GOOD, "good"),)])
 def test_the_line_and_the_window_name_the_same_level_and_layers(levels):
     """Whatever level a game starts at, the result line and the window have one number for it, and one for its layers."""
     game = new_game(levels, 3)
@@ -24,10 +24,10 @@ def test_the_line_and_the_window_name_the_same_level_and_layers(levels):
 
 def test_a_game_begun_at_level_2_says_level_2():
     """The number counts all levels that come with the game, not those that are played."""
-    assert values(result_line(autopilot_game(built_in()[1:], 7, 10)))["level"] == "2"
+    assert values(result_line(autopilot_game(classic()[1:], 7, 10)))["level"] == "2"
 
 
 def test_the_line_says_what_repeats_the_game():
     """Seed and physics are in the line."""
-    said = values(result_line(new_game(built_in(), 77), "source"))
+    said = values(result_line(new_game(classic(), 77), "source"))
     assert (said["seed"], said["physics"]) == ("77", "source")

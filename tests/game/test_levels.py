@@ -9,7 +9,7 @@ import pytest
 
 from game import levels
 from game.level_format import checks
-from game.levels import built_in, chosen, load_file, parse
+from game.levels import chosen, classic, load_file, parse
 from game.rules import layers_left, new_game
 from game.system.errors import BadInputError
 from physics import PERMANENT, Arena, Ball, Ring, advance
@@ -100,8 +100,8 @@ def test_a_device_is_not_read():
 
 def test_levels_are_chosen_by_number_name_or_file(tmp_path: Path):
     """A number and a name start there and go on; a file stands alone."""
-    assert chosen("3") == built_in()[2:]
-    assert chosen("carousel") == built_in()[3:]
+    assert chosen("3") == classic()[2:]
+    assert chosen("carousel") == classic()[3:]
     own = tmp_path / "own.toml"
     own.write_bytes(GOOD)
     assert [level.name for level in chosen(str(own))] == ["Test"]
@@ -113,21 +113,21 @@ def test_levels_are_chosen_by_number_name_or_file(tmp_path: Path):
 def test_the_levels_differ_in_kind():
     """There are at least five levels: a single ring, several, gaps, turning rings, stacks of three and more, unbreakables."""
     kinds = {
-        "single": [len(level.rings) == 1 for level in built_in()],
-        "several": [len(level.rings) >= 3 for level in built_in()],
-        "gaps": [any(0 in ring.slots() for ring in level.rings) for level in built_in()],
-        "turning": [any(ring.spin != 0.0 for ring in level.rings) for level in built_in()],
-        "stacks": [any(max(ring.slots()) >= 3 for ring in level.rings) for level in built_in()],
-        "unbreakable": [any(PERMANENT in ring.slots() for ring in level.rings) for level in built_in()],
+        "single": [len(level.rings) == 1 for level in classic()],
+        "several": [len(level.rings) >= 3 for level in classic()],
+        "gaps": [any(0 in ring.slots() for ring in level.rings) for level in classic()],
+        "turning": [any(ring.spin != 0.0 for ring in level.rings) for level in classic()],
+        "stacks": [any(max(ring.slots()) >= 3 for ring in level.rings) for level in classic()],
+        "unbreakable": [any(PERMANENT in ring.slots() for ring in level.rings) for level in classic()],
     }
-    assert len(built_in()) >= 5
+    assert len(classic()) >= 5
     assert all(any(found) and not all(found) for found in kinds.values())
 
 
 def test_the_arena_has_what_the_level_says():
     """Bricks and paddles of the arena are those of the file, in radians."""
-    for number, level in enumerate(built_in()):
-        game = new_game(built_in()[number:], 0)
+    for number, level in enumerate(classic()):
+        game = new_game(classic()[number:], 0)
         layers = [count for ring in level.rings for count in ring.slots()]
         assert layers_left(game) == sum(count for count in layers if count > 0)
         assert game.arena.rings[0].count == level.paddles.count
@@ -144,7 +144,7 @@ def test_what_editors_write_is_accepted(tmp_path: Path):
 
 def test_a_number_is_a_number():
     """With zeros before it, too; 10 is no level."""
-    assert chosen("0003") == built_in()[2:]
+    assert chosen("0003") == classic()[2:]
     for wrong in ("00010", "0" * 8, "0" * 5000 + "3"):
         with pytest.raises(BadInputError, match="no such level"):
             chosen(wrong)
@@ -262,7 +262,7 @@ def test_a_narrow_gate_is_allowed_and_warned_of():
         found = levels.warnings(parse(GOOD + ring.encode(), "x"))
         assert bool(found) is warned
         assert not found or f"rings[1]: its widest gate is {balls} balls wide" in found[0]
-    assert not [line for level in built_in() for line in levels.warnings(level)]
+    assert not [line for level in classic() for line in levels.warnings(level)]
 
 
 @pytest.mark.parametrize(
@@ -309,5 +309,5 @@ def parse_unchecked(data: bytes) -> levels.Level:
 def test_the_files_of_the_levels_are_called_as_the_levels():
     """A file's name is the level's number and its name, in lower case with hyphens."""
     folder = ROOT / "game" / "levels"
-    expected = [f"{number}-{level.name.casefold().replace(' ', '-')}.toml" for number, level in enumerate(built_in(), 1)]
+    expected = [f"{number}-{level.name.casefold().replace(' ', '-')}.toml" for number, level in enumerate(classic(), 1)]
     assert sorted(file.name for file in folder.iterdir()) == expected

@@ -7,7 +7,7 @@ import pytest
 
 from game.autopilot import Autopilot
 from game.effects import Effects
-from game.levels import built_in
+from game.levels import classic
 from game.rules import PADDLES, TICK, Controls, EventKind, Phase, new_game, tick
 from game.scene import scene_at, still
 from physics import contact, normalize_angle, signed_difference
@@ -17,7 +17,7 @@ NONE = Effects()
 
 def ticks_of(level, count, seed=3):
     """The ticks of an autopilot's game."""
-    game, pilot = new_game(built_in()[level:], seed), Autopilot()
+    game, pilot = new_game(classic()[level:], seed), Autopilot()
     for _ in range(count):
         done = tick(game, pilot.controls(game))
         yield done
@@ -73,7 +73,7 @@ def test_the_ball_never_flies_faster_than_its_speed():
 
 def test_a_ball_waiting_for_its_serve_stays_on_its_paddle():
     """While the paddles turn, ball and arrow turn with them at every moment."""
-    game = new_game(built_in(), 1)
+    game = new_game(classic(), 1)
     for _ in range(60):
         done = tick(game, Controls(turn=1))
         game = done.game
@@ -88,7 +88,7 @@ def test_a_ball_waiting_for_its_serve_stays_on_its_paddle():
 
 def test_a_served_ball_leaves_from_its_paddle():
     """The tick of the serve shows the ball on its paddle; the next one shows it leaving."""
-    game = tick(new_game(built_in(), 1), Controls()).game
+    game = tick(new_game(classic(), 1), Controls()).game
     served = tick(game, Controls(serve=True))
     assert served.events[0].kind == EventKind.SERVED
     flying = tick(served.game, Controls())
@@ -109,7 +109,7 @@ def test_a_new_level_is_shown_as_it_starts():
 
 def test_before_the_first_tick_there_is_a_scene():
     """There is a scene of a game that has not begun."""
-    game = new_game(built_in(), 1)
+    game = new_game(classic(), 1)
     scene = scene_at(still(game), 0.0, NONE)
     assert scene.balls == game.arena.balls
     assert scene.tallest == (0, 2)

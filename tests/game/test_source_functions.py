@@ -7,7 +7,7 @@ import pytest
 
 import physics
 from game.autopilot import Autopilot
-from game.levels import built_in
+from game.levels import classic
 from game.replays.state_hash import state_hash
 from game.rules import new_game, tick
 from physics import source_mode
@@ -36,7 +36,7 @@ LISTED = ["broad_phase"]
 
 def played(advance, level=4, ticks=6000, seed=7):
     """The state after a game of the autopilot."""
-    game, pilot = new_game(built_in()[level - 1 :], seed), Autopilot()
+    game, pilot = new_game(classic()[level - 1 :], seed), Autopilot()
     for _ in range(ticks):
         game = tick(game, pilot.controls(game), advance).game
     return game

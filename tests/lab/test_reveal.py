@@ -8,6 +8,7 @@ import pytest
 from game.drawing.palette import DARK
 from game.drawing.text import Type
 from game.lab.drawing.labels import placed_labels
+from game.lab.kit.marks import two_decimals
 from game.lab.kit.parameters import defaults
 from game.lab.kit.picture import Arrow, Prediction
 from game.lab.kit.scene import picture_of, started
@@ -27,6 +28,7 @@ from tools.crosscheck.second_engine import Pymunk
 
 IN_CHAPTERS = ("angles", "broad phase", "narrow phase", "response", "time of impact")
 IN_STEPS = [scene for name in IN_CHAPTERS for scene in chapters()[name]]
+NAMES = ["v", "v_p", "Δv", "Δv_n", "Δv_t", "Δv'_n", "Δv'_t", "v_res", "v after"]
 MAY_SHOW_NOTHING = {"inside-material", "impact-resting", "two-bricks"}
 """Where there is nothing to push out, to meet or to hit, a step says so by being empty."""
 
@@ -57,12 +59,30 @@ def test_the_response_is_built_vector_by_vector_as_on_the_slides(name, vectors):
     scene = scene_named(name)
     picture = picture_of(scene, defaults(scene.parameters), None)
     arrows = [mark.label for step in picture.steps[1:] for mark in step.marks[0] if isinstance(mark, Arrow)]
-    names = ["v", "v_p", "Δv", "Δv_n", "Δv_t", "Δv'_n", "Δv'_t", "v_res", "v after"]
-    assert [label for label in arrows if label in names][:vectors] == names
+    assert [label for label in arrows if label in NAMES][:vectors] == NAMES
     for step, begins in zip(
         picture.steps[1:9], ("v =", "v_p", "Δv =", "Δv · n", "Δv'_n", "Δv'_t", "v_res", "v :="), strict=True
     ):
         assert begins in step.formula[0]
+
+
+@pytest.mark.parametrize(("name", "scale"), [("moving-surface", 0.4), ("response-paddle", 0.28), ("response-wall", 0.34)])
+def test_the_numbers_in_a_formula_are_the_vector_that_is_drawn(name, scale):
+    """At every preset each step writes the coordinates of every arrow that it draws; v and its two changes add up to v_res."""
+    scene = scene_named(name)
+    for given in lines(scene):
+        picture = picture_of(scene, given, None)
+        arrows = {}
+        for step in [step for step in picture.steps[1:] if step.formula]:
+            drawn = [mark for mark in step.marks[0] if isinstance(mark, Arrow) and mark.label in NAMES]
+            arrows |= {mark.label: mark for mark in drawn}
+            written = " ".join(step.formula)
+            assert all([two_decimals(mark.vector / scale) in written or "= 0" in written for mark in drawn]), written
+        if "Δv'_n" in arrows:
+            v, bounce, friction = (arrows[label] for label in ("v", "Δv'_n", "Δv'_t"))
+            assert abs(v.start + v.vector - bounce.start) < 1e-9
+            assert abs(bounce.start + bounce.vector - friction.start) < 1e-9
+            assert abs(arrows["v_res"].start + arrows["v_res"].vector - friction.start - friction.vector) < 1e-9
 
 
 def test_a_prediction_is_where_its_step_then_draws_the_arrow():
@@ -98,6 +118,19 @@ def test_space_reveals_and_backspace_takes_back_and_the_share_line_says_the_step
     assert desk.screen._reveal.seen == count - 1
     desk.press(pygame.K_v)
     assert desk.screen._reveal.seen is None
+    desk.close()
+
+
+def test_a_scene_that_runs_waits_until_all_of_it_is_shown():
+    """While its steps are revealed its clock stands still; then it runs, and Space pauses it."""
+    desk = LabDesk("carried?step=1")
+    desk.wait(0.3)
+    assert desk.session.tick == 0
+    desk.press(pygame.K_SPACE, pygame.K_SPACE, pygame.K_SPACE)
+    desk.wait(0.3)
+    assert desk.session.tick > 5
+    desk.press(pygame.K_SPACE)
+    assert not desk.session.playing
     desk.close()
 
 

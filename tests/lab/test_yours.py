@@ -2,7 +2,7 @@
 
 import pytest
 
-from game.lab.kit.picture import Arrow, Role
+from game.lab.kit.picture import Arrow, PointMark, Role
 from game.lab.kit.scene import picture_of, started
 from game.lab.registry import chapters, scene_named
 from game.lab.session.checks import lines
@@ -66,6 +66,26 @@ def test_a_wrong_answer_is_red(own):  # noqa: F811  # the fixture
     assert pane.lines == (("narrow_phase_case_1 = (-0.98, -0.21)", Role.GOOD),)
     assert with_yours(picture, scene, given, None) is picture
     assert with_yours(picture, scene_named("free-run"), given, right) is picture
+
+
+def test_whatever_a_function_returns_is_shown(own):  # noqa: F811  # the fixture
+    """In few letters, red; and no vector is drawn that is out of sight or none at all."""
+    shown = {
+        "10**400": "1" + "0" * 23,
+        "(1e300, 10**400)": "[1e+300, 1000000000000000",
+        "(1e300, 0)": "(1.0e+300, 0.00)",
+        "float('nan')": "nan",
+        "[True, False]": "[True, False]",
+        "'left'": "left",
+        "None": "None",
+    }
+    scene = scene_named("closest-point")
+    given = lines(scene)[0]
+    for result, words in shown.items():
+        file = own(f"def closest_point_on_line(a, b, p):\n    return {result}\n")
+        pane = with_yours(picture_of(scene, given, None), scene, given, file).panes[-1]
+        assert pane.lines[0] == (f"closest_point_on_line = {words[:24]}", Role.SOURCE)
+        assert [mark for mark in pane.marks if isinstance(mark, PointMark) and mark.label == "q"] == []
 
 
 def test_the_window_shows_it(own, tmp_path):  # noqa: F811  # the fixture

@@ -8,7 +8,7 @@ import math
 import msgspec
 import pytest
 
-from game.levels import built_in
+from game.levels import classic
 from game.rules import TICK as GAME_TICK
 from game.rules import Controls, Phase, new_game, tick
 from physics import (
@@ -308,7 +308,7 @@ class TestRow9:
 
     def test_the_source_is_over_where_a_life_is_lost(self):
         """At the very tick at which the source's game is over, this one loses a life and serves again."""
-        game = new_game(built_in(), 1)
+        game = new_game(classic(), 1)
         ball = Ball(9.9 + 0j, complex(game.level.ball.speed, 0.0), game.level.ball.radius)
         game = game._replace(phase=Phase.PLAYING, arena=game.arena._replace(balls=(ball,)))
         lives = [game.lives]
@@ -323,7 +323,7 @@ class TestRow9:
 
     def test_of_two_balls_the_first_to_leave_costs_nothing(self):
         """A life goes with the last ball, not with every one."""
-        game = new_game(built_in(), 1)
+        game = new_game(classic(), 1)
         out = Ball(10.3 + 0j, complex(game.level.ball.speed, 0.0), game.level.ball.radius)
         stays = Ball(7j, complex(game.level.ball.speed, 0.0), game.level.ball.radius)
         game = game._replace(phase=Phase.PLAYING, arena=game.arena._replace(balls=(out, stays)))
@@ -336,7 +336,7 @@ class TestRow10:
 
     def test_the_sources_ball_stays_on_its_line_for_ever_and_ours_leaves_it(self):
         """To and fro through the centre between two paddles: twelve contacts on one line, then another."""
-        level = built_in()[0]
+        level = classic()[0]
         paddles = msgspec.structs.replace(level.paddles, count=2, phase=90.0)
         brick = msgspec.structs.replace(level.rings[0], layers=[1] + [0] * 11)
         level = msgspec.structs.replace(level, paddles=paddles, rings=[brick])

@@ -10,7 +10,7 @@ import pygame
 from game.app import frame
 from game.input.keys import position_of
 from game.input.signals import KeyboardState
-from game.levels import built_in
+from game.levels import classic
 from game.screens.app_state import AppState
 from game.screens.menus.level_select import LevelSelect
 from game.screens.title import Title
@@ -22,7 +22,7 @@ SIZE = (640, 400)
 
 def shared(level=0, seed=7, recorder=None, *, autopilot=False):
     """What outlives a screen, before anything has happened."""
-    state = AppState(built_in(), level, seed, Title, recorder, autopilot)
+    state = AppState(classic(), level, seed, Title, recorder, autopilot)
     state.open_levels = lambda state: LevelSelect(state, Title(state))
     return state
 
@@ -69,7 +69,16 @@ class Desk:
         return next(spot.box for spot in spots if label in _words(spot.item))
 
     def click_on(self, label):
-        """Click on the item of a panel that says something."""
+        """Click on the item of a panel that says something; the wheel brings it into view."""
+        size = self.window.get_surface().get_size()
+        for _ in range(60):
+            laid = self.screen._laid(size)
+            spot = next(spot for spot in laid.spots if label in _words(spot.item))
+            if not spot.in_body or laid.body.collidepoint(spot.box.center):
+                break
+            steps = -1.0 if spot.box.centery > laid.body.centery else 1.0
+            pygame.event.post(pygame.Event(pygame.MOUSEWHEEL, precise_y=steps, x=0, y=0))
+            self.wait(FRAME)
         self.move(self.box(label).center)
         self.click(self.box(label).center)
 

@@ -4,7 +4,7 @@ from functools import cache
 
 from game.autopilot import Autopilot
 from game.effects import Effects, after
-from game.levels import built_in
+from game.levels import classic
 from game.rules import new_game, tick
 from game.scene import still
 
@@ -12,7 +12,7 @@ from game.scene import still
 @cache
 def game_after(level, ticks, seed=3):
     """The last tick of a game from a level on, counted from 0, and its effects."""
-    game, pilot, effects = new_game(built_in()[level:], seed), Autopilot(), Effects()
+    game, pilot, effects = new_game(classic()[level:], seed), Autopilot(), Effects()
     done = still(game)
     for _ in range(ticks):
         done = tick(done.game, pilot.controls(done.game))

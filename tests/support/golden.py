@@ -4,7 +4,7 @@ from collections.abc import Iterator
 from typing import NamedTuple, Protocol
 
 from game.autopilot import Autopilot
-from game.levels import built_in
+from game.levels import classic
 from game.replays.file import Recorder, Recording
 from game.rules import Controls, Game, Phase, new_game, tick
 from tests.support.paths import GOLDEN
@@ -33,14 +33,14 @@ class Golden(NamedTuple):
 
 def golden_games() -> Iterator[Golden]:
     """Every level, by every kind of player."""
-    for number in range(1, len(built_in()) + 1):
+    for number in range(1, len(classic()) + 1):
         for player in PLAYERS:
             yield Golden(f"{number}-{player}", number, player)
 
 
 def recorded(golden: Golden) -> Recording:
     """The first game, counting the seed up, that is still going on after a minute."""
-    levels = built_in()[golden.level - 1 :]
+    levels = classic()[golden.level - 1 :]
     seed = _FIRST_SEED * golden.level + _SEEDS_PER_PLAYER * PLAYERS.index(golden.player)
     while True:
         seed += 1

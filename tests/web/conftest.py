@@ -13,6 +13,7 @@ from game.web.server import served
 from tests.support.paths import GOLDEN
 from tests.support.web_page import WebPage
 
+collect_ignore_glob = [] if os.environ.get("BROWSER_TESTS") else ["*_in_browser.py", "test_odd_browsers.py"]
 CHROMIUM = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
 AXE = Package(
     "axe-core",
@@ -28,8 +29,6 @@ AXE = Package(
 @pytest.fixture(scope="session")
 def browser():
     """Chromium; skipped with one line where these tests are not asked for, or cannot be run."""
-    if not os.environ.get("BROWSER_TESTS"):
-        pytest.skip("browser tests: `.ci/run web` runs them")
     if CHROMIUM is None or importlib.util.find_spec("playwright") is None:
         pytest.skip("browser tests: no Chromium, or no playwright")
     from playwright.sync_api import sync_playwright  # noqa: PLC0415  # only where it is there

@@ -1,6 +1,7 @@
 """The page's Python, its lists of primitives, its files: without a browser."""
 
 import json
+import os
 import sys
 from pathlib import Path
 
@@ -40,7 +41,7 @@ def browser_key(code):
     """What a browser calls what is written on a key."""
     name = pygame.key.name(code)
     named = {"space": " ", "return": "Enter", "enter": "Enter", "escape": "Escape", "up": "ArrowUp", "down": "ArrowDown"}
-    named |= {"pause": "Pause", "home": "Home", "end": "End", "f1": "F1"}
+    named |= {"pause": "Pause", "break": "Pause", "home": "Home", "end": "End", "f1": "F1"}
     return named.get(name, name.strip("[]") if name.startswith("[") and len(name) == 3 else name)
 
 
@@ -73,7 +74,7 @@ def test_the_ground_has_the_desktops_colours(theme, share):
 def page_playing():
     """A page in a game."""
     page = Page(b'{"rate": 1, "sounds": []}', "", calm=False)
-    frame(page, {"type": "link", "fragment": "level/4"})
+    frame(page, {"type": "link", "fragment": "classic/4"})
     return page
 
 
@@ -131,7 +132,9 @@ def test_the_archive_is_the_same_twice_and_holds_what_is_needed():
     first = archive()
     assert first == archive()
     listed = first.decode("latin-1")
-    assert all([name in listed for name in ("game/web/client/page.py", "game/lab/scenes/runs/nudge.py", "game/levels/1-")])
+    assert all(
+        [name in listed for name in ("game/web/client/page.py", "game/lab/scenes/runs/nudge.py", "game/levels/classic/1-")]
+    )
     assert not any([name in listed for name in ("game/app.py", "game/drawing/painter.py", "physics/batch")])
 
 
@@ -166,3 +169,9 @@ def test_a_colour_survives_a_float():
     out = DisplayList()
     out.disc(0j, 1.0, (255, 254, 253))
     assert int(out.numbers[1]) == 0xFFFEFD
+
+
+@pytest.mark.skipif(not os.environ.get("BROWSER_TESTS"), reason="the tests in a browser: `.ci/run web` runs them")
+def test_the_tests_in_a_browser_are_asked_for():
+    """Elsewhere this one line says that they are left out."""
+    assert os.environ["BROWSER_TESTS"]

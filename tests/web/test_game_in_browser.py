@@ -39,7 +39,7 @@ def test_every_golden_game_has_the_same_hashes(page, name):
 
 def test_a_key_moves_the_paddles(page):
     """The right arrow turns them one way, the left arrow back."""
-    page.go("level/1")
+    page.go("classic/1")
     before = page.standing()
     assert before["level"] == "First Wall"
     assert before["phase"] == "SERVING"
@@ -53,7 +53,7 @@ def test_a_key_moves_the_paddles(page):
 
 def test_the_mouse_serves_and_the_nearest_paddle_follows_it(page):
     """A click serves; a pointer at the rim takes the paddles along."""
-    page.go("level/1")
+    page.go("classic/1")
     page.tab.mouse.click(640, 400)
     page.wait(lambda: page.standing()["phase"] == "PLAYING", page.standing)
     before = page.standing()["paddle"]
@@ -74,7 +74,7 @@ def test_a_level_file_is_dropped_and_the_autopilot_wins_it(page):
 
 def test_a_finished_game_is_kept_and_the_desktop_verifies_its_download(page, tmp_path):
     """Three balls are lost; the replay is watched, verified, downloaded, and it plays again to the same hashes elsewhere."""
-    page.go("level/2")
+    page.go("classic/2")
     page.tab.keyboard.down("ArrowRight")
     page.wait(lambda: page.tab.keyboard.press("Space") or page.title() == "Game over", page.standing)
     page.tab.keyboard.up("ArrowRight")
@@ -111,7 +111,7 @@ def test_what_is_stored_outlives_the_page(page):
 
 def test_both_views_are_drawn_and_the_tab_pauses_when_it_is_hidden(page):
     """Key 2 tips the camera: the picture is another. A page that is hidden pauses, and loses nothing."""
-    page.go("level/5")
+    page.go("classic/5")
     flat = page.tab.screenshot()
     page.tab.keyboard.press("2")
     page.tab.wait_for_timeout(1500)
@@ -177,7 +177,7 @@ def test_axe_finds_nothing(page, axe):
         page.use(item)
         assert violations() == [], item
         page.use("back")
-    page.go("level/1")
+    page.go("classic/1")
     assert violations() == []
     page.use("pause")
     assert violations() == []

@@ -3,6 +3,8 @@
 from game.web.server import served
 from tests.support.web_page import WebPage
 
+GONE = "Object.defineProperty(self, 'indexedDB', { value: undefined });"
+
 
 def test_a_phone_plays_by_touch(open_page):
     """The page fits; a tap serves, a finger turns the paddles."""
@@ -28,7 +30,7 @@ def test_without_storage_it_plays_on_and_says_so(open_page):
     def forbid(page):
         def without(route):
             answer = route.fetch()
-            route.fulfill(response=answer, body="self.indexedDB = undefined;\n" + answer.text())
+            route.fulfill(response=answer, body=f"{GONE}\n{answer.text()}")
 
         page.tab.route("**/worker.js", without)
 

@@ -2,7 +2,7 @@
 
 from contextlib import closing
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Literal
 
 import msgspec
 import typer
@@ -10,7 +10,8 @@ from rich.console import Console
 from rich.progress import Progress
 from rich.table import Table
 
-from game.levels import Level, built_in, chosen
+from game.levels import Level, campaign, chosen
+from game.rules import Difficulty, Ruleset
 from game.system.errors import BadInputError
 from game.system.files import check_target, write_text
 from game.system.output import tell
@@ -29,20 +30,22 @@ _FASTEST, _SLOWEST, _WILDEST = 0, 2000, 90.0
 @app.command()
 def balance(
     level: Annotated[
-        list[str] | None, typer.Option(help="A level: its number, its name or a TOML file; again for more. Default: all.")
+        list[str] | None,
+        typer.Option(help="A level: its number, its name or a TOML file; again for more. Default: the campaign."),
     ] = None,
     players: Annotated[
         str, typer.Option(metavar="MS/DEG,...", help="Simulated humans: reaction in ms / error of the aim in degrees.")
     ] = _PLAYERS,
+    difficulty: Annotated[Literal["easy", "normal", "hard"], typer.Option(help="Of the arcade rules.")] = "normal",
     seeds: Annotated[int, typer.Option(min=1, max=10**4, help="Games of every player in every level.")] = 5,
     workers: Annotated[int, typer.Option(min=1, max=256, help="Processes to share the games.")] = 1,
     json: Annotated[Path | None, typer.Option(help="Write every game into this JSON file.")] = None,
 ) -> None:
     """Let simulated humans with endless lives play the levels, and print what they lose and how long they take."""
     check_target(json, "--json", ".json")
-    levels = built_in() if level is None else tuple([chosen(name)[0] for name in level])
-    skills = parsed_skills(players)
-    jobs = [Job(one, skill, seed) for one in levels for skill in skills for seed in range(seeds)]
+    levels = campaign() if level is None else tuple([chosen(name)[0] for name in level])
+    skills, ruleset = parsed_skills(players), Ruleset(Difficulty[difficulty.upper()])
+    jobs = [Job(one, skill, seed, ruleset) for one in levels for skill in skills for seed in range(seeds)]
     trials: list[Trial] = []
     console = Console(stderr=True)
     try:
@@ -57,7 +60,8 @@ def balance(
     finally:  # after Ctrl-C too: what was played is told
         _print(levels, skills, trials)
         if json is not None:
-            games = [{**trial._asdict(), "skill": trial.skill._asdict()} for trial in trials]
+            hashes = {one.name: one.content_hash()[:16] for one in levels}
+            games = [{**trial._asdict(), "skill": trial.skill._asdict(), "level_hash": hashes[trial.level]} for trial in trials]
             write_text(json, msgspec.json.format(msgspec.json.encode(games), indent=1).decode() + "\n")
 
 

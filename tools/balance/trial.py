@@ -88,7 +88,8 @@ def trial(level: Level, skill: Skill, seed: int, ruleset: Ruleset = NORMAL_RULES
         given_up += controls.give_up
         bonus += sum([event.points for event in done.events if event.kind == EventKind.LEVEL_CLEARED])
         kinds = [event.kind for event in done.events]
-        waits = last.phase == Phase.PLAYING and EventKind.BRICK_HIT not in kinds and not last.held
+        broken = {EventKind.BRICK_HIT, EventKind.BRICK_CRUMBLED}.intersection(kinds)
+        waits = last.phase == Phase.PLAYING and not broken and not last.held
         gap = gap + 1 if waits else 0
         longest = max(longest, gap)
         lost += last.phase == Phase.SERVING and last.phase_tick == 0 and EventKind.BALL_LOST in kinds

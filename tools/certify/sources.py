@@ -5,7 +5,7 @@ from pathlib import Path
 from typing import NamedTuple, overload
 
 from game.autopilot import Autopilot
-from game.levels import built_in, chosen
+from game.levels import chosen, classic
 from game.replays.file import load, played
 from game.rules import TICK, Phase, Ticked, new_game, tick
 from game.system.errors import BadInputError
@@ -65,7 +65,7 @@ class SourcePlan(Sequence[ClaimSource]):
     def __init__(self, seed: int, arena_count: int) -> None:
         """Take the seed of all of them."""
         self._seed = seed
-        self._games = len(built_in())
+        self._games = len(classic())
         self._count = self._games + arena_count
 
     def __len__(self) -> int:
@@ -85,7 +85,7 @@ class SourcePlan(Sequence[ClaimSource]):
         if not 0 <= index < self._count:
             raise IndexError(index)
         if index < self._games:
-            return ClaimSource(f"{_GAME}{index + 1}:{self._seed}")
+            return ClaimSource(f"{_GAME}{classic()[index].name}:{self._seed}")
         return ClaimSource(f"{_ARENA}{self._seed}:{index - self._games}")
 
 

@@ -8,7 +8,7 @@ from typing import NamedTuple
 import pymunk
 
 from game import VERSION
-from game.levels import built_in
+from game.levels import Level, campaign, classic
 from game.system.errors import BadInputError
 from physics import PHYSICS_VERSION
 from tools.crosscheck.comparisons.game import Checked, Wanted, checked_ticks
@@ -105,15 +105,21 @@ def checked_games(jobs: Sequence[Job], workers: int, tell: Callable[[RunResult],
 def default_sources(seed: int, ticks: int) -> list[Source]:
     """What is checked where nothing is named.
 
-    A game of each level by the autopilot, one by a player that meets the ball with any part of a paddle, one under the arcade
-    rules, some random arenas, and a contact of every kind.
+    A game of each classic level by the autopilot, one by a player that meets the ball with any part of a paddle, one under the
+    arcade rules of the last level of each chapter, some random arenas, and a contact of every kind.
     """
-    levels = [str(number + 1) for number in range(len(built_in()))]
+    levels = [level.name for level in classic()]
     sources = [Source(None, level, seed + k, ticks) for k, level in enumerate(levels)]
     sources += [Source(None, level, seed + k, ticks, PLAYERS[1 + k % 2]) for k, level in enumerate(levels)]
-    sources += [Source(None, level, seed + k, ticks, arcade=DIFFICULTIES[k % 3]) for k, level in enumerate(levels)]
+    ends = [level.name for level in campaign() if level is _last_of_chapter(level)]
+    sources += [Source(None, level, seed + k, ticks, arcade=DIFFICULTIES[k % 3]) for k, level in enumerate(ends)]
     sources += [Source(None, RANDOM, seed + k, ticks // 4 + 1) for k in range(_ARENAS)]
     return [*sources, Source(None, AIMED, seed, min(ticks, AIMED_TICKS))]
+
+
+def _last_of_chapter(level: Level) -> Level:
+    """The last level of a level's chapter: it has all that the chapter is about."""
+    return [other for other in campaign() if other.chapter == level.chapter][-1]
 
 
 class Choice(NamedTuple):
@@ -134,7 +140,7 @@ def chosen_sources(choice: Choice) -> list[Source]:
     if not sources and choice.games is None and choice.level is None and choice.player is None and choice.arcade is None:
         sources = default_sources(choice.seed, choice.ticks)
     else:
-        every = [str(number + 1) for number in range(len(built_in()))]
+        every = [level.name for level in (classic() if choice.arcade is None else campaign())]
         levels = every if choice.level is None else [choice.level]
         count = choice.games if choice.games is not None else (0 if sources else len(levels))
         player = choice.player or AUTOPILOT

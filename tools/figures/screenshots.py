@@ -11,9 +11,14 @@ from PIL import Image
 from game.system.command_line import run
 from game.system.errors import CheckFailedError
 
+_GAME = ("--size", "1120x700")
 _FROM_THE_LAB = ("--size", "960x640", "--theme", "light")
 SCREENSHOTS: dict[str, tuple[str, ...]] = {
-    "game": ("--headless", "--autopilot", "--level", "4", "--seed", "7", "--ticks", "2200", "--size", "1280x800"),
+    "game": ("--headless", "--autopilot", "--level", "18", "--seed", "7", "--ticks", "2200", *_GAME),
+    "game-heart": ("--headless", "--autopilot", "--level", "32", "--seed", "7", "--ticks", "2400", "--view", "solid", *_GAME),
+    "game-vault": ("--headless", "--autopilot", "--level", "12", "--seed", "5", "--ticks", "2800", "--view", "solid", *_GAME),
+    "game-petals": ("--headless", "--autopilot", "--level", "3", "--seed", "3", "--ticks", "2400", *_GAME),
+    "game-orbit": ("--headless", "--autopilot", "--level", "20", "--seed", "4", "--ticks", "2600", "--view", "solid", *_GAME),
     "lab-polar": ("lab", "polar", *_FROM_THE_LAB),
     "lab-on-left": ("lab", "on-left", *_FROM_THE_LAB),
     "lab-broad-phase": ("lab", "broad-phase", *_FROM_THE_LAB),
@@ -34,7 +39,7 @@ SCREENSHOTS: dict[str, tuple[str, ...]] = {
 
 _CHECKOUT = Path(__file__).parents[2]
 _COLOURS = 96
-"""Colours of a screenshot's file: few, so that it is small; areas are plain."""
+"""Colours of the lab's files: few, so that they are small. The game's pictures keep theirs, for they have light and shadow."""
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
@@ -60,7 +65,9 @@ def draw_screenshot(name: str, path: Path) -> None:
     if finished.returncode:
         raise CheckFailedError(f"{name}: {finished.stderr.strip()}")
     with Image.open(path) as picture:
-        picture.convert("RGB").quantize(_COLOURS, dither=Image.Dither.NONE).save(path, optimize=True)
+        whole = picture.convert("RGB")
+    few = whole.quantize(_COLOURS, dither=Image.Dither.NONE) if name.startswith("lab") else whole
+    few.save(path, optimize=True)
 
 
 if __name__ == "__main__":

@@ -106,19 +106,26 @@ def _sector(scene: str, given: Mapping[str, float], radius: float, angle: float)
     )
 
 
-def _response(given: Mapping[str, float], _: Sequence[float]) -> str | None:
-    """The bounce, turned so that n points up: off a wall at rest, or off a paddle that slides along itself."""
+def _response(given: Mapping[str, float], _: Sequence[float]) -> str:
+    """The bounce, turned so that n points up: off a wall at rest, or off a paddle that slides along itself; else as it is."""
     v, n, v_p = _point(given, "v"), _point(given, "n"), _point(given, "v_p")
     up = 1j / n
-    heading = math.degrees(math.atan2((v * up).imag, (v * up).real)) % 360.0
+    heading = _degrees_of(v * up)
     surface = v_p * up
     if abs(surface.imag) > 1e-9:
-        return None  # neither scene has a surface that moves along n
+        return _written(
+            "moving-surface", heading=_degrees_of(v), speed=given["v_0"], v_p=v_p, mu=given["mu_p"], normal=_degrees_of(n)
+        )
     if abs(surface) < 1e-9:
         return _written("response-wall", theta=90.0, heading=heading, speed=given["v_0"], mu=given["mu_p"])
     spin = -surface.real / _PADDLE_RADIUS
     ball = complex(0.0, _PADDLE_RADIUS + 0.5)
     return _written("response-paddle", ball=ball, heading=heading, speed=given["v_0"], spin=spin, mu=given["mu_p"])
+
+
+def _degrees_of(vector: complex) -> float:
+    """The angle of a vector in degrees."""
+    return math.degrees(math.atan2(vector.imag, vector.real)) % 360.0
 
 
 def _written(scene: str, **values: complex) -> str:

@@ -35,7 +35,7 @@ from game.input.view import FLAT, SOLID, Viewpoint
 from game.levels import built_in
 from game.overlay import hud
 from game.overlay.readings import readings
-from game.rules import Ruleset, Ticked, new_game, tick
+from game.rules import ActivePower, Drop, PowerUp, Ruleset, Ticked, new_game, tick
 from game.scene import scene_at, still
 from game.screens.app_state import AppState
 from game.screens.base import Screen
@@ -45,6 +45,8 @@ from game.screens.play import PlayScreen
 from game.screens.title import Title
 from game.system import window as display
 from game.system.command_line import run
+from game.system.errors import BadInputError
+from physics import direction
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
@@ -52,6 +54,8 @@ _WARM_UP = 20
 """Frames drawn before those that are timed."""
 _SERVED_TICKS = 600
 _TICKS_A_FRAME = 4
+_POWERS = tuple([ActivePower(kind, 600, 1200) for kind in (PowerUp.WIDE, PowerUp.SLOW, PowerUp.STICKY, PowerUp.PIERCE)])
+_DROPS = tuple([Drop(kind, 6.0 * direction(kind), direction(kind)) for kind in (PowerUp.LIFE, PowerUp.FAST, PowerUp.SHIELD)])
 
 Draw = Callable[[pygame.Surface], None]
 """Draws one frame."""
@@ -103,6 +107,8 @@ def cases() -> tuple[FrameCase, ...]:
         FrameCase("3D, orbiting", small, lambda level: game_frames(level, SOLID, 0.02)),
         FrameCase("top-down", large, lambda level: game_frames(level, FLAT)),
         FrameCase("3D", large, lambda level: game_frames(level, SOLID)),
+        FrameCase("top-down, power-ups", large, lambda level: game_frames(level, FLAT, busy=True)),
+        FrameCase("3D, power-ups", large, lambda level: game_frames(level, SOLID, busy=True)),
         FrameCase("pause", small, lambda level: panel_frames(level, _paused)),
         FrameCase("settings", small, lambda level: panel_frames(level, SettingsPanel)),
         FrameCase("help", small, lambda level: panel_frames(level, Help)),
@@ -112,17 +118,20 @@ def cases() -> tuple[FrameCase, ...]:
 
 @app.command()
 def frames(
-    level: Annotated[int, typer.Option(min=1, max=7, help="Level to draw; 7 has 150 bricks.")] = 7,
+    level: Annotated[int | None, typer.Option(min=1, help="Level to draw; without it, the one with the most bricks.")] = None,
     count: Annotated[int, typer.Option(min=20, max=100_000, help="Frames of each case.")] = 400,
     window: Annotated[bool, typer.Option("--window", help="Draw into a window, and show every frame.")] = False,  # noqa: FBT002  # a flag
 ) -> None:
     """Time whole frames, effects on: the scene, everything drawn, the figures, or a panel; with a window, showing it, too."""
+    if level is not None and level > len(built_in()):
+        raise BadInputError(f"--level {level}: there are {len(built_in())} levels")
+    number = busiest_level() if level is None else level
     table = Table(box=None, pad_edge=False)
     table.add_column("frame")
     for heading in ("pixels", "median ms", "99 % ms", "longest ms", "by the clock", "99 %"):
         table.add_column(heading, justify="right")
     for case in cases():
-        size, taken = timed(case, level, count, _window if window else _plain)
+        size, taken = timed(case, number, count, _window if window else _plain)
         processor, clock = [one.processor for one in taken], [one.clock for one in taken]
         figures = (median(processor), _late(processor), max(processor), median(clock), _late(clock))
         table.add_row(case.name, f"{size[0]}x{size[1]}", *[f"{figure:.2f}" for figure in figures])
@@ -147,8 +156,14 @@ def timed(
     return size, taken[_WARM_UP:]
 
 
-def game_frames(level: int, view: Viewpoint, orbit: float = 0.0) -> Iterator[Draw]:
-    """Frames of an autopilot's game. orbit: radians that the camera turns in a frame."""
+def busiest_level() -> int:
+    """The number of the level with the most bricks, from 1."""
+    bricks = [sum([count != 0 for ring in level.rings for count in ring.slots()]) for level in built_in()]
+    return bricks.index(max(bricks)) + 1
+
+
+def game_frames(level: int, view: Viewpoint, orbit: float = 0.0, *, busy: bool = False) -> Iterator[Draw]:
+    """Frames of an autopilot's game. orbit: radians that the camera turns in a frame. busy: with power-ups."""
     pilot, effects, done = Autopilot(), Effects(), still(new_game(built_in()[level - 1 :], 1, Ruleset()))
     for _ in range(_SERVED_TICKS):
         done, effects = _later(done, effects, pilot)
@@ -158,7 +173,8 @@ def game_frames(level: int, view: Viewpoint, orbit: float = 0.0) -> Iterator[Dra
         """One frame, as the window draws it."""
         seen = view.seen(layout(surface.get_size(), done.game.level.ground_radius))
         canvas = Canvas(surface, seen.camera, DARK, type_, seen.unit)
-        painter.paint(canvas, scene_at(done, 0.5, effects))
+        scene = scene_at(done, 0.5, effects)
+        painter.paint(canvas, scene._replace(powers=_POWERS, drops=_DROPS) if busy else scene)
         hud.draw(canvas, readings(done.game), seen)
 
     while True:

@@ -24,7 +24,7 @@ from rich.progress import Progress
 
 from game.app import frame
 from game.input.view import Viewpoint
-from game.levels import built_in
+from game.levels import classic
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.play import PlayScreen
@@ -62,7 +62,7 @@ def soak(
     held()
     os.environ.update(SDL_VIDEODRIVER="dummy", SDL_AUDIODRIVER="dummy")
     window = display.open_window("soak", (width, height))
-    shared = AppState(built_in(), 0, 1, Title, autopilot=True, audio=Audio())
+    shared = AppState(classic(), 0, 1, Title, autopilot=True, audio=Audio())
     shared.change(Settings())
     frames = round(minutes * 60 * _RATE)
     first, screen, console = 0.0, _level(shared, 0), Console(stderr=True)

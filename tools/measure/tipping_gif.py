@@ -1,6 +1,6 @@
 """The pictures of the camera tipping over, for the README: `python -m tools.measure.tipping_gif FOLDER`.
 
-Any program makes an animation of them, for example `magick -delay 5 FOLDER/*.png -layers optimize docs/tip.gif`.
+Any program makes an animation of them, as `magick -delay 8 FOLDER/*.png +dither -colors 80 -layers optimize docs/tip.gif`.
 """
 
 from game.system.start import prepare
@@ -37,9 +37,9 @@ from game.system.wording import quoted_path
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
-_LEVEL, _SEED, _SERVED = 4, 3, 1300
-_TICKS_A_FRAME = 12
-_PAUSE, _TIP, _ORBIT = 10, 22, 26
+_LEVEL, _SEED, _SERVED = 11, 3, 1300
+_TICKS_A_FRAME = 20
+_PAUSE, _TIP, _ORBIT = 6, 11, 13
 """Frames from above, on the way, and tipped."""
 
 
@@ -66,7 +66,7 @@ def tipping(
             effects = after(effects, done)
         if number >= 0:
             seen = _views()[number].seen(layout((width, height), done.game.level.ground_radius))
-            painter.paint(Canvas(surface, seen.camera, DARK, type_, seen.unit), scene_at(done, 1.0, effects))
+            painter.paint(Canvas(surface, seen.camera, DARK, type_, seen.unit), scene_at(done, 1.0, effects)._replace(pops=()))
             picture = io.BytesIO()
             pygame.image.save(surface, picture, "picture.png")
             write_whole(folder / f"{number:03}.png", picture.getvalue())

@@ -10,7 +10,7 @@ from game.headless import autopilot_game, result_line
 from game.lab.registry import scenes
 from game.lab.session.session import opened
 from game.lab.session.share import parsed
-from game.levels import built_in, load_file, warnings
+from game.levels import classic, load_file, warnings
 from game.replays.file import Recorder, encoded, load
 from game.replays.verify import verified
 from game.rules import Controls, new_game, tick
@@ -120,7 +120,7 @@ def _try_settings(data: bytes, folder: Path) -> str | None:
 
 def _short_game(seed: int) -> bytes:
     """A replay of a second and a half."""
-    levels = built_in()[seed:]
+    levels = classic()[seed:]
     game, recorder = new_game(levels, seed), Recorder(levels, seed)
     for number in range(360):
         controls = Controls(turn=number // 60 % 3 - 1, serve=number == 30)

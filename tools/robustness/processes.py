@@ -12,7 +12,7 @@ from pathlib import Path
 from random import Random
 from typing import IO, NamedTuple
 
-from game.levels import built_in
+from game.levels import classic
 from game.replays.file import Recorder, load, save
 from game.replays.verify import verified
 from game.rules import Controls, new_game, tick
@@ -294,7 +294,7 @@ def _prints(command: CommandRun) -> bool:
 
 def _save_game(path: Path) -> None:
     """A replay of half a second."""
-    levels = built_in()
+    levels = classic()
     game, recorder = new_game(levels, 1), Recorder(levels, 1)
     for number in range(120):
         controls = Controls(serve=number == 10)

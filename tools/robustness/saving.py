@@ -14,9 +14,9 @@ from pathlib import Path
 from random import Random
 from typing import NamedTuple
 
-from game.kept.document import Document
+from game.kept.kept_file import KeptFile
 from game.kept.progress import VERSION, Best, Progress
-from game.levels import built_in
+from game.levels import classic
 from game.replays.file import Recorder, encoded, load, save
 from game.rules import Controls, new_game, tick
 from game.settings import file as settings_file
@@ -64,7 +64,7 @@ def kills(count: int, seed: int, folder: Path) -> Iterator[Kill]:
 
 def _recording() -> Recorder:
     """Some seconds of a game."""
-    levels = built_in()
+    levels = classic()
     game, recorder = new_game(levels, 1), Recorder(levels, 1)
     for number in range(_TICKS):
         controls = Controls(serve=number == 10)
@@ -86,9 +86,9 @@ def _save_for_ever(settings: Path, record: Path, history: Path, recorder: Record
             write_new(history, "2026-01-01 00-00-00.polar", encoded(recording))
 
 
-def _progress(folder: Path) -> Document[Progress]:
+def _progress(folder: Path) -> KeptFile[Progress]:
     """The progress kept in a folder."""
-    return Document(folder / "progress.json", Progress, VERSION)
+    return KeptFile(folder / "progress.json", Progress, VERSION)
 
 
 def _with_best(score: int) -> Callable[[Progress], Progress]:

@@ -4,6 +4,7 @@ What rests is drawn once: the ground with the rings that do not turn. When a bri
 again. What turns is drawn afresh in every frame.
 """
 
+from bisect import bisect_right
 from collections import OrderedDict
 from typing import NamedTuple
 
@@ -11,7 +12,7 @@ import pygame
 
 from game.drawing.canvas import Canvas
 from game.drawing.flat.recoil import RecoilPicture, without_recoiling
-from game.drawing.flat.ring import RingKey, RingPicture, ring_key
+from game.drawing.flat.ring import RingKey, RingPicture, least_lane, ring_key
 from game.drawing.ground.picture import Ground, draw_pattern, ground_picture
 from game.drawing.slots.contents import Contents, SlotContent
 from game.rules import PADDLES
@@ -66,12 +67,11 @@ class FlatPicture:
             empty = ground_picture(canvas, ground)
             draw_pattern(canvas._replace(surface=empty), ground)
             cached = _RestingPicture(key, ((),) * len(resting), empty, empty.copy())
-        if cached.contents != now:  # all of them, for the shadows of close rings fall on one another
-            pictures = [self._ring(canvas, scene, k) for k in resting]
-            for picture in pictures:
-                picture.erase(cached.picture, cached.ground)
-            for (_, ring), content, picture in zip(rings, now, pictures, strict=True):
-                picture.draw(cached.picture, ring.phase, content)
+        changed = [k for k, new, old in zip(resting, now, cached.contents, strict=True) if new != old]
+        if changed and min(_lanes(scene)) < least_lane(canvas.camera.scale):
+            changed = resting  # all of them, for the borders of rings that are so close overlap and the last one drawn wins
+        for k in changed:
+            self._ring(canvas, scene, k).draw(cached.picture, scene.rings[k].phase, contents[k], cached.ground)
         self._resting = cached._replace(contents=now)
         canvas.surface.blit(cached.picture, (0, 0))
 
@@ -80,15 +80,22 @@ class FlatPicture:
         paddles = scene.rings[PADDLES]
         picture = self._ring(canvas, scene, PADDLES)
         picture.draw(canvas.surface, paddles.phase, without_recoiling(contents, scene.recoils))
+        self._recoil.prepare(canvas, paddles)
         for recoil in scene.recoils:
             self._recoil.draw(canvas, paddles, recoil, contents[recoil.slot])
 
     def _ring(self, canvas: Canvas, scene: Scene, k: int) -> RingPicture:
         """The picture of one ring."""
-        key = ring_key(canvas, scene.rings[k], scene.tallest[k], scene.ground_radius)
+        key = ring_key(canvas, scene.rings[k], scene.tallest[k], scene.ground_radius, _lanes(scene)[k])
         picture = self._rings.get(key)
         if picture is None:
             picture = self._rings[key] = RingPicture(key)
             if len(self._rings) > _MOST_RINGS:
                 self._rings.popitem(last=False)
         return picture
+
+
+def _lanes(scene: Scene) -> list[float]:
+    """For every ring the distance to the next one outwards, or to the rim, world units."""
+    edges = sorted([*[ring.inner_radius for ring in scene.rings], scene.ground_radius])
+    return [edges[bisect_right(edges, ring.radius)] - ring.outer_radius for ring in scene.rings]

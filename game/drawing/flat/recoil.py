@@ -46,6 +46,10 @@ class RecoilPicture:
         """Start with nothing remembered."""
         self._pixels: _PaddlePixels | None = None
 
+    def prepare(self, canvas: Canvas, ring: Ring) -> None:
+        """Find the pixels of the paddles' track where they are not known, so that the first hit costs no more than the next."""
+        self._pixels_near(canvas, ring)
+
     def draw(self, canvas: Canvas, ring: Ring, recoil: Recoil, content: SlotContent) -> None:
         """One paddle on a 32-bit surface. ring: the paddles in their slots; content: of the slot that is struck."""
         scale = canvas.camera.scale

@@ -32,6 +32,12 @@ _BORDER = 1.0
 """Pixels beyond the ring's faces that its border may colour."""
 _SHADOW = 0.018
 """Length of the longest shadow, in shares of the ground's radius."""
+_WEDGES = 256
+"""Pieces of a circle that pixels are kept in, so that those where nothing stands cost nothing."""
+_WEDGE = math.tau / _WEDGES
+"""Radians."""
+_AT_ONCE = 16384
+"""Pixels drawn at once: memory for more would be asked of the system anew every time."""
 _LOW_SHADOW, _SHADOW_PER_LAYER = 0.7, 0.1
 """Share of it that everything throws, and how much more with every layer of its height."""
 _FLAT_KINDS = frozenset({ContentKind.EMPTY, ContentKind.GHOST})
@@ -47,6 +53,7 @@ class RingKey(NamedTuple):
     slot: the shape of the ring's slots.
     slots: how many there are.
     ground_radius: world units.
+    shadow: length of the longest shadow of what stands there, world units.
     theme: the colours.
     """
 
@@ -56,13 +63,23 @@ class RingKey(NamedTuple):
     slot: SlotShape
     slots: int
     ground_radius: float
+    shadow: float
     theme: Theme
 
 
-def ring_key(canvas: Canvas, ring: Ring, tallest: int, ground_radius: float) -> RingKey:
-    """The key of a ring on a 32-bit surface. tallest: layers of the highest stack that may ever stand there."""
+def ring_key(canvas: Canvas, ring: Ring, tallest: int, ground_radius: float, lane: float) -> RingKey:
+    """The key of a ring on a 32-bit surface. tallest: layers of the highest stack that may ever stand there.
+
+    lane: from the ring to the next one outwards, world units; no shadow goes beyond, so that rings share no pixels.
+    """
     stride, slot = canvas.surface.get_pitch() // 4, slot_shape(ring, tallest, 1.0 / canvas.camera.scale)
-    return RingKey(canvas.size, stride, canvas.camera, slot, ring.count, ground_radius, canvas.theme)
+    shadow = min(_SHADOW * ground_radius, max(lane - least_lane(canvas.camera.scale), 0.0))
+    return RingKey(canvas.size, stride, canvas.camera, slot, ring.count, ground_radius, shadow, canvas.theme)
+
+
+def least_lane(scale: float) -> float:
+    """World units between two rings that share no pixels. scale: pixels per world unit."""
+    return (2.0 * _BORDER + 1.0) / scale
 
 
 class RingPicture:
@@ -75,7 +92,7 @@ class RingPicture:
     def __init__(self, key: RingKey) -> None:
         """Find the ring's pixels."""
         scale, slot = key.camera.scale, key.slot
-        self._shadow = _SHADOW * key.ground_radius
+        self._shadow = key.shadow
         outer = (slot.outer_radius + self._shadow) * scale
         fine = _FINE if outer < _LARGE else _FINE // 2
         pitch = math.tau / key.slots
@@ -87,32 +104,54 @@ class RingPicture:
         self._radii = (low + (np.arange(rows, dtype=np.float32) + 0.5) / fine).astype(np.float32)
         self._angles = (((np.arange(self._columns) + 0.5) / self._columns - 0.5) * pitch).astype(np.float32)
         self._half_pitch = pitch / 2.0
+        self._reach = slot.half_angle + (self._shadow * scale + 2.0) / max(slot.inner_radius * scale, 1.0) + _WEDGE
         pixels = annulus_pixels(key.size, key.stride, key.camera.centre, low, outer + _BORDER)
-        self._pixel_index = pixels.pixel
-        self._pixel_row = np.minimum(((pixels.radius - low) * fine).astype(np.int32), rows - 1)
-        column = (pixels.angle * (self._columns_around / math.tau)).astype(np.int32)
+        wedge = np.minimum((pixels.angle * np.float32(_WEDGES / math.tau)).astype(np.uint16), _WEDGES - 1)
+        order = np.argsort(wedge, kind="stable")
+        self._wedge_ends = np.append(0, np.cumsum(np.bincount(wedge, minlength=_WEDGES)))
+        self._pixel_index = pixels.pixel[order]
+        self._pixel_row = np.minimum(((pixels.radius[order] - low) * fine).astype(np.int32), rows - 1)
+        column = (pixels.angle[order] * (self._columns_around / math.tau)).astype(np.int32)
         self._pixel_column = np.minimum(column, self._columns_around - 1)
         self._columns_of: dict[SlotContent, NDArray[np.int32]] = {}
         self._atlas, self._filled = np.zeros((0, rows), dtype=np.uint32), 0  # columns so far; the atlas grows by leaps
         self._contents: tuple[SlotContent, ...] = ()
         self._column_at = np.zeros(0, dtype=np.int32)
 
-    def draw(self, surface: pygame.Surface, phase: float, contents: tuple[SlotContent, ...]) -> None:
-        """Draw the ring. phase: middle angle of slot 0, radians; contents: of every slot."""
+    def draw(
+        self, surface: pygame.Surface, phase: float, contents: tuple[SlotContent, ...], ground: pygame.Surface | None = None
+    ) -> None:
+        """Draw the ring. phase: middle angle of slot 0, radians; contents: of every slot.
+
+        ground: a surface like the other, which shows where nothing stands; without it there stays what is drawn already.
+        """
         if not len(self._pixel_index):
             return
         if contents != self._contents:
             self._arrange(surface, contents)
         shift = round((self._half_pitch - phase) / math.tau * self._columns_around) % self._columns_around
-        index = self._column_at.take(self._pixel_column + np.int32(shift))
-        index += self._pixel_row
-        colours, memory = self._atlas.ravel().take(index), pixels_of(surface)
-        np.copyto(colours, memory.take(self._pixel_index), where=colours == 0)
-        memory[self._pixel_index] = colours
+        column_at, atlas, memory = self._column_at[shift:], self._atlas.ravel(), pixels_of(surface)
+        under = memory if ground is None else pixels_of(ground)
+        for some in self._pixels_to_draw(phase, everything=ground is not None):
+            index = column_at.take(self._pixel_column[some])
+            index += self._pixel_row[some]
+            colours, pixel = atlas.take(index), self._pixel_index[some]
+            bare = np.flatnonzero(colours == 0)
+            colours[bare] = under.take(pixel.take(bare))
+            memory[pixel] = colours
 
-    def erase(self, surface: pygame.Surface, ground: pygame.Surface) -> None:
-        """Show the ground where the ring may have been drawn. ground: a surface like the other."""
-        pixels_of(surface)[self._pixel_index] = pixels_of(ground)[self._pixel_index]
+    def _pixels_to_draw(self, phase: float, *, everything: bool) -> list[slice]:
+        """The pixels of the wedges that something stands in. everything: all, to show the ground where nothing does."""
+        ends = [(0, len(self._pixel_index))]
+        if not everything:
+            standing = np.array([content.kind is not ContentKind.EMPTY for content in self._contents])
+            turns = (np.arange(_WEDGES + 1) * _WEDGE - phase) / (2.0 * self._half_pitch)
+            slot = np.rint(turns)
+            off = np.abs(turns - slot) * (2.0 * self._half_pitch)
+            there = standing[slot.astype(np.int64) % len(standing)] & (off < self._reach)
+            steps = np.flatnonzero(np.diff(there[:-1] | there[1:], prepend=False, append=False))
+            ends = [(int(self._wedge_ends[a]), int(self._wedge_ends[b])) for a, b in zip(steps[::2], steps[1::2], strict=True)]
+        return [slice(first, min(first + _AT_ONCE, end)) for start, end in ends for first in range(start, end, _AT_ONCE)]
 
     def _arrange(self, surface: pygame.Surface, contents: tuple[SlotContent, ...]) -> None:
         """Note where in the atlas each column around the ring begins, from slot 0 on; twice around, which saves a modulo."""
@@ -157,5 +196,6 @@ class RingPicture:
             start, end = sorted((bar.inner[1], bar.outer[1]))
             beside = bar.half_width / bar.inner[0] + 2.0 / inner
             plain &= (angles < start - beside) | (angles > end + beside)
-        angles = np.where(plain, np.float32(0.0), angles) if flat > 0.0 else angles
+        if plain.any():
+            angles = np.where(plain, angles[plain.argmax()], angles)
         return np.where(far > gap, np.float32(gap), angles).astype(np.float32)

@@ -11,6 +11,8 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
+from game.drawing.raster.pixels import packed
+
 FinePixels = NDArray[np.complex64]
 """Columns and rows of a finer drawing: whole numbers, but filling takes floats faster than integers."""
 
@@ -97,6 +99,18 @@ class QuadRaster:
         flattened = self._flattened.subsurface((0, 0, right, height))
         pygame.transform.smoothscale(canvas.subsurface((0, 0, right, bottom)), flattened.size, flattened)
         pygame.transform.smoothscale(flattened, (width, height), picture.subsurface((0, 0, width, height)))
+
+
+def fill_quads(surface: pygame.Surface, corners: FinePixels, colours: NDArray[np.float32]) -> None:
+    """Fill convex quadrilaterals on a 32-bit surface in their order, their edges not smoothed.
+
+    corners: four a row, pixels; colours: red, green and blue, 0 to 255, of each.
+    """
+    begun = _begun_for_short_cuts(corners, np.ascontiguousarray(corners.imag.T))
+    points, fill = _CORNER.iter_unpack(begun.tobytes()), pygame.draw.polygon
+    for colour, a, b, c, d in zip(packed(surface, colours).tolist(), points, points, points, points, strict=True):
+        fill(surface, colour, (a, b, c))
+        fill(surface, colour, (a, c, d))
 
 
 def _by_tile(corners: FinePixels, colours: NDArray[np.uint32], finer: int, size: tuple[int, int]) -> list[tuple[int, _Quads]]:

@@ -13,12 +13,12 @@ import pygame
 
 from game.drawing.canvas import Canvas
 from game.drawing.ground.picture import Ground, draw_pattern, ground_picture
-from game.drawing.palette import Theme
+from game.drawing.palette import Theme, mixed
 from game.drawing.raster.pixels import packed
-from game.drawing.raster.quads import QuadRaster
+from game.drawing.raster.quads import FinePixels, QuadRaster, fill_quads
 from game.drawing.slots.contents import Contents, SlotContent
 from game.drawing.slots.parts import LAYER_HEIGHT, SlotShape, parts
-from game.drawing.solid.faces import ProjectedBlocks, projected, shadows, visible_faces
+from game.drawing.solid.faces import Faces, ProjectedBlocks, projected, shadows, visible_faces
 from game.drawing.solid.painters_order import widest
 from game.drawing.solid.prisms import Blocks, Cut, joined, pushed, ring_blocks
 from game.effects import FallingStack
@@ -27,6 +27,7 @@ from game.scene import Scene
 
 _MOST_FINE_PIXELS = 6_000_000
 """Surfaces up to this size are drawn _FINER times finer, and scaled down; larger ones as they are, for the sake of speed."""
+_BLACK = (0, 0, 0)
 _FINER = 2
 """A power of two: with other numbers, scaling down changes colours."""
 _SCALE_STEPS = 8
@@ -95,6 +96,9 @@ class SolidPicture:
         seen = self._projected(canvas, scene, contents, finer)
         dark = shadows(seen, scene.balls, canvas.camera, finer)
         faces = visible_faces(seen, canvas.camera, finer, canvas.theme.shade)
+        if finer == 1:
+            _fill_large(canvas, dark, faces)
+            return seen
         pixel = self._raster.canvas
         shade = np.full(len(dark), round(canvas.theme.shadow * 255.0) << pixel.get_shifts()[3], dtype=np.uint32)
         colours = np.concatenate([shade, packed(pixel, faces.colours)])
@@ -127,6 +131,16 @@ class SolidPicture:
         return found
 
 
+def _fill_large(canvas: Canvas, dark: FinePixels, faces: Faces) -> None:
+    """Fill shadows and faces on a large surface at once: every pixel that tiles would cost is saved.
+
+    There shadows have one colour, the ground's in the shade, wherever they lie.
+    """
+    shade = mixed(canvas.theme.ground, _BLACK, canvas.theme.shadow)
+    fill_quads(canvas.surface, dark, np.repeat(np.array([shade], dtype=np.float32), len(dark), axis=0))
+    fill_quads(canvas.surface, faces.corners, faces.colours)
+
+
 def _ring_key(canvas: Canvas, scene: Scene, k: int, contents: tuple[SlotContent, ...], below: float, finer: int) -> _RingKey:
     """The key of a ring. below: radius of the outer faces of the next ring towards the centre."""
     ring, scale = scene.rings[k], 2.0 ** (round(math.log2(canvas.camera.scale) * _SCALE_STEPS) / _SCALE_STEPS)
@@ -137,7 +151,7 @@ def _ring_key(canvas: Canvas, scene: Scene, k: int, contents: tuple[SlotContent,
         ring.count,
         widest(ring.inner_radius, below),
         LAYER_HEIGHT * scene.ground_radius,
-        scale,
+        scale * finer / _FINER,  # where blocks are not scaled down, bends are less fine, too
         _FRINGE / finer / scale,
     )
     falling = tuple([stack for stack in scene.falling if stack.ring == k])

@@ -4,8 +4,8 @@ from pathlib import Path
 
 import msgspec
 
-from game.kept.document import Document
 from game.kept.folder import data_folder
+from game.kept.kept_file import KeptFile
 
 VERSION = 1
 _NAME = "lab-progress.json"
@@ -18,9 +18,9 @@ class CourseProgress(msgspec.Struct, frozen=True):
     done: frozenset[str] = frozenset()
 
 
-def course_progress(path: Path | None) -> Document[CourseProgress]:
+def course_progress(path: Path | None) -> KeptFile[CourseProgress]:
     """This session's hold on a file of progress; None keeps it in memory alone."""
-    return Document(path, CourseProgress, VERSION)
+    return KeptFile(path, CourseProgress, VERSION)
 
 
 def progress_path() -> Path | None:
@@ -29,6 +29,6 @@ def progress_path() -> Path | None:
     return None if folder is None else folder / _NAME
 
 
-def keep_done(file: Document[CourseProgress], done: frozenset[str]) -> None:
+def keep_done(file: KeptFile[CourseProgress], done: frozenset[str]) -> None:
     """Write down what is done now, beside what another process has written."""
     file.update(lambda held: CourseProgress(VERSION, held.done | done))

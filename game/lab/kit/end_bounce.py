@@ -70,6 +70,18 @@ class EndFlight(NamedTuple):
     by_physics: Ball
 
 
+class EndWords(NamedTuple):
+    """What is written about a bounce off the end.
+
+    formula: first of the situation, then the source's answer, then ours in the last lines; ours: how many those are.
+    """
+
+    formula: tuple[str, ...]
+    ours: int
+    cited: CitedLine
+    note: str
+
+
 def end_bounce(given: Given) -> EndBounce:
     """The bounce that the values `u`, `speed`, `heading` and `mu` make."""
     speed, u, mu = given.number("speed"), given.number("u"), given.number("mu")
@@ -94,11 +106,9 @@ def step(given: Given, state: EndFlight) -> EndFlight:
     return EndFlight(ring, by_source, after.balls[0])
 
 
-def end_picture(after: EndBounce, state: EndFlight, formula: tuple[str, ...], cited: CitedLine, note: str) -> Picture:
-    """The source's ball at the left, ours at the right: the bounce first, then both answers.
-
-    formula: its first line is of the situation, its last two, where there are so many, are the answers.
-    """
+def end_picture(after: EndBounce, state: EndFlight, words: EndWords) -> Picture:
+    """The source's ball at the left, ours at the right: the bounce first, then both answers."""
+    formula = words.formula
     left, right = state.by_source, source.SourceBall(state.by_physics.position, state.by_physics.velocity)
     panes = tuple(
         [
@@ -107,13 +117,13 @@ def end_picture(after: EndBounce, state: EndFlight, formula: tuple[str, ...], ci
         ]
     )
     before = _before(after, state.ring)
-    first, between, last = formula[:1], formula[1:-1], formula[max(len(formula) - 1, 1) :]
+    ours = max(len(formula) - words.ours, 1)
     steps = (
-        RevealStep("v and v_p at the moment of the bounce", (before, before), first),
-        RevealStep("the source's answer", (_flight(after, left, Role.SOURCE), ()), between),
-        RevealStep("the answer here", ((), _flight(after, right, Role.GOOD)), last),
+        RevealStep("v and v_p at the moment of the bounce", (before, before), formula[:1]),
+        RevealStep("the source's answer", (_flight(after, left, Role.SOURCE), ()), formula[1:ours]),
+        RevealStep("the answer here", ((), _flight(after, right, Role.GOOD)), formula[ours:]),
     )
-    return in_steps(steps, cited, note, panes)
+    return in_steps(steps, words.cited, words.note, panes)
 
 
 def handles() -> tuple[Handle, Handle]:

@@ -8,8 +8,6 @@ from game.lab.kit.marks import VELOCITY_SCALE, two_decimals
 from game.lab.kit.picture import Arrow, Line, Mark, Prediction, RevealStep, Role, Stroke, one_step
 from physics import length
 
-_SEPARATE = "Δv · n is not below 0: they separate, nothing happens"
-
 
 class DrawnBounce(NamedTuple):
     """A bounce, and where its vectors are drawn.
@@ -29,7 +27,8 @@ def response_reveal(drawn: DrawnBounce, surface: str = "v_p") -> tuple[RevealSte
     found = drawn.found
     steps = (_ball_velocity(drawn), _surface_velocity(drawn, surface), _relative_velocity(drawn), _split(drawn))
     if found.separates:
-        return (*steps, one_step("nothing happens", [_arrow(drawn, found.v, Role.GOOD, "v after")], [_SEPARATE]))
+        line = f"Δv · n is not below 0: they separate, nothing happens:   v = {two_decimals(found.v)}"
+        return (*steps, one_step("nothing happens", [_arrow(drawn, found.v, Role.GOOD, "v after")], [line]))
     return (*steps, _normal_change(drawn), _tangential_change(drawn), _result(drawn), _final(drawn))
 
 

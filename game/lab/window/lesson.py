@@ -3,7 +3,7 @@
 import pygame
 
 from game.drawing.text import Type
-from game.kept.document import Document
+from game.kept.kept_file import KeptFile
 from game.lab.course.attended import AttendedCourse, answered, attended, lines, observed, turned
 from game.lab.course.progress import CourseProgress, keep_done
 from game.lab.course.tasks import GoalState, Question
@@ -20,7 +20,7 @@ _OPACITY = 236
 class Lesson:
     """The course as it is attended, and the file with what is done."""
 
-    def __init__(self, file: Document[CourseProgress]) -> None:
+    def __init__(self, file: KeptFile[CourseProgress]) -> None:
         """Begin at the first task that is not done."""
         self._file = file
         self._course: AttendedCourse = attended(file.value.done)

@@ -3,6 +3,7 @@
 import pygame
 
 from game.drawing.palette import Theme
+from game.input.devices import as_key
 from game.input.keys import code_among, position_in
 from game.input.repeat import Repeat
 from game.input.signals import KeyboardState, Signal
@@ -93,8 +94,7 @@ class Lab:
 
     def present(self) -> None:
         """Show the scene to a lecture room, from its first step on."""
-        self._scale = DEFAULT_SCALE
-        self._reveal = self._first_step()
+        self._scale, self._reveal = DEFAULT_SCALE, self._first_step()
 
     def layout(self, size: tuple[int, int]) -> WindowLayout:
         """How a window of that size is divided."""
@@ -110,6 +110,7 @@ class Lab:
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> Screen | None:
         """React to an event of the window."""
         self._pixels_per_point = pixels_per_point
+        event = as_key(event) or event
         if event.type == pygame.WINDOWFOCUSLOST:
             self._repeat = None
         if self._help:
@@ -126,7 +127,8 @@ class Lab:
 
     def advance(self, seconds: float, _size: tuple[int, int]) -> Screen | None:
         """Let time pass."""
-        self._session = sessions.later(self._session, seconds)
+        if self._reveal.seen is None:  # a scene that runs waits until all of it is shown
+            self._session = sessions.later(self._session, seconds)
         if self._repeat is not None:
             held, command = self._repeat
             held, due = held.later(seconds)
@@ -191,7 +193,7 @@ class Lab:
 
     def _step_name(self) -> str:
         """Which step of a reveal is shown."""
-        name, asked = step_name(self._reveal, self._picture()), reveals.prediction(self._reveal, self._picture())
+        asked, name = reveals.prediction(self._reveal, self._picture()), step_name(self._reveal, self._picture())
         return name if asked is None else f"{name}.   Now drag your {asked.asked}"
 
     def _key(self, event: pygame.Event, size: tuple[int, int]) -> Screen | None:

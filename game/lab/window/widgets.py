@@ -227,10 +227,11 @@ class Side:
         """The buttons for everything else."""
         self._top += self._unit * _GAP
         for commands in (
+            (Command.REVEAL, Command.PREDICT, Command.COURSE, Command.PRESENT),
             (Command.DEFAULTS, Command.WHOLE, Command.COPY),
             (Command.SAVE, Command.THEME, Command.HELP),
         ):
-            for command, box in zip(commands, self._split(self._line(), (0.0,) * 3), strict=True):
+            for command, box in zip(commands, self._split(self._line(), (0.0,) * len(commands)), strict=True):
                 self._button(box, command)
 
     def _button(self, box: pygame.Rect, command: Command) -> UIButton:
@@ -349,7 +350,7 @@ def _height(session: Session, parameters: Sequence[Parameter], *, paged: bool) -
     """Of all rows at their full heights, in units."""
     row = _HEIGHT + _GAP
     numbers = [2 if isinstance(parameter, Point) else 1 for parameter in parameters]
-    rows = row * (4 + (1 if session.scene.presets else 0) + (2 if session.runs else 0) + (1 if paged else 0))
+    rows = row * (5 + (1 if session.scene.presets else 0) + (2 if session.runs else 0) + (1 if paged else 0))
     sliders = _NAME * len(numbers) + (_NUMBER + _GAP) * sum(numbers)
     toggles = (_BOX + 0.2) * (len(Toggle) + 1) // 2
     return rows + sliders + toggles + 2 * _GAP

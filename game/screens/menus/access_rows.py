@@ -6,8 +6,9 @@ from game.drawing.colour_vision import VISION_NAMES, VISIONS
 from game.language import LANGUAGES, SYSTEM, tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.toolkit.items import Choice, Slider, Switch
+from game.screens.toolkit.items import ChoiceItem, Switch
 from game.screens.toolkit.layout import Row
+from game.screens.toolkit.slider import Slider
 from game.settings.values import SPEEDS, TEXT_SIZES, Settings
 
 _STEP = 5
@@ -62,7 +63,7 @@ def _speed(state: AppState) -> Slider:
     return _amount(tr("Speed of the game"), state.settings.speed, SPEEDS, put, tip)
 
 
-def _language(state: AppState) -> Choice:
+def _language(state: AppState) -> ChoiceItem:
     """The language, each in its own words."""
     codes = [SYSTEM, *[language.code for language in LANGUAGES]]
     names = (tr("as the system"), *[language.name for language in LANGUAGES])
@@ -70,7 +71,7 @@ def _language(state: AppState) -> Choice:
     def choose(index: int) -> None:
         state.change(state.settings._replace(language=codes[index]))
 
-    return Choice(_label(tr("Language"), "Language"), names, codes.index(state.settings.language), choose)
+    return ChoiceItem(_label(tr("Language"), "Language"), names, codes.index(state.settings.language), choose)
 
 
 def _label(own: str, english: str) -> str:
@@ -78,7 +79,7 @@ def _label(own: str, english: str) -> str:
     return own if own == english else f"{own} ({english})"
 
 
-def _vision(state: AppState) -> Choice:
+def _vision(state: AppState) -> ChoiceItem:
     """Which colours the player sees."""
 
     def choose(index: int) -> None:
@@ -86,7 +87,7 @@ def _vision(state: AppState) -> Choice:
 
     names = tuple([tr(VISION_NAMES[vision]) for vision in VISIONS])
     tip = tr("Other colours of bricks and paddles, that are told apart without one kind of cone in the eye.")
-    return Choice(tr("Colours that you see"), names, VISIONS.index(state.settings.vision), choose, tip)
+    return ChoiceItem(tr("Colours that you see"), names, VISIONS.index(state.settings.vision), choose, tip)
 
 
 def _amount(label: str, value: int, limits: tuple[int, int], put: Callable[[int], None], tip: str) -> Slider:

@@ -10,35 +10,41 @@ from game.language import tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.menus.key_capture import KeyCapture, Wanted
-from game.screens.toolkit.items import Button, Cells, Heading, Item
+from game.screens.toolkit.items import ButtonItem, Cells, Heading, Item
 from game.screens.toolkit.layout import Row
 
 _SLOTS = 2
 """Keys of an action that are shown."""
+_WIDE_TEXT = 1.3
+"""Above this size of text an action's name has a line of its own."""
 _KEY_SHARE = 0.62
 """Of the width of an action's name."""
 
 
 def control_rows(state: AppState, panel: Screen) -> tuple[Row, ...]:
     """Everything that can be pressed, by what it is for."""
-    rows: list[Row] = [(Button(tr("Every key and button as at first"), _reset(state, panel), centred=True),)]
+    rows: list[Row] = [(ButtonItem(tr("Every key and button as at first"), _reset(state, panel), centred=True),)]
     for title, actions in action_groups():
         rows.append((Heading(title, "" if len(rows) > 1 else tr("keys, gamepad")),))
-        rows += [_row(state, panel, action, name) for action, name in actions.items()]
+        for action, name in actions.items():
+            label: Item = Cells(((name, 1.0, "left"),))
+            keys = _keys(state, panel, action, name)
+            rows += [(label,), keys] if state.text_scale > _WIDE_TEXT else [(label, *keys)]
     return tuple(rows)
 
 
-def _row(state: AppState, panel: Screen, action: Action, name: str) -> Row:
-    """What an action is called, its keys and its button; each leads to the question for another one."""
+def _keys(state: AppState, panel: Screen, action: Action, name: str) -> Row:
+    """An action's keys and its button; each leads to the question for another one. name: what the action is called."""
     positions, buttons = positions_in_use(action), KEYS.binding(action).buttons
     keys = [position_name(positions[slot]) if slot < len(positions) else NO_KEY for slot in range(_SLOTS)]
     pad = button_name(buttons[0]) if buttons else NO_KEY
     wanted = [*[Wanted(action, name, slot, of_pad=False) for slot in range(_SLOTS)], Wanted(action, name, 0, of_pad=True)]
-    label: Item = Cells(((name, 1.0, "left"),))
     tip = tr("Enter: choose another. The same key once more takes it away.")
     shown = zip([*keys, pad], wanted, strict=True)
-    cells = [Button(words, _capture(state, panel, one), tip=tip, centred=True, width_share=_KEY_SHARE) for words, one in shown]
-    return (label, *cells)
+    cells = [
+        ButtonItem(words, _capture(state, panel, one), tip=tip, centred=True, width_share=_KEY_SHARE) for words, one in shown
+    ]
+    return tuple(cells)
 
 
 def _capture(state: AppState, panel: Screen, wanted: Wanted) -> Callable[[], Screen | None]:

@@ -2,7 +2,7 @@
 
 from game import VERSION
 from game.language import tr
-from game.screens.toolkit.items import Heading, Text
+from game.screens.toolkit.items import Heading, TextItem
 from game.screens.toolkit.layout import Content
 from game.screens.toolkit.panel import Panel
 
@@ -13,13 +13,17 @@ class Credits(Panel):
     def content(self) -> Content:
         """What the game owes to whom."""
         body = (
-            (Text(tr("A circular Breakout whose collision detection is written by hand, in polar coordinates."), 1.2),),
+            (TextItem(tr("A circular Breakout whose collision detection is written by hand, in polar coordinates."), 1.2),),
             (Heading(tr("The idea")),),
-            (Text(tr("The lecture notes on collision detection for a polar breakout, whose functions run in every game.")),),
+            (
+                TextItem(
+                    tr("The lecture notes on collision detection for a polar breakout, whose functions run in every game.")
+                ),
+            ),
             (Heading(tr("Made with")),),
-            (Text("Python, pygame-ce, SDL, NumPy, msgspec, platformdirs, Typer, Rich, Pymunk"),),
+            (TextItem("Python, pygame-ce, SDL, NumPy, msgspec, platformdirs, Typer, Rich, Pymunk"),),
             (Heading(tr("Everything you see and hear")),),
-            (Text(tr("is computed while you play: no picture and no sound comes from a file.")),),
-            (Text(tr("Version {version}").format(version=VERSION), faint=True),),
+            (TextItem(tr("is computed while you play: no picture and no sound comes from a file.")),),
+            (TextItem(tr("Version {version}").format(version=VERSION), faint=True),),
         )
         return Content(tr("Credits"), body, width=36.0)

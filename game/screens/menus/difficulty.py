@@ -3,22 +3,27 @@
 import msgspec
 
 from game.language import tr
-from game.screens.app_state import AppState
+from game.screens.app_state import AppState, Players
 from game.screens.difficulty_names import DIFFICULTIES, difficulty_name, ruleset_of
-from game.screens.toolkit.items import Choice
+from game.screens.toolkit.items import ChoiceItem
 
 
-def players_choice(state: AppState) -> Choice:
+def players_choice(state: AppState) -> ChoiceItem:
     """The item that chooses how many play on this machine."""
 
     def choose(index: int) -> None:
-        state.two_players = index == 1
+        state.players = Players(index)
 
-    tip = tr("Two together: one has the arrow keys, mouse or gamepad, the other A and D or a second gamepad.")
-    return Choice(tr("Players"), (tr("One"), tr("Two together")), int(state.two_players), choose, tip)
+    tips = (
+        tr("Scores and ranks are for one player."),
+        tr("One has the arrow keys, mouse or gamepad, the other A and D or a second gamepad; both steer all paddles."),
+        tr("The lower paddle has the arrow keys, mouse or gamepad, the upper one A and D or a second gamepad."),
+    )
+    names = (tr("One"), tr("Two together"), tr("Two against each other"))
+    return ChoiceItem(tr("Players"), names, int(state.players), choose, tips[state.players])
 
 
-def difficulty_choice(state: AppState) -> Choice:
+def difficulty_choice(state: AppState) -> ChoiceItem:
     """The item that chooses it, and remembers it."""
 
     def choose(index: int) -> None:
@@ -27,4 +32,4 @@ def difficulty_choice(state: AppState) -> Choice:
 
     names = tuple([difficulty_name(name) for name in DIFFICULTIES])
     tip = tr("Easy: slower balls, wider paddles, more lives. Source's rules: one speed, no power-ups. Each has its own scores.")
-    return Choice(tr("Difficulty"), names, DIFFICULTIES.index(state.difficulty), choose, tip)
+    return ChoiceItem(tr("Difficulty"), names, DIFFICULTIES.index(state.difficulty), choose, tip)

@@ -9,7 +9,7 @@ from game.screens.base import Screen
 from game.screens.menus import help_pictures as pictures
 from game.screens.menus.help_powers import power_rows
 from game.screens.toolkit.focus import Focus
-from game.screens.toolkit.items import Cells, Drawing, Item, Text
+from game.screens.toolkit.items import Cells, Drawing, Item, TextItem
 from game.screens.toolkit.layout import Content, Row
 from game.screens.toolkit.menu import back_row
 from game.screens.toolkit.panel import Panel
@@ -56,10 +56,10 @@ def _game() -> tuple[Row, ...]:
         tr("Every step of a brick is one layer, and takes one hit. Steel never breaks."),
         tr("Bricks in a row, without a paddle between them, multiply the points: up to eight times."),
     )
-    beside = Text("\n".join(words), 1.15, width_share=1.25)
+    beside = TextItem("\n".join(words), 1.15, width_share=1.25)
     return (
         (Drawing(12.5, pictures.draw_arena), beside),
-        (Text(""),),
+        (TextItem(""),),
         (Drawing(4.2, pictures.draw_bricks),),
     )
 
@@ -73,13 +73,13 @@ def _aiming() -> tuple[Row, ...]:
             Drawing(10.5, pictures.draw_serve),
         ),
         (
-            Text(tr("Off the middle: the ball leaves towards that side, the more the nearer the end it meets."), 1.0),
-            Text(tr("On the move: a turning paddle takes the ball along."), 1.0),
-            Text(tr("The serve: it flies along the arrow. Wait for the right moment, or point there."), 1.0),
+            TextItem(tr("Off the middle: the ball leaves towards that side, the more the nearer the end it meets."), 1.0),
+            TextItem(tr("On the move: a turning paddle takes the ball along."), 1.0),
+            TextItem(tr("The serve: it flies along the arrow. Wait for the right moment, or point there."), 1.0),
         ),
-        (Text(""),),
+        (TextItem(""),),
         (
-            Text(
+            TextItem(
                 tr("A ball that flies past the core comes back at you from the far side: be there before it."), 1.0, faint=True
             ),
         ),
@@ -100,7 +100,7 @@ def _controls() -> tuple[Row, ...]:
     )
     rows: list[Row] = []
     for name, how in ways:
-        row: tuple[Item, ...] = (Text(name, 1.2, width_share=0.35), Text(how, 1.1))
+        row: tuple[Item, ...] = (TextItem(name, 1.2, width_share=0.35), TextItem(how, 1.1))
         rows += [row, (Item(),)]
     return tuple(rows)
 

@@ -11,7 +11,7 @@ from game.drawing.flat.sample import brick_sample
 from game.drawing.palette import Colour, mixed
 from game.drawing.raster.primitives import draw_dot
 from game.language import tr
-from game.levels import built_in
+from game.levels import classic
 from game.screens.level_pictures import LevelPictures
 from physics import PERMANENT
 
@@ -33,7 +33,7 @@ def draw_arena(canvas: Canvas, box: pygame.Rect) -> None:
     side = min(box.width, box.height)
     pictures = _level_pictures()
     pictures.next_frame()
-    picture = pictures.picture(built_in()[1], side, canvas.theme, whole=True)
+    picture = pictures.picture(classic()[1], side, canvas.theme, whole=True)
     if picture is not None:
         canvas.surface.blit(picture, picture.get_rect(center=box.center))
 

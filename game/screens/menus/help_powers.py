@@ -7,7 +7,7 @@ from game.drawing.canvas import Canvas
 from game.effects.pops import POWER_NAMES
 from game.language import tr
 from game.rules import HARMFUL, LASTING, TICK, PowerUp
-from game.screens.toolkit.items import Drawing, Item, Text
+from game.screens.toolkit.items import Drawing, Item, TextItem
 from game.screens.toolkit.layout import Row
 
 _SIGN = 0.16
@@ -22,11 +22,11 @@ def power_rows() -> tuple[Row, ...]:
     cells = [_cell(kind) for kind in PowerUp]
     rows: list[Row] = [
         (*left, *right)
-        for left, right in zip(cells[::2], [*cells[1::2], (Text("", width_share=_SIGN), Text(""))], strict=False)
+        for left, right in zip(cells[::2], [*cells[1::2], (TextItem("", width_share=_SIGN), TextItem(""))], strict=False)
     ]
     caught = tr("A broken brick may leave one. It drifts outward; catch it with a paddle before it leaves the circle.")
     harmful = tr("Signs with prickles are better not caught.")
-    return ((Text(f"{caught} {harmful}", 1.1),), (Text("", 0.4),), *rows)
+    return ((TextItem(f"{caught} {harmful}", 1.1),), (TextItem("", 0.4),), *rows)
 
 
 def _cell(kind: PowerUp) -> tuple[Item, Item]:
@@ -41,7 +41,7 @@ def _cell(kind: PowerUp) -> tuple[Item, Item]:
         pixel = complex(box.centerx, box.top + canvas.unit * 1.1)
         _icons.draw(canvas.surface, kind, pixel, canvas.unit * _ICON, canvas.theme)
 
-    return Drawing(_ROW, paint, width_share=_SIGN), Text(words, 1.0, faint=kind in HARMFUL)
+    return Drawing(_ROW, paint, width_share=_SIGN), TextItem(words, 1.0, faint=kind in HARMFUL)
 
 
 def _first_upper(words: str) -> str:

@@ -1,6 +1,6 @@
 """The table of high scores, a part for every difficulty; a line leads to its replay."""
 
-from game.kept.scores import Score
+from game.kept.scores import ENDLESS, Score
 from game.language import tr
 from game.overlay.toast import Toast
 from game.screens.app_state import AppState
@@ -8,11 +8,12 @@ from game.screens.base import Screen
 from game.screens.difficulty_names import DIFFICULTIES, difficulty_name
 from game.screens.menus.replay_file import opened_replay
 from game.screens.toolkit.focus import Focus
-from game.screens.toolkit.items import Button, Cells, Item, Text
+from game.screens.toolkit.items import ButtonItem, Cells, Item, TextItem
 from game.screens.toolkit.layout import Content
 from game.screens.toolkit.menu import Entry, back_row
 from game.screens.toolkit.panel import Panel
 
+_TABLES = (*DIFFICULTIES, ENDLESS)
 _COLUMNS = ((0.6, "right"), (0.2, "left"), (3.6, "left"), (2.0, "right"), (0.6, "left"), (3.6, "left"), (2.2, "right"))
 """The columns, two of them empty: parts of the width, and where their words stand."""
 
@@ -24,21 +25,21 @@ class HighScores(Panel):
         """Open at the present difficulty. entered: the score that was just made, marked; entries: where it leads then."""
         super().__init__(state, under)
         self._entered, self._entries = entered, entries
-        self._tab = DIFFICULTIES.index(state.difficulty)
+        self._tab = _TABLES.index(entered.difficulty if entered is not None else state.difficulty)
 
     def content(self) -> Content:
         """The table of one difficulty."""
-        table = self.state.kept.scores.value.table(DIFFICULTIES[self._tab])
+        table = self.state.kept.scores.value.table(_TABLES[self._tab])
         heads = ("#", "", tr("Name"), tr("Score"), "", tr("Until"), tr("Date"))
         head = Cells(tuple([(word, *column) for word, column in zip(heads, _COLUMNS, strict=True)]), faint=True)
         rows: list[tuple[Item, ...]] = [(head,)]
         rows += [(self._line(number, score),) for number, score in enumerate(table, 1)]
         if not table:
-            rows.append((Text(tr("Nobody yet: the first game that ends with points stands here."), 1.1, faint=True),))
-        names = tuple([difficulty_name(name) for name in DIFFICULTIES])
+            rows.append((TextItem(tr("Nobody yet: the first game that ends with points stands here."), 1.1, faint=True),))
+        names = (*[difficulty_name(name) for name in DIFFICULTIES], tr("Endless"))
         footer = back_row(tr("Back"), self.back)
         if self._entries:
-            footer = (tuple([Button(one.label, one.chosen, centred=True) for one in self._entries]),)
+            footer = (tuple([ButtonItem(one.label, one.chosen, centred=True) for one in self._entries]),)
         return Content(tr("High scores"), tuple(rows), footer, names, self._tab, 42.0, tall=20.0)
 
     def back(self) -> Screen | None:

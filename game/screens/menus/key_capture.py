@@ -13,7 +13,7 @@ from game.language import tr
 from game.overlay.toast import Toast
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.toolkit.items import Text
+from game.screens.toolkit.items import TextItem
 from game.screens.toolkit.layout import Content
 from game.screens.toolkit.menu import back_row
 from game.screens.toolkit.panel import Panel
@@ -43,7 +43,7 @@ class KeyCapture(Panel):
         """The question."""
         asked = tr("Press a button of the gamepad.") if self._wanted.of_pad else tr("Press a key.")
         lines = (asked, tr("Esc, or B on a gamepad: leave it as it is."))
-        rows = tuple([(Text(line, 1.1, faint=index > 0, centred=True),) for index, line in enumerate(lines)])
+        rows = tuple([(TextItem(line, 1.1, faint=index > 0, centred=True),) for index, line in enumerate(lines)])
         return Content(self._wanted.name, rows, back_row(tr("Back"), self.back), width=28.0, centred=True)
 
     def typed(self, event: pygame.Event) -> bool:

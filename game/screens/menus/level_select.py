@@ -23,7 +23,7 @@ from game.screens.play import PlayScreen
 from game.screens.play_record import record_name
 from game.screens.toolkit.focus import Focus
 from game.screens.toolkit.icons import draw_lock
-from game.screens.toolkit.items import Button, Heading, Item
+from game.screens.toolkit.items import ButtonItem, Heading, Item
 from game.screens.toolkit.layout import Content, Row
 from game.screens.toolkit.menu import Entry, Menu
 from game.screens.toolkit.panel import Panel
@@ -102,7 +102,7 @@ class LevelSelect(Panel):
     @property
     def looks(self) -> tuple[object, ...]:
         """The choices above the levels are kept elsewhere."""
-        return *super().looks, self.state.difficulty, self.state.two_players
+        return *super().looks, self.state.difficulty, self.state.players
 
     def content(self) -> Content:
         """The difficulty, and the chapters."""
@@ -133,7 +133,7 @@ class LevelSelect(Panel):
         """Cards beside each other."""
         return math.ceil(_COLUMNS / self.state.text_scale)
 
-    def advance(self, _seconds: float, size: tuple[int, int]) -> Screen | None:
+    def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
         """Draw one more picture, if one is missing."""
         if self._shows_next:
             self._shows_next = False
@@ -141,7 +141,7 @@ class LevelSelect(Panel):
             self._show_focus(size)
         if self.state.pictures.next_frame():
             self._changes += 1
-        return self
+        return super().advance(seconds, size)
 
     def _card(self, index: int) -> Card:
         """A level's card."""
@@ -171,7 +171,7 @@ class LevelSelect(Panel):
             row = cards[start : start + self._columns]
             rows.append((*row, *[Item()] * (self._columns - len(row))))
         tip = tr("Opens the editor. Your levels are files in a folder of their own.")
-        return (*rows, (Button(tr("Make a new level"), lambda: self._edited(None), tip=tip, centred=True),))
+        return (*rows, (ButtonItem(tr("Make a new level"), lambda: self._edited(None), tip=tip, centred=True),))
 
     def _own_card(self, level: Level, path: Path) -> Card:
         """A level of the player's."""

@@ -13,7 +13,7 @@ from game.screens.base import Screen
 from game.screens.difficulty_names import difficulty_name
 from game.screens.menus.level_select import clock
 from game.screens.menus.replay_file import opened_replay
-from game.screens.toolkit.items import Cells, Item, Text
+from game.screens.toolkit.items import Cells, Item, TextItem
 from game.screens.toolkit.layout import Content
 from game.screens.toolkit.menu import Entry, Menu, back_row
 from game.screens.toolkit.panel import Panel
@@ -31,14 +31,14 @@ class Replays(Panel):
 
     def content(self) -> Content:
         """A line for every game."""
-        rows: list[tuple[Item, ...]] = [(Text(_rule(), 1.0, faint=True),)]
+        rows: list[tuple[Item, ...]] = [(TextItem(_rule(), 1.0, faint=True),)]
         games = self.state.kept.games.listed()
         if games:
             heads = (tr("Game"), tr("Until"), tr("Score"), tr("Time"), tr("Kept"))
             cells = tuple([(word, *column) for word, column in zip(heads, _SHARES, strict=True)])
             rows.append((Cells(cells, faint=True),))
         else:
-            rows.append((Text(tr("None yet: a game is kept at its end if it took five seconds or more."), 1.1),))
+            rows.append((TextItem(tr("None yet: a game is kept at its end if it took five seconds or more."), 1.1),))
         rows += [(self._line(game),) for game in games]
         footer = back_row(tr("Back"), self.back)
         return Content(tr("Replays"), tuple(rows), footer, width=44.0)

@@ -12,7 +12,7 @@ from game.input.signals import Clicked, Pressed, Signal
 from game.language import tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.toolkit.items import Cells, Drawing, Heading, Item, Text
+from game.screens.toolkit.items import Cells, Drawing, Heading, Item, TextItem
 from game.screens.toolkit.layout import Content
 from game.screens.toolkit.menu import Entry, buttons_of
 from game.screens.toolkit.panel import Panel
@@ -64,7 +64,7 @@ class Results(Panel):
 
     def content(self) -> Content:
         """Line, rank, figures, buttons."""
-        rows: list[tuple[Item, ...]] = [(Text(self._line, 1.1, faint=True, centred=True),)]
+        rows: list[tuple[Item, ...]] = [(TextItem(self._line, 1.1, faint=True, centred=True),)]
         if self._rank:
             rows.append((Drawing(_BADGE, self._draw_rank),))
         rows.append((Heading(tr("Results")),))

@@ -12,13 +12,14 @@ from game.screens.base import Screen
 from game.screens.earned import feats
 from game.screens.menus.access_rows import access_rows
 from game.screens.menus.control_rows import control_rows
-from game.screens.toolkit.items import Choice, Heading, Item, Slider, Switch, Text
+from game.screens.toolkit.items import ChoiceItem, Heading, Item, Switch, TextItem
 from game.screens.toolkit.layout import Row
+from game.screens.toolkit.slider import Slider
 from game.settings.values import LOUDEST, VOLUME_STEP, Settings
 from game.unlocks import BALLS, TRAILS, Condition, ball_names, trail_names, unlocked
 
 
-class Part(NamedTuple):
+class SettingsPart(NamedTuple):
     """A part of the settings. name: in the player's language; rows: as they are now, on a panel."""
 
     name: Callable[[], str]
@@ -69,7 +70,7 @@ def _picture(state: AppState, _panel: Screen) -> tuple[Row, ...]:
     def switch_full_screen() -> None:
         state.wants_full_screen = not state.full_screen
 
-    colours = Choice(
+    colours = ChoiceItem(
         tr("Colours"),
         tuple(names.values()),
         keys.index(state.settings.colours),
@@ -102,12 +103,12 @@ def _unlockable(state: AppState, label: str, field: str, conditions: dict[str, C
     following = next((name for name in conditions if name not in earned), None)
     tip = tr("All are yours.") if following is None else f"{names[following]}: {conditions[following].text}"
     if len(open_ones) == 1:
-        return Text(tr("{what}: {name}. To earn: {how}").format(what=label, name=names[now], how=tip))
+        return TextItem(tr("{what}: {name}. To earn: {how}").format(what=label, name=names[now], how=tip))
 
     def choose(index: int) -> None:
         state.change(Settings(**{**state.settings._asdict(), field: open_ones[index]}))
 
-    return Choice(label, tuple([names[name] for name in open_ones]), open_ones.index(now), choose, tip)
+    return ChoiceItem(label, tuple([names[name] for name in open_ones]), open_ones.index(now), choose, tip)
 
 
 def _effects(state: AppState, _panel: Screen) -> tuple[Row, ...]:
@@ -160,9 +161,9 @@ def _sound(state: AppState, _panel: Screen) -> tuple[Row, ...]:
 
 
 PARTS = (
-    Part(lambda: tr("Picture"), _picture),
-    Part(lambda: tr("Effects"), _effects),
-    Part(lambda: tr("Sound"), _sound),
-    Part(lambda: tr("Keys"), control_rows),
-    Part(lambda: tr("Access"), access_rows),
+    SettingsPart(lambda: tr("Picture"), _picture),
+    SettingsPart(lambda: tr("Effects"), _effects),
+    SettingsPart(lambda: tr("Sound"), _sound),
+    SettingsPart(lambda: tr("Keys"), control_rows),
+    SettingsPart(lambda: tr("Access"), access_rows),
 )

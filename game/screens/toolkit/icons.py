@@ -29,7 +29,7 @@ def draw_bars(canvas: Canvas, box: pygame.Rect, colour: Colour) -> None:
 
 def draw_question(canvas: Canvas, box: pygame.Rect, colour: Colour) -> None:
     """A question mark: help."""
-    canvas.write("?", box.height / canvas.unit * 0.75, colour, complex(box.centerx, box.centery + box.height * 0.04), "center")
+    canvas.write("?", box.height / canvas.unit * 0.95, colour, complex(box.centerx, box.centery + box.height * 0.04), "center")
 
 
 def draw_gear(canvas: Canvas, box: pygame.Rect, colour: Colour) -> None:

@@ -14,9 +14,8 @@ from game.drawing.palette import Colour, Theme, mixed
 from game.drawing.raster.primitives import draw_box, draw_dot
 from game.drawing.text import Type
 from game.input.keys import Action
-from game.overlay.toast import draw_bar
 from game.screens.base import Screen
-from game.screens.toolkit.plate import draw_focus, write_fitting
+from game.screens.toolkit.plate import draw_focus, draw_label, write_fitting
 
 _MARGIN = 0.7
 """From an item's words to its edges."""
@@ -30,8 +29,6 @@ _SWITCH, _SWITCH_GAP, _SWITCH_EDGE, _KNOB_INSET = (1.9, 0.95), 0.5, 0.1, 0.2
 """A switch, from it to the word beside it, the width of its edge, and from its edge to its knob."""
 _OVERRULED = 0.45
 """A switch that has no effect now has this share of the way from the panel's colour to its own."""
-_BAR, _BAR_WORDS = (7.0, 0.6), 4.2
-"""A slider's bar, and the room for the words at its right."""
 _CHEVRON, _CHOICE_GAP = (0.3, 0.32), 0.8
 """Half width and half height of the arrow heads beside a choice, and from them to its words."""
 _LINE_WIDTH = 0.05
@@ -75,7 +72,7 @@ class Item:
 
 
 @dataclass(frozen=True)
-class Text(Item):
+class TextItem(Item):
     """Words in as many lines as they need; a line break begins a paragraph.
 
     size: of the letters. faint: in the second colour. centred: the lines, else they begin at the left.
@@ -132,7 +129,7 @@ class Heading(Item):
 
 
 @dataclass(frozen=True)
-class Button(Item):
+class ButtonItem(Item):
     """Leads somewhere. chosen: makes the screen to go on with; note: words at its right end; centred: the label."""
 
     label: str
@@ -215,7 +212,7 @@ class Switch(Item):
         knob = complex(track.right - radius if self.on else track.left + radius, track.centery)
         knob_colour = theme.panel if self.on else theme.panel_edge
         draw_dot(canvas.surface, knob, max(radius - unit * _KNOB_INSET, 1.0), knob_colour)
-        _draw_label(canvas, self.label, box, words.left if self.words[self.on] else track.left, focused=focused)
+        draw_label(canvas, self.label, box, words.left if self.words[self.on] else track.left, focused=focused)
 
     def accepted(self, panel: Screen) -> Screen | None:
         """Turn it over."""
@@ -229,64 +226,7 @@ class Switch(Item):
 
 
 @dataclass(frozen=True)
-class Slider(Item):
-    """An amount. level: 0 to 1; words: the amount; step: one to the left or right; put: to a level, by the mouse."""
-
-    label: str
-    level: float
-    words: str
-    step: Callable[[int], None]
-    put: Callable[[float], None]
-    tip: str = ""
-
-    @property
-    def focusable(self) -> bool:
-        """It is used."""
-        return True
-
-    def height(self, _type: Type, _unit: float, _width: float) -> float:
-        """One line."""
-        return _ROW
-
-    def draw(self, canvas: Canvas, box: pygame.Rect, *, focused: bool) -> None:
-        """The label, how full it is, and the amount in words."""
-        theme, unit = canvas.theme, canvas.unit
-        draw_focus(canvas, box, focused=focused)
-        bar = self.bar(box, unit)
-        draw_bar(canvas.surface, bar, self.level, theme)
-        grip = complex(bar.left + bar.width * self.level, bar.centery)
-        draw_dot(canvas.surface, grip, max(unit * 0.5, 1.0), theme.accent)
-        draw_dot(canvas.surface, grip, max(unit * 0.3, 0.5), theme.panel)
-        right = complex(box.right - unit * _MARGIN, box.centery)
-        canvas.write(self.words, _STATE, theme.text, right, "midright")
-        _draw_label(canvas, self.label, box, bar.left, focused=focused)
-
-    def bar(self, box: pygame.Rect, unit: float) -> pygame.Rect:
-        """Where its bar is, pixels."""
-        bar = pygame.Rect(0, 0, round(min(unit * _BAR[0], box.width * 0.35)), max(round(unit * _BAR[1]), 1))
-        bar.midright = (round(box.right - unit * (_MARGIN + _BAR_WORDS)), box.centery)
-        return bar
-
-    def stepped(self, steps: int) -> bool:
-        """A step less or more."""
-        self.step(steps)
-        return True
-
-    def accepted(self, panel: Screen) -> Screen | None:
-        """A step more."""
-        self.step(1)
-        return panel
-
-    def pointed(self, panel: Screen, pixel: complex, box: pygame.Rect, unit: float, *, clicked: bool) -> Screen | None:  # noqa: ARG002
-        """To where the mouse points."""
-        bar = self.bar(box, unit)
-        if pixel.real >= bar.left - unit:
-            self.put(min(max((pixel.real - bar.left) / max(bar.width, 1), 0.0), 1.0))
-        return panel
-
-
-@dataclass(frozen=True)
-class Choice(Item):
+class ChoiceItem(Item):
     """One of several. options: in words; index: of the present one; choose: another one."""
 
     label: str
@@ -318,7 +258,7 @@ class Choice(Item):
         words = self.options[self.index] if 0 <= self.index < len(self.options) else "?"
         middle = complex((left + right) / 2.0, box.centery)
         write_fitting(canvas, words, _STATE, theme.text, middle, "center", right - left - 2.0 * unit * _CHOICE_GAP)
-        _draw_label(canvas, self.label, box, left - unit * _CHEVRON[0], focused=focused)
+        draw_label(canvas, self.label, box, left - unit * _CHEVRON[0], focused=focused)
 
     def _chevrons(self, box: pygame.Rect, unit: float) -> tuple[float, float]:
         """Where the two arrow heads are across, pixels."""
@@ -412,10 +352,3 @@ class Drawing(Item):
     def draw(self, canvas: Canvas, box: pygame.Rect, *, focused: bool) -> None:  # noqa: ARG002  # it never is
         """The picture."""
         self.paint(canvas, box)
-
-
-def _draw_label(canvas: Canvas, label: str, box: pygame.Rect, right: float, *, focused: bool) -> None:
-    """What an item is called, smaller where it would not fit. right: pixels, where its room ends."""
-    colour = canvas.theme.accent if focused else canvas.theme.text
-    left = box.left + canvas.unit * _MARGIN
-    write_fitting(canvas, label, _LABEL, colour, complex(left, box.centery), "midleft", right - canvas.unit * 0.6 - left)

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from game.input.keys import Action
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.toolkit.items import Button, Item, Text
+from game.screens.toolkit.items import ButtonItem, Item, TextItem
 from game.screens.toolkit.layout import Content, Row
 from game.screens.toolkit.panel import Panel
 
@@ -45,7 +45,7 @@ class Menu(Panel):
 
     def content(self) -> Content:
         """Lines and entries."""
-        lines: tuple[tuple[Item, ...], ...] = tuple([(Text(line, 1.1, faint=True, centred=True),) for line in self._lines])
+        lines: tuple[tuple[Item, ...], ...] = tuple([(TextItem(line, 1.1, faint=True, centred=True),) for line in self._lines])
         return Content(self._title, lines, buttons_of(self._entries), width=24.0, centred=True)
 
     def back(self) -> Screen | None:
@@ -55,9 +55,9 @@ class Menu(Panel):
 
 def back_row(label: str, back: Callable[[], Screen | None]) -> tuple[Row, ...]:
     """A footer of one button in the middle."""
-    return ((Item(), Button(label, back, centred=True), Item()),)
+    return ((Item(), ButtonItem(label, back, centred=True), Item()),)
 
 
 def buttons_of(entries: tuple[Entry, ...]) -> tuple[Row, ...]:
     """A button for every entry, below each other."""
-    return tuple([(Button(one.label, one.chosen, one.key, one.tip, centred=True),) for one in entries])
+    return tuple([(ButtonItem(one.label, one.chosen, one.key, one.tip, centred=True),) for one in entries])

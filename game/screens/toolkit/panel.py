@@ -6,16 +6,17 @@ from game.drawing.camera import unit_of
 from game.drawing.canvas import Canvas
 from game.drawing.raster.primitives import draw_box
 from game.input.keys import Action
-from game.input.signals import Clicked, Moved, Pressed, Signal, Zoomed
+from game.input.repeat import Repeat
+from game.input.signals import PAD_POSITIONS, Clicked, KeyboardState, Moved, Pressed, Released, Signal, Zoomed
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.still_picture import StillPicture
 from game.screens.toolkit import layout
 from game.screens.toolkit.focus import TABS, Focus, first_focus, moved_focus
 from game.screens.toolkit.icons import draw_cross
-from game.screens.toolkit.items import Slider
 from game.screens.toolkit.layout import Content, Laid, Spot, laid_out
 from game.screens.toolkit.plate import dim, draw_focus, draw_panel, index_at, write_fitting
+from game.screens.toolkit.slider import Slider
 
 _WHEEL = 3.0
 """Units of text that a step of the wheel scrolls."""
@@ -35,6 +36,7 @@ class Panel:
         self._changes = 0  # counts what happened: while it stays, so does the picture
         self._on_close = False  # whether the mouse is on the button that leads back
         self._pixel = 0j  # where the mouse was
+        self._held: tuple[Pressed, Repeat] | None = None  # the direction that is held down
         self._behind = StillPicture()
 
     def content(self) -> Content:
@@ -70,6 +72,7 @@ class Panel:
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
         """Move the focus, use an item, or lead back."""
+        self._held = _held_after(self._held, signal)
         match signal:
             case Pressed(Action.UP | Action.DOWN | Action.LEFT | Action.RIGHT as action):
                 self._moved(action, size)
@@ -90,8 +93,14 @@ class Panel:
                 return self._clicked(pixel, size)
         return self
 
-    def advance(self, _seconds: float, _size: tuple[int, int]) -> Screen | None:
-        """Nothing moves."""
+    def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
+        """A direction that is held down acts again and again; nothing else moves."""
+        if self._held is not None:
+            pressed, repeat = self._held
+            repeat, acts = repeat.later(seconds)
+            self._held = pressed, repeat
+            if acts:
+                self._moved(pressed.action, size)
         return self
 
     def draw(self, surface: pygame.Surface) -> None:
@@ -263,6 +272,21 @@ class Panel:
             self._scroll_by(-1e6 if spot.row == min(rows) else -float(above), size)
         elif below > 0:
             self._scroll_by(float(below), size)
+
+
+def _held_after(held: tuple[Pressed, Repeat] | None, signal: Signal) -> tuple[Pressed, Repeat] | None:
+    """The direction that is held down after a signal: the last that was pressed, until it comes up or anything else happens."""
+    match signal:
+        case Pressed(Action.UP | Action.DOWN | Action.LEFT | Action.RIGHT):
+            return signal, Repeat(signal.position)
+        case KeyboardState(down):
+            return held if held is not None and (held[0].position in down or held[0].position >= PAD_POSITIONS) else None
+        case Released(_, position):
+            return None if held is not None and held[0].position == position else held
+        case Moved():
+            return held
+        case _:
+            return None
 
 
 def _spot_at(laid: Laid, focus: Focus | None) -> Spot | None:

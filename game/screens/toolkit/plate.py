@@ -16,6 +16,8 @@ _FOCUS_CORNER, _FOCUS_EDGE = 0.5, 0.1
 """Of the box around the item that has the focus: radius of its corners, width of its edge; units of text."""
 _FOCUS_TINT, _TINT, _RESTING_EDGE = 0.38, 0.14, 0.06
 """Share of the edge's colour in the box with the focus and in one without it, and the edge of the latter, units of text."""
+LABEL, _ITEM_MARGIN = 1.15, 0.7
+"""Size of the letters of what an item is called, and from them to the item's edge, units of text."""
 _SMALLEST = 0.55
 """Letters are made smaller to fit, but not below this share of their size; the rest of the words is then cut off."""
 
@@ -68,6 +70,13 @@ def write_fitting(
         while len(text) > 1 and canvas.type.rendered(text, canvas.unit * size, colour).get_width() > room:
             text = text[:-2].rstrip() + "…"
     return canvas.write(text, size, colour, pixel, anchor)
+
+
+def draw_label(canvas: Canvas, label: str, box: pygame.Rect, right: float, *, focused: bool) -> None:
+    """What an item is called, smaller where it would not fit. right: pixels, where its room ends."""
+    colour = canvas.theme.accent if focused else canvas.theme.text
+    left = box.left + canvas.unit * _ITEM_MARGIN
+    write_fitting(canvas, label, LABEL, colour, complex(left, box.centery), "midleft", right - canvas.unit * 0.6 - left)
 
 
 def index_at(boxes: list[pygame.Rect], pixel: complex) -> int | None:

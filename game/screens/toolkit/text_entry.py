@@ -10,7 +10,7 @@ from game.language import tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.toolkit.focus import Focus
-from game.screens.toolkit.items import Button, Drawing, Item
+from game.screens.toolkit.items import ButtonItem, Drawing, Item
 from game.screens.toolkit.layout import Content, Row
 from game.screens.toolkit.panel import Panel
 from game.screens.toolkit.plate import write_fitting
@@ -36,11 +36,11 @@ class TextEntry(Panel):
     def content(self) -> Content:
         """The field, the letters, and what to do with them."""
         keys: list[Row] = [(Drawing(2.6, self._draw_field),)]
-        keys += [tuple([Button(letter, self._typed(letter), centred=True) for letter in line]) for line in _LETTERS]
-        space = Button(tr("Space"), self._typed(" "), centred=True, width_share=2.0)
-        erase = Button(tr("Erase"), self._erase, centred=True)
+        keys += [tuple([ButtonItem(letter, self._typed(letter), centred=True) for letter in line]) for line in _LETTERS]
+        space = ButtonItem(tr("Space"), self._typed(" "), centred=True, width_share=2.0)
+        erase = ButtonItem(tr("Erase"), self._erase, centred=True)
         keys.append((space, erase))
-        done = Button(tr("Done"), lambda: self._done(self.text.strip()), centred=True, large=True)
+        done = ButtonItem(tr("Done"), lambda: self._done(self.text.strip()), centred=True, large=True)
         footer: tuple[tuple[Item, ...], ...] = ((done,),)
         return Content(self._title, tuple(keys), footer, width=30.0)
 

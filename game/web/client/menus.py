@@ -7,7 +7,7 @@ from game.input.actions import Action
 from game.input.signals import Pressed, Signal
 from game.kept.progress import RANKS
 from game.language import tr
-from game.levels import Level
+from game.levels import Level, classic
 from game.picture.display_list import DisplayList
 from game.screens.demo import Demo
 from game.screens.difficulty_names import DIFFICULTIES, difficulty_name
@@ -176,10 +176,16 @@ def levels_menu(state: PageState, screens: Screens) -> MenuScreen:
             is_open = progress.is_open(index, names)
             done = "" if best is None else f"  {RANKS[best.rank]}  {best.score:,}"
             hint = level.description if is_open else tr("Finish {level} to open this one.").format(level=names[index - 1])
-            label = f"{index + 1}  {level.name}{done}"
+            label = f"{index + 1}  {tr(level.name)}{done}"
             items.append(
-                Opened(PageItem(f"level-{index + 1}", label, hint=hint, disabled=not is_open), _begins(state, screens, index))
+                Opened(
+                    PageItem(f"level-{index + 1}", label, hint=hint, disabled=not is_open),
+                    _begins(state.levels, screens, index),
+                )
             )
+        for index, level in enumerate(classic()):
+            item = PageItem(f"classic-{index + 1}", tr("Classic {level}").format(level=tr(level.name)), hint=level.description)
+            items.append(Opened(item, _begins(classic(), screens, index)))
         for name, own in state.own.items():
             items.append(Opened(PageItem(f"own-{name}", own.name, hint=name), _begins_own(screens, own)))
         return (), items
@@ -187,9 +193,9 @@ def levels_menu(state: PageState, screens: Screens) -> MenuScreen:
     return MenuScreen(state, tr("Levels"), contents, screens.title)
 
 
-def _begins(state: PageState, screens: Screens, index: int) -> Callable[[str], PageScreen]:
-    """Starts the campaign at a level."""
-    return lambda _value: screens.game(state.levels[index:])
+def _begins(levels: tuple[Level, ...], screens: Screens, index: int) -> Callable[[str], PageScreen]:
+    """Starts some levels at one of them."""
+    return lambda _value: screens.game(levels[index:])
 
 
 def _begins_own(screens: Screens, level: Level) -> Callable[[str], PageScreen]:

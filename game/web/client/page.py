@@ -10,7 +10,7 @@ import msgspec
 from game.drawing.palette import Theme
 from game.kept.store import Kept
 from game.lab.session.session import state_hash as hash_of_session
-from game.levels import Level, parse
+from game.levels import Level, classic, parse
 from game.picture.display_list import DisplayList
 from game.replays.file import decoded
 from game.replays.state_hash import state_hash
@@ -37,6 +37,7 @@ from game.web.client.state import PageScreen, PageState, Pictures
 from game.web.client.watching import ReplayOnPage, verdict
 
 _REPLAY, _LEVEL = ".polar", ".toml"
+_MOST_DIGITS = 5
 
 
 class Page:
@@ -146,17 +147,19 @@ class Page:
             self._state.told.append(str(error))
 
     def _open_link(self, fragment: str) -> None:
-        """What the address names: level/3, or lab/ and a share line. Anything else is refused in one line."""
+        """What the address names: level/3, classic/3, or lab/ and a share line. Anything else is refused in one line."""
         kind, _, rest = fragment.partition("/")
         if not fragment or fragment == self._screen.fragment:
             return
         try:
-            if kind == "level" and rest.isascii() and rest.isdecimal() and 1 <= int(rest[:4]) <= len(self._state.levels):
-                self._screen = self._game(self._state.levels[int(rest[:4]) - 1 :])
+            levels = {"level": self._state.levels, "classic": classic()}.get(kind)
+            number = int(rest) if rest.isascii() and rest.isdecimal() and len(rest) < _MOST_DIGITS else 0
+            if levels is not None and 1 <= number <= len(levels):
+                self._screen = self._game(levels[number - 1 :])
             elif kind == "lab":
                 self._screen = self._lab(rest)
             else:
-                self._state.told.append(f"#{fragment[:80]}: expected #level/NUMBER or #lab/SCENE")
+                self._state.told.append(f"#{fragment[:80]}: expected #level/NUMBER, #classic/NUMBER or #lab/SCENE")
         except BadInputError as error:
             self._state.told.append(str(error))
 

@@ -17,7 +17,7 @@ from game.input.signals import FocusLost, Pressed, Signal
 from game.kept.progress import RANKS, Best
 from game.kept.scores import LONGEST_NAME, Score
 from game.language import tr
-from game.levels import Level, built_in, number_of
+from game.levels import Level, built_in, classic, number_of
 from game.overlay.notice_words import Notice, notice, ready
 from game.overlay.readings import readings
 from game.picture.figures import add_figures, add_notice
@@ -75,7 +75,9 @@ class GameOnPage:
     def fragment(self) -> str:
         """The level, where it comes with the game."""
         number, _ = number_of(self.game.level, self.game.levels)
-        return f"level/{number}" if self.game.level in built_in() else ""
+        if self.game.level in classic():
+            return f"classic/{number}"
+        return f"level/{number}" if self.game.level in self._state.levels else ""
 
     @property
     def described(self) -> str:

@@ -11,7 +11,7 @@ from game.drawing.palette import Theme
 from game.input.signals import Signal
 from game.input.view import FLAT, Viewpoint
 from game.kept.store import Kept
-from game.levels import Level, built_in
+from game.levels import Level, campaign
 from game.picture.arena import ArenaPicture, ArenaView
 from game.picture.display_list import DisplayList
 from game.rules import Ruleset, Ticked
@@ -67,6 +67,7 @@ class Pictures:
 class PageState:
     """Shared by the screens. folder: of what is stored; None where nothing can be.
 
+    levels: of the campaign. own: the player's, by the names of their files.
     told: lines for the player to read for a moment. said: for a screen reader. started: sounds to be played now.
     changed: whether what is stored has changed. download: a file for the player.
     """
@@ -77,7 +78,7 @@ class PageState:
     settings_file: SettingsFile | None
     settings: Settings
     seed: Callable[[], int]
-    levels: tuple[Level, ...] = field(default_factory=built_in)
+    levels: tuple[Level, ...] = field(default_factory=campaign)
     own: dict[str, Level] = field(default_factory=dict)
     ruleset: Ruleset = field(default_factory=Ruleset)
     view: Viewpoint = FLAT

@@ -15,10 +15,14 @@ const backdrop = document.createElement("canvas"), backdropContext = backdrop.ge
 const questions = new Map();
 let worker = null, latest = null, waiting = false, sentAt = 0, background = "#000", toldUntil = 0, asked = 0;
 
-function fail(words) {
-  console.error(words);
+function say(words) {
   element("loading").textContent = words;
   element("loading").hidden = false;
+}
+
+function fail(words) {
+  console.error(words);
+  say(words);
 }
 
 function tell(words) {
@@ -157,7 +161,7 @@ function heard({ data }) {
 
 function start() {
   if (typeof WebAssembly === "undefined" || typeof DecompressionStream === "undefined") {
-    fail("This page needs a browser with WebAssembly and DecompressionStream: Chrome or Edge 119, Firefox 121, Safari 17, or newer.");
+    say("This page needs a browser with WebAssembly and DecompressionStream: Chrome or Edge 119, Firefox 121, Safari 17, or newer.");
     return;
   }
   worker = new Worker("worker.js", { type: "module" });

@@ -22,7 +22,7 @@ from game.drawing.slots.contents import ContentKind, slot_contents
 from game.effects import NOTHING
 from game.input.view import FLAT, SOLID
 from game.level_format.specs import WellSpec
-from game.levels import built_in
+from game.levels import classic
 from game.rules import ActivePower, Drop, HeldBall, PowerUp, Ruleset, new_game
 from game.scene import scene_at, still
 from game.unlocks import BALLS, TRAILS
@@ -36,7 +36,7 @@ VIEWS = pytest.mark.parametrize("view", [FLAT, SOLID], ids=["flat", "tipped"])
 
 def game_of(level=1, **changes):
     """A game of the arcade rules before its first serve."""
-    specs = msgspec.structs.replace(built_in()[level - 1], **changes)
+    specs = msgspec.structs.replace(classic()[level - 1], **changes)
     return new_game((specs,), 1, Ruleset())
 
 
@@ -115,7 +115,7 @@ def test_shield_bumpers_and_growing_bricks_have_looks_of_their_own():
     assert {content.kind for content in slot_contents(scene_of(game))[-1]} == {ContentKind.EMPTY}
     shielded = game._replace(arena=game.arena._replace(layers=(*game.arena.layers[:-1], (1,))))
     assert {content.kind for content in slot_contents(scene_of(shielded))[-1]} == {ContentKind.SHIELD}
-    rings = built_in()[5].rings
+    rings = classic()[5].rings
     bumpers = [rings[0], msgspec.structs.replace(rings[1], bumper=True, layers=-1)]
     assert {content.kind for content in slot_contents(scene_of(game_of(6, rings=bumpers)))[2]} == {ContentKind.BUMPER}
     growing = [rings[0], msgspec.structs.replace(rings[1], layers=1, regrow=4.0)]

@@ -13,7 +13,7 @@ from game.input.hands import Hands
 from game.input.keys import Action
 from game.input.signals import Dragged, Pressed, Zoomed
 from game.input.view import FLAT, LEAST_TILT, LEAST_ZOOM, MOST_TILT, MOST_ZOOM, SOLID, Viewpoint
-from game.levels import built_in
+from game.levels import classic
 from game.rules import POINTER_STEPS, new_game
 
 SIZES = st.tuples(st.integers(1, 8000), st.integers(1, 8000))
@@ -152,7 +152,7 @@ def test_the_wall_stays_in_sight(tilt, zoom):
 @pytest.mark.parametrize("tilt", [LEAST_TILT, 0.9, MOST_TILT])
 def test_the_mouse_aims_at_paddles_from_every_side(azimuth, tilt):
     """The bearing of a pixel on the track is that of the point below it; of one on a paddle's top it is nearly the same."""
-    camera, game = Viewpoint(1.0, 1.0, azimuth, tilt, 1.2).seen(layout((1280, 800), 10.0)).camera, new_game(built_in(), 1)
+    camera, game = Viewpoint(1.0, 1.0, azimuth, tilt, 1.2).seen(layout((1280, 800), 10.0)).camera, new_game(classic(), 1)
     for angle in np.linspace(0.0, math.tau, 24, endpoint=False):
         point = 9.2 * complex(math.cos(angle), math.sin(angle))
         for height, most in ((0.0, 0.001), (0.3, 0.15)):

@@ -3,6 +3,7 @@
 import cmath
 import math
 import os
+from typing import get_args
 
 os.environ["SDL_VIDEODRIVER"] = "dummy"
 
@@ -10,12 +11,14 @@ import numpy as np
 import pygame
 import pytest
 
+from game.drawing import palettes
 from game.drawing.ground.colours import discs_of_ground, ground_colours
 from game.drawing.ground.patterns import NAMES, marks
 from game.drawing.painter import Painter
 from game.drawing.palette import DARK, LIGHT, luminance, without_depth
-from game.effects import NOTHING
+from game.effects import NOTHING, Light, LightSource
 from game.input.view import FLAT, SOLID
+from game.level_format.specs import GroundPattern, Palette
 from game.scene import scene_at
 from tests.support.games import game_after
 from tests.support.pictures import canvas_of
@@ -104,3 +107,25 @@ def test_gaps_of_a_turning_ring_show_the_pattern():
         free &= (np.abs(radius - ring.radius) > ring.half_width + 0.3) | (off > ring.half_angle + 0.3 / ring.radius)
     assert (np.abs(pictures[0] - pictures[1]).max(axis=2)[free] <= 1).all()
     assert (np.abs(pictures[0] - pictures[1]).max(axis=2)[~free] > 30).any()
+
+
+def test_levels_name_what_is_drawn():
+    """The palettes and grounds that a level file may name are those that there are, the default first."""
+    assert get_args(Palette) == palettes.NAMES
+    assert get_args(GroundPattern) == NAMES
+
+
+@THEMES
+def test_a_hit_throws_light_that_fades(theme):
+    """Near a light the ground is lighter on the dark theme, tinted on the light one, less and less; far away it is not."""
+    light = Light(LightSource.PADDLE, 6.0 + 0j, 0.26, 0.6, 70)
+    dim, camera, _ = painted(theme)
+    off = []
+    for age in (0, 20, 45):
+        picture, _, _ = painted(theme, lights=(light._replace(age=age),))
+        change = picture - dim
+        near, far = camera.project(6.3 + 0.4j), camera.project(-6.0 + 0j)
+        assert not change[math.floor(far.real), math.floor(far.imag)].any()
+        off.append(np.abs(change[math.floor(near.real), math.floor(near.imag)]).sum())
+        assert (change.min() >= 0) if theme is DARK else (change.max() <= 0)
+    assert off[0] > off[1] > off[2] > 0

@@ -19,7 +19,7 @@ from game.drawing.raster.annulus import annulus_pixels
 from game.drawing.slots.contents import ContentKind, SlotContent
 from game.drawing.slots.parts import DOT_SHADE, SlotShape, dots, parts
 from game.effects import Effects
-from game.levels import built_in
+from game.levels import classic
 from game.replays.state_hash import state_hash
 from game.rules import PADDLES, new_game, tick
 from game.scene import scene_at
@@ -141,6 +141,23 @@ def test_a_dot_is_where_it_is_said_to_be():
         assert np.abs(picture[:, 1] - layer_colour(DARK, 4)).max() < 1.0
 
 
+@pytest.mark.parametrize("layers", [2, 3, 5])
+def test_dots_are_where_they_belong_and_nowhere_else(layers):
+    """Along the middle of a stack's top the colours change as often as its dots say: twice for every dot on the way."""
+    scene = bare(tick_after(0, 0))
+    scene = scene._replace(layers=(scene.layers[0], (layers,) * scene.rings[1].count), tallest=(0, 9))
+    surface, camera = painted(scene, (1800, 1400))
+    ring = scene.rings[1]
+    shape = SlotShape(ring.radius, ring.half_width, ring.half_angle, 9, 1.0 / camera.scale)
+    inset = (layers - 1) * shape.terrace
+    top = shape._replace(half_width=ring.half_width - inset, half_angle=ring.half_angle - inset / ring.radius)
+    row = [dot for dot in dots(layers, top) if dot[0] == max(radius for radius, _, _ in dots(layers, top))]
+    radius, reach = row[0][0], 0.8 * top.half_angle
+    angles = ring.angle(2) + np.linspace(-reach, reach, 900)
+    seen = [colour_at(surface, camera, radius * cmath.exp(1j * float(angle))) == layer_colour(DARK, layers) for angle in angles]
+    assert sum(one != other for one, other in itertools.pairwise(seen)) == 2 * len(row)
+
+
 def test_what_cannot_break_differs_in_shape_too():
     """A steel sector is crossed by lines; a stack's top is plain."""
     scene = bare(tick_after(5, 0))
@@ -167,7 +184,7 @@ def test_the_ball_is_drawn_at_its_place():
 
 def test_a_cached_picture_equals_a_fresh_one():
     """Over thousands of ticks and a change of level, a used painter draws what a new one draws."""
-    game, pilot, painter = new_game(built_in()[:3], 5), Autopilot(), Painter()
+    game, pilot, painter = new_game(classic()[:3], 5), Autopilot(), Painter()
     compared = 0
     levels = set()
     for number in range(16_000):
@@ -186,7 +203,7 @@ def test_a_cached_picture_equals_a_fresh_one():
 
 def test_drawing_leaves_the_game_alone():
     """A game that is drawn at every tick ends in the same state as one that is not."""
-    game, pilot, painter = new_game(built_in()[3:], 11), Autopilot(), Painter()
+    game, pilot, painter = new_game(classic()[3:], 11), Autopilot(), Painter()
     for _ in range(500):
         done = tick(game, pilot.controls(game))
         painted(scene_at(done, 0.3, Effects()), (120, 90), painter=painter)

@@ -26,7 +26,7 @@ from game.drawing.solid.prisms import Cut, ring_blocks, wedges_of
 from game.effects import Effects, after
 from game.effects.falling import FallingStack
 from game.input.view import FLAT, SOLID, Viewpoint
-from game.levels import built_in
+from game.levels import classic
 from game.replays.state_hash import state_hash
 from game.rules import new_game, tick
 from game.scene import scene_at
@@ -307,7 +307,7 @@ def test_eight_thousand_pixels_can_be_drawn():
 
 def test_tipping_leaves_the_game_alone():
     """A game that is drawn tipped at every tick, its stacks falling, ends in the same state as one that is not."""
-    game, pilot, effects, painter = new_game(built_in()[4:], 3), Autopilot(), Effects(), Painter()
+    game, pilot, effects, painter = new_game(classic()[4:], 3), Autopilot(), Effects(), Painter()
     fell = 0
     for number in range(900):
         done = tick(game, pilot.controls(game))

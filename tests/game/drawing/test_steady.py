@@ -12,12 +12,13 @@ import pytest
 
 from game.autopilot import Autopilot
 from game.drawing.painter import Painter
-from game.drawing.raster.quads import QuadRaster
+from game.drawing.raster.pixels import packed
+from game.drawing.raster.quads import QuadRaster, fill_quads
 from game.drawing.solid import faces
 from game.drawing.solid.painters_order import back_to_front
 from game.effects import Effects, after
 from game.input.view import SOLID, Viewpoint
-from game.levels import built_in
+from game.levels import classic
 from game.rules import new_game, tick
 from game.scene import scene_at
 from tests.support.games import game_after
@@ -88,7 +89,7 @@ def test_a_wrong_order_flickers(level, monkeypatch):
 
 def test_a_cached_picture_equals_a_fresh_one():
     """Through hits, falls, a moving camera and a change of size, a used painter draws what a new one draws."""
-    game, pilot, effects, painter, view = new_game(built_in()[4:], 3), Autopilot(), Effects(), Painter(), SOLID
+    game, pilot, effects, painter, view = new_game(classic()[4:], 3), Autopilot(), Effects(), Painter(), SOLID
     compared = fell = 0
     for number in range(3000):
         done = tick(game, pilot.controls(game))
@@ -132,6 +133,19 @@ def test_a_raster_looks_as_if_drawn_in_one_piece(size, finer):
     off = np.abs(pygame.surfarray.array3d(whole).astype(int) - pygame.surfarray.array3d(tiled))
     assert off.max() <= 1
     assert size == (1, 1) or len(np.unique(pygame.surfarray.array3d(tiled).reshape(-1, 3), axis=0)) > 20
+
+
+def test_filled_at_once_quadrilaterals_look_as_in_tiles():
+    """On a large surface they are filled without tiles: pixel by pixel the same as with tiles that are no finer."""
+    chance = np.random.default_rng(7)
+    low = chance.integers(-60, 700, (150, 1, 2))
+    corners = pixels((low + np.array([[0, 0], [60, 9], [66, 70], [-9, 80]])).astype(np.int32))
+    colours = chance.integers(0, 255, (len(corners), 3)).astype(np.float32)
+    at_once, tiled = pygame.Surface((700, 300), 0, 32), pygame.Surface((700, 300), 0, 32)
+    fill_quads(at_once, corners, colours)
+    raster = QuadRaster()
+    raster.draw(tiled, corners, packed(raster.canvas, colours), 1)
+    assert np.array_equal(pygame.surfarray.array3d(at_once), pygame.surfarray.array3d(tiled))
 
 
 def pixels(corners):

@@ -11,7 +11,7 @@ from game.editor.window.play_test import PlayTest
 from game.editor.window.screen import Editor
 from game.input.keys import Action
 from game.input.signals import Pressed
-from game.levels import built_in, load_file
+from game.levels import classic, load_file
 from game.screens.app_state import AppState
 from game.screens.title import Title
 from game.screens.toolkit.menu import Menu
@@ -25,7 +25,7 @@ def editor(tmp_path):
     """The editor on a new file."""
     pygame.font.init()
     file = WatchedFile(tmp_path / "mine.toml")
-    return Editor(AppState(built_in(), 0, 0, Title), editing_session(file), file)
+    return Editor(AppState(classic(), 0, 0, Title), editing_session(file), file)
 
 
 def key(editor, code, text="", mod=0):
@@ -151,7 +151,7 @@ def test_everything_is_within_the_window_and_beside_each_other(editor, size):
     assert all([box.collidelist(boxes[:index]) < 0 for index, box in enumerate(boxes)])
     surface = pygame.Surface(size, 0, 32)
     editor.draw(surface)
-    EditorHelp(AppState(built_in(), 0, 0, Title), editor).draw(surface)
+    EditorHelp(AppState(classic(), 0, 0, Title), editor).draw(surface)
 
 
 def test_a_bare_name_is_in_the_folder_of_own_levels(tmp_path, monkeypatch):

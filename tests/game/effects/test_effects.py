@@ -14,14 +14,14 @@ from game.effects.recoils import RECOIL_TICKS, Recoil
 from game.effects.shakes import SHAKE_TICKS, Shake
 from game.effects.streaks import BUMP_TICKS, ENDED_TICKS, NO_STREAK
 from game.effects.waves import WaveTone
-from game.levels import built_in
+from game.levels import classic
 from game.rules import BEST_COMBO, Controls, EventKind, Phase, new_game, tick
 from physics import PERMANENT
 
 
 def played(count, shown=ALL, level=0, seed=5):
     """Pairs of a tick and the effects after it."""
-    game, pilot, fading = new_game(built_in()[level:], seed), Autopilot(), Effects()
+    game, pilot, fading = new_game(classic()[level:], seed), Autopilot(), Effects()
     for _ in range(count):
         done = tick(game, pilot.controls(game))
         fading = effects.after(fading, done, shown)
@@ -31,7 +31,7 @@ def played(count, shown=ALL, level=0, seed=5):
 
 def lost(count=2400):
     """The same for a game whose player does nothing but serve and hold a key."""
-    game, fading = new_game(built_in(), 1), Effects()
+    game, fading = new_game(classic(), 1), Effects()
     for number in range(count):
         done = tick(game, Controls(turn=1, serve=number > 200))
         fading = effects.after(fading, done)

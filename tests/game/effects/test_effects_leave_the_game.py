@@ -14,7 +14,7 @@ from game.autopilot import Autopilot
 from game.effects import ALL, EffectKind
 from game.effects.hit_stop import SECONDS
 from game.input.view import SOLID
-from game.levels import built_in
+from game.levels import classic
 from game.replays.file import Recorder
 from game.replays.state_hash import state_hash
 from game.replays.verify import verified
@@ -31,7 +31,7 @@ class TicksRecorder:
     """Records a game as the window does, up to TICKS."""
 
     def __init__(self):
-        self.recorder = Recorder(built_in()[LEVEL:], 7)
+        self.recorder = Recorder(classic()[LEVEL:], 7)
         self.last = None
 
     def __call__(self, controls, after):
@@ -46,7 +46,7 @@ def played(settings, view=None, seconds=1.0 / 60.0):
     app = shared(LEVEL, 7, recorded, autopilot=True)
     app.change(settings)
     app.view = app.view if view is None else view
-    screen, surface, frames = PlayScreen(app, built_in()[LEVEL:]), pygame.Surface((96, 72), 0, 32), 0
+    screen, surface, frames = PlayScreen(app, classic()[LEVEL:]), pygame.Surface((96, 72), 0, 32), 0
     while recorded.recorder.ticks < TICKS:
         screen = screen.advance(seconds, SIZE)
         if frames % 5 == 0:
@@ -58,7 +58,7 @@ def played(settings, view=None, seconds=1.0 / 60.0):
 @pytest.fixture(scope="module")
 def bare():
     """The game played by the rules alone."""
-    recorded, game, pilot = TicksRecorder(), new_game(built_in()[LEVEL:], 7), Autopilot()
+    recorded, game, pilot = TicksRecorder(), new_game(classic()[LEVEL:], 7), Autopilot()
     for _ in range(TICKS):
         controls = pilot.controls(game)
         game = tick(game, controls).game
@@ -100,7 +100,7 @@ def test_a_held_breath_takes_time_but_no_tick():
         told = []
         app = shared(0, 1, lambda _controls, after, told=told: told.append(state_hash(after)))
         app.change(settings)
-        screen = PlayScreen(app, built_in())
+        screen = PlayScreen(app, classic())
         counts = []
         for _ in range(1500):
             screen._hands = screen._hands._replace(serve=len(told) > 50)

@@ -22,7 +22,7 @@ from game.drawing.solid.prisms import Cut, pushed, ring_blocks
 from game.effects import ALL, FLASH_TICKS, NOTHING, Flash, Recoil, Wave, bursts
 from game.effects.waves import WAVE_TICKS, WaveTone
 from game.input.view import FLAT, SOLID, Viewpoint
-from game.levels import built_in
+from game.levels import classic
 from game.rules import PADDLES, EventKind, new_game, tick
 from game.scene import scene_at
 from tests.support.dummy_window import shared
@@ -171,7 +171,7 @@ def test_a_wave_is_a_circle_on_the_ground(view):
 
 def test_many_bursts_at_once_make_room_for_the_newest():
     """Of fifteen bursts in one tick the last MOST are left."""
-    game, pilot, done = new_game(built_in()[4:], 3), Autopilot(), None
+    game, pilot, done = new_game(classic()[4:], 3), Autopilot(), None
     while done is None or not any(event.kind == EventKind.BRICK_HIT for event in done.events):
         done = tick(game, pilot.controls(game))
         game = done.game
@@ -204,7 +204,7 @@ def test_sounds_come_from_their_place_on_the_screen():
 
     app = shared()
     app.audio = card = Card()
-    game = new_game(built_in(), 1)
+    game = new_game(classic(), 1)
     done = tick(game, Autopilot().controls(game)._replace(serve=True))
     (event,) = done.events
     placed = done._replace(events=tuple(event._replace(position=position) for position in (6.0 + 0j, -6.0 + 0j, 6j, 10.0 + 0j)))

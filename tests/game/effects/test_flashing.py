@@ -21,7 +21,7 @@ from game.drawing.painter import Painter
 from game.drawing.palette import LIGHT
 from game.drawing.text import Type
 from game.effects import ALL
-from game.levels import built_in
+from game.levels import classic
 from game.rules import Controls, EventKind, new_game, tick
 from game.scene import scene_at
 from physics import Ball
@@ -39,7 +39,7 @@ def luminance(surface):
 
 def dense_game():
     """A level with many balls at once, all on their way out through bricks and paddles."""
-    game = new_game(built_in()[2:], 7)
+    game = new_game(classic()[2:], 7)
     for _ in range(3):
         game = tick(game, Controls(serve=True)).game
     (ball,) = game.arena.balls

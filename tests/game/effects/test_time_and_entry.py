@@ -5,14 +5,24 @@ from game.drawing.slots.contents import ContentKind, slot_contents
 from game.effects import ALL, EffectKind, Effects, after
 from game.effects.entry import ENTRY_TICKS
 from game.effects.slow_motion import SLOWEST, pace
-from game.levels import built_in
-from game.rules import Controls, Phase, Ruleset, layers_left, new_game, tick
+from game.levels import classic
+from game.rules import (
+    ActivePower,
+    Controls,
+    EventKind,
+    Phase,
+    PowerUp,
+    Ruleset,
+    layers_left,
+    new_game,
+    tick,
+)
 from game.scene import scene_at
 
 
 def test_time_slows_down_only_just_before_the_last_brick():
     """With more than one layer left the pace is 1; then it is slow for less than a quarter of a second."""
-    game, pilot = new_game(built_in()[:2], 3, Ruleset()), Autopilot()
+    game, pilot = new_game(classic()[:2], 3, Ruleset()), Autopilot()
     slow = 0
     while game.phase != Phase.CLEARED:
         now = pace(game)
@@ -25,7 +35,7 @@ def test_time_slows_down_only_just_before_the_last_brick():
 
 def entering(ticks, shown=ALL, controls=Controls()):  # noqa: B008  # immutable
     """A level's first ticks: the scene at the end."""
-    game, effects = new_game(built_in()[4:], 1), Effects()
+    game, effects = new_game(classic()[4:], 1), Effects()
     for _ in range(ticks):
         done = tick(game, controls)
         game, effects = done.game, after(effects, done, shown)
@@ -51,3 +61,16 @@ def test_nobody_waits_for_the_wall():
     whole = sum(count > 0 for ring in entering(1).layers[1:] for count in ring)
     assert standing(entering(40, controls=Controls(serve=True))) == whole
     assert standing(entering(5, ALL - {EffectKind.ENTRY})) == whole
+
+
+def test_a_hit_that_two_events_tell_is_shown_once():
+    """A ball that sticks to a paddle is a hit and a catch; one paddle flashes, and one burst of sparks flies."""
+    game, pilot, shown = new_game(classic(), 1, Ruleset()), Autopilot(), Effects()
+    for _ in range(4000):
+        sticky = game._replace(powers=(ActivePower(PowerUp.STICKY, 900, 900),)) if game.phase == Phase.PLAYING else game
+        done = tick(sticky, pilot.controls(game))
+        game, shown = done.game, after(Effects(), done)
+        if any(event.kind == EventKind.BALL_CAUGHT for event in done.events):
+            break
+    assert any(event.kind == EventKind.PADDLE_HIT for event in done.events)
+    assert (len(shown.flashes), len(shown.bursts), len(shown.lights)) == (1, 1, 1)

@@ -29,11 +29,11 @@ from game.input.signals import (
     Squeezed,
     Zoomed,
 )
-from game.levels import built_in
+from game.levels import classic
 from game.rules import POINTER_STEPS, Controls, Phase, new_game, paddle_ring, tick
 
 CAMERA = Camera(400 + 300j, 30.0)
-WAITING = new_game(built_in(), 1)
+WAITING = new_game(classic(), 1)
 GAME = WAITING._replace(phase=Phase.PLAYING)
 ONE = 1 + 1j
 ARROW_LEFT, ARROW_RIGHT = pygame.KSCAN_LEFT, pygame.KSCAN_RIGHT

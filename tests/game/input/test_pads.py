@@ -9,7 +9,11 @@ import pygame
 import pytest
 
 from game.input.hands import Hands
+from game.lab.registry import scenes
+from game.lab.session import session
+from game.lab.window.screen import Lab
 from game.rules import Phase, paddle_ring
+from game.screens.app_state import Players
 from game.screens.play import PlayScreen
 from game.screens.title import Title
 from game.screens.toolkit.menu import Menu
@@ -135,7 +139,7 @@ def test_a_gamepad_pulled_out_pauses_the_game_that_it_plays(desk, pad):
 
 def test_a_second_gamepad_is_the_second_players(desk, pad):
     """Where two play together it steers whenever the first asks for nothing; its button serves, too."""
-    desk.shared.two_players = True
+    desk.shared.players = Players.TOGETHER
     other = VirtualPad(SDL)
     desk.wait(3 * FRAME)
     tap(desk, pad, pygame.CONTROLLER_BUTTON_A)
@@ -151,3 +155,14 @@ def test_a_second_gamepad_is_the_second_players(desk, pad):
     tap(desk, other, pygame.CONTROLLER_BUTTON_A)
     assert game_of(desk).phase == Phase.PLAYING
     other.pull_out()
+
+
+def test_a_gamepad_leaves_the_lab(desk, pad):
+    """Where a screen hears events themselves, B is Esc, and the directional pad is the arrow keys."""
+    under = desk.screen
+    desk.screen = Lab(desk.shared, session.fresh(scenes()[0], None), under)
+    desk.wait(FRAME)
+    tap(desk, pad, pygame.CONTROLLER_BUTTON_DPAD_DOWN)
+    assert isinstance(desk.screen, Lab)
+    tap(desk, pad, pygame.CONTROLLER_BUTTON_B)
+    assert desk.screen is under

@@ -7,9 +7,9 @@ import sys
 
 import pytest
 
-from game.kept import document, progress
-from game.kept.document import Document
+from game.kept import kept_file, progress
 from game.kept.folder import data_folder
+from game.kept.kept_file import KeptFile
 from game.kept.progress import Best, Progress
 from game.kept.scores import MOST, Score, Scores
 from game.kept.store import NO_FOLDER, Kept
@@ -76,7 +76,7 @@ def test_a_full_disk_loses_nothing_once_there_is_room_again(tmp_path, monkeypatc
         raise OSError(28, "No space left on device")
 
     with monkeypatch.context() as patched:
-        patched.setattr(document, "write_whole", full)
+        patched.setattr(kept_file, "write_whole", full)
         kept.level_done(Best("A", "easy", 7))
     assert kept.progress.value.finished("A")
     assert "No space left" in kept.problems[0]
@@ -165,7 +165,7 @@ def test_the_table_keeps_the_ten_best_of_each_difficulty():
 def test_a_document_in_memory_reads_and_writes_nothing(tmp_path, monkeypatch):
     """Without a path there are no files, and no problems."""
     monkeypatch.chdir(tmp_path)
-    held = Document(None, Scores, 1)
+    held = KeptFile(None, Scores, 1)
     held.update(lambda scores: scores.after(Score("Ada", 1, "easy")))
     assert [score.name for score in held.value.entries] == ["Ada"]
     assert held.problem is None

@@ -5,21 +5,21 @@ import hashlib
 import pytest
 
 from game.kept import games as kept
-from game.kept.games import Games, KeptGame
-from game.levels import built_in
+from game.kept.games import GameFiles, KeptGame
+from game.levels import classic
 from game.replays.file import load
 from game.rules import Controls, Phase, new_game, tick
 
 
 @pytest.fixture(autouse=True)
 def short(monkeypatch):
-    """Games of a few ticks are worth keeping."""
+    """GameFiles of a few ticks are worth keeping."""
     monkeypatch.setattr(kept, "_SHORTEST", 0.02)
 
 
 def play(games, ticks, *, closed=True):
     """A game of some ticks."""
-    game = new_game(built_in(), 1)
+    game = new_game(classic(), 1)
     for _ in range(ticks):
         game = tick(game, Controls()).game
         games(Controls(), game)
@@ -30,7 +30,7 @@ def play(games, ticks, *, closed=True):
 def test_of_games_that_nobody_keeps_the_last_twenty_stay(tmp_path):
     """Of 24 the first two stay, one kept by the player and one that a score refers to, and the newest twenty of the others."""
     needed = set()
-    games = Games(tmp_path, lambda: needed)
+    games = GameFiles(tmp_path, lambda: needed)
     for number in range(24):
         play(games, 5 + number)
         if number == 0:
@@ -40,18 +40,18 @@ def test_of_games_that_nobody_keeps_the_last_twenty_stay(tmp_path):
     assert games.problem is None
     lengths = {load(path).ticks for path in games.paths()}
     assert lengths == {5, 6, *range(9, 29)}
-    assert [game.title for game in Games(tmp_path).listed() if game.title] == ["The first"]
+    assert [game.title for game in GameFiles(tmp_path).listed() if game.title] == ["The first"]
 
 
 def test_a_game_is_kept_at_its_end(tmp_path):
     """Its file is there with the tick that ends it, before another game begins; the list has its score and its hash."""
-    games = Games(tmp_path)
-    game = new_game(built_in()[:1], 1)._replace(lives=1)
+    games = GameFiles(tmp_path)
+    game = new_game(classic()[:1], 1)._replace(lives=1)
     while game.phase != Phase.OVER:
         controls = Controls(serve=game.phase == Phase.SERVING, give_up=game.tick > 20)
         game = tick(game, controls).game
         games(controls, game)
-    (listed,) = Games(tmp_path).listed()
+    (listed,) = GameFiles(tmp_path).listed()
     assert (listed.score, listed.ticks, listed.won) == (game.score, game.tick, False)
     assert hashlib.sha256((tmp_path / listed.file).read_bytes()).hexdigest() == listed.sha256
     play(games, 4)
@@ -61,10 +61,10 @@ def test_a_game_is_kept_at_its_end(tmp_path):
 def test_two_windows_whose_games_end_in_the_same_second_keep_both(tmp_path, monkeypatch):
     """Each has its own file, and both are in the list of a third."""
     monkeypatch.setattr(kept.time, "strftime", lambda _: "2026-01-01 00-00-00")
-    first, second = Games(tmp_path), Games(tmp_path)
+    first, second = GameFiles(tmp_path), GameFiles(tmp_path)
     play(first, 5)
     play(second, 6)
-    assert sorted(game.ticks for game in Games(tmp_path).listed()) == [5, 6]
+    assert sorted(game.ticks for game in GameFiles(tmp_path).listed()) == [5, 6]
     assert {load(path).ticks for path in first.paths()} == {5, 6}
 
 
@@ -74,7 +74,7 @@ def test_what_is_no_game_does_not_break_the_list(tmp_path):
     (tmp_path / "folder.polar").mkdir()
     (tmp_path / ".polar-breakout-00.tmp").write_bytes(b"half a ga")
     (tmp_path / "of-old.polar").write_bytes(b"a game")
-    games = Games(tmp_path)
+    games = GameFiles(tmp_path)
     play(games, 5)
     assert [game.file for game in games.listed()][1:] == ["of-old.polar"]
     assert (tmp_path / "gone.polar").is_symlink()
@@ -83,7 +83,7 @@ def test_what_is_no_game_does_not_break_the_list(tmp_path):
 
 def test_games_are_renamed_copied_and_deleted(tmp_path):
     """A copy is named after the title and takes no other's place; a deleted game is gone from folder and list."""
-    games, share = Games(tmp_path / "replays"), tmp_path / "share"
+    games, share = GameFiles(tmp_path / "replays"), tmp_path / "share"
     play(games, 5)
     titled = KeptGame(games.last.file, "../Best: yet", kept=True, ticks=5)
     games.change(titled)
@@ -99,7 +99,7 @@ def test_games_are_renamed_copied_and_deleted(tmp_path):
 def test_short_games_are_not_kept_but_recorded_where_that_was_asked_for(tmp_path, monkeypatch):
     """Below the shortest length the folder is not even made; the file of `--record` has every game."""
     monkeypatch.setattr(kept, "_SHORTEST", 5.0)
-    games = Games(tmp_path / "replays", record=tmp_path / "mine.polar")
+    games = GameFiles(tmp_path / "replays", record=tmp_path / "mine.polar")
     play(games, 1199)
     assert not (tmp_path / "replays").exists()
     assert load(tmp_path / "mine.polar").ticks == 1199
@@ -110,7 +110,7 @@ def test_short_games_are_not_kept_but_recorded_where_that_was_asked_for(tmp_path
 def test_play_goes_on_where_nothing_can_be_kept(tmp_path):
     """A folder that cannot be made is a problem to be told, not an error."""
     (tmp_path / "data").write_text("a file where the folder should be")
-    games = Games(tmp_path / "data" / "replays")
+    games = GameFiles(tmp_path / "data" / "replays")
     play(games, 5)
     assert games.problem is not None
     assert games.last is None

@@ -9,7 +9,7 @@ from game.autopilot import Autopilot
 from game.kept import games as kept_games
 from game.kept.scores import Score
 from game.kept.store import Kept
-from game.levels import built_in
+from game.levels import classic
 from game.rules import Ruleset, new_game, tick
 from tests.support.command_line import polar
 
@@ -20,7 +20,7 @@ def folder(tmp_path, monkeypatch):
     monkeypatch.setattr(commands, "data_folder", lambda: tmp_path)
     monkeypatch.setattr(kept_games, "_SHORTEST", 0.1)
     kept = Kept(tmp_path)
-    game, pilot = new_game(built_in(), 3, Ruleset()), Autopilot()
+    game, pilot = new_game(classic(), 3, Ruleset()), Autopilot()
     for _ in range(1500):
         controls = pilot.controls(game)
         game = tick(game, controls).game

@@ -7,7 +7,7 @@ os.environ["SDL_VIDEODRIVER"] = "dummy"
 import pytest
 
 from game.drawing.camera import Camera
-from game.levels import built_in
+from game.levels import classic
 from game.overlay import captions
 from game.overlay.captions import SECONDS, Caption
 from game.rules import Event, EventKind, new_game
@@ -19,7 +19,7 @@ CAMERA = Camera(400 + 300j, 30.0)
 
 def after(*events, shown=()):
     """The captions after a tick with some events."""
-    ticked = still(new_game(built_in(), 1))
+    ticked = still(new_game(classic(), 1))
     return captions.after(shown, ticked._replace(events=tuple(events)), CAMERA)
 
 

@@ -11,7 +11,7 @@ import msgspec
 import pytest
 
 from game.autopilot import Autopilot
-from game.levels import built_in
+from game.levels import classic
 from game.replays import file as replay
 from game.replays.file import BLOCK, MAX_TICKS, Recorder, Recording, controls_of, decoded, load, played, save
 from game.replays.state_hash import FIELDS, field_checks, fields, state_hash
@@ -75,7 +75,7 @@ def test_recordings_of_any_length_verify(ticks, tmp_path: Path):
 
 def test_runs_hold_any_controls():
     """Controls of every kind, and longer runs than one run can count, come back as they went in."""
-    levels = built_in()
+    levels = classic()
     game = new_game(levels, 0)
     plan = [
         *[Controls(*one) for one in product((-1, 0, 1), (None, 0, POINTER_STEPS - 1), (False, True), (False, True))],
@@ -92,9 +92,9 @@ def test_runs_hold_any_controls():
 
 def test_a_recorder_stops_at_the_longest_recording():
     """Ticks beyond an hour are left out, so that what is written can be read."""
-    recorder = Recorder(built_in(), 0)
+    recorder = Recorder(classic(), 0)
     recorder.ticks = MAX_TICKS
-    recorder.add(Controls(), new_game(built_in(), 0))
+    recorder.add(Controls(), new_game(classic(), 0))
     assert recorder.ticks == MAX_TICKS
 
 
@@ -169,7 +169,7 @@ def test_the_formats_before_are_read(mouse):
 
 def test_an_arcade_game_plays_again(tmp_path: Path):
     """With its difficulty, its chance and all that power-ups did; the same inputs under other rules are another game."""
-    ruleset, levels = Ruleset(Difficulty.EASY), built_in()[3:]
+    ruleset, levels = Ruleset(Difficulty.EASY), classic()[3:]
     game, pilot, recorder = new_game(levels, 11, ruleset), Autopilot(), Recorder(levels, 11, ruleset)
     for _ in range(6000):
         controls = pilot.controls(game)
@@ -186,7 +186,7 @@ def test_an_arcade_game_plays_again(tmp_path: Path):
 
 def test_a_game_with_a_ball_given_up_plays_again(tmp_path: Path):
     """The life it costs is lost in the recording, too."""
-    levels = built_in()
+    levels = classic()
     game, recorder = new_game(levels, 5), Recorder(levels, 5)
     for number in range(300):
         controls = Controls(serve=number == 10, give_up=number == 200)
@@ -202,7 +202,7 @@ def test_a_game_with_a_ball_given_up_plays_again(tmp_path: Path):
 def test_contradictions_are_refused(mouse):
     """Fields that do not fit together are refused, each by its name."""
     ticks, runs = mouse.ticks, mouse.runs
-    other = list(built_in()[1:])
+    other = list(classic()[1:])
     impossible = msgspec.structs.replace(mouse.levels[0], ground_radius=5.0)
     for wrong, reason in (
         ({"levels": other}, "levels_hash: another level"),
@@ -242,7 +242,7 @@ def test_a_bomb_is_refused_before_it_is_unpacked():
 
 def test_many_runs_stay_small():
     """The longest game with a new action at every tick is decoded with less than 100 MB in use."""
-    levels = built_in()
+    levels = classic()
     recording = msgspec.structs.replace(
         Recorder(levels, 1).recording(),
         ticks=MAX_TICKS,

@@ -1,15 +1,21 @@
 """Points, ranks, lives and statistics under the arcade rules."""
 
+import math
+
 import pytest
 
 from game.levels import parse
 from game.rules import (
     EXTRA_LIFE_POINTS,
     SOURCE_RULES,
+    ActivePower,
     Controls,
     Difficulty,
+    Drop,
     EventKind,
+    HeldBall,
     Phase,
+    PowerUp,
     Rank,
     Ruleset,
     Tally,
@@ -67,6 +73,16 @@ def test_a_cleared_level_gives_its_bonuses_and_a_result():
     assert result.score == done.game.score == 10 + 300 + 500 + result.time_bonus
     assert done.events[-2].points == 800 + result.time_bonus
     assert result.rank == rank_of(LEVEL, done.game.statistics.level)
+
+
+def test_a_cleared_level_leaves_nothing_behind():
+    """No drop is on its way, no ball sticks to a paddle while the next level is waited for; then no power lasts."""
+    start = last_brick(new_game((LEVEL, LEVEL), 1, Ruleset()))
+    start = start._replace(drops=(Drop(PowerUp.WIDE, 7j, 1j),), held=(HeldBall(0, 0.0, 0.25, 1),))
+    done = until(start._replace(powers=(ActivePower(PowerUp.WIDE, 5000, 5000),)), EventKind.LEVEL_CLEARED, 60)
+    assert (done.game.drops, done.game.held) == ((), ())
+    later = until(done.game, EventKind.LEVEL_STARTED, 600, SERVE).game
+    assert (later.powers, later.arena.rings[0].half_angle) == ((), pytest.approx(math.radians(20.0)))
 
 
 def test_a_lost_life_costs_the_bonus_of_none():

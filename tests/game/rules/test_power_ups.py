@@ -6,7 +6,7 @@ import pytest
 
 from game.levels import parse
 from game.rules import LASTING, Difficulty, Drop, EventKind, Phase, PowerUp, Ruleset, paddle_ring, shield_layers, tick
-from game.rules.drops import DROP_RADIUS, _kind_of
+from game.rules.drops import DROP_RADIUS, _kind_of, with_drop
 from game.rules.power_up import OPPOSITES, ActivePower
 from physics import PERMANENT, contact, direction, dot, in_band, length, min_difference
 from tests.support.arcade import GOOD, IDLE, after, arcade, changed, kinds, until, with_balls
@@ -86,6 +86,18 @@ def test_how_often_and_which_is_the_seeds_and_the_levels():
         for seed in range(12)
     }
     assert left == {PowerUp.SLOW, PowerUp.WIDE, PowerUp.FAST}
+
+
+def test_a_difficulty_changes_how_often():
+    """Of a hundred bricks at a chance of a half, by the same seeds: more on easy, fewer on hard."""
+    level = parse(GOOD + b"[drops]\nchance = 0.5\n", "x")
+    counts = []
+    for difficulty in Difficulty:
+        games = [arcade(level, seed, Ruleset(difficulty)) for seed in range(100)]
+        counts.append(sum([len(with_drop(game, 3j, []).drops) for game in games]))
+    assert counts[0] > counts[1] + 10
+    assert counts[1] > counts[2] + 5
+    assert 35 < counts[1] < 65
 
 
 def test_three_drops_are_on_their_way_at_most():

@@ -6,7 +6,7 @@ import math
 import pytest
 
 from game.autopilot import Autopilot
-from game.levels import built_in, parse
+from game.levels import classic, parse
 from game.rules import (
     LIVES,
     POINTER_STEPS,
@@ -166,7 +166,7 @@ def one_brick(levels):
 
 def test_the_last_brick_clears_the_level_and_the_next_begins():
     """After the last brick the level is cleared, and a serve or two seconds later the next level waits for its serve."""
-    game, events = after(one_brick((LEVEL, built_in()[1])), 60)
+    game, events = after(one_brick((LEVEL, classic()[1])), 60)
     assert EventKind.LEVEL_CLEARED in kinds(events)
     assert game.phase == Phase.CLEARED
     assert game.score == 10 + 100 * LIVES
@@ -175,7 +175,7 @@ def test_the_last_brick_clears_the_level_and_the_next_begins():
         later, events = after(game, most, controls)
         assert later.number == 1
         assert EventKind.LEVEL_STARTED in kinds(events)
-        assert layers_left(later) == layers_left(new_game(built_in()[1:], 1))
+        assert layers_left(later) == layers_left(new_game(classic()[1:], 1))
 
 
 def test_the_last_level_wins_the_game():
@@ -210,7 +210,7 @@ def test_a_ball_in_a_loop_is_nudged_by_the_seed():
 
 def test_the_speed_never_drifts():
     """Over a whole game of the autopilot, every ball's speed stays within 1e-12 of the level's."""
-    game, pilot = new_game(built_in()[3:4], 5), Autopilot()
+    game, pilot = new_game(classic()[3:4], 5), Autopilot()
     worst = 0.0
     for _ in range(10_000):
         game = tick(game, pilot.controls(game)).game
@@ -224,7 +224,7 @@ def test_the_autopilot_clears_the_first_level(block):
     """Over seeds 1-20, the autopilot clears level 1 at least 18 times: at most one failure in each ten."""
     cleared = 0
     for seed in block:
-        game, pilot = new_game(built_in()[:1], seed), Autopilot()
+        game, pilot = new_game(classic()[:1], seed), Autopilot()
         while game.phase not in {Phase.WON, Phase.OVER} and game.tick < 40_000:
             game = tick(game, pilot.controls(game)).game
         cleared += game.phase == Phase.WON

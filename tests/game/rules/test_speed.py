@@ -88,6 +88,9 @@ def test_paddles_are_as_much_faster_as_the_balls():
     game, _ = after(game, 1)
     fast, _ = after(with_balls(game, (-6j, 1.0)), 80, Controls(turn=1))
     assert paddle_ring(fast).spin == pytest.approx(min(math.radians(50.0) * 1.25, 0.95 * fast.speed / 9.2))
+    served, _ = after(fast, 1, Controls(turn=1, give_up=True))
+    assert served.speed == 9.0
+    assert abs(paddle_ring(served).spin) * 9.2 <= 0.95 * 9.0 * (1.0 + 1e-12)
     slow, _ = after(fast._replace(powers=lasting(PowerUp.SLOW)), 1, Controls(turn=1))
     assert abs(paddle_ring(slow).spin) * 9.2 <= 0.95 * slow.speed * (1.0 + 1e-12)
     assert slow.speed == pytest.approx(0.75 * 9.0)

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 from game.levels import parse
 from game.rules import PADDLES, POINTER_STEPS, SOURCE_RULES, Controls, EventKind, Phase, new_game, paddle_ring, tick
-from game.rules.closing import CLOSING_TICKS
+from game.rules.closing import CLOSING_TICKS, closing_limit
 from game.rules.power_up import ActivePower, PowerUp
 from game.rules.turn import MOST_LEANING, paddle_hits_answered, turned
 from physics import angle_of, direction, dot, length, normalize_angle, signed_difference
@@ -97,6 +97,16 @@ def test_a_sticky_paddle_lets_go_by_itself():
     assert length(game.arena.balls[0].velocity) == pytest.approx(game.speed)
 
 
+def test_a_ball_that_sticks_is_in_play():
+    """While there is one, a ball that is lost costs no life; who gives up loses it, too."""
+    game = radial_shot(arcade()._replace(powers=(STICKY,)), 0.0).game
+    outward = direction(math.radians(30.0))
+    game, events = after(with_balls(game, (outward * 10.3, outward)), 1)
+    assert (kinds(events), game.lives, game.phase) == ([EventKind.BALL_LOST], 3, Phase.PLAYING)
+    game, events = after(game, 1, Controls(give_up=True))
+    assert (kinds(events), game.lives, game.phase, game.held) == ([EventKind.BALL_LOST], 2, Phase.SERVING, ())
+
+
 def test_a_ball_that_sticks_is_aimed():
     """A serve with an aim sends it there."""
     game = radial_shot(arcade()._replace(powers=(STICKY,)), 0.0).game
@@ -124,11 +134,19 @@ def test_after_a_long_wait_a_hit_aims_at_the_brick():
     assert kinds(events)[0] == EventKind.BRICK_HIT
 
 
+def test_a_brick_ends_the_wait():
+    """The help begins anew, some seconds after it."""
+    game = with_balls(arcade()._replace(waited=1000), (5.0 + 0j, -1.0))
+    done = until(game, EventKind.BRICK_HIT, 60)
+    assert done.game.waited == 0
+    assert after(done.game, 1)[0].waited == 1
+
+
 def test_the_help_is_bounded():
     """A brick that needs a larger turn than the wait allows is not aimed at; no turn exceeds 60 degrees."""
     level = parse(changed("acceleration = 400.0", "acceleration = 400.0\nturn = 0"), "x")
     game, _ = one_brick_left(arcade(level), math.radians(180.0))
-    for waited in (CLOSING_TICKS, CLOSING_TICKS + 2000, 10**6):
+    for waited in (CLOSING_TICKS, CLOSING_TICKS + 400, CLOSING_TICKS + 1000):
         done = radial_shot(game._replace(waited=waited), 0.0)
         lean = abs(leaning(done.game.arena.balls[0].velocity, paddle_ring(game).angle(0) + math.pi))
         bound = math.radians(min(15.0 + 15.0 * (done.game.waited - CLOSING_TICKS) / 240.0, 60.0))
@@ -137,7 +155,22 @@ def test_the_help_is_bounded():
 
 def test_no_help_is_given_where_a_brick_is_met_anyway():
     """The wall stands before the ball: its flight is left alone."""
-    assert EventKind.AIMED not in kinds(radial_shot(arcade()._replace(waited=10**6), 0.0).events)
+    for share in (0.0, 0.3, -0.4):
+        assert EventKind.AIMED not in kinds(radial_shot(arcade()._replace(waited=CLOSING_TICKS + 1000), share).events)
+
+
+def test_a_brick_behind_steel_is_not_aimed_at():
+    """The ball would meet the steel; one beside it, which takes a larger turn, is aimed at instead."""
+    level = parse(changed("acceleration = 400.0", "acceleration = 400.0\nturn = 0"), "x")
+    game = arcade(level)._replace(waited=CLOSING_TICKS + 1000)
+    for open_slots, aimed in (((), False), ((11,), True)):
+        slots = [-1 if slot == 9 else int(slot == 4 or slot in open_slots) for slot in range(12)]
+        layers = (game.arena.layers[0], tuple(slots), game.arena.layers[2])
+        done = radial_shot(game._replace(arena=game.arena._replace(layers=layers)), 0.0)
+        assert (EventKind.AIMED in kinds(done.events)) is aimed
+        if aimed:
+            (hit,) = [event.hit for event in until(done.game, EventKind.BRICK_HIT, 300).events]
+            assert hit.slot == 11
 
 
 def test_the_last_bounce_of_a_tick_decides():
@@ -185,3 +218,9 @@ def test_a_second_player_steers_when_the_first_does_not():
     ):
         spin = paddle_ring(after(game, 5, controls)[0]).spin
         assert spin * sign > 0.0, controls
+
+
+def test_the_help_grows_to_sixty_degrees():
+    """From 15, by 15 a second, after three and a half seconds without a brick."""
+    for seconds, degrees in ((3.4, 0.0), (3.5, 15.0), (4.5, 30.0), (6.5, 60.0), (1000.0, 60.0)):
+        assert math.degrees(closing_limit(arcade()._replace(waited=round(seconds * 240)))) == pytest.approx(degrees)

@@ -2,12 +2,13 @@
 
 import pytest
 
-from game.levels import parse
+from game.levels import parse, warnings
 from game.rules import EventKind, Phase, layers_left
+from game.rules.crumbling import CRUMBLING_TICKS
 from game.rules.regrow import play_ticks
 from game.system.errors import BadInputError
 from physics import direction
-from tests.support.arcade import GOOD, after, arcade, kinds, until, with_balls
+from tests.support.arcade import EVERYTHING, GOOD, after, arcade, kinds, until, with_balls
 
 BOSS = GOOD + b"[[rings]]\nradius = 5.0\nhalf_width = 0.3\nhalf_angle = 9.0\ncount = 18\nregrow = 2.0\n"
 QUIET = ((7.0j, 1.0 + 0.1j),)
@@ -40,6 +41,16 @@ def test_missing_bricks_grow_again_one_after_the_other():
         assert game.arena.layers[2] == (1,) * grown + (0,) * (8 - grown) + (1,) * 10
     game, events = held_still(game, 480)
     assert events == []
+
+
+def test_gaps_of_the_level_stay_open():
+    """Only what the level had grows: not its empty slots."""
+    level = parse(
+        BOSS.replace(b"regrow = 2.0", b"regrow = 2.0\nlayers = [0, 0, 0, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1, 1]"), "x"
+    )
+    game = with_layers(arcade(level), 2, [0] * 6 + [1] * 12)
+    game, _ = held_still(with_balls(game, *QUIET), 480 * 4)
+    assert game.arena.layers[2] == level.rings[1].slots()
 
 
 def test_no_brick_grows_where_a_ball_is():
@@ -116,3 +127,24 @@ def test_new_keys_leave_the_hash_of_old_levels_alone():
     assert parse(GOOD + b"[drops]\nchance = 0.12\n", "x").content_hash() == plain.content_hash()
     for text in (b"[drops]\nchance = 0.2\n", b'[look]\npalette = "ember"\n'):
         assert parse(GOOD + text, "x").content_hash() != plain.content_hash()
+
+
+def test_what_is_tedious_is_warned_of():
+    """A line for each, and none for what is fine."""
+    keys = [line.partition(":")[0] for line in warnings(EVERYTHING)]
+    assert keys == ["drops.chance", "wells[0].reach", "wells[1].reach"]
+    assert warnings(parse(BOSS.replace(b"regrow = 2.0", b"regrow = 0.4"), "x"))[0].startswith("rings[1].regrow: below 0.5 s")
+    assert warnings(parse(BOSS, "x")) == []
+
+
+def test_after_nine_seconds_without_a_brick_the_nearest_one_loses_a_layer():
+    """It gives no points and is no part of a combo; the next one falls nine seconds later."""
+    game = with_balls(arcade(parse(BOSS, "x")), *QUIET)._replace(waited=CRUMBLING_TICKS - 1)
+    later, events = after(game, 1)
+    assert kinds(events) == [EventKind.BRICK_CRUMBLED]
+    assert layers_left(later) == layers_left(game) - 1
+    assert (later.score, later.combo, later.waited) == (game.score, game.combo, 0)
+    ring = game.arena.rings[1]
+    nearest = min([abs(direction(ring.angle(slot)) * ring.radius - 7.0j) for slot in range(ring.count)])
+    assert abs(events[0].position - 7.0j) == pytest.approx(nearest, abs=0.02), "of the ring that does not grow again"
+    assert kinds(after(with_balls(later, *QUIET), 1)[1]) == []

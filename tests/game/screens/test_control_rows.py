@@ -100,3 +100,17 @@ def test_a_button_is_chosen_by_gamepad_and_a_click_leads_back(desk):
     (leave,) = [spot for spot in desk.screen._laid(desk.window.size).spots if spot.item.focusable]
     desk.click(leave.box.center)
     assert isinstance(desk.screen, SettingsPanel)
+
+
+def test_a_direction_that_is_held_goes_on(desk):
+    """Down moves the focus once when it is pressed, and after a moment again and again until it comes up."""
+    desk.screen._focus = Focus(LEFT_ROW, 1)
+    desk.hold(pygame.K_DOWN)
+    desk.wait(0.2)
+    assert desk.screen._focus.row == LEFT_ROW + 1
+    desk.wait(0.6)
+    row = desk.screen._focus.row
+    assert row >= LEFT_ROW + 4
+    desk.release(pygame.K_DOWN)
+    desk.wait(0.3)
+    assert desk.screen._focus.row == row

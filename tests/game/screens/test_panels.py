@@ -9,12 +9,12 @@ import pygame
 import pytest
 
 from game.input.signals import Action, Clicked, Pressed, Zoomed
-from game.levels import built_in
+from game.levels import classic
 from game.screens.menus.help import Help
 from game.screens.menus.settings_panel import SettingsPanel
 from game.screens.play import PlayScreen
 from game.screens.toolkit.focus import TABS
-from game.screens.toolkit.items import Button
+from game.screens.toolkit.items import ButtonItem
 from game.screens.toolkit.layout import Content
 from game.screens.toolkit.menu import Entry, Menu
 from game.screens.toolkit.panel import Panel
@@ -63,7 +63,7 @@ def picture(panel, size=SIZE):
 @PANELS
 def test_a_panel_that_stands_still_is_drawn_once(state, opened):
     """The screen below is drawn for the first frame alone, and every frame shows the same."""
-    under = Under(state, built_in()[4:])
+    under = Under(state, classic()[4:])
     panel = opened(state, under)
     assert len({picture(panel) for _ in range(5)}) == 1
     assert under.drawn == 1
@@ -81,7 +81,7 @@ def test_a_panel_that_stands_still_is_drawn_once(state, opened):
 )
 def test_what_a_key_changes_is_seen_at_once(state, opened, change):
     """After a change the panel shows what one that was opened later shows, and it is drawn once again."""
-    under = Under(state, built_in()[4:])
+    under = Under(state, classic()[4:])
     panel = opened(state, under)
     before = picture(panel)
     change(state)
@@ -96,16 +96,16 @@ def test_what_a_key_changes_is_seen_at_once(state, opened, change):
 @PANELS
 def test_another_size_is_another_picture(state, opened):
     """Resized, the panel is drawn for the new size; at the old size it looks as before."""
-    panel = opened(state, Under(state, built_in()[4:]))
+    panel = opened(state, Under(state, classic()[4:]))
     first = picture(panel)
-    assert picture(panel, (900, 700)) == picture(opened(state, Under(state, built_in()[4:])), (900, 700))
+    assert picture(panel, (900, 700)) == picture(opened(state, Under(state, classic()[4:])), (900, 700))
     assert picture(panel) == first
 
 
 @pytest.mark.parametrize("opened", [menu, SettingsPanel], ids=["menu", "settings"])
 def test_another_selection_is_another_picture(state, opened):
     """Down moves the frame around an item; up moves it back."""
-    panel = opened(state, Under(state, built_in()[4:]))
+    panel = opened(state, Under(state, classic()[4:]))
     first = picture(panel)
     panel.answer(Pressed(Action.DOWN), SIZE)
     assert picture(panel) != first
@@ -115,7 +115,7 @@ def test_another_selection_is_another_picture(state, opened):
 
 def test_of_panels_over_each_other_one_is_seen(state):
     """Help over a menu looks as help over the game itself, and closing it shows the menu as it was."""
-    under = Under(state, built_in()[4:])
+    under = Under(state, classic()[4:])
     lower = Menu(state, under, "Title", (), (Entry("Help", lambda: Help(state, lower)),), lambda: under)
     before = picture(lower)
     upper = lower.answer(Pressed(Action.CONFIRM), SIZE)
@@ -131,8 +131,8 @@ class Long(Panel):
         self.used = []
 
     def content(self):
-        rows = [tuple(Button(f"{row}{side}", self._use(f"{row}{side}")) for side in "ab") for row in range(40)]
-        return Content("Long", tuple(rows), ((Button("end", self._use("end")),),), ("One", "Two"), self._tab)
+        rows = [tuple(ButtonItem(f"{row}{side}", self._use(f"{row}{side}")) for side in "ab") for row in range(40)]
+        return Content("Long", tuple(rows), ((ButtonItem("end", self._use("end")),),), ("One", "Two"), self._tab)
 
     def _use(self, label):
         return lambda: self.used.append(label) or self
@@ -176,7 +176,7 @@ def test_the_wheel_and_the_scroll_bar_scroll(state):
 
 def test_a_text_that_is_too_long_is_read_on_with_the_arrow_keys(state):
     """Down scrolls the list of keys to its end before it moves the focus, and up scrolls back."""
-    panel = Help(state, Under(state, built_in()), "Keys", tuple((f"key {number}", "does it") for number in range(60)))
+    panel = Help(state, Under(state, classic()), "Keys", tuple((f"key {number}", "does it") for number in range(60)))
     while panel._scroll < panel._laid(SIZE).over:
         before = panel._scroll
         panel.answer(Pressed(Action.DOWN), SIZE)
@@ -189,7 +189,7 @@ def test_text_is_entered_by_typing_and_by_pointing(state):
     """Letters are typed, not obeyed; backspace takes one away; the small keyboard adds to it; Enter accepts it."""
     done = []
     state.open_lab = None
-    entry = TextEntry(state, Under(state, built_in()), "Name", "", 8, done.append)
+    entry = TextEntry(state, Under(state, classic()), "Name", "", 8, done.append)
     desk = Desk(state, entry)
     try:
         desk.type("hmo")

@@ -1,19 +1,27 @@
-"""Whole sessions: from the title through a game, its results, the scores and a replay, and out; by keys, and by mouse."""
+"""Whole sessions: from the title through a game, its results, the scores and a replay, and out; by keys, mouse, gamepad."""
 
 import msgspec
 import pygame
 import pytest
 
 from game.autopilot import Autopilot
+from game.editor import command
+from game.editor.window.layout import editor_layout
+from game.editor.window.screen import Editor
+from game.generated import sequence
 from game.kept import games as kept_games
 from game.kept.progress import Best
+from game.kept.scores import ENDLESS, objection
 from game.kept.store import Kept
-from game.levels import built_in
+from game.levels import classic
+from game.own_levels import own_levels
 from game.replays.file import load
 from game.replays.verify import verified
-from game.rules import Phase, Ruleset, new_game, tick
+from game.rules import Phase, Ruleset, new_game, paddle_rings, tick
 from game.screens import ghost, play_buttons
+from game.screens.editors import OpenEditors
 from game.screens.menus.credits import Credits
+from game.screens.menus.endless import seed_of
 from game.screens.menus.help import Help
 from game.screens.menus.high_scores import HighScores
 from game.screens.menus.level_select import LevelSelect
@@ -25,20 +33,40 @@ from game.screens.play_record import record_name
 from game.screens.title import Title
 from game.screens.toolkit.menu import Menu
 from game.screens.toolkit.text_entry import TextEntry
+from game.screens.versus import verdict
 from game.screens.watch import Watch
 from physics import direction
 from tests.support.dummy_window import FRAME, Desk, shared
+from tests.support.virtual_pad import PadDesk, library
 
 
 @pytest.fixture
-def desk(tmp_path, monkeypatch):
-    """The app at its title, with a folder for what it keeps."""
+def state(tmp_path, monkeypatch):
+    """What the app begins with, and a folder for what it keeps."""
     monkeypatch.setattr(kept_games, "_SHORTEST", 0.1)
-    state = shared()
-    state.kept, state.ruleset = Kept(tmp_path), Ruleset()
-    state.recorder = state.kept.games
+    made = shared()
+    made.kept, made.ruleset = Kept(tmp_path), Ruleset()
+    made.recorder, made.open_editor = made.kept.games, OpenEditors().opened
+    monkeypatch.setattr(command, "own_levels_folder", lambda: tmp_path / "levels")
+    made.own_levels = lambda: own_levels(tmp_path / "levels")
+    return made
+
+
+@pytest.fixture
+def desk(state):
+    """The app at its title."""
     found = Desk(state, Title(state), (640, 400))
     found.wait(FRAME)
+    yield found
+    found.close()
+
+
+@pytest.fixture
+def pad_desk(state):
+    """The app at its title, with a gamepad alone."""
+    if library() is None:
+        pytest.skip("no SDL library to plug a virtual gamepad into")
+    found = PadDesk(state, Title(state), (320, 200))
     yield found
     found.close()
 
@@ -74,9 +102,9 @@ def test_by_keys_alone(desk, tmp_path):
     visit(desk, *[(lambda label=label: desk.choose(label), kind, esc) for label, kind in (*panels, ("Credits", Credits))])
     desk.choose("Levels")
     assert isinstance(desk.screen, LevelSelect)
-    desk.choose(built_in()[1].name)
+    desk.choose(classic()[1].name)
     assert isinstance(desk.screen, LevelSelect), "it is locked"
-    desk.choose(built_in()[0].name)
+    desk.choose(classic()[0].name)
     assert isinstance(desk.screen, PlayScreen)
     visit(desk, (lambda: desk.press(pygame.K_p), Menu, esc), (lambda: desk.press(pygame.K_o), SettingsPanel, esc))
     lose(desk, lambda: desk.press(pygame.K_SPACE))
@@ -109,7 +137,17 @@ def test_by_mouse_alone(desk, tmp_path):
     panels = (("High scores", HighScores), ("Replays", Replays), ("How to play", Help), ("Settings", SettingsPanel))
     visit(desk, *[(lambda label=label: desk.click_on(label), kind, close) for label, kind in (*panels, ("Credits", Credits))])
     desk.click_on("Levels")
-    desk.click_on(built_in()[0].name)
+    desk.click_on("Make a new level")
+    assert isinstance(desk.screen, Editor)
+    buttons = editor_layout(desk.window.size, desk.screen.session).buttons
+    desk.click(next(box.center for button, box in buttons if button.name == "leave"))
+    desk.click_on("Save and leave")
+    assert isinstance(desk.screen, LevelSelect)
+    desk.click_on("My level")
+    desk.click_on("Edit")
+    assert isinstance(desk.screen, Editor)
+    desk.click(next(box.center for button, box in buttons if button.name == "leave"))
+    desk.click_on(classic()[0].name)
     assert isinstance(desk.screen, PlayScreen)
 
     def button(index):
@@ -147,6 +185,35 @@ def test_by_mouse_alone(desk, tmp_path):
     assert desk.screen is None
 
 
+def test_by_gamepad_alone(pad_desk, tmp_path):
+    """The same with a gamepad: a game lost, a name entered letter by letter, the score, its replay; out."""
+    desk = pad_desk
+    esc = lambda: desk.press(pygame.K_ESCAPE)  # noqa: E731
+    panels = (("High scores", HighScores), ("Replays", Replays), ("How to play", Help), ("Settings", SettingsPanel))
+    visit(desk, *[(lambda label=label: desk.choose(label), kind, esc) for label, kind in (*panels, ("Credits", Credits))])
+    desk.choose("Levels")
+    desk.choose(classic()[0].name)
+    assert isinstance(desk.screen, PlayScreen)
+    desk.press(pygame.K_p)
+    visit(desk, (lambda: desk.choose("Settings"), SettingsPanel, esc))
+    desk.choose("Go on")
+    lose(desk, lambda: desk.press(pygame.K_SPACE))
+    assert isinstance(desk.screen, Results)
+    desk.press(pygame.K_RETURN)  # the figures need not be waited for
+    desk.choose("Enter your name")
+    for letter in ("M", "O", "Done"):
+        desk.choose(letter)
+    (entry,) = Kept(tmp_path).scores.value.entries
+    assert entry.name == "MO"
+    desk.choose("1    MO")
+    assert isinstance(desk.screen, Watch)
+    esc()
+    desk.choose("Title")
+    esc()
+    desk.choose("Quit")
+    assert desk.screen is None
+
+
 def with_one_brick(game):
     """A game in play with one layer of one brick left, which the ball flies to."""
     ball, wall = game.arena.balls[0], game.arena.rings[1]
@@ -170,8 +237,8 @@ def test_a_cleared_level_shows_its_results_and_opens_the_next(desk, tmp_path):
     kept = Kept(tmp_path)
     (best,) = kept.progress.value.bests
     result = play._ticked.game.results[-1]
-    assert (best.level, best.difficulty, best.score, best.rank) == (built_in()[0].name, "normal", result.score, result.rank)
-    assert kept.progress.value.is_open(1, [level.name for level in built_in()])
+    assert (best.level, best.difficulty, best.score, best.rank) == (classic()[0].name, "normal", result.score, result.rank)
+    assert kept.progress.value.is_open(1, [level.name for level in classic()])
     desk.press(pygame.K_RETURN, pygame.K_RETURN)
     desk.wait(0.5)
     assert desk.screen is play
@@ -180,8 +247,8 @@ def test_a_cleared_level_shows_its_results_and_opens_the_next(desk, tmp_path):
 
 def test_the_best_run_of_a_level_is_raced_as_a_ghost(desk, monkeypatch):
     """Once the player serves, the ghost stands where its recording does, tick by tick from its own first serve."""
-    levels, kept = built_in()[1:3], desk.shared.kept
-    recorded, pilot, game = [], Autopilot(), new_game(built_in()[1:3], 5, Ruleset())
+    levels, kept = classic()[1:3], desk.shared.kept
+    recorded, pilot, game = [], Autopilot(), new_game(classic()[1:3], 5, Ruleset())
     for _ in range(700):
         controls = pilot.controls(game)
         game = tick(game, controls).game
@@ -210,7 +277,7 @@ def test_two_players_steer_the_same_paddles(desk):
     desk.shared.recorder = lambda controls, _: told.append((controls.turn, controls.second_turn))
     desk.choose("Levels")
     desk.choose("Players")
-    desk.choose(built_in()[0].name)
+    desk.choose(classic()[0].name)
     for key in (pygame.K_d, pygame.K_RIGHT, pygame.K_a):
         desk.hold(key)
         desk.wait(0.1)
@@ -222,8 +289,50 @@ def test_two_players_steer_the_same_paddles(desk):
 
 def test_a_game_on_a_level_of_ones_own_makes_no_high_score(desk):
     """Anybody can make an easy level: it has a best of its own, under what is in it, and opens no level of the game."""
-    own = msgspec.structs.replace(built_in()[1], ground_radius=built_in()[1].ground_radius + 0.5)
+    own = msgspec.structs.replace(classic()[1], ground_radius=classic()[1].ground_radius + 0.5)
     desk.screen = PlayScreen(desk.shared, (own,))
     lose(desk, lambda: desk.press(pygame.K_SPACE))
     assert "Enter your name" not in [entry.label for entry in desk.screen._entries]
-    assert record_name(own) != own.name == record_name(built_in()[1])
+    assert record_name(own) != own.name == record_name(classic()[1])
+
+
+def test_two_players_against_each_other_have_a_paddle_each(desk):
+    """A and D turn the upper paddle, the arrows the lower one; the results name the winner, and no score is entered."""
+    desk.choose("Levels")
+    desk.choose("Players")
+    desk.choose("Players")
+    desk.choose(classic()[0].name)
+    game = desk.screen._ticked.game
+    assert game.ruleset.versus
+    lower, upper = (game.arena.rings[ring].angle(0) for ring in paddle_rings(game))
+    desk.hold(pygame.K_d)
+    desk.wait(0.2)
+    desk.release(pygame.K_d)
+    game = desk.screen._ticked.game
+    assert game.arena.rings[paddle_rings(game)[0]].angle(0) == lower
+    assert game.arena.rings[paddle_rings(game)[1]].angle(0) != upper
+    lose(desk, lambda: desk.press(pygame.K_SPACE))
+    desk.press(pygame.K_RETURN)
+    assert desk.screen._title == verdict(desk.screen._under._ticked.game)
+    assert "Enter your name" not in [entry.label for entry in desk.screen._entries]
+
+
+def test_endless_levels_of_a_number_have_a_table_of_their_own(desk, tmp_path):
+    """The number is entered with the small keyboard; its levels are those of anybody else; the score's replay proves it."""
+    desk.choose("Endless")
+    desk.choose("Levels of a number")
+    for digit in "42":
+        desk.click_on(digit)
+    desk.choose("Done")
+    assert isinstance(desk.screen, PlayScreen)
+    assert desk.screen._ticked.game.levels == sequence(42)
+    assert desk.screen._ticked.game.seed == 42
+    lose(desk, lambda: desk.press(pygame.K_SPACE))
+    desk.press(pygame.K_RETURN)
+    desk.choose("Enter your name")
+    desk.choose("Done")
+    (entry,) = Kept(tmp_path).scores.value.table(ENDLESS)
+    assert "(42)" in entry.last
+    assert objection(entry, tmp_path / "replays") is None
+    assert Kept(tmp_path).progress.value.bests == []
+    assert [seed_of(text) for text in ("007", "abc")] == [7, int.from_bytes(b"abc", "little")]

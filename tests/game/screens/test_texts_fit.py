@@ -17,7 +17,7 @@ from game.screens.play import PlayScreen
 from game.screens.toolkit.panel import Panel
 
 SMALLEST = (800, 600)
-PLAYED = {"title", "title-asks", "play", "pause", "ghost", "level-cleared", "game-over", "name-entry", "replay"}
+PLAYED = {"title", "title-asks", "play", "pause", "ghost", "versus", "level-cleared", "game-over", "name-entry", "replay"}
 """Screens that take a game to be played; what is written in a game is looked at below."""
 PANELS = {name: opened for name, opened in gallery._screens() if name not in PLAYED}
 

@@ -11,7 +11,7 @@ from game.screens import play_buttons
 from game.screens.menus.settings_panel import SettingsPanel
 from game.screens.play import PlayScreen
 from game.screens.title import Title
-from game.screens.toolkit.items import Slider
+from game.screens.toolkit.slider import Slider
 from tests.support.dummy_window import FRAME, Desk, shared
 
 SIZE = (480, 300)

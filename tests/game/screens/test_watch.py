@@ -7,7 +7,7 @@ from game import app
 from game.effects import NOTHING
 from game.headless import autopilot_game
 from game.lab.window.screen import Lab
-from game.levels import built_in
+from game.levels import classic
 from game.replays.file import Recorder
 from game.replays.playback import Playback
 from game.screens import play_buttons
@@ -22,8 +22,8 @@ TICKS = 2400
 @pytest.fixture(scope="module")
 def recording():
     """Ten seconds of the autopilot."""
-    recorder = Recorder(built_in()[3:], 4)
-    autopilot_game(built_in()[3:], 4, TICKS, recorder)
+    recorder = Recorder(classic()[3:], 4)
+    autopilot_game(classic()[3:], 4, TICKS, recorder)
     return recorder.recording()
 
 

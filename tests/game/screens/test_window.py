@@ -7,7 +7,8 @@ import pytest
 
 from game import app
 from game.drawing.palette import DARK, LIGHT
-from game.levels import built_in
+from game.kept.store import Kept
+from game.levels import classic
 from game.replays.state_hash import state_hash
 from game.rules import Phase, new_game, tick
 from game.screens import play_buttons
@@ -88,7 +89,7 @@ def test_what_is_recorded_plays_again(playing, ticks):
     playing.release(pygame.K_a)
     playing.move((100, 350))
     playing.wait(1.0)
-    game = new_game(built_in(), 7)
+    game = new_game(classic(), 7)
     for controls, after in ticks:
         game = tick(game, controls).game
         assert after.tick == game.tick
@@ -293,9 +294,12 @@ def test_any_window_size_in_play(desk, size):
 
 
 def test_minimising_pauses(playing):
-    """Minimising the window pauses the game."""
+    """Minimising the window pauses the game, and nothing moves until it is back."""
     playing.post(pygame.WINDOWMINIMIZED)
     assert isinstance(playing.screen, Menu)
+    assert playing.shared.away
+    playing.post(pygame.WINDOWRESTORED)
+    assert not playing.shared.away
 
 
 def test_a_stall_runs_at_most_60_ticks(playing, ticks):
@@ -349,9 +353,26 @@ def test_play_returns_0_when_the_window_is_closed(monkeypatch):
 
     real = app.frame
     monkeypatch.setattr(app, "frame", counted)
-    assert app.play(built_in()[2:], 1) == 0
+    assert app.play(classic()[2:], 1) == 0
     assert len(frames) == 5
     assert not pygame.display.get_init()
+
+
+def test_size_and_position_of_the_window_are_remembered(monkeypatch, tmp_path):
+    """The next session opens it as it was left, whatever size it had in full screen."""
+    seen = []
+
+    def looked(window, state, _screen, _seconds):
+        seen.append((window.size, window.position))
+        if len(seen) == 1:
+            window.size, window.position = (500, 400), (60, 70)
+        elif len(seen) == 2:
+            app._toggle_full_screen(window, state)
+
+    monkeypatch.setattr(app, "frame", looked)
+    for _ in range(3):
+        app.play(classic(), 1, app.Services(kept=Kept(tmp_path)))
+    assert seen[1:] == [((500, 400), (60, 70))] * 2
 
 
 def test_another_keyboard_layout_is_noticed(playing, monkeypatch):
@@ -375,16 +396,14 @@ def test_a_signal_ends_the_loop_after_a_frame(monkeypatch, request):
     before = signal.signal(signal.SIGTERM, ending._handle)
     request.addfinalizer(lambda: signal.signal(signal.SIGTERM, before))
     with pytest.raises(KeyboardInterrupt):
-        app.play(built_in(), 1, autopilot=True)
+        app.play(classic(), 1, autopilot=True)
     assert len(seen) == 1
     assert not pygame.display.get_init()
 
 
 def test_a_level_of_ones_own_is_the_only_one_offered(monkeypatch):
     """A level that is not built in stands alone on the title."""
-    own = (
-        built_in()[0].__class__(**{**{f: getattr(built_in()[0], f) for f in built_in()[0].__struct_fields__}, "name": "Mine"}),
-    )
+    own = (classic()[0].__class__(**{**{f: getattr(classic()[0], f) for f in classic()[0].__struct_fields__}, "name": "Mine"}),)
     seen = []
 
     def looked(_window, state, screen, _seconds):
@@ -392,5 +411,5 @@ def test_a_level_of_ones_own_is_the_only_one_offered(monkeypatch):
 
     monkeypatch.setattr(app, "frame", looked)
     app.play(own, 1)
-    app.play(built_in()[2:], 1)
-    assert seen == [(own, Title), (built_in(), Title)]
+    app.play(classic()[2:], 1)
+    assert seen == [(own, Title), (classic(), Title)]

@@ -11,7 +11,7 @@ import pygame
 import pytest
 
 from game.autopilot import Autopilot
-from game.levels import built_in
+from game.levels import classic
 from game.replays.state_hash import state_hash
 from game.rules import Event, EventKind, new_game, tick
 from game.sound.mixer import Audio
@@ -187,7 +187,7 @@ def test_a_game_with_sound_is_the_game_without(audio):
     """The state after 4000 ticks is the same, and Python's own generator is left alone."""
 
     def state(listener):
-        game, pilot = new_game(built_in()[:1], 5), Autopilot()
+        game, pilot = new_game(classic()[:1], 5), Autopilot()
         heard = 0
         for _ in range(4000):
             ticked = tick(game, pilot.controls(game))
@@ -214,8 +214,8 @@ def recorded(folder, x, volume=1.0, *, muted=False):
         from game.rules import Event, EventKind
         audio = Audio()
         audio.volume, audio.muted = {volume}, {muted}
-        before = os.path.getsize({str(path)!r}) if os.path.exists({str(path)!r}) else 0
         audio.play([Event(EventKind.BALL_LOST, position=complex({x}))], lambda position: position.real / 10.0, 0)
+        before = os.path.getsize({str(path)!r}) if os.path.exists({str(path)!r}) else 0
         while audio.problem is None and os.path.getsize({str(path)!r}) < before + 3 * 4 * 44100:
             time.sleep(0.005)
         audio.close()

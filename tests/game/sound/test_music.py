@@ -6,7 +6,7 @@ import numpy as np
 import pygame
 import pytest
 
-from game.levels import built_in
+from game.levels import classic
 from game.rules import Phase, Ruleset, new_game
 from game.sound.mixer import Audio
 from game.sound.music.loops import PEAK, composed, length
@@ -71,7 +71,7 @@ def test_layers_come_and_go_slowly():
 
 def test_the_mood_is_of_the_game():
     """Before the serve it is not that of play; all layers are there."""
-    game = new_game(built_in(), 1, Ruleset())
+    game = new_game(classic(), 1, Ruleset())
     assert mood_of(game) == Mood(playing=False, combo=0, left=1.0)
     assert mood_of(game._replace(phase=Phase.PLAYING, combo=4)).combo == 4
 

@@ -3,7 +3,7 @@
 import random
 import types
 
-from game.levels import built_in
+from game.levels import classic
 from game.student.flight import bounces
 from game.student.own_functions import OwnFunctions
 from physics import Arena, Ball, Ring, source_mode, to_cartesian
@@ -32,7 +32,7 @@ def among(*balls, layers=1):
 def test_without_functions_they_are_the_source_modes():
     """Random balls in every level: the same balls, rings and slots; normals and velocities but for rounding."""
     chance, count = random.Random(5), 0
-    for level in built_in():
+    for level in classic():
         arena = level.arena()
         reach = arena.rings[0].outer_radius + 0.5
         balls = [

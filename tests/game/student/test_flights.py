@@ -9,7 +9,7 @@ from game.lab.registry import scene_named, scenes
 from game.lab.session.checks import after_drags, lines
 from game.lab.yours.answers import AnswerVerdict, own_answers
 from game.lab.yours.calls import asking_scenes, calls_of
-from game.levels import built_in
+from game.levels import classic
 from game.replays.state_hash import state_hash
 from game.student.own_physics import OwnPhysics
 from game.student.program import Limits
@@ -23,7 +23,7 @@ linux = pytest.mark.skipif(sys.platform != "linux", reason="the limit on memory 
 
 def flown(advance, ticks=800):
     """A game of the autopilot on level 4."""
-    return autopilot_game(built_in()[3:], 7, ticks, advance=advance)
+    return autopilot_game(classic()[3:], 7, ticks, advance=advance)
 
 
 @pytest.fixture(scope="module")

@@ -1,10 +1,13 @@
 """A file of own functions is read again when it is saved; what cannot be used leaves the last good state."""
 
 import pygame
+import pytest
 
 from game.screens.play import PlayScreen
+from game.student import program
 from game.student.functions_file import FunctionsFile
 from game.student.own_physics import OwnPhysics
+from game.system.errors import EnvironmentMissingError
 from tests.game.student.conftest import PATIENT
 from tests.support.children import eventually
 from tests.support.dummy_window import FRAME, Desk, shared
@@ -46,6 +49,14 @@ def test_a_saved_file_is_read_again(tmp_path):
         assert saved(GOOD) == "mine.py: read again"
         assert answer() is True
         assert (file.problem, file.broken) == ("", "mine.py, line 1: SyntaxError: expected ':'")
+
+
+def test_without_a_python_to_run_it(tmp_path, monkeypatch):
+    """In a zip archive there is no file that a child process could be started with: it is said what to do."""
+    (tmp_path / "mine.py").write_text(GOOD)
+    monkeypatch.setattr(program, "_HOST", tmp_path / "archive.zip" / "python_host.py")
+    with pytest.raises(EnvironmentMissingError, match="needs Python and this package unpacked"):
+        FunctionsFile(tmp_path / "mine.py")
 
 
 def test_the_window_says_so(own):

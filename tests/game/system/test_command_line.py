@@ -11,7 +11,7 @@ import pytest
 from game import levels
 from game.autopilot import Autopilot
 from game.input.view import FLAT, SOLID
-from game.levels import built_in
+from game.levels import classic
 from game.replays import file as replay
 from game.replays.verify import verified
 from game.rules import EventKind, new_game, tick
@@ -41,7 +41,7 @@ def test_the_physics_of_the_line_is_the_one_that_was_flown(capsys):
 def test_the_list_of_levels_counts_bricks_and_layers(capsys):
     """A stack of several layers is one brick."""
     _, out, _ = polar(capsys, "levels")
-    towers = next(level for level in levels.built_in() if level.name == "Towers")
+    towers = next(level for level in levels.classic() if level.name == "Towers")
     stacks = [layers for ring in towers.rings for layers in ring.slots() if layers > 0]
     assert len(stacks) < sum(stacks)
     assert out.split("\n", 1)[0].split()[:4] == ["#", "name", "bricks", "layers"]
@@ -169,7 +169,7 @@ def test_a_narrow_gate_is_warned_of(capsys, tmp_path: Path):
     """One line on stderr; the game is played."""
     ring = "[[rings]]\nradius = 7.0\nhalf_width = 0.1\nhalf_angle = 87.6\ncount = 2\nlayers = -1\n"
     file = tmp_path / "gate.toml"
-    first = Path(levels.__file__).parent / "levels" / "1-first-wall.toml"
+    first = Path(levels.__file__).parent / "levels" / "classic" / "1-first-wall.toml"
     file.write_text(first.read_text(encoding="utf-8") + ring, encoding="utf-8")
     code, out, err = polar(capsys, *HEADLESS, "--level", file)
     assert (code, out.count("\n"), err.count("\n")) == (0, 1, 1)
@@ -240,7 +240,7 @@ def test_without_a_display_it_says_so_and_shows_what_it_can(tmp_path: Path):
 
 def test_a_screenshot_shows_the_effects_of_the_last_ticks(capsys, tmp_path: Path):
     """Just after a brick was hit there are shards in the air; a picture of the bare game has none."""
-    game, pilot, hit = new_game(built_in(), 7), Autopilot(), 0
+    game, pilot, hit = new_game(classic(), 7), Autopilot(), 0
     while not hit or game.tick < hit + 24:
         done = tick(game, pilot.controls(game))
         game = done.game

@@ -51,6 +51,26 @@ def test_a_window_is_no_larger_than_the_desktop():
     window.destroy()
 
 
+def test_the_first_window_leaves_room_for_the_bars_of_a_desktop():
+    """Title bar and task bar are together no higher than 96 units or an eighth of the desktop."""
+    window = display.open_window("test")
+    wide, tall = pygame.display.get_desktop_sizes()[0]
+    assert window.size[0] < wide
+    assert window.size[1] <= tall - max(96, tall // 9)
+    window.destroy()
+
+
+def test_a_window_opens_where_it_was_if_that_is_still_on_the_desktop():
+    """A position that is kept is taken; one beyond an edge, of a screen that is gone, is not."""
+    wide, tall = pygame.display.get_desktop_sizes()[0] if pygame.display.get_init() else (1024, 768)
+    for position, is_taken in (((30, 40), True), ((wide - 100, 40), False), ((-2000, 40), False)):
+        window = display.open_window("test", (400, 300), position)
+        assert (window.position == position) == is_taken
+        assert window.size == (400, 300)
+        window.destroy()
+    assert tall > 300
+
+
 def test_the_picture_rate_is_sane():
     """Whatever the display says."""
     pygame.display.init()

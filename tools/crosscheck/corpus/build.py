@@ -9,7 +9,7 @@ from contextlib import closing
 from pathlib import Path
 from typing import Any, NamedTuple
 
-from game.levels import built_in
+from game.levels import classic
 from game.system.errors import BadInputError
 from game.system.files import write_text
 from tools.crosscheck.corpus.part import PartJob, finished_part, made_part
@@ -31,7 +31,7 @@ _CODE = ("physics", "game", "tools/crosscheck")
 
 def corpus_sources() -> list[Source]:
     """The games of the corpus, always the same, the kinds mixed so that a part of the list is like the whole."""
-    levels = [str(number + 1) for number in range(len(built_in()))]
+    levels = [level.name for level in classic()]
     kinds = [
         [Source(None, AIMED, seed, AIMED_TICKS) for seed in range(1, _AIMED_SEEDS + 1)],
         [Source(None, level, seed, _HUMAN_TICKS, "mouse") for seed in range(1, _HUMAN_SEEDS + 1) for level in levels],

@@ -89,7 +89,7 @@ def _picture(given: Given) -> Picture:
     steps = (
         situation,
         angle,
-        one_step("p / |p|, away from the centre", [outward], [f"n = p / |p| = {two_decimals(n)}"]),
+        one_step("the direction away from the centre", [outward], [f"n = p / |p| = {two_decimals(n)}"]),
         one_step(
             "n, by the side of r_p",
             [Circle(0j, ring.radius, Role.FAINT, None, Stroke.DASHED), *pushes, normal],

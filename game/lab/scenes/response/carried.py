@@ -4,7 +4,7 @@ import math
 
 from game.lab.kit import end_bounce as ends
 from game.lab.kit.bounce import response_line
-from game.lab.kit.end_bounce import NORMAL, REACH, EndBounce, EndFlight, end_bounce, end_picture, least_gap
+from game.lab.kit.end_bounce import NORMAL, REACH, EndBounce, EndFlight, EndWords, end_bounce, end_picture, least_gap
 from game.lab.kit.marks import two_decimals
 from game.lab.kit.parameters import Given, Number
 from game.lab.kit.picture import Picture
@@ -17,7 +17,8 @@ _DIRECTIONS, _RUN = 72, 30
 def _picture(given: Given, state: EndFlight) -> Picture:
     """The ball of the source, and ours."""
     after = end_bounce(given)
-    return end_picture(after, state, _formula(after), response_line(after.found), _note(after))
+    words = EndWords(_formula(after), 2 if after.found.overtaken else 1, response_line(after.found), _note(after))
+    return end_picture(after, state, words)
 
 
 def _formula(after: EndBounce) -> tuple[str, ...]:

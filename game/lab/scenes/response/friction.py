@@ -19,6 +19,8 @@ _NORMAL_LENGTH = 1.2
 """World units drawn for the unit normal."""
 _TOP = complex(0.0, _RADIUS + _HALF_WIDTH)
 """The touched point: the highest of the outer face, where the normal is the y axis."""
+_CENTRE = _TOP + _BALL_RADIUS * 1j
+"""Of the ball that touches there."""
 
 
 class _FrictionBounces(NamedTuple):
@@ -33,7 +35,7 @@ def _friction_bounces(given: Given) -> _FrictionBounces:
     """The bounces that the values make."""
     speed = given.number("speed")
     ring = Ring(_RADIUS, _HALF_WIDTH, _HALF_ANGLE, 1, math.pi / 2.0, given.number("spin"))
-    ball = Ball(_TOP + _BALL_RADIUS * 1j, to_cartesian(speed, given.angle("heading")), _BALL_RADIUS)
+    ball = Ball(_CENTRE, to_cartesian(speed, given.angle("heading")), _BALL_RADIUS)
     touch = contact(ball, ring, 0)
     surface = ring.surface_velocity(touch.point)
     return _FrictionBounces(ball, ring, tuple([bounce(ball.velocity, touch.normal, surface, mu, speed) for mu in FRICTIONS]))
@@ -149,11 +151,12 @@ SCENE = LabScene(
         Number("spin", "ω", "rad/s", -2.0, 2.0, 0.4, 0.01, "the paddle's spin; v_p = ω × q"),
     ),
     handles=(
-        handles.polar_vector("speed", "heading", lambda _: _TOP + _BALL_RADIUS * 1j, VELOCITY_SCALE, "velocity"),
+        handles.polar_vector("speed", "heading", lambda _: _CENTRE, VELOCITY_SCALE, "velocity")._replace(step=2),
         handles.Handle(
             "v_p",
             lambda given: _TOP - given.number("spin") * _TOP.imag * VELOCITY_SCALE,
             lambda _, target: {"spin": (_TOP - target).real / _TOP.imag / VELOCITY_SCALE},
+            step=2,
         ),
     ),
     view_box=ViewBox(0.0 + 7.0j, 3.3 + 2.8j),

@@ -5,7 +5,7 @@ import math
 from game.lab.kit import end_bounce as ends
 from game.lab.kit.bounce import response_line
 from game.lab.kit.cited_line import CitedLine, source_line
-from game.lab.kit.end_bounce import NORMAL, EndBounce, EndFlight, end_bounce, end_picture, least_gap
+from game.lab.kit.end_bounce import NORMAL, EndBounce, EndFlight, EndWords, end_bounce, end_picture, least_gap
 from game.lab.kit.marks import two_decimals
 from game.lab.kit.parameters import Given, Number
 from game.lab.kit.picture import Picture
@@ -18,7 +18,7 @@ _RUN = 30
 def _picture(given: Given, state: EndFlight) -> Picture:
     """The ball of the source, and ours."""
     after = end_bounce(given)
-    return end_picture(after, state, _formula(after), _cited(after), _note(after))
+    return end_picture(after, state, EndWords(_formula(after), 1, _cited(after), _note(after)))
 
 
 def _formula(after: EndBounce) -> tuple[str, ...]:

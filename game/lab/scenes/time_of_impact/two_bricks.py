@@ -77,10 +77,15 @@ def _picture(given: Given) -> Picture:
         Pane((), f"the source: the nearest brick, {_RATE} tests a second"),
         Pane((), "here: every brick, in the order of time"),
     )
-    bricks, formula = ring_marks(notch.ring), _formula(notch)
+    ball, formula = notch.ball, _formula(notch)
+    situation: tuple[Mark, ...] = (
+        *ring_marks(notch.ring),
+        Disc(ball.position, ball.radius, Role.BALL),
+        Arrow(ball.position, ball.velocity * _SCALE, Role.PLAIN, label="v"),
+    )
     ours = len(formula) - (1 if notch.tie else 0)
     steps = (
-        RevealStep("a ball before a notch between two bricks", (bricks, bricks)),
+        RevealStep("a ball before a notch between two bricks", (situation, situation)),
         RevealStep("the source, once a frame", (_theirs(notch), ()), formula[ours:]),
         RevealStep("here, in the order of time", ((), _ours(notch)), formula[:ours]),
     )
@@ -118,11 +123,9 @@ def _ours(notch: _Notch) -> tuple[Mark, ...]:
 
 
 def _flown(ball: Ball, positions: tuple[complex, ...]) -> tuple[Mark, ...]:
-    """A path, the ball at its beginning with its velocity, and at its end."""
+    """A path, and the ball at its end."""
     return (
         Line(positions, Role.PLAIN, Toggle.SWEPT),
-        Disc(positions[0], ball.radius, Role.BALL),
-        Arrow(positions[0], ball.velocity * _SCALE, Role.PLAIN, label="v"),
         Circle(positions[-1], ball.radius, Role.GHOST, Toggle.SWEPT, Stroke.DASHED),
     )
 
