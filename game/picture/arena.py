@@ -18,6 +18,8 @@ from game.scene import Scene
 
 _MOST_RINGS = 64
 """Pictures of rings that are cached."""
+_EVERYWHERE = (-1e5 - 1e5j, 1e5 - 1e5j, 1e5 + 1e5j, -1e5 + 1e5j)
+"""Corners of a square that covers every canvas, pixels."""
 
 
 class ArenaView(NamedTuple):
@@ -51,6 +53,7 @@ class ArenaPicture:
         )
         if key != self._key:
             self._key, self._backdrop = key, DisplayList()
+            self._backdrop.polygon(_EVERYWHERE, theme.background)
             add_ground(self._backdrop, view.camera, theme, scene.ground_radius)
             contents = resting_contents(scene.layers)
             for k in resting:

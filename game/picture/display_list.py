@@ -131,9 +131,7 @@ class DisplayList:
 
     def _add(self, points: Sequence[complex]) -> None:
         """The coordinates of points."""
-        for point in points:
-            self.numbers.append(point.real)
-            self.numbers.append(point.imag)
+        self.numbers.extend([number for point in points for number in (point.real, point.imag)])
 
 
 def packed(colour: Colour) -> int:

@@ -6,6 +6,8 @@ the outer one come before the inner one, and its near parts after it: `game.draw
 
 import cmath
 import math
+from collections.abc import Sequence
+from functools import lru_cache
 from typing import NamedTuple
 
 from game.drawing.camera import Camera
@@ -21,10 +23,48 @@ from physics import Ball, Ring
 
 _DIMMEST, _BRIGHTEST = 0.42, 0.78
 """Shares of its colour that a side shows when it is turned from the light, and towards it."""
+_SHADES = 16
+"""Steps from the dimmest to the brightest shade."""
 _WIDEST = math.radians(6.0)
 """Angle from corner to corner of a prism's arcs, at most."""
 _BLACK = (0, 0, 0)
 _MOST_SLOTS = 4096
+
+
+class _Prism(NamedTuple):
+    """A slab, or something painted on a top, of a slot at angle 0.
+
+    outline: seen from above, world units, clockwise on the screen. normals: of its sides, unit, out of it; the side k ends at
+    the corner k. bottom, top: world units; of what is only painted, both are the same. colour: of the top.
+    """
+
+    outline: tuple[complex, ...]
+    normals: tuple[complex, ...]
+    bottom: float
+    top: float
+    colour: Colour
+
+
+class _Eye(NamedTuple):
+    """A camera's numbers, for projecting many points. The points are turned so that the screen's right is their real axis."""
+
+    centre: complex
+    scale: float
+    sine: float
+    cosine: float
+    closeness: float
+
+    def pixels(self, points: Sequence[complex], height: float) -> list[complex]:
+        """Pixels of points at one height: as `Camera.project`, which is slower for many."""
+        centre, scale, sine, cosine, closeness = self
+        x, y = centre.real, centre.imag
+        near, up = 1.0 - closeness * height * cosine, height * sine
+        found = []
+        for point in points:
+            away = point.imag
+            size = scale / (near + closeness * away * sine)
+            found.append(complex(x + point.real * size, y - (away * cosine + up) * size))
+        return found
 
 
 class _Piece(NamedTuple):
@@ -44,12 +84,14 @@ class SolidBlocks:
 
     def add(self, out: DisplayList, scene: Scene, camera: Camera, theme: Theme, contents: Contents) -> None:
         """Add the shadows, then all blocks and balls from back to front."""
-        _add_shadows(out, scene, camera, theme, contents)
+        eye = _Eye(camera.centre, camera.scale, math.sin(camera.tilt), math.cos(camera.tilt), camera.closeness)
+        _add_shadows(out, scene, camera, eye, theme, contents)
         order = sorted(range(len(scene.rings)), key=lambda k: scene.rings[k].radius)
         rank = {k: number + 1 for number, k in enumerate(order)}
         pieces = [_ball_piece(ball, scene, camera, theme, order) for ball in scene.balls]
         falling = {(stack.ring, stack.slot): stack.height for stack in scene.falling}
         recoils = {recoil.slot: recoil.out for recoil in scene.recoils}
+        unit = LAYER_HEIGHT * scene.ground_radius
         if len(self._slots) > _MOST_SLOTS:
             self._slots.clear()
         for k, ring in enumerate(scene.rings):
@@ -60,34 +102,16 @@ class SolidBlocks:
                 moved = shape._replace(radius=shape.radius + recoils.get(slot, 0.0)) if k == PADDLES else shape
                 angle, drop = ring.angle(slot), falling.get((k, slot), 0.0)
                 near = -math.sin(angle - camera.azimuth)
-                picture = self._slot(moved, content, drop, angle, scene.ground_radius, camera, theme)
+                key = (moved, content, drop, angle, eye, camera.azimuth, theme)
+                picture = self._slots.get(key)
+                if picture is None:
+                    picture = self._slots[key] = DisplayList()
+                    turn = cmath.rect(1.0, angle)
+                    for prism in _prisms(content, moved, drop, unit, theme):
+                        _add_prism(picture, prism, turn, camera.turning, eye)
                 pieces.append(_Piece(rank[k] if _is_near(near, ring, camera) else -rank[k], near, picture))
         for piece in sorted(pieces, key=lambda piece: piece[:2]):
             out.extend(piece.picture)
-
-    def _slot(
-        self,
-        shape: SlotShape,
-        content: SlotContent,
-        drop: float,
-        angle: float,
-        ground_radius: float,
-        camera: Camera,
-        theme: Theme,
-    ) -> DisplayList:
-        """The picture of what stands in a slot."""
-        key = (shape, content, drop, angle, camera, theme)
-        found = self._slots.get(key)
-        if found is None:
-            found = self._slots[key] = DisplayList()
-            unit = LAYER_HEIGHT * ground_radius
-            for part in parts(content, shape, drop, theme):
-                match part:
-                    case Slab():
-                        _add_slab(found, part, shape, angle, unit, camera)
-                    case Bar():
-                        found.polygon(_bar(part, angle, unit, camera), part.colour)
-        return found
 
 
 def _is_near(near: float, ring: Ring, camera: Camera) -> bool:
@@ -107,60 +131,87 @@ def _ball_piece(ball: Ball, scene: Scene, camera: Camera, theme: Theme, order: l
     return _Piece(passed + 0.5 if front else -passed - 0.5, near, picture)
 
 
-def _add_slab(out: DisplayList, slab: Slab, shape: SlotShape, angle: float, unit: float, camera: Camera) -> None:
-    """Add a prism: its sides that face the eye, then its top."""
-    inner, outer = shape.inner_radius + slab.inset, shape.outer_radius - slab.inset
-    halves = inset_half_angle(shape.half_angle, inner, slab.inset), inset_half_angle(shape.half_angle, outer, slab.inset)
+@lru_cache(maxsize=512)
+def _prisms(content: SlotContent, shape: SlotShape, drop: float, unit: float, theme: Theme) -> tuple[_Prism, ...]:
+    """What stands in a slot at angle 0, from the lowest part to the highest. unit: height of a layer, world units."""
+    found = []
+    for part in parts(content, shape, drop, theme):
+        match part:
+            case Slab(bottom, top, inset, colour):
+                outline = _outline(shape, inset)
+                if outline:
+                    sides = [(outline[k] - outline[k - 1]) * 1j for k in range(len(outline))]
+                    normals = tuple([side / max(abs(side), 1e-12) for side in sides])
+                    found.append(_Prism(outline, normals, bottom * unit, top * unit, colour))
+            case Bar(top, colour=colour):
+                found.append(_Prism(_bar(part), (), top * unit, top * unit, colour))
+    return tuple(found)
+
+
+def _outline(shape: SlotShape, inset: float) -> tuple[complex, ...]:
+    """A slot's sector, smaller by an inset, at angle 0; empty where that leaves nothing."""
+    inner, outer = shape.inner_radius + inset, shape.outer_radius - inset
+    halves = inset_half_angle(shape.half_angle, inner, inset), inset_half_angle(shape.half_angle, outer, inset)
     if inner >= outer or min(halves) <= 0.0:
-        return
+        return ()
     steps = max(math.ceil(2.0 * halves[1] / _WIDEST), 1)
     shares = [2.0 * k / steps - 1.0 for k in range(steps + 1)]
-    inside = [cmath.rect(inner, angle + share * halves[0]) for share in shares]
-    outside = [cmath.rect(outer, angle + share * halves[1]) for share in shares]
-    foot = [*inside, *reversed(outside)]
-    tops = [camera.project(point, slab.top * unit) for point in foot]
-    if slab.top > slab.bottom:
-        bottoms = [camera.project(point, slab.bottom * unit) for point in foot]
-        sides = [(tops[k - 1], tops[k], bottoms[k], bottoms[k - 1]) for k, _ in enumerate(foot)]
-        for k, side in enumerate(sides):
-            if _faces_the_eye(side):
-                shade = _shaded(slab.colour, (foot[k] - foot[k - 1]) * 1j)
-                out.polygon(side, shade)
-                if k and _faces_the_eye(sides[k - 1]):  # smooth edges of two sides let through what is behind their seam
-                    out.line((tops[k - 1], bottoms[k - 1]), 1.0, shade)
-    out.polygon(tops, slab.colour)
+    inside = [cmath.rect(inner, share * halves[0]) for share in shares]
+    return (*inside, *[cmath.rect(outer, share * halves[1]) for share in reversed(shares)])
 
 
-def _faces_the_eye(side: tuple[complex, complex, complex, complex]) -> bool:
-    """Whether a side, its corners taken around the top's outline and back along the foot, is seen from outside."""
-    along, down = side[1] - side[0], side[3] - side[0]
-    return along.real * down.imag - along.imag * down.real < 0.0
-
-
-def _shaded(colour: Colour, outward: complex) -> Colour:
-    """A side's colour in the light. outward: a direction out of the block."""
-    towards = (outward / max(abs(outward), 1e-12) * LIGHT.conjugate()).real
-    return mixed(_BLACK, colour, _DIMMEST + (_BRIGHTEST - _DIMMEST) * (0.5 + 0.5 * towards))
-
-
-def _bar(bar: Bar, angle: float, unit: float, camera: Camera) -> list[complex]:
-    """The corners of a bar on a top, pixels."""
+def _bar(bar: Bar) -> tuple[complex, ...]:
+    """The corners of a bar on a top."""
     corners = ((bar.inner, -1.0), (bar.inner, 1.0), (bar.outer, 1.0), (bar.outer, -1.0))
-    points = [cmath.rect(radius, angle + offset + side * bar.half_width / radius) for (radius, offset), side in corners]
-    return [camera.project(point, bar.top * unit) for point in points]
+    return tuple([cmath.rect(radius, offset + side * bar.half_width / radius) for (radius, offset), side in corners])
 
 
-def _add_shadows(out: DisplayList, scene: Scene, camera: Camera, theme: Theme, contents: Contents) -> None:
+def _add_prism(out: DisplayList, prism: _Prism, turn: complex, turning: complex, eye: _Eye) -> None:
+    """Add a prism: its sides that face the eye, then its top. turn: of its slot; turning: of the camera."""
+    whole = turn * turning
+    outline = [point * whole for point in prism.outline]
+    tops = eye.pixels(outline, prism.top)
+    if prism.top > prism.bottom:
+        _add_sides(out, prism, (turn * LIGHT.conjugate()), tops, eye.pixels(outline, prism.bottom))
+    out.polygon(tops, prism.colour)
+
+
+def _add_sides(out: DisplayList, prism: _Prism, light: complex, tops: list[complex], bottoms: list[complex]) -> None:
+    """Add the sides that face the eye; neighbours of one shade are one polygon. light: towards it, conjugated."""
+    shades, run, shade = _shades(prism.colour), list[int](), -1
+    for k, normal in enumerate(prism.normals):
+        along, down = tops[k] - tops[k - 1], bottoms[k - 1] - tops[k - 1]
+        own = round((0.5 + 0.5 * (normal * light).real) * _SHADES) if along.real * down.imag < along.imag * down.real else -1
+        if own != shade:
+            if shade >= 0:
+                _add_run(out, run, shades[shade], tops, bottoms)
+            if own >= 0 and shade >= 0:  # the smooth edges of two polygons let through what is behind their seam
+                out.line((tops[k - 1], bottoms[k - 1]), 1.0, shades[own])
+            run, shade = [k - 1], own
+        run.append(k)
+    if shade >= 0:
+        _add_run(out, run, shades[shade], tops, bottoms)
+
+
+def _add_run(out: DisplayList, run: list[int], colour: Colour, tops: list[complex], bottoms: list[complex]) -> None:
+    """Add neighbouring sides of one shade, from corner to corner."""
+    out.polygon([*[tops[k] for k in run], *[bottoms[k] for k in reversed(run)]], colour)
+
+
+@lru_cache(maxsize=256)
+def _shades(colour: Colour) -> tuple[Colour, ...]:
+    """A colour's shades, from turned away from the light to turned towards it."""
+    steps = [_DIMMEST + (_BRIGHTEST - _DIMMEST) * k / _SHADES for k in range(_SHADES + 1)]
+    return tuple([mixed(_BLACK, colour, step) for step in steps])
+
+
+def _add_shadows(out: DisplayList, scene: Scene, camera: Camera, eye: _Eye, theme: Theme, contents: Contents) -> None:
     """Add the shadows on the ground: of every block its foot, moved down the light."""
-    down_light = -LIGHT * SHADOW_SLANT * math.sin(camera.tilt) * LAYER_HEIGHT * scene.ground_radius
+    down_light = -LIGHT * camera.turning * SHADOW_SLANT * eye.sine * LAYER_HEIGHT * scene.ground_radius
     for k, ring in enumerate(scene.rings):
+        outline = _outline(slot_shape(ring, scene.tallest[k], 0.0), 0.0)
         for slot, content in enumerate(contents[k]):
-            if content.kind in (ContentKind.EMPTY, ContentKind.GHOST):
-                continue
-            angle, half = ring.angle(slot), min(ring.half_angle, math.pi)
-            steps = max(math.ceil(half / _WIDEST), 1)
-            shares = [2.0 * step / steps - 1.0 for step in range(steps + 1)]
-            inside = [cmath.rect(ring.inner_radius, angle + share * half) for share in shares]
-            outside = [cmath.rect(ring.outer_radius, angle + share * half) for share in reversed(shares)]
-            moved = down_light * height(content)
-            out.polygon([camera.project(point + moved) for point in (*inside, *outside)], _BLACK, theme.shadow)
+            if content.kind not in (ContentKind.EMPTY, ContentKind.GHOST):
+                turn = cmath.rect(1.0, ring.angle(slot)) * camera.turning
+                moved = down_light * height(content)
+                out.polygon(eye.pixels([point * turn + moved for point in outline], 0.0), _BLACK, theme.shadow)
