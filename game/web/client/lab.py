@@ -25,8 +25,8 @@ from game.web.client.state import PageScreen, PageState, Pictures
 _WITHOUT = frozenset({"gap-field"})
 """Scenes that compute with numpy."""
 _SMALLEST = 13.0
-"""Pixels of text, at least."""
-_LINE, _LETTER = 1.3, 0.54
+"""CSS pixels of text, at least."""
+_LINE, _LETTER = 1.3, 0.57
 """Height of a line and width of a letter, in shares of its size."""
 _CATCH, _FINGER = 1.2, 2.2
 """Units within which a press takes hold of a handle, by mouse and by finger."""
@@ -173,7 +173,7 @@ class LabOnPage:
 
     def draw(self, out: Pictures, size: tuple[int, int]) -> None:
         """The panes with their handles, the formula, the line that decides, and the note."""
-        picture, theme, unit = self._session.picture, self._state.theme, _unit(size)
+        picture, theme, unit = self._session.picture, self._state.theme, _unit(size, self._state.density)
         out.backdrop = self._empty
         panes = self._panes(size)
         for pane, seen in zip(picture.panes, panes, strict=True):
@@ -181,15 +181,17 @@ class LabOnPage:
             if pane.has_handles:
                 add_handles(out.frame, self._session.scene.handles, self._session.given, self._hovered, seen)
         top = panes[0].extent.imag + 0.9 * unit
-        for words, colour in zip(_words(picture, size), (theme.text, theme.faint, theme.accent), strict=True):
+        for words, colour in zip(
+            _words(picture, size, _unit(size, self._state.density)), (theme.text, theme.faint, theme.accent), strict=True
+        ):
             for line in words:
                 out.frame.text(line, unit, complex(0.7 * unit, top), colour, 0.0)
                 top += _LINE * unit
 
     def _panes(self, size: tuple[int, int]) -> list[SeenLabPane]:
         """Where the panes are: side by side above the words; on a narrow canvas one above the other."""
-        picture, unit = self._session.picture, _unit(size)
-        lines = sum(map(len, _words(picture, size)))
+        picture, unit = self._session.picture, _unit(size, self._state.density)
+        lines = sum(map(len, _words(picture, size, _unit(size, self._state.density))))
         room = complex(size[0], max(size[1] - (lines + 0.8) * _LINE * unit, 0.4 * size[1]))
         count = len(picture.panes)
         across = complex(1.0 / count, 1.0) if room.real >= room.imag else complex(1.0, 1.0 / count)
@@ -255,14 +257,14 @@ def shown_scenes() -> list[LabScene]:
     return [scene for scene in scenes() if scene.name not in _WITHOUT]
 
 
-def _unit(size: tuple[int, int]) -> float:
+def _unit(size: tuple[int, int], density: float) -> float:
     """Size of text, pixels."""
-    return max(unit_of(size) * 0.8, _SMALLEST)
+    return max(unit_of(size) * 0.8, _SMALLEST * density)
 
 
-def _words(picture: Picture, size: tuple[int, int]) -> tuple[list[str], list[str], list[str]]:
+def _words(picture: Picture, size: tuple[int, int], unit: float) -> tuple[list[str], list[str], list[str]]:
     """The lines below the panes: the formula, the line that decides, the note."""
-    letters = max(int(size[0] / (_unit(size) * _LETTER)), 20)
+    letters = max(int(size[0] / (unit * _LETTER)), 20)
     cited = "" if picture.cited is None else f"{picture.cited.where}:  {picture.cited.text}"
     texts: tuple[Sequence[str], ...] = (picture.formula, (cited,), (picture.note,))
     formula, decided, note = ([line for text in group for line in textwrap.wrap(text, letters)] for group in texts)

@@ -65,12 +65,13 @@ PageSignal = KeyChange | PointerChange | WheelTurn | PadState | WentAway | Chose
 
 
 class FrameRequest(msgspec.Struct):
-    """A frame is wanted. seconds: since the last one. width, height: pixels of the canvas."""
+    """A frame is wanted. seconds: since the last one. width, height: pixels of the canvas. density: of them per CSS pixel."""
 
     seconds: float
     width: int
     height: int
     signals: list[PageSignal] = []
+    density: float = 1.0
 
 
 class PageItem(msgspec.Struct, frozen=True):

@@ -82,6 +82,7 @@ class Page:
         """Answer a `FrameRequest` with a `FrameReply`, both in JSON."""
         asked = msgspec.json.decode(request, type=FrameRequest)
         size = (max(asked.width, 1), max(asked.height, 1))
+        self._state.density = min(max(asked.density, 0.5), 4.0)
         for signal in asked.signals:
             self._hear(signal, size)
         self._screen = self._screen.advance(asked.seconds, size)

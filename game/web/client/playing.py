@@ -154,7 +154,7 @@ class GameOnPage:
 
     def draw(self, out: Pictures, size: tuple[int, int]) -> None:
         """The arena, the figures, and a line that says what to do."""
-        state, seen, unit = self._state, self._layout(size), unit_of(size)
+        state, seen, unit = self._state, self._layout(size), self._state.text_unit(size)
         scene = scene_at(self._ticked, self._due.alpha, self._effects)
         state.draw_scene(out, scene, seen.camera, size)
         badge = "" if self._pilot is None else tr("autopilot")

@@ -22,6 +22,9 @@ from game.settings.values import Settings
 from game.web.client.messages import Download, PageItem, PageMenu
 from game.web.client.sounds import Sounds
 
+_SMALLEST = 12.0
+"""CSS pixels of text, at least."""
+
 
 class PageScreen(Protocol):
     """What can be on the page."""
@@ -68,6 +71,7 @@ class PageState:
     """Shared by the screens. folder: of what is stored; None where nothing can be.
 
     levels: of the campaign. own: the player's, by the names of their files.
+    density: pixels of the canvas per CSS pixel.
     told: lines for the player to read for a moment. said: for a screen reader. started: sounds to be played now.
     changed: whether what is stored has changed. download: a file for the player.
     """
@@ -82,6 +86,7 @@ class PageState:
     own: dict[str, Level] = field(default_factory=dict)
     ruleset: Ruleset = field(default_factory=Ruleset)
     view: Viewpoint = FLAT
+    density: float = 1.0
     arena: ArenaPicture = field(default_factory=ArenaPicture)
     told: list[str] = field(default_factory=list)
     said: list[str] = field(default_factory=list)
@@ -99,6 +104,10 @@ class PageState:
     def difficulty(self) -> str:
         """The name under which scores and bests of new games are kept."""
         return self.ruleset.difficulty.name.lower() if self.ruleset.arcade else SOURCE
+
+    def text_unit(self, size: tuple[int, int]) -> float:
+        """Size of text, pixels: never too small to be read on a phone."""
+        return max(unit_of(size), _SMALLEST * self.density)
 
     def choose_difficulty(self, name: str) -> None:
         """Let new games be of a difficulty."""

@@ -117,7 +117,7 @@ class ReplayOnPage:
 
     def draw(self, out: Pictures, size: tuple[int, int]) -> None:
         """The arena and the figures."""
-        seen, unit = self._state.layout(size, self._ticked.game.level.ground_radius), unit_of(size)
+        seen, unit = self._state.layout(size, self._ticked.game.level.ground_radius), self._state.text_unit(size)
         self._state.draw_scene(out, scene_at(self._ticked, self._at % 1.0, self._effects), seen.camera, size)
         add_figures(out.frame, readings(self._ticked.game, badge=tr("replay")), seen, self._state.theme, unit)
 

@@ -39,8 +39,12 @@ function ask(what, argument) {
   });
 }
 
+/** Pixels of the canvas per CSS pixel. */
+function density() {
+  return Math.min(devicePixelRatio || 1, 2);
+}
+
 function fitted() {
-  const density = Math.min(devicePixelRatio || 1, 2);
   const side = element("menu").classList.contains("side") && !element("menu").hidden ? element("menu").getBoundingClientRect() : null;
   const full = { width: innerWidth, height: innerHeight };
   if (side) {
@@ -49,7 +53,7 @@ function fitted() {
   }
   canvas.style.width = `${full.width}px`;
   canvas.style.height = `${full.height}px`;
-  return [Math.round(full.width * density), Math.round(full.height * density)];
+  return [Math.round(full.width * density()), Math.round(full.height * density())];
 }
 
 function request(now) {
@@ -57,7 +61,7 @@ function request(now) {
   const seconds = sentAt ? (now - sentAt) / 1000 : 0;
   sentAt = now;
   waiting = true;
-  worker.postMessage({ kind: "frame", request: JSON.stringify({ seconds, width, height, signals: input.taken() }) });
+  worker.postMessage({ kind: "frame", request: JSON.stringify({ seconds, width, height, density: density(), signals: input.taken() }) });
   return [width, height];
 }
 
