@@ -61,6 +61,8 @@ def serve_delay(game: Game) -> int:
 
 def _outermost(balls: tuple[Ball, ...]) -> Ball:
     """The ball nearest to the rim."""
+    if len(balls) == 1:
+        return balls[0]
     return max(balls, key=lambda ball: length(ball.position))
 
 

@@ -52,7 +52,7 @@ def played(game: Game, moving: Arena, controls: Controls, advance: Advance) -> T
         game = _by_arcade_rules(game, controls, Ticked(game, (), step, flown, speed), events)
         game = with_extra_lives(game, score, events)
     game = nudged(game, events)
-    if not any([layers > 0 for ring in wall_layers(game) for layers in ring]):
+    if (step.hits or arcade) and not any([layers > 0 for ring in wall_layers(game) for layers in ring]):
         game = _level_cleared(game, events)
     else:
         game = _without_lost_balls(game, events, give_up=controls.give_up)

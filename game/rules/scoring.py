@@ -25,7 +25,7 @@ EXTRA_LIFE_POINTS = 10_000
 """Every time the score passes a multiple of this, the arcade rules give a life."""
 _POINTS_PER_BRICK = 10
 """Points for a layer, times the combo."""
-_POINTS_PER_LIFE = 100
+POINTS_PER_LIFE = 100
 """Points for every life that is left when a level is cleared."""
 _BUMPER_POINTS = 5
 _BURST_TICKS = 240
@@ -80,11 +80,16 @@ def with_broken(game: Game, hit: Hit, layers: int, events: list[Event]) -> Game:
     """The game after a hit broke some layers of a brick; the arena is left as it is. An empty slot may leave a power-up."""
     where = hit.contact.point
     combo = game.combo + layers
-    points = sum([_POINTS_PER_BRICK * min(game.combo + k, BEST_COMBO) for k in range(1, layers + 1)])
+    points = sum([layer_points(game.combo + k) for k in range(1, layers + 1)])
     events.append(Event(EventKind.BRICK_HIT, hit, points, where))
     game = _with_combo(counted(game, bricks=layers), combo)
     game = with_points(game._replace(score=game.score + points, combo=combo, idle=0, waited=0), points)
     return with_drop(game, where, events) if hit.layers == 0 and game.ruleset.arcade else game
+
+
+def layer_points(combo: int) -> int:
+    """Points for a layer that makes a combo of so many."""
+    return _POINTS_PER_BRICK * min(combo, BEST_COMBO)
 
 
 def _with_combo(game: Game, combo: int) -> Game:
@@ -113,7 +118,7 @@ def with_result(game: Game, events: list[Event]) -> Game:
     if game.ruleset.arcade and not game.sides:
         time_bonus = _POINTS_PER_SECOND * max(int(par(game.level) - tally.ticks * TICK), 0)
         loss_bonus = 0 if tally.balls_lost else _NO_LOSS_POINTS
-    points = time_bonus + loss_bonus + (0 if game.sides else _POINTS_PER_LIFE * game.lives)
+    points = time_bonus + loss_bonus + (0 if game.sides else POINTS_PER_LIFE * game.lives)
     game = game._replace(score=game.score + points)
     events.append(Event(EventKind.LEVEL_CLEARED, points=points))
     result = LevelResult(

@@ -8,7 +8,7 @@ from game.rules.shape import shaped
 from game.rules.speed import with_speed_now
 from game.rules.state import POINTER_STEPS, SERVE_GAP, Controls, Event, EventKind, Game, Phase, Ticked, in_phase
 from game.rules.versus import served_from
-from physics import Arena, Ball, Step, direction, normalize_angle, signed_difference
+from physics import Arena, Ball, Ring, Step, direction, normalize_angle, signed_difference
 
 _AIM_RANGE = math.radians(55.0)
 """Radians: the most that a serve is aimed off the centre, to either side."""
@@ -18,18 +18,28 @@ _AIM_PERIOD = 480
 
 def aim(game: Game) -> float:
     """Angle of the serve off the straight line to the centre, radians: swings to and fro; one full swing takes 2 s."""
-    cycle = ((game.phase_tick + game.aim_start) % _AIM_PERIOD) / _AIM_PERIOD
+    return swung_aim(game.phase_tick + game.aim_start)
+
+
+def swung_aim(ticks: int) -> float:
+    """`aim` after some ticks of its swing."""
+    cycle = (ticks % _AIM_PERIOD) / _AIM_PERIOD
     return _AIM_RANGE * (4.0 * abs(cycle - 0.5) - 1.0) * -1.0
 
 
 def with_served_ball(game: Game, arena: Arena, wanted: int | None = None) -> Arena:
     """The arena with the ball resting on a paddle, its velocity where the serve is aimed. wanted: as `Controls.aim`."""
-    radius = game.level.ball.radius
     paddles = arena.rings[served_from(game)]
+    ball = served_ball(paddles, game.level.ball.radius, game.speed, _aimed(game, paddles.angle(0), wanted))
+    return arena._replace(balls=(ball,))
+
+
+def served_ball(paddles: Ring, radius: float, speed: float, off: float) -> Ball:
+    """The ball resting on paddle 0. off: angle of the serve off the straight line to the centre, radians."""
     angle = paddles.angle(0)
     distance = paddles.inner_radius - radius * (1.0 + SERVE_GAP)
-    velocity = direction(angle + math.pi + _aimed(game, angle, wanted)) * game.speed
-    return arena._replace(balls=(Ball(direction(angle) * distance, velocity, radius),))
+    velocity = direction(angle + math.pi + off) * speed
+    return Ball(direction(angle) * distance, velocity, radius)
 
 
 def _aimed(game: Game, angle: float, wanted: int | None) -> float:

@@ -1,4 +1,8 @@
-"""The paddles' spin in a tick: towards full speed by keys, straight to the pointer by mouse."""
+"""The paddles' spin in a tick: towards full speed by keys, straight to the pointer by mouse.
+
+The functions of numbers alone are compiled, too, as they stand (`tools.environments`); so are those of the serve, of nudging
+and of points.
+"""
 
 import math
 
@@ -40,10 +44,8 @@ def _spin(game: Game, paddles: Ring, turn: int, pointer: int | None) -> float:
     """The spin that a player's controls give paddles in this tick, rad/s."""
     top = top_spin(game)
     if turn == 0 and pointer is not None:
-        return _spin_to_pointer(paddles, pointer, top)
-    change = math.radians(game.level.paddles.acceleration) * TICK
-    wanted = top * turn
-    spin = min(max(wanted, paddles.spin - change), paddles.spin + change)
+        return spin_to_pointer(paddles, pointer, top)
+    spin = keyed_spin(paddles.spin, turn, top, math.radians(game.level.paddles.acceleration) * TICK)
     return min(max(spin, -top), top) if game.ruleset.arcade else spin  # the balls may have become slower
 
 
@@ -53,9 +55,18 @@ def top_spin(game: Game) -> float:
     return min(top * (game.speed / game.level.ball.speed), fastest_spin(game)) if game.ruleset.arcade else top
 
 
-def _spin_to_pointer(paddles: Ring, pointer: int, top: float) -> float:
-    """Spin that brings the nearest paddle to the pointer within one tick, no faster than the top speed."""
+def keyed_spin(spin: float, turn: int, top: float, change: float) -> float:
+    """The paddles' spin after a tick of keys: towards full speed, by `change` at most. All in rad/s. turn: -1, 0 or +1."""
+    wanted = top * turn
+    return min(max(wanted, spin - change), spin + change)
+
+
+def spin_to_pointer(paddles: Ring, pointer: int, top: float) -> float:
+    """Spin that brings the nearest paddle to the pointer within one tick, no faster than the top speed. rad/s."""
     wanted = pointer * (math.tau / POINTER_STEPS)
-    offsets = [signed_difference(wanted, paddles.angle(slot)) for slot in range(paddles.count)]
-    offset = min(offsets, key=abs)
-    return min(max(offset / TICK, -top), top)
+    nearest = signed_difference(wanted, paddles.angle(0))
+    for slot in range(1, paddles.count):
+        offset = signed_difference(wanted, paddles.angle(slot))
+        if abs(offset) < abs(nearest):
+            nearest = offset
+    return min(max(nearest / TICK, -top), top)

@@ -10,6 +10,7 @@ from game.drawing.palette import mixed
 from game.language import tr
 from game.replays.file import Recording, played
 from game.rules import PADDLES, Game, Phase, Ticked
+from game.screens.toolkit.plate import write_fitting
 from physics import direction
 
 _BUDGET = 0.004
@@ -96,6 +97,7 @@ def draw_lead(canvas: Canvas, game: Game, ghost: Game) -> None:
     theme, unit = canvas.theme, canvas.unit
     lead = (game.score - game.score_before) - (ghost.score - ghost.score_before)
     corner = complex(unit * _EDGE, canvas.size[1] / 2.0 - unit)
-    box = canvas.write(tr("BEST RUN"), _CAPTION, theme.faint, corner)
+    room = canvas.camera.centre.real - canvas.camera.scale * game.level.ground_radius - unit * _EDGE * 1.5
+    box = write_fitting(canvas, tr("BEST RUN"), _CAPTION, theme.faint, corner, "topleft", room)
     colour = theme.accent if lead > 0 else theme.danger if lead < 0 else theme.text
     canvas.write(f"{lead:+,}", _FIGURE, colour, complex(box.left, box.bottom + unit * 0.1))

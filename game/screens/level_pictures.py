@@ -11,7 +11,7 @@ from game.drawing.palette import Theme
 from game.drawing.text import Type
 from game.effects import NOTHING
 from game.levels import Level
-from game.rules import PADDLES, new_game
+from game.rules import PADDLES, Ruleset, new_game
 from game.scene import scene_at, still
 
 _FINER = 2
@@ -58,8 +58,9 @@ def thumbnail(level: Level, side: int, theme: Theme, *, whole: bool = False) -> 
     """The level before its first serve on the panel's colour, `side` pixels square: its wall, or with the paddles as well."""
     side = max(side, 1)
     large = pygame.Surface((side * _FINER, side * _FINER))
-    scene = scene_at(still(new_game((level,), 0)), 1.0, NOTHING)._replace(aim=None)
-    wall = max([ring.outer_radius for ring in scene.rings[PADDLES + 1 :]], default=0.0)
+    scene = scene_at(still(new_game((level,), 0, Ruleset())), 1.0, NOTHING)._replace(aim=None)
+    bricks = [ring for index, ring in enumerate(scene.rings) if index not in (PADDLES, scene.shield)]
+    wall = max([ring.outer_radius for ring in bricks], default=0.0)
     reach = min(max(wall * _AROUND, scene.rings[PADDLES].inner_radius * _LEAST), level.ground_radius)
     reach = level.ground_radius if whole else reach
     camera = Camera(complex(side, side) * _FINER / 2.0, side * _FINER * _RADIUS / reach)

@@ -136,7 +136,7 @@ class PlayScreen:
         racing = None if self._record.ghost is None or not state.settings.ghost else self._record.ghost.game
         if racing is not None:
             ghost.draw(canvas, racing)
-            ghost.draw_lead(canvas, self._ticked.game, racing)
+            ghost.draw_lead(state.words(canvas), self._ticked.game, racing)
         if state.shows_normals:
             contact_normals.draw(canvas, self._normals)
         badge = aids.badge(state.settings) if self._pilot is None else tr("autopilot")
@@ -144,7 +144,7 @@ class PlayScreen:
         words = state.words(canvas)
         hud.draw(words, shown, seen)
         play_buttons.draw(canvas, seen, self._hovered)
-        versus.draw(canvas, self._ticked.game)
+        versus.draw(words, self._ticked.game)
         told = self._notice()
         if told is not None:
             notice.draw(words, told, scene)

@@ -7,7 +7,7 @@ from game.rules import Game, winner
 # Lengths are in units of text.
 _EDGE, _CAPTION, _FIGURE, _LIVES = 0.8, 0.9, 1.6, 1.0
 """From the words to the surface's edge, and sizes of letters."""
-_HEIGHTS = (0.6, 0.34)
+_HEIGHTS = (0.63, 0.4)
 """Where the words of each player stand, in shares of the surface's height: the second one has the upper half."""
 
 

@@ -26,6 +26,7 @@ from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.menus.help import Help
 from game.screens.menus.settings_panel import SettingsPanel
+from game.screens.toolkit.plate import write_fitting
 from game.second_opinion import NormalPair
 
 SPEEDS = (0.125, 0.25, 0.5, 1.0, 2.0, 4.0, 8.0)
@@ -119,7 +120,7 @@ class Watch:
         shown = readings(self._shown.game, self._effects.streak, muted=not state.settings.sound, badge=tr("replay"))
         hud.draw(state.words(canvas), shown, seen)
         play_buttons.draw(canvas, seen, self._hovered, play_buttons.WATCHING)
-        self._draw_timeline(canvas)
+        self._draw_timeline(state.words(canvas))
 
     def _on_buttons(self, signal: Signal, size: tuple[int, int]) -> Signal:
         """What a signal means: a click on a button is its key; on the speed the next one; on the arena play or stop."""
@@ -185,19 +186,23 @@ class Watch:
 
     def _layout(self, size: tuple[int, int]) -> Layout:
         """Where everything is, above the timeline."""
-        flat = layout(size, self._shown.game.level.ground_radius, below=unit_of(size) * _ROOM)
+        flat = layout(size, self._shown.game.level.ground_radius, below=self._unit(size) * _ROOM)
         return self._state.view.seen(flat)
+
+    def _unit(self, size: tuple[int, int]) -> float:
+        """Size of the timeline's text, pixels."""
+        return unit_of(size) * self._state.text_scale
 
     def _timeline(self, size: tuple[int, int]) -> pygame.Rect:
         """The timeline's bar, pixels."""
-        unit = unit_of(size)
+        unit = self._unit(size)
         width = max(round(size[0] - unit * (_BAR_LEFT + _BAR_RIGHT)), 1)
         corner = (round(unit * _BAR_LEFT), round(size[1] - unit * _BAR_BOTTOM))
         return pygame.Rect(corner, (width, max(round(unit * _BAR_HEIGHT), 1)))
 
     def _on_timeline(self, pixel: complex, size: tuple[int, int]) -> bool:
         """Whether a pixel is on the bar, or near enough to mean it."""
-        across, down = (round(2.0 * unit_of(size) * reach) for reach in _GRIP)
+        across, down = (round(2.0 * self._unit(size) * reach) for reach in _GRIP)
         return bool(self._timeline(size).inflate(across, down).collidepoint(pixel.real, pixel.imag))
 
     def _draw_timeline(self, canvas: Canvas) -> None:
@@ -210,7 +215,8 @@ class Watch:
         canvas.write(tr("playing") if self._playing else tr("stopped"), _TEXT, theme.text, left, "midleft")
         seconds = f"{self._at * TICK:.1f} / {self._frames.ticks * TICK:.1f} s    {_speed_text(SPEEDS[self._speed])}"
         canvas.write(seconds, _TEXT, theme.text, right, "midright")
-        canvas.write(_keys_help(), _KEYS, theme.faint, complex(bar.left, bar.bottom + unit * _KEYS_TOP))
+        below = complex(bar.left, bar.bottom + unit * _KEYS_TOP)
+        write_fitting(canvas, _keys_help(), _KEYS, theme.faint, below, "topleft", right.real - below.real)
 
 
 def _speed_text(speed: float) -> str:

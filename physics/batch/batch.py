@@ -8,10 +8,10 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
+from physics.batch.arrays import Complexes, Floats, Integers, Layers, arena_of, arrays_of
 from physics.batch.compilation import check_subnormals, compiled
-from physics.batch.games import Complexes, Floats, Games, Integers, Layers
 from physics.batch.hits import HIT
-from physics.shapes import PERMANENT, Arena, Ball, Ring
+from physics.shapes import PERMANENT, Arena, Ring
 from physics.tolerances import LARGEST, MAX_IMPACTS, SMALLEST
 
 _ROWS = 4096
@@ -60,7 +60,7 @@ class Batch:
         self._rings = arenas[0].rings
         check_subnormals()
         self._compiled = compiled()
-        self._games = _arrays(arenas)
+        self._games = arrays_of(arenas)
 
     def __len__(self) -> int:
         """How many games there are."""
@@ -103,6 +103,9 @@ class Batch:
         games, parts = self._games, min(threads, len(self))
         games.dropped[:] = 0
         games.freed[:] = 0
+        if (games.steered < 0).any():
+            games.steered[games.steered < 0] = 1
+            games.seconds[:] = 0.0
         bounds = [len(self) * part // parts for part in range(parts + 1)]
         if parts == 1:
             hits = self._part(steered, 0, len(self), ticks)
@@ -116,26 +119,12 @@ class Batch:
 
     def arena(self, game: int) -> Arena:
         """One game as the arena that `physics.advance` takes."""
-        games = self._games
-        balls = tuple(
-            [
-                Ball(complex(p), complex(v), float(r))
-                for p, v, r in zip(games.positions[game], games.velocities[game], games.ball_radii[game], strict=True)
-            ]
-        )
-        rings = tuple(
-            [
-                ring._replace(phase=float(phase), spin=float(spin))
-                for ring, phase, spin in zip(self._rings, games.phases[game], games.spins[game], strict=True)
-            ]
-        )
-        layers = tuple([tuple(row[: ring.count].tolist()) for ring, row in zip(self._rings, games.layers[game], strict=True)])
-        return Arena(balls, rings, layers)
+        return arena_of(self._games, self._rings, game)
 
     def put(self, game: int, arena: Arena) -> None:
         """Replace one game: a lost ball comes back, bricks are laid anew. ValueError where the arena has another shape."""
         _check_shape("arena", arena, self.arena(game))
-        mine, new = self._games, _arrays([arena])
+        mine, new = self._games, arrays_of([arena])
         mine.positions[game], mine.velocities[game], mine.ball_radii[game] = new.positions, new.velocities, new.ball_radii
         mine.phases[game], mine.spins[game], mine.layers[game] = new.phases, new.spins, new.layers
         mine.known[game], mine.seconds[game] = 0, 0.0
@@ -207,30 +196,3 @@ def _check_shape(name: str, arena: Arena, model: Arena) -> None:
 def _fixed(ring: Ring) -> tuple[float, ...]:
     """What is the same in all games."""
     return ring.radius, ring.half_width, ring.half_angle, ring.count, ring.friction
-
-
-def _arrays(arenas: Sequence[Arena]) -> Games:
-    """The arrays of these arenas, which have one shape."""
-    rings = arenas[0].rings
-    shape, balls = (len(arenas), len(rings)), (len(arenas), len(arenas[0].balls))
-    layers = np.zeros((*shape, max([ring.count for ring in rings], default=0)), np.int32)
-    for g, arena in enumerate(arenas):
-        for k, row in enumerate(arena.layers):
-            layers[g, k, : len(row)] = row
-    return Games(
-        np.array([[ball.position for ball in arena.balls] for arena in arenas], np.complex128).reshape(balls),
-        np.array([[ball.velocity for ball in arena.balls] for arena in arenas], np.complex128).reshape(balls),
-        np.array([[ball.radius for ball in arena.balls] for arena in arenas], np.float64).reshape(balls),
-        np.array([[ring.phase for ring in arena.rings] for arena in arenas], np.float64).reshape(shape),
-        np.array([[ring.spin for ring in arena.rings] for arena in arenas], np.float64).reshape(shape),
-        layers,
-        np.array([ring.radius for ring in rings], np.float64),
-        np.array([ring.half_width for ring in rings], np.float64),
-        np.array([ring.half_angle for ring in rings], np.float64),
-        np.array([ring.count for ring in rings], np.int64),
-        np.array([ring.friction for ring in rings], np.float64),
-        np.zeros(len(arenas), np.int64),
-        np.zeros(len(arenas)),
-        np.zeros(len(arenas), np.int64),
-        np.zeros(len(arenas), np.int64),
-    )

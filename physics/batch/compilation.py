@@ -15,12 +15,14 @@ import time
 from collections.abc import Callable
 from importlib import resources
 from inspect import isfunction
-from typing import Any, NamedTuple
+from types import ModuleType
+from typing import Any, NamedTuple, TypeVar
 
 import numpy as np
 
 import physics
 from physics.batch import games as loop
+from physics.batch.arrays import no_games
 from physics.batch.hits import HIT
 from physics.shapes import Ball, Ring, unchecked
 from physics.step import set_layers
@@ -61,8 +63,12 @@ def check_subnormals() -> None:
         raise RuntimeError("flush-to-zero is switched on in this process, probably by a library built with fast-math")
 
 
+Result = TypeVar("Result")
+
 _LOCK = threading.Lock()
-_NOT_COMPILED = {"physics.batch", "physics.batch.batch", "physics.batch.compilation", "physics.batch.hits"}
+_REPLACED = {"set_layers", "play_one_tick"}
+"""Functions in whose place others are compiled."""
+_NOT_COMPILED = {f"physics.batch{name}" for name in ("", ".arrays", ".batch", ".compilation", ".hits")}
 
 
 def compiled(progress: Callable[[float], None] | None = None) -> Compiled:
@@ -73,26 +79,32 @@ def compiled(progress: Callable[[float], None] | None = None) -> Compiled:
     """
     check_numba()
     with _LOCK:
-        done = threading.Event()
-        start = time.perf_counter()
-
-        def report() -> None:
-            while progress is not None and not done.wait(1.0):
-                progress(time.perf_counter() - start)
-
-        reporter = threading.Thread(target=report, daemon=True)
-        reporter.start()
-        try:
-            return _compiled()
-        finally:
-            done.set()
-            reporter.join()
+        return with_progress(_compiled, progress)
 
 
-def sources_hash() -> str:
-    """SHA-256 of all sources of the physics."""
+def with_progress(work: Callable[[], Result], progress: Callable[[float], None] | None) -> Result:
+    """What some work gives; about once a second while it lasts, `progress` is called with the seconds since its start."""
+    if progress is None:
+        return work()
+    done, start = threading.Event(), time.perf_counter()
+
+    def report() -> None:
+        while not done.wait(1.0):
+            progress(time.perf_counter() - start)
+
+    reporter = threading.Thread(target=report, daemon=True)
+    reporter.start()
+    try:
+        return work()
+    finally:
+        done.set()
+        reporter.join()
+
+
+def sources_hash(package: ModuleType = physics) -> str:
+    """SHA-256 of all sources of a package."""
     digest = hashlib.sha256()
-    folders = [resources.files(physics)]
+    folders = [resources.files(package)]
     while folders:
         for item in sorted(folders.pop().iterdir(), key=lambda item: item.name):
             if item.is_dir():
@@ -126,16 +138,9 @@ def _compiled() -> Compiled:
     integer, real = numba.int64, numba.float64
     steer.compile((games, real[:, ::1], integer, integer))
     play.compile((games, integer, integer, integer, integer, real, real, numba.typeof(np.empty(0, HIT)), integer))
+    _register_tick(play)
     hits = sum(play.stats.cache_hits.values())
     return Compiled(steer, play, time.perf_counter() - start, hits > 0)
-
-
-def no_games() -> loop.Games:
-    """The arrays of no game at all: the types to compile for."""
-    real, integer = np.empty((0, 0)), np.empty(0, np.int64)
-    plane, row = np.empty((0, 0), np.complex128), np.empty(0)
-    layers = np.empty((0, 0, 0), np.int32)
-    return loop.Games(plane, plane, real, real, real, layers, row, row, row, integer, row, integer, row, integer, integer)
 
 
 def _register() -> None:
@@ -145,7 +150,7 @@ def _register() -> None:
     for name in sorted(sys.modules):
         if name.startswith("physics.") and name not in _NOT_COMPILED:
             for function in list(vars(sys.modules[name]).values()):
-                if isfunction(function) and function.__module__ == name and function is not set_layers:
+                if isfunction(function) and function.__module__ == name and function.__name__ not in _REPLACED:
                     register_jitable(function)
     _register_members()
 
@@ -160,6 +165,21 @@ def _register() -> None:
             layers[ring, slot] = left
 
         return write
+
+
+def _register_tick(play: Any) -> None:
+    """Have `play_one_tick` call what is compiled already, instead of compiling it once more into every loop that uses it."""
+    from numba.extending import overload  # noqa: PLC0415  # an extra
+
+    none, one = np.int64(0), np.int64(1)  # numba would compile it anew for literals
+
+    @overload(loop.play_one_tick)
+    def _play_one_tick(games, g, dt, speed, hits):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
+        def tick(games, g, dt, speed, hits):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+            _, _, count = play(games, g, g + 1, np.int64(none), np.int64(one), dt, speed, hits, np.int64(none))
+            return count
+
+        return tick
 
 
 def _register_members() -> None:

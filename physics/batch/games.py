@@ -6,59 +6,19 @@ known at run time only, and are written here on arrays and lists: flying freely,
 the free flight (`known`, `seconds`). `tests/physics/test_batch.py` compares them with `advance` at every tick.
 """
 
-from typing import Any, NamedTuple
+from typing import Any
 
-import numpy as np
 import numpy.typing as npt
 
+from physics.batch.arrays import Complexes, Floats, Games, Integers
 from physics.escape import freed
 from physics.free_flight import clear_time, may_be_steered
 from physics.shapes import Ball, Ring
 from physics.step import LOOK_AHEAD, Hit, answer_impacts
-from physics.tolerances import MAX_IMPACTS
+from physics.tolerances import MAX_IMPACTS, SMALLEST
 
-Floats = npt.NDArray[np.float64]
-Complexes = npt.NDArray[np.complex128]
-Integers = npt.NDArray[np.int64]
-Layers = npt.NDArray[np.int32]
-
-
-class Games(NamedTuple):
-    """The state of G games of B balls, K rings and at most S slots a ring; the fields of `Ball` and `Ring`, as arrays.
-
-    Attributes:
-        positions: (G, B), world units.
-        velocities: (G, B), world units per second.
-        ball_radii: (G, B), world units.
-        phases: (G, K), radians.
-        spins: (G, K), rad/s.
-        layers: (G, K, S); what is beyond a ring's count is 0 and never read.
-        ring_radii: (K,), world units; this and the following are the same in all games.
-        half_widths: (K,), world units.
-        half_angles: (K,), radians.
-        counts: (K,).
-        frictions: (K,).
-        known: (G,), 1 where it is known that no ball overlaps anything, as after every step; else 0.
-        seconds: (G,), for which no ball touches anything.
-        dropped: (G,), balls that used up MAX_IMPACTS since this was set to 0.
-        freed: (G,), balls moved out of material since this was set to 0.
-    """
-
-    positions: Complexes
-    velocities: Complexes
-    ball_radii: Floats
-    phases: Floats
-    spins: Floats
-    layers: Layers
-    ring_radii: Floats
-    half_widths: Floats
-    half_angles: Floats
-    counts: Integers
-    frictions: Floats
-    known: Integers
-    seconds: Floats
-    dropped: Integers
-    freed: Integers
+_STARTED = 0.5 * SMALLEST
+"""rad/s: for the free flight, of a ring at rest that may be started. No ring has it: what is below SMALLEST is 0."""
 
 
 def steer(games: Games, spins: Floats, first: int, last: int) -> None:
@@ -71,9 +31,11 @@ def steer(games: Games, spins: Floats, first: int, last: int) -> None:
                 if games.known[g] != 0:
                     for i in range(len(balls)):
                         balls[i] = Ball(games.positions[g, i], games.velocities[g, i], games.ball_radii[g, i])
-                    old = _with_turn(rings[k], games.phases[g, k], games.spins[g, k])
-                    if not may_be_steered(old, _with_turn(old, old.phase, spin), balls):
+                    old = with_turn(rings[k], games.phases[g, k], games.spins[g, k])
+                    if not may_be_steered(startable(old, games.steered[k]), with_turn(old, old.phase, spin), balls):
                         games.known[g] = 0
+                if games.spins[g, k] == 0.0 and games.steered[k] == 0:
+                    games.steered[k] = -1
                 games.spins[g, k] = spin
 
 
@@ -91,16 +53,16 @@ def play(
     room = 2 * MAX_IMPACTS * len(balls)
     for g in range(first, last):
         while tick < ticks:
-            free, remaining[g] = _ticks_of_free_flight(known[g] != 0, remaining[g], dt, ticks - tick)
+            free, remaining[g] = ticks_of_free_flight(known[g] != 0, remaining[g], dt, ticks - tick)
             if free > 0:
-                _fly_freely(positions, velocities, radii, phases, spins, g, free, dt)
+                fly_freely(positions, velocities, radii, phases, spins, g, free, dt)
                 tick += free
                 continue
             if count + room > len(hits):
                 return g, tick, count
             _read(balls, rings, positions, velocities, radii, phases, spins, g)
             layers = games.layers[g]
-            moved, seconds = _looked_ahead(known[g] != 0, remaining[g], balls, rings, layers, dt)
+            moved, seconds = _looked_ahead(known[g] != 0, remaining[g], balls, rings, layers, games.steered, dt)
             known[g], remaining[g] = 1, seconds
             if seconds >= dt:
                 continue
@@ -122,7 +84,13 @@ def play(
     return last, 0, count
 
 
-def _ticks_of_free_flight(known: bool, seconds: float, dt: float, most: int) -> tuple[int, float]:  # noqa: FBT001
+def play_one_tick(games: Games, g: int, dt: float, speed: float, hits: npt.NDArray[Any]) -> int:
+    """One tick of one game; how many rows of hits it filled. Other compiled loops call by it the machine code of `play`."""
+    _, _, count = play(games, g, g + 1, 0, 1, dt, speed, hits, 0)
+    return count
+
+
+def ticks_of_free_flight(known: bool, seconds: float, dt: float, most: int) -> tuple[int, float]:  # noqa: FBT001
     """How many of the next ticks, at most so many, touch nothing, and the seconds of free flight after them."""
     free = 0
     while known and free < most and dt <= seconds:
@@ -131,7 +99,7 @@ def _ticks_of_free_flight(known: bool, seconds: float, dt: float, most: int) -> 
     return free, seconds
 
 
-def _fly_freely(
+def fly_freely(
     positions: Complexes, velocities: Complexes, radii: Floats, phases: Floats, spins: Floats, g: int, ticks: int, dt: float
 ) -> None:
     """Move balls and turn rings for some ticks in which nothing is touched."""
@@ -139,7 +107,7 @@ def _fly_freely(
         positions[g, i] = _flown_freely(Ball(positions[g, i], velocities[g, i], radii[g, i]), ticks, dt).position
     for k in range(spins.shape[1]):
         if spins[g, k] != 0.0:
-            phases[g, k] = _turned(phases[g, k], spins[g, k], ticks, dt)
+            phases[g, k] = turned(phases[g, k], spins[g, k], ticks, dt)
 
 
 def _flown_freely(ball: Ball, ticks: int, dt: float) -> Ball:
@@ -149,7 +117,7 @@ def _flown_freely(ball: Ball, ticks: int, dt: float) -> Ball:
     return ball
 
 
-def _turned(phase: float, spin: float, ticks: int, dt: float) -> float:
+def turned(phase: float, spin: float, ticks: int, dt: float) -> float:
     """The phase of a ring after some ticks."""
     ring = Ring(1.0, 0.5, 0.1, 1, phase, spin, 0.0)  # its other fields do not matter
     for _ in range(ticks):
@@ -171,7 +139,12 @@ def _read(
     for i in range(len(balls)):
         balls[i] = Ball(positions[g, i], velocities[g, i], radii[g, i])
     for k in range(len(rings)):
-        rings[k] = _with_turn(rings[k], phases[g, k], spins[g, k])
+        rings[k] = with_turn(rings[k], phases[g, k], spins[g, k])
+
+
+def startable(ring: Ring, steered: int) -> Ring:
+    """The ring as the free flight takes it: one at rest that may be started turns, if ever so slowly."""
+    return with_turn(ring, ring.phase, _STARTED) if steered > 0 and ring.spin == 0.0 else ring
 
 
 def _looked_ahead(
@@ -180,6 +153,7 @@ def _looked_ahead(
     balls: list[Ball],
     rings: list[Ring],
     layers: Any,
+    steered: Integers,
     dt: float,
 ) -> tuple[int, float]:
     """How many balls were moved out of material, in place, and the seconds of free flight; 0 where they are less than a tick.
@@ -192,8 +166,12 @@ def _looked_ahead(
     if moved > 0:
         return moved, 0.0
     seconds = LOOK_AHEAD * dt if known else dt
+    for k in range(len(rings)):
+        rings[k] = startable(rings[k], steered[k])
     for ball in balls:
         seconds = clear_time(ball, rings, layers, seconds)
+    for k in range(len(rings)):
+        rings[k] = rings[k] if rings[k].spin != _STARTED else with_turn(rings[k], rings[k].phase, 0.0)
     return 0, seconds if seconds >= dt else 0.0
 
 
@@ -208,7 +186,7 @@ def _free(balls: list[Ball], rings: list[Ring], layers: Any) -> int:
     return number
 
 
-def _with_turn(ring: Ring, phase: float, spin: float) -> Ring:
+def with_turn(ring: Ring, phase: float, spin: float) -> Ring:
     """The ring with another phase and spin."""
     return Ring(ring.radius, ring.half_width, ring.half_angle, ring.count, phase, spin, ring.friction)
 
@@ -222,10 +200,10 @@ def _balls(games: Games, g: int) -> list[Ball]:
 
 def _rings(games: Games, g: int) -> list[Ring]:
     """The rings of a game."""
-    return [_ring(games, g, k) for k in range(games.spins.shape[1])]
+    return [ring_of(games, g, k) for k in range(games.spins.shape[1])]
 
 
-def _ring(games: Games, g: int, k: int) -> Ring:
+def ring_of(games: Games, g: int, k: int) -> Ring:
     """A ring of a game."""
     return Ring(
         games.ring_radii[k],

@@ -14,7 +14,7 @@ import pytest
 from rich.console import Console
 
 from game.autopilot import Autopilot
-from game.levels import chosen
+from game.levels import campaign, chosen, classic
 from game.replays.file import Recorder, save
 from game.rules import new_game, tick
 from game.system.command_line import run
@@ -22,14 +22,14 @@ from tests.support.paths import ROOT
 from tools.crosscheck import cli
 from tools.crosscheck.commands import _PLAYERS, _VERDICTS, app
 from tools.crosscheck.comparisons.convergence import FACETS, Curve
-from tools.crosscheck.games.sources import PLAYERS, RANDOM, Source
+from tools.crosscheck.games.sources import AIMED, PLAYERS, RANDOM, Source
 from tools.crosscheck.report.terminal import print_findings
 from tools.crosscheck.report.words import BOUNDS, TERMS, compared_games, pace
 from tools.crosscheck.results.findings import Findings
 from tools.crosscheck.results.measurements import VERDICT_MEANINGS, ContactVerdict
 from tools.crosscheck.run import Job, RunResult, check_game, default_sources
 from tools.crosscheck.sabotage.suite import suite_jobs
-from tools.crosscheck.workers import Lost
+from tools.executor import Lost
 
 SHORT = ["--games", "1", "--level", "6", "--ticks", "1500"]
 
@@ -347,9 +347,9 @@ def test_the_command_line_knows_every_player_and_verdict():
 
 
 def test_by_default_all_kinds_of_games_are_checked():
-    """Every level by the autopilot, by a player who is less good and by the arcade rules; random arenas, and aimed contacts."""
+    """Every classic level by the autopilot and by one who is less good, the end of every chapter; random and aimed ones."""
     sources = default_sources(1, 14_400)
-    kinds = {(source.level if source.level.isalpha() else "level", source.player, source.arcade) for source in sources}
+    kinds = {(source.level if source.level in {RANDOM, AIMED} else "level", source.player, source.arcade) for source in sources}
     assert kinds == {
         ("level", "autopilot", None),
         ("level", "mouse", None),
@@ -360,7 +360,8 @@ def test_by_default_all_kinds_of_games_are_checked():
         ("random", "autopilot", None),
         ("aimed", "autopilot", None),
     }
-    assert len(set(sources)) == len(sources) == 28
+    chapters = {level.chapter for level in campaign()}
+    assert len(set(sources)) == len(sources) == 2 * len(classic()) + len(chapters) + 7
 
 
 def test_the_suite_of_mistakes_is_a_table(capsys, monkeypatch, tmp_path: Path):

@@ -9,7 +9,7 @@ import pytest
 
 from game import levels
 from game.level_format import checks
-from game.levels import chosen, classic, load_file, parse
+from game.levels import campaign, chosen, classic, load_file, parse
 from game.rules import layers_left, new_game
 from game.system.errors import BadInputError
 from physics import PERMANENT, Arena, Ball, Ring, advance
@@ -99,8 +99,9 @@ def test_a_device_is_not_read():
 
 
 def test_levels_are_chosen_by_number_name_or_file(tmp_path: Path):
-    """A number and a name start there and go on; a file stands alone."""
-    assert chosen("3") == classic()[2:]
+    """A number and a name start there and go on: the campaign's first, then the classic ones; a file stands alone."""
+    assert chosen("3") == campaign()[2:]
+    assert chosen(str(len(campaign()) + 3)) == classic()[2:]
     assert chosen("carousel") == classic()[3:]
     own = tmp_path / "own.toml"
     own.write_bytes(GOOD)
@@ -143,9 +144,9 @@ def test_what_editors_write_is_accepted(tmp_path: Path):
 
 
 def test_a_number_is_a_number():
-    """With zeros before it, too; 10 is no level."""
-    assert chosen("0003") == classic()[2:]
-    for wrong in ("00010", "0" * 8, "0" * 5000 + "3"):
+    """With zeros before it, too; 99 is no level."""
+    assert chosen("0003") == campaign()[2:]
+    for wrong in ("00099", "0" * 8, "0" * 5000 + "3"):
         with pytest.raises(BadInputError, match="no such level"):
             chosen(wrong)
 
@@ -307,7 +308,8 @@ def parse_unchecked(data: bytes) -> levels.Level:
 
 
 def test_the_files_of_the_levels_are_called_as_the_levels():
-    """A file's name is the level's number and its name, in lower case with hyphens."""
-    folder = ROOT / "game" / "levels"
-    expected = [f"{number}-{level.name.casefold().replace(' ', '-')}.toml" for number, level in enumerate(classic(), 1)]
-    assert sorted(file.name for file in folder.iterdir()) == expected
+    """A file's name is the level's number in its folder and its name, in lower case with hyphens."""
+    for folder, part, digits in (("campaign", campaign(), 2), ("classic", classic(), 1)):
+        names = [level.name.casefold().replace(" ", "-") for level in part]
+        expected = [f"{number:0{digits}}-{name}.toml" for number, name in enumerate(names, 1)]
+        assert sorted(file.name for file in (ROOT / "game" / "levels" / folder).iterdir()) == expected

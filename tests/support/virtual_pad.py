@@ -2,11 +2,8 @@
 
 import ctypes
 from pathlib import Path
-from types import MappingProxyType
 
 import pygame
-
-from tests.support.dummy_window import FRAME, Desk
 
 _GAMEPAD, _AXES, _BUTTONS = 1, 6, 15
 _WHERE = ("../pygame_ce.libs/libSDL2-2*", "SDL2.dll", ".dylibs/libSDL2-2*", "../pygame_ce.libs/SDL2.dll")
@@ -51,41 +48,3 @@ class VirtualPad:
             self._sdl.SDL_JoystickClose(self._joystick)
             self._sdl.SDL_JoystickDetachVirtual(self._index)
             self._joystick = None
-
-
-class PadDesk(Desk):
-    """The app, played with a gamepad alone: what would be a key press is a button."""
-
-    BUTTONS = MappingProxyType(
-        {
-            pygame.K_RETURN: pygame.CONTROLLER_BUTTON_A,
-            pygame.K_SPACE: pygame.CONTROLLER_BUTTON_A,
-            pygame.K_ESCAPE: pygame.CONTROLLER_BUTTON_B,
-            pygame.K_p: pygame.CONTROLLER_BUTTON_START,
-            pygame.K_g: pygame.CONTROLLER_BUTTON_X,
-            pygame.K_LEFT: pygame.CONTROLLER_BUTTON_DPAD_LEFT,
-            pygame.K_RIGHT: pygame.CONTROLLER_BUTTON_DPAD_RIGHT,
-            pygame.K_UP: pygame.CONTROLLER_BUTTON_DPAD_UP,
-            pygame.K_DOWN: pygame.CONTROLLER_BUTTON_DPAD_DOWN,
-        }
-    )
-
-    def __init__(self, state, screen, size):
-        super().__init__(state, screen, size)
-        state.devices.pads.listen()
-        self.pad = VirtualPad(library())
-        self.wait(4 * FRAME)
-
-    def press(self, *keys, mod=0):
-        """Press and release the buttons that do what keys do."""
-        assert not mod
-        for key in keys:
-            for act in (self.pad.press, self.pad.release):
-                act(self.BUTTONS[key])
-                self.wait(2 * FRAME)
-
-    def close(self):
-        """Pull the gamepad out, and take the window away."""
-        self.pad.pull_out()
-        self.shared.devices.pads.close()
-        super().close()

@@ -18,7 +18,8 @@ from game.system.output import tell
 from game.system.wording import quoted
 from tools.balance.human import Skill
 from tools.balance.trial import Job, Summary, Trial, played, summary
-from tools.fuzz.workers import shared_out
+from tools.executor import results, sure
+from tools.executor.options import ClusterOption, WorkersOption, where
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
@@ -29,6 +30,7 @@ _FASTEST, _SLOWEST, _WILDEST = 0, 2000, 90.0
 
 @app.command()
 def balance(
+    context: typer.Context,
     level: Annotated[
         list[str] | None,
         typer.Option(help="A level: its number, its name or a TOML file; again for more. Default: the campaign."),
@@ -38,7 +40,8 @@ def balance(
     ] = _PLAYERS,
     difficulty: Annotated[Literal["easy", "normal", "hard"], typer.Option(help="Of the arcade rules.")] = "normal",
     seeds: Annotated[int, typer.Option(min=1, max=10**4, help="Games of every player in every level.")] = 5,
-    workers: Annotated[int, typer.Option(min=1, max=256, help="Processes to share the games.")] = 1,
+    workers: WorkersOption = 1,
+    cluster: ClusterOption = None,
     json: Annotated[Path | None, typer.Option(help="Write every game into this JSON file.")] = None,
 ) -> None:
     """Let simulated humans with endless lives play the levels, and print what they lose and how long they take."""
@@ -51,7 +54,7 @@ def balance(
     try:
         with (
             Progress(console=console, transient=True, disable=not console.is_terminal) as bar,
-            closing(shared_out(played, iter(jobs), workers)) as answers,
+            closing(sure(results(played, jobs, where(context, workers, cluster)))) as answers,
         ):
             task = bar.add_task("games", total=len(jobs))
             for answer in answers:

@@ -16,9 +16,10 @@ from tools.certify.report import functions_json_text, functions_lines, json_text
 from tools.certify.run import CertificationRun, outcome
 from tools.certify.sources import ClaimSource, SourcePlan
 from tools.certify.totals import Totals
+from tools.executor import Where
 
 
-def certify(names: tuple[str, ...], impacts: int, seed: int, workers: int, json: Path | None, *, every_case: bool) -> int:
+def certify(names: tuple[str, ...], impacts: int, seed: int, workers: Where, json: Path | None, *, every_case: bool) -> int:
     """Certify what is named, or a plan of games and arenas; the exit code."""
     check_working_directory()
     check_target(json, "--json")
@@ -50,7 +51,7 @@ def certify_functions(pieces: int, json: Path | None) -> int:
     return 0 if all([proof.wrong is None and proof.proved > 0.0 for proof in proofs]) else 1
 
 
-def _with_progress(sources: "list[ClaimSource] | SourcePlan", impacts: int | None, workers: int) -> CertificationRun:
+def _with_progress(sources: "list[ClaimSource] | SourcePlan", impacts: int | None, workers: Where) -> CertificationRun:
     """Run; where somebody watches, a bar shows how far it is."""
     console = Console(stderr=True)
     columns = (

@@ -6,16 +6,17 @@ from typing import Annotated
 import typer
 
 from tools.certify.environment import check_environment
+from tools.executor.options import ClusterOption, WorkersOption, where
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
 _MOST_IMPACTS = 10**7
-_MOST_WORKERS = 256
 _MOST_PIECES = 10**7
 
 
 @app.command()
 def certify(
+    context: typer.Context,
     sources: Annotated[
         list[str] | None,
         typer.Argument(
@@ -26,7 +27,8 @@ def certify(
         int, typer.Option(min=1, max=_MOST_IMPACTS, help="Without a SOURCE: how many impacts at least.")
     ] = 10_000,
     seed: Annotated[int, typer.Option(min=0, max=2**62, help="Without a SOURCE: seed of the games and arenas.")] = 1,
-    workers: Annotated[int, typer.Option(min=1, max=_MOST_WORKERS, help="Processes to share the work.")] = 1,
+    workers: WorkersOption = 1,
+    cluster: ClusterOption = None,
     json: Annotated[Path | None, typer.Option(help="Write all numbers to this JSON file.")] = None,
     functions: Annotated[
         int | None,
@@ -45,4 +47,4 @@ def certify(
 
     if functions is not None:
         return command.certify_functions(functions, json)
-    return command.certify(tuple(sources or ()), impacts, seed, workers, json, every_case=every_case)
+    return command.certify(tuple(sources or ()), impacts, seed, where(context, workers, cluster), json, every_case=every_case)

@@ -1,12 +1,12 @@
 """A whole run: source after source, by one process or several, until enough impacts are done."""
 
-from collections.abc import Callable, Generator, Iterator, Sequence
+from collections.abc import Callable, Sequence
 from contextlib import closing
 from typing import NamedTuple
 
 from tools.certify.sources import ClaimSource
 from tools.certify.totals import Totals, no_totals, totals_of
-from tools.crosscheck.workers import Lost, results_of
+from tools.executor import Lost, Where, results
 
 
 class CertificationRun(NamedTuple):
@@ -18,7 +18,7 @@ class CertificationRun(NamedTuple):
 
 
 def outcome(
-    sources: Sequence[ClaimSource], impacts: int | None, workers: int, tell: Callable[[int, Totals], None]
+    sources: Sequence[ClaimSource], impacts: int | None, workers: Where, tell: Callable[[int, Totals], None]
 ) -> CertificationRun:
     """The sources in their order, until `impacts` are reached; None: all of them.
 
@@ -27,8 +27,8 @@ def outcome(
     """
     total, lost = no_totals(), list[tuple[str, str]]()
     try:
-        with closing(_results(sources, workers)) as results:
-            for number, result in enumerate(results):
+        with closing(results(totals_of, sources, workers)) as answers:
+            for number, result in enumerate(answers):
                 if isinstance(result, Lost):
                     lost.append((sources[number].name, result.why))
                 else:
@@ -39,22 +39,3 @@ def outcome(
     except KeyboardInterrupt:
         return CertificationRun(total, tuple(lost), partial=True)
     return CertificationRun(total, tuple(lost))
-
-
-def _results(sources: Sequence[ClaimSource], workers: int) -> Generator[Totals | Lost, None, None]:
-    """A result for each source, in order."""
-    if workers == 1:
-        yield from map(totals_of, sources)
-    else:
-        yield from _in_order(results_of(totals_of, sources, workers))
-
-
-def _in_order(results: Iterator[tuple[int, Totals | Lost]]) -> Iterator[Totals | Lost]:
-    """Numbered results in the order of their numbers; what comes early waits."""
-    early: dict[int, Totals | Lost] = {}
-    number = 0
-    for found, result in results:
-        early[found] = result
-        while number in early:
-            yield early.pop(number)
-            number += 1

@@ -21,6 +21,7 @@ from tools.crosscheck.results.measurements import ContactVerdict
 from tools.crosscheck.run import Choice, Job, checked_games, chosen_sources
 from tools.crosscheck.sabotage.catalogue import MISTAKES
 from tools.crosscheck.sabotage.suite import sabotage_results, suite_jobs
+from tools.executor import Where
 
 _RESTING = ("1", "2", "3")
 _MORE_GAMES = 10
@@ -39,7 +40,7 @@ class Options(NamedTuple):
 
     choice: Choice
     facets: int
-    workers: int
+    workers: Where
     only: int | None
     listed: str | None
     sabotage: str | None

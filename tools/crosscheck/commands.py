@@ -12,11 +12,11 @@ from game.system.command_line import refuse_ignored
 from game.system.errors import BadInputError
 from tools.crosscheck.environment import check_environment
 from tools.crosscheck.pymunk_model.facets import FEWEST, MOST
+from tools.executor.options import ClusterOption, WorkersOption, where
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
 _MOST_GAMES = 100_000
-_MOST_WORKERS = 256
 _VERDICTS = ("grazing", "tie", "rule", "unexplained")
 _NOT_WITH_OWN = ("facets", "workers", "report", "json", "convergence", "free_run", "tick", "listed", "sabotage", "corpus")
 _DIFFICULTIES = ("easy", "normal", "hard")
@@ -54,7 +54,8 @@ def crosscheck(
         ),
     ] = None,
     facets: Annotated[int, typer.Option(min=FEWEST, max=MOST, help="Facets of each arc in pymunk's chain.")] = 64,
-    workers: Annotated[int, typer.Option(min=1, max=_MOST_WORKERS, help="Processes to share the games.")] = 1,
+    workers: WorkersOption = 1,
+    cluster: ClusterOption = None,
     report: Annotated[Path | None, typer.Option(help="Write a page with tables and pictures to this HTML file.")] = None,
     json: Annotated[Path | None, typer.Option(help="Write all numbers, a row for each contact, to this JSON file.")] = None,
     convergence: Annotated[
@@ -100,7 +101,7 @@ def crosscheck(
         cli.Options(
             choice=choice,
             facets=facets,
-            workers=workers,
+            workers=where(context, workers, cluster),
             only=tick,
             listed=listed,
             sabotage=sabotage,

@@ -17,7 +17,8 @@ from tools.crosscheck.games.sources import AIMED, AUTOPILOT, DIFFICULTIES, PLAYE
 from tools.crosscheck.results.coverage import ALL_CELLS
 from tools.crosscheck.results.rows import Rows
 from tools.crosscheck.sabotage.catalogue import MISTAKES
-from tools.crosscheck.workers import Lost, results_of
+from tools.crosscheck.workers import results_of
+from tools.executor import Lost, Where
 
 _ARENAS = 6
 """Random arenas of the default run."""
@@ -86,14 +87,14 @@ def check_game(job: Job) -> Checked:
         return checked_ticks(ticks_of(job.source), Wanted(job.facets, options, job.only, job.recorded, job.enough))
 
 
-def checked_games(jobs: Sequence[Job], workers: int, tell: Callable[[RunResult], None]) -> RunResult:
+def checked_games(jobs: Sequence[Job], workers: Where, tell: Callable[[RunResult], None]) -> RunResult:
     """All games, each by a worker process; after Ctrl-C what there is until then, marked as partial.
 
     tell: called after each game.
     """
     result = RunResult(jobs)
     try:
-        with closing(results_of(check_game, jobs, workers)) as results:  # type: ignore[type-var]
+        with closing(results_of(check_game, jobs, workers)) as results:
             for number, checked in results:
                 result.take(jobs[number].source, checked)
                 tell(result)

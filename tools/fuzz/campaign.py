@@ -1,18 +1,21 @@
 """A campaign: cases by the number, the tally of what happened in them, and the smallest arena that fails."""
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from contextlib import closing
+from itertools import chain
 from typing import NamedTuple
 
 from physics import Arena, FreeFlight, Step, advance
+from tools.executor import Where, results, sure
 from tools.fuzz.arenas import TICK, TICKS, random_case, steered, with_lost_balls_back
 from tools.fuzz.checks import first_fault
-from tools.fuzz.workers import shared_out
 
 SPARED = "a tick that was spared the search went another way than with it"
 """A fault that the tick alone does not show: it needs the one before."""
 
-_CASES_PER_JOB = 10
+CASES_PER_TALLY = 10
+_TALLIES_PER_FAR_JOB = 50
+"""For a cluster: about a minute's work. Its scheduler needs about a millisecond for a job."""
 
 
 class Failure(NamedTuple):
@@ -73,25 +76,36 @@ def checked_tick(arena: Arena, speed: float, flight: FreeFlight | None = None) -
     return first_fault(arena, step, TICK, speed), step
 
 
-def tallies(seed: int, steps: int, workers: int) -> Iterator[Tally]:
-    """Tallies as they come, until the ball-steps are done, a case has failed, or the caller has enough."""
-    done = 0
-    batches = ((seed, first) for first in range(0, 10**15, _CASES_PER_JOB))
-    with closing(shared_out(_batch, batches, workers)) as done_batches:
-        for tally in done_batches:
+def tallies(
+    seed: int, steps: int, workers: Where, first: int = 0, one: Callable[[int, int], Tally] | None = None
+) -> Iterator[Tally]:
+    """Tallies as they come, until the ball-steps are done, a case has failed, or the caller has enough.
+
+    first: the first case. one: plays a case of a seed and number, importable by its name; `play` unless given. The cases are
+    the same ones in the same order, wherever they are played.
+    """
+    done, count = 0, _TALLIES_PER_FAR_JOB if isinstance(workers, str) else 1
+    jobs = ((one or play, seed, start, count) for start in range(first, 10**15, count * CASES_PER_TALLY))
+    with closing(sure(results(_tallies, jobs, workers))) as answers:
+        for tally in chain.from_iterable(answers):
             yield tally
             done += tally.steps
             if done >= steps or tally.failures:
                 return
 
 
-def _batch(job: tuple[int, int]) -> Tally:
-    """The cases of one job."""
-    seed, first = job
-    tally = Tally()
-    for index in range(first, first + _CASES_PER_JOB):
-        tally = tally.plus(play(seed, index))
-    return tally
+def _tallies(job: tuple[Callable[[int, int], Tally], int, int, int]) -> list[Tally]:
+    """So many tallies of cases, as far as none fails. job: what plays a case, the seed, the first case, how many tallies."""
+    one, seed, start, count = job
+    tallies = []
+    for first in range(start, start + count * CASES_PER_TALLY, CASES_PER_TALLY):
+        tally = Tally()
+        for index in range(first, first + CASES_PER_TALLY):
+            tally = tally.plus(one(seed, index))
+        tallies.append(tally)
+        if tally.failures:
+            break
+    return tallies
 
 
 def smallest(failure: Failure) -> Failure:

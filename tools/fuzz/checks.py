@@ -10,10 +10,10 @@ from tools.fuzz.oracle import first_overlap, ring_gap, slot_gap
 PENETRATION = 1e-9
 """Fraction of the ball's radius: the promised depth at most."""
 
-_SPEED = 1e-12
-_PLACE = 1e-11
-_NORMAL = 1e-9
-_SQUEEZED = 1e-10
+SPEED = 1e-12
+PLACE = 1e-11
+NORMAL = 1e-9
+SQUEEZED = 1e-10
 
 
 def first_fault(before: Arena, step: Step, dt: float, speed: float) -> str | None:
@@ -39,7 +39,7 @@ def _numbers(step: Step, speed: float) -> Iterator[str]:
         p, v, _ = ball
         if not all([math.isfinite(x) for x in (p.real, p.imag, v.real, v.imag)]):
             yield f"ball {index} is not finite: {ball}"
-        elif abs(math.hypot(v.real, v.imag) - speed) > _SPEED * speed:
+        elif abs(math.hypot(v.real, v.imag) - speed) > SPEED * speed:
             yield f"ball {index} has speed {math.hypot(v.real, v.imag)!r}, not {speed!r}"
     for ring in step.arena.rings:
         if not 0.0 <= ring.phase < 2.0 * math.pi:
@@ -50,7 +50,7 @@ def _bookkeeping(before: Arena, step: Step, dt: float) -> Iterator[str]:
     """Rings turned, layers taken by hits and by nothing else, hits in order."""
     for ring, turned in zip(before.rings, step.arena.rings, strict=True):
         lag = math.remainder(turned.phase - ring.phase - ring.spin * dt, 2.0 * math.pi)
-        if abs(lag) > _PLACE or turned._replace(phase=ring.phase) != ring:
+        if abs(lag) > PLACE or turned._replace(phase=ring.phase) != ring:
             yield f"a ring did not turn by its spin: {ring} -> {turned}"
     if [hit.time for hit in step.hits] != sorted([hit.time for hit in step.hits]):
         yield "hits are not in the order of time"
@@ -92,7 +92,7 @@ def _flight(index: int, before: Arena, step: Step, dt: float) -> Iterator[str]:
     yield from _clear(index, ball, clock, dt, before.rings, layers)
     end = ball.position + ball.velocity * (dt - clock)
     there = step.arena.balls[index].position
-    if not step.freed and math.hypot(end.real - there.real, end.imag - there.imag) > _PLACE * (
+    if not step.freed and math.hypot(end.real - there.real, end.imag - there.imag) > PLACE * (
         1.0 + math.hypot(end.real, end.imag)
     ):
         yield f"ball {index} is at {there}, its hits lead to {end}"
@@ -122,7 +122,7 @@ def _real(hit: Hit, ball: Ball, ring: Ring) -> Iterator[str]:
         yield f"a hit without contact, the gap is {gap!r}: {hit}"
     n, q = hit.contact.normal, hit.contact.point
     away = p - n * ball.radius - q
-    if math.hypot(away.real, away.imag) > _NORMAL * ball.radius or abs(math.hypot(n.real, n.imag) - 1.0) > _NORMAL:
+    if math.hypot(away.real, away.imag) > NORMAL * ball.radius or abs(math.hypot(n.real, n.imag) - 1.0) > NORMAL:
         yield f"the contact of a hit is not where ball and sector meet: {hit}"
     surface = q * 1j * ring.spin
     relative = ball.velocity - surface
@@ -151,4 +151,4 @@ def _overlaps(arena: Arena, index: int) -> bool:
     gaps = [
         ring_gap(ball.position, ball.radius, ring, 0.0, alive) for ring, alive in zip(arena.rings, arena.layers, strict=True)
     ]
-    return min(gaps) < -0.9 * _SQUEEZED * ball.radius
+    return min(gaps) < -0.9 * SQUEEZED * ball.radius

@@ -1,6 +1,7 @@
 """The options of the fuzzer: `python -m tools.fuzz`."""
 
-from contextlib import closing
+from collections.abc import Callable
+from contextlib import closing, nullcontext
 from typing import Annotated
 
 import typer
@@ -11,10 +12,11 @@ from game.system.command_line import refuse_ignored
 from game.system.errors import BadInputError, EnvironmentMissingError
 from game.system.output import tell
 from game.system.wording import quoted
+from tools.executor import Where, results, sure
+from tools.executor.options import ClusterOption, WorkersOption, where
 from tools.fuzz.arenas import TICK
-from tools.fuzz.campaign import SPARED, Failure, Tally, play, smallest, tallies
+from tools.fuzz.campaign import Failure, Tally, checked_tick, play, smallest, tallies
 from tools.fuzz.impacts import checked_chunk, multiprecision
-from tools.fuzz.workers import shared_out
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
@@ -28,7 +30,14 @@ def fuzz(
     context: typer.Context,
     steps: Annotated[int, typer.Option(min=1, max=_MOST, help="Ball-steps: ticks, counted once for every ball.")] = 100_000,
     seed: Annotated[int, typer.Option(min=0, max=2**63 - 1, help="Seed of the cases.")] = 1,
-    workers: Annotated[int, typer.Option(min=1, max=256, help="Processes to share the cases.")] = 1,
+    first: Annotated[
+        int, typer.Option(min=0, max=_MOST, help="Number of the first case, to go on where a run was stopped.")
+    ] = 0,
+    workers: WorkersOption = 1,
+    cluster: ClusterOption = None,
+    compiled: Annotated[
+        bool, typer.Option("--compiled", help="Play 64 games of every arena on the compiled engine, the checks compiled too.")
+    ] = False,
     case: Annotated[str | None, typer.Option(metavar="SEED:INDEX", help="Play this one case again.")] = None,
     impacts: Annotated[
         int | None, typer.Option(min=1, max=_MOST, help="Check so many times of impact with 50 digits instead.")
@@ -39,12 +48,12 @@ def fuzz(
     Exit code 0: nothing found. 1: a promise was broken. 2: bad input. 3: no mpmath, for --impacts. 130: Ctrl-C.
     """
     if case is not None:
-        refuse_ignored(context, "does nothing beside --case", "steps", "seed", "workers", "impacts")
-        return _again(*_numbers(case))
+        refuse_ignored(context, "does nothing beside --case", "steps", "seed", "first", "workers", "cluster", "impacts")
+        return _again(*_numbers(case), _played_by(compiled=compiled), compiled=compiled)
     if impacts is not None:
-        refuse_ignored(context, "does nothing beside --impacts", "steps")
-        return _impacts(impacts, seed, workers)
-    return _campaign(steps, seed, workers)
+        refuse_ignored(context, "does nothing beside --impacts", "steps", "first", "compiled")
+        return _impacts(impacts, seed, where(context, workers, cluster))
+    return _campaign(steps, seed, first, where(context, workers, cluster), compiled=compiled)
 
 
 def _numbers(case: str) -> tuple[int, int]:
@@ -55,30 +64,47 @@ def _numbers(case: str) -> tuple[int, int]:
     return int(seed), int(index)
 
 
-def _again(seed: int, index: int) -> int:
+def _played_by(*, compiled: bool) -> Callable[[int, int], Tally]:
+    """What plays a case. The compiled loops are compiled here, before other processes would, each for itself."""
+    if not compiled:
+        return play
+    try:
+        from tools.fuzz.compiled.campaign import compiled_fuzzer, play_compiled  # noqa: PLC0415  # an extra
+
+        console = Console(stderr=True)
+        with console.status("compiling") if console.is_terminal else nullcontext():
+            done = compiled_fuzzer()
+    except ImportError as error:
+        raise EnvironmentMissingError(f"--compiled: {error}") from None
+    if not done.cached:
+        tell(f"compiled in {done.seconds:.0f} s")
+    return play_compiled
+
+
+def _again(seed: int, index: int, one: Callable[[int, int], Tally], *, compiled: bool) -> int:
     """Play one case."""
-    tally = play(seed, index)
+    tally = one(seed, index)
     _say(f"case {seed}:{index}", tally, "done")
-    return _verdict(tally)
+    return _verdict(tally, compiled=compiled)
 
 
-def _campaign(steps: int, seed: int, workers: int) -> int:
+def _campaign(steps: int, seed: int, first: int, workers: Where, *, compiled: bool) -> int:
     """Play cases until the steps are done, one fails, or a signal ends it: then what was done until then is still told."""
-    total = Tally()
+    total, one = Tally(), _played_by(compiled=compiled)
     try:
         with _bar() as bar:
             task = bar.add_task("ball-steps", total=steps)
-            for tally in tallies(seed, steps, workers):
+            for tally in tallies(seed, steps, workers, first, one):
                 total = total.plus(tally)
                 bar.update(task, completed=min(total.steps, steps))
     except KeyboardInterrupt:
-        _say(f"seed {seed}", total, _STOPPED)
+        _say(f"seed {seed}", total, f"{_STOPPED}; --first {first + total.cases} goes on")
         raise
     _say(f"seed {seed}", total, "done")
-    return _verdict(total)
+    return _verdict(total, compiled=compiled)
 
 
-def _impacts(count: int, seed: int, workers: int) -> int:
+def _impacts(count: int, seed: int, workers: Where) -> int:
     """Check times of impact alone."""
     try:
         multiprecision()
@@ -87,7 +113,7 @@ def _impacts(count: int, seed: int, workers: int) -> int:
     chunks = ((seed, range(first, min(first + _CHUNK, count))) for first in range(0, count, _CHUNK))
     done, touches, faults = 0, 0, list[tuple[int, str]]()
     try:
-        with _bar() as bar, closing(shared_out(checked_chunk, chunks, workers)) as answers:
+        with _bar() as bar, closing(sure(results(checked_chunk, chunks, workers))) as answers:
             task = bar.add_task("times of impact", total=count)
             for checked, more, found in answers:
                 done, touches, faults = done + checked, touches + more, faults + found
@@ -108,20 +134,20 @@ def _impacts_line(seed: int, done: int, touches: int, wrong: int, how: str) -> s
     return f"seed {seed}: {done} times of impact, {touches} of them touches, {wrong} wrong; {how}"
 
 
-def _verdict(tally: Tally) -> int:
+def _verdict(tally: Tally, *, compiled: bool) -> int:
     """The exit code, after the shortest failure and how to see it again."""
     if not tally.failures:
         return 0
-    _show(min(tally.failures, key=lambda failure: (failure.tick, failure.number)))
+    _show(min(tally.failures, key=lambda failure: (failure.tick, failure.number)), " --compiled" if compiled else "")
     return 1
 
 
-def _show(failure: Failure) -> None:
+def _show(failure: Failure, option: str) -> None:
     """The smallest arena that fails, and the commands that show it."""
     tell(f"case {failure.seed}:{failure.number} fails at tick {failure.tick}: {failure.what}")
-    tell(f"again: python -m tools.fuzz --case {failure.seed}:{failure.number}")
-    if failure.what == SPARED:
-        return
+    tell(f"again: python -m tools.fuzz --case {failure.seed}:{failure.number}{option}")
+    if checked_tick(failure.arena, failure.speed)[0] is None:
+        return  # it needs the ticks before, or the compiler
     least = smallest(failure)
     tell(f"its smallest form fails in one tick, advance(arena, {TICK!r}, {least.speed!r}): {least.what}")
     tell(f"arena = {least.arena!r}")

@@ -26,7 +26,7 @@ def ring_gap(p: complex, ball_radius: float, ring: Ring, time: float, alive: tup
     distance = math.hypot(p.real, p.imag)
     bearing = math.atan2(p.imag, p.real) - ring.phase - ring.spin * time
     away = _angle_beside(bearing, ring.count, alive)
-    return _distance_to_sector(distance, away - ring.half_angle, ring) - ball_radius if away < math.inf else math.inf
+    return distance_to_sector(distance, away - ring.half_angle, ring) - ball_radius if away < math.inf else math.inf
 
 
 def slot_gap(p: complex, ball_radius: float, ring: Ring, time: float, slot: int) -> float:
@@ -98,7 +98,7 @@ def _middles(count: int, alive: tuple[int, ...] | None) -> list[float]:
     return [slot * (2.0 * math.pi / count) for slot in range(count) if alive is None or alive[slot]]
 
 
-def _distance_to_sector(distance: float, beside: float, ring: Ring) -> float:
+def distance_to_sector(distance: float, beside: float, ring: Ring) -> float:
     """Distance to a sector of a point at a distance from the centre and an angle beside the sector, < 0 within it."""
     inner, outer = ring.radius - ring.half_width, ring.radius + ring.half_width
     if beside <= 0.0:

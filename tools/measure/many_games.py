@@ -1,6 +1,8 @@
 """The compiled batch as a contender of `python -m tools.bench`."""
 
+import os
 import time
+from collections.abc import Callable
 from random import Random
 
 import numpy as np
@@ -9,7 +11,12 @@ from rich.console import Console
 from physics import Arena
 from physics.batch import Batch, compiled
 from physics.batch.compilation import check_numba
-from tools.measure.standard_arena import BALL_RADIUS, CHECK_EVERY, GROUND, SPEED, TICK, served
+from tools.measure.contenders import Play
+from tools.measure.standard_arena import BALL_RADIUS, CHECK_EVERY, GROUND, SPEED, TICK, arena, served
+
+_FEW = 256
+_LARGE = 4096
+"""Games that are worth being shared by threads."""
 
 
 def missing() -> str | None:
@@ -24,27 +31,36 @@ def missing() -> str | None:
 class ManyGames:
     """So many games of one arena, and what its balls did while they were timed."""
 
-    def __init__(self, console: Console, arena: Arena, games: int) -> None:
+    def __init__(self, console: Console, state: Arena, games: int) -> None:
         with console.status("compiling the physics") as status:
             done = compiled(lambda seconds: status.update(f"compiling the physics: {seconds:.0f} s"))
         self.compiled = f"the batch was {'loaded' if done.cached else 'compiled'} in {done.seconds:.1f} s"
-        self._arena, self._chance = arena, Random(1)
-        start = [arena._replace(balls=(served(self._chance),)) for _ in range(games)]
+        self._arena, self._chance = state, Random(1)
+        start = [state._replace(balls=(served(self._chance),)) for _ in range(games)]
         self._batch = Batch(start, dt=TICK, speed=SPEED, ground_radius=GROUND)
-        self.name, self.games = f"physics.batch, {sum([ring.count for ring in arena.rings[1:]]):,} bricks", games
+        self.name, self.games = f"physics.batch, {sum([ring.count for ring in state.rings[1:]]):,} bricks", games
+        self._threads, self._is_large = os.cpu_count() or 1, games >= _LARGE
         self._ticks = self._hits = self._looks = self._near = 0
 
-    def run(self, ticks: int) -> float:
+    def plays(self) -> list[Play]:
+        """The contenders: one thread, and where there are enough games, all threads, by the clock."""
+        one = Play(self.name, self.run, self.games)
+        if not self._is_large or self._threads == 1:
+            return [one]
+        name = f"{self.name}, {self._threads} threads, by the clock"
+        return [one, Play(name, lambda ticks: self.run(ticks, self._threads, time.perf_counter), self.games, time.perf_counter)]
+
+    def run(self, ticks: int, threads: int = 1, clock: Callable[[], float] = time.process_time) -> float:
         """Play some ticks; the seconds are returned that went into serving lost balls, game by game, and into counting."""
         aside = 0.0
         for first in range(0, ticks, CHECK_EVERY):
-            steps = self._batch.step(ticks=min(CHECK_EVERY, ticks - first))
-            start = time.process_time()
+            steps = self._batch.step(ticks=min(CHECK_EVERY, ticks - first), threads=threads)
+            start = clock()
             self._count(len(steps.hits))
             for game in np.flatnonzero(steps.lost[:, 0]).tolist():
                 rings = self._batch.arena(game).rings
                 self._batch.put(game, Arena((served(self._chance),), rings, self._arena.layers))
-            aside += time.process_time() - start
+            aside += clock() - start
         self._ticks += ticks
         return aside
 
@@ -60,3 +76,30 @@ class ManyGames:
         self._near += int(np.any(bands, axis=0).sum())
         self._looks += self.games
         self._hits += hits
+
+
+def many_bricks(per_row: int) -> Play:
+    """A contender: 256 games with so many bricks in each of three rows."""
+    games = ManyGames(Console(stderr=True), arena(per_row), _FEW)
+    return Play("", games.run, _FEW)
+
+
+def many_balls(balls: int) -> Play:
+    """A contender: 256 games with so many balls each, and 48 bricks. Lost balls come back, and so do the bricks."""
+    chance, state = Random(1), arena(16)
+    start = [state._replace(balls=tuple([served(chance) for _ in range(balls)])) for _ in range(_FEW)]
+    batch = Batch(start, dt=TICK, speed=SPEED, ground_radius=GROUND)
+
+    def run(ticks: int) -> float:
+        """Play some ticks; the seconds are returned that went into that."""
+        aside = 0.0
+        for first in range(0, ticks, CHECK_EVERY):
+            steps = batch.step(ticks=min(CHECK_EVERY, ticks - first))
+            begun = time.process_time()
+            for game, i in np.argwhere(steps.lost).tolist():
+                now = batch.arena(game)
+                batch.put(game, now._replace(balls=(*now.balls[:i], served(chance), *now.balls[i + 1 :]), layers=state.layers))
+            aside += time.process_time() - begun
+        return aside
+
+    return Play("", run, _FEW * balls)

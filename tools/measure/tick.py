@@ -1,4 +1,4 @@
-"""What a tick costs, beside pymunk's: `python -m tools.bench`. Processor time, in one process, in alternating rounds.
+"""What a tick costs, beside other engines': `python -m tools.bench`. Contenders play in alternating rounds, in one process.
 
 A cost is that of one ball in one tick, a ball-step: contenders that move many balls at once are divided by their number.
 """
@@ -14,45 +14,32 @@ import json
 import math
 import platform
 import sys
-import time
-from collections.abc import Callable
-from itertools import pairwise
 from pathlib import Path
-from random import Random
 from statistics import median
-from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 from rich.console import Console
 from rich.table import Table
 
 from game.system.command_line import run
-from game.system.errors import EnvironmentMissingError
+from game.system.errors import BadInputError, EnvironmentMissingError
+from game.system.files import check_target, read_input, write_text, write_whole
+from game.system.wording import quoted_path
 from physics import PERMANENT, Arena, Ball, FreeFlight, Ring, advance
-from tools.measure.standard_arena import BALL_RADIUS, CHECK_EVERY, GROUND, SPEED, TICK, arena, served
+from tools.measure.contenders import BALLS_IN_A_SPACE, FACETS, Play, box2d_play, facets, floor, plain, polygons, pymunk_play
+from tools.measure.standard_arena import BALL_RADIUS, TICK, arena
+from tools.measure.whole_games import speeds
 
 if TYPE_CHECKING:
     from tools.measure.many_games import ManyGames
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
-FACETS = 16
-
 _WARM_UP = 1000
-
-
-BALLS_IN_A_SPACE = 100
-
-
-class Play(NamedTuple):
-    """One way to simulate: its name, a function that does so many ticks, and how many balls a tick of it moves.
-
-    The function may return the seconds of processor time that it spent on what is no simulation.
-    """
-
-    name: str
-    run: Callable[[int], float | None]
-    balls: int = 1
+_QUICK_ROUNDS, _QUICK_TICKS = 3, 400
+_FLOOR_GAMES = 4096
+_MOST_BYTES = 2**20
 
 
 def main() -> None:
@@ -70,34 +57,60 @@ def bench(
     batch: Annotated[
         bool | None, typer.Option("--batch/--no-batch", help="With the compiled batch; by default where numba is installed.")
     ] = None,
+    *,
+    quick: Annotated[bool, typer.Option("--quick", help="Few rounds: under a minute once the batch is compiled.")] = False,
     json_file: Annotated[Path | None, typer.Option("--json", metavar="FILE", help="Write the figures here too.")] = None,
+    compare: Annotated[Path | None, typer.Option(metavar="FILE", help="Show beside the figures those of such a file.")] = None,
+    plot: Annotated[Path | None, typer.Option(help="Measure against the number of bricks and balls instead: a .png.")] = None,
 ) -> int:
     """Time the standard arena: 3 turning paddles, 48 bricks, 1 ball; a lost ball comes back, and so do the bricks."""
+    check_target(json_file, "--json")
+    check_target(plot, "--plot", ".png")
+    earlier = {} if compare is None else _earlier(compare)
     if bounces is not None:
         return _drift(bounces)
-    console = Console(width=110, highlight=False)
+    if quick:
+        rounds, ticks = _QUICK_ROUNDS, _QUICK_TICKS
+    if plot is not None:
+        from tools.measure.scaling import scaling_plot  # noqa: PLC0415  # matplotlib takes a second to load
+
+        write_whole(plot, scaling_plot(rounds, ticks))
+        return 0
+    console = Console(width=130, highlight=False)
+    plays = _plain_plays()
+    many = _batches(console, batch)
+    for games in many:
+        plays += games.plays()
+    times = _timed(plays, rounds, ticks)
+    console.print(_table(plays, times, earlier))
+    for games in many:
+        console.print(games.state())
+    for line in speeds(quick=quick):
+        console.print(line)
+    if json_file is not None:
+        write_text(json_file, _as_json(plays, times, rounds, ticks))
+    return 0
+
+
+def _plain_plays() -> list[Play]:
+    """The contenders that need no numba."""
     plays = [
-        Play("physics.advance, 48 bricks", ours(16)),
-        Play("physics.advance, 12 bricks", ours(4)),
-        Play("physics.advance, 1,200 bricks", ours(400)),
-        Play(f"pymunk, arcs of {FACETS} facets", theirs(_facets)),
-        Play("pymunk, 4 convex polygons a paddle", theirs(_polygons)),
-        Play(f"pymunk, {BALLS_IN_A_SPACE} balls in one space", theirs(_polygons, BALLS_IN_A_SPACE), BALLS_IN_A_SPACE),
+        Play("physics.advance, 48 bricks", plain(16)),
+        Play("physics.advance, 12 bricks", plain(4)),
+        Play("physics.advance, 1,200 bricks", plain(400)),
+        Play(f"pymunk, arcs of {FACETS} facets", pymunk_play(facets)),
+        Play("pymunk, 4 convex polygons a paddle", pymunk_play(polygons)),
+        Play(f"pymunk, {BALLS_IN_A_SPACE} balls in one space", pymunk_play(polygons, BALLS_IN_A_SPACE), BALLS_IN_A_SPACE),
         Play(
             f"pymunk, {BALLS_IN_A_SPACE} balls, paddles at rest, {FACETS} facets",
-            theirs(_facets, BALLS_IN_A_SPACE, turning=False),
+            pymunk_play(facets, BALLS_IN_A_SPACE, turning=False),
             BALLS_IN_A_SPACE,
         ),
     ]
-    many = _batches(console, batch)
-    plays += [Play(games.name, games.run, games.games) for games in many]
-    times = _timed(plays, rounds, ticks)
-    console.print(_table(plays, times))
-    for games in many:
-        console.print(games.state())
-    if json_file is not None:
-        json_file.write_text(_as_json(plays, times, rounds, ticks), encoding="utf-8")
-    return 0
+    box2d = box2d_play()
+    if box2d is not None:
+        plays.append(Play(f"Box2D, {BALLS_IN_A_SPACE} balls, paddles at rest, polygons", box2d, BALLS_IN_A_SPACE))
+    return [*plays, Play(f"floor: {_FLOOR_GAMES:,} positions moved, nothing else", floor(_FLOOR_GAMES), _FLOOR_GAMES)]
 
 
 def _batches(console: Console, wanted: bool | None) -> "list[ManyGames]":  # noqa: FBT001  # an option of the command
@@ -121,25 +134,34 @@ def _timed(plays: list[Play], rounds: int, ticks: int) -> list[list[float]]:
     """Nanoseconds a ball-step of every contender, round by round."""
     times: list[list[float]] = [[] for _ in plays]
     for play in plays:
-        play.run(_WARM_UP)
+        play.run(min(_WARM_UP, ticks))
     for _ in range(rounds):
         for play, taken in zip(plays, times, strict=True):
-            start = time.process_time()
+            start = play.clock()
             aside = play.run(ticks) or 0.0
-            taken.append((time.process_time() - start - aside) / (ticks * play.balls) * 1e9)
+            taken.append((play.clock() - start - aside) / (ticks * play.balls) * 1e9)
     return times
 
 
-def _table(plays: list[Play], times: list[list[float]]) -> Table:
-    """Each contender's time, and ours as a part of it, the median over the rounds."""
+def _table(plays: list[Play], times: list[list[float]], earlier: dict[str, tuple[float, float]]) -> Table:
+    """Each contender's time, and ours as a part of it, the median over the rounds. earlier: from `_earlier`."""
     table = Table(title="mean cost of a ball in a tick, median of rounds")
-    for heading in ("contender", "ns a ball-step", "advance (48 bricks) : this"):
+    headings = ["contender", "ns a ball-step", "advance (48 bricks) : this"] + (["then: ns", "then: ratio"] if earlier else [])
+    for heading in headings:
         table.add_column(heading, justify="left" if heading == "contender" else "right")
     for play, taken in zip(plays, times, strict=True):
         ratio = median([ours / other for ours, other in zip(times[0], taken, strict=True)])
-        shown = f"{ratio:.1f}" if ratio >= 10.0 else f"{ratio:.3f}" if ratio >= 0.1 else f"1 : {1.0 / ratio:.1f}"
-        table.add_row(play.name, f"{median(taken):,.1f}", shown)
+        cells = [play.name, f"{median(taken):,.1f}", _shown(ratio)]
+        if earlier:
+            then = earlier.get(play.name)
+            cells += ["-", "-"] if then is None else [f"{then[0]:,.1f}", _shown(then[1])]
+        table.add_row(*cells)
     return table
+
+
+def _shown(ratio: float) -> str:
+    """A ratio of costs in words of a table."""
+    return f"{ratio:.1f}" if ratio >= 10.0 else f"{ratio:.3f}" if ratio >= 0.1 else f"1 : {1.0 / ratio:.1f}"
 
 
 def _as_json(plays: list[Play], times: list[list[float]], rounds: int, ticks: int) -> str:
@@ -152,105 +174,13 @@ def _as_json(plays: list[Play], times: list[list[float]], rounds: int, ticks: in
     return json.dumps(about | {"rounds": rounds, "ticks": ticks, "rows": rows}, indent=1) + "\n"
 
 
-def ours(per_row: int) -> Callable[[int], None]:
-    """Ticks of `physics.advance`."""
-    state, full, chance = arena(per_row), arena(per_row).layers, Random(1)
-    last: FreeFlight | None = None
-
-    def play(ticks: int) -> None:
-        nonlocal state, last
-        now, flight = state, last
-        for first in range(0, ticks, CHECK_EVERY):
-            for _ in range(min(CHECK_EVERY, ticks - first)):
-                step = advance(now, TICK, SPEED, flight)
-                now, flight = step.arena, step.flight
-            p = now.balls[0].position
-            if p.real * p.real + p.imag * p.imag > GROUND * GROUND:
-                now = Arena((served(chance),), now.rings, full)
-        state, last = now, flight
-
-    return play
-
-
-def theirs(model: Callable[[Any, Any, Ring], list[Any]], balls: int = 1, *, turning: bool = True) -> Callable[[int], float]:
-    """Ticks of pymunk's `Space.step`, its speed set anew and its lost balls served again once in a while, as needed to go on.
-
-    balls: in one space; they pass through each other. turning: whether the paddles turn. The seconds spent on setting speeds
-    and serving balls are returned.
-    """
-    pymunk = _pymunk()
-    space = pymunk.Space()
-    space.iterations = 1 if balls > 1 else space.iterations  # a ball touches one thing at a time: more is lost on it
-    for ring in arena(16).rings:
-        body = pymunk.Body(body_type=pymunk.Body.KINEMATIC if ring.spin and turning else pymunk.Body.STATIC)
-        body.angular_velocity = ring.spin if turning else 0.0
-        space.add(body, *model(pymunk, body, ring))
-    chance = Random(1)
-    bodies = [pymunk.Body(1.0, math.inf) for _ in range(balls)]
-    for body in bodies:
-        circle = pymunk.Circle(body, BALL_RADIUS)
-        circle.filter = pymunk.ShapeFilter(group=1)
-        space.add(body, circle)
-        _put(body, served(chance))
-    for shape in space.shapes:
-        shape.elasticity, shape.friction = 1.0, 0.0
-
-    def play(ticks: int) -> float:
-        aside = 0.0
-        for first in range(0, ticks, CHECK_EVERY):
-            for _ in range(min(CHECK_EVERY, ticks - first)):
-                space.step(TICK)
-            start = time.process_time()
-            for ball in bodies:
-                if ball.position.length > GROUND or not ball.velocity.length > 0.0:
-                    _put(ball, served(chance))
-                ball.velocity = ball.velocity.scale_to_length(SPEED)
-            aside += time.process_time() - start
-        return aside
-
-    return play
-
-
-def _put(body: Any, ball: Ball) -> None:
-    """Place a pymunk body where a ball is."""
-    body.position = ball.position.real, ball.position.imag
-    body.velocity = ball.velocity.real, ball.velocity.imag
-
-
-def _pymunk() -> Any:
-    """The pymunk library."""
+def _earlier(path: Path) -> dict[str, tuple[float, float]]:
+    """By the contender's name, its median in a file of `--json`, and the first contender's divided by it."""
     try:
-        import pymunk  # noqa: PLC0415  # may be missing
-    except ImportError:
-        raise EnvironmentMissingError("the comparison needs pymunk: pip install pymunk") from None
-    return pymunk
-
-
-def _facets(pymunk: Any, body: Any, ring: Ring) -> list[Any]:
-    """Every sector's outline in segments: two arcs of facets, two ends."""
-    shapes = []
-    for slot in range(ring.count):
-        outer, inner = _arc(ring, slot, ring.outer_radius, FACETS), _arc(ring, slot, ring.inner_radius, FACETS)
-        outline = [*outer, *inner[::-1], outer[0]]
-        shapes += [pymunk.Segment(body, a, b, 0.0) for a, b in pairwise(outline)]
-    return shapes
-
-
-def _polygons(pymunk: Any, body: Any, ring: Ring) -> list[Any]:
-    """Every sector as few convex polygons: 4 for a paddle, 1 for a brick."""
-    pieces = 4 if ring.spin else 1
-    shapes = []
-    for slot in range(ring.count):
-        outer, inner = _arc(ring, slot, ring.outer_radius, pieces), _arc(ring, slot, ring.inner_radius, pieces)
-        shapes += [pymunk.Poly(body, [outer[k], outer[k + 1], inner[k + 1], inner[k]]) for k in range(pieces)]
-    return shapes
-
-
-def _arc(ring: Ring, slot: int, radius: float, pieces: int) -> list[tuple[float, float]]:
-    """The corners of an arc cut into pieces."""
-    first = ring.phase + slot * math.tau / ring.count - ring.half_angle
-    angles = [first + 2.0 * ring.half_angle * k / pieces for k in range(pieces + 1)]
-    return [(radius * math.cos(angle), radius * math.sin(angle)) for angle in angles]
+        rows: list[dict[str, Any]] = json.loads(read_input(path, "figures", _MOST_BYTES))["rows"]
+        return {row["name"]: (row["median_ns"], rows[0]["median_ns"] / row["median_ns"]) for row in rows}
+    except (ValueError, KeyError, TypeError, IndexError, ZeroDivisionError):
+        raise BadInputError(f"--compare {quoted_path(path)}: expected a file that --json has written") from None
 
 
 def _drift(bounces: int) -> int:

@@ -5,6 +5,7 @@ service worker. Times count only on an idle machine.
 """
 
 import importlib.util
+import itertools
 import shutil
 import sys
 import time
@@ -64,7 +65,7 @@ def web(level: int = typer.Option(8, min=1, help="Number of the campaign's level
         before = page.evaluate("polarBreakout.frames")
         times = page.evaluate(_COUNT, _SECONDS)
         pictures = page.evaluate("polarBreakout.frames") - before
-        gaps = sorted([later - sooner for sooner, later in zip(times, times[1:], strict=False)])
+        gaps = sorted([later - sooner for sooner, later in itertools.pairwise(times)])
         return f"{pictures / _SECONDS:.1f} pictures a second, 99 % of frames within {gaps[int(0.99 * len(gaps))]:.1f} ms"
 
     site = built_site(cache_folder())

@@ -43,7 +43,7 @@ def texts(folder: Path = ROOT / "game") -> dict[Text, str]:
         for text in _texts_in(path):
             found.setdefault(text, path.relative_to(folder.parent).as_posix())
     for level in built_in():
-        for message in (level.name, level.description):
+        for message in (level.name, level.description, level.chapter):
             found.setdefault(Text(message), "game/levels")
     return found
 

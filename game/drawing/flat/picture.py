@@ -67,11 +67,12 @@ class FlatPicture:
             empty = ground_picture(canvas, ground)
             draw_pattern(canvas._replace(surface=empty), ground)
             cached = _RestingPicture(key, ((),) * len(resting), empty, empty.copy())
-        changed = [k for k, new, old in zip(resting, now, cached.contents, strict=True) if new != old]
-        if changed and min(_lanes(scene)) < least_lane(canvas.camera.scale):
-            changed = resting  # all of them, for the borders of rings that are so close overlap and the last one drawn wins
-        for k in changed:
-            self._ring(canvas, scene, k).draw(cached.picture, scene.rings[k].phase, contents[k], cached.ground)
+        before = dict(zip(resting, cached.contents, strict=True))
+        if cached.contents != now and min(_lanes(scene)) < least_lane(canvas.camera.scale):
+            before = dict.fromkeys(resting, ())  # the borders of rings that are so close overlap, and the last one drawn wins
+        for k, shown in before.items():
+            if shown != contents[k]:
+                self._ring(canvas, scene, k).draw(cached.picture, scene.rings[k].phase, contents[k], cached.ground, shown)
         self._resting = cached._replace(contents=now)
         canvas.surface.blit(cached.picture, (0, 0))
 
@@ -82,7 +83,7 @@ class FlatPicture:
         picture.draw(canvas.surface, paddles.phase, without_recoiling(contents, scene.recoils))
         self._recoil.prepare(canvas, paddles)
         for recoil in scene.recoils:
-            self._recoil.draw(canvas, paddles, recoil, contents[recoil.slot])
+            self._recoil.draw(canvas, paddles, recoil, contents[recoil.slot], picture)
 
     def _ring(self, canvas: Canvas, scene: Scene, k: int) -> RingPicture:
         """The picture of one ring."""

@@ -1,4 +1,4 @@
-"""A struck paddle out of its slot, from straight above: the parts of a paddle, painted pixel by pixel a little farther out.
+"""A struck paddle out of its slot, from straight above: its pixels look up their colours a little farther in.
 
 The pixels of the paddles' band are sorted by angle: a paddle's are one or two runs of them, wherever it is.
 """
@@ -10,16 +10,17 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.drawing.canvas import Canvas
-from game.drawing.flat.sector_colours import PolarPixels, paint_light, paint_parts
+from game.drawing.flat.ring import RingPicture
 from game.drawing.raster.annulus import Floats, annulus_pixels
-from game.drawing.raster.pixels import packed, pixels_of, unpacked
+from game.drawing.raster.pixels import pixels_of
 from game.drawing.slots.contents import ContentKind, SlotContent
-from game.drawing.slots.parts import parts, slot_shape
 from game.effects import Recoil
 from physics import Ring
 
 _FARTHEST = 0.05
 """Share of the paddles' radius; beyond it a recoil is cut off."""
+_SHADOW_ASIDE = 24.0
+"""Pixels beside a paddle that its shadow may reach."""
 _ANGLE_STEPS = np.float32(65535.0 / math.tau)
 """Per radian, for sorting: finer than any pixel."""
 
@@ -50,22 +51,18 @@ class RecoilPicture:
         """Find the pixels of the paddles' track where they are not known, so that the first hit costs no more than the next."""
         self._pixels_near(canvas, ring)
 
-    def draw(self, canvas: Canvas, ring: Ring, recoil: Recoil, content: SlotContent) -> None:
-        """One paddle on a 32-bit surface. ring: the paddles in their slots; content: of the slot that is struck."""
-        scale = canvas.camera.scale
-        pixels = self._pixels_near(canvas, ring)
-        middle, margin = ring.angle(recoil.slot), 2.0 / max(scale * ring.radius, 1.0)
-        rows = _between(pixels.angle, middle - ring.half_angle - margin, middle + ring.half_angle + margin)
-        index = pixels.pixel[rows]
-        angle = ((pixels.angle[rows] - middle + math.pi) % math.tau - math.pi).astype(np.float32)
-        radius = pixels.radius[rows] - np.float32(min(recoil.out, _FARTHEST * ring.radius) * scale)
-        shape = slot_shape(ring, 0, 1.0 / scale)
-        memory = pixels_of(canvas.surface)
-        picture = np.ascontiguousarray(unpacked(canvas.surface, memory[index]).T)
-        where = PolarPixels(scale, radius, angle)
-        paint_parts(picture, parts(content, shape, 0.0, canvas.theme), shape, where)
-        paint_light(picture, shape, where, canvas.theme.relief)
-        memory[index] = packed(canvas.surface, picture.T)
+    def draw(self, canvas: Canvas, ring: Ring, recoil: Recoil, content: SlotContent, picture: RingPicture) -> None:
+        """One paddle on a 32-bit surface. content: of the slot that is struck; picture: of the paddles' ring."""
+        scale, pixels = canvas.camera.scale, self._pixels_near(canvas, ring)
+        middle, margin = ring.angle(recoil.slot), _SHADOW_ASIDE / max(scale * ring.radius, 1.0)
+        memory, out = pixels_of(canvas.surface), np.float32(min(recoil.out, _FARTHEST * ring.radius) * scale)
+        for turn in (-math.tau, 0.0, math.tau):  # the paddle may lie across angle 0
+            reach = ring.half_angle + margin
+            run = slice(*np.searchsorted(pixels.angle, (middle + turn - reach, middle + turn + reach)).tolist())
+            angle = pixels.angle[run] - np.float32(middle + turn)
+            colours = picture.colours_at(canvas.surface, content, pixels.radius[run] - out, angle)
+            there = np.flatnonzero(colours)
+            memory[pixels.pixel[run][there]] = colours[there]
 
     def _pixels_near(self, canvas: Canvas, ring: Ring) -> _PaddlePixels:
         """The pixels around the paddles' track."""
@@ -85,9 +82,3 @@ def without_recoiling(contents: tuple[SlotContent, ...], recoils: tuple[Recoil, 
     away = {recoil.slot for recoil in recoils}
     empty = SlotContent(ContentKind.EMPTY)
     return tuple([empty if slot in away else content for slot, content in enumerate(contents)]) if away else contents
-
-
-def _between(angles: Floats, low: float, high: float) -> NDArray[np.int64]:
-    """Which of the rising angles lie between two, also across 0."""
-    runs = [np.searchsorted(angles, (low + turn, high + turn)) for turn in (-math.tau, 0.0, math.tau)]
-    return np.concatenate([np.arange(first, last) for first, last in runs])

@@ -101,6 +101,7 @@ class RingPicture:
         self._columns_around = self._columns * key.slots
         low = max(slot.inner_radius * scale - _BORDER, 0.0)
         rows = max(math.ceil((outer + _BORDER - low) * fine), 1)
+        self._low, self._fine = low, fine
         self._radii = (low + (np.arange(rows, dtype=np.float32) + 0.5) / fine).astype(np.float32)
         self._angles = (((np.arange(self._columns) + 0.5) / self._columns - 0.5) * pitch).astype(np.float32)
         self._half_pitch = pitch / 2.0
@@ -119,11 +120,17 @@ class RingPicture:
         self._column_at = np.zeros(0, dtype=np.int32)
 
     def draw(
-        self, surface: pygame.Surface, phase: float, contents: tuple[SlotContent, ...], ground: pygame.Surface | None = None
+        self,
+        surface: pygame.Surface,
+        phase: float,
+        contents: tuple[SlotContent, ...],
+        ground: pygame.Surface | None = None,
+        before: tuple[SlotContent, ...] = (),
     ) -> None:
         """Draw the ring. phase: middle angle of slot 0, radians; contents: of every slot.
 
-        ground: a surface like the other, which shows where nothing stands; without it there stays what is drawn already.
+        ground: a surface like the other, which shows where nothing stands; without it what is drawn already stays. before:
+        with a ground, the contents that the surface shows so far: only slots with others are drawn.
         """
         if not len(self._pixel_index):
             return
@@ -132,7 +139,12 @@ class RingPicture:
         shift = round((self._half_pitch - phase) / math.tau * self._columns_around) % self._columns_around
         column_at, atlas, memory = self._column_at[shift:], self._atlas.ravel(), pixels_of(surface)
         under = memory if ground is None else pixels_of(ground)
-        for some in self._pixels_to_draw(phase, everything=ground is not None):
+        if ground is None:
+            wanted, reach = [content.kind is not ContentKind.EMPTY for content in contents], self._reach
+        else:
+            wanted = [before[slot : slot + 1] != (content,) for slot, content in enumerate(contents)]
+            reach = self._half_pitch + _WEDGE
+        for some in self._pixels_near(phase, np.array(wanted), reach):
             index = column_at.take(self._pixel_column[some])
             index += self._pixel_row[some]
             colours, pixel = atlas.take(index), self._pixel_index[some]
@@ -140,15 +152,27 @@ class RingPicture:
             colours[bare] = under.take(pixel.take(bare))
             memory[pixel] = colours
 
-    def _pixels_to_draw(self, phase: float, *, everything: bool) -> list[slice]:
-        """The pixels of the wedges that something stands in. everything: all, to show the ground where nothing does."""
+    def colours_at(self, surface: pygame.Surface, content: SlotContent, radius: Floats, angle: Floats) -> NDArray[np.uint32]:
+        """The colours of a slot's content as a surface stores them, 0 where there is none.
+
+        radius: pixels from the arena's centre; angle: radians from the slot's middle.
+        """
+        if content not in self._columns_of:
+            self._columns_of[content] = self._added(surface, content)
+        column = ((angle + np.float32(self._half_pitch)) * np.float32(0.5 * self._columns / self._half_pitch)).astype(np.int32)
+        row = ((radius - np.float32(self._low)) * np.float32(self._fine)).astype(np.int32)
+        within = (row >= 0) & (row < len(self._radii))
+        index = self._columns_of[content].take(column, mode="clip") + np.where(within, row, 0)
+        return np.where(within, self._atlas.ravel().take(index), np.uint32(0))
+
+    def _pixels_near(self, phase: float, wanted: NDArray[np.bool_], reach: float) -> list[slice]:
+        """The pixels of the wedges in which slots are wanted. reach: radians on both sides of a slot's middle."""
         ends = [(0, len(self._pixel_index))]
-        if not everything:
-            standing = np.array([content.kind is not ContentKind.EMPTY for content in self._contents])
+        if len(wanted) <= _WEDGES // 2:  # slots that are narrower than a wedge could be overlooked
             turns = (np.arange(_WEDGES + 1) * _WEDGE - phase) / (2.0 * self._half_pitch)
             slot = np.rint(turns)
             off = np.abs(turns - slot) * (2.0 * self._half_pitch)
-            there = standing[slot.astype(np.int64) % len(standing)] & (off < self._reach)
+            there = wanted[slot.astype(np.int64) % len(wanted)] & (off < reach)
             steps = np.flatnonzero(np.diff(there[:-1] | there[1:], prepend=False, append=False))
             ends = [(int(self._wedge_ends[a]), int(self._wedge_ends[b])) for a, b in zip(steps[::2], steps[1::2], strict=True)]
         return [slice(first, min(first + _AT_ONCE, end)) for start, end in ends for first in range(start, end, _AT_ONCE)]

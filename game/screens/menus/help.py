@@ -58,7 +58,7 @@ def _game() -> tuple[Row, ...]:
     )
     beside = TextItem("\n".join(words), 1.15, width_share=1.25)
     return (
-        (Drawing(12.5, pictures.draw_arena), beside),
+        (Drawing(12.5, pictures.draw_arena, most=1.0), beside),
         (TextItem(""),),
         (Drawing(4.2, pictures.draw_bricks),),
     )
@@ -68,9 +68,9 @@ def _aiming() -> tuple[Row, ...]:
     """How one steers a ball."""
     return (
         (
-            Drawing(10.5, pictures.draw_hit_position),
-            Drawing(10.5, pictures.draw_moving_paddle),
-            Drawing(10.5, pictures.draw_serve),
+            Drawing(10.5, pictures.draw_hit_position, most=pictures.GROUND_HEIGHT),
+            Drawing(10.5, pictures.draw_moving_paddle, most=pictures.GROUND_HEIGHT),
+            Drawing(10.5, pictures.draw_serve, most=pictures.GROUND_HEIGHT),
         ),
         (
             TextItem(tr("Off the middle: the ball leaves towards that side, the more the nearer the end it meets."), 1.0),

@@ -18,6 +18,10 @@ from physics import PERMANENT
 _SAMPLES = (1, 2, 3, 4, 5, 6, PERMANENT)
 _ARC = math.radians(34.0)
 """Half angle of the paddles that are drawn."""
+_GROUND = (0.62, 0.8)
+"""Radius of the ground of which a part is drawn, at most, in widths and in heights of the drawing."""
+GROUND_HEIGHT = _GROUND[0] / _GROUND[1]
+"""Height of such a drawing, in its widths, beyond which it would be empty at the top."""
 _TURN = math.radians(32.0)
 """How far a drawn ball is turned off."""
 
@@ -35,7 +39,7 @@ def draw_arena(canvas: Canvas, box: pygame.Rect) -> None:
     pictures.next_frame()
     picture = pictures.picture(classic()[1], side, canvas.theme, whole=True)
     if picture is not None:
-        canvas.surface.blit(picture, picture.get_rect(center=box.center))
+        canvas.surface.blit(picture, picture.get_rect(midtop=box.midtop))
 
 
 _sample = lru_cache(maxsize=64)(brick_sample)
@@ -98,7 +102,7 @@ def draw_serve(canvas: Canvas, box: pygame.Rect) -> None:
 def _ground(canvas: Canvas, box: pygame.Rect) -> tuple[complex, float]:
     """A part of the ground in a box: pixel of its centre, and its radius."""
     theme = canvas.theme
-    radius = min(box.height * 0.8, box.width * 0.62)
+    radius = min(box.height * _GROUND[1], box.width * _GROUND[0])
     origin = complex(box.centerx, box.bottom - radius * 1.2)
     clip = canvas.surface.get_clip()
     canvas.surface.set_clip(box.clip(clip))

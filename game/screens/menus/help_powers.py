@@ -39,7 +39,8 @@ def _cell(kind: PowerUp) -> tuple[Item, Item]:
 
     def paint(canvas: Canvas, box: pygame.Rect) -> None:
         pixel = complex(box.centerx, box.top + canvas.unit * 1.1)
-        _icons.draw(canvas.surface, kind, pixel, canvas.unit * _ICON, canvas.theme)
+        radius = min(canvas.unit * _ICON, box.width * 0.5)
+        _icons.draw(canvas.surface, kind, pixel, radius, canvas.theme)
 
     return Drawing(_ROW, paint, width_share=_SIGN), TextItem(words, 1.0, faint=kind in HARMFUL)
 

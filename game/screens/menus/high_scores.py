@@ -16,6 +16,8 @@ from game.screens.toolkit.panel import Panel
 _TABLES = (*DIFFICULTIES, ENDLESS)
 _COLUMNS = ((0.6, "right"), (0.2, "left"), (3.6, "left"), (2.0, "right"), (0.6, "left"), (3.6, "left"), (2.2, "right"))
 """The columns, two of them empty: parts of the width, and where their words stand."""
+_FEW_COLUMNS = 4
+"""So many of them where texts are large; the tip says the rest."""
 
 
 class HighScores(Panel):
@@ -31,7 +33,7 @@ class HighScores(Panel):
         """The table of one difficulty."""
         table = self.state.kept.scores.value.table(_TABLES[self._tab])
         heads = ("#", "", tr("Name"), tr("Score"), "", tr("Until"), tr("Date"))
-        head = Cells(tuple([(word, *column) for word, column in zip(heads, _COLUMNS, strict=True)]), faint=True)
+        head = Cells(self._cells(heads), faint=True)
         rows: list[tuple[Item, ...]] = [(head,)]
         rows += [(self._line(number, score),) for number, score in enumerate(table, 1)]
         if not table:
@@ -57,9 +59,15 @@ class HighScores(Panel):
         if score.speed < 100:
             name = tr("{name} ({speed} %)").format(name=name, speed=score.speed)
         words = (str(number), "", name, f"{score.score:,}", "", until, score.date)
-        cells = tuple([(word, *column) for word, column in zip(words, _COLUMNS, strict=True)])
         tip = tr("Watch this game.") if score.replay else tr("No replay of this game was kept.")
-        return Cells(cells, lambda: self._watched(score), tip, strong=score == self._entered)
+        if self.has_large_text:
+            tip = f"{until}, {score.date}. {tip}"
+        return Cells(self._cells(words), lambda: self._watched(score), tip, strong=score == self._entered)
+
+    def _cells(self, words: tuple[str, ...]) -> tuple[tuple[str, float, str], ...]:
+        """The words of the columns for which there is room."""
+        cells = tuple([(word, *column) for word, column in zip(words, _COLUMNS, strict=True)])
+        return cells[:_FEW_COLUMNS] if self.has_large_text else cells
 
     def _watched(self, score: Score) -> Screen:
         """The score's replay; where it cannot be had, a word about it."""

@@ -113,7 +113,7 @@ class LevelSelect(Panel):
             found = list(group)
             finished = len([card for card in found if state.kept.progress.value.finished(card.level.name)])
             note = tr("{finished} of {count} finished").format(finished=finished, count=len(found))
-            rows.append((Heading(chapter or tr("Levels"), note),))
+            rows.append((Heading(tr(chapter) if chapter else tr("Levels"), note),))
             for start in range(0, len(found), self._columns):
                 row: list[Item] = list(found[start : start + self._columns])
                 rows.append((*row, *[Item()] * (self._columns - len(row))))
@@ -205,11 +205,14 @@ class LevelSelect(Panel):
 
 
 def next_level(state: AppState) -> int:
-    """Index of the first level that is open and was not finished yet; the one chosen last where all are finished."""
+    """Index of the first level that is open and was not finished yet, or of the one chosen last if it comes later.
+
+    That one may be locked: `--level` on the command line opens any.
+    """
     progress, names = state.kept.progress.value, [level.name for level in state.catalogue]
     for index, name in enumerate(names):
         if not progress.finished(name) and progress.is_open(index, names):
-            return max(index, state.chosen if progress.is_open(state.chosen, names) else 0)
+            return max(index, state.chosen)
     return state.chosen
 
 

@@ -21,6 +21,8 @@ from game.screens.toolkit.text_entry import TextEntry
 
 _SHARES = ((4.2, "left"), (3.4, "left"), (1.8, "right"), (1.2, "right"), (1.4, "centre"))
 """The columns: parts of the width, and where their words stand."""
+_FEW_COLUMNS = (0, 2, 3)
+"""These of them where texts are large; the tip says the rest."""
 _LONGEST_TITLE, _LONGEST_PATH = 40, 240
 _TOLD_SECONDS = 5.0
 """How long a path is told: it takes time to read."""
@@ -35,8 +37,7 @@ class Replays(Panel):
         games = self.state.kept.games.listed()
         if games:
             heads = (tr("Game"), tr("Until"), tr("Score"), tr("Time"), tr("Kept"))
-            cells = tuple([(word, *column) for word, column in zip(heads, _SHARES, strict=True)])
-            rows.append((Cells(cells, faint=True),))
+            rows.append((Cells(self._cells(heads), faint=True),))
         else:
             rows.append((TextItem(tr("None yet: a game is kept at its end if it took five seconds or more."), 1.1),))
         rows += [(self._line(game),) for game in games]
@@ -53,8 +54,15 @@ class Replays(Panel):
             clock(game.ticks) if game.ticks else "",
             tr("yes") if game.kept else "",
         )
+        tip = tr("Watch, rename, keep, copy or delete it.")
+        if self.has_large_text:
+            tip = f"{until}. {tip}"
+        return Cells(self._cells(words), lambda: self._menu(game), tip)
+
+    def _cells(self, words: tuple[str, ...]) -> tuple[tuple[str, float, str], ...]:
+        """The words of the columns for which there is room."""
         cells = tuple([(word, *column) for word, column in zip(words, _SHARES, strict=True)])
-        return Cells(cells, lambda: self._menu(game), tr("Watch, rename, keep, copy or delete it."))
+        return tuple([cells[column] for column in _FEW_COLUMNS]) if self.has_large_text else cells
 
     def _menu(self, game: KeptGame) -> Screen:
         """What can be done with a game."""

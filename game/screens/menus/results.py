@@ -20,7 +20,9 @@ from game.screens.toolkit.panel import Panel
 _FIGURE_SECONDS = 0.45
 """A figure counts up for so long, one after the other."""
 _BADGE = 6.4
-"""Height of the rank, units of text."""
+"""Height of the rank, units of text of the usual size: it is large already."""
+_LETTER = 0.66
+"""Size of its letter, in heights of the rank."""
 
 
 class Figure(NamedTuple):
@@ -66,7 +68,7 @@ class Results(Panel):
         """Line, rank, figures, buttons."""
         rows: list[tuple[Item, ...]] = [(TextItem(self._line, 1.1, faint=True, centred=True),)]
         if self._rank:
-            rows.append((Drawing(_BADGE, self._draw_rank),))
+            rows.append((Drawing(_BADGE / self.state.text_scale, self._draw_rank),))
         rows.append((Heading(tr("Results")),))
         rows += [(self._figure(index, figure),) for index, figure in enumerate(self._figures)]
         return Content(self._title, tuple(rows), buttons_of(self._entries), width=26.0, centred=True)
@@ -113,4 +115,5 @@ class Results(Panel):
         draw_dot(canvas.surface, middle, radius * 0.88, theme.panel)
         draw_dot(canvas.surface, middle, radius * 0.8, mixed(theme.panel, colour, 0.16))
         if there:
-            canvas.write(self._rank, 4.2, theme.accent, middle + 1j * canvas.unit * 0.1, "center")
+            size = box.height / canvas.unit
+            canvas.write(self._rank, size * _LETTER, theme.accent, middle + 1j * box.height * 0.02, "center")

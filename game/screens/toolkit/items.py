@@ -4,6 +4,7 @@ An item is a value that is made anew whenever its panel shows something else; wh
 functions that it is given. Lengths are in units of text unless they are said to be pixels.
 """
 
+import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
@@ -334,20 +335,21 @@ class Cells(Item):
 
 @dataclass(frozen=True)
 class Drawing(Item):
-    """A picture. tall: its height; paint: draws it in a box of pixels."""
+    """A picture. tall: its height, less where that is more than `most` of its width; paint: draws it in a box of pixels."""
 
     tall: float
     paint: Callable[[Canvas, pygame.Rect], None]
     width_share: float = 1.0
+    most: float = math.inf
 
     @property
     def share(self) -> float:
         """Its part of the row's width."""
         return self.width_share
 
-    def height(self, _type: Type, _unit: float, _width: float) -> float:
+    def height(self, _type: Type, unit: float, width: float) -> float:
         """As it was given."""
-        return self.tall
+        return min(self.tall, self.most * width / unit)
 
     def draw(self, canvas: Canvas, box: pygame.Rect, *, focused: bool) -> None:  # noqa: ARG002  # it never is
         """The picture."""

@@ -20,6 +20,8 @@ from game.screens.toolkit.slider import Slider
 
 _WHEEL = 3.0
 """Units of text that a step of the wheel scrolls."""
+_LARGE = 1.4
+"""Text is called large beyond so many times its usual size."""
 _UNDERLINE = 0.16
 """Width of the line below the tab that is shown, units of text."""
 
@@ -137,6 +139,11 @@ class Panel:
         titled = canvas._replace(unit=self._title_unit(canvas.size))
         pixel = complex(x, plate.top + titled.unit * layout.TOP)
         write_fitting(titled, content.title, layout.TITLE, theme.text, pixel, anchor, room)
+
+    @property
+    def has_large_text(self) -> bool:
+        """Whether the player wants texts so large that tables have room for few columns."""
+        return self._state.text_scale > _LARGE
 
     def unit(self, size: tuple[int, int]) -> float:
         """Size of text, pixels."""

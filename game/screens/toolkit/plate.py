@@ -20,6 +20,8 @@ LABEL, _ITEM_MARGIN = 1.15, 0.7
 """Size of the letters of what an item is called, and from them to the item's edge, units of text."""
 _SMALLEST = 0.55
 """Letters are made smaller to fit, but not below this share of their size; the rest of the words is then cut off."""
+_SHRINK = 0.96
+"""From one try to the next."""
 
 
 def centred(size: tuple[int, int], width: float, height: float) -> pygame.Rect:
@@ -64,10 +66,16 @@ def write_fitting(
     canvas: Canvas, text: str, size: float, colour: Colour, pixel: complex, anchor: str, room: float
 ) -> pygame.Rect:
     """Write a line, with smaller letters and at last with fewer where it is wider than `room` pixels; its box."""
-    wide = canvas.type.rendered(text, canvas.unit * size, colour).get_width()
-    if wide > room > 0.0:
-        size = size * max(room / wide, _SMALLEST)
-        while len(text) > 1 and canvas.type.rendered(text, canvas.unit * size, colour).get_width() > room:
+
+    def wide() -> int:
+        return canvas.type.rendered(text, canvas.unit * size, colour).get_width()
+
+    if wide() > room > 0.0:
+        smallest = size * _SMALLEST
+        size = max(size * room / wide(), smallest)
+        while size > smallest and wide() > room:  # letters have whole pixels
+            size = max(size * _SHRINK, smallest)
+        while len(text) > 1 and wide() > room:
             text = text[:-2].rstrip() + "…"
     return canvas.write(text, size, colour, pixel, anchor)
 

@@ -181,9 +181,8 @@ class LabOnPage:
             if pane.has_handles:
                 add_handles(out.frame, self._session.scene.handles, self._session.given, self._hovered, seen)
         top = panes[0].extent.imag + 0.9 * unit
-        for words, colour in zip(
-            _words(picture, size, _unit(size, self._state.density)), (theme.text, theme.faint, theme.accent), strict=True
-        ):
+        colours = (theme.text, theme.faint, theme.accent)
+        for words, colour in zip(_words(picture, size, unit), colours, strict=True):
             for line in words:
                 out.frame.text(line, unit, complex(0.7 * unit, top), colour, 0.0)
                 top += _LINE * unit
@@ -191,7 +190,7 @@ class LabOnPage:
     def _panes(self, size: tuple[int, int]) -> list[SeenLabPane]:
         """Where the panes are: side by side above the words; on a narrow canvas one above the other."""
         picture, unit = self._session.picture, _unit(size, self._state.density)
-        lines = sum(map(len, _words(picture, size, _unit(size, self._state.density))))
+        lines = sum(map(len, _words(picture, size, unit)))
         room = complex(size[0], max(size[1] - (lines + 0.8) * _LINE * unit, 0.4 * size[1]))
         count = len(picture.panes)
         across = complex(1.0 / count, 1.0) if room.real >= room.imag else complex(1.0, 1.0 / count)

@@ -37,7 +37,8 @@ from game.screens.versus import verdict
 from game.screens.watch import Watch
 from physics import direction
 from tests.support.dummy_window import FRAME, Desk, shared
-from tests.support.virtual_pad import PadDesk, library
+from tests.support.pad_desk import PadDesk
+from tests.support.virtual_pad import library
 
 
 @pytest.fixture

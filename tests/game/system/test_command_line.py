@@ -119,7 +119,7 @@ def test_headless_imports_no_pygame(tmp_path: Path):
         (["lab", "--drags", "5"], "--drags: is for checking scenes"),
         (["lab", "--theme", "light"], "--theme: is for a picture"),
         (["lab", "--screenshot", "a.txt"], "expected a name that ends in .png"),
-        (["--level", "00010"], "--level 00010: no such level"),
+        (["--level", "00099"], "--level 00099: no such level"),
         (["--level", "x" * 5000], "x...x"),
         (["--size", "9" * 5000, "--screenshot", "a.png"], "9...9"),
         (["replay", "no\nne.polar"], "no\\nne.polar: cannot read replay"),

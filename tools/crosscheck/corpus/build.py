@@ -16,7 +16,8 @@ from tools.crosscheck.corpus.part import PartJob, finished_part, made_part
 from tools.crosscheck.games.sources import AIMED, AUTOPILOT, RANDOM, Source
 from tools.crosscheck.results.coverage import ALL_CELLS
 from tools.crosscheck.run import AIMED_TICKS, versions
-from tools.crosscheck.workers import Lost, results_of
+from tools.crosscheck.workers import results_of
+from tools.executor import Lost, Where
 
 FORMAT = "polar-breakout corpus 1"
 MANIFEST = "manifest.json"
@@ -59,7 +60,7 @@ class Corpus(NamedTuple):
         return self.complete and not self.lost and self.manifest["totals"]["unexplained"] == 0
 
 
-def built_corpus(folder: Path, most: int | None, facets: int, workers: int, tell: Callable[[int, int], None]) -> Corpus:
+def built_corpus(folder: Path, most: int | None, facets: int, workers: Where, tell: Callable[[int, int], None]) -> Corpus:
     """Check every game that the folder does not have yet, and write the manifest; after Ctrl-C with what there is.
 
     most: games of the list, from its start; None for all. tell: called with the games done and their contacts.
@@ -73,7 +74,7 @@ def built_corpus(folder: Path, most: int | None, facets: int, workers: int, tell
     tell(len(parts), sum([part["contacts"] for part in parts.values()]))
     interrupted = False
     try:
-        with closing(results_of(made_part, missing, workers)) as results:  # type: ignore[type-var]
+        with closing(results_of(made_part, missing, workers)) as results:
             for index, result in results:
                 if isinstance(result, Lost):
                     lost.append(f"{missing[index].source.name}: {result.why}")

@@ -11,7 +11,8 @@ from tools.crosscheck.results.measurements import Comparison, ContactVerdict
 from tools.crosscheck.results.rows import Rows
 from tools.crosscheck.run import Job, check_game
 from tools.crosscheck.sabotage.catalogue import MISTAKES, Mistake
-from tools.crosscheck.workers import Lost, results_of
+from tools.crosscheck.workers import results_of
+from tools.executor import Lost, Where
 
 _ENOUGH = 100
 """Unexplained measurements in one game after which its rest says nothing new."""
@@ -51,10 +52,10 @@ def suite_jobs(names: Sequence[str], seed: int, facets: int) -> list[Job]:
     return [Job(source, facets, None, name, False, _ENOUGH) for name in names for source in sources]
 
 
-def sabotage_results(jobs: Sequence[Job], workers: int, tell: Callable[[int], None] = lambda _: None) -> list[SabotageResult]:
+def sabotage_results(jobs: Sequence[Job], workers: Where, tell: Callable[[int], None] = lambda _: None) -> list[SabotageResult]:
     """The results of all jobs by mistake. tell: called with the number of games done."""
     answers: dict[int, Checked | Lost] = {}
-    with closing(results_of(check_game, jobs, workers)) as results:  # type: ignore[type-var]
+    with closing(results_of(check_game, jobs, workers)) as results:
         for number, answer in results:
             answers[number] = answer
             tell(len(answers))

@@ -1,0 +1,109 @@
+"""The game as it is started from a terminal, in a real window; it tells on stdout what is to be seen there.
+
+Each line is a JSON object, written whenever something in it changes:
+screen: name of the class. focused: whether the window has the keyboard. focus: label of the item that has the focus.
+items: of a panel or the editor, by label: x and y of the middle in pixels, row and column, and whether it scrolls.
+view: upper and lower edge of the part that scrolls, pixels. close: the button that leads back; buttons: those beside the
+arena; x and y. phase: of a game that is played. moved: whether the replay that is watched has left its beginning.
+With the environment's PAD set a gamepad is plugged in; each line on stdin is a method of it and its numbers ("press 0").
+"""
+
+import json
+import os
+import select
+import sys
+
+from game import app
+from game.__main__ import main
+from game.editor.window.layout import editor_layout
+from game.editor.window.screen import Editor
+from game.screens import play_buttons
+from game.screens.play import PlayScreen
+from game.screens.toolkit.panel import Panel
+from game.screens.watch import Watch
+from tests.support.virtual_pad import VirtualPad, library
+
+
+class _Told:
+    """What was told last; a panel is only looked at again when it has changed."""
+
+    def __init__(self):
+        self.told, self.looks, self.pad, self.heard = None, None, None, b""
+
+    def frame(self, window, state, screen, *rest):
+        """A turn of the loop, and word of what it has changed."""
+        self._obey_hands()
+        following = _plain(window, state, screen, *rest)
+        size = window.size
+        looks = following, size, window.focused, _looks(following)
+        if looks != self.looks:
+            self.looks = looks
+            told = json.dumps({"screen": type(following).__name__, "focused": window.focused} | _described(following, size))
+            if told != self.told:
+                self.told = told
+                sys.stdout.write(f"{told}\n")
+                sys.stdout.flush()
+        return following
+
+    def _obey_hands(self):
+        """Do with the gamepad what stdin says, one thing in a frame: SDL looks at it once in each."""
+        if "PAD" not in os.environ:
+            return
+        self.pad = self.pad or VirtualPad(library())
+        while select.select([0], [], [], 0.0)[0] and (more := os.read(0, 4096)):
+            self.heard += more
+        line, ended, rest = self.heard.partition(b"\n")
+        if ended:
+            self.heard = rest
+            act, *numbers = line.decode().split()
+            getattr(self.pad, act)(*[float(number) if "." in number else int(number) for number in numbers])
+
+
+def _looks(screen):
+    """What a screen's description depends on."""
+    if isinstance(screen, Panel):
+        return Panel.looks.fget(screen)
+    if isinstance(screen, PlayScreen):
+        return screen._ticked.game.phase
+    if isinstance(screen, Watch):
+        return screen._at > 0.0
+    return None
+
+
+def _described(screen, size):
+    """The part of the line that is the screen's own."""
+    if isinstance(screen, Panel):
+        return _panel(screen, size)
+    if isinstance(screen, Editor):
+        boxes = editor_layout(size, screen.session).buttons
+        return {"items": {command.name: [*box.center, 0, 0, False] for command, box in boxes}}
+    if isinstance(screen, PlayScreen):
+        boxes = play_buttons.button_boxes(screen._layout(size))
+        return {"phase": screen._ticked.game.phase.name, "buttons": [box.center for box in boxes]}
+    if isinstance(screen, Watch):
+        boxes = play_buttons.button_boxes(screen._layout(size), play_buttons.WATCHING)
+        return {"moved": screen._at > 0.0, "buttons": [box.center for box in boxes]}
+    return {}
+
+
+def _panel(panel, size):
+    """A panel's items."""
+    laid = panel._laid(size)
+    focus, items, focused = panel._settled(laid), {}, None
+    for spot in laid.spots:
+        if spot.item.focusable and (words := _words(spot.item)):
+            items.setdefault(words, [*spot.box.center, spot.row, spot.column, spot.in_body])
+            focused = words if (spot.row, spot.column) == focus else focused
+    return {"items": items, "focus": focused, "view": [laid.body.top, laid.body.bottom], "close": laid.close.center}
+
+
+def _words(item):
+    """What an item of a panel says."""
+    cells = "  ".join([cell[0] for cell in getattr(item, "cells", ())])
+    return getattr(item, "label", "") or getattr(getattr(item, "level", None), "name", "") or cells
+
+
+_plain, app.frame = app.frame, _Told().frame
+
+if __name__ == "__main__":
+    sys.exit(main())

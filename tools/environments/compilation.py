@@ -1,0 +1,116 @@
+"""The environments' loops compiled by numba, with the physics of the batch and the rules' own functions."""
+
+import functools
+import time
+from collections.abc import Callable
+from inspect import isfunction
+from typing import NamedTuple
+
+import numpy as np
+
+import game.rules
+import physics.batch
+from game.rules.nudging import nudged_ball
+from game.rules.scoring import layer_points
+from game.rules.serving import served_ball, swung_aim
+from game.rules.steering import keyed_spin, spin_to_pointer
+from physics.batch.arrays import no_games
+from physics.batch.compilation import sources_hash, with_progress
+from physics.batch.hits import HIT
+from tools import environments
+from tools.environments import observation, ticks
+from tools.environments.numbers import EPISODE, LevelNumbers
+
+
+class CompiledLoops(NamedTuple):
+    """The loops of `ticks` and `observation`, compiled.
+
+    Attributes:
+        step: `ticks.step`.
+        begin: `ticks.begin` and `observation.write_row`, for every environment of a mask.
+        write_states: `observation.write_row`, for every environment.
+        paint: `observation.paint`.
+        seconds: that compiling took, or loading.
+        cached: whether they were loaded from disk.
+    """
+
+    step: Callable[..., int]
+    begin: Callable[..., None]
+    write_states: Callable[..., None]
+    paint: Callable[..., None]
+    seconds: float
+    cached: bool
+
+
+def compiled_loops(progress: Callable[[float], None] | None = None) -> CompiledLoops:
+    """The loops, compiled now unless they were before in this process, or lie on disk; the physics with them.
+
+    progress: called about once a second while they are compiled, with the seconds since the start.
+    Raises ImportError, naming the extra, where numba cannot be imported.
+    """
+    return with_progress(_compiled_loops, progress)
+
+
+@functools.cache
+def _compiled_loops() -> CompiledLoops:
+    """Compile or load; once in a process."""
+    physics.batch.compiled()
+    import numba  # noqa: PLC0415  # an extra
+
+    start = time.perf_counter()
+    _register()
+    key = "".join([sources_hash(package) for package in (physics, game.rules, environments)])
+    to_step, to_begin, to_write, to_paint = ticks.step, ticks.begin, observation.write_row, observation.paint
+
+    @numba.njit(cache=True, nogil=True)  # type: ignore[untyped-decorator, unused-ignore]
+    def step(numbers, games, episodes, turns, pointers, rewards, ended, states, hits, first):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+        _ = key
+        return to_step(numbers, games, episodes, turns, pointers, rewards, ended, states, hits, first)
+
+    @numba.njit(cache=True, nogil=True)  # type: ignore[untyped-decorator, unused-ignore]
+    def begin(numbers, games, episodes, states, mask):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+        _ = key
+        for g in range(len(episodes)):
+            if mask[g]:
+                to_begin(numbers, games, episodes, g)
+                to_write(numbers, games, episodes[g], states, g)
+
+    @numba.njit(cache=True, nogil=True)  # type: ignore[untyped-decorator, unused-ignore]
+    def write_states(numbers, games, episodes, states):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+        _ = key
+        for g in range(len(episodes)):
+            to_write(numbers, games, episodes[g], states, g)
+
+    @numba.njit(cache=True, nogil=True)  # type: ignore[untyped-decorator, unused-ignore]
+    def paint(games, cells, only, pictures):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+        _ = key
+        to_paint(games, cells, only, pictures)
+
+    examples = (
+        LevelNumbers(0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0.0, 0, 0.0, 0.0, 0.0),
+        no_games(),
+        np.empty(0, EPISODE),
+        np.empty(0, HIT),
+    )
+    numbers, games, episodes, hits = (numba.typeof(example) for example in examples)
+    integers, real, small, states = numba.int64[::1], numba.float64, numba.uint8, numba.float32[:, ::1]
+    step.compile((numbers, games, episodes, integers, integers, real[::1], numba.boolean[:, ::1], states, hits, numba.int64))
+    begin.compile((numbers, games, episodes, states, numba.boolean[::1]))
+    write_states.compile((numbers, games, episodes, states))
+    cells = observation.Cells(np.empty(0, np.complex128), np.empty(0), np.empty(0, np.int64), np.empty(0))
+    paint.compile((games, numba.typeof(cells), integers, small[:, ::1]))
+    cached = all([sum(loop.stats.cache_hits.values()) > 0 for loop in (step, begin, write_states, paint)])
+    return CompiledLoops(step, begin, write_states, paint, time.perf_counter() - start, cached)
+
+
+def _register() -> None:
+    """Tell numba of every function that is compiled here."""
+    from numba.extending import register_jitable  # noqa: PLC0415  # an extra
+
+    for function in (keyed_spin, spin_to_pointer, served_ball, swung_aim, nudged_ball, layer_points):
+        register_jitable(function)
+    for module in (ticks, observation):
+        for function in list(vars(module).values()):
+            own = isfunction(function) and function.__module__ == module.__name__
+            if own:
+                register_jitable(forceinline=True)(function)
