@@ -1,12 +1,21 @@
 """The game on the page, played in a real browser."""
 
+import io
 import subprocess
 import sys
 
+import numpy as np
+import pygame
 import pytest
 
+from game.input.view import FLAT, SOLID
+from game.levels import classic
+from game.rules import Ruleset, new_game
+from game.screenshot import save_screenshot
 from tests.support.paths import GOLDEN, ROOT
 
+TOLERANCE = (1.5, 25.0)
+"""Of a picture's mean difference and of its worst block's, of 255: the desktop's shadows are softer."""
 SMALL = b"""
 name = "Small"
 description = "A few bricks."
@@ -183,3 +192,26 @@ def test_axe_finds_nothing(page, axe):
     assert violations() == []
     page.go("lab/case-2")
     assert violations() == []
+
+
+def blocks(picture):
+    """Means over blocks of 8 by 8 pixels: what anti-aliasing does to an edge does not count."""
+    pixels = pygame.surfarray.array3d(picture).astype(np.float64)
+    width, height = (side // 8 for side in pixels.shape[:2])
+    return pixels[: width * 8, : height * 8].reshape(width, 8, height, 8, 3).mean(axis=(1, 3))
+
+
+@pytest.mark.parametrize(("key", "view", "part"), [("1", FLAT, (440, 200, 400, 400)), ("2", SOLID, (400, 110, 480, 380))])
+def test_the_wall_looks_as_on_the_desktop(page, tmp_path, key, view, part):
+    """The canvas' picture and pygame's of the same scene: mean difference of a channel, of 255, and of the worst block."""
+    page.go("classic/1")
+    page.tab.keyboard.press(key)
+    page.tab.wait_for_timeout(3000)  # the camera has come, the wall stands, the first waves are gone
+    page.frames(2)
+    shown = pygame.image.load(io.BytesIO(page.tab.screenshot()))
+    save_screenshot(new_game(classic(), 1, Ruleset()), tmp_path / "desktop.png", (1280, 800), view=view)
+    desktop = pygame.image.load(tmp_path / "desktop.png")
+    apart = np.abs(blocks(shown.subsurface(part)) - blocks(desktop.subsurface(part)))
+    page.tab.keyboard.press("1")
+    assert apart.mean() < TOLERANCE[0]
+    assert apart.max() < TOLERANCE[1]
