@@ -15,7 +15,6 @@ from game.lab.registry import scene_named, scenes
 from game.lab.session import session as sessions
 from game.lab.session.session import PACES, Session
 from game.lab.session.share import parsed, preset
-from game.language import tr
 from game.picture.display_list import DisplayList
 from game.picture.lab import SeenLabPane, add_handles, add_pane
 from game.web.client.menus import Screens
@@ -51,7 +50,7 @@ class LabOnPage:
         self._state, self._screens = state, screens
         self._session = sessions.opened(parsed(line or shown_scenes()[0].name))
         if self._session.scene.name in _WITHOUT:
-            state.told.append(tr("{scene} needs numpy, which no browser has").format(scene=self._session.scene.name))
+            state.told.append(f"{self._session.scene.name} needs numpy, which no browser has")
             self._session = sessions.opened(parsed(shown_scenes()[0].name))
         self._toggles = frozenset(Toggle)
         self._pan, self._zoom = 0j, 1.0
@@ -89,14 +88,14 @@ class LabOnPage:
         session, scene = self._session, self._session.scene
         presets = (("", "-"), *[(one.line, one.label) for one in scene.presets])
         items = [
-            PageItem("scene", tr("Scene"), "choice", scene.name, tuple([(one.name, one.title) for one in shown_scenes()])),
-            PageItem("preset", tr("Values worth a look"), "choice", "", presets),
+            PageItem("scene", "Scene", "choice", scene.name, tuple([(one.name, one.title) for one in shown_scenes()])),
+            PageItem("preset", "Values worth a look", "choice", "", presets),
             *([] if not session.runs else _running(session)),
             *[item for parameter in scene.parameters for item in _fields(parameter, session.given.values[parameter.name])],
             *_switches(session.picture, self._toggles),
-            PageItem("defaults", tr("Defaults")),
-            PageItem("whole", tr("Whole scene")),
-            PageItem("title", tr("Title")),
+            PageItem("defaults", "Defaults"),
+            PageItem("whole", "Whole scene"),
+            PageItem("title", "Title"),
         ]
         return PageMenu(scene.title, (scene.idea, *session.notes), tuple(items), side=True)
 
@@ -280,11 +279,11 @@ def _running(session: Session) -> list[PageItem]:
     """The controls of a scene that runs."""
     paces = tuple([(str(number), f"{pace:g} x") for number, pace in enumerate(PACES)])
     return [
-        PageItem("run", tr("Stop") if session.playing else tr("Run")),
-        PageItem("forward", tr("Step")),
-        PageItem("back", tr("Back")),
-        PageItem("restart", tr("Restart")),
-        PageItem("pace", tr("Pace"), "choice", str(session.pace), paces),
+        PageItem("run", "Stop" if session.playing else "Run"),
+        PageItem("forward", "Step"),
+        PageItem("back", "Back"),
+        PageItem("restart", "Restart"),
+        PageItem("pace", "Pace", "choice", str(session.pace), paces),
     ]
 
 
@@ -326,7 +325,7 @@ def _typed(session: Session, name: str, value: str) -> Clamped:
     try:
         number = float(value)
     except ValueError:
-        return Clamped(session.given, (tr("'{value}' is not a number").format(value=value[:40]),))
+        return Clamped(session.given, (f"'{value[:40]}' is not a number",))
     parameter, _, axis = name.partition(".")
     before = session.given.values.get(parameter, 0j)
     if axis:

@@ -254,7 +254,7 @@ def _watches(state: PageState, screens: Screens, file: str) -> Callable[[str], P
 
 def help_menu(state: PageState, back: Callable[[], PageScreen], under: PageScreen | None = None) -> MenuScreen:
     """How to play."""
-    return MenuScreen(state, tr("How to play"), lambda _menu: (map(tr, _HELP), ()), back, under)
+    return MenuScreen(state, tr("How to play"), lambda _menu: (_HELP, ()), back, under)
 
 
 def settings_menu(state: PageState, back: Callable[[], PageScreen], under: PageScreen | None = None) -> MenuScreen:
