@@ -7,9 +7,13 @@ from collections.abc import Iterator
 from importlib.resources import files
 from importlib.resources.abc import Traversable
 
+import polib
+
+from game.language import CODES, ENGLISH
+
 _EPOCH = (1980, 1, 1, 0, 0, 0)
 """The date of every file in the archive: the same sources give the same bytes."""
-_STARTS = ("game.web.client.page", "game.lab.scenes")
+_STARTS = ("game.web.client.page", "game.lab.scenes", "game.languages")
 """What the browser imports, and what that imports only once it is wanted."""
 _PACKAGES = ("game", "physics")
 
@@ -36,7 +40,14 @@ def _contents() -> dict[str, bytes]:
         needed[name] = modules[name]
         open_ += _imported(modules[name])
     levels = {name: data for name, data in _tree("game") if name.startswith("game/levels/") and name.endswith(".toml")}
-    return needed | levels
+    return needed | levels | _translations()
+
+
+def _translations() -> dict[str, bytes]:
+    """The translations, compiled: a browser has nothing that reads their source."""
+    folder, codes = files("game.languages"), [code for code in CODES if code != ENGLISH.code]
+    texts = {code: folder.joinpath(f"{code}.po").read_text(encoding="utf-8") for code in codes}
+    return {f"game/languages/{code}.mo": polib.pofile(text).to_binary() for code, text in texts.items()}
 
 
 def _sources() -> dict[str, bytes]:

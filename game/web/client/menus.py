@@ -6,7 +6,7 @@ from typing import NamedTuple
 from game.input.actions import Action
 from game.input.signals import Pressed, Signal
 from game.kept.progress import RANKS
-from game.language import tr
+from game.language import LANGUAGES, SYSTEM, tr
 from game.levels import Level, classic
 from game.picture.display_list import DisplayList
 from game.screens.demo import Demo
@@ -275,6 +275,7 @@ def settings_menu(state: PageState, back: Callable[[], PageScreen], under: PageS
             item = PageItem(name, label, "switch", str(on))
             return Opened(item, changes(lambda value: Settings(**{**held._asdict(), name: value == "True"})))
 
+        languages = ((SYSTEM, tr("as the system")), *[(language.code, language.name) for language in LANGUAGES])
         colours = (("dark", tr("Dark")), ("light", tr("Light")))
         volume = PageItem("volume", tr("Volume"), "number", str(held.volume), low=0.0, high=LOUDEST, step=10.0)
         speed = PageItem(
@@ -284,6 +285,10 @@ def settings_menu(state: PageState, back: Callable[[], PageScreen], under: PageS
             Opened(
                 PageItem("colours", tr("Colours"), "choice", held.colours, colours),
                 changes(lambda value: held._replace(colours=value if value in dict(colours) else held.colours)),
+            ),
+            Opened(
+                PageItem("language", tr("Language"), "choice", held.language, languages),
+                changes(lambda value: held._replace(language=value if value in dict(languages) else held.language)),
             ),
             switch("sound", tr("Sound")),
             Opened(volume, changes(lambda value: held._replace(volume=_whole(value, 0, LOUDEST, held.volume)))),

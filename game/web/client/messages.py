@@ -117,6 +117,7 @@ class FrameReply(msgspec.Struct, omit_defaults=True):
     menu_closed: whether there is no menu any more. sounds: number of the sound, gains of the left and the right ear.
     said: a sentence for a screen reader. described: what the picture shows. fragment: of the page's address.
     keep: whether what is stored has changed. download: a file for the player. told: a line to show for a moment.
+    language: code of the texts'.
     """
 
     backdrop: bool = False
@@ -134,3 +135,4 @@ class FrameReply(msgspec.Struct, omit_defaults=True):
     keep: bool = False
     download: Download | None = None
     told: str = ""
+    language: str = ""

@@ -10,6 +10,7 @@ import msgspec
 from game.drawing.palette import Theme
 from game.kept.store import Kept
 from game.lab.session.session import state_hash as hash_of_session
+from game.language import choose, current, system_prefers
 from game.levels import Level, classic, parse
 from game.picture.display_list import DisplayList
 from game.replays.file import decoded
@@ -43,16 +44,18 @@ _MOST_DIGITS = 5
 class Page:
     """The game as the page sees it. numbers, backdrop: the lists of primitives of the last frame."""
 
-    def __init__(self, sounds: bytes, folder: str, *, calm: bool) -> None:
+    def __init__(self, sounds: bytes, folder: str, *, calm: bool, languages: str = "") -> None:
         """sounds: a `SoundIndex`. folder: of what is stored, "" for none.
 
-        calm: whether the system prefers no motion; a default of the settings.
+        calm: whether the system prefers no motion; a default of the settings. languages: that the browser prefers, by commas.
         """
         stored = Path(folder) if folder else None
         settings_file = None if stored is None else SettingsFile(stored / "settings.json")
         settings = None if settings_file is None else settings_file.load()
         if settings is None or settings == Settings():
             settings = Settings(reduced_motion=calm)
+        system_prefers(languages.split(","))
+        choose(settings.language)
         chance = random.SystemRandom()
         self._state = PageState(Sounds(sounds), stored, Kept(stored), settings_file, settings, lambda: chance.getrandbits(32))
         self._state.choose_difficulty(self._state.kept.progress.value.last_difficulty)
@@ -185,9 +188,10 @@ class Page:
             keep=state.changed,
             download=state.download,
             told=" ".join(state.told),
+            language=current() if current() != before.language else "",
         )
         self._size, self._shown_backdrop = size, self._pictures.backdrop
-        self._shown = FrameReply(colours=colours, menu=menu, toolbar=toolbar, fragment=screen.fragment)
+        self._shown = FrameReply(colours=colours, menu=menu, toolbar=toolbar, fragment=screen.fragment, language=current())
         state.started, state.said, state.told, state.changed, state.download = [], [], [], False, None
         return reply
 

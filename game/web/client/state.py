@@ -11,6 +11,7 @@ from game.drawing.palette import Theme
 from game.input.signals import Signal
 from game.input.view import FLAT, Viewpoint
 from game.kept.store import Kept
+from game.language import choose
 from game.levels import Level, campaign
 from game.picture.arena import ArenaPicture, ArenaView
 from game.picture.display_list import DisplayList
@@ -116,6 +117,7 @@ class PageState:
     def change(self, settings: Settings) -> None:
         """Let other settings hold, and keep them."""
         self.settings = settings
+        choose(settings.language)
         if self.settings_file is not None:
             self.settings_file.keep(settings)
             self.changed = True

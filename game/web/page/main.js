@@ -85,6 +85,7 @@ function heed(reply) {
     for (const [name, value] of Object.entries(reply.colours)) document.documentElement.style.setProperty(`--${name}`, value);
     background = reply.colours.background;
   }
+  if (reply.language) document.documentElement.lang = reply.language;
   if (reply.toolbar) controls.showToolbar(reply.toolbar);
   if (reply.menu) controls.show(reply.menu);
   if (reply.menu_closed) controls.close();
@@ -172,7 +173,7 @@ function start() {
   worker.onerror = (event) => fail(`The game cannot be started: ${event.message ?? "its worker is missing"}`);
   worker.onmessage = heard;
   const base = new URL("./", location.href).href;
-  worker.postMessage({ kind: "start", base, calm: matchMedia("(prefers-reduced-motion: reduce)").matches });
+  worker.postMessage({ kind: "start", base, calm: matchMedia("(prefers-reduced-motion: reduce)").matches, languages: navigator.languages.join(",") });
   for (const name of ["pointerdown", "keydown"]) addEventListener(name, () => speaker.wake());
   addEventListener("hashchange", openFragment);
   addEventListener("dragover", (event) => event.preventDefault());

@@ -25,7 +25,7 @@ async function bytes(address) {
   return new Uint8Array(await answer.arrayBuffer());
 }
 
-async function start({ base, calm }) {
+async function start({ base, calm, languages }) {
   const program = URL.createObjectURL(new Blob([await bytes(`${base}runtime/pyodide.asm.mjs`)], { type: "text/javascript" }));
   const createPyodideModule = (await import(program)).default;
   URL.revokeObjectURL(program);
@@ -35,11 +35,12 @@ async function start({ base, calm }) {
   python.FS.writeFile("/program/game.zip", own);
   stored = await opened();
   python.globals.set("index", python.toPy(sounds));
+  python.globals.set("languages", languages);
   page = python.runPython(`
 import sys
 sys.path.insert(0, "/program/game.zip")
 from game.web.client.page import Page
-Page(bytes(index), ${stored ? `"${KEPT}"` : '""'}, calm=${calm ? "True" : "False"})
+Page(bytes(index), ${stored ? `"${KEPT}"` : '""'}, calm=${calm ? "True" : "False"}, languages=languages)
 `);
 }
 
