@@ -1,5 +1,7 @@
 """What the player reads while playing: score, combo, lives, level, and how many layers are left."""
 
+import math
+
 from game.drawing.camera import Layout
 from game.drawing.canvas import Canvas
 from game.drawing.palette import mixed
@@ -26,6 +28,8 @@ _BUMP = 0.45
 """Share by which the combo is larger when it has just risen."""
 _COMBO_HEIGHT, _COMBO_DOTS = 1.1, 2.6
 """From the top of the combo's box to the middle of its words, and to its dots."""
+_COMBO_WIDTH = 6.0
+"""Of words and dots: these are drawn smaller where they would reach into the arena."""
 _COMBO_DOT, _COMBO_DOT_PITCH, _COMBO_DOT_LINE = 0.24, 0.72, 0.07
 """Radius of a dot, from one to the next, and the line of an empty one."""
 _LIFE, _LIFE_PITCH, _LIFE_LINE = 0.42, 1.134, 0.08
@@ -41,11 +45,15 @@ def draw(canvas: Canvas, shown: Readings, layout: Layout) -> None:
     box = canvas.write(f"{shown.score:,}", _FIGURE, theme.text, complex(left, box.bottom + unit * 0.1))
     streak = shown.streak if shown.streak.bricks else Streak(shown.combo, BUMP_TICKS)
     if streak.bricks > 1:
-        below = complex(box.left, box.bottom + unit * 0.3)
-        _draw_combo(canvas, streak, below if layout.beside else complex(box.right + unit, box.top))
+        corner = complex(box.left, box.bottom + unit * 0.3) if layout.beside else complex(box.right + unit, box.top)
+        room = _room(layout, corner + 1j * unit * _COMBO_DOTS) if layout.beside else width
+        _draw_combo(canvas._replace(unit=min(unit, room / _COMBO_WIDTH)), streak, corner)
     box = canvas.write(tr("LIVES"), _CAPTION, theme.faint, complex(right, top), "topright")
     _draw_lives(canvas, complex(right, box.bottom + unit * _LIVES_BELOW_CAPTION), shown.lives)
-    box = canvas.write(shown.level_name, _LEVEL_NAME, theme.text, complex(left, bottom), "bottomleft")
+    room = _room(layout, complex(left, bottom - unit * _LEVEL_NAME)) if layout.beside else width
+    wide = canvas.type.rendered(shown.level_name, unit * _LEVEL_NAME, theme.text).get_width()
+    size = _LEVEL_NAME * min(room / max(wide, 1), 1.0)
+    box = canvas.write(shown.level_name, size, theme.text, complex(left, bottom), "bottomleft")
     number = tr("LEVEL {number} of {count}").format(number=shown.level_number, count=shown.level_count)
     canvas.write(number, _CAPTION, theme.faint, complex(left, box.top - unit * 0.2), "bottomleft")
     muted = tr("sound off ({key})").format(key=key_name(Action.MUTE)) if shown.muted else ""
@@ -57,6 +65,13 @@ def draw(canvas: Canvas, shown: Readings, layout: Layout) -> None:
     for text, colour in lines:
         box = canvas.write(text, _CAPTION, colour, complex(right, bottom), "bottomright")
         bottom = box.top - unit * _LINE_GAP
+
+
+def _room(layout: Layout, pixel: complex) -> float:
+    """How far a line may go to the right of a pixel until it meets the arena, pixels; at least a sixth of the surface."""
+    middle, radius = layout.camera.centre, layout.ground_radius * layout.camera.scale
+    half = math.sqrt(max(radius**2 - (pixel.imag - middle.imag) ** 2, 0.0))
+    return max(middle.real - half - pixel.real, layout.size[0] / 6.0)
 
 
 def _draw_combo(canvas: Canvas, streak: Streak, corner: complex) -> None:

@@ -121,7 +121,7 @@ def test_the_plan_goes_on_until_there_are_enough(capsys, monkeypatch):
         ["arena:1:x"],
         ["arena:1:-2"],
         ["impacts:9"],
-        ["game:9:1"],
+        ["game:99:1"],
         ["game:1:"],
         ["--impacts", "0"],
         ["--workers", "0"],

@@ -31,7 +31,7 @@ from tools.crosscheck.run import Job, RunResult, check_game, default_sources
 from tools.crosscheck.sabotage.suite import suite_jobs
 from tools.executor import Lost
 
-SHORT = ["--games", "1", "--level", "6", "--ticks", "1500"]
+SHORT = ["--games", "1", "--level", "38", "--ticks", "1500"]
 
 
 @pytest.fixture(autouse=True)
@@ -81,7 +81,7 @@ def test_agreement_is_exit_code_0_and_one_verdict_line(capsys):
 def test_the_terminal_says_what_was_compared_and_what_its_words_mean(capsys):
     """First the game with its level, seed and player; then every bound and term; no rate of a run too short to have one."""
     _, out, _ = crosscheck(capsys, *SHORT)
-    assert out.splitlines()[0] == "compared: level 6, seed 1, autopilot, at most 1,500 ticks"
+    assert out.splitlines()[0] == "compared: level 38, seed 1, autopilot, at most 1,500 ticks"
     for word in (*BOUNDS, *TERMS):
         assert re.search(rf"^{word} +\S", out, re.MULTILINE), word
     for meaning in VERDICT_MEANINGS.values():
@@ -157,7 +157,7 @@ def test_the_json_file_keeps_its_format(capsys, tmp_path: Path):
     assert all(set(row) == ROW_KEYS for row in result["rows"])
     assert result["verdict"] == out.splitlines()[-1]
     assert sum(result["verdicts"].values()) == result["totals"]["contacts"]
-    assert result["games"] == [{"options": "--level 6 --seed 1 --games 1 --ticks 1500", "lost": None}]
+    assert result["games"] == [{"options": "--level 38 --seed 1 --games 1 --ticks 1500", "lost": None}]
     assert len(result["contacts"]) == result["totals"]["contacts"] == sum(cell[-1] for cell in result["coverage"]["cells"])
     assert all(contact["errors"]["normal_exact"][0] < 1e-12 for contact in result["contacts"])
     documented = __import__("tools.crosscheck.report.json_file", fromlist=["_"]).__doc__
@@ -315,7 +315,7 @@ def test_a_lost_game_is_reported_and_no_agreement(capsys, monkeypatch):
     monkeypatch.setattr("tools.crosscheck.run.results_of", one_lost)
     code, out, _ = crosscheck(capsys, *SHORT, "--games", 2)
     assert code == 1
-    assert "lost: level 6, seed 1: its process was killed by SIGABRT" in out
+    assert "lost: level 38, seed 1: its process was killed by SIGABRT" in out
     assert re.match(r"INCOMPLETE: 1 game lost; 0 unexplained in \d+ contacts, [\d,]+ poses in 1 game", out.splitlines()[-1])
 
 

@@ -17,7 +17,7 @@ from tools.crosscheck.run import Job, check_game
 from tools.crosscheck.sabotage.catalogue import MISTAKES
 from tools.crosscheck.sabotage.replacing import replaced
 
-SOURCES = [Source(None, level, seed, 20_000) for seed in range(4) for level in ("2", "3", "1")]
+SOURCES = [Source(None, level, seed, 20_000) for seed in range(4) for level in ("Three Rings", "Three Gates", "First Wall")]
 
 
 def curve(errors, expected, off=0.0):

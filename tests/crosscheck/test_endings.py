@@ -13,7 +13,7 @@ from tests.support.paths import ROOT
 
 pytestmark = pytest.mark.skipif(sys.platform != "linux", reason="looks at /proc and /dev/full")
 COMMAND = (sys.executable, "-m", "tools.crosscheck")
-SHORT = ("--games", "1", "--level", "6", "--ticks", "600")
+SHORT = ("--games", "1", "--level", "38", "--ticks", "600")
 
 
 @pytest.fixture

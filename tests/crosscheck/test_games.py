@@ -4,6 +4,7 @@ import math
 
 import pytest
 
+from game.levels import classic
 from physics import PERMANENT, Arena, Ball, Ring, advance
 from tests.support.crosscheck import what
 from tools.crosscheck.comparisons.contact_check import ContactCheck
@@ -31,9 +32,9 @@ def checked(level, seed, ticks, player="autopilot", arcade=None):
 def rows():
     """Ten seconds on every level, by three players; a game by the arcade rules; arenas drawn at random; some aimed contacts."""
     total = Rows()
-    for level in range(1, 8):
-        total.merge(checked(str(level), level, 2400, ("autopilot", "mouse", "keys")[level % 3]))
-    total.merge(checked("4", 3, 9600, arcade="hard"))
+    for number, level in enumerate(classic(), 1):
+        total.merge(checked(level.name, number, 2400, ("autopilot", "mouse", "keys")[number % 3]))
+    total.merge(checked("Revolving Door", 3, 9600, arcade="hard"))
     for seed in range(1, 6):
         total.merge(checked(RANDOM, seed, 3000))
     total.merge(checked(AIMED, 5, 400))

@@ -103,7 +103,8 @@ def _words(item):
     return getattr(item, "label", "") or getattr(getattr(item, "level", None), "name", "") or cells
 
 
-_plain, app.frame = app.frame, _Told().frame
+_plain = app.frame
 
 if __name__ == "__main__":
+    app.frame = _Told().frame
     sys.exit(main())

@@ -137,6 +137,7 @@ WRONG = {
         Fault.HIT,
         lambda s: with_first_hit(s, contact=s.hits[0].contact._replace(normal=s.hits[0].contact.normal * (1.0 + 1e-6j))),
     ),
+    "a bounce in another direction": (Fault.BOUNCE, lambda s: with_first_hit(s, after=s.hits[0].after * (1.0 + 1e-6j))),
     "a ball that was freed from nothing": (Fault.FREED, lambda s: s._replace(freed=1)),
 }
 

@@ -180,6 +180,12 @@ def turn_normals(_before, step):
     return step._replace(hits=hits)
 
 
+def bounce_askew(_before, step):
+    """Balls leave in another direction, by a millionth."""
+    hits = tuple(hit._replace(after=hit.after * (1.0 + 1e-6j)) for hit in step.hits)
+    return step._replace(hits=hits)
+
+
 def leap(_before, step):
     """A ball is a millionth farther than it flew."""
     first = step.arena.balls[0]
@@ -213,6 +219,7 @@ SABOTAGES = {
     hit_late: "ball . flies into ring|a hit without contact|is at",
     report_one_twice: "a hit without contact|wrong layers|an empty slot",
     turn_normals: "not where ball and sector meet|does not leave",
+    bounce_askew: "should leave with velocity",
     leap: "its hits lead to",
     free_without_need: "freed that overlapped nothing",
     shuffle_hits: "not in the order of time|flies into",

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator, Sequence
 
-from physics import Arena, Ball, Hit, Ring, Step
+from physics import Arena, Ball, Feature, Hit, Ring, Step
 from physics.tolerances import MAX_IMPACTS
 from tools.fuzz.oracle import first_overlap, ring_gap, slot_gap
 
@@ -14,6 +14,16 @@ SPEED = 1e-12
 PLACE = 1e-11
 NORMAL = 1e-9
 SQUEEZED = 1e-10
+
+
+LEAST_LEAVING = 2e-3
+"""Fraction of the ball's speed. One that leaves a surface more slowly may have been helped: its direction is not checked."""
+
+SHORTEST = 1e-3
+"""Fraction of the ball's speed: the direction of a velocity that is shorter before it is set to the speed is not checked."""
+
+BEND = 1e-8
+"""Fraction of the ball's speed: how much a velocity after a bounce may differ from that of the law."""
 
 
 def first_fault(before: Arena, step: Step, dt: float, speed: float) -> str | None:
@@ -29,7 +39,7 @@ def _faults(before: Arena, step: Step, dt: float, speed: float) -> Iterator[str]
         yield "a ball was freed that overlapped nothing"
     for index in range(len(before.balls)):
         if not (step.freed and _overlaps(before, index)):
-            yield from _flight(index, before, step, dt)
+            yield from _flight(index, before, step, dt, speed)
     yield from _overlaps_left(step)
 
 
@@ -66,7 +76,7 @@ def _bookkeeping(before: Arena, step: Step, dt: float) -> Iterator[str]:
         yield "layers changed without a hit"
 
 
-def _flight(index: int, before: Arena, step: Step, dt: float) -> Iterator[str]:
+def _flight(index: int, before: Arena, step: Step, dt: float, speed: float) -> Iterator[str]:
     """One ball from impact to impact: no material on the way, no hit without contact, and it ends where it is said to."""
     ball, clock = before.balls[index], 0.0
     layers = list(before.layers)
@@ -80,6 +90,7 @@ def _flight(index: int, before: Arena, step: Step, dt: float) -> Iterator[str]:
             ball = Ball(ball.position + ball.velocity * (hit.time - clock), hit.after, ball.radius)
             clock = hit.time
             yield from _real(hit, ball, before.rings[hit.ring])
+            yield from _bounced(hit, step.hits, before.rings[hit.ring], speed)
             if left == 0 and step.dropped:
                 return  # it rests for what is left of the tick
         elif hit.layers == 0:  # the slot is empty from here on
@@ -129,6 +140,35 @@ def _real(hit: Hit, ball: Ball, ring: Ring) -> Iterator[str]:
     size = math.hypot(ball.velocity.real, ball.velocity.imag)
     if n.real * relative.real + n.imag * relative.imag <= 0.0 and abs(ring.spin) * (ring.radius + ring.half_width) < size:
         yield f"the ball does not leave the surface it hit: {hit}"
+
+
+def _bounced(hit: Hit, hits: Sequence[Hit], ring: Ring, speed: float) -> Iterator[str]:
+    """A bounce off one sector reverses the approach, brakes the slip by friction, and keeps the speed.
+
+    Not asked of a bounce off two sectors at once, nor off the two ends of one sector.
+    """
+    if any([other.ball == hit.ball and _is_one_bounce(hit, other) for other in hits]):
+        return
+    if ring.count == 1 and hit.contact.feature in {Feature.END, Feature.CORNER}:
+        return
+    n, q = hit.contact.normal, hit.contact.point
+    surface = q * 1j * ring.spin
+    relative = hit.before - surface
+    approach = n.real * relative.real + n.imag * relative.imag
+    slip = relative - n * approach
+    size = math.hypot(slip.real, slip.imag)
+    braked = min(-approach * ring.friction / size, ring.friction) if size > 0.0 else 0.0
+    after = hit.before - n * (2.0 * approach) - slip * braked
+    length = math.hypot(after.real, after.imag)
+    if approach >= 0.0 or length < SHORTEST * speed:
+        return
+    after *= speed / length
+    leaving = after - surface
+    if n.real * leaving.real + n.imag * leaving.imag < LEAST_LEAVING * speed:
+        return
+    bend = hit.after - after
+    if math.hypot(bend.real, bend.imag) > BEND * speed:
+        yield f"the ball should leave with velocity {after}: {hit}"
 
 
 def _overlaps_left(step: Step) -> Iterator[str]:

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from importlib.resources import files
+from importlib.resources.abc import Traversable
 from pathlib import Path
 from random import Random
 from typing import NamedTuple
@@ -26,6 +27,11 @@ _LONGEST_LINE = 700
 _TICKS = 60
 
 
+def _name(file: Traversable) -> str:
+    """What files are sorted by."""
+    return file.name
+
+
 class InputKind(NamedTuple):
     """One kind of input.
 
@@ -40,7 +46,7 @@ class InputKind(NamedTuple):
 
 def kinds() -> tuple[InputKind, ...]:
     """Levels, replays, share lines and settings."""
-    levels = [file.read_bytes() for file in sorted(_LEVELS.iterdir(), key=lambda file: file.name)]
+    levels = [file.read_bytes() for part in ("campaign", "classic") for file in sorted((_LEVELS / part).iterdir(), key=_name)]
     replays = [_short_game(seed) for seed in range(4)]
     lines = [opened(parsed(scene.name)).line.encode() for scene in scenes()]
     settings = settings_file.encoded(Settings())

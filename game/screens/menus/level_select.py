@@ -1,6 +1,5 @@
 """The choice of a level: chapters of pictures, with the best score and rank of each."""
 
-import math
 from collections.abc import Callable
 from dataclasses import dataclass
 from itertools import groupby
@@ -30,10 +29,12 @@ from game.screens.toolkit.panel import Panel
 from game.screens.toolkit.plate import draw_focus, write_fitting
 from game.system.errors import BadInputError
 
-_COLUMNS = 5
-"""Cards beside each other; fewer where the player wants large texts."""
+_COLUMNS, _FEW_COLUMNS = 4, 3
+"""Cards beside each other, as many as a chapter has; and where the player wants large texts."""
 _CARD_MARGIN, _CARD_TEXT = 0.45, 2.9
 """From a card's edges to its picture, and the height of the words below it; units of text."""
+_WIDTH = 40.0
+"""Of the plate, units of text."""
 _LOCKED = 110
 """How much of a locked level's picture is seen, of 255."""
 
@@ -107,7 +108,8 @@ class LevelSelect(Panel):
     def content(self) -> Content:
         """The difficulty, and the chapters."""
         state = self.state
-        rows: list[Row] = [(difficulty_choice(state), players_choice(state))]
+        choices = difficulty_choice(state), players_choice(state)
+        rows: list[Row] = [(choice,) for choice in choices] if self.has_large_text else [choices]
         cards = [self._card(index) for index in range(len(state.catalogue))]
         for chapter, group in groupby(cards, key=lambda card: chapter_of(card.level)):
             found = list(group)
@@ -117,7 +119,7 @@ class LevelSelect(Panel):
             for start in range(0, len(found), self._columns):
                 row: list[Item] = list(found[start : start + self._columns])
                 rows.append((*row, *[Item()] * (self._columns - len(row))))
-        return Content(tr("Levels"), (*rows, *self._own_rows()), width=48.0)
+        return Content(tr("Levels"), (*rows, *self._own_rows()), width=_WIDTH)
 
     def first(self) -> Focus | None:
         """The level to be played next."""
@@ -131,7 +133,7 @@ class LevelSelect(Panel):
     @property
     def _columns(self) -> int:
         """Cards beside each other."""
-        return math.ceil(_COLUMNS / self.state.text_scale)
+        return _FEW_COLUMNS if self.has_large_text else _COLUMNS
 
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
         """Draw one more picture, if one is missing."""

@@ -8,7 +8,7 @@ import pytest
 from game import app
 from game.drawing.palette import DARK, LIGHT
 from game.kept.store import Kept
-from game.levels import classic
+from game.levels import built_in, classic
 from game.replays.state_hash import state_hash
 from game.rules import Phase, new_game, tick
 from game.screens import play_buttons
@@ -412,4 +412,4 @@ def test_a_level_of_ones_own_is_the_only_one_offered(monkeypatch):
     monkeypatch.setattr(app, "frame", looked)
     app.play(own, 1)
     app.play(classic()[2:], 1)
-    assert seen == [(own, Title), (classic(), Title)]
+    assert seen == [(own, Title), (built_in(), Title)]

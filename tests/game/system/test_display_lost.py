@@ -13,7 +13,7 @@ import pytest
 
 from game import app
 from game.commands import app as command
-from game.levels import classic
+from game.levels import campaign
 from game.replays import file as replay
 from game.replays.verify import verified
 from game.system.command_line import run
@@ -133,7 +133,7 @@ def test_a_killed_x_server(children, tmp_path, autopilot):
     if autopilot:
         recording = replay.load(file)
         assert recording.ticks > 100
-        assert recording.levels[0] == classic()[0]
+        assert recording.levels[0] == campaign()[0]
         assert verified(recording).divergence is None
     else:
         assert not file.exists()

@@ -15,7 +15,7 @@ import numpy.typing as npt
 from physics.batch.arrays import Complexes, Floats, Games
 from physics.shapes import Ring
 from physics.tolerances import MAX_IMPACTS
-from tools.fuzz.checks import NORMAL, PENETRATION, PLACE, SPEED, SQUEEZED
+from tools.fuzz.checks import BEND, LEAST_LEAVING, NORMAL, PENETRATION, PLACE, SHORTEST, SPEED, SQUEEZED
 from tools.fuzz.oracle import FINEST, LONGEST_WALK, distance_to_sector
 
 Slots = npt.NDArray[np.int32]
@@ -34,6 +34,7 @@ class Fault(IntEnum):
     BOUNCES = 7
     END = 8
     OVERLAP = 9
+    BOUNCE = 10
 
 
 class Before(NamedTuple):
@@ -67,7 +68,7 @@ def tick_fault(
         return 4
     for i in range(len(before.positions)):
         if not (freed > 0 and _overlaps(before.positions[i], games.ball_radii[g, i], rings, before.layers)):
-            fault = _flight_fault(i, before, games, g, rings, hits, count, dt, freed, dropped, work)
+            fault = _flight_fault(i, before, games, g, rings, hits, count, dt, speed, freed, dropped, work)
             if fault != 0:
                 return fault
     for k in range(len(rings)):
@@ -130,6 +131,7 @@ def _flight_fault(
     hits: npt.NDArray[Any],
     count: int,
     dt: float,
+    speed: float,
     freed: int,
     dropped: int,
     work: Slots,
@@ -148,8 +150,9 @@ def _flight_fault(
         if mine:
             left -= 0 if last >= 0 and _is_one_bounce(hits[last], hit) else 1
             last, v = n, hit["after"]
-            if not _is_real(hit, p, v, r, rings[hit["ring"]], work[hit["ring"]]):
-                return 6
+            fault = _hit_fault(n, hits, count, p, r, rings[hit["ring"]], work[hit["ring"]], speed)
+            if fault != 0:
+                return fault
             if left == 0 and dropped > 0:
                 return 0  # it rests for what is left of the tick
         work[hit["ring"], hit["slot"]] = hit["layers"]
@@ -160,6 +163,15 @@ def _flight_fault(
     end = p + v * (dt - clock)
     off = end - games.positions[g, i]
     return 8 if freed == 0 and math.hypot(off.real, off.imag) > PLACE * (1.0 + math.hypot(end.real, end.imag)) else 0
+
+
+def _hit_fault(n: int, hits: npt.NDArray[Any], count: int, p: complex, r: float, ring: Ring, alive: Slots, speed: float) -> int:
+    """What is wrong with one hit of a ball that is at p then: it is no touch, or the ball leaves in another direction."""
+    hit = hits[n]
+    if not _is_real(hit, p, hit["after"], r, ring, alive):
+        return 6
+    paired = (n > 0 and _is_one_bounce(hits[n - 1], hit)) or (n + 1 < count and _is_one_bounce(hits[n + 1], hit))
+    return 0 if paired or _is_bounced(hit, ring, speed) else 10
 
 
 def _is_one_bounce(one: Any, other: Any) -> bool:
@@ -250,6 +262,28 @@ def _is_real(hit: Any, p: complex, v: complex, r: float, ring: Ring, alive: Slot
     relative = v - complex(-q.imag, q.real) * ring.spin
     leaves = n.real * relative.real + n.imag * relative.imag > 0.0
     return leaves or abs(ring.spin) * (ring.radius + ring.half_width) >= math.hypot(v.real, v.imag)
+
+
+def _is_bounced(hit: Any, ring: Ring, speed: float) -> bool:
+    """A bounce off one sector reverses the approach, brakes the slip by friction, and keeps the speed: `checks._bounced`."""
+    n, q, v = hit["normal"], hit["point"], hit["before"]
+    if ring.count == 1 and hit["feature"] >= 2:
+        return True
+    surface = complex(-q.imag, q.real) * ring.spin
+    relative = v - surface
+    approach = n.real * relative.real + n.imag * relative.imag
+    slip = relative - n * approach
+    size = math.hypot(slip.real, slip.imag)
+    braked = min(-approach * ring.friction / size, ring.friction) if size > 0.0 else 0.0
+    after = v - n * (2.0 * approach) - slip * braked
+    length = math.hypot(after.real, after.imag)
+    if approach >= 0.0 or length < SHORTEST * speed:
+        return True
+    after = after * (speed / length)
+    leaving, bend = after - surface, hit["after"] - after
+    if n.real * leaving.real + n.imag * leaving.imag < LEAST_LEAVING * speed:
+        return True
+    return math.hypot(bend.real, bend.imag) <= BEND * speed
 
 
 def _any_overlaps(before: Before, games: Games, g: int, rings: list[Ring]) -> bool:
