@@ -125,7 +125,7 @@ def test_panning_follows_the_position():
 @pytest.mark.parametrize("note", [Note(Patch.WON), Note(Patch.NUDGE), brick(3, 1)])
 def test_a_tail_bounds_what_is_still_to_come(note):
     """No later sample is larger than the tail says; the tail begins at the peak, never rises and ends at 0."""
-    wave, levels = WAVES[note], TAILS[note]
+    wave, levels = WAVES[note], np.array(TAILS[note])
     at = (np.arange(len(wave)) / (RATE * TAIL_STEP)).astype(int)
     assert np.all(np.abs(wave) <= levels[at])
     assert levels[0] == np.max(np.abs(wave))
