@@ -5,6 +5,7 @@ lint      lint, format, types, who imports whom
 docs      the documentation site, its warnings as errors
 package   sdist and wheel: both are checked, every command of the wheel runs, the sdist is complete and passes some tests
 frozen    an application that needs no Python: it plays a level and holds the lab's claims
+web       the page in a real browser: where Chromium and npm are, else one line that says what is missing
 """
 
 import os
@@ -39,7 +40,7 @@ HERE = Where(ENVIRONMENT / PROGRAMS, ROOT)
 
 def main(steps: list[str]) -> None:
     """Do these steps, or all; the first failure ends it."""
-    known = {"test": test, "lint": lint, "docs": docs, "package": package, "frozen": frozen}
+    known = {"test": test, "lint": lint, "docs": docs, "package": package, "frozen": frozen, "web": web}
     for step in steps:
         if step not in known:
             sys.exit(f".ci/run: no step {step!r}; expected some of {', '.join(known)}")
@@ -151,6 +152,19 @@ def frozen() -> None:
         run(there, "polar-breakout", "lab", "--headless", "--drags", "20")
         for picture in (("lab", "case-2"), GAME):
             run(there, "polar-breakout", *picture, "--screenshot", "picture.png")
+
+
+def web() -> None:
+    """The page's tests, which need a browser, and npm for the runtime."""
+    missing = [name for name in ("chromium", "npm") if shutil.which(name) is None]
+    if missing:
+        print(f".ci/run: web skipped: no {' and no '.join(missing)}", flush=True)
+        return
+    install("test", "web")
+    node = shutil.which("node") or "node"  # npm's own
+    for script in sorted((ROOT / "game" / "web" / "page").glob("*.js")):
+        subprocess.run([node, "--check", script], check=True)
+    run(HERE, "python", "-m", "pytest", "-q", "tests/web", BROWSER_TESTS="1")
 
 
 def install(*extras: str) -> None:

@@ -9,9 +9,10 @@ from typing import NamedTuple
 import pygame
 
 from game.chosen_physics import SWEPT, ChosenPhysics
+from game.input.events import keyboard_state
 from game.input.key_names import layout_changed
 from game.input.keys import Action
-from game.input.signals import FocusLost, KeyboardState, PadChanged, Pressed, Signal, keyboard_state
+from game.input.signals import FocusLost, KeyboardState, PadChanged, Pressed, Signal
 from game.kept.store import Kept
 from game.kept.window import WindowBox
 from game.lab.kit.second_engine import Engine
@@ -28,8 +29,8 @@ from game.replays.playback import Playback
 from game.rules import Ruleset
 from game.screens.app_state import AppState, Recorder
 from game.screens.base import Listener, Screen, Still, Typist
+from game.screens.difficulty_names import ruleset_of
 from game.screens.editors import OpenEditors
-from game.screens.menus.difficulty import ruleset_of
 from game.screens.menus.level_select import LevelSelect
 from game.screens.play import PlayScreen
 from game.screens.title import Title

@@ -14,8 +14,9 @@ from game.chosen_physics import SWEPT, ChosenPhysics, flown_on, functions_of
 from game.editor.command import file_to_edit
 from game.effects import LONGEST
 from game.headless import autopilot_game, result_line
+from game.kept.folder import data_folder
 from game.kept.scores import objection
-from game.kept.store import Kept, data_folder
+from game.kept.store import Kept
 from game.lab.commands import LabServices, lab_command
 from game.lab.kit.second_engine import Engine
 from game.levels import Level, chosen, level_schema, warnings
@@ -24,7 +25,8 @@ from game.replays import file as replay
 from game.replays.verify import verified
 from game.rules import SOURCE_RULES, Difficulty, Ruleset, Ticked
 from game.second_opinion import Compare, NormalPair
-from game.settings.file import SettingsFile, settings_path
+from game.settings.file import SettingsFile
+from game.settings.folder import settings_path
 from game.student.functions_file import FunctionsFile
 from game.system.command_line import refuse_ignored
 from game.system.ending import deferred
@@ -253,6 +255,17 @@ def watch_replay(
 
     with _settings() as settings:
         watch(recording, Services(_second_opinion(), _second_engine, settings, lost=_say_lost))
+
+
+@app.command("web")
+def serve_web(
+    port: Annotated[int, typer.Option(min=0, max=65535, help="Port on this machine; 0 for any free one.")] = 8000,
+    quiet: Annotated[bool, typer.Option("--no-browser", help="Do not open the browser.")] = False,
+) -> None:
+    """Serve the game for a browser on this machine, until it is interrupted."""
+    from game.web.command import serve  # noqa: PLC0415  # numpy and the sounds, only where they are needed
+
+    serve(port, opens=not quiet)
 
 
 def _verify(files: list[Path]) -> None:

@@ -65,11 +65,19 @@ def choose(code: str) -> None:
     _reader.catalogue = catalogue(code)
 
 
+def current() -> str:
+    """The code of the language that texts are in."""
+    return _reader.catalogue.info().get("language", ENGLISH.code)
+
+
 @cache
 def catalogue(code: str) -> gettext.NullTranslations:
     """The translations into a language; none into English."""
     if code == ENGLISH.code:
         return gettext.NullTranslations()
+    compiled = files("game.languages").joinpath(f"{code}.mo")
+    if compiled.is_file():  # in a browser
+        return gettext.GNUTranslations(io.BytesIO(compiled.read_bytes()))
     import polib  # noqa: PLC0415  # only where a translation is wanted
 
     text = files("game.languages").joinpath(f"{code}.po").read_text(encoding="utf-8")

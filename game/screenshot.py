@@ -13,6 +13,7 @@ from game.drawing.text import Type
 from game.effects import NOTHING, Effects
 from game.input.view import FLAT, Viewpoint
 from game.overlay import hud
+from game.overlay.readings import readings
 from game.rules import Game
 from game.scene import scene_at, still
 from game.system.files import write_whole
@@ -30,7 +31,7 @@ def save_screenshot(
     seen = view.seen(layout(size, game.level.ground_radius))
     canvas = Canvas(pygame.Surface(size, 0, 32), seen.camera, theme, Type(), seen.unit)
     Painter().paint(canvas, scene_at(still(game), 1.0, effects))
-    hud.draw(canvas, hud.readings(game, effects.streak), seen)
+    hud.draw(canvas, readings(game, effects.streak), seen)
     picture = io.BytesIO()
     pygame.image.save(canvas.surface, picture, "screenshot.png")
     write_whole(path, picture.getvalue())

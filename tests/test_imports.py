@@ -46,6 +46,10 @@ WRONG = {
         "game/lab/kit/marks.py": "import game.app",
         "tools/bench.py": "import pygame.draw",
     },
+    "What runs in a browser needs the standard library and msgspec alone": {
+        "game/picture/ground.py": "import numpy",
+        "game/web/client/keys.py": "def f():\n    import game.overlay.toast",
+    },
     "The drawing knows nothing of what draws with it": {"game/drawing/camera.py": "def f():\n    import game.screens.title"},
     "The flat and the solid view know nothing of each other": {
         "game/drawing/flat/ring.py": "import game.drawing.solid.faces",

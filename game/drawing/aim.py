@@ -3,8 +3,8 @@
 import numpy as np
 import pygame
 
-from game.drawing.camera import Points
 from game.drawing.canvas import Canvas
+from game.drawing.raster.arrays import Points
 from game.drawing.raster.pixels import pairs
 from game.drawing.raster.primitives import HALF_PIXEL, draw_dot
 from game.scene import Aim, Scene

@@ -11,13 +11,10 @@ Seen from straight above and from infinitely far (t = k = 0) a height changes no
 """
 
 import math
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
-Points = NDArray[np.complex128]
-Reals = NDArray[np.float64]
+if TYPE_CHECKING:  # in a browser there is no numpy: who projects many points at once brings it along
+    from game.drawing.raster.arrays import Points, Reals
 
 _MARGIN = 0.035
 """Around the arena, in shares of the room it has."""
@@ -70,12 +67,12 @@ class Camera(NamedTuple):
         away = point.imag * math.cos(self.azimuth) - point.real * math.sin(self.azimuth)
         return self.scale / (1.0 + self.closeness * (away * math.sin(self.tilt) - height * math.cos(self.tilt)))
 
-    def projected(self, turned: Points, height: float | Reals) -> Points:
+    def projected(self, turned: "Points", height: "float | Reals") -> "Points":
         """Pixels of many points at once, already turned by `turning`. height: one, or one for each point."""
         sine, cosine = math.sin(self.tilt), math.cos(self.tilt)
         away = turned.imag
         scale = self.scale / (1.0 + self.closeness * (away * sine - height * cosine))
-        pixels = np.empty(scale.shape, dtype=np.complex128)
+        pixels = scale.astype("complex128")
         pixels.real = turned.real * scale + self.centre.real
         pixels.imag = (away * -cosine - height * sine) * scale + self.centre.imag
         return pixels
@@ -95,7 +92,7 @@ class Camera(NamedTuple):
         turned = complex(right * (1.0 + self.closeness * away * sine), away)
         return turned / self.turning
 
-    def nearer(self, one: Points, normal: Points) -> Reals:
+    def nearer(self, one: "Points", normal: "Points") -> "Reals":
         """Positive where the eye is on the side of a vertical plane that its normal points to.
 
         one: a point of the plane's foot; normal: horizontal, of the foot; both turned by `turning`. The eye stands above

@@ -5,10 +5,11 @@ from collections.abc import Sequence
 import numpy as np
 import pygame
 
-from game.drawing.camera import Camera, Points, Reals
+from game.drawing.camera import Camera
 from game.drawing.canvas import Canvas
 from game.drawing.light import LIGHT
 from game.drawing.palette import Colour, Theme, layer_colour
+from game.drawing.raster.arrays import Points, Reals
 from game.drawing.raster.pixels import pairs
 from game.drawing.raster.primitives import HALF_PIXEL
 from game.drawing.solid.debris_occlusion import occluded

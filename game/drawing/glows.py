@@ -10,7 +10,7 @@ from typing import NamedTuple
 import numpy as np
 import pygame
 
-from game.drawing.arcade.icons import power_colour
+from game.drawing.arcade.signs import power_colour
 from game.drawing.canvas import Canvas
 from game.drawing.palette import Colour, Theme, layer_colour, luminance, mixed
 from game.effects import Light, LightSource

@@ -5,9 +5,10 @@ import math
 import numpy as np
 import pygame
 
-from game.drawing.camera import Camera, Points
+from game.drawing.camera import Camera
 from game.drawing.canvas import Canvas
 from game.drawing.palette import Colour, mixed
+from game.drawing.raster.arrays import Points
 from game.drawing.raster.pixels import pairs
 from game.drawing.raster.primitives import HALF_PIXEL
 from game.effects.waves import WaveTone

@@ -4,9 +4,10 @@ from collections.abc import Iterator
 
 import pygame
 
+from game.input.events import translated
 from game.input.fingers import Fingers
 from game.input.pads import Pads
-from game.input.signals import Signal, translated
+from game.input.signals import Signal
 
 _OTHERS = (pygame.KEYDOWN, pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.FINGERDOWN)
 """Events that say that the player holds no gamepad."""

@@ -5,8 +5,7 @@ import math
 from typing import NamedTuple
 
 from game.drawing.camera import Camera, bearing
-from game.input.keys import Action
-from game.input.pads import of_stick
+from game.input.actions import Action
 from game.input.signals import (
     PAD_POSITIONS,
     Clicked,
@@ -18,6 +17,7 @@ from game.input.signals import (
     Released,
     Signal,
     Squeezed,
+    of_stick,
 )
 from game.rules import POINTER_STEPS, TICK, Controls, Game, Phase, paddle_ring
 

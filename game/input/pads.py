@@ -13,17 +13,7 @@ import pygame
 from pygame._sdl2 import controller
 
 from game.input.keys import KEYS, Action
-from game.input.signals import (
-    PAD_POSITIONS,
-    POSITIONS_PER_PAD,
-    FocusLost,
-    PadChanged,
-    Pointed,
-    Pressed,
-    Released,
-    Signal,
-    Squeezed,
-)
+from game.input.signals import STICK, FocusLost, PadChanged, Pointed, Pressed, Released, Signal, Squeezed, pad_position
 
 _PUSHED, _LET_GO = 0.6, 0.4
 """Shares of the stick's reach: it means something from the first on, until it is below the second."""
@@ -31,8 +21,6 @@ _TRIGGER_SLACK = 0.08
 """Share of a trigger's travel that does nothing: few of them come back to 0."""
 _FULL = 32767
 """Value of an axis at its end."""
-_STICK = 32
-"""The first of a gamepad's positions that is of its stick and not of a button."""
 _DIRECTIONS = {1: Action.RIGHT, 1j: Action.UP, -1: Action.LEFT, -1j: Action.DOWN}
 
 
@@ -58,12 +46,7 @@ class _Pad:
 
     def position(self, control: int) -> int:
         """The position of a button, or of a direction of the stick."""
-        return PAD_POSITIONS + self.index * POSITIONS_PER_PAD + control
-
-
-def of_stick(position: int) -> bool:
-    """Whether a position is a direction of a gamepad's stick."""
-    return position >= PAD_POSITIONS and (position - PAD_POSITIONS) % POSITIONS_PER_PAD >= _STICK
+        return pad_position(self.index, control)
 
 
 class Pads:
@@ -176,9 +159,9 @@ class Pads:
         if pushed == pad.pushed:
             return
         if pad.pushed:
-            yield Released(_DIRECTIONS[pad.pushed], pad.position(_STICK + _index(pad.pushed)))
+            yield Released(_DIRECTIONS[pad.pushed], pad.position(STICK + _index(pad.pushed)))
         if pushed:
-            yield Pressed(_DIRECTIONS[pushed], pad.position(_STICK + _index(pushed)))
+            yield Pressed(_DIRECTIONS[pushed], pad.position(STICK + _index(pushed)))
         pad.pushed = pushed
 
 

@@ -1,14 +1,8 @@
-"""What the player did, as values: an event of keyboard or mouse becomes a signal, or nothing.
-
-Gamepads and fingers have to be followed from event to event: game/input/pads.py, game/input/fingers.py.
-"""
+"""What the player did, as values. Needs no pygame: a window and a browser make the same signals of their events."""
 
 from dataclasses import dataclass
-from itertools import compress
 
-import pygame
-
-from game.input.keys import KEYS, Action, position_in
+from game.input.actions import Action
 
 
 @dataclass(frozen=True)
@@ -108,6 +102,8 @@ Signal = Pressed | Released | KeyboardState | Moved | Clicked | Dragged | Zoomed
 
 PAD_POSITIONS, POSITIONS_PER_PAD = 1 << 10, 64
 """Positions from the first on are of gamepads: above every scancode, so many for each gamepad."""
+STICK = 32
+"""The first of a gamepad's positions that is of its stick and not of a button."""
 
 
 def pad_of(signal: Signal) -> int | None:
@@ -121,46 +117,11 @@ def pad_of(signal: Signal) -> int | None:
             return None
 
 
-def translated(event: pygame.Event, pixels_per_point: complex) -> Signal | None:
-    """What a window's event means; None for those that mean nothing here.
-
-    pixels_per_point: how many pixels of the surface a unit of the mouse's coordinates spans, across and down.
-    """
-    if event.type in (pygame.KEYDOWN, pygame.KEYUP):
-        return _key(event)
-    if event.type == pygame.MOUSEMOTION:
-        return _moved(event, pixels_per_point)
-    if event.type == pygame.MOUSEBUTTONDOWN and event.button == 1:
-        return Clicked(_pixel(event.pos, pixels_per_point))
-    if event.type == pygame.MOUSEWHEEL:
-        return Zoomed(float(event.precise_y))
-    return FocusLost() if event.type in (pygame.WINDOWFOCUSLOST, pygame.WINDOWMINIMIZED) else None
+def pad_position(index: int, control: int) -> int:
+    """The position of a gamepad's button, or from STICK on of a direction of its stick. index: of the gamepad."""
+    return PAD_POSITIONS + index * POSITIONS_PER_PAD + control
 
 
-def keyboard_state() -> KeyboardState:
-    """Which keys are down now, asked of the system: when too many events come at once, some are lost."""
-    pressed = pygame.key.get_pressed()  # its own [] takes codes; the tuple below it is in the order of positions
-    return KeyboardState(frozenset(compress(range(len(pressed)), tuple.__iter__(pressed))))
-
-
-def _key(event: pygame.Event) -> Signal | None:
-    """A key that went down or up. Alt with Enter is the full screen; Alt with Tab is the desktop's."""
-    position = position_in(event)
-    action, alt = KEYS.action(position, event.key), event.mod & pygame.KMOD_ALT
-    if action is Action.CONFIRM and alt:
-        action = Action.FULL_SCREEN
-    if action is None or (action is Action.TIP and alt):
-        return None
-    return Pressed(action, position) if event.type == pygame.KEYDOWN else Released(action, position)
-
-
-def _moved(event: pygame.Event, pixels_per_point: complex) -> Signal:
-    """The mouse's motion: with the right button held it is the camera's."""
-    if event.buttons[2]:
-        return Dragged(_pixel(event.rel, pixels_per_point))
-    return Moved(_pixel(event.pos, pixels_per_point), bool(event.buttons[0]))
-
-
-def _pixel(point: tuple[int, int], pixels_per_point: complex) -> complex:
-    """The pixel at a point given in the mouse's coordinates."""
-    return complex(point[0] * pixels_per_point.real, point[1] * pixels_per_point.imag)
+def of_stick(position: int) -> bool:
+    """Whether a position is a direction of a gamepad's stick."""
+    return position >= PAD_POSITIONS and (position - PAD_POSITIONS) % POSITIONS_PER_PAD >= STICK

@@ -8,7 +8,7 @@ import math
 from typing import NamedTuple
 
 from game.drawing.camera import Camera, Layout
-from game.input.keys import Action
+from game.input.actions import Action
 from game.input.signals import Dragged, Pressed, Signal, Zoomed
 
 TIP_SECONDS = 0.9

@@ -3,7 +3,6 @@
 from pathlib import Path
 
 import msgspec
-import platformdirs
 
 from game.kept import progress, scores, window
 from game.kept.games import GameFiles, KeptGame
@@ -13,15 +12,6 @@ from game.kept.scores import Score, Scores
 from game.kept.window import WindowBox
 
 NO_FOLDER = "no folder of the user's: nothing is saved"
-
-
-def data_folder() -> Path | None:
-    """The folder of the user's data; None where the system knows none."""
-    try:
-        folder = platformdirs.user_data_path("polar-breakout", appauthor=False)
-    except (RuntimeError, OSError):  # no home
-        return None
-    return folder if folder.is_absolute() else None
 
 
 class Kept:

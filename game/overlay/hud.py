@@ -1,7 +1,6 @@
 """What the player reads while playing: score, combo, lives, level, and how many layers are left."""
 
 import math
-from typing import NamedTuple
 
 from game.drawing.camera import Layout
 from game.drawing.canvas import Canvas
@@ -9,12 +8,12 @@ from game.drawing.palette import mixed
 from game.drawing.raster.primitives import draw_circle, draw_dot
 from game.drawing.text import stepped
 from game.effects import Streak
-from game.effects.streaks import BUMP_TICKS, ENDED_TICKS, NO_STREAK
+from game.effects.streaks import BUMP_TICKS, ENDED_TICKS
 from game.input.key_names import key_name
 from game.input.keys import Action
 from game.language import ntr, tr
-from game.levels import number_of
-from game.rules import BEST_COMBO, LIVES, Game, layers_left
+from game.overlay.readings import Readings
+from game.rules import BEST_COMBO, LIVES
 
 # Lengths are in units of text.
 _EDGE = 0.8
@@ -36,36 +35,6 @@ _COMBO_DOT, _COMBO_DOT_PITCH, _COMBO_DOT_LINE = 0.24, 0.72, 0.07
 _LIFE, _LIFE_PITCH, _LIFE_LINE = 0.42, 1.134, 0.08
 """Radius of a ball that stands for a life, from one to the next, and the line of one that is lost."""
 _LIVES_BELOW_CAPTION = 0.75
-
-
-class Readings(NamedTuple):
-    """The figures, as they are shown.
-
-    score, combo, lives: of the game.
-    level_number: from 1. level_count, level_name: of all levels, and of this one.
-    layers: left to be broken.
-    muted: whether the sound is off.
-    badge: what kind of game this is, when it is not simply played.
-    streak: the bricks in a row with their effect; NO_STREAK for players who want none, who see the combo alone.
-    """
-
-    score: int
-    combo: int
-    lives: int
-    level_number: int
-    level_count: int
-    level_name: str
-    layers: int
-    muted: bool = False
-    badge: str = ""
-    streak: Streak = NO_STREAK
-
-
-def readings(game: Game, streak: Streak = NO_STREAK, *, muted: bool = False, badge: str = "") -> Readings:
-    """The figures of a game. The other arguments are those of `Readings`."""
-    number, count = number_of(game.level, game.levels)
-    left = layers_left(game)
-    return Readings(game.score, game.combo, game.lives, number, count, tr(game.level.name), left, muted, badge, streak)
 
 
 def draw(canvas: Canvas, shown: Readings, layout: Layout) -> None:

@@ -1,15 +1,10 @@
 """The line that says what to do now, on a plate where it hides neither bricks nor the ball."""
 
-from typing import NamedTuple
-
 import pygame
 
 from game.drawing.canvas import Canvas
 from game.drawing.raster.primitives import draw_box
-from game.input.key_names import key_name
-from game.input.keys import Action
-from game.language import ntr, tr
-from game.rules import LIVES, Game, Phase
+from game.overlay.notice_words import Notice
 from game.scene import Scene
 from physics import Ball
 
@@ -29,31 +24,6 @@ _TOP, _NARROW_TOP = 0.6, 0.115
 shares of the height."""
 _SQUARE = 1.2
 """Aspect ratios up to this have the figures above the arena."""
-
-
-class Notice(NamedTuple):
-    """A few words, and what to do; the hint may be empty."""
-
-    title: str
-    hint: str
-
-
-def ready() -> Notice:
-    """What is said before play goes on after a pause."""
-    return Notice(tr("Ready"), "")
-
-
-def notice(game: Game) -> Notice | None:
-    """What to tell the player; None while a ball is in play."""
-    serve = key_name(Action.SERVE)
-    if game.phase == Phase.SERVING:
-        return Notice(_serve_title(game), tr("{key} or click: serve along the arrow").format(key=serve))
-    if game.phase == Phase.CLEARED:
-        words = tr("Next: {level}. {key} or click: go on").format(level=tr(game.levels[game.number + 1].name), key=serve)
-        return Notice(tr("Level cleared"), words)
-    if game.phase == Phase.WON:
-        return Notice(tr("All levels cleared"), "")
-    return Notice(tr("Game over"), "") if game.phase == Phase.OVER else None
 
 
 def draw(canvas: Canvas, shown: Notice, scene: Scene) -> None:
@@ -82,15 +52,6 @@ def draw(canvas: Canvas, shown: Notice, scene: Scene) -> None:
 def _sized(shown: Notice) -> tuple[tuple[str, float], tuple[str, float]]:
     """Both lines and the sizes of their letters."""
     return (shown.title, _TITLE), (shown.hint, _HINT)
-
-
-def _serve_title(game: Game) -> str:
-    """The level's name before its first serve, else what is left."""
-    if game.tick == game.phase_tick or (game.statistics.level.balls_lost == 0 and game.ruleset.arcade) or game.lives == LIVES:
-        return tr(game.level.name)
-    if game.lives == 1:
-        return tr("Last life")
-    return ntr("{count} life left", "{count} lives left", game.lives).format(count=game.lives)
 
 
 def _edge(canvas: Canvas) -> float:

@@ -25,6 +25,7 @@ from game.overlay.toast import Toast
 from game.own_levels import OwnLevels
 from game.rules import SOURCE_RULES, Controls, Game, Ruleset, Ticked
 from game.screens.base import Screen
+from game.screens.difficulty_names import SOURCE
 from game.screens.level_pictures import LevelPictures
 from game.second_opinion import Compare, NormalPair
 from game.settings.file import SettingsFile
@@ -36,8 +37,6 @@ from game.student.functions_file import FunctionsFile
 Recorder = Callable[[Controls, Game], None]
 """Told every tick of a played game: its controls, and the game after it. `tick` is 1 after the first tick of a new game."""
 
-SOURCE = "source"
-"""The name under which scores by the source's rules are kept."""
 _TOLD_SECONDS = 6.0
 """How long is told what is wrong with the kept files."""
 _PIXELS = Camera(0j, 1.0)

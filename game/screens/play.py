@@ -19,6 +19,9 @@ from game.language import tr
 from game.levels import Level, number_of
 from game.overlay import captions, hud, notice
 from game.overlay.captions import Caption
+from game.overlay.notice_words import Notice, ready
+from game.overlay.notice_words import notice as words_now
+from game.overlay.readings import readings
 from game.overlay.toast import Toast
 from game.rules import TICK, Controls, EventKind, Phase, new_game, tick
 from game.scene import scene_at, still
@@ -137,7 +140,7 @@ class PlayScreen:
         if state.shows_normals:
             contact_normals.draw(canvas, self._normals)
         badge = aids.badge(state.settings) if self._pilot is None else tr("autopilot")
-        shown = hud.readings(self._ticked.game, self._effects.streak, muted=not state.settings.sound, badge=badge)
+        shown = readings(self._ticked.game, self._effects.streak, muted=not state.settings.sound, badge=badge)
         words = state.words(canvas)
         hud.draw(words, shown, seen)
         play_buttons.draw(canvas, seen, self._hovered)
@@ -154,17 +157,17 @@ class PlayScreen:
         """Whether the ball has been out of reach for so long that the player may do without it."""
         return self._pilot is None and self._untouched >= _OFFER_TICKS
 
-    def _notice(self) -> notice.Notice | None:
+    def _notice(self) -> Notice | None:
         """What to tell the player; nothing where the results are about to say it."""
         if 0.0 < self._ready < _READY_SECONDS:
-            return notice.ready()
+            return ready()
         game = self._ticked.game
         if game.phase in (Phase.OVER, Phase.WON):
             return None
-        told = notice.notice(game)
+        told = words_now(game, key_name(Action.SERVE))
         if told is None and self._may_give_up:
             words = tr("{key}: give up this ball; it costs a life").format(key=key_name(Action.GIVE_UP))
-            return notice.Notice(tr("Out of reach?"), words)
+            return Notice(tr("Out of reach?"), words)
         return told
 
     @property

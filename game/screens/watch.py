@@ -17,6 +17,7 @@ from game.input.keys import Action
 from game.input.signals import Clicked, Dragged, Moved, Pressed, Signal, Zoomed
 from game.language import tr
 from game.overlay import hud
+from game.overlay.readings import readings
 from game.overlay.toast import draw_bar
 from game.rules import TICK, Game, Ticked
 from game.scene import scene_at, still
@@ -116,7 +117,7 @@ class Watch:
         state.painter.paint(canvas, scene_at(self._shown, self._at - self._number, self._effects))
         if state.shows_normals:
             contact_normals.draw(canvas, self._normals)
-        shown = hud.readings(self._shown.game, self._effects.streak, muted=not state.settings.sound, badge=tr("replay"))
+        shown = readings(self._shown.game, self._effects.streak, muted=not state.settings.sound, badge=tr("replay"))
         hud.draw(state.words(canvas), shown, seen)
         play_buttons.draw(canvas, seen, self._hovered, play_buttons.WATCHING)
         self._draw_timeline(state.words(canvas))

@@ -11,7 +11,6 @@ from pathlib import Path
 from typing import Any
 
 import msgspec
-import platformdirs
 
 from game.drawing.colour_vision import VISIONS
 from game.effects import EffectKind
@@ -25,11 +24,6 @@ from game.unlocks import BALLS, TRAILS
 VERSION = 2
 """1 had no fields after `off`."""
 _LARGEST = 64 * 1024
-
-
-def settings_path() -> Path:
-    """Where the settings are kept."""
-    return platformdirs.user_config_path("polar-breakout", appauthor=False) / "settings.json"
 
 
 class SettingsFile:

@@ -11,8 +11,10 @@ from game.rules import Event
 from game.sound.music.loops import PEAK
 from game.sound.music.mood import Mood
 from game.sound.music.player import CHANNELS, MusicPlayer
-from game.sound.synth import Note, every_note, waveform
-from game.sound.voices import SILENCE, VOICES, Side, Tail, Voice, chorus, cues, tail
+from game.sound.notes import Note, every_note
+from game.sound.synth import waveform
+from game.sound.tails import tail
+from game.sound.voices import SILENCE, VOICES, Side, Tail, Voice, chorus, cues
 from game.sound.waves import Waveform
 from game.system.quiet_stderr import quiet_libraries
 

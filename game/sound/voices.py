@@ -7,13 +7,9 @@ import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import NamedTuple
 
-import numpy as np
-from numpy.typing import NDArray
-
 from game.rules import HARMFUL, Event, EventKind
+from game.sound.notes import Note, brick
 from game.sound.patches import Patch
-from game.sound.synth import Note, brick
-from game.sound.waves import Waveform
 from physics import Hit, dot, length
 
 VOICES = 12
@@ -120,7 +116,7 @@ class Chorus(NamedTuple):
 Side = Callable[[complex], float]
 """From a position in the world to where it is heard: -1 at the rim's left on the screen to 1 at its right."""
 
-Tail = NDArray[np.float64]
+Tail = Sequence[float]
 """The largest amplitude that is still to come of a sound, every TAIL_STEP seconds."""
 
 SILENCE: tuple[Voice | None, ...] = (None,) * VOICES
@@ -145,13 +141,6 @@ def panned(side: float) -> tuple[float, float]:
     """Gains of the left and the right ear; the sum of their squares is 1. side: -1 left to 1 right."""
     angle = (1.0 + _WIDTH * min(max(side, -1.0), 1.0)) * (math.pi / 4.0)
     return math.cos(angle), math.sin(angle)
-
-
-def tail(wave: Waveform, rate: int) -> Tail:
-    """The largest amplitude that is still to come, every TAIL_STEP seconds, and a last 0. rate: samples per second."""
-    starts = np.arange(0, len(wave), max(round(TAIL_STEP * rate), 1))
-    loudest = np.maximum.reduceat(np.abs(wave), starts)
-    return np.append(np.maximum.accumulate(loudest[::-1])[::-1], 0.0)
 
 
 def chorus(voices: tuple[Voice | None, ...], wanted: Sequence[Cue], tails: Mapping[Note, Tail], now: float) -> Chorus:

@@ -202,7 +202,7 @@ def _give_name(temporary: Path, path: Path) -> None:
         os.link(temporary, path)
     except FileExistsError:
         raise
-    except OSError:  # a file system without links: take the name first, then put the file there
+    except (OSError, AttributeError):  # no links here, as in a browser: take the name first, then put the file there
         os.close(os.open(path, _CREATE, 0o666))
         try:
             temporary.replace(path)

@@ -4,7 +4,7 @@ import pytest
 
 from game.headless import autopilot_game, result_line
 from game.levels import classic, parse
-from game.overlay.hud import readings
+from game.overlay.readings import readings
 from game.rules import new_game
 from tests.support.level_text import GOOD
 

@@ -34,6 +34,7 @@ from game.input.signals import Pressed
 from game.input.view import FLAT, SOLID, Viewpoint
 from game.levels import built_in
 from game.overlay import hud
+from game.overlay.readings import readings
 from game.rules import ActivePower, Drop, PowerUp, Ruleset, Ticked, new_game, tick
 from game.scene import scene_at, still
 from game.screens.app_state import AppState
@@ -174,7 +175,7 @@ def game_frames(level: int, view: Viewpoint, orbit: float = 0.0, *, busy: bool =
         canvas = Canvas(surface, seen.camera, DARK, type_, seen.unit)
         scene = scene_at(done, 0.5, effects)
         painter.paint(canvas, scene._replace(powers=_POWERS, drops=_DROPS) if busy else scene)
-        hud.draw(canvas, hud.readings(done.game), seen)
+        hud.draw(canvas, readings(done.game), seen)
 
     while True:
         for _ in range(_TICKS_A_FRAME):

@@ -2,7 +2,8 @@
 
 import math
 
-from game.drawing.arcade.icons import PowerIcons, power_colour
+from game.drawing.arcade.icons import PowerIcons
+from game.drawing.arcade.signs import power_colour
 from game.drawing.canvas import Canvas
 from game.drawing.palette import mixed
 from game.drawing.raster.primitives import draw_dot

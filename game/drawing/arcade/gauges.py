@@ -5,10 +5,11 @@ import math
 import numpy as np
 import pygame
 
-from game.drawing.arcade.icons import PowerIcons, power_colour
-from game.drawing.camera import Points
+from game.drawing.arcade.icons import PowerIcons
+from game.drawing.arcade.signs import power_colour
 from game.drawing.canvas import Canvas
 from game.drawing.palette import Colour, mixed
+from game.drawing.raster.arrays import Points
 from game.drawing.raster.pixels import pairs
 from game.drawing.raster.primitives import HALF_PIXEL, draw_dot
 from game.scene import Scene

@@ -1,109 +1,14 @@
-"""The signs of power-ups: a shape of its own for each, on a chip that says whether it helps.
-
-Chips that help are round and those that harm are pointed, so nobody needs to see colours. Shapes are outlines in a square from
--1 to 1, y upwards.
-"""
-
-import cmath
-import math
+"""Pictures of the chips of power-ups."""
 
 import pygame
 
-from game.drawing.palette import Colour, Theme, luminance, mixed
-from game.rules import HARMFUL, PowerUp
+from game.drawing.arcade.signs import Outline, chip, power_colour
+from game.drawing.palette import Colour, Theme
+from game.rules import PowerUp
 
 _FINER = 4
 """Rows and columns of the drawing per pixel of the icon."""
 _MOST_ICONS = 256
-_EDGE = 0.12
-"""Width of a chip's edge, in shares of its radius."""
-_SHAPE = 0.62
-"""Half the side of the square that a sign has, in shares of its chip's radius."""
-
-Outline = tuple[complex, ...]
-
-
-def _disc(middle: complex, radius: float, corners: int = 20) -> Outline:
-    """A disc as an outline."""
-    return tuple([middle + radius * cmath.exp(1j * math.tau * k / corners) for k in range(corners)])
-
-
-def _box(left: float, bottom: float, right: float, top: float) -> Outline:
-    """A rectangle."""
-    return complex(left, bottom), complex(right, bottom), complex(right, top), complex(left, top)
-
-
-def _arc(inner: float, outer: float, start: float, end: float) -> Outline:
-    """A piece of a ring, its angles in degrees."""
-    angles = [math.radians(start + (end - start) * k / 16) for k in range(17)]
-    there = [cmath.rect(outer, angle) for angle in angles]
-    return (*there, *[cmath.rect(inner, angle) for angle in reversed(angles)])
-
-
-def _moved(outline: Outline, offset: complex) -> Outline:
-    """An outline somewhere else."""
-    return tuple([point + offset for point in outline])
-
-
-def _mirrored(outline: Outline) -> Outline:
-    """An outline, left and right swapped."""
-    return tuple([complex(-point.real, point.imag) for point in outline])
-
-
-_CHEVRON: Outline = (-0.1 + 0.75j, 0.25 + 0.75j, 0.8 + 0j, 0.25 - 0.75j, -0.1 - 0.75j, 0.42 + 0j)
-_POINTER: Outline = (0.35 + 0.45j, 0.95 + 0j, 0.35 - 0.45j)
-_HEART: Outline = (
-    *[complex(-0.45, 0.3) + 0.46 * cmath.exp(1j * math.radians(40 + 12 * k)) for k in range(16)],
-    -0.92j,
-    *[complex(0.45, 0.3) + 0.46 * cmath.exp(1j * math.radians(-40 + 12 * k)) for k in range(16)],
-)
-_SIGNS: dict[PowerUp, tuple[Outline, ...]] = {
-    PowerUp.MULTI_BALL: (_disc(0.55j, 0.36), _disc(-0.52 - 0.38j, 0.36), _disc(0.52 - 0.38j, 0.36)),
-    PowerUp.WIDE: (_box(-0.5, -0.16, 0.5, 0.16), _POINTER, _mirrored(_POINTER)),
-    PowerUp.NARROW: (
-        _box(-0.16, -0.7, 0.16, 0.7),
-        _moved(_mirrored(_POINTER), 1.22 + 0j),
-        _moved(_POINTER, -1.22 + 0j),
-    ),
-    PowerUp.SLOW: (_mirrored(_moved(_CHEVRON, 0.1 + 0j)), _mirrored(_moved(_CHEVRON, -0.62 + 0j))),
-    PowerUp.FAST: (_moved(_CHEVRON, 0.1 + 0j), _moved(_CHEVRON, -0.62 + 0j)),
-    PowerUp.STICKY: (
-        _moved(_arc(0.36, 0.82, 180.0, 360.0), -0.05j),
-        _box(-0.82, -0.05, -0.36, 0.35),
-        _box(0.36, -0.05, 0.82, 0.35),
-        _box(-0.82, 0.48, -0.36, 0.8),
-        _box(0.36, 0.48, 0.82, 0.8),
-    ),
-    PowerUp.LIFE: (_HEART,),
-    PowerUp.SHIELD: (_arc(0.66, 0.95, 0.0, 180.0), _arc(0.66, 0.95, 180.0, 360.0), _disc(0j, 0.3)),
-    PowerUp.PIERCE: (
-        (0.95j, 0.5 + 0.3j, 0.17 + 0.3j, 0.17 - 0.9j, -0.17 - 0.9j, -0.17 + 0.3j, -0.5 + 0.3j),
-        _box(-0.9, -0.42, -0.34, -0.14),
-        _box(0.34, -0.42, 0.9, -0.14),
-    ),
-}
-"""What a power-up's sign is made of."""
-_COLOURS: dict[PowerUp, Colour] = {
-    PowerUp.MULTI_BALL: (255, 209, 102),
-    PowerUp.WIDE: (112, 224, 144),
-    PowerUp.NARROW: (255, 120, 108),
-    PowerUp.SLOW: (124, 196, 255),
-    PowerUp.FAST: (255, 142, 72),
-    PowerUp.STICKY: (198, 160, 255),
-    PowerUp.LIFE: (255, 140, 190),
-    PowerUp.SHIELD: (96, 226, 226),
-    PowerUp.PIERCE: (255, 244, 176),
-}
-_DARKER = 0.42
-"""On light grounds a chip's colour is this share of the way to black."""
-_INK: Colour = (14, 16, 26)
-_PAPER: Colour = (255, 255, 255)
-
-
-def power_colour(kind: PowerUp, theme: Theme) -> Colour:
-    """The colour of a power-up's chip, in contrast to the ground."""
-    own = _COLOURS[kind]
-    return own if luminance(theme.ground) < 0.5 else mixed(own, (0, 0, 0), _DARKER)
 
 
 class PowerIcons:
@@ -131,22 +36,11 @@ class PowerIcons:
 def _icon(kind: PowerUp, radius: int, theme: Theme) -> pygame.Surface:
     """A power-up's icon, drawn finer and scaled down."""
     side = 2 * radius + 2
-    fine, large = side * _FINER, radius * _FINER
-    colour = power_colour(kind, theme)
-    ink = _INK if luminance(colour) > 0.25 else _PAPER
-    picture = pygame.Surface((fine, fine), pygame.SRCALPHA)
-    picture.fill((*colour, 0))
-    chip = _star() if kind in HARMFUL else _disc(0j, 1.0, 64)
-    _fill(picture, chip, large, ink)
-    _fill(picture, chip, large * (1.0 - _EDGE), colour)
-    for outline in _SIGNS[kind]:
-        _fill(picture, outline, large * _SHAPE * (0.88 if kind in HARMFUL else 1.0), ink)
+    picture = pygame.Surface((side * _FINER, side * _FINER), pygame.SRCALPHA)
+    picture.fill((*power_colour(kind, theme), 0))
+    for outline, colour in chip(kind, theme):
+        _fill(picture, outline, radius * _FINER, colour)
     return pygame.transform.smoothscale(picture, (side, side))
-
-
-def _star() -> Outline:
-    """A star of eight points, blunt: it looks as if it pricked."""
-    return tuple([cmath.rect(1.0 if k % 2 == 0 else 0.8, math.tau * k / 16.0) for k in range(16)])
 
 
 def _fill(picture: pygame.Surface, outline: Outline, scale: float, colour: Colour) -> None:

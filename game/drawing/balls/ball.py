@@ -8,10 +8,11 @@ import pygame
 
 from game.drawing.balls import marks
 from game.drawing.balls.skins import surface_colours
-from game.drawing.camera import Camera, Points
+from game.drawing.camera import Camera
 from game.drawing.canvas import Canvas
 from game.drawing.light import ScreenLight, ball_light
 from game.drawing.palette import Theme
+from game.drawing.raster.arrays import Points
 from game.drawing.solid.ball_occlusion import occluding_quads
 from game.drawing.solid.faces import ProjectedBlocks
 from game.scene import Scene

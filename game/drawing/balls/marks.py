@@ -5,7 +5,7 @@ import math
 
 import pygame
 
-from game.drawing.arcade.icons import power_colour
+from game.drawing.arcade.signs import power_colour
 from game.drawing.canvas import Canvas
 from game.drawing.palette import Colour
 from game.rules import PowerUp

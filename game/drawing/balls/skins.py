@@ -5,8 +5,8 @@ from collections.abc import Callable
 
 import numpy as np
 
-from game.drawing.camera import Reals
 from game.drawing.palette import Colour, Theme, layer_colour, luminance, mixed
+from game.drawing.raster.arrays import Reals
 
 _GLOSS = 0.7
 """Share of the way to white that a highlight goes."""

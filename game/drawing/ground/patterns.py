@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from game.drawing.camera import Points, Reals
+from game.drawing.raster.arrays import Points, Reals
 
 PLAIN = "plain"
 _TICKS, _LONG_EVERY = 72, 6

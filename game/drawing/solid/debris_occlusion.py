@@ -9,7 +9,8 @@ from functools import lru_cache
 
 import numpy as np
 
-from game.drawing.camera import Camera, Points, Reals
+from game.drawing.camera import Camera
+from game.drawing.raster.arrays import Points, Reals
 from game.drawing.slots.contents import resting_contents
 from game.drawing.slots.parts import LAYER_HEIGHT, height
 from game.drawing.solid.prisms import Flags

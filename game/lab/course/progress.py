@@ -4,8 +4,8 @@ from pathlib import Path
 
 import msgspec
 
+from game.kept.folder import data_folder
 from game.kept.kept_file import KeptFile
-from game.kept.store import data_folder
 
 VERSION = 1
 _NAME = "lab-progress.json"

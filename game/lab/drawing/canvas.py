@@ -1,7 +1,5 @@
 """What a pane of the world is drawn with, and how the world lies on it."""
 
-import cmath
-import math
 from typing import NamedTuple
 
 import pygame
@@ -11,9 +9,6 @@ from game.drawing.palette import Theme
 from game.drawing.text import Type
 from game.lab.kit.picture import Toggle
 from game.lab.kit.scene import ViewBox
-
-_PIXELS_PER_CHORD = 3.0
-_MOST_CHORDS = 720
 
 
 class PaneCanvas(NamedTuple):
@@ -50,9 +45,3 @@ def camera_for(box: ViewBox, area: pygame.Rect) -> Camera:
     """The camera that shows a part of the world in the middle of an area, as large as fits."""
     scale = max(min(area.width / (2.0 * box.half.real), area.height / (2.0 * box.half.imag)), 1e-3)
     return Camera(complex(*area.center) - box.centre.conjugate() * scale, scale)
-
-
-def arc_pixels(camera: Camera, centre: complex, radius: float, start: float, sweep: float) -> list[complex]:
-    """Pixels along an arc, close enough to look round. centre, radius: world units; start, sweep: radians."""
-    chords = min(max(math.ceil(abs(sweep) * radius * camera.scale / _PIXELS_PER_CHORD), 8), _MOST_CHORDS)
-    return [camera.project(centre + cmath.rect(radius, start + sweep * k / chords)) for k in range(chords + 1)]

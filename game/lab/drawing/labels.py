@@ -1,36 +1,23 @@
 """Where the words of a pane stand: beside their marks, and nowhere two on top of each other."""
 
-import cmath
 import itertools
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
 
 import pygame
 
 from game.drawing.palette import Colour
 from game.lab.drawing.canvas import PaneCanvas
-from game.lab.drawing.colours import text_colour
 from game.lab.drawing.shapes import PlacedLabel
 from game.lab.drawing.strokes import rounded
-from game.lab.kit.picture import Arc, Arrow, Line, Mark, PointMark, Role, Words
+from game.lab.drawing.wanted_labels import WantedLabel, wanted_label
+from game.lab.kit.picture import Mark
 
-SHORTEST = 1.0
-"""Pixels: a shorter arrow is left out, and so is its label."""
 _ASIDE = (0.0, -0.55, 0.55, -1.1, 1.1, -1.7, 1.7)
 _UP = (0.0, -1.0, 1.0, -2.0, 2.0, -3.0, 3.0)
 """How far a label may be moved from where it would stand, in its widths and heights."""
 _EDGE = 4
 """Pixels between a label and the border of its pane."""
-
-
-class _WantedLabel(NamedTuple):
-    """Words beside a mark. anchor: the point of their box that is at the pixel, as in pygame.Rect."""
-
-    pixel: complex
-    text: str
-    colour: Colour
-    anchor: str = "center"
 
 
 def placed_labels(
@@ -44,7 +31,7 @@ def placed_labels(
     rings = [pygame.Rect(round(one.real) - reach // 2, round(one.imag) - reach // 2, reach, reach) for one in handles]
     done = _title(canvas, title)
     for mark in marks:
-        wanted = _wanted(canvas, mark) if mark.toggle is None or mark.toggle in canvas.shown else None
+        wanted = wanted_label(canvas, mark) if mark.toggle is None or mark.toggle in canvas.shown else None
         if wanted is not None:
             done += _placed(canvas, wanted, [one.box for one in done], rings)
     return done
@@ -55,18 +42,18 @@ def _title(canvas: PaneCanvas, title: str) -> list[PlacedLabel]:
     lines = canvas.type.wrapped(title, canvas.size, canvas.free.width - 2.0 * canvas.unit)
     middle, top, done = canvas.free.centerx, canvas.free.top + canvas.unit * 0.4, list[PlacedLabel]()
     for line in lines:
-        done += _placed(canvas, _WantedLabel(complex(middle, top), line, canvas.theme.text, "midtop"), (), ())
+        done += _placed(canvas, WantedLabel(complex(middle, top), line, canvas.theme.text, "midtop"), (), ())
         top = max([top, *[float(one.box.bottom) for one in done]])
     return done
 
 
 def label_at(canvas: PaneCanvas, pixel: complex, text: str, colour: Colour, anchor: str = "center") -> list[PlacedLabel]:
     """Words at a pixel, moved into the pane where they stand out of it; none far outside of it. anchor: as in pygame.Rect."""
-    return _placed(canvas, _WantedLabel(pixel, text, colour, anchor), (), ())
+    return _placed(canvas, WantedLabel(pixel, text, colour, anchor), (), ())
 
 
 def _placed(
-    canvas: PaneCanvas, wanted: _WantedLabel, taken: Sequence[pygame.Rect], rings: Sequence[pygame.Rect]
+    canvas: PaneCanvas, wanted: WantedLabel, taken: Sequence[pygame.Rect], rings: Sequence[pygame.Rect]
 ) -> list[PlacedLabel]:
     """A label where it covers no other; at most one."""
     size = canvas.size
@@ -86,35 +73,3 @@ def _free_box(
     boxes = [box.move(dx * wide, dy * high).clamp(area) for dx, dy in moves]
     free = [one for one in boxes if one.collidelist(list(taken)) == -1]
     return next((one for one in free if one.collidelist(list(rings)) == -1), free[0] if free else None)
-
-
-def _wanted(canvas: PaneCanvas, mark: Mark) -> _WantedLabel | None:
-    """The words of a mark, beside it; None for a mark without words."""
-    project, unit, size = canvas.camera.project, canvas.unit, canvas.size
-
-    def words(pixel: complex, text: str, role: Role, anchor: str = "center") -> _WantedLabel:
-        """A label in the colour of a role."""
-        return _WantedLabel(pixel, text, text_colour(canvas.theme, role), anchor)
-
-    match mark:
-        case PointMark(position, label=text) if text:
-            return words(project(position) + complex(0.35, -0.3) * unit, text, mark.role, "bottomleft")
-        case Arrow(start, vector, label=text) if text and abs(vector) * canvas.camera.scale >= SHORTEST:
-            on_screen = vector.conjugate() / abs(vector)
-            return words(project(start + vector) + on_screen * unit * 0.5, text, mark.role, _anchor(on_screen))
-        case Line(points, label=text) if text:
-            return words((project(points[0]) + project(points[-1])) / 2.0 - 0.9j * size, text, mark.role)
-        case Arc(centre, radius, start, sweep, label=text) if text and abs(sweep) * radius * canvas.camera.scale > unit:
-            middle = start + sweep / 2.0
-            pixel = project(centre + cmath.rect(radius, middle)) + cmath.rect(1.26 * size, -middle)
-            return words(pixel, text, mark.role)
-        case Words(position, text) if text:
-            return words(project(position), text, mark.role)
-    return None
-
-
-def _anchor(direction: complex) -> str:
-    """The side of words at the tip of an arrow that faces it. direction: of the arrow on the screen, y downwards."""
-    if abs(direction.real) > abs(direction.imag):
-        return "midleft" if direction.real > 0.0 else "midright"
-    return "midtop" if direction.imag > 0.0 else "midbottom"

@@ -3,14 +3,11 @@
 import math
 from collections.abc import Sequence
 
-import numpy as np
-
 from game.drawing.palette import Colour, mixed
-from game.lab.drawing.canvas import PaneCanvas, arc_pixels
 from game.lab.drawing.colours import role_colour
-from game.lab.drawing.labels import SHORTEST
+from game.lab.drawing.seen import SeenPane, arc_pixels, is_near
 from game.lab.drawing.shapes import ColourGrid, FilledPolygon, PixelShape, Polyline, Round
-from game.lab.drawing.strokes import is_near
+from game.lab.drawing.wanted_labels import SHORTEST
 from game.lab.kit.picture import (
     AnnularSector,
     Annulus,
@@ -44,12 +41,12 @@ _MOST_CELLS = 16384
 """Pixels: a field drawn wider or higher is left out."""
 
 
-def shapes_of(canvas: PaneCanvas, marks: Sequence[Mark]) -> list[PixelShape]:
+def shapes_of(canvas: SeenPane, marks: Sequence[Mark]) -> list[PixelShape]:
     """The shapes of every mark whose toggle is on, without its words."""
     return [shape for mark in marks if mark.toggle is None or mark.toggle in canvas.shown for shape in _shapes(canvas, mark)]
 
 
-def _shapes(canvas: PaneCanvas, mark: Mark) -> list[PixelShape]:  # noqa: C901, PLR0911  # a table of all kinds of marks
+def _shapes(canvas: SeenPane, mark: Mark) -> list[PixelShape]:  # noqa: C901, PLR0911  # a table of all kinds of marks
     """The shapes of one mark."""
     project = canvas.camera.project
     colour = canvas.theme.text if isinstance(mark, Field) else role_colour(canvas.theme, mark.role)
@@ -76,13 +73,13 @@ def _shapes(canvas: PaneCanvas, mark: Mark) -> list[PixelShape]:  # noqa: C901, 
             return []
 
 
-def _stroke(canvas: PaneCanvas, pixels: Sequence[complex], colour: Colour, stroke: Stroke) -> Polyline:
+def _stroke(canvas: SeenPane, pixels: Sequence[complex], colour: Colour, stroke: Stroke) -> Polyline:
     """A line through pixels."""
     dash = canvas.unit * _DASH if stroke is Stroke.DASHED else 0.0
     return Polyline(tuple(pixels), colour, canvas.unit * _WIDTHS[stroke], dash)
 
 
-def _circle(canvas: PaneCanvas, centre: complex, radius: float, colour: Colour, stroke: Stroke) -> PixelShape:
+def _circle(canvas: SeenPane, centre: complex, radius: float, colour: Colour, stroke: Stroke) -> PixelShape:
     """The line of a circle. centre, radius: world units."""
     pixels, middle = radius * canvas.camera.scale, canvas.camera.project(centre)
     if stroke is Stroke.DASHED or not (is_near(middle) and pixels < _LARGE):
@@ -90,7 +87,7 @@ def _circle(canvas: PaneCanvas, centre: complex, radius: float, colour: Colour, 
     return Round(middle, pixels, colour, max(round(canvas.unit * _WIDTHS[stroke]), 1))
 
 
-def _ball(canvas: PaneCanvas, mark: Disc, colour: Colour) -> list[PixelShape]:
+def _ball(canvas: SeenPane, mark: Disc, colour: Colour) -> list[PixelShape]:
     """A translucent disc with a line around it."""
     centre, radius = canvas.camera.project(mark.centre), mark.radius * canvas.camera.scale
     if not is_near(centre) or not 1.0 <= radius < _LARGEST:
@@ -99,7 +96,7 @@ def _ball(canvas: PaneCanvas, mark: Disc, colour: Colour) -> list[PixelShape]:
     return [Round(centre, radius, colour, 0.0, _BALL_OPACITY), line]
 
 
-def _sector(canvas: PaneCanvas, mark: AnnularSector, colour: Colour) -> list[PixelShape]:
+def _sector(canvas: SeenPane, mark: AnnularSector, colour: Colour) -> list[PixelShape]:
     """A filled sector with a line around it."""
     inner, outer = max(mark.radius - mark.half_width, 0.0), mark.radius + mark.half_width
     outer_arc = arc_pixels(canvas.camera, 0j, outer, mark.angle - mark.half_angle, 2.0 * mark.half_angle)
@@ -117,7 +114,7 @@ def _sector(canvas: PaneCanvas, mark: AnnularSector, colour: Colour) -> list[Pix
     return shapes + [Polyline(tuple(pixels), edge, width) for pixels in (outer_arc, inner_arc, *ends)]
 
 
-def _inset(canvas: PaneCanvas, mark: AnnularSector, pixels: float) -> list[complex]:
+def _inset(canvas: SeenPane, mark: AnnularSector, pixels: float) -> list[complex]:
     """A sector's outline, its arcs moved inwards: a filled polygon has no smooth edge, so its line's must cover it."""
     half_width = max(mark.half_width - pixels / canvas.camera.scale, 0.5 * mark.half_width)
     inner, outer = max(mark.radius - half_width, 0.0), mark.radius + half_width
@@ -126,7 +123,7 @@ def _inset(canvas: PaneCanvas, mark: AnnularSector, pixels: float) -> list[compl
     return [pixel for pixel in there + back if is_near(pixel)]
 
 
-def _annulus(canvas: PaneCanvas, mark: Annulus, colour: Colour) -> list[PixelShape]:
+def _annulus(canvas: SeenPane, mark: Annulus, colour: Colour) -> list[PixelShape]:
     """A faint ring with its two circles."""
     scale, centre = canvas.camera.scale, canvas.camera.project(0j)
     shapes: list[PixelShape] = []
@@ -138,7 +135,7 @@ def _annulus(canvas: PaneCanvas, mark: Annulus, colour: Colour) -> list[PixelSha
     return shapes + [_circle(canvas, 0j, radius, edge, Stroke.SOLID) for radius in (mark.inner, mark.outer) if radius > 0.0]
 
 
-def _arrow(canvas: PaneCanvas, mark: Arrow, colour: Colour) -> list[PixelShape]:
+def _arrow(canvas: SeenPane, mark: Arrow, colour: Colour) -> list[PixelShape]:
     """A vector with its head; nothing for the vector 0."""
     start, tip = canvas.camera.project(mark.start), canvas.camera.project(mark.start + mark.vector)
     length = abs(tip - start)
@@ -150,8 +147,10 @@ def _arrow(canvas: PaneCanvas, mark: Arrow, colour: Colour) -> list[PixelShape]:
     return [_stroke(canvas, [start, tip - along * head * 0.8], colour, mark.stroke), FilledPolygon(corners, colour)]
 
 
-def _field(canvas: PaneCanvas, mark: Field) -> list[PixelShape]:
+def _field(canvas: SeenPane, mark: Field) -> list[PixelShape]:
     """Cells in two colours, fading to the ground's where the number is 0."""
+    import numpy as np  # noqa: PLC0415  # a browser has none, and no scene with a field
+
     theme = canvas.theme
     share = np.nan_to_num(np.clip(mark.values / mark.span, -1.0, 1.0))[:, ::-1, None]
     ground = np.array(theme.ground, dtype=np.float64)

@@ -9,8 +9,9 @@ from game.drawing.text import Type
 from game.lab.drawing.canvas import PaneCanvas
 from game.lab.drawing.labels import placed_labels
 from game.lab.drawing.marks import shapes_of
+from game.lab.drawing.seen import is_near
 from game.lab.drawing.shapes import ColourGrid, FilledPolygon, PixelShape, PlacedLabel, Polyline, Round
-from game.lab.drawing.strokes import draw_dashed, draw_disc, draw_path, draw_polygon, is_near, rounded
+from game.lab.drawing.strokes import draw_dashed, draw_disc, draw_path, draw_polygon, rounded
 from game.lab.kit.picture import Mark
 
 _SEAM = 0.075

@@ -1,12 +1,13 @@
 """What a pane consists of on the screen: shapes and labels in pixels, y downwards. They are painted, or written as SVG."""
 
-from typing import NamedTuple
-
-import numpy as np
-import pygame
-from numpy.typing import NDArray
+from typing import TYPE_CHECKING, NamedTuple
 
 from game.drawing.palette import Colour
+
+if TYPE_CHECKING:  # a browser has neither; its painter gets no grid, and places words itself
+    import numpy as np
+    import pygame
+    from numpy.typing import NDArray
 
 
 class Polyline(NamedTuple):
@@ -40,7 +41,7 @@ class ColourGrid(NamedTuple):
 
     corner: complex
     size: tuple[int, int]
-    colours: NDArray[np.uint8]
+    colours: "NDArray[np.uint8]"
 
 
 class PlacedLabel(NamedTuple):
@@ -49,7 +50,7 @@ class PlacedLabel(NamedTuple):
     size: of the letters, pixels. seam: the colour around them. plate: whether it fills their box.
     """
 
-    box: pygame.Rect
+    box: "pygame.Rect"
     text: str
     size: float
     colour: Colour

@@ -9,18 +9,12 @@ import pygame
 from numpy.typing import NDArray
 
 from game.drawing.palette import Colour
+from game.lab.drawing.seen import FAR, is_near
 
 _CURVE = 9
 """A line through so many points is drawn as a curve."""
 _BESIDE, _WIDE = 0.5, 2.5
 """Pixels: from one thin line of a wide one to the next, so that no gap shows; half of the width of one with a polygon."""
-_FAR = 1e6
-"""Nothing is drawn farther out: coordinates beyond it overflow."""
-
-
-def is_near(pixel: complex) -> bool:
-    """Whether a pixel is one that can be drawn to."""
-    return abs(pixel.real) < _FAR and abs(pixel.imag) < _FAR
 
 
 def rounded(pixel: complex) -> tuple[int, int]:
@@ -30,7 +24,7 @@ def rounded(pixel: complex) -> tuple[int, int]:
 
 def draw_disc(surface: pygame.Surface, centre: complex, radius: float, colour: Colour) -> None:
     """A filled disc."""
-    if is_near(centre) and radius < _FAR:
+    if is_near(centre) and radius < FAR:
         pygame.draw.aacircle(surface, colour, (centre.real - 0.5, centre.imag - 0.5), max(radius, 0.5))
 
 
@@ -94,7 +88,7 @@ def _offsets(half: float) -> list[float]:
 def _draw_curve(surface: pygame.Surface, pixels: Sequence[complex], colour: Colour, width: float) -> None:
     """A smooth line of many short pieces; see `draw_segment`."""
     points = np.array(pixels, dtype=np.complex128) - (0.5 + 0.5j)
-    if not (np.abs(points.real).max() < _FAR and np.abs(points.imag).max() < _FAR):
+    if not (np.abs(points.real).max() < FAR and np.abs(points.imag).max() < FAR):
         return
     along = np.gradient(points)
     side = 1j * along / np.maximum(np.abs(along), 1e-9)

@@ -6,12 +6,13 @@ None is always on.
 
 from collections.abc import Sequence
 from enum import Enum
-from typing import NamedTuple
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import TYPE_CHECKING, NamedTuple
 
 from game.lab.kit.cited_line import CitedLine
+
+if TYPE_CHECKING:  # a browser has no numpy, and no scene with a field
+    import numpy as np
+    from numpy.typing import NDArray
 
 
 class Toggle(Enum):
@@ -164,7 +165,7 @@ class Field(NamedTuple):
 
     lower: complex
     upper: complex
-    values: NDArray[np.float64]
+    values: "NDArray[np.float64]"
     span: float
     toggle: Toggle | None = None
 

@@ -3,25 +3,9 @@
 import msgspec
 
 from game.language import tr
-from game.rules import SOURCE_RULES, Difficulty, Ruleset
-from game.screens.app_state import SOURCE, AppState, Players
+from game.screens.app_state import AppState, Players
+from game.screens.difficulty_names import DIFFICULTIES, difficulty_name, ruleset_of
 from game.screens.toolkit.items import ChoiceItem
-
-DIFFICULTIES = (*[difficulty.name.lower() for difficulty in Difficulty], SOURCE)
-"""The names under which scores and bests are kept."""
-
-
-def difficulty_name(name: str) -> str:
-    """A difficulty in the player's language; "" for no known one."""
-    names = (tr("Easy"), tr("Normal"), tr("Hard"), tr("Source's rules"))
-    return dict(zip(DIFFICULTIES, names, strict=True)).get(name, "")
-
-
-def ruleset_of(name: str) -> Ruleset:
-    """The rules of a difficulty; those of a normal game for no known one."""
-    if name == SOURCE:
-        return SOURCE_RULES
-    return Ruleset(Difficulty[name.upper()]) if name in DIFFICULTIES else Ruleset()
 
 
 def players_choice(state: AppState) -> ChoiceItem:

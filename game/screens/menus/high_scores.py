@@ -5,7 +5,7 @@ from game.language import tr
 from game.overlay.toast import Toast
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.menus.difficulty import DIFFICULTIES, difficulty_name
+from game.screens.difficulty_names import DIFFICULTIES, difficulty_name
 from game.screens.menus.replay_file import opened_replay
 from game.screens.toolkit.focus import Focus
 from game.screens.toolkit.items import ButtonItem, Cells, Item, TextItem

@@ -16,7 +16,8 @@ from game.levels import Level
 from game.overlay.toast import Toast
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.menus.difficulty import difficulty_choice, difficulty_name, players_choice
+from game.screens.difficulty_names import difficulty_name
+from game.screens.menus.difficulty import difficulty_choice, players_choice
 from game.screens.play import PlayScreen
 from game.screens.play_record import record_name
 from game.screens.toolkit.focus import Focus

@@ -10,7 +10,7 @@ from game.kept.games import MOST, KeptGame
 from game.language import tr
 from game.overlay.toast import Toast
 from game.screens.base import Screen
-from game.screens.menus.difficulty import difficulty_name
+from game.screens.difficulty_names import difficulty_name
 from game.screens.menus.level_select import clock
 from game.screens.menus.replay_file import opened_replay
 from game.screens.toolkit.items import Cells, Item, TextItem

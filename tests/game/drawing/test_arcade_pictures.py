@@ -13,7 +13,8 @@ import pygame
 import pytest
 
 from game.drawing.arcade.gauges import _CHIP_ROOM, _ICONS, _RADIUS, _SPAN
-from game.drawing.arcade.icons import PowerIcons, power_colour
+from game.drawing.arcade.icons import PowerIcons
+from game.drawing.arcade.signs import power_colour
 from game.drawing.balls.ball import BallPictures
 from game.drawing.painter import Painter
 from game.drawing.palette import DARK, LIGHT, contrast

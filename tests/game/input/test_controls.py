@@ -12,6 +12,7 @@ import pytest
 
 from game.drawing.camera import Camera
 from game.input.devices import Devices
+from game.input.events import keyboard_state, translated
 from game.input.hands import Hands
 from game.input.keys import BINDINGS, Action, Binding, KeyTable, position_of
 from game.input.signals import (
@@ -27,8 +28,6 @@ from game.input.signals import (
     Signal,
     Squeezed,
     Zoomed,
-    keyboard_state,
-    translated,
 )
 from game.levels import classic
 from game.rules import POINTER_STEPS, Controls, Phase, new_game, paddle_ring, tick

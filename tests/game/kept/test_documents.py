@@ -8,10 +8,11 @@ import sys
 import pytest
 
 from game.kept import kept_file, progress
+from game.kept.folder import data_folder
 from game.kept.kept_file import KeptFile
 from game.kept.progress import Best, Progress
 from game.kept.scores import MOST, Score, Scores
-from game.kept.store import NO_FOLDER, Kept, data_folder
+from game.kept.store import NO_FOLDER, Kept
 from tests.support.paths import ROOT
 
 

@@ -15,7 +15,7 @@ from game.effects import ALL, MOVING, PLAIN, EffectKind
 from game.input.actions import Action, OwnKeys
 from game.input.rebinding import bindings, checked
 from game.language import CODES, SYSTEM, choose
-from game.settings import file as settings_file
+from game.settings import folder as settings_folder
 from game.settings.file import VERSION, SettingsFile, decoded, encoded
 from game.settings.values import SPEEDS, TEXT_SIZES, Settings
 from game.unlocks import BALLS, TRAILS
@@ -205,12 +205,12 @@ def test_headless_games_touch_no_settings(tmp_path):
     """A broken file stays where it is, and no folder is made."""
     code = f"""
 import pathlib
-from game.settings import file as settings_file
+from game.settings import folder as settings_folder
 from game.commands import app
 from game.system.command_line import run
 def place():
     raise AssertionError("the settings were looked for")
-settings_file.settings_path = place
+settings_folder.settings_path = place
 import game.commands
 game.commands.settings_path = place
 assert run(app, "x", ["--headless", "--autopilot", "--ticks", "300", "--screenshot", {str(tmp_path / "a.png")!r}]) == 0
@@ -223,8 +223,8 @@ assert run(app, "x", ["--headless", "--autopilot", "--ticks", "300", "--screensh
 
 def test_the_settings_are_in_the_users_folder(monkeypatch, tmp_path):
     """Under the program's name."""
-    monkeypatch.setattr(settings_file.platformdirs, "user_config_path", lambda name, **_: tmp_path / name)
-    assert settings_file.settings_path() == tmp_path / "polar-breakout" / "settings.json"
+    monkeypatch.setattr(settings_folder.platformdirs, "user_config_path", lambda name, **_: tmp_path / name)
+    assert settings_folder.settings_path() == tmp_path / "polar-breakout" / "settings.json"
 
 
 def test_every_effect_can_be_left_out_alone():

@@ -16,7 +16,7 @@ from game.replays.state_hash import state_hash
 from game.rules import Event, EventKind, new_game, tick
 from game.sound.mixer import Audio
 from game.sound.music.player import CHANNELS
-from game.sound.synth import every_note
+from game.sound.notes import every_note
 from game.sound.voices import VOICES
 from tests.support.children import eventually
 from tests.support.paths import ROOT

@@ -5,8 +5,9 @@ import itertools
 import numpy as np
 import pytest
 
+from game.sound.notes import MOST_LAYERS, STEPS, Note, brick, every_note
 from game.sound.patches import Patch
-from game.sound.synth import MOST_LAYERS, STEPS, Note, brick, every_note, waveform
+from game.sound.synth import waveform
 from game.sound.tuning import pitch
 from game.sound.waves import loudness
 

@@ -9,9 +9,11 @@ from hypothesis import example, given, settings
 from hypothesis import strategies as st
 
 from game.rules import HARMFUL, Event, EventKind, PowerUp
+from game.sound.notes import Note, brick, every_note
 from game.sound.patches import Patch
-from game.sound.synth import Note, brick, every_note, waveform
-from game.sound.voices import SILENCE, TAIL_STEP, VOICES, Cue, chorus, cues, panned, tail
+from game.sound.synth import waveform
+from game.sound.tails import tail
+from game.sound.voices import SILENCE, TAIL_STEP, VOICES, Cue, chorus, cues, panned
 from physics import Contact, Feature, Hit
 
 RATE = 8000
@@ -123,7 +125,7 @@ def test_panning_follows_the_position():
 @pytest.mark.parametrize("note", [Note(Patch.WON), Note(Patch.NUDGE), brick(3, 1)])
 def test_a_tail_bounds_what_is_still_to_come(note):
     """No later sample is larger than the tail says; the tail begins at the peak, never rises and ends at 0."""
-    wave, levels = WAVES[note], TAILS[note]
+    wave, levels = WAVES[note], np.array(TAILS[note])
     at = (np.arange(len(wave)) / (RATE * TAIL_STEP)).astype(int)
     assert np.all(np.abs(wave) <= levels[at])
     assert levels[0] == np.max(np.abs(wave))

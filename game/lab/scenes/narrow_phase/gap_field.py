@@ -1,10 +1,7 @@
 """The gap between a ball and a sector, and the normal, at every position of the ball."""
 
 import math
-from typing import NamedTuple
-
-import numpy as np
-from numpy.typing import NDArray
+from typing import TYPE_CHECKING, NamedTuple
 
 from game.lab import source
 from game.lab.kit import handles
@@ -29,6 +26,10 @@ from game.lab.kit.picture import (
 from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import Ball, Contact, Feature, Ring, contact, length, narrow_phase_case_2, to_cartesian
 from physics.narrow_phase import end_contact, face_contact
+
+if TYPE_CHECKING:  # numpy is loaded by the functions that need it: a browser has none, and leaves this scene out
+    import numpy as np
+    from numpy.typing import NDArray
 
 _BOX = ViewBox(1.5 + 1.6j, 10.2 + 6.2j)
 _HALF, _NORMALS_HALF = 26 + 14j, 15 + 8j
@@ -58,6 +59,8 @@ def _ball_and_sector(given: Given) -> _BallAndSector:
 
 def _picture(given: Given) -> Picture:
     """Bands of equal gap, normals on a coarse grid, the borders between faces, ends and corners, and the ball."""
+    import numpy as np  # noqa: PLC0415  # see above
+
     ball, ring, found = _ball_and_sector(given)
     columns, rows = _CELLS
     x = np.linspace(-_HALF.real, _HALF.real, columns) + _BOX.centre.real
@@ -98,8 +101,10 @@ def _picture(given: Given) -> Picture:
     return in_steps(steps, _cited(found), _note(ball, ring))
 
 
-def _gaps(x: NDArray[np.float64], y: NDArray[np.float64], ring: Ring) -> NDArray[np.float64]:
+def _gaps(x: "NDArray[np.float64]", y: "NDArray[np.float64]", ring: Ring) -> "NDArray[np.float64]":
     """Distances of points from a sector, below 0 inside, computed independently of the code that the scene shows."""
+    import numpy as np  # noqa: PLC0415  # see above
+
     turn = to_cartesian(1.0, -ring.phase)
     x, y = turn.real * x - turn.imag * y, np.abs(turn.real * y + turn.imag * x)
     face = np.abs(np.hypot(x, y) - ring.radius) - ring.half_width
@@ -183,6 +188,8 @@ def _is_inside(p: complex, ring: Ring) -> bool:
 
 def _distance(p: complex, ring: Ring) -> float:
     """Of one point from a sector, below 0 inside."""
+    import numpy as np  # noqa: PLC0415  # see above
+
     return float(_gaps(np.array(p.real), np.array(p.imag), ring))
 
 

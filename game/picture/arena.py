@@ -1,0 +1,151 @@
+"""The game's scene as two lists of primitives: a backdrop that seldom changes, and what is new in every frame."""
+
+import math
+from typing import NamedTuple
+
+from game.drawing.camera import Camera
+from game.drawing.palette import Theme
+from game.drawing.palettes import themed
+from game.drawing.slots.contents import ContentKind, Contents, SlotContent, resting_contents, slot_contents
+from game.drawing.slots.parts import SlotShape, slot_shape
+from game.picture.display_list import DisplayList
+from game.picture.ground import add_ground
+from game.picture.moving import add_ball, add_in_air, add_on_ground, add_words
+from game.picture.slots import add_shadow, add_slot
+from game.picture.solid import SolidBlocks
+from game.rules import PADDLES
+from game.scene import Scene
+
+_MOST_RINGS = 64
+"""Pictures of rings that are cached."""
+_EVERYWHERE = (-1e5 - 1e5j, 1e5 - 1e5j, 1e5 + 1e5j, -1e5 + 1e5j)
+"""Corners of a square that covers every canvas, pixels."""
+
+
+class ArenaView(NamedTuple):
+    """Through what a scene is seen. unit: size of text, pixels."""
+
+    camera: Camera
+    theme: Theme
+    unit: float
+
+
+class ArenaPicture:
+    """Makes pictures of scenes; caches what did not change since the last one."""
+
+    def __init__(self) -> None:
+        """Start with nothing cached."""
+        self._key: object = None
+        self._backdrop = DisplayList()
+        self._rings: dict[object, DisplayList] = {}
+        self._blocks = SolidBlocks()
+
+    def backdrop(self, scene: Scene, view: ArenaView) -> DisplayList:
+        """The ground, and in the flat view the rings that rest: the very same list as long as it has not changed."""
+        theme = themed(view.theme, scene.palette)
+        resting = _resting(scene, view.camera)
+        key = (
+            view.camera,
+            theme,
+            scene.ground_radius,
+            resting,
+            tuple([(scene.layers[k], scene.rings[k].phase) for k in resting]),
+        )
+        if key != self._key:
+            self._key, self._backdrop = key, DisplayList()
+            self._backdrop.polygon(_EVERYWHERE, theme.background)
+            add_ground(self._backdrop, view.camera, theme, scene.ground_radius)
+            contents = resting_contents(scene.layers)
+            for k in resting:
+                self._add_ring(self._backdrop, scene, view.camera, theme, k, _standing(scene, k, contents))
+        return self._backdrop
+
+    def frame(self, scene: Scene, view: ArenaView) -> DisplayList:
+        """All that moves. It is painted over the backdrop."""
+        out, theme = DisplayList(), themed(view.theme, scene.palette)
+        contents = slot_contents(scene)
+        if view.camera.flat:
+            self._add_flat(out, scene, view.camera, theme, contents)
+            add_on_ground(out, scene, view.camera, theme)
+        else:
+            add_on_ground(out, scene, view.camera, theme)
+            self._blocks.add(out, scene, view.camera, theme, contents)
+        add_in_air(out, scene, view.camera, theme, view.unit)
+        if view.camera.flat:
+            for ball in scene.balls:
+                add_ball(out, ball, view.camera, theme)
+        add_words(out, scene, view.camera, theme, view.unit)
+        return out
+
+    def _add_flat(self, out: DisplayList, scene: Scene, camera: Camera, theme: Theme, contents: Contents) -> None:
+        """Add the rings that turn, the slots that glow, and the paddles."""
+        resting = _resting(scene, camera)
+        for k in range(len(scene.rings)):
+            if k == PADDLES:
+                _add_paddles(out, scene, camera, theme, contents[k])
+            elif k in resting:
+                _add_glowing(out, scene, camera, theme, k, contents[k])
+            else:
+                self._add_ring(out, scene, camera, theme, k, contents[k])
+
+    def _add_ring(
+        self, out: DisplayList, scene: Scene, camera: Camera, theme: Theme, k: int, contents: tuple[SlotContent, ...]
+    ) -> None:
+        """Add a whole ring, as it was cached for phase 0, turned to where it is."""
+        ring, shape = scene.rings[k], _shape(scene, k, camera)
+        key = (shape, contents, ring.count, camera.centre, camera.scale, theme)
+        cached = self._rings.get(key)
+        if cached is None:
+            if len(self._rings) >= _MOST_RINGS:
+                self._rings.clear()
+            cached = self._rings[key] = DisplayList()
+            for add in (add_shadow, add_slot):
+                for slot, content in enumerate(contents):
+                    add(cached, camera.centre, camera.scale, shape, content, theme, math.tau * slot / ring.count)
+        out.turn(camera.centre, ring.phase)
+        out.extend(cached)
+        out.turn(camera.centre, 0.0)
+
+
+def _resting(scene: Scene, camera: Camera) -> tuple[int, ...]:
+    """The rings that the backdrop shows: in the flat view those that do not turn, once the wall stands."""
+    if not camera.flat or scene.entry is not None:
+        return ()
+    return tuple([k for k, ring in enumerate(scene.rings) if k != PADDLES and not ring.spin])
+
+
+def _standing(scene: Scene, k: int, contents: Contents) -> tuple[SlotContent, ...]:
+    """The contents of a ring without any glow, of the kinds that the ring's bricks have."""
+    kinds = {ContentKind.BRICKS: ContentKind.BRICKS, ContentKind.STEEL: ContentKind.STEEL}
+    if k == scene.shield:
+        kinds[ContentKind.BRICKS] = ContentKind.SHIELD
+    elif k in scene.bumpers:
+        kinds[ContentKind.STEEL] = ContentKind.BUMPER
+    elif k in scene.growing:
+        kinds[ContentKind.BRICKS] = ContentKind.GROWING
+    return tuple([content._replace(kind=kinds.get(content.kind, content.kind)) for content in contents[k]])
+
+
+def _add_glowing(
+    out: DisplayList, scene: Scene, camera: Camera, theme: Theme, k: int, contents: tuple[SlotContent, ...]
+) -> None:
+    """Add the slots of a resting ring that glow: they cover what the backdrop has there."""
+    shape = _shape(scene, k, camera)
+    for slot, content in enumerate(contents):
+        if content.glow:
+            add_slot(out, camera.centre, camera.scale, shape, content, theme, scene.rings[k].angle(slot))
+
+
+def _add_paddles(out: DisplayList, scene: Scene, camera: Camera, theme: Theme, contents: tuple[SlotContent, ...]) -> None:
+    """Add the paddles, each as far out of its slot as a hit has pushed it."""
+    ring, shape = scene.rings[PADDLES], _shape(scene, PADDLES, camera)
+    out_of_slot = {recoil.slot: recoil.out for recoil in scene.recoils}
+    for add in (add_shadow, add_slot):
+        for slot, content in enumerate(contents):
+            moved = shape._replace(radius=shape.radius + out_of_slot.get(slot, 0.0))
+            add(out, camera.centre, camera.scale, moved, content, theme, ring.angle(slot))
+
+
+def _shape(scene: Scene, k: int, camera: Camera) -> SlotShape:
+    """The shape of a ring's slots."""
+    return slot_shape(scene.rings[k], scene.tallest[k], 1.0 / camera.scale)

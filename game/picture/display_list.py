@@ -1,0 +1,146 @@
+"""A picture as one flat list of 32-bit floats, and the texts in it. docs/web.md has the same table.
+
+Every primitive is its code, its colour (0xRRGGBB, exact in a 32-bit float), its opacity from 0 to 1, and its own numbers:
+
+    DISC      x y radius
+    CIRCLE    x y radius width                            the line of a circle
+    SECTOR    x y inner outer angle half_inner half_outer an annular sector; a half angle of pi or more is a whole ring
+    POLYGON   n, then n times x y                         filled
+    LINE      width dash n, then n times x y              dash: length of dashes and gaps, 0 for a solid line
+    TEXT      index size x y across bold                  index of the text; across: 0 begins at x, 1 ends there; y: middle
+    GLOW      x y across down                             half axes of an ellipse of light that fades to its edge; added
+    GRADIENT  x y radius n, then n times share colour     a disc; colours by the share of the radius
+    CELLS     x y width height columns rows, then colours a grid of cells, row by row from the top, smoothed
+    CLIP      x y width height                            what follows is seen in this box only; a width of 0 ends that
+    TURN      x y angle                                   what follows is turned about a point, until the next TURN
+
+x to the right, y down, pixels; angles in radians, clockwise, from the right.
+"""
+
+import math
+from array import array
+from collections.abc import Iterable, Sequence
+from enum import IntEnum
+
+from game.drawing.palette import Colour
+
+
+class Primitive(IntEnum):
+    """The codes."""
+
+    DISC = 1
+    CIRCLE = 2
+    SECTOR = 3
+    POLYGON = 4
+    LINE = 5
+    TEXT = 6
+    GLOW = 7
+    GRADIENT = 8
+    CELLS = 9
+    CLIP = 10
+    TURN = 11
+
+
+class DisplayList:
+    """A picture being made. numbers: the list; texts: those that it refers to."""
+
+    def __init__(self) -> None:
+        """Nothing yet."""
+        self.numbers = array("f")
+        self.texts: list[str] = []
+
+    def disc(self, centre: complex, radius: float, colour: Colour, opacity: float = 1.0) -> None:
+        """A filled disc."""
+        self.numbers.extend((Primitive.DISC, packed(colour), opacity, centre.real, centre.imag, radius))
+
+    def circle(self, centre: complex, radius: float, width: float, colour: Colour, opacity: float = 1.0) -> None:
+        """The line of a circle."""
+        self.numbers.extend((Primitive.CIRCLE, packed(colour), opacity, centre.real, centre.imag, radius, width))
+
+    def sector(
+        self,
+        centre: complex,
+        radii: tuple[float, float],
+        angle: float,
+        half_angles: tuple[float, float],
+        colour: Colour,
+        opacity: float = 1.0,
+    ) -> None:
+        """A filled annular sector.
+
+        radii: inner and outer. angle: of its middle, counter-clockwise as in the world. half_angles: at both radii.
+        """
+        inner, outer = radii
+        self.numbers.extend(
+            (Primitive.SECTOR, packed(colour), opacity, centre.real, centre.imag, inner, outer, -angle, *half_angles)
+        )
+
+    def polygon(self, points: Sequence[complex], colour: Colour, opacity: float = 1.0) -> None:
+        """A filled polygon."""
+        self.numbers.extend((Primitive.POLYGON, packed(colour), opacity, len(points)))
+        self._add(points)
+
+    def line(self, points: Sequence[complex], width: float, colour: Colour, opacity: float = 1.0, dash: float = 0.0) -> None:
+        """A line through points. dash: length of dashes and gaps, 0 for none."""
+        self.numbers.extend((Primitive.LINE, packed(colour), opacity, width, dash, len(points)))
+        self._add(points)
+
+    def text(
+        self,
+        words: str,
+        size: float,
+        pixel: complex,
+        colour: Colour,
+        across: float = 0.5,
+        opacity: float = 1.0,
+        bold: float = 0.0,
+    ) -> None:
+        """Words. pixel: of the middle of their height; across: where along them it is, 0 at their begin to 1 at their end."""
+        self.numbers.extend(
+            (Primitive.TEXT, packed(colour), opacity, len(self.texts), size, pixel.real, pixel.imag, across, bold)
+        )
+        self.texts.append(words)
+
+    def glow(self, centre: complex, half_axes: tuple[float, float], colour: Colour, strength: float) -> None:
+        """An ellipse of light. half_axes: across and down."""
+        self.numbers.extend((Primitive.GLOW, packed(colour), strength, centre.real, centre.imag, *half_axes))
+
+    def gradient(self, centre: complex, radius: float, stops: Iterable[tuple[float, Colour]]) -> None:
+        """A disc whose colour depends on the distance from its centre. stops: shares of the radius, rising, and colours."""
+        flat = [number for share, colour in stops for number in (share, float(packed(colour)))]
+        self.numbers.extend((Primitive.GRADIENT, 0.0, 1.0, centre.real, centre.imag, radius, len(flat) // 2, *flat))
+
+    def cells(self, corner: complex, size: complex, columns: int, colours: Sequence[Colour]) -> None:
+        """A grid of cells. corner: upper left; size: width and height; colours: row by row from the top."""
+        rows = len(colours) // columns
+        self.numbers.extend(
+            (Primitive.CELLS, 0.0, 1.0, corner.real, corner.imag, size.real, size.imag, columns, rows, *map(packed, colours))
+        )
+
+    def clip(self, corner: complex, size: complex) -> None:
+        """Show what follows in a box only. A size of 0 ends that."""
+        self.numbers.extend((Primitive.CLIP, 0.0, 1.0, corner.real, corner.imag, size.real, size.imag))
+
+    def turn(self, centre: complex, angle: float) -> None:
+        """Turn what follows about a point, counter-clockwise as in the world; 0 ends that."""
+        self.numbers.extend((Primitive.TURN, 0.0, 1.0, centre.real, centre.imag, -angle))
+
+    def extend(self, other: "DisplayList") -> None:
+        """Add a picture without texts."""
+        self.numbers.extend(other.numbers)
+
+    def _add(self, points: Sequence[complex]) -> None:
+        """The coordinates of points."""
+        self.numbers.extend([number for point in points for number in (point.real, point.imag)])
+
+
+def packed(colour: Colour) -> int:
+    """A colour as one number."""
+    return colour[0] << 16 | colour[1] << 8 | colour[2]
+
+
+def inset_half_angle(half_angle: float, radius: float, inset: float) -> float:
+    """Half the angle of a sector's arc when its straight ends are moved inwards by an inset; a whole ring stays one."""
+    if half_angle >= math.pi * 0.999:
+        return math.pi
+    return half_angle - math.asin(min(inset / max(radius, 1e-9), 1.0))

@@ -1,0 +1,100 @@
+"""The project's own Python for the browser, as one archive: what plays and draws there, without what only a desktop can run."""
+
+import ast
+import io
+import zipfile
+from collections.abc import Iterator
+from importlib.resources import files
+from importlib.resources.abc import Traversable
+
+import polib
+
+from game.language import CODES, ENGLISH
+
+_EPOCH = (1980, 1, 1, 0, 0, 0)
+"""The date of every file in the archive: the same sources give the same bytes."""
+_STARTS = ("game.web.client.page", "game.lab.scenes", "game.languages")
+"""What the browser imports, and what that imports only once it is wanted."""
+_PACKAGES = ("game", "physics")
+
+
+def archive() -> bytes:
+    """A ZIP archive of every module that the browser's start needs, and of the levels. The same sources give the same bytes."""
+    held = io.BytesIO()
+    with zipfile.ZipFile(held, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as packed:
+        for name, data in sorted(_contents().items()):
+            packed.writestr(zipfile.ZipInfo(name, _EPOCH), data, zipfile.ZIP_DEFLATED, 9)
+    return held.getvalue()
+
+
+def _contents() -> dict[str, bytes]:
+    """The files of the archive by name."""
+    modules = _sources()
+    needed: dict[str, bytes] = {}
+    open_ = [*_STARTS]
+    while open_:
+        module = open_.pop()
+        name = next((name for name in _file_names(module) if name in modules), None)
+        if name is None or name in needed:
+            continue
+        needed[name] = modules[name]
+        open_ += _imported(modules[name])
+    levels = {name: data for name, data in _tree("game") if name.startswith("game/levels/") and name.endswith(".toml")}
+    return needed | levels | _translations()
+
+
+def _translations() -> dict[str, bytes]:
+    """The translations, compiled: a browser has nothing that reads their source."""
+    folder, codes = files("game.languages"), [code for code in CODES if code != ENGLISH.code]
+    texts = {code: folder.joinpath(f"{code}.po").read_text(encoding="utf-8") for code in codes}
+    return {f"game/languages/{code}.mo": polib.pofile(text).to_binary() for code, text in texts.items()}
+
+
+def _sources() -> dict[str, bytes]:
+    """Every module of the packages by the name of its file."""
+    return {name: data for package in _PACKAGES for name, data in _tree(package) if name.endswith(".py")}
+
+
+def _tree(package: str) -> Iterator[tuple[str, bytes]]:
+    """Names and contents of the text files of a package; it may itself be in an archive."""
+    open_: list[tuple[str, Traversable]] = [(package, files(package))]
+    while open_:
+        name, folder = open_.pop()
+        for entry in folder.iterdir():
+            if entry.is_dir():
+                open_.append((f"{name}/{entry.name}", entry))
+            elif entry.name.endswith((".py", ".toml")):
+                yield f"{name}/{entry.name}", entry.read_bytes()
+
+
+def _file_names(module: str) -> tuple[str, str]:
+    """The two names that a module's file may have."""
+    path = module.replace(".", "/")
+    return f"{path}/__init__.py", f"{path}.py"
+
+
+def _imported(source: bytes) -> Iterator[str]:
+    """The modules that a module imports when it is loaded, with the packages that they are in."""
+    for node in _loaded(ast.parse(source).body):
+        if isinstance(node, ast.ImportFrom) and node.module is not None:
+            yield from _with_packages(node.module)
+            yield from [f"{node.module}.{alias.name}" for alias in node.names]
+        elif isinstance(node, ast.Import):
+            for alias in node.names:
+                yield from _with_packages(alias.name)
+
+
+def _loaded(statements: list[ast.stmt]) -> Iterator[ast.stmt]:
+    """The statements that run when a module is loaded, but for what only a type checker reads."""
+    for statement in statements:
+        yield statement
+        if isinstance(statement, ast.If) and ast.unparse(statement.test) != "TYPE_CHECKING":
+            yield from _loaded([*statement.body, *statement.orelse])
+        elif isinstance(statement, ast.Try):
+            yield from _loaded([*statement.body, *statement.orelse, *[line for one in statement.handlers for line in one.body]])
+
+
+def _with_packages(module: str) -> list[str]:
+    """A module and every package around it."""
+    parts = module.split(".")
+    return [".".join(parts[: length + 1]) for length in range(len(parts))]

@@ -1,0 +1,138 @@
+"""What the page and the game's Python say to each other, once a frame, in JSON."""
+
+import msgspec
+
+
+class KeyChange(msgspec.Struct, tag="key"):
+    """A key went down or up. code: where it is; key: what is written on it, both as the browser names them."""
+
+    code: str
+    key: str
+    down: bool
+
+
+class PointerChange(msgspec.Struct, tag="pointer"):
+    """A mouse, a pen or a finger. phase: "down", "move", "up" or "cancel"; buttons: that are held, as bits."""
+
+    phase: str
+    id: int
+    touch: bool
+    x: float
+    y: float
+    buttons: int = 0
+
+
+class WheelTurn(msgspec.Struct, tag="wheel"):
+    """The wheel turned at a pixel. steps: above 0 away from the player."""
+
+    steps: float
+    x: float
+    y: float
+
+
+class PadState(msgspec.Struct, tag="pad"):
+    """A gamepad in the browser's standard layout. buttons: how far each is pressed, 0 to 1; axes: -1 to 1, down positive."""
+
+    buttons: list[float]
+    axes: list[float]
+
+
+class WentAway(msgspec.Struct, tag="away"):
+    """The page is hidden or has lost the keyboard."""
+
+
+class Chosen(msgspec.Struct, tag="choose"):
+    """A control of the page was used. id: of the item; value: of a choice, a switch or a text."""
+
+    id: str
+    value: str = ""
+
+
+class FileGiven(msgspec.Struct, tag="file"):
+    """A file was dropped on the page, or picked."""
+
+    name: str
+    data: bytes
+
+
+class LinkOpened(msgspec.Struct, tag="link"):
+    """The fragment of the page's address, decoded, without its sign."""
+
+    fragment: str
+
+
+PageSignal = KeyChange | PointerChange | WheelTurn | PadState | WentAway | Chosen | FileGiven | LinkOpened
+
+
+class FrameRequest(msgspec.Struct):
+    """A frame is wanted. seconds: since the last one. width, height: pixels of the canvas. density: of them per CSS pixel."""
+
+    seconds: float
+    width: int
+    height: int
+    signals: list[PageSignal] = []
+    density: float = 1.0
+
+
+class PageItem(msgspec.Struct, frozen=True):
+    """A control of the page.
+
+    kind: "button", "choice", "switch", "number" or "text". value: of all but a button. options: of a choice: values and words.
+    hint: what it does. disabled: whether it can be used. low, high, step: of a number.
+    """
+
+    id: str
+    label: str
+    kind: str = "button"
+    value: str = ""
+    options: tuple[tuple[str, str], ...] = ()
+    hint: str = ""
+    disabled: bool = False
+    low: float = 0.0
+    high: float = 0.0
+    step: float = 0.0
+
+
+class PageMenu(msgspec.Struct, frozen=True):
+    """A panel with controls. lines: of text above them. side: beside the picture, which stays in use; else over it."""
+
+    title: str
+    lines: tuple[str, ...] = ()
+    items: tuple[PageItem, ...] = ()
+    side: bool = False
+
+
+class Download(msgspec.Struct, frozen=True):
+    """A file for the player."""
+
+    name: str
+    data: bytes
+
+
+class FrameReply(msgspec.Struct, omit_defaults=True):
+    """What came of it, beside the two lists of primitives.
+
+    backdrop: whether the backdrop is a new one. texts: of the frame's list; backdrop_texts: of the backdrop's.
+    background: colour around everything. colours: of the page's controls, by name. menu, toolbar: when they have changed.
+    menu_closed: whether there is no menu any more. sounds: number of the sound, gains of the left and the right ear.
+    said: a sentence for a screen reader. described: what the picture shows. fragment: of the page's address.
+    keep: whether what is stored has changed. download: a file for the player. told: a line to show for a moment.
+    language: code of the texts'.
+    """
+
+    backdrop: bool = False
+    texts: list[str] = []
+    backdrop_texts: list[str] = []
+    background: str = ""
+    colours: dict[str, str] = {}
+    menu: PageMenu | None = None
+    menu_closed: bool = False
+    toolbar: tuple[PageItem, ...] | None = None
+    sounds: list[tuple[int, float, float]] = []
+    said: str = ""
+    described: str = ""
+    fragment: str | None = None
+    keep: bool = False
+    download: Download | None = None
+    told: str = ""
+    language: str = ""

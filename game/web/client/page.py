@@ -1,0 +1,232 @@
+"""Where the page enters: one object that gets a request for every frame and answers with pictures and words."""
+
+import gc
+import random
+from array import array
+from pathlib import Path
+
+import msgspec
+
+from game.drawing.palette import Theme
+from game.kept.store import Kept
+from game.lab.session.session import state_hash as hash_of_session
+from game.language import choose, current, system_prefers
+from game.levels import Level, classic, parse
+from game.picture.display_list import DisplayList
+from game.replays.file import decoded
+from game.replays.state_hash import state_hash
+from game.rules import paddle_ring
+from game.settings.file import SettingsFile
+from game.settings.values import Settings
+from game.system.errors import BadInputError
+from game.web.client.devices import PageDevices
+from game.web.client.lab import LabOnPage
+from game.web.client.menus import Screens, title
+from game.web.client.messages import (
+    Chosen,
+    FileGiven,
+    FrameReply,
+    FrameRequest,
+    LinkOpened,
+    PageSignal,
+    PointerChange,
+    WheelTurn,
+)
+from game.web.client.playing import GameOnPage
+from game.web.client.sounds import Sounds
+from game.web.client.state import PageScreen, PageState, Pictures
+from game.web.client.watching import ReplayOnPage, verdict
+
+_REPLAY, _LEVEL = ".polar", ".toml"
+_MOST_DIGITS = 5
+
+
+class Page:
+    """The game as the page sees it. numbers, backdrop: the lists of primitives of the last frame."""
+
+    def __init__(self, sounds: bytes, folder: str, *, calm: bool, languages: str = "") -> None:
+        """sounds: a `SoundIndex`. folder: of what is stored, "" for none.
+
+        calm: whether the system prefers no motion; a default of the settings. languages: that the browser prefers, by commas.
+        """
+        stored = Path(folder) if folder else None
+        settings_file = None if stored is None else SettingsFile(stored / "settings.json")
+        settings = None if settings_file is None else settings_file.load()
+        if settings is None or settings == Settings():
+            settings = Settings(reduced_motion=calm)
+        system_prefers(languages.split(","))
+        choose(settings.language)
+        chance = random.SystemRandom()
+        self._state = PageState(Sounds(sounds), stored, Kept(stored), settings_file, settings, lambda: chance.getrandbits(32))
+        self._state.choose_difficulty(self._state.kept.progress.value.last_difficulty)
+        self._screens = Screens(self._title, self._game, self._replay, self._lab)
+        self._screen: PageScreen = self._title()
+        self._devices = PageDevices()
+        self._pictures = Pictures(DisplayList(), DisplayList())
+        self._shown: FrameReply = FrameReply()
+        self._shown_backdrop: object = None
+        self._size = (1, 1)
+        if stored is None:
+            self._state.told.append("nothing can be stored here: scores and replays last until the page is closed")
+        gc.collect()
+        gc.freeze()
+
+    @property
+    def numbers(self) -> "array[float]":
+        """The list of the last frame."""
+        return self._pictures.frame.numbers
+
+    @property
+    def backdrop(self) -> "array[float]":
+        """The backdrop's list."""
+        return self._pictures.backdrop.numbers
+
+    def frame(self, request: str) -> str:
+        """Answer a `FrameRequest` with a `FrameReply`, both in JSON."""
+        asked = msgspec.json.decode(request, type=FrameRequest)
+        size = (max(asked.width, 1), max(asked.height, 1))
+        self._state.density = min(max(asked.density, 0.5), 4.0)
+        for signal in asked.signals:
+            self._hear(signal, size)
+        self._screen = self._screen.advance(asked.seconds, size)
+        self._pictures.frame = DisplayList()
+        self._screen.draw(self._pictures, size)
+        return msgspec.json.encode(self._reply(size)).decode()
+
+    def verify(self, data: bytes) -> str:
+        """What playing a replay again shows: its verdict in one line."""
+        try:
+            return verdict(decoded(data, "replay"))
+        except BadInputError as error:
+            return str(error)
+
+    def probe(self) -> str:
+        """How the game or the lab's scene stands, for tests: in JSON. {} where there is neither."""
+        screen = self._screen
+        if isinstance(screen, LabOnPage):
+            session = screen.session
+            return msgspec.json.encode({"line": session.line, "hash": hash_of_session(session)}).decode()
+        if not isinstance(screen, GameOnPage):
+            return "{}"
+        game = screen.game
+        standing = {
+            "level": game.level.name,
+            "tick": game.tick,
+            "score": game.score,
+            "lives": game.lives,
+            "phase": game.phase.name,
+            "paddle": paddle_ring(game).phase,
+            "results": len(game.results),
+            "hash": state_hash(game),
+        }
+        return msgspec.json.encode(standing).decode()
+
+    def _hear(self, message: PageSignal, size: tuple[int, int]) -> None:
+        """Let the screen answer a message."""
+        match message:
+            case Chosen(id=item, value=value):
+                self._screen = self._screen.choose(item, value)
+            case FileGiven(name=name, data=data):
+                self._open_file(name, data)
+            case LinkOpened(fragment=fragment):
+                self._open_link(fragment)
+            case PointerChange() | WheelTurn() if isinstance(self._screen, LabOnPage):
+                self._screen.point(message, size)
+            case _:
+                for signal in self._devices.signals(message, size):
+                    self._screen = self._screen.answer(signal, size)
+
+    def _open_file(self, name: str, data: bytes) -> None:
+        """A replay is shown, a level is played; anything else is refused in one line."""
+        try:
+            if name.lower().endswith(_REPLAY):
+                self._screen = self._replay(name, data)
+            elif name.lower().endswith(_LEVEL):
+                level = parse(data, name)
+                self._state.own[name] = level
+                self._screen = self._game((level,))
+            else:
+                self._state.told.append(f"{name}: expected a replay ({_REPLAY}) or a level ({_LEVEL})")
+        except BadInputError as error:
+            self._state.told.append(str(error))
+
+    def _open_link(self, fragment: str) -> None:
+        """What the address names: level/3, classic/3, or lab/ and a share line. Anything else is refused in one line."""
+        kind, _, rest = fragment.partition("/")
+        if not fragment or fragment == self._screen.fragment:
+            return
+        try:
+            levels = {"level": self._state.levels, "classic": classic()}.get(kind)
+            number = int(rest) if rest.isascii() and rest.isdecimal() and len(rest) < _MOST_DIGITS else 0
+            if levels is not None and 1 <= number <= len(levels):
+                self._screen = self._game(levels[number - 1 :])
+            elif kind == "lab":
+                self._screen = self._lab(rest)
+            else:
+                self._state.told.append(f"#{fragment[:80]}: expected #level/NUMBER, #classic/NUMBER or #lab/SCENE")
+        except BadInputError as error:
+            self._state.told.append(str(error))
+
+    def _reply(self, size: tuple[int, int]) -> FrameReply:
+        """What has changed since the last frame."""
+        state, screen, before = self._state, self._screen, self._shown
+        menu, toolbar, colours = screen.menu, screen.toolbar, _colours(state.theme)
+        resized = size != self._size
+        new_backdrop = self._pictures.backdrop is not self._shown_backdrop or resized
+        reply = FrameReply(
+            backdrop=new_backdrop,
+            texts=self._pictures.frame.texts,
+            backdrop_texts=self._pictures.backdrop.texts if new_backdrop else [],
+            colours=colours if colours != before.colours else {},
+            menu=menu if menu != before.menu else None,
+            menu_closed=menu is None and before.menu is not None,
+            toolbar=toolbar if toolbar != before.toolbar else None,
+            sounds=[_at_volume(sound, state.settings) for sound in state.started],
+            said=" ".join(state.said),
+            described=screen.described,
+            fragment=screen.fragment if screen.fragment != before.fragment else None,
+            keep=state.changed,
+            download=state.download,
+            told=" ".join(state.told),
+            language=current() if current() != before.language else "",
+        )
+        self._size, self._shown_backdrop = size, self._pictures.backdrop
+        self._shown = FrameReply(colours=colours, menu=menu, toolbar=toolbar, fragment=screen.fragment, language=current())
+        state.started, state.said, state.told, state.changed, state.download = [], [], [], False, None
+        return reply
+
+    def _title(self) -> PageScreen:
+        """The title."""
+        return title(self._state, self._screens)
+
+    def _game(self, levels: tuple[Level, ...]) -> PageScreen:
+        """A new game."""
+        return GameOnPage(self._state, self._screens, levels)
+
+    def _replay(self, name: str, data: bytes) -> PageScreen:
+        """A recorded game; BadInputError for a broken one."""
+        return ReplayOnPage(self._state, self._screens, name, data, decoded(data, name))
+
+    def _lab(self, line: str) -> PageScreen:
+        """The lab. line: a share line, "" for the first scene."""
+        return LabOnPage(self._state, self._screens, line)
+
+
+def _colours(theme: Theme) -> dict[str, str]:
+    """The colours of the page's own controls."""
+    named = {
+        "background": theme.background,
+        "panel": theme.panel,
+        "edge": theme.panel_edge,
+        "text": theme.text,
+        "faint": theme.faint,
+        "accent": theme.accent,
+    }
+    return {name: f"#{red:02x}{green:02x}{blue:02x}" for name, (red, green, blue) in named.items()}
+
+
+def _at_volume(sound: tuple[int, float, float], settings: Settings) -> tuple[int, float, float]:
+    """A sound as loud as the player wants it."""
+    number, left, right = sound
+    share = settings.volume / 100.0
+    return number, left * share, right * share

@@ -1,0 +1,329 @@
+"""The game being played on the page."""
+
+import time
+
+import msgspec
+
+from game import effects
+from game.autopilot import Autopilot
+from game.drawing.camera import Layout, unit_of
+from game.effects import EffectKind, Effects
+from game.effects.hit_stop import hit_stop_seconds
+from game.effects.slow_motion import pace
+from game.fixed_step import Due, due
+from game.input.actions import Action
+from game.input.hands import Hands
+from game.input.signals import FocusLost, Pressed, Signal
+from game.kept.progress import RANKS, Best
+from game.kept.scores import LONGEST_NAME, Score
+from game.language import tr
+from game.levels import Level, built_in, classic, number_of
+from game.overlay.notice_words import Notice, notice, ready
+from game.overlay.readings import readings
+from game.picture.figures import add_figures, add_notice
+from game.rules import TICK, EventKind, Game, Phase, new_game, tick
+from game.scene import scene_at, still
+from game.web.client.menus import MenuScreen, Opened, Screens, help_menu, settings_menu
+from game.web.client.messages import PageItem, PageMenu
+from game.web.client.state import PageScreen, PageState, Pictures
+
+_READY_SECONDS = 0.6
+"""After a pause with a ball in play, until it flies on."""
+_OFFER_TICKS = round(20.0 / TICK)
+"""Without a paddle's touch, until the player may give up the ball."""
+_END_TICKS, _CLEARED_TICKS = 200, 150
+"""From the end of the game, and of a level, to the results: nobody who is still playing chooses an entry by accident."""
+_SERVE_KEY = "Space"
+
+
+class GameOnPage:
+    """One game from its first serve on."""
+
+    menu: PageMenu | None = None
+
+    def __init__(self, state: PageState, screens: Screens, levels: tuple[Level, ...]) -> None:
+        """Start a new game at the first of the levels."""
+        self._state, self._screens, self._levels = state, screens, levels
+        self._ticked = still(new_game(levels, state.seed(), state.ruleset))
+        self._effects = Effects()
+        self._hands = Hands()
+        self._due = Due(0, 0.0)
+        self._ready = 0.0  # seconds until play goes on after a pause
+        self._stop = 0.0  # seconds of hit-stop left
+        self._pilot: Autopilot | None = None
+        self._counts = True  # until the autopilot has played
+        self._untouched = 0  # ticks with a ball in play since a paddle touched it
+        self._told = -1  # number of the level whose results were shown last
+        self._start = 0  # tick at which the level began
+        self._speed = 100
+        self._ended = False
+        state.kept.game_done()
+
+    @property
+    def game(self) -> Game:
+        """The game as it stands."""
+        return self._ticked.game
+
+    @property
+    def toolbar(self) -> tuple[PageItem, ...]:
+        """What can be done at any time."""
+        seen = tr("View from above") if self._state.view.goal else tr("View in 3D")
+        sound = tr("Sound off") if self._state.settings.sound else tr("Sound on")
+        return PageItem("pause", tr("Pause")), PageItem("view", seen), PageItem("sound", sound)
+
+    @property
+    def fragment(self) -> str:
+        """The level, where it comes with the game."""
+        number, _ = number_of(self.game.level, self.game.levels)
+        if self.game.level in classic():
+            return f"classic/{number}"
+        return f"level/{number}" if self.game.level in self._state.levels else ""
+
+    @property
+    def described(self) -> str:
+        """The figures."""
+        shown = readings(self.game)
+        words = tr("Level {number}, {name}. Score {score}, {lives} lives, {layers} layers left.")
+        return words.format(
+            number=shown.level_number, name=shown.level_name, score=shown.score, lives=shown.lives, layers=shown.layers
+        )
+
+    def answer(self, signal: Signal, size: tuple[int, int]) -> PageScreen:
+        """Take the player's controls into account, or open a menu."""
+        state = self._state
+        opened = self._opened(signal)
+        if opened is not None:
+            self._let_go()
+            return opened
+        match signal:
+            case Pressed(Action.MUTE):
+                state.change(state.settings._replace(sound=not state.settings.sound))
+            case Pressed(Action.THEME):
+                state.change(state.settings.other_colours())
+            case Pressed(Action.GIVE_UP) if self._untouched < _OFFER_TICKS:
+                return self
+        self._hands = self._hands.after(signal)
+        state.view = state.view.after(signal, unit_of(size))
+        return self
+
+    def _opened(self, signal: Signal) -> PageScreen | None:
+        """What a signal opens; None for nothing."""
+        match signal:
+            case Pressed(Action.PAUSE | Action.BACK | Action.RESTART) | FocusLost():
+                return self._paused()
+            case Pressed(Action.HELP):
+                return help_menu(self._state, lambda: self, self)
+            case Pressed(Action.SETTINGS):
+                return settings_menu(self._state, lambda: self, self)
+            case Pressed(Action.LAB):
+                return self._screens.lab("")
+            case _:
+                return None
+
+    def choose(self, item: str, value: str) -> PageScreen:
+        """The toolbar."""
+        del value
+        state = self._state
+        if item == "pause":
+            return self._paused()
+        if item == "view":
+            state.view = state.view.after(Pressed(Action.TIP), 1.0)
+        elif item == "sound":
+            state.change(state.settings._replace(sound=not state.settings.sound))
+        return self
+
+    def advance(self, seconds: float, size: tuple[int, int]) -> PageScreen:
+        """Run the ticks that are due; a menu when a level or the game has ended."""
+        state = self._state
+        state.view = state.view.later(seconds, smooth=not state.settings.reduced_motion)
+        if self._ready > 0.0:
+            self._ready -= seconds
+            return self
+        stopped = min(self._stop, max(seconds, 0.0))
+        self._stop -= stopped
+        slowed = pace(self.game) if EffectKind.SLOW_MOTION in state.settings.shown else 1.0
+        self._speed = min(self._speed, state.settings.speed)
+        self._due = due(self._due.rest, (seconds - stopped) * slowed * state.settings.speed / 100.0)
+        seen = self._layout(size)
+        for _ in range(self._due.ticks):
+            self._tick(seen)
+            if EffectKind.HIT_STOP in state.settings.shown and (stop := hit_stop_seconds(self._ticked)):
+                self._stop, self._due = stop, Due(0, 0.0)
+                break
+        return self._results() or self
+
+    def draw(self, out: Pictures, size: tuple[int, int]) -> None:
+        """The arena, the figures, and a line that says what to do."""
+        state, seen, unit = self._state, self._layout(size), self._state.text_unit(size)
+        scene = scene_at(self._ticked, self._due.alpha, self._effects)
+        state.draw_scene(out, scene, seen.camera, size)
+        badge = "" if self._pilot is None else tr("autopilot")
+        shown = readings(self.game, badge=badge)
+        add_figures(out.frame, shown, seen, state.theme, unit)
+        told = self._notice()
+        if told is not None:
+            add_notice(out.frame, told, seen, state.theme, unit)
+
+    def restarted(self) -> "GameOnPage":
+        """The same levels from their first serve."""
+        return GameOnPage(self._state, self._screens, self._levels)
+
+    def _notice(self) -> Notice | None:
+        """What to tell the player."""
+        if 0.0 < self._ready < _READY_SECONDS:
+            return ready()
+        if self.game.phase in (Phase.OVER, Phase.WON):
+            return None
+        told = notice(self.game, _SERVE_KEY)
+        if told is None and self._pilot is None and self._untouched >= _OFFER_TICKS:
+            return Notice(tr("Out of reach?"), tr("{key}: give up this ball; it costs a life").format(key="G"))
+        return told
+
+    def _tick(self, seen: Layout) -> None:
+        """Run one tick, and record it."""
+        state, game = self._state, self.game
+        if self._pilot is not None:
+            controls = self._pilot.controls(game)
+        elif state.settings.one_button:
+            controls = self._hands.one_button_controls(game)
+        else:
+            controls = self._hands.controls(seen.camera, game)
+        self._hands = self._hands.after_tick()
+        self._ticked = tick(game, controls)
+        events = self._ticked.events
+        touched = self.game.phase != Phase.PLAYING or any(
+            [event.kind in {EventKind.PADDLE_HIT, EventKind.SERVED} for event in events]
+        )
+        self._untouched = 0 if touched else self._untouched + 1
+        self._effects = effects.after(self._effects, self._ticked, state.settings.shown)
+        state.play_sounds(self._ticked, seen.camera)
+        if self._counts:
+            state.kept.games(controls, self.game)
+        for event in events:
+            if event.kind == EventKind.LEVEL_STARTED:
+                self._start = self.game.tick
+            elif event.kind == EventKind.LEVEL_CLEARED:
+                self._note_level()
+            elif event.kind == EventKind.BALL_LOST:
+                state.said.append(tr("Ball lost. {lives} lives left.").format(lives=self.game.lives))
+
+    def _note_level(self) -> None:
+        """A level was finished: note it, where the player has done it."""
+        state, result = self._state, self.game.results[-1]
+        state.said.append(tr("Level cleared"))
+        if self._counts and self.game.level in built_in():
+            done = Best(self.game.level.name, state.difficulty, result.score, int(result.rank), result.ticks, start=self._start)
+            state.kept.level_done(done)
+            state.changed = True
+            state.tell_problems()
+
+    def _results(self) -> PageScreen | None:
+        """The menu after a level or the game, once its end has been seen for a moment."""
+        game = self.game
+        if game.phase in (Phase.OVER, Phase.WON) and game.phase_tick >= _END_TICKS and not self._ended:
+            self._ended = True
+            return self._after_game()
+        cleared = game.phase == Phase.CLEARED and game.phase_tick >= _CLEARED_TICKS
+        if cleared and self._told < game.number and self._pilot is None:
+            self._told = game.number
+            return self._after_level()
+        return None
+
+    def _after_level(self) -> PageScreen:
+        """A level's figures, and the next one."""
+        result = self.game.results[-1]
+        lines = (
+            tr("Rank {rank}").format(rank=RANKS[int(result.rank)]),
+            tr("{score} points, {lost} balls lost, best combo {combo}").format(
+                score=f"{result.score:,}", lost=result.balls_lost, combo=result.best_combo
+            ),
+        )
+
+        def on(_value: str) -> PageScreen:
+            self._hands = self._hands.after(Pressed(Action.SERVE))
+            return self
+
+        following = tr("Next: {level}").format(level=self.game.levels[self.game.number + 1].name)
+        items = (Opened(PageItem("next", following), on), *self._leaving())
+        return MenuScreen(self._state, tr("Level cleared"), lambda _menu: (lines, items), lambda: on(""), self)
+
+    def _after_game(self) -> PageScreen:
+        """A game's figures; the name of who made a high score; its replay; and how to go on."""
+        state, game = self._state, self.game
+        last = state.kept.game_done() if self._counts else None
+        state.changed = True
+        state.tell_problems()
+        lines = [tr("Score {score}").format(score=f"{game.score:,}")]
+        items: list[Opened] = []
+        ranked = self._counts and all([level in built_in() for level in self._levels])
+        if ranked and state.kept.scores.value.qualifies(game.score, state.difficulty):
+            score = Score(
+                "",
+                game.score,
+                state.difficulty,
+                game.levels[0].name,
+                game.level.name,
+                game.phase == Phase.WON,
+                self._speed,
+                time.strftime("%Y-%m-%d"),
+                *((last.file, last.sha256) if last is not None else ()),
+            )
+            items.append(self._name_item(score))
+        if last is not None and state.kept.games.folder is not None:
+            path = state.kept.games.folder / last.file
+            items.append(
+                Opened(PageItem("watch", tr("Watch the replay")), lambda _: self._screens.replay(path.name, path.read_bytes()))
+            )
+        items.append(Opened(PageItem("again", tr("Again")), lambda _: self.restarted()))
+        items += self._leaving()
+        heading = tr("You won") if game.phase == Phase.WON else tr("Game over")
+        return MenuScreen(state, heading, lambda _menu: (lines, items), under=self)
+
+    def _name_item(self, score: Score) -> Opened:
+        """The entry of the name of who made a high score."""
+        state = self._state
+
+        def entered(value: str) -> PageScreen:
+            state.kept.enter(msgspec.structs.replace(score, name=value.strip()[:LONGEST_NAME]))
+            state.changed = True
+            state.tell_problems()
+            return self._screens.title()
+
+        held = state.kept.scores.value.last_name
+        return Opened(PageItem("name", tr("A high score. Your name"), "text", held, high=LONGEST_NAME), entered)
+
+    def _leaving(self) -> tuple[Opened, ...]:
+        """Where else to go."""
+        return (Opened(PageItem("title", tr("Title")), lambda _value: self._screens.title()),)
+
+    def _paused(self) -> PageScreen:
+        """The menu of a game that was interrupted."""
+        self._let_go()
+
+        def contents(menu: MenuScreen) -> tuple[tuple[str, ...], tuple[Opened, ...]]:
+            def let_play(value: str) -> PageScreen:
+                self._pilot = Autopilot() if value == "True" else None
+                self._counts = self._counts and self._pilot is None
+                return menu
+
+            pilot = PageItem("autopilot", tr("Let the program play"), "switch", str(self._pilot is not None))
+            return (self.described,), (
+                Opened(PageItem("go-on", tr("Go on")), lambda _: self),
+                Opened(PageItem("restart", tr("From the first level")), lambda _: self.restarted()),
+                Opened(PageItem("help", tr("How to play")), lambda _: help_menu(self._state, lambda: menu, self)),
+                Opened(PageItem("settings", tr("Settings")), lambda _: settings_menu(self._state, lambda: menu, self)),
+                Opened(pilot, let_play),
+                *self._leaving(),
+            )
+
+        return MenuScreen(self._state, tr("Paused"), contents, lambda: self, self)
+
+    def _let_go(self) -> None:
+        """Keys that were held when a menu opened are let go; play goes on a moment after it."""
+        self._hands = self._hands.after(FocusLost())
+        if self.game.phase == Phase.PLAYING:
+            self._ready = _READY_SECONDS
+
+    def _layout(self, size: tuple[int, int]) -> Layout:
+        """Where everything is."""
+        return self._state.layout(size, self.game.level.ground_radius)

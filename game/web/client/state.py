@@ -1,0 +1,149 @@
+"""What all of the page's screens share, and what a screen of the page is."""
+
+import time
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Protocol
+
+from game.drawing.camera import Camera, Layout, layout, unit_of
+from game.drawing.palette import Theme
+from game.input.signals import Signal
+from game.input.view import FLAT, Viewpoint
+from game.kept.store import Kept
+from game.language import choose
+from game.levels import Level, campaign
+from game.picture.arena import ArenaPicture, ArenaView
+from game.picture.display_list import DisplayList
+from game.rules import Ruleset, Ticked
+from game.scene import Scene
+from game.screens.difficulty_names import SOURCE, ruleset_of
+from game.settings.file import SettingsFile
+from game.settings.values import Settings
+from game.web.client.messages import Download, PageItem, PageMenu
+from game.web.client.sounds import Sounds
+
+_SMALLEST = 12.0
+"""CSS pixels of text, at least."""
+
+
+class PageScreen(Protocol):
+    """What can be on the page."""
+
+    @property
+    def menu(self) -> PageMenu | None:
+        """The controls beside or over the picture; None for none."""
+
+    @property
+    def toolbar(self) -> tuple[PageItem, ...]:
+        """Buttons that are always there."""
+
+    def answer(self, signal: Signal, size: tuple[int, int]) -> "PageScreen":
+        """The screen after a signal."""
+
+    def choose(self, item: str, value: str) -> "PageScreen":
+        """The screen after a control was used. item: its id."""
+
+    def advance(self, seconds: float, size: tuple[int, int]) -> "PageScreen":
+        """The screen some time later."""
+
+    def draw(self, out: "Pictures", size: tuple[int, int]) -> None:
+        """Show it."""
+
+    @property
+    def fragment(self) -> str:
+        """What the address of the page is to say about it."""
+
+    @property
+    def described(self) -> str:
+        """What the picture shows, in words."""
+
+
+@dataclass
+class Pictures:
+    """What a screen draws. backdrop: what seldom changes, the very same list as long as it has not; frame: painted over it."""
+
+    backdrop: DisplayList
+    frame: DisplayList
+
+
+@dataclass
+class PageState:
+    """Shared by the screens. folder: of what is stored; None where nothing can be.
+
+    levels: of the campaign. own: the player's, by the names of their files.
+    density: pixels of the canvas per CSS pixel.
+    told: lines for the player to read for a moment. said: for a screen reader. started: sounds to be played now.
+    changed: whether what is stored has changed. download: a file for the player.
+    """
+
+    sounds: Sounds
+    folder: Path | None
+    kept: Kept
+    settings_file: SettingsFile | None
+    settings: Settings
+    seed: Callable[[], int]
+    levels: tuple[Level, ...] = field(default_factory=campaign)
+    own: dict[str, Level] = field(default_factory=dict)
+    ruleset: Ruleset = field(default_factory=Ruleset)
+    view: Viewpoint = FLAT
+    density: float = 1.0
+    arena: ArenaPicture = field(default_factory=ArenaPicture)
+    told: list[str] = field(default_factory=list)
+    said: list[str] = field(default_factory=list)
+    started: list[tuple[int, float, float]] = field(default_factory=list)
+    changed: bool = False
+    download: Download | None = None
+    problems: set[str] = field(default_factory=set)
+
+    @property
+    def theme(self) -> Theme:
+        """The colours."""
+        return self.settings.theme
+
+    @property
+    def difficulty(self) -> str:
+        """The name under which scores and bests of new games are kept."""
+        return self.ruleset.difficulty.name.lower() if self.ruleset.arcade else SOURCE
+
+    def text_unit(self, size: tuple[int, int]) -> float:
+        """Size of text, pixels: never too small to be read on a phone."""
+        return max(unit_of(size), _SMALLEST * self.density)
+
+    def choose_difficulty(self, name: str) -> None:
+        """Let new games be of a difficulty."""
+        self.ruleset = ruleset_of(name)
+
+    def change(self, settings: Settings) -> None:
+        """Let other settings hold, and keep them."""
+        self.settings = settings
+        choose(settings.language)
+        if self.settings_file is not None:
+            self.settings_file.keep(settings)
+            self.changed = True
+
+    def layout(self, size: tuple[int, int], ground_radius: float) -> Layout:
+        """Where everything is on the canvas."""
+        return self.view.seen(layout(size, ground_radius))
+
+    def draw_scene(self, out: Pictures, scene: Scene, camera: Camera, size: tuple[int, int]) -> None:
+        """Show a scene."""
+        seen = ArenaView(camera, self.theme, unit_of(size))
+        out.backdrop = self.arena.backdrop(scene, seen)
+        out.frame = self.arena.frame(scene, seen)
+
+    def play_sounds(self, ticked: Ticked, camera: Camera) -> None:
+        """Begin the sounds of a tick, each where its event is on the screen."""
+        if ticked.events and self.settings.sound and self.settings.volume:
+            reach = ticked.game.level.ground_radius
+            now = time.monotonic()
+            self.started += self.sounds.started(
+                ticked.events, lambda position: camera.side(position, reach), ticked.game.combo, now
+            )
+
+    def tell_problems(self) -> None:
+        """Say once what could not be read or written."""
+        for line in self.kept.problems:
+            if line not in self.problems:
+                self.problems.add(line)
+                self.told.append(line)

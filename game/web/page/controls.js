@@ -1,0 +1,89 @@
+// Makes the page's controls of the values that Python gives, and says which was used.
+
+function made(tag, properties = {}, ...children) {
+  const element = Object.assign(document.createElement(tag), properties);
+  element.append(...children);
+  return element;
+}
+
+function control(item, use) {
+  const hint = item.hint ? { title: item.hint } : {};
+  const name = `item-${item.id}`;
+  if (item.kind === "button") {
+    return made("button", { type: "button", id: name, disabled: item.disabled, onclick: () => use(item.id, ""), ...hint }, item.label);
+  }
+  if (item.kind === "choice") {
+    const options = item.options.map(([value, words]) => made("option", { value, selected: value === item.value }, words));
+    const select = made("select", { id: name, onchange: () => use(item.id, select.value) }, ...options);
+    return made("label", hint, item.label, select);
+  }
+  if (item.kind === "switch") {
+    const box = made("input", { type: "checkbox", id: name, checked: item.value === "True", onchange: () => use(item.id, box.checked ? "True" : "False") });
+    return made("label", hint, item.label, box);
+  }
+  if (item.kind === "number") {
+    const field = made("input", { type: "number", id: name, min: item.low, max: item.high, step: item.step || "any", value: item.value, onchange: () => use(item.id, field.value) });
+    return made("label", hint, item.label, field);
+  }
+  const field = made("input", { type: "text", id: name, value: item.value, maxLength: item.high || 400, spellcheck: false });
+  const enter = () => use(item.id, field.value);
+  field.onkeydown = (event) => event.key === "Enter" && enter();
+  return made("label", hint, item.label, field, made("button", { type: "button", id: `${name}-enter`, onclick: enter }, "Enter"));
+}
+
+export class Controls {
+  constructor(menu, toolbar, canvas, use) {
+    Object.assign(this, { menu, toolbar, canvas, use });
+    menu.addEventListener("keydown", (event) => this.#move(event));
+  }
+
+  /** Show a menu in place of the one before; the control that had the keyboard keeps it where it is still there. */
+  show(menu) {
+    const held = document.activeElement?.id, same = this.menu.dataset.title === menu.title && !this.menu.hidden;
+    const position = this.menu.scrollTop;
+    const title = made("h1", { id: "menu-title" }, menu.title);
+    const lines = menu.lines.map((line) => made("p", {}, line));
+    const items = made("div", { className: "items" });
+    for (const item of menu.items) {
+      items.append(control(item, this.use));
+      if (item.hint && item.kind === "button" && !menu.side) items.append(made("p", { className: "hint" }, item.hint));
+    }
+    this.menu.replaceChildren(title, ...lines, items);
+    this.menu.dataset.title = menu.title;
+    this.menu.classList.toggle("side", menu.side);
+    this.menu.hidden = false;
+    if (same) this.menu.scrollTop = position;
+    const again = same && held ? document.getElementById(held) : null;
+    if (again && this.menu.contains(again)) again.focus({ preventScroll: true });
+    else if (!menu.side) this.#controls()[0]?.focus({ preventScroll: true });
+  }
+
+  close() {
+    this.menu.hidden = true;
+    this.menu.replaceChildren();
+    this.canvas.focus({ preventScroll: true });
+  }
+
+  showToolbar(items) {
+    const held = document.activeElement?.id;
+    this.toolbar.replaceChildren(...items.map((item) => control(item, (id, value) => {
+      this.use(id, value);
+      this.canvas.focus({ preventScroll: true });
+    })));
+    this.toolbar.hidden = items.length === 0;
+    if (held) document.getElementById(held)?.focus({ preventScroll: true });
+  }
+
+  #controls() {
+    return [...this.menu.querySelectorAll("button:not(:disabled), select, input")];
+  }
+
+  /** Up and down go from control to control, as in the game's own menus; within a field they are the field's. */
+  #move(event) {
+    const step = { ArrowUp: -1, ArrowDown: 1 }[event.key];
+    if (!step || event.target.tagName !== "BUTTON") return;
+    const controls = this.#controls(), at = controls.indexOf(document.activeElement);
+    controls[(at + step + controls.length) % controls.length]?.focus();
+    event.preventDefault();
+  }
+}

@@ -1,0 +1,74 @@
+// Listens to keyboard, pointers, wheel and gamepads, and collects what they did until the next frame.
+
+const TYPED = new Set(["INPUT", "SELECT", "TEXTAREA"]);
+const CONTROLS = new Set(["INPUT", "SELECT", "TEXTAREA", "BUTTON", "A"]);
+const SCROLLING = new Set(["ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight", " ", "Home", "End", "F1"]);
+
+export class Input {
+  #signals = [];
+  #pad = "";
+
+  constructor(canvas) {
+    this.canvas = canvas;
+    addEventListener("keydown", (event) => this.#key(event, true));
+    addEventListener("keyup", (event) => this.#key(event, false));
+    for (const [name, phase] of [["pointerdown", "down"], ["pointermove", "move"], ["pointerup", "up"], ["pointercancel", "cancel"]]) {
+      canvas.addEventListener(name, (event) => this.#pointer(event, phase));
+    }
+    canvas.addEventListener("contextmenu", (event) => event.preventDefault());
+    canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
+    addEventListener("blur", () => this.add({ type: "away" }));
+    document.addEventListener("visibilitychange", () => document.hidden && this.add({ type: "away" }));
+  }
+
+  add(signal) {
+    this.#signals.push(signal);
+  }
+
+  /** What happened since the last call. */
+  taken() {
+    this.#poll();
+    const taken = this.#signals;
+    this.#signals = [];
+    return taken;
+  }
+
+  #key(event, down) {
+    const inControl = CONTROLS.has(event.target.tagName);
+    if (event.ctrlKey || event.metaKey || event.altKey || event.repeat || TYPED.has(event.target.tagName)) return;
+    if (inControl && (event.key === " " || event.key === "Enter")) return;
+    if (SCROLLING.has(event.key) && !inControl) event.preventDefault();
+    this.add({ type: "key", code: event.code, key: event.key, down });
+  }
+
+  #pointer(event, phase) {
+    if (phase === "down") {
+      this.canvas.focus({ preventScroll: true });
+      this.canvas.setPointerCapture(event.pointerId);
+    }
+    this.add({ type: "pointer", phase, id: event.pointerId, touch: event.pointerType === "touch", buttons: event.buttons, ...this.#pixel(event) });
+  }
+
+  #wheel(event) {
+    event.preventDefault();
+    const notch = event.deltaMode === WheelEvent.DOM_DELTA_PIXEL ? 100 : 3;
+    this.add({ type: "wheel", steps: -event.deltaY / notch, ...this.#pixel(event) });
+  }
+
+  #pixel(event) {
+    const box = this.canvas.getBoundingClientRect();
+    return {
+      x: ((event.clientX - box.left) * this.canvas.width) / box.width,
+      y: ((event.clientY - box.top) * this.canvas.height) / box.height,
+    };
+  }
+
+  #poll() {
+    const pad = navigator.getGamepads?.().find((one) => one?.connected && one.mapping === "standard");
+    if (!pad) return;
+    const state = { type: "pad", buttons: pad.buttons.map((button) => button.value), axes: [...pad.axes] };
+    const text = JSON.stringify(state);
+    if (text !== this.#pad) this.add(state);
+    this.#pad = text;
+  }
+}

@@ -1,0 +1,188 @@
+// The page: asks Python in the worker for a frame, paints the one before, and hands on what the player did.
+
+import { Controls } from "./controls.js";
+import { Input } from "./input.js";
+import { paint } from "./painter.js";
+import { Speaker } from "./speaker.js";
+
+const TOLD_SECONDS = 7;
+const LARGEST_FILE = 16 * 1024 * 1024;
+const element = (id) => document.getElementById(id);
+const canvas = element("picture"), context = canvas.getContext("2d", { alpha: false });
+const speaker = new Speaker(), input = new Input(canvas);
+const controls = new Controls(element("menu"), element("toolbar"), canvas, (id, value) => input.add({ type: "choose", id, value }));
+const backdrop = document.createElement("canvas"), backdropContext = backdrop.getContext("2d", { alpha: false });
+const questions = new Map();
+let worker = null, latest = null, waiting = false, sentAt = 0, background = "#000", toldUntil = 0, asked = 0;
+
+function say(words) {
+  element("loading").textContent = words;
+  element("loading").hidden = false;
+}
+
+function fail(words) {
+  console.error(words);
+  say(words);
+}
+
+function tell(words) {
+  element("told").textContent = words;
+  element("told").hidden = false;
+  toldUntil = performance.now() + 1000 * TOLD_SECONDS;
+}
+
+/** Ask the game's Python something, for tests; its answer. */
+function ask(what, argument) {
+  return new Promise((done) => {
+    questions.set(++asked, done);
+    worker.postMessage({ kind: "ask", what, argument, number: asked });
+  });
+}
+
+/** Pixels of the canvas per CSS pixel. */
+function density() {
+  return Math.min(devicePixelRatio || 1, 2);
+}
+
+function fitted() {
+  const side = element("menu").classList.contains("side") && !element("menu").hidden ? element("menu").getBoundingClientRect() : null;
+  const full = { width: innerWidth, height: innerHeight };
+  if (side) {
+    if (side.width < innerWidth) full.width = Math.max(innerWidth - side.width, 200);
+    else full.height = Math.max(innerHeight - side.height, 200);
+  }
+  canvas.style.width = `${full.width}px`;
+  canvas.style.height = `${full.height}px`;
+  return [Math.round(full.width * density()), Math.round(full.height * density())];
+}
+
+function request(now) {
+  const [width, height] = fitted();
+  const seconds = sentAt ? (now - sentAt) / 1000 : 0;
+  sentAt = now;
+  waiting = true;
+  worker.postMessage({ kind: "frame", request: JSON.stringify({ seconds, width, height, density: density(), signals: input.taken() }) });
+  return [width, height];
+}
+
+function show({ reply, size }) {
+  const [width, height] = size;
+  if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = size;
+  if (reply.backdrop) {
+    [backdrop.width, backdrop.height] = size;
+    backdropContext.fillStyle = background;
+    backdropContext.fillRect(0, 0, width, height);
+    paint(backdropContext, reply.backdrop, reply.backdrop_texts ?? []);
+  }
+  context.globalAlpha = 1;
+  context.drawImage(backdrop, 0, 0);
+  paint(context, reply.numbers, reply.texts ?? []);
+}
+
+/** What a reply says beside its picture. */
+function heed(reply) {
+  if (reply.colours) {
+    for (const [name, value] of Object.entries(reply.colours)) document.documentElement.style.setProperty(`--${name}`, value);
+    background = reply.colours.background;
+  }
+  if (reply.language) document.documentElement.lang = reply.language;
+  if (reply.toolbar) controls.showToolbar(reply.toolbar);
+  if (reply.menu) controls.show(reply.menu);
+  if (reply.menu_closed) controls.close();
+  document.body.classList.toggle("playing", element("menu").hidden || element("menu").classList.contains("side"));
+  if (reply.sounds) speaker.play(reply.sounds);
+  if (reply.said) element("said").textContent = reply.said;
+  if (reply.described && canvas.getAttribute("aria-label") !== reply.described) canvas.setAttribute("aria-label", reply.described);
+  if (reply.fragment !== undefined && reply.fragment !== null) replaceFragment(reply.fragment);
+  if (reply.told) tell(reply.told);
+  if (reply.download) download(reply.download);
+}
+
+function replaceFragment(fragment) {
+  history.replaceState(null, "", fragment ? `#${encodeURI(fragment)}` : location.pathname + location.search);
+}
+
+function openFragment() {
+  let fragment = location.hash.slice(1);
+  try {
+    fragment = decodeURIComponent(fragment);
+  } catch {
+    tell("the address of this page has a broken fragment");
+    return;
+  }
+  if (fragment) input.add({ type: "link", fragment });
+}
+
+function download({ name, data }) {
+  const bytes = Uint8Array.from(atob(data), (letter) => letter.charCodeAt(0));
+  const link = document.createElement("a");
+  link.href = URL.createObjectURL(new Blob([bytes]));
+  link.download = name;
+  link.click();
+  setTimeout(() => URL.revokeObjectURL(link.href), 10000);
+}
+
+async function give(file) {
+  if (file.size > LARGEST_FILE) {
+    tell(`${file.name}: larger than 16 MB`);
+    return;
+  }
+  const bytes = new Uint8Array(await file.arrayBuffer());
+  let letters = "";
+  for (let k = 0; k < bytes.length; k += 8192) letters += String.fromCharCode(...bytes.subarray(k, k + 8192));
+  input.add({ type: "file", name: file.name, data: btoa(letters) });
+}
+
+function turn(now) {
+  requestAnimationFrame(turn);
+  if (now > toldUntil) element("told").hidden = true;
+  if (latest) {
+    show(latest);
+    latest = null;
+  }
+  if (!waiting) turn.size = request(now);
+}
+
+function heard({ data }) {
+  if (data.kind === "ready") {
+    element("loading").hidden = true;
+    openFragment();
+    requestAnimationFrame(turn);
+  } else if (data.kind === "frame") {
+    waiting = false;
+    heed(data.reply);
+    latest = { reply: data.reply, size: turn.size };
+    if (!window.polarBreakout.firstFrame) window.polarBreakout.firstFrame = performance.now();
+    window.polarBreakout.frames += 1;
+  } else if (data.kind === "answer") {
+    questions.get(data.number)(data.answer);
+    questions.delete(data.number);
+  } else if (data.kind === "told") {
+    tell(data.words);
+  } else {
+    fail(`The game cannot go on: ${data.words}`);
+  }
+}
+
+function start() {
+  if (typeof WebAssembly === "undefined" || typeof DecompressionStream === "undefined") {
+    say("This page needs a browser with WebAssembly and DecompressionStream: Chrome or Edge 119, Firefox 121, Safari 17, or newer.");
+    return;
+  }
+  worker = new Worker("worker.js", { type: "module" });
+  worker.onerror = (event) => fail(`The game cannot be started: ${event.message ?? "its worker is missing"}`);
+  worker.onmessage = heard;
+  const base = new URL("./", location.href).href;
+  worker.postMessage({ kind: "start", base, calm: matchMedia("(prefers-reduced-motion: reduce)").matches, languages: navigator.languages.join(",") });
+  for (const name of ["pointerdown", "keydown"]) addEventListener(name, () => speaker.wake());
+  addEventListener("hashchange", openFragment);
+  addEventListener("dragover", (event) => event.preventDefault());
+  addEventListener("drop", (event) => {
+    event.preventDefault();
+    for (const file of event.dataTransfer.files) give(file);
+  });
+  navigator.serviceWorker?.register("offline.js").catch(() => undefined);
+}
+
+window.polarBreakout = { ask, give, input, frames: 0, firstFrame: 0 };
+start();

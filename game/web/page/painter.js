@@ -1,0 +1,180 @@
+// Paints flat lists of primitives on a canvas. game/picture/display_list.py documents every primitive.
+
+const DISC = 1, CIRCLE = 2, SECTOR = 3, POLYGON = 4, LINE = 5, TEXT = 6, GLOW = 7, GRADIENT = 8, CELLS = 9, CLIP = 10, TURN = 11;
+const WHOLE = Math.PI * 0.999;
+const FONT = "system-ui, sans-serif";
+const styles = new Map();
+
+function colour(packed) {
+  let style = styles.get(packed);
+  if (style === undefined) {
+    style = "#" + packed.toString(16).padStart(6, "0");
+    styles.set(packed, style);
+  }
+  return style;
+}
+
+/** Paint a list. numbers: a Float32Array; texts: those that it refers to. */
+export function paint(context, numbers, texts) {
+  let at = 0;
+  let turned = false, clipped = false;
+  while (at < numbers.length) {
+    const code = numbers[at], style = numbers[at + 1];
+    context.globalAlpha = numbers[at + 2];
+    at += 3;
+    switch (code) {
+      case DISC:
+        context.fillStyle = colour(style);
+        context.beginPath();
+        context.arc(numbers[at], numbers[at + 1], numbers[at + 2], 0, 2 * Math.PI);
+        context.fill();
+        at += 3;
+        break;
+      case CIRCLE:
+        context.strokeStyle = colour(style);
+        context.lineWidth = numbers[at + 3];
+        context.setLineDash([]);
+        context.beginPath();
+        context.arc(numbers[at], numbers[at + 1], numbers[at + 2], 0, 2 * Math.PI);
+        context.stroke();
+        at += 4;
+        break;
+      case SECTOR:
+        context.fillStyle = colour(style);
+        sector(context, numbers, at);
+        at += 7;
+        break;
+      case POLYGON: {
+        const count = numbers[at];
+        context.fillStyle = colour(style);
+        path(context, numbers, at + 1, count);
+        context.fill();
+        at += 1 + 2 * count;
+        break;
+      }
+      case LINE: {
+        const count = numbers[at + 2], dash = numbers[at + 1];
+        context.strokeStyle = colour(style);
+        context.lineWidth = numbers[at];
+        context.lineCap = dash ? "butt" : "round";
+        context.lineJoin = "round";
+        context.setLineDash(dash ? [dash, dash] : []);
+        path(context, numbers, at + 3, count);
+        context.stroke();
+        at += 3 + 2 * count;
+        break;
+      }
+      case TEXT: {
+        context.fillStyle = colour(style);
+        context.font = `${numbers[at + 5] ? "600 " : ""}${numbers[at + 1]}px ${FONT}`;
+        context.textBaseline = "middle";
+        const words = texts[numbers[at]], across = numbers[at + 4];
+        context.textAlign = across === 0 ? "left" : across === 1 ? "right" : "center";
+        context.fillText(words, numbers[at + 2], numbers[at + 3]);
+        at += 6;
+        break;
+      }
+      case GLOW:
+        glow(context, numbers, at, style);
+        at += 4;
+        break;
+      case GRADIENT: {
+        const [x, y, radius, count] = numbers.subarray(at, at + 4);
+        const gradient = context.createRadialGradient(x, y, 0, x, y, radius);
+        for (let k = 0; k < count; k++) {
+          gradient.addColorStop(Math.min(numbers[at + 4 + 2 * k], 1), colour(numbers[at + 5 + 2 * k]));
+        }
+        context.fillStyle = gradient;
+        context.beginPath();
+        context.arc(x, y, radius, 0, 2 * Math.PI);
+        context.fill();
+        at += 4 + 2 * count;
+        break;
+      }
+      case CELLS:
+        at = cells(context, numbers, at);
+        break;
+      case CLIP:
+        if (clipped) context.restore();
+        clipped = numbers[at + 2] > 0;
+        if (clipped) {
+          context.save();
+          context.beginPath();
+          context.rect(numbers[at], numbers[at + 1], numbers[at + 2], numbers[at + 3]);
+          context.clip();
+        }
+        at += 4;
+        break;
+      case TURN:
+        if (turned) context.setTransform(1, 0, 0, 1, 0, 0);
+        turned = numbers[at + 2] !== 0;
+        if (turned) {
+          context.translate(numbers[at], numbers[at + 1]);
+          context.rotate(numbers[at + 2]);
+          context.translate(-numbers[at], -numbers[at + 1]);
+        }
+        at += 3;
+        break;
+      default:
+        throw new Error(`primitive ${code} at ${at - 3}`);
+    }
+  }
+  if (clipped) context.restore();
+  context.setTransform(1, 0, 0, 1, 0, 0);
+  context.globalAlpha = 1;
+}
+
+function sector(context, numbers, at) {
+  const x = numbers[at], y = numbers[at + 1], inner = numbers[at + 2], outer = numbers[at + 3];
+  const angle = numbers[at + 4], halfInner = numbers[at + 5], halfOuter = numbers[at + 6];
+  context.beginPath();
+  if (halfOuter >= WHOLE) {
+    context.arc(x, y, outer, 0, 2 * Math.PI);
+    context.arc(x, y, inner, 2 * Math.PI, 0, true);
+  } else {
+    context.arc(x, y, outer, angle - halfOuter, angle + halfOuter);
+    context.arc(x, y, inner, angle + halfInner, angle - halfInner, true);
+  }
+  context.closePath();
+  context.fill();
+}
+
+function path(context, numbers, at, count) {
+  context.beginPath();
+  context.moveTo(numbers[at], numbers[at + 1]);
+  for (let k = 1; k < count; k++) context.lineTo(numbers[at + 2 * k], numbers[at + 2 * k + 1]);
+}
+
+function glow(context, numbers, at, style) {
+  const x = numbers[at], y = numbers[at + 1], across = numbers[at + 2], down = numbers[at + 3];
+  if (across < 0.5 || down < 0.5) return;
+  const before = context.getTransform();
+  context.globalCompositeOperation = "lighter";
+  context.translate(x, y);
+  context.scale(1, down / across);
+  const gradient = context.createRadialGradient(0, 0, 0, 0, 0, across), own = colour(style);
+  gradient.addColorStop(0, own);
+  gradient.addColorStop(0.4, own + "70");
+  gradient.addColorStop(1, own + "00");
+  context.fillStyle = gradient;
+  context.beginPath();
+  context.arc(0, 0, across, 0, 2 * Math.PI);
+  context.fill();
+  context.globalCompositeOperation = "source-over";
+  context.setTransform(before);
+}
+
+function cells(context, numbers, at) {
+  const [x, y, width, height, columns, rows] = numbers.subarray(at, at + 6);
+  const small = new OffscreenCanvas(columns, rows), own = small.getContext("2d");
+  const image = own.createImageData(columns, rows);
+  at += 6;
+  for (let k = 0; k < columns * rows; k++) {
+    const packed = numbers[at + k];
+    image.data.set([packed >> 16, (packed >> 8) & 255, packed & 255, 255], 4 * k);
+  }
+  own.putImageData(image, 0, 0);
+  context.imageSmoothingEnabled = true;
+  context.drawImage(small, x, y, width, height);
+  return at + columns * rows;
+}

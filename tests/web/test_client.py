@@ -1,0 +1,177 @@
+"""The page's Python, its lists of primitives, its files: without a browser."""
+
+import json
+import os
+import sys
+from pathlib import Path
+
+import pygame
+import pytest
+
+from game.drawing.ground.colours import around_colours, ground_colours
+from game.drawing.palette import DARK, LIGHT
+from game.input.actions import Action
+from game.input.keys import BINDINGS
+from game.picture.display_list import DisplayList, Primitive
+from game.picture.ground import around_colour, ground_colour
+from game.system.errors import EnvironmentMissingError
+from game.web import packages
+from game.web.bundle import archive
+from game.web.client.keys import BUTTONS, BY_CODE, BY_KEY
+from game.web.client.page import Page
+
+PAD_BUTTONS = ("A", "B", "X", "Y", "LEFTSHOULDER", "RIGHTSHOULDER", "", "", "BACK", "START", "", "")
+PAD_BUTTONS += ("DPAD_UP", "DPAD_DOWN", "DPAD_LEFT", "DPAD_RIGHT")
+"""SDL's names of the buttons of a browser's standard gamepad."""
+NOT_ON_PAGES = {Action.TIP, Action.FULL_SCREEN, Action.NORMALS}
+"""Tab is the browser's, so is F11; no second engine is there."""
+LENGTHS = {
+    Primitive.DISC: 3,
+    Primitive.CIRCLE: 4,
+    Primitive.SECTOR: 7,
+    Primitive.TEXT: 6,
+    Primitive.GLOW: 4,
+    Primitive.CLIP: 4,
+    Primitive.TURN: 3,
+}
+"""Numbers of the primitives that always have as many."""
+
+
+def browser_key(code):
+    """What a browser calls what is written on a key."""
+    name = pygame.key.name(code)
+    named = {"space": " ", "return": "Enter", "enter": "Enter", "escape": "Escape", "up": "ArrowUp", "down": "ArrowDown"}
+    named |= {"pause": "Pause", "break": "Pause", "home": "Home", "end": "End", "f1": "F1"}
+    return named.get(name, name.strip("[]") if name.startswith("[") and len(name) == 3 else name)
+
+
+def test_keys_mean_what_they_mean_on_the_desktop():
+    """Every code and position of the desktop's table, in the browser's names; and nothing else."""
+    pygame.display.init()
+    codes = {browser_key(code): one.action for one in BINDINGS for code in one.codes if one.action not in NOT_ON_PAGES}
+    pygame.display.quit()
+    assert codes == BY_KEY
+    positions = {
+        pygame.KSCAN_LEFT: "ArrowLeft",
+        pygame.KSCAN_A: "KeyA",
+        pygame.KSCAN_RIGHT: "ArrowRight",
+        pygame.KSCAN_D: "KeyD",
+    }
+    assert {positions[one]: binding.action for binding in BINDINGS for one in binding.positions} == BY_CODE
+    buttons = {button: one.action for one in BINDINGS for button in one.buttons}
+    expected = [buttons.get(getattr(pygame, f"CONTROLLER_BUTTON_{name}", -1)) for name in PAD_BUTTONS]
+    assert list(BUTTONS) == expected
+
+
+@pytest.mark.parametrize("theme", [DARK, LIGHT])
+@pytest.mark.parametrize("share", [0.0, 0.4, 0.97, 1.0])
+def test_the_ground_has_the_desktops_colours(theme, share):
+    """To one step of a channel, within the rim and beyond it."""
+    assert ground_colour(theme, share) == pytest.approx(ground_colours(theme, [share])[0].tolist(), abs=1.0)
+    assert around_colour(theme, 1.0 + share) == pytest.approx(around_colours(theme, [1.0 + share])[0].tolist(), abs=1.5)
+
+
+def page_playing():
+    """A page in a game."""
+    page = Page(b'{"rate": 1, "sounds": []}', "", calm=False)
+    frame(page, {"type": "link", "fragment": "classic/4"})
+    return page
+
+
+def frame(page, *signals, seconds=0.0):
+    """The reply to some signals."""
+    return json.loads(page.frame(json.dumps({"seconds": seconds, "width": 1280, "height": 800, "signals": signals})))
+
+
+def primitives(numbers):
+    """The codes of a list, each primitive being as long as it is documented to be."""
+    at, found = 0, []
+    while at < len(numbers):
+        code = Primitive(int(numbers[at]))
+        found.append(code)
+        assert numbers[at + 1] == int(numbers[at + 1])
+        assert 0.0 <= numbers[at + 2] <= 1.0
+        own = numbers[at + 3 :]
+        counted = {
+            Primitive.POLYGON: lambda own: 1 + 2 * int(own[0]),
+            Primitive.LINE: lambda own: 3 + 2 * int(own[2]),
+            Primitive.GRADIENT: lambda own: 4 + 2 * int(own[3]),
+        }
+        at += 3 + (LENGTHS[code] if code in LENGTHS else counted[code](own))
+    assert at == len(numbers)
+    return found
+
+
+def test_both_views_are_lists_of_the_documented_primitives():
+    """The flat view has sectors, the solid one polygons alone; texts are referred to."""
+    page = page_playing()
+    flat, reply = primitives(page.numbers), frame(page)
+    assert Primitive.SECTOR in flat
+    assert len(reply["texts"]) == flat.count(Primitive.TEXT)
+    frame(page, {"type": "key", "code": "Digit2", "key": "2", "down": True})
+    for _ in range(12):
+        frame(page, seconds=0.1)
+    solid = primitives(page.numbers)
+    assert Primitive.SECTOR not in solid
+    assert solid.count(Primitive.POLYGON) > 100
+
+
+def test_the_backdrop_is_sent_only_when_it_changes():
+    """Not from frame to frame, but after a resize."""
+    page = page_playing()
+    for _ in range(400):
+        if not frame(page, seconds=0.02).get("backdrop"):
+            break
+    assert not frame(page, seconds=0.01).get("backdrop")
+    resized = json.loads(page.frame('{"seconds": 0.0, "width": 900, "height": 800}'))
+    assert resized["backdrop"]
+
+
+def test_the_archive_is_the_same_twice_and_holds_what_is_needed():
+    """All that the page imports, and nothing that needs pygame."""
+    first = archive()
+    assert first == archive()
+    listed = first.decode("latin-1")
+    assert all(
+        [name in listed for name in ("game/web/client/page.py", "game/lab/scenes/runs/nudge.py", "game/levels/classic/1-")]
+    )
+    assert not any([name in listed for name in ("game/app.py", "game/drawing/painter.py", "physics/batch")])
+
+
+def test_without_npm_one_line_says_what_is_needed(monkeypatch, tmp_path):
+    """The program ends with exit code 3 for this error."""
+    monkeypatch.setattr(packages.shutil, "which", lambda _name: None)
+    with pytest.raises(EnvironmentMissingError, match=r"^npm is needed to fetch pyodide 314\.0\.7; install Node\.js$"):
+        packages.fetched(packages.RUNTIME, tmp_path)
+
+
+def test_another_file_than_recorded_is_refused_and_not_cached(monkeypatch, tmp_path):
+    """What a client brings is held to its hash."""
+
+    def brings(package, folder):
+        Path(folder, package.file).write_bytes(b"another")
+
+    monkeypatch.setitem(packages._CLIENTS, "pip", brings)
+    with pytest.raises(EnvironmentMissingError, match="brought another file than recorded"):
+        packages.fetched(packages.MSGSPEC, tmp_path / "cache")
+    assert not (tmp_path / "cache").exists()
+
+
+def test_a_client_that_fails_is_said_in_one_line(monkeypatch, tmp_path):
+    """No network, no registry."""
+    monkeypatch.setattr(sys, "executable", str(tmp_path / "no-python"))
+    with pytest.raises(EnvironmentMissingError, match=r"pip cannot fetch msgspec 0\.22\.0; a connection"):
+        packages.fetched(packages.MSGSPEC, tmp_path)
+
+
+def test_a_colour_survives_a_float():
+    """Every colour is exact in 32 bits."""
+    out = DisplayList()
+    out.disc(0j, 1.0, (255, 254, 253))
+    assert int(out.numbers[1]) == 0xFFFEFD
+
+
+@pytest.mark.skipif(not os.environ.get("BROWSER_TESTS"), reason="the tests in a browser: `.ci/run web` runs them")
+def test_the_tests_in_a_browser_are_asked_for():
+    """Elsewhere this one line says that they are left out."""
+    assert os.environ["BROWSER_TESTS"]

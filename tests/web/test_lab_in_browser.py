@@ -1,0 +1,70 @@
+"""The lab on the page, in a real browser: every scene is the desktop's, to the last bit."""
+
+import json
+
+import msgspec
+import pytest
+
+from game.lab.session import session as sessions
+from game.lab.session.share import parsed
+from game.web.client.lab import shown_scenes
+from game.web.client.messages import FrameRequest, LinkOpened, PointerChange
+from game.web.client.page import Page
+
+TICK = 30
+"""Of the running scenes: late enough for something to have happened."""
+
+
+def lines():
+    """A line for every scene; for one that runs, at a tick."""
+    fresh = [sessions.fresh(scene, None) for scene in shown_scenes()]
+    return [f"{session.scene.name}?tick={TICK}" if session.runs else session.scene.name for session in fresh]
+
+
+@pytest.mark.parametrize("line", lines())
+def test_a_scene_is_the_desktops(page, line):
+    """The same values, the same state hash."""
+    page.go(f"lab/{line}")
+    expected = sessions.opened(parsed(line))
+    page.wait(lambda: page.standing().get("line") == expected.line, page.standing)
+    assert page.standing()["hash"] == sessions.state_hash(expected)
+
+
+@pytest.mark.parametrize("line", lines())
+def test_a_handle_is_dragged_by_the_mouse(page, line):
+    """From its middle by some pixels: the desktop's Python, given the same pixels, comes to the same values."""
+    page.go(f"lab/{line}")
+    page.wait(lambda: page.standing().get("line", "").startswith(line.partition("?")[0]))
+    box = page.tab.locator("#picture").bounding_box()
+    size = (round(box["width"]), round(box["height"]))
+    desktop = page_here(size, line)
+    pixel = handle_pixel(desktop, size)
+    steps = [("down", pixel), ("move", pixel + 20 + 10j), ("move", pixel + 33 - 14j), ("up", pixel + 33 - 14j)]
+    for phase, at in steps:
+        message = PointerChange(phase, 1, False, at.real, at.imag, 1)
+        desktop.frame(request(size, [message]))
+        text = f"{{type: 'pointer', phase: '{phase}', id: 1, touch: false, x: {at.real!r}, y: {at.imag!r}, buttons: 1}}"
+        page.tab.evaluate(f"polarBreakout.input.add({text})")
+    page.frames(3)
+    here, there = json.loads(desktop.probe()), page.standing()
+    assert there["line"].partition("&tick")[0] == here["line"].partition("&tick")[0]
+
+
+def request(size, signals=()):
+    """A frame without time."""
+    return msgspec.json.encode(FrameRequest(0.0, *size, list(signals))).decode()
+
+
+def page_here(size, line):
+    """The page's Python in this process, at a scene."""
+    page = Page(b'{"rate": 1, "sounds": []}', "", calm=True)
+    page.frame(request(size, [LinkOpened(f"lab/{line}")]))
+    return page
+
+
+def handle_pixel(page, size):
+    """Where the first handle of a page's scene is, to a whole pixel."""
+    screen = page._screen
+    seen = screen._panes(size)[0]
+    pixel = seen.camera.project(screen.session.scene.handles[0].position(screen.session.given))
+    return complex(round(pixel.real), round(pixel.imag))

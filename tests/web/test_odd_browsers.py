@@ -1,0 +1,67 @@
+"""The page on phones, without storage, without WebAssembly, without a network."""
+
+from game.web.server import served
+from tests.support.web_page import WebPage
+
+GONE = "Object.defineProperty(self, 'indexedDB', { value: undefined });"
+
+
+def test_a_phone_plays_by_touch(open_page):
+    """The page fits; a tap serves, a finger turns the paddles."""
+    phone = {"viewport": {"width": 390, "height": 844}, "has_touch": True, "is_mobile": True, "device_scale_factor": 2}
+    with open_page(**phone) as page:
+        assert page.tab.evaluate("document.documentElement.scrollWidth <= innerWidth")
+        page.tab.tap("#item-play")
+        page.wait(lambda: page.standing().get("phase") == "SERVING")
+        before = page.standing()["paddle"]
+        page.tab.touchscreen.tap(195, 300)
+        page.wait(lambda: page.standing()["phase"] == "PLAYING")
+        page.tab.touchscreen.tap(360, 430)
+        page.wait(lambda: page.standing()["paddle"] != before)
+        page.tab.tap("#item-pause")
+        page.wait(lambda: page.title() == "Paused")
+        for button in page.tab.locator("#menu button").all():
+            assert button.bounding_box()["height"] >= 44
+
+
+def test_without_storage_it_plays_on_and_says_so(open_page):
+    """IndexedDB is gone from the worker."""
+
+    def forbid(page):
+        def without(route):
+            answer = route.fetch()
+            route.fulfill(response=answer, body=f"{GONE}\n{answer.text()}")
+
+        page.tab.route("**/worker.js", without)
+
+    with open_page(forbid) as page:
+        page.wait(lambda: "nothing can be stored" in page.told(), page.told)
+        page.use("play")
+        page.wait(lambda: page.standing().get("phase") == "SERVING")
+
+
+def test_without_webassembly_it_says_what_is_needed(browser, site):
+    """One line, no error."""
+    with served(site, 0) as address:
+        context = browser.new_context(service_workers="block")
+        page = WebPage(context.new_page(), address)
+        page.tab.add_init_script("delete globalThis.WebAssembly")
+        page.open("document.getElementById('loading').textContent.includes('needs a browser')")
+        assert page.problems == []
+        context.close()
+
+
+def test_it_works_offline_after_the_first_visit(browser, site):
+    """The service worker has stored all files: the page opens and plays when its host is gone."""
+    context = browser.new_context()
+    try:
+        with served(site, 0) as address:
+            page = WebPage(context.new_page(), address)
+            page.open()
+            page.wait(lambda: page.tab.evaluate("navigator.serviceWorker.getRegistration().then((one) => !!one?.active)"))
+        page.open()
+        page.use("play")
+        page.wait(lambda: page.standing().get("phase") == "SERVING")
+        assert page.foreign == []
+    finally:
+        context.close()
