@@ -38,6 +38,7 @@ __all__ = [
     "chosen",
     "classic",
     "draft",
+    "from_level",
     "level_schema",
     "load_file",
     "number_of",
@@ -69,6 +70,16 @@ def classic() -> tuple[Level, ...]:
 def built_in() -> tuple[Level, ...]:
     """The levels that come with the game: the campaign, then the classic ones."""
     return campaign() + classic()
+
+
+def from_level(index: int, levels: tuple[Level, ...]) -> tuple[Level, ...]:
+    """The levels of a game that begins with one of a list: it and those after it, the campaign or the classic ones alone.
+
+    index: from 0, in the list.
+    """
+    level = levels[index]
+    part = next((part for part in (campaign(), classic()) if level in part), levels[index:])
+    return tuple([other for other in levels[index:] if other in part])
 
 
 def number_of(level: Level, levels: tuple[Level, ...]) -> tuple[int, int]:

@@ -6,6 +6,7 @@ from game.drawing.camera import Camera, unit_of
 from game.drawing.canvas import Canvas
 from game.input.keys import Action
 from game.language import tr
+from game.levels import from_level
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.demo import Demo
@@ -129,7 +130,7 @@ class Title(Panel):
         """The campaign from the first level that was not finished yet."""
         state = self.state
         state.chosen = next_level(state)
-        return PlayScreen(state, state.catalogue[state.chosen :])
+        return PlayScreen(state, from_level(state.chosen, state.catalogue))
 
     def _new_demo(self) -> Demo:
         """A level to be played from its beginning: the one after that of the demonstration before."""

@@ -9,7 +9,7 @@ import pytest
 
 from game import levels
 from game.level_format import checks
-from game.levels import campaign, chosen, classic, load_file, parse
+from game.levels import built_in, campaign, chosen, classic, from_level, load_file, parse
 from game.rules import layers_left, new_game
 from game.system.errors import BadInputError
 from physics import PERMANENT, Arena, Ball, Ring, advance
@@ -313,3 +313,11 @@ def test_the_files_of_the_levels_are_called_as_the_levels():
         names = [level.name.casefold().replace(" ", "-") for level in part]
         expected = [f"{number:0{digits}}-{name}.toml" for number, name in enumerate(names, 1)]
         assert sorted(file.name for file in (ROOT / "game" / "levels" / folder).iterdir()) == expected
+
+
+def test_a_game_ends_with_its_part_of_the_levels():
+    """The campaign does not go on with the classic levels; a list of one's own is played to its end."""
+    assert from_level(30, built_in()) == campaign()[30:]
+    assert from_level(33, built_in()) == classic()[1:]
+    own = (parse(GOOD, "good"),)
+    assert from_level(0, own) == own

@@ -12,7 +12,7 @@ from game.drawing.raster.primitives import draw_box
 from game.drawing.text import Type
 from game.kept.progress import RANKS, Best
 from game.language import tr
-from game.levels import Level
+from game.levels import Level, from_level
 from game.overlay.toast import Toast
 from game.screens.app_state import AppState
 from game.screens.base import Screen
@@ -203,7 +203,7 @@ class LevelSelect(Panel):
     def _begun(self, index: int) -> Screen:
         """The campaign from a level on."""
         self.state.chosen = index
-        return PlayScreen(self.state, self.state.catalogue[index:])
+        return PlayScreen(self.state, from_level(index, self.state.catalogue))
 
 
 def next_level(state: AppState) -> int:
