@@ -1,6 +1,7 @@
 """What must hold on a clean checkout. `.ci/run` does everything, `.ci/run STEP ...` some steps.
 
 test      the README's own test line, in a fresh environment
+deep      the tests that take minutes: compiled loops, real windows, compilers, every known mistake
 lint      lint, format, types, who imports whom
 docs      the documentation site, its warnings as errors
 package   sdist and wheel: both are checked, every command of the wheel runs, the sdist is complete and passes some tests
@@ -40,7 +41,7 @@ HERE = Where(ENVIRONMENT / PROGRAMS, ROOT)
 
 def main(steps: list[str]) -> None:
     """Do these steps, or all; the first failure ends it."""
-    known = {"test": test, "lint": lint, "docs": docs, "package": package, "frozen": frozen, "web": web}
+    known = {"test": test, "deep": deep, "lint": lint, "docs": docs, "package": package, "frozen": frozen, "web": web}
     for step in steps:
         if step not in known:
             sys.exit(f".ci/run: no step {step!r}; expected some of {', '.join(known)}")
@@ -59,6 +60,12 @@ def test() -> None:
     path = os.pathsep.join([str(Path(sys.executable).parent), RUNS["PATH"]])
     chosen = {"PATH": path, "PY_PYTHON3": f"{sys.version_info.major}.{sys.version_info.minor}"}  # for python3, for py -3
     subprocess.run(line, shell=True, cwd=ROOT, env=RUNS | chosen, check=True)
+
+
+def deep() -> None:
+    """What the README's test line leaves out."""
+    install("test")
+    run(HERE, "python", "-m", "pytest", "-n", "auto", "-m", "deep")
 
 
 def test_line() -> str:

@@ -17,6 +17,8 @@ from tools.crosscheck.run import Job, check_game
 from tools.crosscheck.sabotage.catalogue import MISTAKES
 from tools.crosscheck.sabotage.replacing import replaced
 
+pytestmark = pytest.mark.deep
+
 SOURCES = [Source(None, level, seed, 20_000) for seed in range(4) for level in ("Three Rings", "Three Gates", "First Wall")]
 
 

@@ -12,6 +12,8 @@ from game.replays.verify import verified
 from tools.environments import ENVIRONMENT, PolarBreakoutEnv, PolarBreakoutVectorEnv
 from tools.environments.checker import check_vector_env
 
+pytestmark = pytest.mark.deep
+
 
 @pytest.mark.parametrize(
     "options",

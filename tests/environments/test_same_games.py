@@ -8,6 +8,8 @@ from game.replays.state_hash import state_hash
 from game.rules import SOURCE_RULES, Controls, Phase, new_game, tick
 from tools.environments.many import ManyEnvironments, Options, base_seed
 
+pytestmark = pytest.mark.deep
+
 COUNT, STEPS = 3, 400
 EVERY = np.ones(COUNT, np.bool_)
 

@@ -12,6 +12,8 @@ from tests.support.paths import ROOT
 from tools.grade.grading import grade
 from tools.grade.scheme import Scheme
 
+pytestmark = pytest.mark.deep
+
 ADAPTERS = ROOT / "docs" / "adapters"
 STUDENTS = ROOT / "tests" / "grade" / "students"
 BUILDS = {

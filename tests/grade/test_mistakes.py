@@ -19,6 +19,8 @@ from tools.grade.mistakes import MISTAKES
 from tools.grade.report import report_lines
 from tools.grade.scheme import Scheme
 
+pytestmark = pytest.mark.deep
+
 
 def graded(student, vectors):
     """The grade of a student's program."""

@@ -29,6 +29,8 @@ from game.levels import load_file
 from tests.support.command_line import polar
 from tests.support.lab_desk import LabDesk
 
+pytestmark = pytest.mark.deep
+
 SVG = "{http://www.w3.org/2000/svg}"
 
 

@@ -77,6 +77,7 @@ def test_the_claims_hold_at_the_defaults_and_the_presets(scene):
             assert failures(scene, given) == ()
 
 
+@pytest.mark.deep
 @SCENES
 def test_the_claims_hold_after_a_thousand_drags(scene):
     """After each of a thousand random drags every claim holds and every number of the picture is finite."""

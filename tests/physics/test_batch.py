@@ -14,6 +14,8 @@ from physics.batch import Batch, compiled
 from tests.support.paths import ROOT
 from tools.fuzz.arenas import TICK, random_case, served
 
+pytestmark = pytest.mark.deep
+
 pytest.importorskip("numba", reason="the batch needs the extra [batch]")
 
 CASES = 40

@@ -18,6 +18,8 @@ from tools.fuzz.commands import app
 from tools.sweep.plan import Axes, grid
 from tools.sweep.play import played
 
+pytestmark = pytest.mark.deep
+
 distributed = pytest.importorskip("distributed")
 
 JOBS = grid(Axes(chosen("First Wall")[:1], ["220/5"], [0.9], [], [1.0]), 24, SOURCE_RULES, 500).jobs

@@ -19,6 +19,8 @@ from tools.fuzz.compiled.checks import Before, Fault, gap_beside, overlap_time, 
 from tools.fuzz.compiled.play import play_checked
 from tools.fuzz.oracle import FINEST, LONGEST_WALK, first_overlap, ring_gap
 
+pytestmark = pytest.mark.deep
+
 
 def test_nothing_is_found_and_the_same_case_is_the_same(capsys, monkeypatch):
     """`python -m tools.fuzz --compiled --steps 1000000000` is the same at length. A game is the same without the compiler."""

@@ -14,6 +14,8 @@ from game.system.errors import BadInputError
 from tools.robustness import inputs, processes, saving
 from tools.robustness.processes import COMMANDS, SURROUNDINGS, CommandRun
 
+pytestmark = pytest.mark.deep
+
 LINUX = pytest.mark.skipif(sys.platform != "linux", reason="watched through /proc")
 KINDS = {kind.name: kind for kind in inputs.kinds()}
 QUICK = [command for command in COMMANDS if command.arguments in {("game", "levels"), ("game", "--bogus")}]
