@@ -11,6 +11,8 @@ import pytest
 from game.lab.registry import scenes
 from tests.support.paths import ROOT
 
+pytestmark = pytest.mark.deep
+
 HEADLESS = ["--headless", "--autopilot", "--seed", "7", "--ticks", "300"]
 
 

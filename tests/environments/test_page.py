@@ -5,7 +5,11 @@ import runpy
 import sys
 import warnings
 
+import pytest
+
 from tests.support.paths import ROOT
+
+pytestmark = pytest.mark.deep
 
 
 def test_the_example_of_the_page_runs():

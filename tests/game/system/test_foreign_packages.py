@@ -11,6 +11,8 @@ from game.system.errors import EnvironmentMissingError
 from game.system.pygame_ce import check_pygame
 from tests.support.paths import ROOT
 
+pytestmark = pytest.mark.deep
+
 SCRIPTS = ROOT / "tools" / "packaging"
 """Where the console scripts begin; installed, a package of its own."""
 PLAY = "from polar_breakout import play; play()"
