@@ -1,7 +1,7 @@
 """What must hold on a clean checkout. `.ci/run` does everything, `.ci/run STEP ...` some steps.
 
 test      the README's own test line, in a fresh environment
-deep      the tests that take minutes: compiled loops, real windows, compilers, every known mistake
+deep      the tests that take minutes: compiled loops, compilers, every known mistake
 lint      lint, format, types, who imports whom
 docs      the documentation site, its warnings as errors
 package   sdist and wheel: both are checked, every command of the wheel runs, the sdist is complete and passes some tests

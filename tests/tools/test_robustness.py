@@ -104,7 +104,7 @@ def test_what_a_command_does_wrong_is_found():
 @LINUX
 def test_kills_while_saving_tear_nothing(tmp_path):
     """Every file is whole, and the next start leaves no temporary file; some kills did hit a file on its way."""
-    done = list(saving.kills(60, 1, tmp_path))
+    done = list(saving.kills(1000, 1, tmp_path))
     assert sum(kill.torn for kill in done) == 0
     assert sum(kill.behind for kill in done) == 0
     assert sum(kill.left for kill in done) > 0
@@ -124,7 +124,7 @@ def test_torn_files_are_found(tmp_path, monkeypatch):
     monkeypatch.setattr("game.replays.file.write_whole", in_place)
     monkeypatch.setattr(saving, "sweep", lambda _: None)
     torn = behind = 0
-    for kill in saving.kills(60, 1, tmp_path):
+    for kill in saving.kills(1000, 1, tmp_path):
         torn, behind = torn + kill.torn, behind + kill.behind
         if torn and behind:
             return

@@ -8,7 +8,7 @@ from game.levels import load_file
 from tests.support.real_window import NO_SERVER, Keys, Mouse, Pad, RealGame, started_server
 from tests.support.virtual_pad import library
 
-pytestmark = [pytest.mark.deep, NO_SERVER]
+pytestmark = [pytest.mark.window, NO_SERVER]
 
 ONE_TOUCH = """
 name = "One touch"
