@@ -2,36 +2,34 @@
 
 import contextlib
 import random
-from collections import deque
 from collections.abc import Iterator
 from pathlib import Path
-from typing import Annotated, Literal, NamedTuple
+from typing import Annotated, Literal
 
 import typer
 
 from game import VERSION
-from game.chosen_physics import SWEPT, ChosenPhysics, flown_on, functions_of
+from game.chosen_game import ChosenGame, demonstrate, play_headless
+from game.chosen_physics import SWEPT, flown_on, functions_of
 from game.editor.command import file_to_edit
-from game.effects import LONGEST
-from game.headless import autopilot_game, result_line
+from game.headless import result_line
 from game.kept.folder import data_folder
-from game.kept.scores import objection
+from game.kept.score_listing import tell_scores
 from game.kept.store import Kept
 from game.lab.commands import LabServices, lab_command
 from game.lab.kit.second_engine import Engine
-from game.levels import Level, chosen, level_schema, warnings
-from game.picture_file import PlayedGame, picture_folders, save_picture, size_of
+from game.levels import chosen, level_schema, warnings
+from game.picture_file import save_picture, size_of
 from game.replays import file as replay
-from game.replays.verify import verified
+from game.replays.verified_files import verify_files
 from game.rules import SOURCE_RULES, Difficulty, Ruleset, Ticked
 from game.second_opinion import Compare, NormalPair
 from game.settings.file import SettingsFile
 from game.settings.folder import settings_path
-from game.student.functions_file import FunctionsFile
 from game.system.command_line import refuse_ignored
 from game.system.ending import deferred
-from game.system.errors import BadInputError, CheckFailedError, EnvironmentMissingError
-from game.system.files import check_target, free_path
+from game.system.errors import BadInputError, EnvironmentMissingError
+from game.system.files import check_target
 from game.system.output import say, tell
 from game.system.pygame_ce import check_pygame
 from game.system.wording import quoted, quoted_path
@@ -44,7 +42,6 @@ app = typer.Typer(
     rich_markup_mode=None,
 )
 
-_DEMO_TICKS = 240 * 20
 _MOST_TICKS = replay.MAX_TICKS
 _PICTURE_OPTIONS = ("size", "view")
 _GAME_OPTIONS = (
@@ -131,11 +128,11 @@ def play(
     if not headless:
         seed = random.SystemRandom().getrandbits(32) if seed is None else seed
     with functions_of(with_, checked=headless) as own:
-        game = _ChosenGame(levels, 1 if seed is None else seed, ruleset, record, flown_on(physics, own), own)
+        game = ChosenGame(levels, 1 if seed is None else seed, ruleset, record, flown_on(physics, own), own)
         if not headless:
             _play_in_window(game, autopilot=autopilot)
             return
-        last = _play_headless(game, ticks)
+        last = play_headless(game, ticks)
         if screenshot is not None:
             save_picture(last, screenshot, pixels, solid=view == "solid")
         tell(result_line(last.game, physics if own is None else "own"))
@@ -222,20 +219,7 @@ def list_scores(
     verify: Annotated[bool, typer.Option("--verify", help="Play every score's replay again and compare the points.")] = False,
 ) -> None:
     """List the high scores, best first; with --verify, prove them."""
-    kept = Kept(data_folder())
-    for line in kept.problems:
-        say(f"polar-breakout: {line}")
-    failed, scores = 0, sorted(kept.scores.value.entries, key=lambda score: (score.difficulty, -score.score))
-    for score in scores:
-        line = f"{score.difficulty:6} {score.score:>9,}  {score.name or '-':16}  {score.date:10}  {score.last}"
-        if not verify:
-            tell(line)
-            continue
-        why = "no folder" if kept.games.folder is None else objection(score, kept.games.folder)
-        failed += why is not None
-        tell(f"{line}  {'verified' if why is None else quoted(f'NOT VERIFIED: {why}', 200)}")
-    if failed:
-        raise CheckFailedError(f"{failed} of {len(scores)} scores could not be verified")
+    tell_scores(Kept(data_folder()), verify=verify)
 
 
 @app.command("replay")
@@ -245,7 +229,7 @@ def watch_replay(
 ) -> None:
     """Watch a recorded game, or verify recorded games."""
     if verify:
-        _verify(files)
+        verify_files(files)
         return
     if len(files) > 1:
         raise BadInputError(f"replay: {len(files)} files to watch; expected one")
@@ -268,20 +252,6 @@ def serve_web(
     serve(port, opens=not quiet)
 
 
-def _verify(files: list[Path]) -> None:
-    """Verify every file; CheckFailedError with the first divergence, after all have been looked at."""
-    failed: list[str] = []
-    for file in files:
-        verdict = verified(replay.load(file))
-        if verdict.divergence is None:
-            tell(f"verified {file}: {result_line(verdict.game)}")
-        else:
-            failed.append(f"{quoted_path(file)}: {verdict.divergence}")
-            say(f"polar-breakout: {failed[-1]}")
-    if failed:
-        raise CheckFailedError(f"{len(failed)} of {len(files)} replays diverged")
-
-
 def _refuse_physics(context: typer.Context, physics: str, own: Path | None, record: Path | None) -> None:
     """BadInputError for options that do not go with the physics that is asked for."""
     if own is not None and physics == "swept":
@@ -291,44 +261,7 @@ def _refuse_physics(context: typer.Context, physics: str, own: Path | None, reco
         raise BadInputError(f"--record: a replay is verified with the swept physics; leave out {option}")
 
 
-class _ChosenGame(NamedTuple):
-    """The game that the options ask for.
-
-    ruleset: None where they say nothing. record: the file of its replay; None for none. own: the player's functions.
-    """
-
-    levels: tuple[Level, ...]
-    seed: int
-    ruleset: Ruleset | None
-    record: Path | None
-    physics: ChosenPhysics
-    own: FunctionsFile | None = None
-
-
-def _play_headless(chosen_game: _ChosenGame, ticks: int) -> PlayedGame:
-    """A game of the autopilot without a window, recorded if asked for; a signal ends it early, what was played is kept."""
-    levels, seed, chosen_rules, record, physics, _ = chosen_game
-    ruleset = chosen_rules or Ruleset()
-    recorder = None if record is None else replay.Recorder(levels, seed, ruleset)
-    passed, cut_short = deque[Ticked](maxlen=LONGEST), 0
-
-    def told(ticked: Ticked) -> None:
-        """Remember the last ticks, and count those that ended before their time."""
-        nonlocal cut_short
-        passed.append(ticked)
-        cut_short += ticked.step.dropped > 0
-
-    with deferred():
-        game = autopilot_game(levels, seed, ticks, recorder, told, physics.advance, ruleset)
-        if recorder is not None and record is not None:
-            replay.save(recorder.recording(), record)
-        if cut_short:
-            ticks_were = "1 tick was" if cut_short == 1 else f"{cut_short} ticks were"
-            say(f"polar-breakout: {ticks_were} cut short: a ball is held in a lane too narrow")
-    return PlayedGame(game, passed)
-
-
-def _play_in_window(chosen_game: _ChosenGame, *, autopilot: bool) -> None:
+def _play_in_window(chosen_game: ChosenGame, *, autopilot: bool) -> None:
     """The game in its window; without a display, a short demonstration and a picture of it instead."""
     check_pygame()
     from game.app import Services  # noqa: PLC0415  # pygame, only where it is needed
@@ -351,7 +284,7 @@ def _play_in_window(chosen_game: _ChosenGame, *, autopilot: bool) -> None:
                 play_in_window(levels, seed, services, recorder=games, autopilot=autopilot, physics=physics, ruleset=ruleset)
         except EnvironmentMissingError as error:
             say(f"polar-breakout: {error}; playing 20 s without a window instead")
-            _demonstrate(chosen_game)
+            demonstrate(chosen_game)
         finally:
             _close(kept)
 
@@ -396,18 +329,6 @@ def _second_engine() -> Engine:
     from tools.crosscheck.second_engine import Pymunk  # noqa: PLC0415  # pymunk, only where it is needed
 
     return Pymunk()
-
-
-def _demonstrate(chosen_game: _ChosenGame) -> None:
-    """A short game of the autopilot and a picture of how it stands."""
-    last = _play_headless(chosen_game, _DEMO_TICKS)
-    tell(result_line(last.game, "swept" if chosen_game.physics is SWEPT else "source"))
-    for folder in picture_folders():
-        path = free_path(folder, "polar-breakout.png")
-        with contextlib.suppress(BadInputError):
-            save_picture(last, path, (1280, 800))
-            tell(f"picture: {path.absolute()}")
-            return
 
 
 app.command("lab")(lab_command(LabServices(_second_engine, _settings, _say_lost, _WITH_HELP)))

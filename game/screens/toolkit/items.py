@@ -178,15 +178,8 @@ class ButtonItem(Item):
 
 
 @dataclass(frozen=True)
-class Switch(Item):
-    """On or off. words: said beside it, first for off; overruled: it has no effect now."""
-
-    label: str
-    on: bool
-    turned: Callable[[], None]
-    tip: str = ""
-    words: tuple[str, str] = ("", "")
-    overruled: bool = False
+class LineItem(Item):
+    """One line that is used."""
 
     @property
     def focusable(self) -> bool:
@@ -196,6 +189,18 @@ class Switch(Item):
     def height(self, _type: Type, _unit: float, _width: float) -> float:
         """One line."""
         return _ROW
+
+
+@dataclass(frozen=True)
+class Switch(LineItem):
+    """On or off. words: said beside it, first for off; overruled: it has no effect now."""
+
+    label: str
+    on: bool
+    turned: Callable[[], None]
+    tip: str = ""
+    words: tuple[str, str] = ("", "")
+    overruled: bool = False
 
     def draw(self, canvas: Canvas, box: pygame.Rect, *, focused: bool) -> None:
         """The label, and a switch that says on or off."""
@@ -227,7 +232,7 @@ class Switch(Item):
 
 
 @dataclass(frozen=True)
-class ChoiceItem(Item):
+class ChoiceItem(LineItem):
     """One of several. options: in words; index: of the present one; choose: another one."""
 
     label: str
@@ -235,15 +240,6 @@ class ChoiceItem(Item):
     index: int
     choose: Callable[[int], None]
     tip: str = ""
-
-    @property
-    def focusable(self) -> bool:
-        """It is used."""
-        return True
-
-    def height(self, _type: Type, _unit: float, _width: float) -> float:
-        """One line."""
-        return _ROW
 
     def draw(self, canvas: Canvas, box: pygame.Rect, *, focused: bool) -> None:
         """The label, and the present one between two arrow heads."""

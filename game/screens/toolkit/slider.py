@@ -7,20 +7,19 @@ import pygame
 
 from game.drawing.canvas import Canvas
 from game.drawing.raster.primitives import draw_dot
-from game.drawing.text import Type
 from game.overlay.toast import draw_bar
 from game.screens.base import Screen
-from game.screens.toolkit.items import Item
+from game.screens.toolkit.items import LineItem
 from game.screens.toolkit.plate import draw_focus, draw_label
 
-_MARGIN, _STATE, _ROW = 0.7, 1.0, 2.0
-"""From the words to the edges, size of the amount's letters, and height."""
+_MARGIN, _STATE = 0.7, 1.0
+"""From the words to the edges, and size of the amount's letters."""
 _BAR, _BAR_WORDS = (7.0, 0.6), 4.2
 """A slider's bar, and the room for the words at its right."""
 
 
 @dataclass(frozen=True)
-class Slider(Item):
+class Slider(LineItem):
     """An amount. level: 0 to 1; words: the amount; step: one to the left or right; put: to a level, by the mouse."""
 
     label: str
@@ -29,15 +28,6 @@ class Slider(Item):
     step: Callable[[int], None]
     put: Callable[[float], None]
     tip: str = ""
-
-    @property
-    def focusable(self) -> bool:
-        """It is used."""
-        return True
-
-    def height(self, _type: Type, _unit: float, _width: float) -> float:
-        """One line."""
-        return _ROW
 
     def draw(self, canvas: Canvas, box: pygame.Rect, *, focused: bool) -> None:
         """The label, how full it is, and the amount in words."""

@@ -210,7 +210,7 @@ def test_ctrl_c_is_one_line(capsys, monkeypatch):
     def interrupted(*_):
         raise KeyboardInterrupt
 
-    monkeypatch.setattr("game.commands.autopilot_game", interrupted)
+    monkeypatch.setattr("game.chosen_game.autopilot_game", interrupted)
     assert polar(capsys, *HEADLESS) == (130, "", "polar-breakout: interrupted\n")
 
 
