@@ -10,10 +10,9 @@ from typing import NamedTuple
 import numpy as np
 import pygame
 
-from game.drawing.arcade.signs import power_colour
 from game.drawing.canvas import Canvas
-from game.drawing.palette import Colour, Theme, layer_colour, luminance, mixed
-from game.effects import Light, LightSource
+from game.drawing.light_colour import light_colour
+from game.drawing.palette import Colour, luminance, mixed
 from game.scene import Scene
 
 _STEPS = 10
@@ -59,7 +58,7 @@ class GlowPictures:
         """The lights of a scene and those of its balls."""
         theme = canvas.theme
         for light in scene.lights:
-            self._draw(canvas, light.position, light.reach * scene.ground_radius, _colour(light, theme), light.now)
+            self._draw(canvas, light.position, light.reach * scene.ground_radius, light_colour(light, theme), light.now)
         if scene.shining:
             warm = mixed(theme.trail, theme.accent, scene.heat)
             for ball in scene.balls:
@@ -91,16 +90,6 @@ class GlowPictures:
             _, gone = self._pictures.popitem(last=False)
             self._pixels -= gone.width * gone.height
         return picture
-
-
-def _colour(light: Light, theme: Theme) -> Colour:
-    """The colour of a light."""
-    if light.source is LightSource.BRICK:
-        return layer_colour(theme, light.layer)
-    if light.power is not None:
-        return power_colour(light.power, theme)
-    plain = {LightSource.PADDLE: theme.paddle_top, LightSource.STEEL: theme.steel, LightSource.BAD: theme.danger}
-    return plain.get(light.source, theme.accent)
 
 
 def _stepped(pixels: float) -> int:

@@ -6,8 +6,9 @@ from itertools import pairwise
 
 from game.drawing.arcade.signs import chip, power_colour
 from game.drawing.camera import Camera
+from game.drawing.light_colour import light_colour
 from game.drawing.palette import Colour, Theme, layer_colour, mixed
-from game.effects import Burst, Light, LightSource
+from game.effects import Burst
 from game.effects.bursts import Matter, lifetime
 from game.effects.waves import WaveTone
 from game.picture.display_list import DisplayList
@@ -128,22 +129,12 @@ def _add_lights(out: DisplayList, scene: Scene, camera: Camera, theme: Theme) ->
     flatness = math.cos(camera.tilt)
     for light in scene.lights:
         reach = light.reach * scene.ground_radius * camera.scale_at(light.position)
-        out.glow(camera.project(light.position), (reach, reach * flatness), _light_colour(light, theme), _LIGHT * light.now)
+        out.glow(camera.project(light.position), (reach, reach * flatness), light_colour(light, theme), _LIGHT * light.now)
     if scene.shining:
         warm = mixed(theme.trail, theme.accent, scene.heat)
         for ball in scene.balls:
             reach = 4.2 * ball.radius * camera.scale_at(ball.position)
             out.glow(camera.project(ball.position), (reach, reach * flatness), warm, _BALL_LIGHT * (0.5 + 0.5 * scene.heat))
-
-
-def _light_colour(light: Light, theme: Theme) -> Colour:
-    """The colour of a light."""
-    if light.source is LightSource.BRICK:
-        return layer_colour(theme, light.layer)
-    if light.power is not None:
-        return power_colour(light.power, theme)
-    plain = {LightSource.PADDLE: theme.paddle_top, LightSource.STEEL: theme.steel, LightSource.BAD: theme.danger}
-    return plain.get(light.source, theme.accent)
 
 
 def _add_burst(out: DisplayList, burst: Burst, ground_radius: float, camera: Camera, theme: Theme) -> None:

@@ -21,21 +21,12 @@ from game.rules import (
     tick,
 )
 from physics import Ball, direction, length, min_difference, normalize_angle
+from tests.support.arcade import after
 from tests.support.level_text import GOOD, changed
 
 LEVEL = parse(GOOD, "good")
 IDLE = Controls()
 SERVE = Controls(serve=True)
-
-
-def after(game, ticks, controls=IDLE):
-    """The game some ticks later, and all events on the way."""
-    events = []
-    for _ in range(ticks):
-        done = tick(game, controls)
-        game = done.game
-        events.extend(done.events)
-    return game, events
 
 
 def with_ball(game, position, velocity):

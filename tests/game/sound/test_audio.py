@@ -19,6 +19,7 @@ from game.sound.music.player import CHANNELS
 from game.sound.notes import every_note
 from game.sound.voices import VOICES
 from tests.support.children import eventually
+from tests.support.clock import Clock
 from tests.support.paths import ROOT
 
 SERVED = [Event(EventKind.SERVED)]
@@ -27,15 +28,6 @@ SERVED = [Event(EventKind.SERVED)]
 def side(position):
     """Where a position is heard, in an arena of ten units."""
     return position.real / 10.0
-
-
-class Clock:
-    """A clock that stands still until `now` is set."""
-
-    now = 0.0
-
-    def __call__(self):
-        return self.now
 
 
 @pytest.fixture

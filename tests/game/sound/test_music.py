@@ -14,6 +14,7 @@ from game.sound.music.mood import CALM, SILENT, Mood, mood_of, nearer, wanted
 from game.sound.music.player import CHANNELS
 from game.sound.music.score import BARS, BEATS_PER_BAR, Drum, Layer, notes
 from game.sound.voices import VOICES
+from tests.support.clock import Clock
 
 RATE = 11025
 LOOPS = {layer: list(composed(layer, RATE))[-1] for layer in Layer}
@@ -74,15 +75,6 @@ def test_the_mood_is_of_the_game():
     game = new_game(classic(), 1, Ruleset())
     assert mood_of(game) == Mood(playing=False, combo=0, left=1.0)
     assert mood_of(game._replace(phase=Phase.PLAYING, combo=4)).combo == 4
-
-
-class Clock:
-    """A clock that goes on by a frame whenever a test says so."""
-
-    now = 0.0
-
-    def __call__(self):
-        return self.now
 
 
 @pytest.fixture
