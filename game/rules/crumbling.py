@@ -18,9 +18,9 @@ def crumbled(game: Game, events: list[Event]) -> Game:
     balls = game.arena.balls
     if game.waited < CRUMBLING_TICKS or not balls:
         return game
-    place = balls[0].position
+    position = balls[0].position
     found = [
-        (game.level.rings[k - 1].regrow > 0.0, length(direction(ring.angle(slot)) * ring.radius - place), k, slot)
+        (game.level.rings[k - 1].regrow > 0.0, length(direction(ring.angle(slot)) * ring.radius - position), k, slot)
         for k, ring in enumerate(game.arena.rings[: len(game.level.rings) + 1])
         if k > PADDLES
         for slot, left in enumerate(game.arena.layers[k])
