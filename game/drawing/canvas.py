@@ -7,6 +7,7 @@ import pygame
 from game.drawing.camera import Camera
 from game.drawing.palette import Colour, Theme
 from game.drawing.text import Type
+from game.picture.view import ArenaView
 from game.unlocks import PLAIN_BALL, PLAIN_TRAIL
 
 
@@ -28,6 +29,11 @@ class Canvas(NamedTuple):
     unit: float
     ball: str = PLAIN_BALL
     trail: str = PLAIN_TRAIL
+
+    @property
+    def view(self) -> ArenaView:
+        """Through what a scene is seen on it."""
+        return ArenaView(self.camera, self.theme, self.unit, self.size, self.trail)
 
     @property
     def size(self) -> tuple[int, int]:

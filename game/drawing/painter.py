@@ -3,20 +3,23 @@
 Over the picture, and not from here: the contact normals of both engines and panels (game/screens), figures (game/overlay).
 """
 
+from collections.abc import Callable
+
 import pygame
 
-from game.drawing import aim, debris, pops, waves
-from game.drawing.arcade import drops, gauges, wells
-from game.drawing.arcade.icons import PowerIcons
-from game.drawing.balls import trail
+from game.drawing import debris
 from game.drawing.balls.ball import BallPictures
 from game.drawing.camera import Camera
 from game.drawing.canvas import Canvas
+from game.drawing.display_list_painter import DisplayListPainter
 from game.drawing.flat.picture import FlatPicture
-from game.drawing.glows import GlowPictures
 from game.drawing.palettes import themed
 from game.drawing.slots.contents import slot_contents
 from game.drawing.solid.picture import SolidPicture
+from game.picture.display_list import DisplayList
+from game.picture.moving.layers import add_in_air, add_on_ground
+from game.picture.moving.words import add_words
+from game.picture.view import ArenaView
 from game.scene import Scene
 
 _SHAKEN = 1.25
@@ -31,8 +34,7 @@ class Painter:
         self._flat = FlatPicture()
         self._solid = SolidPicture()
         self._balls = BallPictures()
-        self._glows = GlowPictures()
-        self._icons = PowerIcons()
+        self._lists = DisplayListPainter()
 
     def paint(self, canvas: Canvas, scene: Scene) -> None:
         """Draw a scene on a 32-bit surface, in its level's colours where the canvas' theme leaves them to the level."""
@@ -41,35 +43,30 @@ class Painter:
             self._paint_flat(canvas, scene)
         else:
             self._paint_solid(canvas, scene)
-        drops.draw(canvas, scene, self._icons)
-        gauges.draw(canvas, scene, self._icons)
+        self._paint_list(canvas, scene, add_in_air)
         _shake(canvas.surface, scene, canvas.camera)
-        pops.draw(canvas, scene)
+        self._paint_list(canvas, scene, add_words)
 
     def _paint_flat(self, canvas: Canvas, scene: Scene) -> None:
-        """All but the words, from straight above: waves and trail are drawn over the rings, as nothing has height here."""
+        """The arena from straight above: waves and trail are drawn over the rings, as nothing has height here."""
         self._flat.draw(canvas, scene, slot_contents(scene))
-        _draw_on_ground(canvas, scene)
-        self._glows.draw(canvas, scene)
+        self._paint_list(canvas, scene, add_on_ground)
         debris.draw(canvas, scene)
         self._balls.draw(canvas, scene)
 
     def _paint_solid(self, canvas: Canvas, scene: Scene) -> None:
-        """All but the words, in 3D: first what lies on the ground, since a standing block can hide it, never the reverse."""
+        """The arena in 3D: first what lies on the ground, since a standing block can hide it, never the reverse."""
         self._solid.draw_ground(canvas, scene)
-        _draw_on_ground(canvas, scene)
-        self._glows.draw(canvas, scene)
+        self._paint_list(canvas, scene, add_on_ground)
         blocks = self._solid.draw_blocks(canvas, scene, slot_contents(scene))
         debris.draw(canvas, scene)
         self._balls.draw(canvas, scene, blocks)
 
-
-def _draw_on_ground(canvas: Canvas, scene: Scene) -> None:
-    """What lies on the ground."""
-    wells.draw(canvas, scene)
-    waves.draw(canvas, scene)
-    trail.draw(canvas, scene)
-    aim.draw(canvas, scene)
+    def _paint_list(self, canvas: Canvas, scene: Scene, add: Callable[[DisplayList, Scene, ArenaView], None]) -> None:
+        """A part of the picture that a list describes. add: what adds it to a list."""
+        picture = DisplayList()
+        add(picture, scene, canvas.view)
+        self._lists.paint(canvas.surface, canvas.type, picture)
 
 
 def _shake(surface: pygame.Surface, scene: Scene, camera: Camera) -> None:

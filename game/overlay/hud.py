@@ -4,9 +4,9 @@ import math
 
 from game.drawing.camera import Layout
 from game.drawing.canvas import Canvas
+from game.drawing.letter_sizes import stepped
 from game.drawing.palette import mixed
 from game.drawing.raster.primitives import draw_circle, draw_dot
-from game.drawing.text import stepped
 from game.effects import Streak
 from game.effects.streaks import BUMP_TICKS, ENDED_TICKS
 from game.input.key_names import key_name
