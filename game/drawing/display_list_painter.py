@@ -23,8 +23,9 @@ _FINER = 4
 _MOST_SPRITES = 256
 _STRENGTHS = 22
 """Strengths that a light has pictures for, from none to all of its colour."""
-_SMALL = 96
-"""Side of the picture that a light is drawn in and scaled up from, pixels: nothing of it is sharp."""
+_LARGEST, _STEP = 96, 8
+"""Sides of the pictures that lights are drawn in and scaled up from, pixels, as nothing of a light is sharp: at most, and from
+one to the next. They are never scaled down, which would leave white not quite white."""
 _SHARPNESS = 3.2
 """How fast a light falls off."""
 _INSETS = np.array([0.8, 1.0, 0.5]).reshape(3, 1, 1)
@@ -79,7 +80,8 @@ class DisplayListPainter:
         if self._light.width < 2 * wide or self._light.height < 2 * high:
             self._light = pygame.Surface((max(self._light.width, 2 * wide), max(self._light.height, 2 * high)), 0, 32)
         picture = self._light.subsurface((0, 0, 2 * wide, 2 * high))
-        small = _small_light(round(strength * _STRENGTHS + 0.499), colour, takes=bool(takes))
+        side = max(min(2 * wide, 2 * high, _LARGEST) // _STEP * _STEP, 2)
+        small = _small_light(side, round(strength * _STRENGTHS + 0.499), colour, takes=bool(takes))
         pygame.transform.smoothscale(small, picture.size, picture)
         flag = pygame.BLEND_RGB_MULT if takes else pygame.BLEND_RGB_ADD
         surface.blit(picture, (round(x) - wide, round(y) - high), special_flags=flag)
@@ -177,13 +179,13 @@ def _sprite(reach: float, numbers: "array[float]") -> pygame.Surface:
 
 
 @lru_cache(maxsize=256)
-def _small_light(step: int, colour: Colour, *, takes: bool) -> pygame.Surface:
+def _small_light(side: int, step: int, colour: Colour, *, takes: bool) -> pygame.Surface:
     """A round light. step: of its strength, up to _STRENGTHS; takes: whether its colour takes the others away."""
-    across = ((np.arange(_SMALL) + 0.5) * (2.0 / _SMALL) - 1.0).astype(np.float32)
+    across = ((np.arange(side) + 0.5) * (2.0 / side) - 1.0).astype(np.float32)
     away = across[:, None] ** 2 + across[None, :] ** 2
     light = np.exp(-_SHARPNESS * away) * np.clip(1.0 - away, 0.0, 1.0) * np.float32(step / _STRENGTHS)
     own = np.array(colour, dtype=np.float32)
     rgb = 255.0 - (255.0 - own) * light[..., None] if takes else own * light[..., None]
-    small = pygame.Surface((_SMALL, _SMALL), 0, 32)
+    small = pygame.Surface((side, side), 0, 32)
     pygame.surfarray.pixels3d(small)[:] = np.rint(rgb).astype(np.uint8)
     return small
