@@ -5,11 +5,8 @@ Over the picture, and not from here: the contact normals of both engines and pan
 
 from collections.abc import Callable
 
-import pygame
-
 from game.drawing import debris
 from game.drawing.balls.ball import BallPictures
-from game.drawing.camera import Camera
 from game.drawing.canvas import Canvas
 from game.drawing.display_list_painter import DisplayListPainter
 from game.drawing.flat.picture import FlatPicture
@@ -21,9 +18,6 @@ from game.picture.moving.layers import add_in_air, add_on_ground
 from game.picture.moving.words import add_words
 from game.picture.view import ArenaView
 from game.scene import Scene
-
-_SHAKEN = 1.25
-"""From the centre to the left and right ends of what is shaken, in ground radii: the rim's glow is gone there."""
 
 
 class Painter:
@@ -38,28 +32,28 @@ class Painter:
 
     def paint(self, canvas: Canvas, scene: Scene) -> None:
         """Draw a scene on a 32-bit surface, in its level's colours where the canvas' theme leaves them to the level."""
-        canvas = canvas._replace(theme=themed(canvas.theme, scene.palette))
+        still = canvas._replace(theme=themed(canvas.theme, scene.palette))
+        canvas = still._replace(offset=_shaken(scene, canvas))
         if canvas.camera.flat:
             self._paint_flat(canvas, scene)
         else:
             self._paint_solid(canvas, scene)
-        self._paint_list(canvas, scene, add_in_air)
-        _shake(canvas.surface, scene, canvas.camera)
-        self._paint_list(canvas, scene, add_words)
+        self._paint_list(canvas.moved, scene, add_in_air)
+        self._paint_list(still, scene, add_words)
 
     def _paint_flat(self, canvas: Canvas, scene: Scene) -> None:
         """The arena from straight above: waves and trail are drawn over the rings, as nothing has height here."""
         self._flat.draw(canvas, scene, slot_contents(scene))
-        self._paint_list(canvas, scene, add_on_ground)
-        debris.draw(canvas, scene)
+        self._paint_list(canvas.moved, scene, add_on_ground)
+        debris.draw(canvas.moved, scene)
         self._balls.draw(canvas, scene)
 
     def _paint_solid(self, canvas: Canvas, scene: Scene) -> None:
         """The arena in 3D: first what lies on the ground, since a standing block can hide it, never the reverse."""
         self._solid.draw_ground(canvas, scene)
-        self._paint_list(canvas, scene, add_on_ground)
+        self._paint_list(canvas.moved, scene, add_on_ground)
         blocks = self._solid.draw_blocks(canvas, scene, slot_contents(scene))
-        debris.draw(canvas, scene)
+        debris.draw(canvas.moved, scene)
         self._balls.draw(canvas, scene, blocks)
 
     def _paint_list(self, canvas: Canvas, scene: Scene, add: Callable[[DisplayList, Scene, ArenaView], None]) -> None:
@@ -69,17 +63,16 @@ class Painter:
         self._lists.paint(canvas.surface, canvas.type, picture)
 
 
-def _shake(surface: pygame.Surface, scene: Scene, camera: Camera) -> None:
-    """Move the arena and what is near it by whole pixels: nothing is drawn anew. What a mouse position means is not shifted.
+def _shaken(scene: Scene, canvas: Canvas) -> tuple[int, int]:
+    """Whole pixels by which the picture is off. What a mouse position means is not shifted.
 
-    The offset is conjugated, since y points up in the world and down on the screen.
+    The offset is conjugated, since y points up in the world and down on the screen. From above all of the arena stays on the
+    surface.
     """
-    offset = scene.shaken.conjugate() * scene.ground_radius * camera.scale
-    across, down = round(offset.real), round(offset.imag)
-    if across or down:
-        reach = _SHAKEN * scene.ground_radius
-        left, right = (camera.project(side * reach / camera.turning).real for side in (-1.0, 1.0))
-        before = surface.get_clip()
-        surface.set_clip(before.clip((round(left), 0, round(right - left), surface.height)))
-        surface.scroll(across, down)
-        surface.set_clip(before)
+    camera, radius = canvas.camera, scene.ground_radius * canvas.camera.scale
+    offset, room = scene.shaken.conjugate() * radius, radius
+    if camera.flat:
+        (width, height), middle = canvas.size, camera.centre
+        room = max(min(middle.real, width - middle.real, middle.imag, height - middle.imag) - radius, 0.0)
+    across, down = (min(max(part, -room), room) for part in (offset.real, offset.imag))
+    return round(across), round(down)

@@ -74,7 +74,7 @@ class BallPictures:
             hidden = occluding_quads(blocks, camera, ball.position, centre, radius + _MARGIN)
             if len(hidden):
                 picture = _without(picture, hidden - corner)
-        canvas.surface.blit(picture, (corner.real, corner.imag))
+        canvas.surface.blit(picture, (corner.real + canvas.offset[0], corner.imag + canvas.offset[1]))
 
     def _picture(self, look: _BallLook) -> pygame.Surface:
         """The picture of a ball, drawn once."""

@@ -76,7 +76,7 @@ def test_shapes_cover_what_they_say(picture, inside, least):
     off = np.abs(got - exact)[(got > 0.0) | (exact > 0.0)]
     assert off.mean() < least
     assert got[exact > 0.99].min(initial=1.0) > 0.6
-    assert (got[exact == 0.0] > 0.6).sum() < 12
+    assert (got[exact == 0.0] > 0.6).sum() < 20
 
 
 @pytest.mark.parametrize("takes", [False, True])
