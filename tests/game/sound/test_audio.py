@@ -197,7 +197,7 @@ def test_a_game_with_sound_is_the_game_without(audio):
     assert set(audio._sounds) <= set(every_note())
 
 
-def recorded(path, x, volume=1.0, *, muted=False):
+def recorded(path, x=0.0, volume=1.0, *, muted=False):
     """The left and the right ear's peak of the sound that reaches the card when a ball is lost at x, and of 3 s after it."""
     done = run(
         f"""
@@ -226,14 +226,10 @@ def recorded(path, x, volume=1.0, *, muted=False):
 
 def test_the_card_hears_left_right_volume_and_mute(tmp_path):
     """Played to a file instead of a card: panned with constant power, half the volume a quarter of the amplitude, mute 0."""
+    played = {"left": {"x": -10.0}, "middle": {}, "right": {"x": 10.0}, "half": {"volume": 0.5}, "silent": {"muted": True}}
     with ThreadPoolExecutor() as several:
-        heard = [
-            several.submit(recorded, tmp_path / f"{number}.raw", *given, muted=muted)
-            for number, (*given, muted) in enumerate(
-                [(-10.0, False), (0.0, False), (10.0, False), (0.0, 0.5, False), (0.0, True)]
-            )
-        ]
-    left, middle, right, half, silent = [one.result() for one in heard]
+        peaks = [several.submit(recorded, tmp_path / name, **given) for name, given in played.items()]
+    left, middle, right, half, silent = [peak.result() for peak in peaks]
     assert left[0] > 3.0 * left[1] > 0.0
     assert left == pytest.approx(right[::-1], rel=0.02)
     assert middle[0] == pytest.approx(middle[1], rel=0.02)
