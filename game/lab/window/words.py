@@ -84,7 +84,7 @@ def _fitting(type_: Type, lines: Sequence[str], size: float, width: float, most:
 
 
 def draw_small_print(sheet: TextSheet, top: float, lines: tuple[str, ...]) -> None:
-    """Small lines below the widgets, which end at `top`: at the bottom of the side, as far as there is room."""
+    """Small lines below the controls, which end at `top`: at the bottom of the side, as far as there is room."""
     unit, side = sheet.unit, sheet.layout.side
     size, left, width = unit * 0.85, side.left + unit * 0.8, side.width - unit * 1.6
     wrapped = [part for line in lines for part in _wrapped_anywhere(sheet.type, line, size, width)]
@@ -110,7 +110,7 @@ def draw_notice(sheet: TextSheet, text: str, bottom: float) -> float:
 
 
 def _write_lines(sheet: TextSheet, text: str, colour: Colour, top: float, size: float) -> float:
-    """A text in as many lines as it needs beside the widgets; returns where the next line begins. size: of letters, pixels."""
+    """A text in as many lines as it needs beside the controls; returns where the next line begins. size: of letters, pixels."""
     edge = sheet.unit * 0.9
     for line in sheet.type.wrapped(text, size, sheet.layout.side.left - 2.0 * edge):
         sheet.type.write(sheet.surface, line, size, colour, complex(edge, top))
