@@ -184,10 +184,22 @@ def test_a_held_arrow_moves_a_slider_on(desk):
     assert desk.session.notes == ()
 
 
+@pytest.mark.usefixtures("unseen")
 def test_a_gamepad_uses_the_controls(desk):
-    """The pad's cross moves the focus and steps, A accepts, B gives the keys back to the scene."""
-    for direction in ("DOWN", "UP", "RIGHT"):
-        desk.pad(getattr(pygame, f"CONTROLLER_BUTTON_DPAD_{direction}"))
+    """The pad's cross moves the focus and steps, again and again while it is held; A accepts, B gives the keys back."""
+    down, up, right = (getattr(pygame, f"CONTROLLER_BUTTON_DPAD_{name}") for name in ("DOWN", "UP", "RIGHT"))
+    for button in (down, down, down):
+        desk.pad(button)
+    desk.pad(right, pygame.CONTROLLERBUTTONDOWN)
+    for _ in range(20):
+        desk.wait_once(0.1)
+    moved = desk.values.point("ball")
+    assert moved.real > 9.45
+    desk.pad(right, pygame.CONTROLLERBUTTONUP)
+    desk.wait_once(1.0)
+    assert desk.values.point("ball") == moved
+    for button in (up, up, up):
+        desk.pad(button)
     assert spot_at(desk.side._laid(SIZE), desk.side._focus).item.label == "Colours"
     theme = desk.shared.theme
     desk.pad(pygame.CONTROLLER_BUTTON_A)

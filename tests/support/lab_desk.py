@@ -107,8 +107,8 @@ class LabDesk(Desk):
         """Click in the middle of the control that says something."""
         self.click(self.spot(label).box.center)
 
-    def pad(self, button):
-        """Press and release a gamepad's button."""
-        for kind in (pygame.CONTROLLERBUTTONDOWN, pygame.CONTROLLERBUTTONUP):
+    def pad(self, button, *kinds):
+        """Press and release a gamepad's button, or only one of both."""
+        for kind in kinds or (pygame.CONTROLLERBUTTONDOWN, pygame.CONTROLLERBUTTONUP):
             pygame.event.post(pygame.Event(kind, button=button, instance_id=0))
         self.wait(FRAME)

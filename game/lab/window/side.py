@@ -11,6 +11,8 @@ import pygame
 from game.input.events import translated
 from game.input.keys import Action, position_in
 from game.input.signals import Clicked, FocusLost, Moved, Pressed, Zoomed
+from game.lab.kit.parameters import defaults
+from game.lab.session.share import SharedScene, share_line
 from game.lab.window.controls import (
     Component,
     Controlled,
@@ -25,6 +27,7 @@ from game.lab.window.controls import (
     scene_options,
 )
 from game.lab.window.layout import WindowLayout
+from game.lab.window.words import small_print_height
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.toolkit.drop_down import OptionList
@@ -36,8 +39,8 @@ from game.screens.toolkit.text_field import TextField, after_event, caret_at
 
 _LETTERS = 0.87
 """The toolkit's unit in the lab's: what items are called is about as large as body text then."""
-_TOP, _SMALL_PRINT = 0.6, 5.0
-"""From the window's edge to the controls, and the room for the small print below them, in the lab's units."""
+_TOP, _LEAST_SMALL_PRINT = 0.6, 5.0
+"""From the window's edge to the controls, and the least room for the small print below them, in the lab's units."""
 _LONGEST = 32
 """Characters that can be typed into a field."""
 _STRIDE = 10
@@ -62,6 +65,7 @@ class Side(Form):
         self._state, self._screen, self._ask = state, screen, ask
         self._do = Reactions(ask, self._edit, self._scenes, self._presets)
         self._layout, self._seen = layout, seen
+        self._small_print = self._small_print_height()
         self._pointer = -1 - 1j  # pixels
         self._drawn: tuple[tuple[object, ...], pygame.Surface] | None = None
         self._typing: Typing | None = None
@@ -78,7 +82,10 @@ class Side(Form):
         """Let the controls be those of a scene as it stands, in a window that is so divided."""
         if self._seen.session.scene is not seen.session.scene:
             self._typing, self._scroll = None, 0.0
+        is_new = self._seen.session.scene is not seen.session.scene or self._layout != layout
         self._layout, self._seen = layout, seen
+        if is_new:
+            self._small_print = self._small_print_height()
 
     def release(self) -> None:
         """Give the keys back to the scene, and leave what is typed."""
@@ -112,6 +119,8 @@ class Side(Form):
             return True, self._screen
         if event.type == pygame.MOUSEBUTTONUP:
             self._is_pressed = False
+        if event.type == pygame.KEYUP and self._held is not None and self._held[0].position == position_in(event):
+            self._held = None
         signal = translated(event, pixels_per_point)
         match signal:
             case Moved(pixel, held):
@@ -169,7 +178,7 @@ class Side(Form):
         """The controls below each other."""
         unit, area = self._layout.unit, self._layout.side.copy()
         area.top += round(unit * _TOP)
-        area.height -= round(unit * (_TOP + _SMALL_PRINT))
+        area.height -= round(unit * _TOP + self._small_print)
         rows = controls(self._seen._replace(typing=self._typing), self._do)
         laid = laid_in_column(rows, area, self._state.type, self.unit(size), self._scroll)
         self._scroll = min(self._scroll, float(laid.over))
@@ -235,6 +244,12 @@ class Side(Form):
         except ValueError:
             return self._ask(Refused(f"{typing.component.parameter.label}: {text!r} is not a number"))
         return self._ask(typing.component.requested(self._seen.session, number))
+
+    def _small_print_height(self) -> float:
+        """Room for the state hash, for the share line at the defaults, and for a line more."""
+        scene = self._seen.session.scene
+        lines = "state hash", share_line(SharedScene(scene, defaults(scene.parameters))), "-"
+        return max(small_print_height(self._state.type, self._layout, lines), self._layout.unit * _LEAST_SMALL_PRINT)
 
     def _is_inside(self, pixel: complex) -> bool:
         """Whether a pixel is on the side."""
