@@ -5,7 +5,6 @@ from collections.abc import Callable
 import pygame
 
 from game.drawing.canvas import Canvas
-from game.drawing.raster.primitives import draw_box
 from game.language import tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
@@ -13,7 +12,7 @@ from game.screens.toolkit.focus import Focus
 from game.screens.toolkit.items import ButtonItem, Drawing, Item
 from game.screens.toolkit.layout import Content, Row
 from game.screens.toolkit.panel import Panel
-from game.screens.toolkit.plate import write_fitting
+from game.screens.toolkit.text_field import TextField, draw_field
 
 _LETTERS = ("ABCDEFGHIJ", "KLMNOPQRST", "UVWXYZ-_.!", "0123456789")
 _NAVIGATION = frozenset(
@@ -81,13 +80,4 @@ class TextEntry(Panel):
 
     def _draw_field(self, canvas: Canvas, box: pygame.Rect) -> None:
         """The text and where the next letter goes."""
-        theme, unit = canvas.theme, canvas.unit
-        draw_box(canvas.surface, box, unit * 0.4, theme.background, theme.panel_edge, unit * 0.08)
-        left = complex(box.left + unit * 0.7, box.centery)
-        shown = self.text[-60:]
-        end = (
-            write_fitting(canvas, shown, 1.6, theme.text, left, "midleft", box.width - unit * 2.0).right if shown else left.real
-        )
-        caret = pygame.Rect(round(end + unit * 0.15), 0, max(round(unit * 0.1), 1), round(unit * 1.5))
-        caret.centery = box.centery
-        pygame.draw.rect(canvas.surface, theme.accent, caret)
+        draw_field(canvas, box, self.text, 1.6, TextField(self.text, len(self.text), len(self.text)))
