@@ -7,6 +7,7 @@ import select
 import shutil
 import subprocess
 import sys
+import time
 from types import MappingProxyType
 
 import pygame
@@ -72,7 +73,9 @@ class RealGame:
 
         It is done again only once the game has taken all that was sent before, so never because the game is slow.
         """
+        end = time.monotonic() + GIVE_UP
         while not condition(self.seen):
+            assert time.monotonic() < end, self.seen
             act()
             self._asked += 1
             self.send(f"answer {self._asked}")

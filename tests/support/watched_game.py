@@ -5,7 +5,8 @@ screen: name of the class. focused: whether the window has the keyboard. focus: 
 items: of a panel or the editor, by label: x and y of the middle in pixels, row and column, whether it scrolls, and its state.
 view: upper and lower edge of the part that scrolls, pixels. close: the button that leads back; buttons: those beside the
 arena; x and y. text: that is being entered. phase: of a game that is played; steers: whether a key or a trigger turns the
-paddles. moved: whether the replay that is watched has left its beginning. answered: the number of the last question.
+paddles; is_kept: whether it has lasted for long enough that its replay will be kept. moved: whether the replay that is watched
+has left its beginning. answered: the number of the last question.
 Each line on stdin is a question ("answer 7"), or with the environment's PAD set, which plugs a gamepad in, a method of it and
 its numbers ("press 0"). A question is answered once the game has taken all that was sent to its window before.
 """
@@ -19,6 +20,8 @@ from game import app
 from game.__main__ import main
 from game.editor.window.layout import editor_layout
 from game.editor.window.screen import Editor
+from game.kept import games as kept_games
+from game.rules import TICK
 from game.screens import play_buttons
 from game.screens.play import PlayScreen
 from game.screens.toolkit.panel import Panel
@@ -83,7 +86,7 @@ def _looks(screen):
     if isinstance(screen, Panel):
         return Panel.looks.fget(screen)
     if isinstance(screen, PlayScreen):
-        return screen._ticked.game.phase, _steers(screen)
+        return screen._ticked.game.phase, _steers(screen), _is_kept(screen)
     if isinstance(screen, Watch):
         return screen._at > 0.0
     return None
@@ -98,8 +101,8 @@ def _described(screen, size):
         return {"items": {command.name: [*box.center, 0, 0, False, ""] for command, box in boxes}}
     if isinstance(screen, PlayScreen):
         boxes = play_buttons.button_boxes(screen._layout(size))
-        phase = screen._ticked.game.phase.name
-        return {"phase": phase, "steers": _steers(screen), "buttons": [box.center for box in boxes]}
+        seen = {"phase": screen._ticked.game.phase.name, "steers": _steers(screen), "is_kept": _is_kept(screen)}
+        return seen | {"buttons": [box.center for box in boxes]}
     if isinstance(screen, Watch):
         boxes = play_buttons.button_boxes(screen._layout(size), play_buttons.WATCHING)
         return {"moved": screen._at > 0.0, "buttons": [box.center for box in boxes]}
@@ -132,6 +135,11 @@ def _state(item):
 def _steers(play):
     """Whether a key or a trigger turns the paddles."""
     return bool(play._hands.held or play._hands.spin)
+
+
+def _is_kept(play):
+    """Whether a game has lasted for long enough that its replay will be kept."""
+    return play._ticked.game.tick * TICK >= kept_games._SHORTEST
 
 
 _plain = app.frame

@@ -116,6 +116,7 @@ def lose_a_game(game, player):
     game.expect("Menu")
     player.choose("Go on")
     game.expect("PlayScreen")
+    game.wait(lambda seen: seen["is_kept"])
     player.steer(on=True)
     serve_until(game, player, "Results")
     player.choose("Enter your name")
