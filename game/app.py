@@ -12,6 +12,7 @@ from game.chosen_physics import SWEPT, ChosenPhysics
 from game.input.events import keyboard_state
 from game.input.key_names import layout_changed
 from game.input.keys import Action
+from game.input.players import Players
 from game.input.signals import FocusLost, KeyboardState, PadChanged, Pressed, Signal
 from game.kept.store import Kept
 from game.kept.window import WindowBox
@@ -87,16 +88,17 @@ def play(
     autopilot: bool = False,
     physics: ChosenPhysics = SWEPT,
     ruleset: Ruleset | None = None,
+    players: Players = Players.ONE,
 ) -> int:
     """Open a window with the title, the first of the levels chosen, and play until it is closed; the exit code.
 
     recorder: told every tick of every game played. autopilot: it plays, from the first serve on, without a title.
-    physics: that the games are flown on. ruleset: of the games; None for the one chosen last.
+    physics: that the games are flown on. ruleset: of the games; None for the one chosen last. players: how many play.
     Raises EnvironmentMissingError without a display, DisplayLostError when it goes away.
     """
     catalogue = built_in() if levels[0] in built_in() else levels
     state = _state(catalogue, services, catalogue.index(levels[0]), seed)
-    state.recorder, state.autopilot, state.physics = recorder, autopilot, physics
+    state.recorder, state.autopilot, state.physics, state.players = recorder, autopilot, physics, players
     state.ruleset = ruleset or state.ruleset
     editors = OpenEditors()
     state.own_levels, state.open_editor = own_levels, editors.opened
