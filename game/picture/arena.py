@@ -111,7 +111,7 @@ def _resting(scene: Scene, camera: Camera) -> tuple[int, ...]:
     """The rings that the backdrop shows: in the flat view those that do not turn, once the wall stands."""
     if not camera.flat or scene.entry is not None:
         return ()
-    return tuple([k for k, ring in enumerate(scene.rings) if k != PADDLES and not ring.spin])
+    return tuple([k for k, ring in enumerate(scene.rings) if k not in (PADDLES, scene.second_paddle) and not ring.spin])
 
 
 def _standing(scene: Scene, k: int, contents: Contents) -> tuple[SlotContent, ...]:

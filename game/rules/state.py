@@ -168,10 +168,10 @@ class Game(NamedTuple):
         """The level being played."""
         return self.levels[self.number]
 
-    def power(self, kind: PowerUp) -> ActivePower | None:
-        """The power-up of a kind that lasts now."""
+    def power(self, kind: PowerUp, player: int = 0) -> ActivePower | None:
+        """The power-up of a kind that lasts now. player: whose, as in `ActivePower`."""
         for power in self.powers:
-            if power.kind == kind:
+            if power.kind == kind and power.player == player:
                 return power
         return None
 

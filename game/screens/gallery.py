@@ -10,6 +10,7 @@ import pygame
 from game.autopilot import Autopilot
 from game.headless import autopilot_game
 from game.input.keys import Action
+from game.input.players import Players
 from game.input.signals import Clicked, Moved, Pressed
 from game.kept.games import KeptGame
 from game.kept.progress import Best
@@ -19,7 +20,7 @@ from game.levels import built_in
 from game.replays.file import Recorder
 from game.replays.playback import Playback
 from game.rules import Ruleset, new_game, tick
-from game.screens.app_state import AppState, Players
+from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.menus.credits import Credits
 from game.screens.menus.endless import endless_menu

@@ -11,9 +11,10 @@ from game.effects import EffectKind, Effects
 from game.effects.hit_stop import hit_stop_seconds
 from game.effects.slow_motion import pace
 from game.fixed_step import Due, due
-from game.input.hands import Hands
+from game.input.hands import Hands, controls_of_two
 from game.input.key_names import key_name
 from game.input.keys import Action
+from game.input.players import Players
 from game.input.signals import Clicked, FocusLost, KeyboardState, Moved, Pressed, Released, Signal, pad_of
 from game.language import tr
 from game.levels import Level, number_of
@@ -25,8 +26,8 @@ from game.overlay.readings import readings
 from game.overlay.toast import Toast
 from game.rules import TICK, Controls, EventKind, Phase, new_game, tick
 from game.scene import scene_at, still
-from game.screens import ghost, play_buttons, versus
-from game.screens.app_state import AppState, Players
+from game.screens import ghost, play_buttons
+from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.menus.help import Help
 from game.screens.menus.settings_panel import SettingsPanel
@@ -144,7 +145,6 @@ class PlayScreen:
         words = state.words(canvas)
         hud.draw(words, shown, seen)
         play_buttons.draw(canvas, seen, self._hovered)
-        versus.draw(words, self._ticked.game)
         told = self._notice()
         if told is not None:
             notice.draw(words, told, scene)
@@ -232,12 +232,10 @@ class PlayScreen:
         """What the player asks for in the next tick."""
         if self._state.settings.one_button:
             return self._hands.one_button_controls(self._ticked.game)
-        controls = self._hands.controls(camera, self._ticked.game)
-        if self._state.players != Players.ONE:
-            second = self._second.controls(camera, self._ticked.game)
-            controls = controls._replace(second_turn=second.turn, second_pointer=second.pointer)
-            controls = controls._replace(serve=controls.serve or self._second.serve)
-        return controls
+        game = self._ticked.game
+        if self._state.players == Players.ONE:
+            return self._hands.controls(camera, game)
+        return controls_of_two(self._hands, self._second, camera, game)
 
     def _paused(self, panel: Screen) -> Screen:
         """A panel over the game; keys that were held when it opened are let go."""
