@@ -89,6 +89,8 @@ def _bursts(event: Event, ticked: Ticked) -> tuple[Burst, ...]:
         return ()
     if event.hit is not None and event.kind != EventKind.SHIELD_HIT:
         return (_burst_of_hit(event.hit, tick, ticked.game.arena.rings[event.hit.ring]),)
+    if event.kind == EventKind.BRICK_CRUMBLED and event.sector is not None:
+        return (_burst_of_stack(*event.sector, ticked),)
     thrown = _thrown(event, ticked)
     return () if thrown is None else (Burst(*thrown, 0, tick),)
 
@@ -100,14 +102,28 @@ def _thrown(event: Event, ticked: Ticked) -> tuple[Matter, BurstOrigin, complex]
             return Matter.BALL, _point(event.position), -_unit(event.position)
         case EventKind.SERVED:
             return Matter.PADDLE, _point(event.position), _unit(ticked.game.arena.balls[0].velocity)
-        case EventKind.SHIELD_HIT | EventKind.DROP_CAUGHT | EventKind.BRICK_REGROWN:
+        case EventKind.BALLS_MET:
+            return Matter.STEEL, _point(event.position), 0j
+        case EventKind.SHIELD_HIT | EventKind.DROP_CAUGHT | EventKind.BRICK_REGROWN | EventKind.BALL_RELEASED:
             return Matter.PADDLE, _point(event.position), -_unit(event.position)
     return None
 
 
+def _burst_of_stack(ring: int, slot: int, ticked: Ticked) -> Burst:
+    """The burst of a layer that has crumbled: from all of its sector, in no direction."""
+    sectors, layers = ticked.game.arena.rings[ring], ticked.game.arena.layers[ring][slot]
+    origin = BurstOrigin(sectors.radius, sectors.half_width, sectors.angle(slot), sectors.half_angle)
+    return Burst(Matter.BRICK, origin, 0j, layers + 1, _seed(ticked.game.tick, ring, slot))
+
+
+def _seed(tick: int, ring: int, slot: int) -> int:
+    """Another one for every sector that breaks."""
+    return (tick * 64 + ring) * 4096 + slot
+
+
 def _burst_of_hit(hit: Hit, tick: int, ring: Ring) -> Burst:
     """The burst of a hit."""
-    seed = (tick * 64 + hit.ring) * 4096 + hit.slot  # another one for every hit
+    seed = _seed(tick, hit.ring, hit.slot)
     point = _point(hit.contact.point)
     if hit.ring == PADDLES or hit.layers == PERMANENT:
         return Burst(Matter.PADDLE if hit.ring == PADDLES else Matter.STEEL, point, hit.contact.normal, 0, seed)

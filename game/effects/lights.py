@@ -55,6 +55,8 @@ _LIGHTS = {
     EventKind.BALL_LOST: Light(LightSource.BAD, 0j, 0.5, 1.0, 200),
     EventKind.BRICK_REGROWN: Light(LightSource.GOOD, 0j, 0.16, 0.6, 90),
     EventKind.DROP_CAUGHT: Light(LightSource.POWER, 0j, 0.4, 0.9, 120),
+    EventKind.DROP_LOST: Light(LightSource.POWER, 0j, 0.2, 0.5, 90),
+    EventKind.BALL_RELEASED: Light(LightSource.PADDLE, 0j, 0.26, 0.6, 70),
 }
 """The lights of events but for bricks, whose light depends on more."""
 
@@ -80,5 +82,8 @@ def _light(event: Event, ticked: Ticked) -> Light | None:
         layer = 1 if event.hit is None else max(event.hit.layers, 0) + 1
         strength = min(_BRICK + _BRICK_PER_COMBO * min(ticked.game.combo, BEST_COMBO), 1.0)
         return Light(LightSource.BRICK, event.position, 0.24, strength, 80, layer)
+    if event.kind == EventKind.BRICK_CRUMBLED and event.sector is not None:
+        ring, slot = event.sector
+        return Light(LightSource.BRICK, event.position, 0.24, _BRICK, 80, ticked.game.arena.layers[ring][slot] + 1)
     light = _LIGHTS.get(event.kind)
     return None if light is None else light._replace(position=event.position, power=event.power)
