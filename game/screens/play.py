@@ -136,7 +136,7 @@ class PlayScreen:
         racing = None if self._record.ghost is None or not state.settings.ghost else self._record.ghost.game
         if racing is not None:
             ghost.draw(canvas, racing)
-            ghost.draw_lead(state.words(canvas), self._ticked.game, racing)
+            ghost.draw_lead(state.words(canvas), self._ticked.game, racing, seen)
         if state.shows_normals:
             contact_normals.draw(canvas, self._normals)
         badge = aids.badge(state.settings) if self._pilot is None else tr("autopilot")
@@ -148,7 +148,7 @@ class PlayScreen:
         told = self._notice()
         if told is not None:
             notice.draw(words, told, scene)
-        captions.draw(words, self._captions)
+        captions.draw(words, self._captions, seen)
         if state.physics.note:
             _draw_note(canvas, tr(state.physics.note))
 
@@ -162,7 +162,7 @@ class PlayScreen:
         if 0.0 < self._ready < _READY_SECONDS:
             return ready()
         game = self._ticked.game
-        if game.phase in (Phase.OVER, Phase.WON):
+        if game.phase in (Phase.OVER, Phase.WON) or (game.phase == Phase.CLEARED and self._told == game.number):
             return None
         told = words_now(game, key_name(Action.SERVE))
         if told is None and self._may_give_up:

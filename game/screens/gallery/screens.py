@@ -1,6 +1,7 @@
 """Every screen of the game: its name, and what opens it."""
 
 from collections.abc import Callable, Iterator
+from dataclasses import replace
 
 from game.editor.command import NEW
 from game.input.keys import Action
@@ -117,20 +118,17 @@ def _moved(screen: Screen, action: Action, times: int) -> Screen:
 
 def _tipped(state: AppState) -> AppState:
     """Seen in 3D."""
-    state.view = SOLID
-    return state
+    return replace(state, view=SOLID)
 
 
 def _with(state: AppState, players: Players) -> AppState:
     """Two on one machine."""
-    state.players = players
-    return state
+    return replace(state, players=players)
 
 
 def _new_player(state: AppState) -> AppState:
     """Somebody who has not played yet."""
-    state.kept = Kept(None)
-    return state
+    return replace(state, kept=Kept(None))
 
 
 def _captioned(state: AppState) -> Screen:
