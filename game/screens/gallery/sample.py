@@ -120,7 +120,8 @@ def lost(state: AppState) -> Screen:
 
 def _ended(state: AppState, levels: tuple[Level, ...]) -> Screen:
     """The results of a game in which the player does nothing but serve, once they have counted up."""
-    play = screen = PlayScreen(state, levels)
+    play = PlayScreen(state, levels)
+    screen: Screen = play
     while screen is play:
         play.answer(Pressed(Action.SERVE), SIZE)
         screen = later(play, _SERVED_SECONDS)
