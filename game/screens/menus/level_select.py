@@ -38,8 +38,8 @@ _NAME, _NAME_LINES, _LINE = 1.05, 2, 1.2
 """Size of a name's letters, the lines that it may take where texts are large, and from line to line; units of text."""
 _WIDTH = 40.0
 """Of the plate, units of text."""
-_LOCKED = 110
-"""How much of a locked level's picture is seen, of 255."""
+_LOCKED, _LOCK = 110, 2.6
+"""How much of a locked level's picture is seen, of 255; and the padlock's size, units of text."""
 
 
 @dataclass(frozen=True)
@@ -82,7 +82,7 @@ class Card(Item):
             canvas.surface.blit(picture, hole)
             picture.set_alpha(None)
         if not self.is_open:
-            lock = pygame.Rect(0, 0, round(unit * 3.0), round(unit * 3.0))
+            lock = pygame.Rect(0, 0, round(unit * _LOCK), round(unit * _LOCK))
             lock.center = hole.center
             draw_lock(canvas, lock, theme.text)
         colour = theme.accent if focused else theme.text if self.is_open else theme.faint
