@@ -9,16 +9,18 @@ from enum import Enum, auto
 from typing import NamedTuple
 
 from game.effects.kinds import RETOLD, EffectKind, Shown
-from game.rules import PADDLES, Event, EventKind, Ticked
+from game.rules import PADDLES, Event, EventKind, Phase, Ticked
 from physics import PERMANENT, Hit, Ring, direction, to_polar
 
 SHARD_TICKS, SPARK_TICKS = 170, 84
 """Ticks that shards and sparks are to be seen."""
-MOST = 10
+MOST = 12
 """Bursts at once; the oldest make room."""
 
 _FIREWORKS, _FIREWORK_RADIUS = 6, 0.3
 """Bursts for a cleared level, and how far from the centre they are, in shares of the ground's radius."""
+_WON_TICKS, _WON_RADII = 90, (0.6, 0.3, 0.75, 0.45, 0.6)
+"""From fireworks to fireworks when the last level is cleared, and how far from the centre those are."""
 
 
 class Matter(Enum):
@@ -67,7 +69,18 @@ def after_tick(bursts: tuple[Burst, ...], ticked: Ticked, shown: Shown) -> tuple
         older = [burst._replace(age=burst.age + 1) for burst in bursts]
         bursts = tuple([burst for burst in older if burst.age < lifetime(burst.matter)])
     new = [burst for event in ticked.events for burst in _bursts(event, ticked) if _effect(burst) in shown]
+    if EffectKind.SHARDS in shown:
+        new += _celebration(ticked)
     return (*bursts, *new)[-MOST:] if new else bursts
+
+
+def _celebration(ticked: Ticked) -> tuple[Burst, ...]:
+    """More fireworks, one after the other, once the game is won."""
+    game = ticked.game
+    number, rest = divmod(game.phase_tick, _WON_TICKS)
+    if game.phase != Phase.WON or rest or not 0 < number <= len(_WON_RADII):
+        return ()
+    return _fireworks(game.tick, _WON_RADII[number - 1] * game.level.ground_radius)
 
 
 def lifetime(matter: Matter) -> int:
@@ -84,7 +97,7 @@ def _bursts(event: Event, ticked: Ticked) -> tuple[Burst, ...]:
     """The bursts of an event; some have none."""
     tick = ticked.game.tick
     if event.kind in {EventKind.LEVEL_CLEARED, EventKind.CORE_BROKEN}:
-        return _fireworks(tick, ticked.game.level.ground_radius)
+        return _fireworks(tick, _FIREWORK_RADIUS * ticked.game.level.ground_radius)
     if event.kind in RETOLD:
         return ()
     if event.hit is not None and event.kind != EventKind.SHIELD_HIT:
@@ -131,10 +144,9 @@ def _burst_of_hit(hit: Hit, tick: int, ring: Ring) -> Burst:
     return Burst(Matter.BRICK, around, hit.contact.normal, hit.layers + 1, seed)
 
 
-def _fireworks(tick: int, ground_radius: float) -> tuple[Burst, ...]:
-    """Shards of every colour, from a circle around the centre."""
+def _fireworks(tick: int, radius: float) -> tuple[Burst, ...]:
+    """Shards of every colour, from a circle around the centre. radius: of the circle, world units."""
     directions = [direction(math.tau * k / _FIREWORKS) for k in range(_FIREWORKS)]
-    radius = _FIREWORK_RADIUS * ground_radius
     return tuple([Burst(Matter.BRICK, _point(out * radius), out, k + 1, tick + k) for k, out in enumerate(directions)])
 
 

@@ -42,6 +42,8 @@ _OFFER_TICKS = round(20.0 / TICK)
 """Without a paddle's touch, until the player may give up the ball."""
 _END_TICKS = 200
 """From the end of the game to the results: nobody who is still playing chooses an entry by accident."""
+_WON_TICKS = 500
+"""From the end of a game that is won to the results: its fireworks are seen first."""
 _CLEARED_TICKS = 150
 """From the last brick of a level to its results: it is seen breaking first."""
 _NEWS_SECONDS = 5.0
@@ -197,7 +199,7 @@ class PlayScreen:
     def _results(self) -> Screen | None:
         """The panel after a level or the game, once it has been seen for a moment."""
         game = self._ticked.game
-        if game.phase in (Phase.OVER, Phase.WON) and game.phase_tick >= _END_TICKS:
+        if game.phase in (Phase.OVER, Phase.WON) and game.phase_tick >= (_WON_TICKS if game.phase == Phase.WON else _END_TICKS):
             return game_results(self._state, self, game, self._record)
         if (
             game.phase == Phase.CLEARED

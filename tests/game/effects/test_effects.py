@@ -301,3 +301,15 @@ def test_a_layer_that_crumbles_is_seen_to_break():
     assert abs(cmath.rect(burst.origin.radius, burst.origin.angle) - event.position) < 1e-9
     assert [light.layer for light in fading.lights if light.position == event.position] == [left + 1]
     assert [(stack.ring, stack.slot) for stack in fading.falling] == ([(ring, slot)] if left else [])
+
+
+def test_a_won_game_has_more_fireworks():
+    """Five times, one after the other, and then there is nothing left of them; a level that is not the last one has none."""
+    for phase, times in ((Phase.WON, 5), (Phase.CLEARED, 0)):
+        game, fading, seen = new_game(classic()[-2:], 1)._replace(phase=phase), NOTHING, 0
+        for _ in range(1000):
+            done = tick(game, Controls())
+            game, fading = done.game, effects.after(fading, done)
+            seen += any(burst.age == 0 for burst in fading.bursts)
+        assert seen == times
+        assert fading.bursts == ()
