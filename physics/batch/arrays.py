@@ -34,7 +34,7 @@ class Games(NamedTuple):
         steered: (K,), 0 where a ring was never given another spin in any game; 1 where it was, and the free flight allows for
             another at any time; -1 where it was, and the flights of other games do not allow for it yet.
         known: (G,), one of the values in `physics.batch.games`.
-        free: (G,), ticks in which no ball touches anything, where anything is known.
+        free: (G,), ticks in which no ball touches anything; 0 where nothing is known.
         dropped: (G,), balls that used up MAX_IMPACTS since this was set to 0.
         freed: (G,), balls moved out of material since this was set to 0.
     """

@@ -127,7 +127,7 @@ class Batch:
         mine, new = self._games, arrays_of([arena])
         mine.positions[game], mine.velocities[game], mine.ball_radii[game] = new.positions, new.velocities, new.ball_radii
         mine.phases[game], mine.spins[game], mine.layers[game] = new.phases, new.spins, new.layers
-        mine.known[game] = UNKNOWN
+        mine.known[game], mine.free[game] = UNKNOWN, 0
 
     def _part(self, spins: Floats | None, first: int, last: int, ticks: int) -> npt.NDArray[Any]:
         """The hits of some of the games, these advanced."""

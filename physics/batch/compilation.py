@@ -123,7 +123,7 @@ def _compiled() -> Compiled:
     start = time.perf_counter()
     _register()
     key = sources_hash()
-    to_steer, to_play, to_play_game = loop.steer, loop.play, loop.play_game
+    to_steer, to_play, room_for = loop.steer, loop.play, loop.workspace
 
     @numba.njit(cache=True, nogil=True)  # type: ignore[untyped-decorator, unused-ignore]
     def steer(games, spins, first, last):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
@@ -133,13 +133,13 @@ def _compiled() -> Compiled:
     @numba.njit(cache=True, nogil=True)  # type: ignore[untyped-decorator, unused-ignore]
     def play(games, first, last, tick, ticks, dt, speed, rows):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
         _ = key
-        return to_play(games, first, last, tick, ticks, dt, speed, rows)
+        return to_play(games, first, last, tick, ticks, dt, speed, rows, room_for(games))
 
     @numba.njit(cache=True, nogil=True, no_cpython_wrapper=True)  # type: ignore[untyped-decorator, unused-ignore]
     def play_one_tick(games, g, dt, speed, rows, room):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
         _ = key
         rows.now[0] = 0
-        to_play_game(games, g, 0, 1, dt, speed, rows, room)
+        to_play(games, g, g + 1, 0, 1, dt, speed, rows, room)
 
     games = numba.typeof(no_games())
     integer, real, rows = numba.int64, numba.float64, numba.typeof(new_rows(0))
@@ -159,7 +159,7 @@ def _register() -> None:
         if name.startswith("physics.") and name not in _NOT_COMPILED:
             for function in list(vars(sys.modules[name]).values()):
                 if isfunction(function) and function.__module__ == name and function.__name__ not in _REPLACED:
-                    register_jitable(function)
+                    register_jitable(forceinline=name == loop.__name__)(function)
     _register_members()
 
     @overload(unchecked)

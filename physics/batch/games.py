@@ -68,85 +68,81 @@ def steer(games: Games, spins: Floats, first: int, last: int) -> None:
                     old = with_turn(rings[k], games.phases[g, k], games.spins[g, k])
                     allowed_for = games.steered[k] > 0
                     if not (allowed_for and may_be_steered(startable(old), with_turn(old, old.phase, spin), balls)):
-                        games.known[g] = UNKNOWN
+                        games.known[g], games.free[g] = UNKNOWN, 0
                 if games.steered[k] == 0:
                     games.steered[k] = -1
                 games.spins[g, k] = spin
 
 
-def play(games: Games, first: int, last: int, tick: int, ticks: int, dt: float, speed: float, rows: Rows) -> tuple[int, int]:
+def play(  # in pieces that are given the games it takes half as long again: their arrays are counted in and out
+    games: Games, first: int, last: int, tick: int, ticks: int, dt: float, speed: float, rows: Rows, room: Workspace
+) -> tuple[int, int]:
     """Advance the games from `first` to below `last` to tick number `ticks`, the first of them from tick number `tick`.
 
     Hits are added to the rows. Returns the game and tick to go on with, once there are more rows; the game is `last` when all
     is done.
     """
-    room = workspace(games)
+    known, free, positions, velocities, radii = games.known, games.free, games.positions, games.velocities, games.ball_radii
+    phases, spins, all_layers, steered = games.phases, games.spins, games.layers, games.steered
+    balls, rings, courses, now = room.balls, room.rings, room.courses, rows.now
+    most = len(rows.hits) - 2 * MAX_IMPACTS * len(balls)
     for g in range(first, last):
-        tick = play_game(games, g, tick, ticks, dt, speed, rows, room)
-        if tick < ticks:
-            return g, tick
+        while tick < ticks:
+            number = min(free[g], ticks - tick)
+            if number > 0:
+                for i in range(len(balls)):
+                    positions[g, i] = _flown_freely(positions[g, i], velocities[g, i], number, dt)
+                for k in range(len(rings)):
+                    if spins[g, k] != 0.0:
+                        phases[g, k] = turned(phases[g, k], spins[g, k], number, dt)
+                free[g] -= number
+                tick += number
+                continue
+            if now[0] > most:
+                return g, tick
+            for i in range(len(balls)):
+                balls[i] = Ball(positions[g, i], velocities[g, i], radii[g, i])
+            for k in range(len(rings)):
+                rings[k] = with_turn(rings[k], phases[g, k], spins[g, k])
+            layers = all_layers[g]
+            moved = 0
+            if known[g] != ENDING:
+                moved = _free(balls, rings, layers) if known[g] == UNKNOWN else 0
+                if moved == 0:
+                    free[g], known[g] = _looked_ahead(balls, rings, layers, steered, dt)
+                    if free[g] > 0:
+                        continue
+            now[1], now[2] = g, tick
+            dropped = answer_impacts(balls, rings, layers, dt, speed, courses, rows)
+            for k in range(len(rings)):
+                if spins[g, k] != 0.0:
+                    rings[k] = rings[k].turned(dt)
+                    phases[g, k] = rings[k].phase
+            if dropped > 0:
+                moved += _free(balls, rings, layers)
+                games.dropped[g] += dropped
+            if moved > 0:
+                games.freed[g] += moved
+            for i in range(len(balls)):
+                positions[g, i], velocities[g, i] = balls[i].position, balls[i].velocity
+            known[g], free[g] = CLEAR, 0
+            tick += 1
         tick = 0
     return last, 0
-
-
-def play_game(
-    games: Games, g: int, tick: int, ticks: int, dt: float, speed: float, rows: Rows, room: Workspace
-) -> int:
-    """Advance one game from tick number `tick` to `ticks`: the tick to go on with, which is less where the rows are full."""
-    known, free, positions, velocities = games.known, games.free, games.positions, games.velocities
-    balls, rings, courses = room.balls, room.rings, room.courses
-    while tick < ticks:
-        number = min(free[g] if known[g] != UNKNOWN else 0, ticks - tick)
-        if number > 0:
-            fly_freely(games, g, number, dt)
-            tick += number
-            continue
-        if rows.now[0] + 2 * MAX_IMPACTS * len(balls) > len(rows.hits):
-            return tick
-        _read(games, g, balls, rings)
-        layers = games.layers[g]
-        moved = 0
-        if known[g] != ENDING:
-            moved = _free(balls, rings, layers) if known[g] == UNKNOWN else 0
-            if moved == 0:
-                free[g], known[g] = _looked_ahead(balls, rings, layers, games.steered, dt)
-                if free[g] > 0:
-                    continue
-        rows.now[1], rows.now[2] = g, tick
-        dropped = answer_impacts(balls, rings, layers, dt, speed, courses, rows)
-        for k in range(len(rings)):
-            if rings[k].spin != 0.0:
-                rings[k] = rings[k].turned(dt)
-                games.phases[g, k] = rings[k].phase
-        if dropped > 0:
-            moved += _free(balls, rings, layers)
-        for i in range(len(balls)):
-            positions[g, i], velocities[g, i] = balls[i].position, balls[i].velocity
-        games.dropped[g] += dropped
-        games.freed[g] += moved
-        known[g], free[g] = CLEAR, 0
-        tick += 1
-    return tick
 
 
 def play_one_tick(games: Games, g: int, dt: float, speed: float, rows: Rows, room: Workspace) -> None:
     """One tick of one game, its hits in the rows from the first on. Other compiled loops call by it what is compiled already."""
     rows.now[0] = 0
-    play_game(games, g, 0, 1, dt, speed, rows, room)
+    play(games, g, g + 1, 0, 1, dt, speed, rows, room)
 
 
-def fly_freely(games: Games, g: int, ticks: int, dt: float) -> None:
-    """Move balls and turn rings for some of the free ticks."""
-    positions, phases, spins = games.positions, games.phases, games.spins
-    for i in range(positions.shape[1]):
-        ball = Ball(positions[g, i], games.velocities[g, i], games.ball_radii[g, i])
-        for _ in range(ticks):
-            ball = ball.moved(dt)
-        positions[g, i] = ball.position
-    for k in range(spins.shape[1]):
-        if spins[g, k] != 0.0:
-            phases[g, k] = turned(phases[g, k], spins[g, k], ticks, dt)
-    games.free[g] -= ticks
+def _flown_freely(position: complex, velocity: complex, ticks: int, dt: float) -> complex:
+    """Where a ball is after some ticks in which it touches nothing."""
+    ball = Ball(position, velocity, 1.0)  # its radius does not matter
+    for _ in range(ticks):
+        ball = ball.moved(dt)
+    return ball.position
 
 
 def turned(phase: float, spin: float, ticks: int, dt: float) -> float:
@@ -156,14 +152,6 @@ def turned(phase: float, spin: float, ticks: int, dt: float) -> float:
     """
     once = Ring(1.0, 0.5, 0.1, 1, 0.0, spin, 0.0).turned(dt).phase  # its other fields do not matter
     return ((int(phase * ANGLE_GRID) + ticks * int(once * ANGLE_GRID)) % _WHOLE_TURN) / ANGLE_GRID
-
-
-def _read(games: Games, g: int, balls: list[Ball], rings: list[Ring]) -> None:
-    """Write the balls and rings of a game over those of another."""
-    for i in range(len(balls)):
-        balls[i] = Ball(games.positions[g, i], games.velocities[g, i], games.ball_radii[g, i])
-    for k in range(len(rings)):
-        rings[k] = with_turn(rings[k], games.phases[g, k], games.spins[g, k])
 
 
 def startable(ring: Ring) -> Ring:
