@@ -10,7 +10,7 @@ from typing import NamedTuple
 
 from game.effects.kinds import RETOLD, EffectKind, Shown
 from game.rules import PADDLES, Event, EventKind, Phase, Ticked
-from physics import PERMANENT, Hit, Ring, direction, to_polar
+from physics import PERMANENT, Hit, direction, to_polar
 
 SHARD_TICKS, SPARK_TICKS = 170, 84
 """Ticks that shards and sparks are to be seen."""
@@ -50,7 +50,7 @@ class Burst(NamedTuple):
     matter: what they are of.
     origin: where they begin.
     direction: that they are driven in: unit, or 0 for none.
-    layer: of a brick, 1 the lowest, which tells its colour; 0 of all else.
+    layer: of a brick, 1 the lowest, its tint added, which tells its colour; 0 of all else.
     seed: of how they scatter.
     age: ticks.
     """
@@ -101,7 +101,7 @@ def _bursts(event: Event, ticked: Ticked) -> tuple[Burst, ...]:
     if event.kind in RETOLD:
         return ()
     if event.hit is not None and event.kind != EventKind.SHIELD_HIT:
-        return (_burst_of_hit(event.hit, tick, ticked.game.arena.rings[event.hit.ring]),)
+        return (_burst_of_hit(event.hit, ticked),)
     if event.kind == EventKind.BRICK_CRUMBLED and event.sector is not None:
         return (_burst_of_stack(*event.sector, ticked),)
     thrown = _thrown(event, ticked)
@@ -125,8 +125,9 @@ def _thrown(event: Event, ticked: Ticked) -> tuple[Matter, BurstOrigin, complex]
 def _burst_of_stack(ring: int, slot: int, ticked: Ticked) -> Burst:
     """The burst of a layer that has crumbled: from all of its sector, in no direction."""
     sectors, layers = ticked.game.arena.rings[ring], ticked.game.arena.layers[ring][slot]
+    tint = ticked.game.level.rings[ring - PADDLES - 1].tint_at(slot)
     origin = BurstOrigin(sectors.radius, sectors.half_width, sectors.angle(slot), sectors.half_angle)
-    return Burst(Matter.BRICK, origin, 0j, layers + 1, _seed(ticked.game.tick, ring, slot))
+    return Burst(Matter.BRICK, origin, 0j, layers + 1 + tint, _seed(ticked.game.tick, ring, slot))
 
 
 def _seed(tick: int, ring: int, slot: int) -> int:
@@ -134,14 +135,15 @@ def _seed(tick: int, ring: int, slot: int) -> int:
     return (tick * 64 + ring) * 4096 + slot
 
 
-def _burst_of_hit(hit: Hit, tick: int, ring: Ring) -> Burst:
+def _burst_of_hit(hit: Hit, ticked: Ticked) -> Burst:
     """The burst of a hit."""
-    seed = _seed(tick, hit.ring, hit.slot)
+    seed = _seed(ticked.game.tick, hit.ring, hit.slot)
     point = _point(hit.contact.point)
     if hit.ring == PADDLES or hit.layers == PERMANENT:
         return Burst(Matter.PADDLE if hit.ring == PADDLES else Matter.STEEL, point, hit.contact.normal, 0, seed)
+    ring, tint = ticked.game.arena.rings[hit.ring], ticked.game.level.rings[hit.ring - PADDLES - 1].tint_at(hit.slot)
     around = point._replace(half_width=0.5 * ring.half_width, half_angle=0.5 * ring.half_angle)
-    return Burst(Matter.BRICK, around, hit.contact.normal, hit.layers + 1, seed)
+    return Burst(Matter.BRICK, around, hit.contact.normal, hit.layers + 1 + tint, seed)
 
 
 def _fireworks(tick: int, radius: float) -> tuple[Burst, ...]:

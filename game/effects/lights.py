@@ -3,7 +3,7 @@
 from enum import Enum, auto
 from typing import NamedTuple
 
-from game.rules import BEST_COMBO, Event, EventKind, PowerUp, Ticked
+from game.rules import BEST_COMBO, PADDLES, Event, EventKind, PowerUp, Ticked
 
 
 class LightSource(Enum):
@@ -23,7 +23,7 @@ class Light(NamedTuple):
     reach: how far it is seen, in ground radii.
     strength: 0 to 1, when new.
     ticks: that it is seen.
-    layer: of a brick, 1 the lowest; 0 of all else. power: of a power-up.
+    layer: of a brick, 1 the lowest, its tint added; 0 of all else. power: of a power-up.
     """
 
     source: LightSource
@@ -79,7 +79,8 @@ def _covered(light: Light, new: list[Light], ticked: Ticked) -> bool:
 def _light(event: Event, ticked: Ticked) -> Light | None:
     """The light of an event; None for those that are dark."""
     if event.kind == EventKind.BRICK_HIT:
-        layer = 1 if event.hit is None else max(event.hit.layers, 0) + 1
+        hit = event.hit
+        layer = 1 if hit is None else max(hit.layers, 0) + 1 + ticked.game.level.rings[hit.ring - PADDLES - 1].tint_at(hit.slot)
         strength = min(_BRICK + _BRICK_PER_COMBO * min(ticked.game.combo, BEST_COMBO), 1.0)
         return Light(LightSource.BRICK, event.position, _BRICK_REACH, strength, _BRICK_TICKS, layer)
     if event.kind == EventKind.BRICK_CRUMBLED and event.sector is not None:
