@@ -15,6 +15,7 @@ from game.lab.window.side import Side
 from game.screens.toolkit.caption import Caption
 from game.screens.toolkit.drop_down import OptionList
 from game.screens.toolkit.form import spot_at
+from game.screens.toolkit.items import ButtonItem, Switch
 from tests.support.dummy_window import FRAME, shared
 from tests.support.lab_desk import SIZE, LabDesk
 
@@ -87,6 +88,9 @@ def test_a_slider_is_dragged(desk, share):
     desk.drag((bar.right, bar.centery), (5, 5))
     assert desk.values.number("half_angle") == 0.0
     assert desk.session.notes == ()
+    desk.drag((5, 300), (bar.right, bar.centery))
+    desk.drag(desk.slider("half_angle").field.center, (bar.right, bar.centery))
+    assert desk.values.number("half_angle") == 0.0, "the picture was dragged, and the field"
 
 
 def test_the_list_of_scenes_is_used_by_keys_and_by_mouse():
@@ -224,6 +228,28 @@ def test_buttons_do_what_their_keys_do_and_say_which(desk):
     assert desk.side.draw(desk.window.get_surface()) is not None
 
 
+def test_every_change_is_seen_at_once(desk):
+    """The picture from memory is replaced whenever one that is drawn anew looks otherwise."""
+    surface, before = desk.window.get_surface(), b""
+    changes = (
+        lambda: desk.type_into("r", "1.2"),
+        lambda: desk.click(desk.slider("radius").field.center),
+        lambda: desk.type("7"),
+        lambda: desk.press(pygame.K_ESCAPE, pygame.K_7),
+        lambda: desk.press(pygame.K_TAB),
+        lambda: desk.press(pygame.K_TAB),
+        lambda: desk.press(pygame.K_t),
+        lambda: desk.press(pygame.K_RIGHTBRACKET),
+    )
+    for change in changes:
+        change()
+        shown = pygame.image.tobytes(surface, "RGB")
+        desk.side._drawn = None
+        desk.screen.draw(surface)
+        assert shown == pygame.image.tobytes(surface, "RGB") != before
+        before = shown
+
+
 def test_what_does_not_fit_scrolls():
     """In a low window the wheel shows the numbers further down; the buttons stay."""
     desk = LabDesk("own-arena", (800, 600))
@@ -239,17 +265,34 @@ def test_what_does_not_fit_scrolls():
     desk.close()
 
 
+@pytest.mark.parametrize("text", [1.0, 2.0])
 @pytest.mark.parametrize("size", [(640, 480), (800, 600), (1280, 800), (3840, 2160), (900, 1600)])
-def test_the_controls_fit_their_side(size):
-    """In every common window they end above the small print, are not pushed together too much, and no meaning is cut off."""
-    app, type_, layout = shared(), Type(), layout_of(size)
+def test_the_controls_fit_their_side(size, text):
+    """In every common window they end above the small print, are not pushed together too much, and no word is cut off.
+
+    Words are written smaller where they would not fit: a little; in letters of twice the size by 43 % at most.
+    """
+    app, type_, layout = shared(), Type(), layout_of(size, text=text)
+    app.settings = app.settings._replace(text_size=round(100 * text))
+    smallest = 0.95 if text == 1.0 else 0.57
     for scene in scenes():
-        begun = session.fresh(scene, None)
-        side = Side(app, None, None, layout, Controlled(begun, SHOWN, frozenset()))
+        side = Side(app, None, None, layout, Controlled(session.fresh(scene, None), SHOWN, frozenset()))
         laid, unit = side._laid(size), side.unit(size)
         assert laid.tip.top + layout.unit * 4.0 < max(size[1], 480)
         assert all([spot.box.height > 1.4 * unit for spot in laid.spots if spot.item.focusable])
         for spot in laid.spots if size != (640, 480) else ():
-            if isinstance(spot.item, Caption):
-                words = [type_.rendered(text, unit * 1.1, (0, 0, 0)).get_width() for text in (spot.item.text, spot.item.note)]
-                assert sum(words) + 0.7 * unit <= spot.box.width, spot.item
+            words, size_, taken = said(spot.item)
+            wide = type_.rendered(words, unit * size_ * smallest, (0, 0, 0)).get_width() if words else 0
+            assert wide + taken * unit <= spot.box.width + 1, spot.item
+
+
+def said(item):
+    """What an item says, in letters of which size, and how much of its width is taken otherwise, in units."""
+    match item:
+        case Caption():
+            return max(item.text, item.note, key=len), 1.1, 0.0
+        case ButtonItem():
+            return item.label, 1.15, 0.6
+        case Switch():
+            return item.label, 1.15, 0.7 + 0.6 + 1.9 + 0.7
+    return "", 1.0, 0.0
