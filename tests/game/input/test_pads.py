@@ -9,11 +9,11 @@ import pygame
 import pytest
 
 from game.input.hands import Hands
+from game.input.players import Players
 from game.lab.registry import scenes
 from game.lab.session import session
 from game.lab.window.screen import Lab
 from game.rules import Phase, paddle_ring
-from game.screens.app_state import Players
 from game.screens.play import PlayScreen
 from game.screens.title import Title
 from game.screens.toolkit.menu import Menu
