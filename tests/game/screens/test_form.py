@@ -47,13 +47,13 @@ def put(panel, *signals):
 
 
 def test_a_finger_drags_the_knob_that_it_came_down_on(sliders):
-    """It is held wherever the finger goes; the next finger holds another; one that came down on no knob scrolls."""
+    """It is held wherever the finger goes; the next one, after a tap, holds another; on no knob it scrolls."""
     first, second = (complex(*bar(sliders, index).center) for index in (0, 1))
     put(sliders, Moved(first, held=False), Moved(first + 3.0, held=True), Moved(second + 23.0, held=True))
     assert sliders.levels[0] == pytest.approx(0.5 + 20.0 / bar(sliders, 0).width)
     assert sliders.levels[1] == 0.5
     before = sliders.levels[0]
-    put(sliders, Moved(second, held=False), Moved(second, held=True), Moved(second - 10.0, held=True))
+    put(sliders, Clicked(second), Moved(second, held=False), Moved(second, held=True), Moved(second - 10.0, held=True))
     assert sliders.levels[0] == before
     assert sliders.levels[1] == pytest.approx(0.5 - 10.0 / bar(sliders, 1).width)
     label = complex(sliders._laid(SIZE).body.left + 5, second.imag)
