@@ -278,10 +278,9 @@ def test_what_does_not_fit_scrolls():
 @pytest.mark.parametrize("text", [1.0, 2.0])
 @pytest.mark.parametrize("size", [(640, 480), (800, 600), (1280, 800), (3840, 2160), (900, 1600)])
 def test_the_controls_fit_their_side(size, text):
-    """In every common window they end above the small print, are not pushed together too much, show some rows of what scrolls,
-    and no word is cut off.
+    """In every common window they end above the small print, some of what scrolls is seen, and no word is cut off.
 
-    Words are written smaller where they would not fit: a little; in letters of twice the size by 43 % at most.
+    They are not pushed together too much. Words are written smaller where they would not fit: a little; in letters of twice the size by 43 % at most.
     """
     app, type_, layout = shared(), Type(), layout_of(size, text=text)
     app.settings = app.settings._replace(text_size=round(100 * text))

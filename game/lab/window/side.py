@@ -30,7 +30,7 @@ from game.lab.window.layout import WindowLayout
 from game.lab.window.words import small_print_height
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.toolkit.drop_down import OptionList
+from game.screens.toolkit.drop_down import Option, OptionList, Options
 from game.screens.toolkit.focus import Focus, first_focus, moved_focus
 from game.screens.toolkit.form import Form, spot_at
 from game.screens.toolkit.layout import Laid, laid_in_column
@@ -259,10 +259,16 @@ class Side(Form):
 
     def _scenes(self) -> Screen | None:
         """The list of all scenes."""
-        about = "Scenes", scene_options(), self._seen.session.scene.name
-        return OptionList(self._state, self._screen, *about, lambda option: self._ask(SceneChosen(option.name)))
+        present = self._seen.session.scene.name
+        return self._opened("Scenes", scene_options(), present, lambda option: self._ask(SceneChosen(option.name)))
 
     def _presets(self) -> Screen | None:
         """The list of the scene's presets."""
-        about = "Presets", preset_options(self._seen.session), ""
-        return OptionList(self._state, self._screen, *about, lambda option: self._ask(PresetChosen(option.note)))
+        options = preset_options(self._seen.session)
+        return self._opened("Presets", options, "", lambda option: self._ask(PresetChosen(option.note)))
+
+    def _opened(self, title: str, options: Options, present: str, choose: Callable[[Option], Screen | None]) -> Screen:
+        """A list over the lab. Where it was opened by the mouse, that will be elsewhere when it is left."""
+        if not self._has_keys:
+            self._focus = None
+        return OptionList(self._state, self._screen, title, options, present, choose)
