@@ -280,7 +280,8 @@ def test_what_does_not_fit_scrolls():
 def test_the_controls_fit_their_side(size, text):
     """In every common window they end above the small print, some of what scrolls is seen, and no word is cut off.
 
-    They are not pushed together too much. Words are written smaller where they would not fit: a little; in letters of twice the size by 43 % at most.
+    They are not pushed together too much. Words are written smaller where they would not fit: a little; in letters of twice
+    the size by 43 % at most.
     """
     app, type_, layout = shared(), Type(), layout_of(size, text=text)
     app.settings = app.settings._replace(text_size=round(100 * text))
