@@ -46,7 +46,7 @@ def _following(
     if isinstance(screen, Typist) and screen.typed(event):
         return screen
     pixels_per_point = _pixels_per_point(window, size)
-    signals = tuple(state.devices.signals(event, size, pixels_per_point))
+    signals = tuple(state.devices.signals(event, size, pixels_per_point, orbits=state.view.goal > 0.0))
     if isinstance(screen, Listener):
         if any([isinstance(signal, Pressed) and signal.action is Action.FULL_SCREEN for signal in signals]):
             toggle_full_screen(window, state)

@@ -46,8 +46,8 @@ _BUTTONS = {
     pygame.CONTROLLER_BUTTON_START: tr_noop("Menu"),
     pygame.CONTROLLER_BUTTON_LEFTSHOULDER: tr_noop("LB"),
     pygame.CONTROLLER_BUTTON_RIGHTSHOULDER: tr_noop("RB"),
-    pygame.CONTROLLER_BUTTON_LEFTSTICK: tr_noop("Left stick"),
-    pygame.CONTROLLER_BUTTON_RIGHTSTICK: tr_noop("Right stick"),
+    pygame.CONTROLLER_BUTTON_LEFTSTICK: tr_noop("L3"),
+    pygame.CONTROLLER_BUTTON_RIGHTSTICK: tr_noop("R3"),
     pygame.CONTROLLER_BUTTON_DPAD_LEFT: tr_noop("D-pad left"),
     pygame.CONTROLLER_BUTTON_DPAD_RIGHT: tr_noop("D-pad right"),
     pygame.CONTROLLER_BUTTON_DPAD_UP: tr_noop("D-pad up"),
@@ -114,7 +114,7 @@ def play_help() -> tuple[tuple[str, str], ...]:
         (_all(Action.RESTART), tr("restart (asks first)")),
         (_all(Action.GIVE_UP), tr("give up a ball that no paddle reaches")),
         (_all(Action.TIP, Action.FLAT, Action.SOLID), tr("tip the camera; from above; in 3D")),
-        (tr("Right drag   Wheel"), tr("in 3D: orbit and tilt; zoom")),
+        *_camera_help(),
         (_all(Action.FULL_SCREEN), tr("full screen")),
         (_all(Action.MUTE, Action.LESS, Action.MORE), tr("sound off / on; softer; louder")),
         (_all(Action.THEME, Action.EFFECTS), tr("dark / light colours; effects off / on")),
@@ -136,11 +136,23 @@ def watch_help() -> tuple[tuple[str, str], ...]:
         (_all(Action.START, Action.END), tr("to the beginning / the end")),
         (tr("Mouse"), tr("click or drag on the timeline")),
         (_all(Action.TIP, Action.FLAT, Action.SOLID), tr("tip the camera; from above; in 3D")),
+        *_camera_help(),
         (others, tr("full screen, sound, colours, effects, settings")),
         (_all(Action.NORMALS), tr("normals: ours thick, pymunk's thin")),
         (_all(Action.LAB), tr("the lab: the collision detection to touch")),
         (_all(Action.BACK), tr("leave")),
         ("   ".join(key_names(Action.HELP)), tr("this help")),
+    )
+
+
+def _camera_help() -> tuple[tuple[str, str], ...]:
+    """Pairs of keys and what they do to the camera in 3D."""
+    zoom = button_names(Action.ZOOM_IN, Action.ZOOM_OUT)
+    return (
+        (_all(Action.ORBIT_LEFT, Action.ORBIT_RIGHT, Action.TILT_UP, Action.TILT_DOWN), tr("in 3D: orbit and tilt")),
+        (_all(Action.ZOOM_IN, Action.ZOOM_OUT), tr("in 3D: zoom")),
+        (tr("Right drag   Wheel"), tr("in 3D: orbit and tilt; zoom; so do two fingers")),
+        (f"{tr('Right stick')}   {zoom}", tr("the same by gamepad; while a ball waits, the stick aims")),
     )
 
 

@@ -15,7 +15,7 @@ from game.input.hands import Hands, controls_of_two
 from game.input.key_names import key_name
 from game.input.keys import Action
 from game.input.players import Players
-from game.input.signals import Clicked, FocusLost, KeyboardState, Moved, Pressed, Released, Signal, pad_of
+from game.input.signals import Clicked, FocusLost, KeyboardState, Moved, Pointed, Pressed, Released, Signal, pad_of
 from game.language import tr
 from game.levels import Level, number_of
 from game.overlay import captions, hud, notice
@@ -94,7 +94,8 @@ class PlayScreen:
             case Pressed(Action.GIVE_UP) if not self._may_give_up:
                 return self
         self._hold(signal)
-        self._state.view = self._state.view.after(signal, unit_of(size))
+        if not (isinstance(signal, Pointed) and signal.direction and self._ticked.game.phase == Phase.SERVING):  # it aims
+            self._state.view = self._state.view.after(signal, unit_of(size))
         return self
 
     def _hold(self, signal: Signal) -> None:
@@ -240,6 +241,7 @@ class PlayScreen:
     def _paused(self, panel: Screen) -> Screen:
         """A panel over the game; keys that were held when it opened are let go."""
         self._hands, self._second, self._hovered = self._hands.after(FocusLost()), Hands(), None
+        self._state.view = self._state.view.after(FocusLost(), 1.0)
         if self._ticked.game.phase == Phase.PLAYING:
             self._ready = _READY_SECONDS
         return panel

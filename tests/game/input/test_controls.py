@@ -29,6 +29,7 @@ from game.input.signals import (
     Squeezed,
     Zoomed,
 )
+from game.input.view import ZOOM_STEP
 from game.levels import classic
 from game.rules import POINTER_STEPS, Controls, Phase, new_game, paddle_ring, tick
 
@@ -290,10 +291,27 @@ def test_a_finger_points_and_clicks_where_it_stays():
     assert heard(pygame.Event(pygame.MOUSEMOTION, mouse, touch=False)) == [Moved(1 + 1j, held=True)]
 
 
+def test_two_fingers_move_the_camera_where_there_is_one():
+    """Together they drag it, apart they zoom; neither steers nor clicks meanwhile, and a third begins nothing."""
+    devices = Devices()
+
+    def heard(*events):
+        return [signal for event in events for signal in devices.signals(event, (800, 600), ONE, orbits=True)]
+
+    down, motion, up = pygame.FINGERDOWN, pygame.FINGERMOTION, pygame.FINGERUP
+    assert heard(finger(down, (0.5, 0.5)), finger(down, (0.75, 0.5), 2)) == [Moved(400 + 300j, held=False)]
+    (drag, zoom) = heard(finger(motion, (1.0, 0.5), 2))
+    assert drag == Dragged(100 + 0j)
+    assert ZOOM_STEP**zoom.steps == pytest.approx(2.0)
+    (drag, zoom) = heard(finger(motion, (0.75, 0.5)))
+    assert (drag, ZOOM_STEP**zoom.steps) == (Dragged(100 + 0j), pytest.approx(0.5))
+    assert heard(finger(up, (1.0, 0.5), 2), finger(up, (0.75, 0.5))) == []
+    assert heard(finger(down, (0.5, 0.5)), finger(up, (0.5, 0.5))) == [Moved(400 + 300j, held=False), Clicked(400 + 300j)]
+
+
 def test_every_action_has_a_key():
     """Nothing can only be done by nobody, and no key does two things."""
     assert {one.action for one in BINDINGS} == set(Action)
-    claimed = [claim for one in BINDINGS for claim in (*one.codes, *one.positions)]
-    assert len(claimed) == len(set(claimed))
-    buttons = [button for one in BINDINGS for button in one.buttons]
-    assert len(buttons) == len(set(buttons))
+    for kind in ("codes", "positions", "buttons"):
+        claimed = [claim for one in BINDINGS for claim in getattr(one, kind)]
+        assert len(claimed) == len(set(claimed))
