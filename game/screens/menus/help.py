@@ -97,7 +97,8 @@ def _controls() -> tuple[Row, ...]:
         (
             tr("Gamepad"),
             tr(
-                "The stick's angle is the paddle's angle; the triggers turn; the lower button serves. The other stick aims the serve, and in 3D moves the camera."
+                "The stick's angle is the paddle's angle; the triggers turn; the lower button serves. "
+                "The other stick aims the serve, and in 3D moves the camera."
             ),
         ),
         (tr("Touch"), tr("Drag where a paddle shall go; tap to serve. In 3D two fingers turn and zoom.")),
