@@ -60,7 +60,7 @@ class PlayScreen:
     def __init__(self, state: AppState, levels: tuple[Level, ...], endless: int | None = None) -> None:
         """Start a new game at the first of the levels. endless: the seed that they were made from; None for others."""
         self._state, self._levels, self.endless = state, levels, endless
-        self._ticked = still(new_game(levels, state.seed if endless is None else endless, state.game_rules))
+        self._ticked = still(new_game(levels, state.next_seed() if endless is None else endless, state.game_rules))
         self._effects = Effects()
         self._normals: tuple[NormalPair, ...] = ()
         self._hands = Hands()
