@@ -209,15 +209,24 @@ def save_screens(
     only: Annotated[str, typer.Option(help="A part of the names of the screens wanted.")] = "",
     size: Annotated[str, typer.Option(metavar="WxH", help="Size of the pictures in pixels.")] = "1280x800",
     theme: Annotated[Literal["dark", "light"], typer.Option(help="Their colours.")] = "dark",
+    vision: Annotated[
+        Literal["full", "protanopia", "deuteranopia", "tritanopia"],
+        typer.Option(help="The colours that the player tells apart."),
+    ] = "full",
+    language: Annotated[Literal["en", "de", "cs"], typer.Option(help="Of the texts.")] = "en",
+    text_size: Annotated[int, typer.Option(min=100, max=200, help="Of the texts, per cent.")] = 100,
 ) -> None:
     """Draw every screen of the game, with made-up scores, into a folder."""
     pixels = size_of(size)
     check_pygame()
-    from game.screens.gallery import save_pictures  # noqa: PLC0415  # pygame, only where it is needed
+    from game.screens.gallery.pictures import save_pictures  # noqa: PLC0415  # pygame, only where it is needed
+    from game.settings.values import Settings  # noqa: PLC0415
+
+    settings = Settings(theme, vision=vision, language=language, text_size=text_size)
 
     try:
         pictures.mkdir(parents=True, exist_ok=True)
-        for path in save_pictures(pictures, pixels, theme, only):
+        for path in save_pictures(pictures, pixels, settings, only):
             tell(str(path))
     except OSError as error:
         raise BadInputError(f"--pictures {quoted_path(pictures)}: cannot write; {error.strerror or error}") from None

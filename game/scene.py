@@ -42,6 +42,7 @@ class Scene(NamedTuple):
     rings: all of them; ring 0 is the paddles.
     layers: per ring and slot, as in `physics.Arena`.
     tallest: per ring, layers of its highest stack when the level began.
+    tints: per ring of bricks, as in `RingSpec.tints`.
     balls: those in play, or the one that waits for its serve.
     aim: of the ball that waits for its serve; else None.
     trails, flashes, pops, falling, bursts, recoils, waves: as in `Effects`.
@@ -83,6 +84,7 @@ class Scene(NamedTuple):
     core: float | None = None
     clock: float = 0.0
     held_aims: tuple[Aim, ...] = ()
+    tints: tuple[tuple[int, ...], ...] = ()
     lights: tuple[Light, ...] = ()
     shining: bool = False
     entry: int | None = None
@@ -124,6 +126,7 @@ def scene_at(ticked: Ticked, alpha: float, effects: Effects) -> Scene:
         lights=effects.lights,
         shining=EffectKind.LIGHTS in effects.steady,
         entry=effects.entry,
+        tints=tuple([ring.tints() for ring in game.level.rings]),
         **_arcade(ticked, alpha),
     )
 

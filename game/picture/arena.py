@@ -50,12 +50,13 @@ class ArenaPicture:
             scene.ground_radius,
             resting,
             tuple([(scene.layers[k], scene.rings[k].phase) for k in resting]),
+            scene.tints,
         )
         if key != self._key:
             self._key, self._backdrop = key, DisplayList()
             self._backdrop.polygon(_EVERYWHERE, theme.background)
             add_ground(self._backdrop, view.camera, theme, scene.ground_radius)
-            contents = resting_contents(scene.layers)
+            contents = resting_contents(scene.layers, scene.tints)
             for k in resting:
                 self._add_ring(self._backdrop, scene, view.camera, theme, k, _standing(scene, k, contents))
         return self._backdrop

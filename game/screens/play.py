@@ -43,6 +43,8 @@ _OFFER_TICKS = round(20.0 / TICK)
 """Without a paddle's touch, until the player may give up the ball."""
 _END_TICKS = 200
 """From the end of the game to the results: nobody who is still playing chooses an entry by accident."""
+_WON_TICKS = 500
+"""From the end of a game that is won to the results: its fireworks are seen first."""
 _CLEARED_TICKS = 150
 """From the last brick of a level to its results: it is seen breaking first."""
 _NEWS_SECONDS = 5.0
@@ -138,7 +140,7 @@ class PlayScreen:
         racing = None if self._record.ghost is None or not state.settings.ghost else self._record.ghost.game
         if racing is not None:
             ghost.draw(canvas, racing)
-            ghost.draw_lead(state.words(canvas), self._ticked.game, racing)
+            ghost.draw_lead(state.words(canvas), self._ticked.game, racing, seen)
         if state.shows_normals:
             contact_normals.draw(canvas, self._normals)
         badge = aids.badge(state.settings) if self._pilot is None else tr("autopilot")
@@ -149,7 +151,7 @@ class PlayScreen:
         told = self._notice()
         if told is not None:
             notice.draw(words, told, scene)
-        captions.draw(words, self._captions)
+        captions.draw(words, self._captions, seen)
         if state.physics.note:
             _draw_note(canvas, tr(state.physics.note))
 
@@ -163,7 +165,7 @@ class PlayScreen:
         if 0.0 < self._ready < _READY_SECONDS:
             return ready()
         game = self._ticked.game
-        if game.phase in (Phase.OVER, Phase.WON):
+        if game.phase in (Phase.OVER, Phase.WON) or (game.phase == Phase.CLEARED and self._told == game.number):
             return None
         told = words_now(game, key_name(Action.SERVE))
         if told is None and self._may_give_up:
@@ -198,7 +200,7 @@ class PlayScreen:
     def _results(self) -> Screen | None:
         """The panel after a level or the game, once it has been seen for a moment."""
         game = self._ticked.game
-        if game.phase in (Phase.OVER, Phase.WON) and game.phase_tick >= _END_TICKS:
+        if game.phase in (Phase.OVER, Phase.WON) and game.phase_tick >= (_WON_TICKS if game.phase == Phase.WON else _END_TICKS):
             return game_results(self._state, self, game, self._record)
         if (
             game.phase == Phase.CLEARED

@@ -228,7 +228,7 @@ def _stack(content: SlotContent, shape: SlotShape, drop: float, theme: Theme) ->
     pile: list[Part] = []
     for layer in range(content.layers):
         bottom, last = layer + drop, layer == content.layers - 1
-        colour = _colour_at(theme, bottom)
+        colour = _colour_at(theme, content.tint + bottom)
         if last:
             colour = _glowing(colour, content, theme)
         pile.append(Slab(bottom, bottom + 1.0, bottom * step, colour))
@@ -236,9 +236,10 @@ def _stack(content: SlotContent, shape: SlotShape, drop: float, theme: Theme) ->
             reach = max(_SHADE_REACH * step, shape.finest)
             pile.append(FootShade(bottom + 1.0, (bottom + 1.0) * step, reach, _SHADE_DARKNESS, colour))
     highest = content.layers - 1.0 + drop
+    top_colour = _colour_at(theme, content.tint + highest)
     if content.kind is ContentKind.GROWING:
-        pile += _seam(_glowing(_colour_at(theme, highest), content, theme), highest * step, highest + 1.0, shape, theme)
-    dotted = _glowing(mixed(_colour_at(theme, highest), theme.ground, DOT_SHADE), content, theme)
+        pile += _seam(_glowing(top_colour, content, theme), highest * step, highest + 1.0, shape, theme)
+    dotted = _glowing(mixed(top_colour, theme.ground, DOT_SHADE), content, theme)
     inset = highest * step
     top = shape._replace(half_width=shape.half_width - inset, half_angle=shape.half_angle - inset / shape.radius)
     for radius, angle, half in dots(content.layers, top):
@@ -320,7 +321,7 @@ _PILES: dict[ContentKind, Callable[[SlotContent, SlotShape, Theme], tuple[Part, 
 
 
 def _colour_at(theme: Theme, bottom: float) -> Colour:
-    """The colour of a layer whose bottom is so many layers above the ground; between two layers' while it falls."""
+    """The colour of a layer whose bottom is so many layers above the ground, tint added; between two layers' as it falls."""
     low = math.floor(bottom)
     return mixed(layer_colour(theme, low + 1), layer_colour(theme, low + 2), bottom - low)
 
