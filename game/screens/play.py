@@ -17,6 +17,7 @@ from game.input.keys import Action
 from game.input.players import Players
 from game.input.signals import Clicked, FocusLost, KeyboardState, Moved, Pointed, Pressed, Released, Signal, pad_of
 from game.language import tr
+from game.level_names import level_name
 from game.levels import Level, number_of
 from game.overlay import captions, hud, notice
 from game.overlay.captions import Caption
@@ -179,8 +180,10 @@ class PlayScreen:
         game = self._ticked.game
         number, _ = number_of(game.level, game.levels)
         if self.endless is not None:
-            return tr("{name}, of the levels with the number {seed}").format(name=tr(game.level.name), seed=self.endless)
-        return tr("Level {number}: {name}").format(number=number, name=tr(game.level.name))
+            return tr("{name}, of the levels with the number {seed}").format(
+                name=level_name(game.level.name), seed=self.endless
+            )
+        return tr("Level {number}: {name}").format(number=number, name=level_name(game.level.name))
 
     def restarted(self) -> Screen:
         """The same levels from their first serve."""
