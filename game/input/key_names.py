@@ -89,8 +89,9 @@ def button_names(*actions: Action) -> str:
 
 
 def code_names(codes: Iterable[int]) -> tuple[str, ...]:
-    """The names of the keys that mean some codes, as this layout writes them, the keypad's left out."""
-    return _without_keypad([_name_of(code) for code in codes])
+    """The names of the keys that mean some codes, as this layout writes them; none for keys that it has not, nor the keypad's."""
+    known = [code for code in codes if _is_written(code) or position_of(code)]
+    return _without_keypad([_name_of(code) for code in known])
 
 
 def key_name(action: Action) -> str:
@@ -179,9 +180,12 @@ def _positions_with(code: int) -> list[int]:
 
 def _name_of(code: int) -> str:
     """What the layout calls the key that means a code: the code itself, or what is written where the US layout has it."""
-    if code & NAMED_KEY or code < _CHARACTERS.start or code in _codes_by_position().values():
-        return _said(code)
-    return position_name(position_of(code))
+    return _said(code) if _is_written(code) else position_name(position_of(code))
+
+
+def _is_written(code: int) -> bool:
+    """Whether the layout writes a code on a key of its own."""
+    return bool(code & NAMED_KEY) or code < _CHARACTERS.start or code in _codes_by_position().values()
 
 
 def _said(code: int) -> str:
