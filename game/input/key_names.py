@@ -89,7 +89,7 @@ def button_names(*actions: Action) -> str:
 
 
 def code_names(codes: Iterable[int]) -> tuple[str, ...]:
-    """The names of the keys that mean some codes, as this layout writes them; none for keys that it has not, nor the keypad's."""
+    """The names of the keys that mean some codes, as this layout writes them; none for a key it has not, nor the keypad's."""
     known = [code for code in codes if _is_written(code) or position_of(code)]
     return _without_keypad([_name_of(code) for code in known])
 
