@@ -66,6 +66,11 @@ def positions_in_use(action: Action) -> tuple[int, ...]:
     return tuple([one for one in candidates if one and KEYS.action(one, _code_at(one)) is action])
 
 
+def second_player_positions() -> tuple[int, ...]:
+    """The keys of the second player, where two play: to the left and to the right the second that the action has, and on."""
+    return tuple([position for action in (Action.LEFT, Action.RIGHT) for position in positions_in_use(action)[1:]])
+
+
 def key_names(action: Action) -> tuple[str, ...]:
     """The names of an action's keys as this layout writes them, the usual one first; the keypad's only where all are its."""
     names = [position_name(position) for position in positions_in_use(action)]

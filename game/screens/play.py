@@ -12,7 +12,7 @@ from game.effects.hit_stop import hit_stop_seconds
 from game.effects.slow_motion import pace
 from game.fixed_step import Due, due
 from game.input.hands import Hands, controls_of_two
-from game.input.key_names import key_name
+from game.input.key_names import key_name, second_player_positions
 from game.input.keys import Action
 from game.input.players import Players
 from game.input.signals import Clicked, FocusLost, KeyboardState, Moved, Pointed, Pressed, Released, Signal, pad_of
@@ -50,8 +50,6 @@ _CLEARED_TICKS = 150
 """From the last brick of a level to its results: it is seen breaking first."""
 _NEWS_SECONDS = 5.0
 """How long news of the physics is shown."""
-_SECOND_PLAYERS = (pygame.KSCAN_A, pygame.KSCAN_D)
-"""Positions of the second player's keys, where two play."""
 # Lengths are in units of text.
 _NOTE, _NOTE_ROOM, _NOTE_BOTTOM, _NOTE_MARGIN = 0.95, 1.6, 0.3, 0.8
 """The line about the physics: size of its letters, height left to it, from it to the lower edge and to the sides."""
@@ -103,11 +101,14 @@ class PlayScreen:
 
     def _hold(self, signal: Signal) -> None:
         """Note what a player holds down; where two play, the second one's keys and gamepad are not the first one's."""
-        keys = isinstance(signal, Pressed | Released) and signal.position in _SECOND_PLAYERS
+        if self._state.players == Players.ONE:
+            self._hands = self._hands.after(signal)
+            return
+        keys = isinstance(signal, Pressed | Released) and signal.position in second_player_positions()
         keys = keys or pad_of(signal) == 1
-        if self._state.players != Players.ONE and (keys or isinstance(signal, KeyboardState)):
+        if keys or isinstance(signal, KeyboardState):
             self._second = self._second.after(signal)
-        if not (self._state.players != Players.ONE and keys):
+        if not keys:
             self._hands = self._hands.after(signal)
 
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:

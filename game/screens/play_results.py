@@ -11,7 +11,7 @@ from game.kept.scores import LONGEST_NAME, Score
 from game.language import ntr, tr
 from game.level_names import level_name
 from game.overlay.readings import player_name
-from game.rules import Game, Phase
+from game.rules import Game, Phase, winner
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.menus.high_scores import HighScores
@@ -59,8 +59,10 @@ def level_results(state: AppState, play: Played, game: Game, record: PlayRecord)
         Figure(tr("Balls lost"), result.balls_lost),
         *(_scores(game) if game.sides else (Figure(tr("Score so far"), game.score),)),
     )
-    rank = RANKS[int(result.rank)]
+    rank = "" if game.sides else RANKS[int(result.rank)]
     line = level_name(game.level.name)
+    if (ahead := winner(game)) is not None:
+        line = tr("{level}. {player} is ahead.").format(level=line, player=player_name(ahead))
     if record.earned:
         line = tr("{level}. Yours from now on, in the settings: {things}").format(level=line, things=", ".join(record.earned))
     return Results(state, play, tr("Level cleared"), line, figures, entries, rank, back=play.went_on)

@@ -9,6 +9,7 @@ from game.editor import command
 from game.editor.window.layout import editor_layout
 from game.editor.window.screen import Editor
 from game.generated import sequence
+from game.input.actions import OwnKeys
 from game.input.keys import KEYS, Action
 from game.input.players import Players
 from game.kept import games as kept_games
@@ -372,7 +373,7 @@ def test_a_game_on_a_level_of_ones_own_makes_no_high_score(desk):
 
 
 def test_two_players_against_each_other_have_a_paddle_each(desk):
-    """A and D turn the upper paddle, the arrows the lower one; the results name the winner, and no score is entered."""
+    """The second keys of Left and Right turn the upper paddle alone; the results name the winner, no score is entered."""
     desk.choose("Levels")
     desk.choose("Players")
     desk.choose("Players")
@@ -380,9 +381,12 @@ def test_two_players_against_each_other_have_a_paddle_each(desk):
     game = desk.screen._ticked.game
     assert game.ruleset.versus
     lower, upper = (game.arena.rings[ring].angle(0) for ring in paddle_rings(game))
-    desk.hold(pygame.K_d)
+    own = ((Action.RIGHT, (pygame.KSCAN_RIGHT, pygame.KSCAN_K)),)
+    desk.shared.change(desk.shared.settings._replace(own_keys=OwnKeys(own)))
+    desk.hold(pygame.K_k)
     desk.wait(0.2)
-    desk.release(pygame.K_d)
+    desk.release(pygame.K_k)
+    desk.shared.change(desk.shared.settings._replace(own_keys=OwnKeys()))
     game = desk.screen._ticked.game
     assert game.arena.rings[paddle_rings(game)[0]].angle(0) == lower
     assert game.arena.rings[paddle_rings(game)[1]].angle(0) != upper
