@@ -198,6 +198,7 @@ class PlayScreen:
 
     def went_on(self) -> Screen:
         """This game, with the next level at once."""
+        self._let_go()
         self._hands = self._hands.after(Pressed(Action.SERVE))
         return self
 
@@ -246,11 +247,15 @@ class PlayScreen:
 
     def _paused(self, panel: Screen) -> Screen:
         """A panel over the game; keys that were held when it opened are let go."""
-        self._hands, self._second, self._hovered = self._hands.after(FocusLost()), Hands(), None
-        self._state.view = self._state.view.after(FocusLost(), 1.0)
+        self._let_go()
         if self._ticked.game.phase == Phase.PLAYING:
             self._ready = _READY_SECONDS
         return panel
+
+    def _let_go(self) -> None:
+        """Hold nothing any more: what comes up while another screen is open is not heard here."""
+        self._hands, self._second, self._hovered = self._hands.after(FocusLost()), Hands(), None
+        self._state.view = self._state.view.after(FocusLost(), 1.0)
 
     def _layout(self, size: tuple[int, int]) -> Layout:
         """Where everything is on a surface of some size."""

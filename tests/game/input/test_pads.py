@@ -192,3 +192,9 @@ def test_the_right_stick_moves_the_camera_in_3d_but_while_it_aims(desk, pad):
     assert turned.zoom > 1.05
     desk.wait(0.2)
     assert desk.shared.view == turned
+    pad.push(pygame.CONTROLLER_AXIS_RIGHTX, 1.0)
+    desk.wait(2 * FRAME)
+    desk.screen.went_on()  # from the results of a level, which have heard that the stick was let go
+    turned = desk.shared.view
+    desk.wait(0.2)
+    assert desk.shared.view == turned
