@@ -13,7 +13,7 @@ import pytest
 from game.drawing.camera import Camera
 from game.input.devices import Devices
 from game.input.events import keyboard_state, translated
-from game.input.hands import Hands
+from game.input.hands import Hands, controls_of_two
 from game.input.keys import BINDINGS, Action, Binding, KeyTable, position_of
 from game.input.signals import (
     Clicked,
@@ -31,7 +31,7 @@ from game.input.signals import (
 )
 from game.input.view import ZOOM_STEP
 from game.levels import classic
-from game.rules import POINTER_STEPS, Controls, Phase, new_game, paddle_ring, tick
+from game.rules import POINTER_STEPS, Controls, Phase, Ruleset, new_game, paddle_ring, tick
 
 CAMERA = Camera(400 + 300j, 30.0)
 WAITING = new_game(classic(), 1)
@@ -315,3 +315,14 @@ def test_every_action_has_a_key():
     for kind in ("codes", "positions", "buttons"):
         claimed = [claim for one in BINDINGS for claim in getattr(one, kind)]
         assert len(claimed) == len(set(claimed))
+
+
+def test_of_two_players_the_one_who_has_the_ball_aims():
+    """The other one's mouse inside the ring of paddles moves a paddle meanwhile; either one's key serves."""
+    game, camera = new_game(classic(), 1, Ruleset(versus=True)), Camera(400 + 300j, 30.0)
+    first = Hands(pointer=camera.project(3 + 1j))
+    second = Hands(aiming=1j, serve=True)
+    for server, aims, moves in ((0, True, False), (1, True, True)):
+        controls = controls_of_two(first, second, camera, game._replace(server=server))
+        assert (controls.aim is not None, controls.pointer is not None, controls.serve) == (aims, moves, True)
+    assert controls_of_two(first, Hands(), camera, game._replace(server=1)).aim is None
