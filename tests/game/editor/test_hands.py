@@ -10,6 +10,7 @@ from game.editor.window.layout import editor_layout
 from game.editor.window.play_test import PlayTest
 from game.editor.window.screen import Editor
 from game.editor.window.targets import box_of
+from game.input.repeat import FIRST, NEXT
 from game.levels import load_file
 from tests.support.dummy_window import FRAME, Desk, shared
 from tests.support.pad_desk import PadDesk
@@ -91,6 +92,12 @@ def test_keys_paint_erase_copy_and_paste(keys):
     assert slots(keys, 1) == (1, 3, 3, 3, 0, *[1] * (count - 5))
     keys.press(DOWN, RIGHT, pygame.K_p)
     assert keys.screen.session.brush == 3
+    before = keys.screen.session.slot
+    keys.hold(RIGHT)
+    keys.wait(FIRST + 3.5 * NEXT)
+    keys.release(RIGHT)
+    keys.wait(FRAME + NEXT)
+    assert keys.screen.session.slot == (before + 5) % count
 
 
 def test_keys_change_numbers_and_give_every_command(keys, tmp_path):
