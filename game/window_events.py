@@ -61,10 +61,10 @@ def _following(
 
 
 def _after_pads(screen: Screen, signals: tuple[Signal, ...], size: tuple[int, int]) -> Screen | None:
-    """The screen after what gamepads did, of some signals."""
+    """The screen after what gamepads did, of some signals, also if the player has left."""
     following: Screen | None = screen
     for signal in signals:
-        if following is screen and pad_of(signal) is not None:
+        if following is screen and (isinstance(signal, FocusLost) or pad_of(signal) is not None):
             following = screen.answer(signal, size)
     return following
 

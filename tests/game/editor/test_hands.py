@@ -167,5 +167,13 @@ def test_a_gamepad_alone_makes_a_level(pad, tmp_path):
     pad.screen = pad.screen._editor
     pad.press(pygame.K_h)
     assert isinstance(pad.screen, EditorHelp)
-    pad.press(pygame.K_ESCAPE, pygame.K_ESCAPE, pygame.K_ESCAPE)
+    pad.press(pygame.K_ESCAPE, pygame.K_ESCAPE)
+    pad.pad.press(pygame.CONTROLLER_BUTTON_DPAD_LEFT)
+    pad.wait(2 * FRAME)
+    pad.pad.pull_out()
+    pad.wait(2 * FRAME)
+    slot = pad.screen.session.slot
+    pad.wait(FIRST + 2.0 * NEXT)
+    assert pad.screen.session.slot == slot
+    pad.post(pygame.QUIT)
     assert pad.screen is None
