@@ -71,6 +71,13 @@ def second_player_positions() -> tuple[int, ...]:
     return tuple([position for action in (Action.LEFT, Action.RIGHT) for position in positions_in_use(action)[1:]])
 
 
+def players_keys() -> tuple[str, str]:
+    """The names of the keys of the first and of the second player, where two play."""
+    first = [key_name(action) for action in (Action.LEFT, Action.RIGHT)]
+    second = [position_name(position) for position in second_player_positions()]
+    return ", ".join(first), ", ".join(second) or NO_KEY
+
+
 def key_names(action: Action) -> tuple[str, ...]:
     """The names of an action's keys as this layout writes them, the usual one first; the keypad's only where all are its."""
     names = [position_name(position) for position in positions_in_use(action)]

@@ -34,6 +34,14 @@ def notice(game: Game, serve: str) -> Notice | None:
     return Notice(tr("Game over"), "") if game.phase == Phase.OVER else None
 
 
+def who_steers(game: Game, first: str, second: str, serve: str) -> Notice | None:
+    """Which keys each of two players has, before the first serve of a game; None later. first, second, serve: names of keys."""
+    if game.phase != Phase.SERVING or game.tick != game.phase_tick:
+        return None
+    words = tr("Player 1: {first}. Player 2: {second}. {key}: serve").format(first=first, second=second, key=serve)
+    return Notice(_serve_title(game), words)
+
+
 def _serve_title(game: Game) -> str:
     """The level's name before its first serve, else what is left."""
     if game.sides and game.statistics.level.balls_lost:

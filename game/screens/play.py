@@ -12,7 +12,7 @@ from game.effects.hit_stop import hit_stop_seconds
 from game.effects.slow_motion import pace
 from game.fixed_step import Due, due
 from game.input.hands import Hands, controls_of_two
-from game.input.key_names import key_name, second_player_positions
+from game.input.key_names import key_name, players_keys, second_player_positions
 from game.input.keys import Action
 from game.input.players import Players
 from game.input.signals import Clicked, FocusLost, KeyboardState, Moved, Pointed, Pressed, Released, Signal, pad_of
@@ -21,7 +21,7 @@ from game.level_names import level_name
 from game.levels import Level, number_of
 from game.overlay import captions, hud, notice
 from game.overlay.captions import Caption
-from game.overlay.notice_words import Notice, ready
+from game.overlay.notice_words import Notice, ready, who_steers
 from game.overlay.notice_words import notice as words_now
 from game.overlay.readings import readings
 from game.overlay.toast import Toast
@@ -170,6 +170,8 @@ class PlayScreen:
         if game.phase in (Phase.OVER, Phase.WON) or (game.phase == Phase.CLEARED and self._told == game.number):
             return None
         told = words_now(game, key_name(Action.SERVE))
+        if self._state.players != Players.ONE:
+            told = who_steers(game, *players_keys(), key_name(Action.SERVE)) or told
         if told is None and self._may_give_up:
             words = tr("{key}: give up this ball; it costs a life").format(key=key_name(Action.GIVE_UP))
             return Notice(tr("Out of reach?"), words)

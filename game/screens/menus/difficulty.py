@@ -2,8 +2,7 @@
 
 import msgspec
 
-from game.input.key_names import NO_KEY, key_name, position_name, second_player_positions
-from game.input.keys import Action
+from game.input.key_names import players_keys
 from game.input.players import Players
 from game.language import tr
 from game.screens.app_state import AppState
@@ -17,13 +16,15 @@ def players_choice(state: AppState) -> ChoiceItem:
     def choose(index: int) -> None:
         state.players = Players(index)
 
-    first = [key_name(action) for action in (Action.LEFT, Action.RIGHT)]
-    second = [position_name(position) for position in second_player_positions()]
-    keys = {"first": ", ".join(first), "second": ", ".join(second) or NO_KEY}
+    first, second = players_keys()
     tips = (
         tr("Scores and ranks are for one player."),
-        tr("One has {first}, mouse or gamepad, the other {second} or a second gamepad; both steer all paddles.").format(**keys),
-        tr("The lower paddle has {first}, mouse or gamepad, the upper one {second} or a second gamepad.").format(**keys),
+        tr("One has {first}, mouse or gamepad, the other {second} or a second gamepad; both steer all paddles.").format(
+            first=first, second=second
+        ),
+        tr("The lower paddle has {first}, mouse or gamepad, the upper one {second} or a second gamepad.").format(
+            first=first, second=second
+        ),
     )
     names = (tr("One"), tr("Two together"), tr("Two against each other"))
     return ChoiceItem(tr("Players"), names, int(state.players), choose, tips[state.players])
