@@ -75,7 +75,8 @@ def play(
         typer.Option(
             min=0,
             max=2**63 - 1,
-            help="Decides the power-ups, where the aim of each serve begins, and nudges; the same seed is the same chance.",
+            help="Decides the power-ups, where the aim of each serve begins, and nudges; the same seed is the same chance. "
+            "In the window it is the first game's, and the seeds of the games after it are made of it.",
             show_default="1 if --headless, else random",
         ),
     ] = None,

@@ -21,12 +21,17 @@ class Devices:
         self.pads = Pads()
         self._fingers = Fingers()
 
-    def signals(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> Iterator[Signal]:
-        """What an event means, nothing for most. size: of the surface, pixels. pixels_per_point: as in `translated`."""
+    def signals(
+        self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex, *, orbits: bool = False
+    ) -> Iterator[Signal]:
+        """What an event means, nothing for most. size: of the surface, pixels. pixels_per_point: as in `translated`.
+
+        orbits: whether two fingers move the camera.
+        """
         if event.type in _OTHERS:
             self.pads.left_alone()
         yield from self.pads.signals(event)
-        yield from self._fingers.signals(event, size)
+        yield from self._fingers.signals(event, size, orbits=orbits)
         if not getattr(event, "touch", False):  # what SDL makes of a finger for those who know mice only
             signal = translated(event, pixels_per_point)
             if signal is not None:

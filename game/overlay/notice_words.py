@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 from game.language import ntr, tr
+from game.level_names import level_name
 from game.overlay.readings import player_name
 from game.rules import LIVES, Game, Phase
 
@@ -24,11 +25,21 @@ def notice(game: Game, serve: str) -> Notice | None:
     if game.phase == Phase.SERVING:
         return Notice(_serve_title(game), tr("{key} or click: serve along the arrow").format(key=serve))
     if game.phase == Phase.CLEARED:
-        words = tr("Next: {level}. {key} or click: go on").format(level=tr(game.levels[game.number + 1].name), key=serve)
+        words = tr("Next: {level}. {key} or click: go on").format(
+            level=level_name(game.levels[game.number + 1].name), key=serve
+        )
         return Notice(tr("Level cleared"), words)
     if game.phase == Phase.WON:
         return Notice(tr("All levels cleared"), "")
     return Notice(tr("Game over"), "") if game.phase == Phase.OVER else None
+
+
+def who_steers(game: Game, first: str, second: str, serve: str) -> Notice | None:
+    """Which keys each of two players has, before the first serve of a game; None later. first, second, serve: names of keys."""
+    if game.phase != Phase.SERVING or game.tick != game.phase_tick:
+        return None
+    words = tr("Player 1: {first}. Player 2: {second}. {key}: serve").format(first=first, second=second, key=serve)
+    return Notice(_serve_title(game), words)
 
 
 def _serve_title(game: Game) -> str:
@@ -36,7 +47,7 @@ def _serve_title(game: Game) -> str:
     if game.sides and game.statistics.level.balls_lost:
         return tr("{player} serves").format(player=player_name(game.server))
     if game.tick == game.phase_tick or (game.statistics.level.balls_lost == 0 and game.ruleset.arcade) or game.lives == LIVES:
-        return tr(game.level.name)
+        return level_name(game.level.name)
     if game.lives == 1:
         return tr("Last life")
     return ntr("{count} life left", "{count} lives left", game.lives).format(count=game.lives)

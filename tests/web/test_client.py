@@ -32,6 +32,7 @@ def browser_key(code):
     name = pygame.key.name(code)
     named = {"space": " ", "return": "Enter", "enter": "Enter", "escape": "Escape", "up": "ArrowUp", "down": "ArrowDown"}
     named |= {"pause": "Pause", "break": "Pause", "home": "Home", "end": "End", "f1": "F1"}
+    named |= {"page up": "PageUp", "page down": "PageDown"}
     return named.get(name, name.strip("[]") if name.startswith("[") and len(name) == 3 else name)
 
 
@@ -46,6 +47,10 @@ def test_keys_mean_what_they_mean_on_the_desktop():
         pygame.KSCAN_A: "KeyA",
         pygame.KSCAN_RIGHT: "ArrowRight",
         pygame.KSCAN_D: "KeyD",
+        pygame.KSCAN_Z: "KeyZ",
+        pygame.KSCAN_X: "KeyX",
+        pygame.KSCAN_V: "KeyV",
+        pygame.KSCAN_C: "KeyC",
     }
     assert {positions[one]: binding.action for binding in BINDINGS for one in binding.positions} == BY_CODE
     buttons = {button: one.action for one in BINDINGS for button in one.buttons}
