@@ -20,7 +20,7 @@ from game.language import tr
 from game.levels import Level, number_of
 from game.overlay import captions, hud, notice
 from game.overlay.captions import Caption
-from game.overlay.notice_words import Notice, ready
+from game.overlay.notice_words import Notice, ready, to_newcomer
 from game.overlay.notice_words import notice as words_now
 from game.overlay.readings import readings
 from game.overlay.toast import Toast
@@ -167,6 +167,8 @@ class PlayScreen:
         if game.phase in (Phase.OVER, Phase.WON) or (game.phase == Phase.CLEARED and self._told == game.number):
             return None
         told = words_now(game, key_name(Action.SERVE))
+        if told is not None and not self._state.kept.progress.value.bests:
+            told = to_newcomer(told, key_name(Action.LEFT), key_name(Action.RIGHT))
         if told is None and self._may_give_up:
             words = tr("{key}: give up this ball; it costs a life").format(key=key_name(Action.GIVE_UP))
             return Notice(tr("Out of reach?"), words)
