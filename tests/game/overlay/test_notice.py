@@ -39,7 +39,7 @@ def test_what_a_level_teaches_is_said_before_its_first_serve_alone():
 @pytest.mark.parametrize("language", CODES)
 @pytest.mark.parametrize("text_scale", [1.0, 2.0])
 def test_the_plate_stays_above_the_wall_and_between_the_figures(language, text_scale):
-    """Whatever is to be said, in the largest letters too, it takes at most a quarter of the height and two thirds of the width."""
+    """Whatever is to be said, in large letters too, it takes at most a quarter of the height and two thirds of the width."""
     choose(language)
     longest = max([level.description for level in campaign()], key=lambda words: len(tr(words)))
     hint = tr("{key} or click: serve along the arrow").format(key=tr("Space"))
