@@ -36,7 +36,7 @@ def action_groups() -> tuple[tuple[str, dict[Action, str]], ...]:
                 Action.FLAT: tr("From above"),
                 Action.SOLID: tr("In 3D"),
                 Action.FULL_SCREEN: tr("Full screen"),
-                Action.THEME: tr("Dark or light"),
+                Action.THEME: tr("Next colours"),
                 Action.EFFECTS: tr("Effects on or off"),
                 Action.MUTE: tr("Sound on or off"),
                 Action.MORE: tr("Louder, faster replay"),
