@@ -88,8 +88,8 @@ class Form:
                 self._moved(pressed.action, size)
         return self.screen
 
-    def draw_items(self, canvas: Canvas, laid: Laid, focus: Focus | None) -> None:
-        """All items, the scroll bar, and what is said about the item that has the focus."""
+    def draw_items(self, canvas: Canvas, laid: Laid, focus: Focus | None, *, centred: bool = False) -> None:
+        """All items, the scroll bar, and what is said about the item that has the focus. centred: those words."""
         surface, clip = canvas.surface, canvas.surface.get_clip()
         for spot in laid.spots:
             surface.set_clip(laid.body.clip(clip) if spot.in_body else clip)
@@ -99,7 +99,7 @@ class Form:
         _draw_scroll_bar(canvas, laid, self._scroll)
         focused = spot_at(laid, focus)
         if focused is not None and focused.item.tip:
-            _draw_tip(canvas, focused.item.tip, laid.tip)
+            _draw_tip(canvas, focused.item.tip, laid.tip, centred=centred)
 
     def _laid(self, size: tuple[int, int]) -> Laid:
         """Where everything is now. It does not scroll further than there is something."""
@@ -266,16 +266,17 @@ def _pointed_spot(laid: Laid, pixel: complex) -> Spot | None:
     return None
 
 
-def _draw_tip(canvas: Canvas, tip: str, box: pygame.Rect) -> None:
+def _draw_tip(canvas: Canvas, tip: str, box: pygame.Rect, *, centred: bool) -> None:
     """What is said about the item that has the focus."""
+    anchor, x = ("midtop", box.centerx) if centred else ("topleft", box.left)
     size = layout.TIP
     lines = canvas.type.wrapped(tip, canvas.unit * size, box.width)
     if len(lines) > layout.TIP_LINES:
         size *= 0.85
         lines = canvas.type.wrapped(tip, canvas.unit * size, box.width)[: layout.TIP_LINES]
     for index, line in enumerate(lines):
-        pixel = complex(box.left, box.top + canvas.unit * size * layout.LINE * index)
-        canvas.write(line, size, canvas.theme.faint, pixel)
+        pixel = complex(x, box.top + canvas.unit * size * layout.LINE * index)
+        canvas.write(line, size, canvas.theme.faint, pixel, anchor)
 
 
 def _is_on_bar(laid: Laid, pixel: complex, unit: float) -> bool:
