@@ -18,6 +18,7 @@ let worker = null, latest = null, waiting = false, sentAt = 0, background = "#00
 function say(words) {
   element("loading").textContent = words;
   element("loading").hidden = false;
+  element("progress").hidden = true;
 }
 
 function fail(words) {
@@ -146,8 +147,11 @@ function turn(now) {
 function heard({ data }) {
   if (data.kind === "ready") {
     element("loading").hidden = true;
+    element("progress").hidden = true;
     openFragment();
     requestAnimationFrame(turn);
+  } else if (data.kind === "progress") {
+    element("progress").value = data.share;
   } else if (data.kind === "frame") {
     waiting = false;
     heed(data.reply);

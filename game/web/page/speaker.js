@@ -1,7 +1,7 @@
 // Plays the game's sounds: samples that Python has rendered, at the gains that Python decides.
 
 /** 16-bit samples from their third differences, whose low bytes come first, then all high bytes; the sign is in the lowest bit. */
-function unpacked(bytes) {
+export function unpacked(bytes) {
   const count = bytes.length / 2, samples = new Int16Array(count);
   let value = 0, slope = 0, bend = 0;
   for (let k = 0; k < count; k++) {
