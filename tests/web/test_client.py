@@ -16,7 +16,6 @@ from game.picture.display_list import DisplayList, Primitive, primitives
 from game.picture.ground import around_colour, ground_colour
 from game.system.errors import EnvironmentMissingError
 from game.web import packages
-from game.web.bundle import archive
 from game.web.client.keys import BUTTONS, BY_CODE, BY_KEY
 from game.web.client.page import Page
 
@@ -32,6 +31,7 @@ def browser_key(code):
     name = pygame.key.name(code)
     named = {"space": " ", "return": "Enter", "enter": "Enter", "escape": "Escape", "up": "ArrowUp", "down": "ArrowDown"}
     named |= {"pause": "Pause", "break": "Pause", "home": "Home", "end": "End", "f1": "F1"}
+    named |= {"page up": "PageUp", "page down": "PageDown"}
     return named.get(name, name.strip("[]") if name.startswith("[") and len(name) == 3 else name)
 
 
@@ -46,6 +46,10 @@ def test_keys_mean_what_they_mean_on_the_desktop():
         pygame.KSCAN_A: "KeyA",
         pygame.KSCAN_RIGHT: "ArrowRight",
         pygame.KSCAN_D: "KeyD",
+        pygame.KSCAN_Z: "KeyZ",
+        pygame.KSCAN_X: "KeyX",
+        pygame.KSCAN_V: "KeyV",
+        pygame.KSCAN_C: "KeyC",
     }
     assert {positions[one]: binding.action for binding in BINDINGS for one in binding.positions} == BY_CODE
     buttons = {button: one.action for one in BINDINGS for button in one.buttons}
@@ -104,17 +108,6 @@ def test_the_backdrop_is_sent_only_when_it_changes():
     assert not frame(page, seconds=0.01).get("backdrop")
     resized = json.loads(page.frame('{"seconds": 0.0, "width": 900, "height": 800}'))
     assert resized["backdrop"]
-
-
-def test_the_archive_is_the_same_twice_and_holds_what_is_needed():
-    """All that the page imports, and nothing that needs pygame."""
-    first = archive()
-    assert first == archive()
-    listed = first.decode("latin-1")
-    assert all(
-        [name in listed for name in ("game/web/client/page.py", "game/lab/scenes/runs/nudge.py", "game/levels/classic/1-")]
-    )
-    assert not any([name in listed for name in ("game/app.py", "game/drawing/painter.py", "physics/batch")])
 
 
 def test_without_npm_one_line_says_what_is_needed(monkeypatch, tmp_path):

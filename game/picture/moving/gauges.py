@@ -8,6 +8,7 @@ from game.drawing.palette import Colour, mixed
 from game.picture.display_list import DisplayList
 from game.picture.moving.drops import add_chip
 from game.picture.view import ArenaView
+from game.rules.power_up import OF_PADDLES
 from game.scene import Scene
 
 RADIUS, _WIDTH = 1.042, 0.011
@@ -16,6 +17,9 @@ _CHIP, _LEAST_CHIP = 0.030, 0.5
 """Radius of an icon: in ground radii, and at least so many units of text."""
 ICONS = tuple([math.radians(degrees) for degrees in (150.0, 182.0, 214.0, 302.0, 334.0, 6.0, 118.0)])
 """Angles of the icons on the screen, counter-clockwise from the right: none where a tipped arena fills the surface."""
+_OF_PLAYERS = tuple([tuple([math.radians(angle) for angle in half]) for half in ((214.0, 302.0, 334.0), (150.0, 118.0, 88.0))])
+_OF_BOTH = math.radians(182.0), math.radians(6.0)
+"""The same where two play against each other: what acts on one of them is beside the own half."""
 SPAN = math.radians(23.0)
 """Angle of a full arc, counter-clockwise from its icon."""
 CHIP_ROOM = math.radians(4.5)
@@ -34,7 +38,7 @@ def add_gauges(out: DisplayList, scene: Scene, view: ArenaView) -> None:
     """Add an icon and an arc for every power-up that lasts: the arc is as long as the time left. The heart has a target."""
     theme, ground = view.theme, scene.ground_radius
     radius = max(_CHIP * ground * view.camera.scale, _LEAST_CHIP * view.unit)
-    for angle, power in zip(ICONS, scene.powers, strict=False):
+    for angle, power in zip(_icon_angles(scene), scene.powers, strict=False):
         begin, left = angle + CHIP_ROOM, power.share_left
         _add_gauge(out, view, ground, begin, SPAN, left, theme.danger if left < _ENDING else power_colour(power.kind, theme))
         add_chip(out, power.kind, _beside(view, ground, angle, radius), radius, theme)
@@ -44,6 +48,14 @@ def add_gauges(out: DisplayList, scene: Scene, view: ArenaView) -> None:
         pixel = _beside(view, ground, begin + CHIP_ROOM, radius)
         for share, colour in ((1.0, theme.danger), (0.72, theme.background), (0.42, theme.danger)):
             out.disc(pixel, radius * share, colour)
+
+
+def _icon_angles(scene: Scene) -> tuple[float, ...]:
+    """Angles of the icons of the power-ups, in their order."""
+    if scene.second_paddle is None:
+        return ICONS
+    free = [iter(_OF_PLAYERS[0]), iter(_OF_PLAYERS[1]), iter(_OF_BOTH)]
+    return tuple([next(free[power.player if power.kind in OF_PADDLES else 2]) for power in scene.powers])
 
 
 def _beside(view: ArenaView, ground: float, angle: float, radius: float) -> complex:
