@@ -42,7 +42,7 @@ def action_groups() -> tuple[tuple[str, dict[Action, str]], ...]:
                 Action.ZOOM_IN: tr("In 3D: nearer"),
                 Action.ZOOM_OUT: tr("In 3D: farther"),
                 Action.FULL_SCREEN: tr("Full screen"),
-                Action.THEME: tr("Dark or light"),
+                Action.THEME: tr("Next colours"),
                 Action.EFFECTS: tr("Effects on or off"),
                 Action.MUTE: tr("Sound on or off"),
                 Action.MORE: tr("Louder, faster replay"),

@@ -130,7 +130,7 @@ def play_help() -> tuple[tuple[str, str], ...]:
         *_camera_help(),
         (_all(Action.FULL_SCREEN), tr("full screen")),
         (_all(Action.MUTE, Action.LESS, Action.MORE), tr("sound off / on; softer; louder")),
-        (_all(Action.THEME, Action.EFFECTS), tr("dark / light colours; effects off / on")),
+        (_all(Action.THEME, Action.EFFECTS), tr("next colours; effects off / on")),
         (_all(Action.SETTINGS), tr("settings: every effect, reduced motion")),
         (_all(Action.NORMALS), tr("normals: ours thick, pymunk's thin")),
         (_all(Action.LAB), tr("the lab: the collision detection to touch")),

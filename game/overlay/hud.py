@@ -9,10 +9,10 @@ import pygame
 
 from game.drawing.camera import Layout
 from game.drawing.canvas import Canvas
+from game.drawing.letter_sizes import stepped
 from game.drawing.palette import Colour, Theme, mixed
 from game.drawing.palettes import themed
 from game.drawing.raster.primitives import draw_box, draw_circle, draw_dot
-from game.drawing.text import stepped
 from game.effects import Streak
 from game.effects.streaks import BUMP_TICKS, ENDED_TICKS
 from game.input.key_names import key_name

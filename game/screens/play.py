@@ -21,7 +21,7 @@ from game.level_names import level_name
 from game.levels import Level, number_of
 from game.overlay import captions, hud, notice
 from game.overlay.captions import Caption
-from game.overlay.notice_words import Notice, ready, who_steers
+from game.overlay.notice_words import Notice, ready, to_newcomer, who_steers
 from game.overlay.notice_words import notice as words_now
 from game.overlay.readings import readings
 from game.overlay.toast import Toast
@@ -172,6 +172,8 @@ class PlayScreen:
         told = words_now(game, key_name(Action.SERVE))
         if self._state.players != Players.ONE:
             told = who_steers(game, *players_keys(), key_name(Action.SERVE)) or told
+        elif told is not None and not self._state.kept.progress.value.bests:
+            told = to_newcomer(told, key_name(Action.LEFT), key_name(Action.RIGHT))
         if told is None and self._may_give_up:
             words = tr("{key}: give up this ball; it costs a life").format(key=key_name(Action.GIVE_UP))
             return Notice(tr("Out of reach?"), words)

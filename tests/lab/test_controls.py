@@ -12,9 +12,11 @@ from game.lab.window.controls import Controlled
 from game.lab.window.layout import layout_of
 from game.lab.window.screen import SHOWN, Lab
 from game.lab.window.side import Side
+from game.lab.window.words import small_print_height
 from game.screens.toolkit.caption import Caption
 from game.screens.toolkit.drop_down import OptionList
 from game.screens.toolkit.form import spot_at
+from game.screens.toolkit.items import ButtonItem, Switch
 from tests.support.dummy_window import FRAME, shared
 from tests.support.lab_desk import SIZE, LabDesk
 
@@ -87,6 +89,9 @@ def test_a_slider_is_dragged(desk, share):
     desk.drag((bar.right, bar.centery), (5, 5))
     assert desk.values.number("half_angle") == 0.0
     assert desk.session.notes == ()
+    desk.drag((5, 300), (bar.right, bar.centery))
+    desk.drag(desk.slider("half_angle").field.center, (bar.right, bar.centery))
+    assert desk.values.number("half_angle") == 0.0, "the picture was dragged, and the field"
 
 
 def test_the_list_of_scenes_is_used_by_keys_and_by_mouse():
@@ -100,10 +105,10 @@ def test_the_list_of_scenes_is_used_by_keys_and_by_mouse():
     desk.press(pygame.K_l, pygame.K_DOWN, pygame.K_ESCAPE)
     assert desk.session.scene.name == "free-run"
     desk.click_on("free-run")
-    desk.type("p")
+    desk.type("cc")
     desk.press(pygame.K_RETURN)
-    assert desk.session.scene.name == "polar"
-    desk.click_on("polar")
+    assert desk.session.scene.name == "case-1"
+    desk.click_on("case-1")
     laid = desk.screen._laid(SIZE)
     spot = next(spot for spot in laid.spots if spot.item.focusable and laid.body.contains(spot.box) and spot.row > 3)
     desk.click(spot.box.center)
@@ -163,6 +168,10 @@ def test_all_controls_are_used_by_keys_alone(desk):
     assert desk.values.number("radius") == 9.0
     desk.press(pygame.K_DOWN, pygame.K_DOWN, pygame.K_UP, pygame.K_RETURN)
     assert isinstance(desk.screen, OptionList)
+    desk.press(pygame.K_ESCAPE, pygame.K_TAB)
+    assert desk.side._focus is not None
+    desk.click((5, 300))
+    assert desk.side._focus is None, "a click on the picture gives the keys back, too"
 
 
 @pytest.mark.usefixtures("unseen")
@@ -176,12 +185,13 @@ def test_a_held_arrow_moves_a_slider_on(desk):
     for _ in range(40):
         desk.screen.advance(0.05, SIZE)
     assert desk.values.number("half_width") == 1.9
-    desk.release(pygame.K_RIGHT)
+    assert desk.session.notes == ()
+    desk.down.clear()  # its release is lost
+    desk.wait(FRAME)
     desk.press(pygame.K_LEFT)
     for _ in range(40):
         desk.screen.advance(0.05, SIZE)
     assert desk.values.number("half_width") == 1.85
-    assert desk.session.notes == ()
 
 
 @pytest.mark.usefixtures("unseen")
@@ -224,6 +234,28 @@ def test_buttons_do_what_their_keys_do_and_say_which(desk):
     assert desk.side.draw(desk.window.get_surface()) is not None
 
 
+def test_every_change_is_seen_at_once(desk):
+    """The picture from memory is replaced whenever one that is drawn anew looks otherwise."""
+    surface, before = desk.window.get_surface(), b""
+    changes = (
+        lambda: desk.type_into("r", "1.2"),
+        lambda: desk.click(desk.slider("radius").field.center),
+        lambda: desk.type("7"),
+        lambda: desk.press(pygame.K_ESCAPE, pygame.K_7),
+        lambda: desk.press(pygame.K_TAB),
+        lambda: desk.press(pygame.K_TAB),
+        lambda: desk.press(pygame.K_t),
+        lambda: desk.press(pygame.K_RIGHTBRACKET),
+    )
+    for change in changes:
+        change()
+        shown = pygame.image.tobytes(surface, "RGB")
+        desk.side._drawn = None
+        desk.screen.draw(surface)
+        assert shown == pygame.image.tobytes(surface, "RGB") != before
+        before = shown
+
+
 def test_what_does_not_fit_scrolls():
     """In a low window the wheel shows the numbers further down; the buttons stay."""
     desk = LabDesk("own-arena", (800, 600))
@@ -234,22 +266,51 @@ def test_what_does_not_fit_scrolls():
     assert moved[1] == spots[1]
     desk.wheel((100, 300), -1)
     assert desk.spot("r_g").box == moved[0]
+    desk.shared.settings = desk.shared.settings._replace(text_size=200)
+    desk.press(pygame.K_LEFTBRACKET)
+    desk.wheel(spots[0].center, -1)
+    assert desk.side._scroll > 0.0
     desk.press(pygame.K_RIGHTBRACKET)
     assert desk.side._scroll == 0.0
     desk.close()
 
 
+@pytest.mark.parametrize("text", [1.0, 2.0])
 @pytest.mark.parametrize("size", [(640, 480), (800, 600), (1280, 800), (3840, 2160), (900, 1600)])
-def test_the_controls_fit_their_side(size):
-    """In every common window they end above the small print, are not pushed together too much, and no meaning is cut off."""
-    app, type_, layout = shared(), Type(), layout_of(size)
-    for scene in scenes():
-        begun = session.fresh(scene, None)
-        side = Side(app, None, None, layout, Controlled(begun, SHOWN, frozenset()))
+def test_the_controls_fit_their_side(size, text):
+    """In every common window they end above the small print, some of what scrolls is seen, and no word is cut off.
+
+    They are not pushed together too much. Words are written smaller where they would not fit: a little; in letters of twice
+    the size by 43 % at most.
+    """
+    app, type_, layout = shared(), Type(), layout_of(size, text=text)
+    app.settings = app.settings._replace(text_size=round(100 * text))
+    smallest = 0.95 if text == 1.0 else 0.57
+    shown = [Controlled(session.fresh(scene, None), SHOWN, frozenset()) for scene in scenes()]
+    side = Side(app, None, None, layout, shown[0])
+    assert side.unit(size) == pytest.approx(0.87 * text * layout.unit)
+    for seen in shown:
+        side.show(layout, seen)
         laid, unit = side._laid(size), side.unit(size)
-        assert laid.tip.top + layout.unit * 4.0 < max(size[1], 480)
+        lines = "state hash", seen.session.line
+        assert laid.tip.top + small_print_height(type_, layout, lines) <= max(size[1], 480)
+        assert laid.over == 0 or laid.body.height > 7.0 * unit
         assert all([spot.box.height > 1.4 * unit for spot in laid.spots if spot.item.focusable])
         for spot in laid.spots if size != (640, 480) else ():
-            if isinstance(spot.item, Caption):
-                words = [type_.rendered(text, unit * 1.1, (0, 0, 0)).get_width() for text in (spot.item.text, spot.item.note)]
-                assert sum(words) + 0.7 * unit <= spot.box.width, spot.item
+            words, size_, taken = said(spot.item, spot.box.height / unit)
+            wide = type_.rendered(words, unit * size_ * smallest, (0, 0, 0)).get_width() if words else 0
+            assert wide + taken * unit <= spot.box.width + 1, spot.item
+
+
+def said(item, height):
+    """What an item says, in letters of which size, and how much of its width is taken otherwise, in units."""
+    match item:
+        case Caption() if height > 1.5:
+            return max(item.text, item.note, key=len), 1.1, 0.0
+        case Caption():
+            return item.text + item.note, 1.1 * (0.95 if item.note else 1.0), 0.7 if item.note else 0.0
+        case ButtonItem():
+            return item.label, 1.15, 0.6
+        case Switch():
+            return item.label, 1.15, 0.7 + 0.6 + 1.9 + 0.7
+    return "", 1.0, 0.0

@@ -43,14 +43,15 @@ def test_the_ball_is_dragged_where_the_hand_goes(desk):
 
 
 def test_a_drag_on_nothing_moves_the_view_and_home_brings_it_back(desk):
-    """A drag on nothing moves the world and changes no value; Home shows what was shown at first."""
+    """A drag on nothing moves the world, wherever the mouse goes, and no value; Home shows what was shown at first."""
     before = desk.values
     start = desk.pixel(7 + 4j)
-    desk.drag(start, (start[0] + 100, start[1] + 50))
-    assert desk.values == before
-    assert desk.pixel(7 + 4j) == (start[0] + 100, start[1] + 50)
-    desk.press(pygame.K_HOME)
-    assert desk.pixel(7 + 4j) == start
+    for button, across in ((1, 100), (2, 700)):
+        desk.drag(start, (start[0] + across, start[1] + 50), button)
+        assert desk.values == before
+        assert desk.pixel(7 + 4j) == (start[0] + across, start[1] + 50)
+        desk.press(pygame.K_HOME)
+        assert desk.pixel(7 + 4j) == start
 
 
 def test_handles_are_dragged_only_in_panes_that_have_them():

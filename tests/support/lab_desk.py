@@ -61,7 +61,8 @@ class LabDesk(Desk):
         pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=start, button=button))
         middle = ((start[0] + end[0]) // 2, (start[1] + end[1]) // 2)
         for pixel in (middle, end):
-            pygame.event.post(pygame.Event(pygame.MOUSEMOTION, pos=pixel, rel=(0, 0), buttons=(1, 0, 0)))
+            held = tuple([int(button == one) for one in (1, 2, 3)])
+            pygame.event.post(pygame.Event(pygame.MOUSEMOTION, pos=pixel, rel=(0, 0), buttons=held))
         pygame.event.post(pygame.Event(pygame.MOUSEBUTTONUP, pos=end, button=button))
         self.wait(2 * FRAME)
 

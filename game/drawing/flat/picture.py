@@ -12,7 +12,7 @@ import pygame
 
 from game.drawing.canvas import Canvas
 from game.drawing.flat.recoil import RecoilPicture, without_recoiling
-from game.drawing.flat.ring import RingKey, RingPicture, least_lane, ring_key
+from game.drawing.flat.ring import RingKey, RingPicture, least_lane, ring_key, shift_of
 from game.drawing.ground.picture import Ground, draw_pattern, ground_picture
 from game.drawing.slots.contents import Contents, SlotContent
 from game.rules import PADDLES
@@ -47,11 +47,11 @@ class FlatPicture:
         self._recoil = RecoilPicture()
 
     def draw(self, canvas: Canvas, scene: Scene, contents: Contents) -> None:
-        """Cover a 32-bit surface. contents: of all slots, per ring."""
+        """Cover a 32-bit surface. contents: of all slots, per ring. The canvas' offset leaves the arena on the surface."""
         self._draw_resting(canvas, scene, contents)
         for k, ring in enumerate(scene.rings):
             if k == scene.second_paddle or (k != PADDLES and ring.spin):
-                self._ring(canvas, scene, k).draw(canvas.surface, ring.phase, contents[k])
+                self._ring(canvas, scene, k).draw(canvas.surface, ring.phase, contents[k], shift=shift_of(canvas))
         self._draw_paddles(canvas, scene, contents[PADDLES])
 
     def _draw_resting(self, canvas: Canvas, scene: Scene, contents: Contents) -> None:
@@ -74,13 +74,13 @@ class FlatPicture:
             if shown != contents[k]:
                 self._ring(canvas, scene, k).draw(cached.picture, scene.rings[k].phase, contents[k], cached.ground, shown)
         self._resting = cached._replace(contents=now)
-        canvas.surface.blit(cached.picture, (0, 0))
+        canvas.cover(cached.picture)
 
     def _draw_paddles(self, canvas: Canvas, scene: Scene, contents: tuple[SlotContent, ...]) -> None:
         """The paddles in their slots, and over them those that were struck."""
         paddles = scene.rings[PADDLES]
         picture = self._ring(canvas, scene, PADDLES)
-        picture.draw(canvas.surface, paddles.phase, without_recoiling(contents, scene.recoils))
+        picture.draw(canvas.surface, paddles.phase, without_recoiling(contents, scene.recoils), shift=shift_of(canvas))
         self._recoil.prepare(canvas, paddles)
         for recoil in scene.recoils:
             self._recoil.draw(canvas, paddles, recoil, contents[recoil.slot], picture)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.drawing.canvas import Canvas
-from game.drawing.flat.ring import RingPicture, pieces_of
+from game.drawing.flat.ring import RingPicture, pieces_of, shift_of
 from game.drawing.raster.annulus import Floats, annulus_pixels
 from game.drawing.raster.pixels import pixels_of
 from game.drawing.slots.contents import ContentKind, SlotContent
@@ -56,6 +56,7 @@ class RecoilPicture:
         scale, pixels = canvas.camera.scale, self._pixels_near(canvas, ring)
         middle, margin = ring.angle(recoil.slot), _SHADOW_ASIDE / max(scale * ring.radius, 1.0)
         memory, out = pixels_of(canvas.surface), np.float32(_out(recoil, ring) * scale)
+        shift = shift_of(canvas)
         for turn in (-math.tau, 0.0, math.tau):  # the paddle may lie across angle 0
             reach = ring.half_angle + margin
             begin, end = np.searchsorted(pixels.angle, (middle + turn - reach, middle + turn + reach)).tolist()
@@ -63,7 +64,7 @@ class RecoilPicture:
                 angle = pixels.angle[some] - np.float32(middle + turn)
                 colours = picture.colours_at(canvas.surface, content, pixels.radius[some] - out, angle)
                 there = np.flatnonzero(colours)
-                memory[pixels.pixel[some][there]] = colours[there]
+                memory[pixels.pixel[some][there] + shift] = colours[there]
 
     def _pixels_near(self, canvas: Canvas, ring: Ring) -> _PaddlePixels:
         """The pixels around the paddles' track."""

@@ -82,6 +82,12 @@ def least_lane(scale: float) -> float:
     return (2.0 * _BORDER + 1.0) / scale
 
 
+def shift_of(canvas: Canvas) -> int:
+    """How far a canvas' offset moves pixels in the surface's memory."""
+    across, down = canvas.offset
+    return down * (canvas.surface.get_pitch() // 4) + across
+
+
 def pieces_of(begin: int, end: int) -> list[slice]:
     """A run of pixels in pieces that are drawn at once."""
     return [slice(first, min(first + _AT_ONCE, end)) for first in range(begin, end, _AT_ONCE)]
@@ -131,18 +137,19 @@ class RingPicture:
         contents: tuple[SlotContent, ...],
         ground: pygame.Surface | None = None,
         before: tuple[SlotContent, ...] = (),
+        shift: int = 0,
     ) -> None:
         """Draw the ring. phase: middle angle of slot 0, radians; contents: of every slot.
 
         ground: a surface like the other, which shows where nothing stands; without it what is drawn already stays. before:
-        with a ground, the contents that the surface shows so far: only slots with others are drawn.
+        with a ground, the contents that the surface shows so far: only slots with others are drawn. shift: as `shift_of` says.
         """
         if not len(self._pixel_index):
             return
         if contents != self._contents:
             self._arrange(surface, contents)
-        shift = round((self._half_pitch - phase) / math.tau * self._columns_around) % self._columns_around
-        column_at, atlas, memory = self._column_at[shift:], self._atlas.ravel(), pixels_of(surface)
+        turn = round((self._half_pitch - phase) / math.tau * self._columns_around) % self._columns_around
+        column_at, atlas, memory = self._column_at[turn:], self._atlas.ravel(), pixels_of(surface)
         under = memory if ground is None else pixels_of(ground)
         if ground is None:
             wanted, reach = [content.kind is not ContentKind.EMPTY for content in contents], self._reach
@@ -152,7 +159,7 @@ class RingPicture:
         for some in self._pixels_near(phase, np.array(wanted), reach):
             index = column_at.take(self._pixel_column[some])
             index += self._pixel_row[some]
-            colours, pixel = atlas.take(index), self._pixel_index[some]
+            colours, pixel = atlas.take(index), self._pixel_index[some] + shift
             bare = np.flatnonzero(colours == 0)
             colours[bare] = under.take(pixel.take(bare))
             memory[pixel] = colours

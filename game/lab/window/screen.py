@@ -96,7 +96,7 @@ class Lab:
 
     def layout(self, size: tuple[int, int]) -> WindowLayout:
         """How a window of that size is divided."""
-        found = layout_of(size, None if self._scale is None else TEXT_SCALES[self._scale])
+        found = layout_of(size, None if self._scale is None else TEXT_SCALES[self._scale], self._shared.text_scale)
         return found if self._lesson is None else self._lesson.lowered(found, self._shared.type)
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
@@ -373,9 +373,10 @@ class Lab:
     def _controls(self, size: tuple[int, int]) -> Side:
         """The controls of the scene as it stands."""
         seen = Controlled(self._session, self._shown, self._picture().toggles)
+        layout = layout_of(size, text=self._shared.text_scale)
         if self._side is None:
-            self._side = Side(self._shared, self, self._do, layout_of(size), seen)
-        self._side.show(layout_of(size), seen)
+            self._side = Side(self._shared, self, self._do, layout, seen)
+        self._side.show(layout, seen)
         return self._side
 
     def _pane_views(self, size: tuple[int, int]) -> list[PaneView]:

@@ -30,7 +30,7 @@ from game.lab.window.layout import WindowLayout
 from game.lab.window.words import small_print_height
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.toolkit.drop_down import OptionList
+from game.screens.toolkit.drop_down import Option, OptionList, Options
 from game.screens.toolkit.focus import Focus, first_focus, moved_focus
 from game.screens.toolkit.form import Form, spot_at
 from game.screens.toolkit.layout import Laid, laid_in_column
@@ -41,6 +41,8 @@ _LETTERS = 0.87
 """The toolkit's unit in the lab's: what items are called is about as large as body text then."""
 _TOP, _LEAST_SMALL_PRINT = 0.6, 5.0
 """From the window's edge to the controls, and the least room for the small print below them, in the lab's units."""
+_NARROW = 19.0
+"""A side that is narrower has fewer controls in a row, in the toolkit's units."""
 _LONGEST = 32
 """Characters that can be typed into a field."""
 _STRIDE = 10
@@ -71,7 +73,6 @@ class Side(Form):
         self._typing: Typing | None = None
         self._clicked_while: Typing | None = None  # what was typed when the mouse was pressed
         self._has_keys = False
-        self._is_pressed = False  # whether a press of the mouse that still lasts began here
 
     @property
     def screen(self) -> Screen:
@@ -130,7 +131,7 @@ class Side(Form):
                     self._focus = None
                 self._pointer = pixel
             case Clicked(pixel):
-                taken = self._is_pressed = self._is_inside(pixel)
+                taken = self._is_inside(pixel)
                 if not taken:
                     self.release()
             case Zoomed():
@@ -172,15 +173,16 @@ class Side(Form):
 
     def unit(self, _size: tuple[int, int]) -> float:
         """Size of the toolkit's text, pixels."""
-        return self._layout.unit * _LETTERS
+        return self._layout.unit * _LETTERS * self._state.text_scale
 
     def _laid(self, size: tuple[int, int]) -> Laid:
         """The controls below each other."""
         unit, area = self._layout.unit, self._layout.side.copy()
         area.top += round(unit * _TOP)
         area.height -= round(unit * _TOP + self._small_print)
-        rows = controls(self._seen._replace(typing=self._typing), self._do)
-        laid = laid_in_column(rows, area, self._state.type, self.unit(size), self._scroll)
+        letters = self.unit(size)
+        rows = controls(self._seen._replace(typing=self._typing), self._do, narrow=area.width < _NARROW * letters)
+        laid = laid_in_column(rows, area, self._state.type, letters, self._scroll)
         self._scroll = min(self._scroll, float(laid.over))
         return laid
 
@@ -202,10 +204,10 @@ class Side(Form):
         return super()._clicked(pixel, size)
 
     def _tab(self, step: int, size: tuple[int, int]) -> None:
-        """Focus the next control, or the one before; at first the one that the mouse is on."""
+        """Focus the next control, or the one before; at first, beginning at the one that the mouse is on."""
         laid = self._laid(size)
-        if self._focus is None or not self._has_keys:
-            self._focus = self._focus or first_focus(laid)
+        if self._focus is None:
+            self._focus = first_focus(laid)
         else:
             self._focus = moved_focus(laid, self._focus, Action.RIGHT if step > 0 else Action.LEFT, None)
         self._has_keys = True
@@ -257,10 +259,16 @@ class Side(Form):
 
     def _scenes(self) -> Screen | None:
         """The list of all scenes."""
-        about = "Scenes", scene_options(), self._seen.session.scene.name
-        return OptionList(self._state, self._screen, *about, lambda option: self._ask(SceneChosen(option.name)))
+        present = self._seen.session.scene.name
+        return self._opened("Scenes", scene_options(), present, lambda option: self._ask(SceneChosen(option.name)))
 
     def _presets(self) -> Screen | None:
         """The list of the scene's presets."""
-        about = "Presets", preset_options(self._seen.session), ""
-        return OptionList(self._state, self._screen, *about, lambda option: self._ask(PresetChosen(option.note)))
+        options = preset_options(self._seen.session)
+        return self._opened("Presets", options, "", lambda option: self._ask(PresetChosen(option.note)))
+
+    def _opened(self, title: str, options: Options, present: str, choose: Callable[[Option], Screen | None]) -> Screen:
+        """A list over the lab. Where it was opened by the mouse, that will be elsewhere when it is left."""
+        if not self._has_keys:
+            self._focus = None
+        return OptionList(self._state, self._screen, title, options, present, choose)

@@ -11,6 +11,8 @@ from game.screens.toolkit.plate import write_fitting
 
 _SIZE, _HEIGHT, _GAP = 1.1, 1.45, 0.7
 """Size of letters, height of the line, and from the words to what is said about them; units of text."""
+_SMALLER = 0.9
+"""Both stay on one line while letters of this share of their size let them."""
 
 
 @dataclass(frozen=True)
@@ -27,9 +29,9 @@ class Caption(Item):
         """Its part of the row's width."""
         return self.width_share
 
-    def height(self, _type: Type, _unit: float, _width: float) -> float:
-        """One line."""
-        return _HEIGHT
+    def height(self, type_: Type, unit: float, width: float) -> float:
+        """One line; two where the note has no room beside the words."""
+        return _HEIGHT * (2.0 if self._is_stacked(type_, unit, width) else 1.0)
 
     def draw(self, canvas: Canvas, box: pygame.Rect, *, focused: bool) -> None:  # noqa: ARG002  # it never is
         """Words and note."""
@@ -37,7 +39,18 @@ class Caption(Item):
         if self.centred:
             write_fitting(canvas, self.text, _SIZE, theme.text, complex(*box.center), "center", box.width)
             return
-        left = complex(box.left, box.centery)
-        after = write_fitting(canvas, self.text, _SIZE, theme.text, left, "midleft", box.width).right + unit * _GAP
-        if self.note and box.right > after:
-            write_fitting(canvas, self.note, _SIZE, theme.faint, complex(after, box.centery), "midleft", box.right - after)
+        stacked = self._is_stacked(canvas.type, unit, box.width)
+        first = complex(box.left, box.top + box.height * (0.25 if stacked else 0.5))
+        words = write_fitting(canvas, self.text, _SIZE, theme.text, first, "midleft", box.width)
+        second = (
+            complex(box.left, box.bottom - box.height * 0.25) if stacked else complex(words.right + unit * _GAP, box.centery)
+        )
+        if self.note:
+            write_fitting(canvas, self.note, _SIZE, theme.faint, second, "midleft", box.right - second.real)
+
+    def _is_stacked(self, type_: Type, unit: float, width: float) -> bool:
+        """Whether the note is below the words."""
+        if not self.note:
+            return False
+        words, note = (type_.rendered(text, unit * _SIZE, (0, 0, 0)).get_width() for text in (self.text, self.note))
+        return words + unit * _GAP + note > width / _SMALLER
