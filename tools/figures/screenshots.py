@@ -31,7 +31,7 @@ SCREENSHOTS: dict[str, tuple[str, ...]] = {
     "lab-response-paddle": ("lab", "response-paddle", *_FROM_THE_LAB),
     "lab-inside-material": ("lab", "inside-material", *_FROM_THE_LAB),
     "lab-two-bricks": ("lab", "two-bricks", *_FROM_THE_LAB),
-    "lab-discrete-swept": ("lab", "discrete-swept", *_FROM_THE_LAB),
+    "lab-discrete-swept": ("lab", "discrete-swept?tick=120", *_FROM_THE_LAB),
     "lab-presented": ("lab", "moving-surface?step=8", "--present", *_FROM_THE_LAB),
     "lab-yours": ("lab", "case-1", "--with", "tools/figures/mine.py", *_FROM_THE_LAB),
 }
