@@ -1,8 +1,6 @@
-"""The project's own Python for the browser, as one archive: what plays and draws there, without what only a desktop can run."""
+"""The project's own Python for the browser: what plays and draws there, without what only a desktop can run."""
 
 import ast
-import io
-import zipfile
 from collections.abc import Iterator
 from importlib.resources import files
 from importlib.resources.abc import Traversable
@@ -11,24 +9,13 @@ import polib
 
 from game.language import CODES, ENGLISH
 
-_EPOCH = (1980, 1, 1, 0, 0, 0)
-"""The date of every file in the archive: the same sources give the same bytes."""
 _STARTS = ("game.web.client.page", "game.lab.scenes", "game.languages")
 """What the browser imports, and what that imports only once it is wanted."""
 _PACKAGES = ("game", "physics")
 
 
-def archive() -> bytes:
-    """A ZIP archive of every module that the browser's start needs, and of the levels. The same sources give the same bytes."""
-    held = io.BytesIO()
-    with zipfile.ZipFile(held, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as packed:
-        for name, data in sorted(_contents().items()):
-            packed.writestr(zipfile.ZipInfo(name, _EPOCH), data, zipfile.ZIP_DEFLATED, 9)
-    return held.getvalue()
-
-
-def _contents() -> dict[str, bytes]:
-    """The files of the archive by name."""
+def browser_sources() -> dict[str, bytes]:
+    """Every module that the browser's start needs, the levels and the translations, by the names of their files."""
     modules = _sources()
     needed: dict[str, bytes] = {}
     open_ = [*_STARTS]

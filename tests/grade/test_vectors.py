@@ -44,7 +44,7 @@ ORACLE = {
 """The slides' pseudocode, transcribed a second time for the tests of the physics, in floats."""
 
 
-@pytest.mark.parametrize("seed", [0, 1, 2])
+@pytest.mark.parametrize("seed", [0, 1])
 def test_the_results_are_the_slides(vectors_of, seed):
     """A transcription that shares no code with the vectors answers the same, and divides by zero where they are undefined."""
     for vector in vectors_of(seed):

@@ -23,6 +23,9 @@ class ContentKind(IntEnum):
     EMPTY = auto()
     PADDLE = auto()
     STICKY_PADDLE = auto()
+    SECOND_PADDLE = auto()
+    """Of the second player, where two play against each other."""
+    STICKY_SECOND_PADDLE = auto()
     BRICKS = auto()
     STEEL = auto()
     BUMPER = auto()
@@ -51,6 +54,11 @@ class SlotContent(NamedTuple):
 Contents = tuple[tuple[SlotContent, ...], ...]
 """What stands in the slots, per ring and slot."""
 
+_PADDLE_KINDS = (
+    (ContentKind.PADDLE, ContentKind.STICKY_PADDLE),
+    (ContentKind.SECOND_PADDLE, ContentKind.STICKY_SECOND_PADDLE),
+)
+"""Of each player: without and with glue."""
 _EMPTY, _PADDLE, _STEEL = SlotContent(ContentKind.EMPTY), SlotContent(ContentKind.PADDLE), SlotContent(ContentKind.STEEL)
 
 
@@ -72,10 +80,10 @@ def resting_contents(layers: tuple[tuple[int, ...], ...], tints: tuple[tuple[int
 def _ring_contents(scene: Scene, k: int, flashes: list[Flash]) -> tuple[SlotContent, ...]:
     """What stands in the slots of one ring. flashes: of this ring."""
     layers = scene.layers[k]
-    if k == PADDLES:
-        sticky = any([power.kind == PowerUp.STICKY for power in scene.powers])
-        contents = paddle_contents(len(layers), flashes)
-        return _renamed(contents, ContentKind.PADDLE, ContentKind.STICKY_PADDLE) if sticky else contents
+    if k in (PADDLES, scene.second_paddle):
+        player = int(k != PADDLES)
+        sticky = any([power.kind == PowerUp.STICKY and power.player == player for power in scene.powers])
+        return _renamed(paddle_contents(len(layers), flashes), ContentKind.PADDLE, _PADDLE_KINDS[player][sticky])
     contents = wall_contents(layers, flashes)
     if scene.entry is not None:
         contents = _entering(scene, k, contents, scene.entry)

@@ -18,6 +18,7 @@ let worker = null, latest = null, waiting = false, sentAt = 0, background = "#00
 function say(words) {
   element("loading").textContent = words;
   element("loading").hidden = false;
+  element("progress").hidden = true;
 }
 
 function fail(words) {
@@ -146,13 +147,19 @@ function turn(now) {
 function heard({ data }) {
   if (data.kind === "ready") {
     element("loading").hidden = true;
+    element("progress").hidden = true;
     openFragment();
     requestAnimationFrame(turn);
+  } else if (data.kind === "progress") {
+    element("progress").value = data.share;
   } else if (data.kind === "frame") {
     waiting = false;
     heed(data.reply);
     latest = { reply: data.reply, size: turn.size };
-    if (!window.polarBreakout.firstFrame) window.polarBreakout.firstFrame = performance.now();
+    if (!window.polarBreakout.firstFrame) {
+      window.polarBreakout.firstFrame = performance.now();
+      navigator.serviceWorker?.register("offline.js").catch(() => undefined); // only now: it loads everything once more
+    }
     window.polarBreakout.frames += 1;
   } else if (data.kind === "answer") {
     questions.get(data.number)(data.answer);
@@ -181,7 +188,6 @@ function start() {
     event.preventDefault();
     for (const file of event.dataTransfer.files) give(file);
   });
-  navigator.serviceWorker?.register("offline.js").catch(() => undefined);
 }
 
 window.polarBreakout = { ask, give, input, frames: 0, firstFrame: 0 };

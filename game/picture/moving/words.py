@@ -2,13 +2,11 @@
 
 import math
 
-import pygame
-
-from game.drawing.canvas import Canvas
+from game.drawing.letter_sizes import stepped
 from game.drawing.palette import mixed
-from game.drawing.raster.primitives import draw_box
-from game.drawing.text import stepped
 from game.effects import Pop
+from game.picture.display_list import DisplayList
+from game.picture.view import ArenaView
 from game.scene import Scene
 
 _RISE = 0.9
@@ -20,44 +18,37 @@ _SMALLEST, _LARGEST, _BAD_NEWS = 0.9, 1.7, 1.3
 _SEAM = 0.07
 """Width of the seam around words, in units; at least a pixel."""
 _MARGIN = complex(2.0, 1.0)
-"""Units from the surface's edges, across and down, that words stay away from."""
+"""Units from the picture's edges, across and down, that words stay away from."""
 _PLATE_MARGIN, _PLATE_EDGE = (0.7, 0.25), 0.07
 """From words to the ends of their plate, across and down, and the width of its edge, in units."""
 _FADING_AGE = 0.5
 """Words fade in the rest of their life from this age on."""
 
 
-def draw(canvas: Canvas, scene: Scene) -> None:
-    """All words, each with a seam in the ground's colour, none beyond the surface's edge."""
+def add_words(out: DisplayList, scene: Scene, view: ArenaView) -> None:
+    """Add all words, each with a seam in the ground's colour, none beyond the picture's edge."""
     for pop in scene.pops:
-        _draw_pop(canvas, pop)
+        _add_pop(out, pop, view)
 
 
-def _draw_pop(canvas: Canvas, pop: Pop) -> None:
-    """The words of one event."""
-    theme, size, pixel = canvas.theme, _size(pop), _pixel(canvas, pop)
+def _add_pop(out: DisplayList, pop: Pop, view: ArenaView) -> None:
+    """Add the words of one event."""
+    theme, unit, size, pixel = view.theme, view.unit, _size(pop) * view.unit, _pixel(pop, view)
     own = theme.danger if pop.bad else mixed(theme.text, theme.accent, pop.weight)
     fading = mixed(own, theme.ground, max(0.0, (pop.age - _FADING_AGE) / (1.0 - _FADING_AGE)))
-    if pop.plate and pop.age < _FADING_AGE:
-        words = canvas.type.rendered(pop.text, size * canvas.unit, own)
-        _draw_plate(canvas, words.get_rect(center=(round(pixel.real), round(pixel.imag))))
-    seam = max(1.0, _SEAM * canvas.unit)
+    if pop.plate and pop.age < _FADING_AGE:  # so that nothing strikes them through
+        margin = (_PLATE_MARGIN[0] * unit, _PLATE_MARGIN[1] * unit)
+        out.plate(pop.text, size, pixel, theme.ground, margin, (_PLATE_EDGE * unit, theme.ground_line))
+    seam = max(1.0, _SEAM * unit)
     for offset in (-1.0, 1.0, -1j, 1j):
-        canvas.write(pop.text, size, theme.ground, pixel + offset * seam, "center")
-    canvas.write(pop.text, size, fading, pixel, "center")
+        out.text(pop.text, size, pixel + offset * seam, theme.ground)
+    out.text(pop.text, size, pixel, fading)
 
 
-def _draw_plate(canvas: Canvas, words: pygame.Rect) -> None:
-    """A plate behind words, so that nothing strikes them through."""
-    across, down = (round(2.0 * share * canvas.unit) for share in _PLATE_MARGIN)
-    plate, theme = words.inflate(across, down), canvas.theme
-    draw_box(canvas.surface, plate, plate.height / 2.0, theme.ground, theme.ground_line, _PLATE_EDGE * canvas.unit)
-
-
-def _pixel(canvas: Canvas, pop: Pop) -> complex:
+def _pixel(pop: Pop, view: ArenaView) -> complex:
     """Where the words' middle is by now."""
-    risen = canvas.camera.project(pop.position) - 1j * _RISE * pop.age * canvas.camera.scale
-    (width, height), margin = canvas.size, _MARGIN * canvas.unit
+    risen = view.camera.project(pop.position) - 1j * _RISE * pop.age * view.camera.scale
+    (width, height), margin = view.size, _MARGIN * view.unit
     x = min(max(risen.real, margin.real), width - margin.real)
     return complex(x, min(max(risen.imag, margin.imag), height - margin.imag))
 
