@@ -17,8 +17,8 @@ from game import VERSION
 from game.system.errors import BadInputError, EnvironmentMissingError
 from game.system.files import write_whole
 from game.system.wording import quoted_path
-from game.web.bundle import archive
-from game.web.packages import MSGSPEC, RUNTIME, Package, fetched, runtime_files
+from game.web.bundle import archive, grading_archive
+from game.web.packages import EDITOR, EDITOR_FILES, MSGSPEC, RUNTIME, RUNTIME_FILES, Package, fetched, packed_files
 from game.web.samples import rendered
 
 _COMPRESSED = ("pyodide.asm.wasm", "pyodide.asm.mjs", "pyodide-lock.json")
@@ -35,16 +35,23 @@ def built_site(cache: Path) -> dict[str, bytes]:
     if not _PAGE.is_dir():
         raise EnvironmentMissingError("the page is not part of this application; install the package polar-breakout instead")
     site = {entry.name: entry.read_bytes() for entry in _PAGE.iterdir() if entry.is_file()}
-    for name, data in runtime_files(fetched(RUNTIME, cache)).items():
+    for name, data in packed_files(fetched(RUNTIME, cache), RUNTIME_FILES).items():
         if name in _COMPRESSED:
             site[f"runtime/{name}.packed"] = gzip.compress(data, 9, mtime=0)
         else:
             site[f"runtime/{name}"] = data
     wheel = fetched(MSGSPEC, cache)
     site["runtime/msgspec.whl"] = wheel.read_bytes()
+    editor = packed_files(fetched(EDITOR, cache), EDITOR_FILES)
+    site |= {f"editor/{Path(name).name}": data for name, data in editor.items() if name != "LICENSE"}
     samples, index = rendered()
-    site |= {"game.zip": archive(), "sounds.bin": samples, "sounds.json": msgspec.json.encode(index)}
-    site["notices.txt"] = _notices(wheel).encode()
+    site |= {
+        "game.zip": archive(),
+        "grading.zip": grading_archive(),
+        "sounds.bin": samples,
+        "sounds.json": msgspec.json.encode(index),
+    }
+    site["notices.txt"] = _notices(wheel, editor["LICENSE"].decode()).encode()
     version = _version(site)
     site["offline.js"] = site["offline.js"].replace(_STAMP, version.encode())
     site["offline.json"] = json.dumps({"version": version, "files": ["./", *sorted(site)]}, indent=1).encode()
@@ -70,7 +77,7 @@ def _version(site: dict[str, bytes]) -> str:
     return digest.hexdigest()[:16]
 
 
-def _notices(wheel: Path) -> str:
+def _notices(wheel: Path, editor_licence: str) -> str:
     """The licences of what is served beside the project's own files."""
     with zipfile.ZipFile(wheel) as packed:
         name = next(name for name in packed.namelist() if name.endswith("licenses/LICENSE"))
@@ -81,6 +88,7 @@ def _notices(wheel: Path) -> str:
         _about(RUNTIME, "runtime/pyodide*") + "\nIts licence: https://www.mozilla.org/MPL/2.0/",
         _PYTHON,
         _about(MSGSPEC, "runtime/msgspec.whl") + f"\n\n{msgspec_licence}",
+        _about(EDITOR, "editor/") + f"\n\n{editor_licence}",
         python.read_text(encoding="utf-8") if python.is_file() else "",
     ]
     return "\n\n".join(parts).rstrip() + "\n"

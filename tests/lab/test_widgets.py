@@ -9,7 +9,7 @@ from game.lab.kit.parameters import written
 from game.lab.kit.picture import Toggle
 from game.lab.registry import scenes
 from game.lab.session import session
-from game.lab.window.commands import Command
+from game.lab.session.commands import Command
 from game.lab.window.layout import layout_of
 from game.lab.window.widgets import Side
 from tests.support.dummy_window import FRAME, Desk, shared

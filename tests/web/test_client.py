@@ -1,8 +1,10 @@
 """The page's Python, its lists of primitives, its files: without a browser."""
 
+import io
 import json
 import os
 import sys
+import zipfile
 from pathlib import Path
 
 import pygame
@@ -16,9 +18,10 @@ from game.picture.display_list import DisplayList, Primitive
 from game.picture.ground import around_colour, ground_colour
 from game.system.errors import EnvironmentMissingError
 from game.web import packages
-from game.web.bundle import archive
+from game.web.bundle import archive, grading_archive
 from game.web.client.keys import BUTTONS, BY_CODE, BY_KEY
 from game.web.client.page import Page
+from tools.grade.page import PageGrader
 
 PAD_BUTTONS = ("A", "B", "X", "Y", "LEFTSHOULDER", "RIGHTSHOULDER", "", "", "BACK", "START", "", "")
 PAD_BUTTONS += ("DPAD_UP", "DPAD_DOWN", "DPAD_LEFT", "DPAD_RIGHT")
@@ -136,6 +139,28 @@ def test_the_archive_is_the_same_twice_and_holds_what_is_needed():
         [name in listed for name in ("game/web/client/page.py", "game/lab/scenes/runs/nudge.py", "game/levels/classic/1-")]
     )
     assert not any([name in listed for name in ("game/app.py", "game/drawing/painter.py", "physics/batch")])
+
+
+def test_the_worker_that_grades_needs_modules_of_the_tools_alone():
+    """The packages of the game are found in the game's archive, which is unpacked first: none is in both."""
+    names = zipfile.ZipFile(io.BytesIO(grading_archive())).namelist()
+    assert "tools/grade/page.py" in names
+    assert all([name.startswith("tools/") for name in names])
+
+
+def test_a_function_that_is_given_up_is_not_asked_again():
+    """A worker that had to be ended: the request comes again without the function, and the text does not run in the page."""
+    page = Page(b'{"rate": 1, "sounds": []}', "", calm=True)
+    frame(page, {"type": "link", "fragment": "functions"}, {"type": "code", "text": "def on_left(a, b):\n    return a > b\n"})
+    first = frame(page, {"type": "choose", "id": "grade"})["grading"]
+    second = frame(page, {"type": "graded", "number": first["number"], "function": "on_left", "call": 7})["grading"]
+    assert second["given_up"] == {"on_left": 7}
+    reply = PageGrader().grade(json.dumps(second), lambda *_call: None)
+    menu = frame(page, {"type": "graded", "number": second["number"], "reply": reply})["menu"]
+    words = " ".join([*menu["lines"], *[item["label"] for item in menu["items"]]])
+    assert "no answer to on_left(a=" in words
+    assert "not used in the lab and in the game" in words
+    assert next(item for item in menu["items"] if item["id"] == "fly")["disabled"]
 
 
 def test_without_npm_one_line_says_what_is_needed(monkeypatch, tmp_path):

@@ -18,9 +18,6 @@ _LINES, _MORE_LINES = 8.2, 9.3
 """Lines of formula and notes; their number in a narrow window."""
 _LINE = 1.25
 """Height of a line of text, in units."""
-TEXT_SCALES = (1.5, 2.0, 2.75, 3.0)
-"""Sizes of the text in a lecture room, in that of the window's; the third is that of 24 points on a slide."""
-DEFAULT_SCALE = TEXT_SCALES.index(2.75)
 _MOST_PEN = 1.6
 """Lines and points grow with the text up to this."""
 _PRESENTED_HEAD, _PRESENTED_WORDS = 1.6, 3.8

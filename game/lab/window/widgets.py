@@ -13,8 +13,9 @@ from game.input.key_names import code_names
 from game.lab.kit.parameters import Count, Parameter, Point, plain, snapped, written
 from game.lab.kit.picture import Toggle
 from game.lab.registry import scenes
+from game.lab.session.commands import Command
 from game.lab.session.session import PACES, Session
-from game.lab.window.commands import KEYS, TOGGLE_KEYS, Command
+from game.lab.window.commands import KEYS, TOGGLE_KEYS
 from game.lab.window.layout import WindowLayout
 from game.lab.window.widget_theme import widget_theme
 

@@ -6,6 +6,12 @@ const KEPT = "/kept";
 const PACKED = ["pyodide.asm.wasm", "pyodide.asm.mjs", "pyodide-lock.json"];
 const TYPES = { wasm: "application/wasm", mjs: "text/javascript", json: "application/json" };
 const plain = self.fetch.bind(self);
+const GRADES = `
+import sys
+sys.path[:0] = ["/program/game.zip", "/program/grading.zip"]
+from tools.grade.page import PageGrader
+PageGrader()
+`;
 let page = null, python = null, stored = false;
 
 /** Large files of the runtime are served compressed, whatever the host does; they are unpacked here. */
@@ -25,7 +31,7 @@ async function bytes(address) {
   return new Uint8Array(await answer.arrayBuffer());
 }
 
-async function start({ base, calm, languages }) {
+async function start({ base, calm, languages, grades }) {
   const program = URL.createObjectURL(new Blob([await bytes(`${base}runtime/pyodide.asm.mjs`)], { type: "text/javascript" }));
   const createPyodideModule = (await import(program)).default;
   URL.revokeObjectURL(program);
@@ -33,6 +39,11 @@ async function start({ base, calm, languages }) {
   python.unpackArchive(msgspec, "wheel");
   python.FS.mkdirTree("/program");
   python.FS.writeFile("/program/game.zip", own);
+  if (grades) {
+    python.FS.writeFile("/program/grading.zip", await bytes(`${base}grading.zip`));
+    page = python.runPython(GRADES);
+    return;
+  }
   stored = await opened();
   python.globals.set("index", python.toPy(sounds));
   python.globals.set("languages", languages);
@@ -91,6 +102,7 @@ function frame(request) {
 }
 
 const ASKED = {
+  grade: (request) => page.grade(request, (name, call) => self.postMessage({ kind: "asking", name, call })),
   probe: () => page.probe(),
   verify: (data) => {
     const given = python.toPy(data);
