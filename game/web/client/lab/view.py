@@ -14,7 +14,7 @@ from game.picture.display_list import DisplayList
 
 _BODY, _SMALLEST = 0.8, 13.0
 """Size of text in the game's; CSS pixels that it has at least."""
-_LINE, _LETTER, _EDGE = 1.3, 0.57, 0.7
+_LINE, _LETTER, _EDGE = 1.3, 0.52, 0.7
 """Height of a line and width of a letter, in shares of its size; from the words to the edges, in units."""
 _LEAST_LETTERS = 40
 """Letters that a line of a lecture room has at least: on a phone the text is smaller for them."""
