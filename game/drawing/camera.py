@@ -117,6 +117,19 @@ class Layout(NamedTuple):
     ground_radius: float
     beside: bool
 
+    def right_edge(self, y: float) -> float:
+        """Where the flat arena ends to the right at a height of the surface, pixels; its middle where it is not."""
+        return self.camera.centre.real + self._half_chord(y)
+
+    def left_edge(self, y: float) -> float:
+        """Where it ends to the left."""
+        return self.camera.centre.real - self._half_chord(y)
+
+    def _half_chord(self, y: float) -> float:
+        """Half the arena's width at a height of the surface, pixels."""
+        radius, away = self.ground_radius * self.camera.scale, y - self.camera.centre.imag
+        return math.sqrt(max(radius**2 - away**2, 0.0))
+
 
 def layout(size: tuple[int, int], ground_radius: float, below: float = 0.0) -> Layout:
     """The arena as large as the surface allows, with room for the head-up display.

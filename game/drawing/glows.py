@@ -4,8 +4,7 @@ On dark grounds light is added. On light ones, where nothing can be added, its c
 """
 
 import math
-from collections import OrderedDict
-from typing import NamedTuple
+from functools import lru_cache
 
 import numpy as np
 import pygame
@@ -17,14 +16,10 @@ from game.scene import Scene
 
 _STEPS = 10
 """Strengths that a light has pictures for."""
-_SIZE_STEPS = 6
-"""Sizes between one and its double that a light has pictures for."""
-_MOST_PIXELS = 16_000_000
-"""Of all pictures cached: 64 MB."""
 _BRIGHTNESS, _TINT = 0.45, 0.5
 """Share of its colour that a full light adds on dark grounds, and takes of the others on light ones."""
 _SMALL = 96
-"""Side of the picture that a light is drawn in, pixels."""
+"""Side of the picture that a light is drawn in and scaled up from, pixels."""
 _SHARPNESS = 3.2
 """How fast a light falls off."""
 _BALL_REACH, _BALL_STRENGTH, _BALL_HEAT = 4.2, 0.22, 0.28
@@ -33,26 +28,12 @@ _LEAST = 0.04
 """Lights weaker than this are not drawn."""
 
 
-class _GlowKey(NamedTuple):
-    """What a light's picture depends on.
-
-    wide, high: half axes of the ellipse, pixels. step: of its strength, of which there are _STEPS. dark: whether the ground is.
-    """
-
-    wide: int
-    high: int
-    step: int
-    colour: Colour
-    dark: bool
-
-
 class GlowPictures:
-    """Draws lights; caches their pictures."""
+    """Draws lights; reuses the memory that they are scaled up in, for new memory costs more than the scaling."""
 
     def __init__(self) -> None:
-        """Start with nothing cached."""
-        self._pictures: OrderedDict[_GlowKey, pygame.Surface] = OrderedDict()
-        self._pixels = 0
+        """Start with no memory."""
+        self._scaled = pygame.Surface((1, 1), 0, 32)
 
     def draw(self, canvas: Canvas, scene: Scene) -> None:
         """The lights of a scene and those of its balls."""
@@ -71,40 +52,31 @@ class GlowPictures:
         if strength < _LEAST or canvas.theme.glow == 0.0:
             return
         camera = canvas.camera
-        wide = _stepped(reach * camera.scale_at(position))
-        high = _stepped(wide * math.cos(camera.tilt))
+        wide = max(round(reach * camera.scale_at(position)), 1)
+        high = max(round(wide * math.cos(camera.tilt)), 1)
         dark = luminance(canvas.theme.ground) < 0.5
-        picture = self._picture(_GlowKey(wide, high, step, colour, dark))
+        picture = self._room(2 * wide, 2 * high)
+        pygame.transform.smoothscale(_small_picture(step, colour, dark=dark), picture.size, picture)
         pixel = camera.project(position)
         flag = pygame.BLEND_RGB_ADD if dark else pygame.BLEND_RGB_MULT
         canvas.surface.blit(picture, (round(pixel.real) - wide, round(pixel.imag) - high), special_flags=flag)
 
-    def _picture(self, key: _GlowKey) -> pygame.Surface:
-        """The picture of a light; those that were not needed for the longest time make room."""
-        if key in self._pictures:
-            self._pictures.move_to_end(key)
-            return self._pictures[key]
-        picture = self._pictures[key] = _picture(key)
-        self._pixels += picture.width * picture.height
-        while self._pixels > _MOST_PIXELS and len(self._pictures) > 1:
-            _, gone = self._pictures.popitem(last=False)
-            self._pixels -= gone.width * gone.height
-        return picture
+    def _room(self, width: int, height: int) -> pygame.Surface:
+        """A part of the memory, so many pixels wide and high."""
+        whole = self._scaled
+        if whole.width < width or whole.height < height:
+            whole = self._scaled = pygame.Surface((max(whole.width, width), max(whole.height, height)), 0, 32)
+        return whole.subsurface((0, 0, width, height))
 
 
-def _stepped(pixels: float) -> int:
-    """A size rounded so that lights of nearly the same size share a picture."""
-    step = round(math.log2(max(pixels, 1.0)) * _SIZE_STEPS)
-    return max(round(math.exp2(step / _SIZE_STEPS)), 1)
-
-
-def _picture(key: _GlowKey) -> pygame.Surface:
-    """An ellipse of light: drawn small, as nothing of it is sharp, and scaled up."""
+@lru_cache(maxsize=256)
+def _small_picture(step: int, colour: Colour, *, dark: bool) -> pygame.Surface:
+    """A round light, small, as nothing of it is sharp. step: of its strength, up to _STEPS; dark: whether the ground is."""
     across = ((np.arange(_SMALL) + 0.5) * (2.0 / _SMALL) - 1.0).astype(np.float32)
     away = across[:, None] ** 2 + across[None, :] ** 2
-    light = np.exp(-_SHARPNESS * away) * np.clip(1.0 - away, 0.0, 1.0) * np.float32(key.step / _STEPS)
-    own = np.array(key.colour, dtype=np.float32)
-    rgb = own * _BRIGHTNESS * light[..., None] if key.dark else 255.0 - (255.0 - own) * _TINT * light[..., None]
+    light = np.exp(-_SHARPNESS * away) * np.clip(1.0 - away, 0.0, 1.0) * np.float32(step / _STEPS)
+    own = np.array(colour, dtype=np.float32)
+    rgb = own * _BRIGHTNESS * light[..., None] if dark else 255.0 - (255.0 - own) * _TINT * light[..., None]
     small = pygame.Surface((_SMALL, _SMALL), 0, 32)
     pygame.surfarray.pixels3d(small)[:] = np.rint(rgb).astype(np.uint8)
-    return pygame.transform.smoothscale(small, (2 * key.wide, 2 * key.high))
+    return small

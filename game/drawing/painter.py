@@ -19,6 +19,9 @@ from game.drawing.slots.contents import slot_contents
 from game.drawing.solid.picture import SolidPicture
 from game.scene import Scene
 
+_SHAKEN = 1.25
+"""From the centre to the left and right ends of what is shaken, in ground radii: the rim's glow is gone there."""
+
 
 class Painter:
     """Draws scenes; caches pictures of what did not change since the last one."""
@@ -70,11 +73,16 @@ def _draw_on_ground(canvas: Canvas, scene: Scene) -> None:
 
 
 def _shake(surface: pygame.Surface, scene: Scene, camera: Camera) -> None:
-    """Move the whole picture by whole pixels: nothing is drawn anew. What a mouse position means is not shifted.
+    """Move the arena and what is near it by whole pixels: nothing is drawn anew. What a mouse position means is not shifted.
 
     The offset is conjugated, since y points up in the world and down on the screen.
     """
     offset = scene.shaken.conjugate() * scene.ground_radius * camera.scale
     across, down = round(offset.real), round(offset.imag)
     if across or down:
+        reach = _SHAKEN * scene.ground_radius
+        left, right = (camera.project(side * reach / camera.turning).real for side in (-1.0, 1.0))
+        before = surface.get_clip()
+        surface.set_clip(before.clip((round(left), 0, round(right - left), surface.height)))
         surface.scroll(across, down)
+        surface.set_clip(before)

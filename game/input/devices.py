@@ -7,7 +7,7 @@ import pygame
 from game.input.events import translated
 from game.input.fingers import Fingers
 from game.input.pads import Pads
-from game.input.signals import Signal
+from game.input.signals import PAD_POSITIONS, Signal
 
 _OTHERS = (pygame.KEYDOWN, pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.FINGERDOWN)
 """Events that say that the player holds no gamepad."""
@@ -34,12 +34,17 @@ class Devices:
 
 
 def as_key(event: pygame.Event) -> pygame.Event | None:
-    """The key that does what a gamepad's button does on a screen that hears events: arrows, Enter, Escape; None for others."""
+    """The key that does what a gamepad's button does on a screen that hears events: arrows, Enter, Escape; None for others.
+
+    Its position is the button's, so that it is not looked for among the keys that are down.
+    """
     if event.type not in (pygame.CONTROLLERBUTTONDOWN, pygame.CONTROLLERBUTTONUP) or event.button not in _AS_KEYS:
         return None
     kind = pygame.KEYDOWN if event.type == pygame.CONTROLLERBUTTONDOWN else pygame.KEYUP
     code = _AS_KEYS[event.button]
-    return pygame.Event(kind, key=code, mod=0, scancode=0, unicode="\r" if code == pygame.K_RETURN else "")
+    return pygame.Event(
+        kind, key=code, mod=0, scancode=PAD_POSITIONS + event.button, unicode="\r" if code == pygame.K_RETURN else ""
+    )
 
 
 _AS_KEYS = {

@@ -82,6 +82,12 @@ def button_name(button: int) -> str:
     return tr(_BUTTONS[button]) if button in _BUTTONS else tr("Button {number}").format(number=button)
 
 
+def button_names(*actions: Action) -> str:
+    """The gamepad's usual buttons for some actions, in one cell of a help."""
+    buttons = [KEYS.binding(action).buttons[:1] for action in actions]
+    return "   ".join([button_name(button) for own in buttons for button in own]) or NO_KEY
+
+
 def code_names(codes: Iterable[int]) -> tuple[str, ...]:
     """The names of the keys that mean some codes, as this layout writes them, the keypad's left out."""
     return _without_keypad([_name_of(code) for code in codes])

@@ -20,8 +20,10 @@ _CLOSENESS = 0.34
 """The ground's radius over the eye's distance, all tipped."""
 _TALLEST = (0.25, 0.3)
 """A high stack to leave room for: its distance behind the centre and its height, as fractions of the ground's radius."""
+_SIDE = 2.8
+"""Room to the left and to the right of the arena, units of text: for the buttons, where they stand beside it."""
 _WIDEST = 0.94
-"""Fraction of the surface's width that the arena may fill."""
+"""Fraction of the surface's width that the arena may fill where they stand above it."""
 _ORBIT = math.radians(9.0)
 """Turned by a drag of one unit of text."""
 _ZOOM_STEP = 1.12
@@ -94,7 +96,8 @@ def _fitted(flat: Layout, tilt: float, closeness: float) -> tuple[float, float]:
     behind, height = _TALLEST
     stacks = radius * (behind * cosine + height * sine) / (1.0 + near * (behind * sine - height * cosine))
     above = max(rim, stacks)
-    scale = min(2.0 * flat.camera.scale * radius / (below + above), _WIDEST * flat.size[0] / (2.0 * across))
+    wide = flat.size[0] - 2.0 * _SIDE * flat.unit if flat.beside else _WIDEST * flat.size[0]
+    scale = min(2.0 * flat.camera.scale * radius / (below + above), wide / (2.0 * across))
     return max(scale, 1e-3), (above - below) / 2.0
 
 

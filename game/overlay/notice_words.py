@@ -3,6 +3,7 @@
 from typing import NamedTuple
 
 from game.language import ntr, tr
+from game.overlay.readings import player_name
 from game.rules import LIVES, Game, Phase
 
 
@@ -32,6 +33,8 @@ def notice(game: Game, serve: str) -> Notice | None:
 
 def _serve_title(game: Game) -> str:
     """The level's name before its first serve, else what is left."""
+    if game.sides and game.statistics.level.balls_lost:
+        return tr("{player} serves").format(player=player_name(game.server))
     if game.tick == game.phase_tick or (game.statistics.level.balls_lost == 0 and game.ruleset.arcade) or game.lives == LIVES:
         return tr(game.level.name)
     if game.lives == 1:

@@ -50,12 +50,13 @@ class ArenaPicture:
             scene.ground_radius,
             resting,
             tuple([(scene.layers[k], scene.rings[k].phase) for k in resting]),
+            scene.tints,
         )
         if key != self._key:
             self._key, self._backdrop = key, DisplayList()
             self._backdrop.polygon(_EVERYWHERE, theme.background)
             add_ground(self._backdrop, view.camera, theme, scene.ground_radius)
-            contents = resting_contents(scene.layers)
+            contents = resting_contents(scene.layers, scene.tints)
             for k in resting:
                 self._add_ring(self._backdrop, scene, view.camera, theme, k, _standing(scene, k, contents))
         return self._backdrop
@@ -111,7 +112,7 @@ def _resting(scene: Scene, camera: Camera) -> tuple[int, ...]:
     """The rings that the backdrop shows: in the flat view those that do not turn, once the wall stands."""
     if not camera.flat or scene.entry is not None:
         return ()
-    return tuple([k for k, ring in enumerate(scene.rings) if k != PADDLES and not ring.spin])
+    return tuple([k for k, ring in enumerate(scene.rings) if k not in (PADDLES, scene.second_paddle) and not ring.spin])
 
 
 def _standing(scene: Scene, k: int, contents: Contents) -> tuple[SlotContent, ...]:

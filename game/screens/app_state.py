@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from enum import IntEnum
 from pathlib import Path
 
 import pygame
@@ -16,6 +15,7 @@ from game.drawing.palette import Theme
 from game.drawing.text import Type
 from game.input.devices import Devices
 from game.input.keys import KEYS
+from game.input.players import Players
 from game.input.rebinding import bindings, checked
 from game.input.view import FLAT, Viewpoint
 from game.kept.store import Kept
@@ -41,14 +41,6 @@ _TOLD_SECONDS = 6.0
 """How long is told what is wrong with the kept files."""
 _PIXELS = Camera(0j, 1.0)
 """For what is no picture of the world."""
-
-
-class Players(IntEnum):
-    """How many play on this machine, and how."""
-
-    ONE = 0
-    TOGETHER = 1
-    VERSUS = 2
 
 
 @dataclass(slots=True)

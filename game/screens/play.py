@@ -11,9 +11,10 @@ from game.effects import EffectKind, Effects
 from game.effects.hit_stop import hit_stop_seconds
 from game.effects.slow_motion import pace
 from game.fixed_step import Due, due
-from game.input.hands import Hands
+from game.input.hands import Hands, controls_of_two
 from game.input.key_names import key_name
 from game.input.keys import Action
+from game.input.players import Players
 from game.input.signals import Clicked, FocusLost, KeyboardState, Moved, Pressed, Released, Signal, pad_of
 from game.language import tr
 from game.levels import Level, number_of
@@ -25,8 +26,8 @@ from game.overlay.readings import readings
 from game.overlay.toast import Toast
 from game.rules import TICK, Controls, EventKind, Phase, new_game, tick
 from game.scene import scene_at, still
-from game.screens import ghost, play_buttons, versus
-from game.screens.app_state import AppState, Players
+from game.screens import ghost, play_buttons
+from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.menus.help import Help
 from game.screens.menus.settings_panel import SettingsPanel
@@ -42,6 +43,8 @@ _OFFER_TICKS = round(20.0 / TICK)
 """Without a paddle's touch, until the player may give up the ball."""
 _END_TICKS = 200
 """From the end of the game to the results: nobody who is still playing chooses an entry by accident."""
+_WON_TICKS = 500
+"""From the end of a game that is won to the results: its fireworks are seen first."""
 _CLEARED_TICKS = 150
 """From the last brick of a level to its results: it is seen breaking first."""
 _NEWS_SECONDS = 5.0
@@ -136,7 +139,7 @@ class PlayScreen:
         racing = None if self._record.ghost is None or not state.settings.ghost else self._record.ghost.game
         if racing is not None:
             ghost.draw(canvas, racing)
-            ghost.draw_lead(state.words(canvas), self._ticked.game, racing)
+            ghost.draw_lead(state.words(canvas), self._ticked.game, racing, seen)
         if state.shows_normals:
             contact_normals.draw(canvas, self._normals)
         badge = aids.badge(state.settings) if self._pilot is None else tr("autopilot")
@@ -144,11 +147,10 @@ class PlayScreen:
         words = state.words(canvas)
         hud.draw(words, shown, seen)
         play_buttons.draw(canvas, seen, self._hovered)
-        versus.draw(words, self._ticked.game)
         told = self._notice()
         if told is not None:
             notice.draw(words, told, scene)
-        captions.draw(words, self._captions)
+        captions.draw(words, self._captions, seen)
         if state.physics.note:
             _draw_note(canvas, tr(state.physics.note))
 
@@ -162,7 +164,7 @@ class PlayScreen:
         if 0.0 < self._ready < _READY_SECONDS:
             return ready()
         game = self._ticked.game
-        if game.phase in (Phase.OVER, Phase.WON):
+        if game.phase in (Phase.OVER, Phase.WON) or (game.phase == Phase.CLEARED and self._told == game.number):
             return None
         told = words_now(game, key_name(Action.SERVE))
         if told is None and self._may_give_up:
@@ -197,7 +199,7 @@ class PlayScreen:
     def _results(self) -> Screen | None:
         """The panel after a level or the game, once it has been seen for a moment."""
         game = self._ticked.game
-        if game.phase in (Phase.OVER, Phase.WON) and game.phase_tick >= _END_TICKS:
+        if game.phase in (Phase.OVER, Phase.WON) and game.phase_tick >= (_WON_TICKS if game.phase == Phase.WON else _END_TICKS):
             return game_results(self._state, self, game, self._record)
         if (
             game.phase == Phase.CLEARED
@@ -232,12 +234,10 @@ class PlayScreen:
         """What the player asks for in the next tick."""
         if self._state.settings.one_button:
             return self._hands.one_button_controls(self._ticked.game)
-        controls = self._hands.controls(camera, self._ticked.game)
-        if self._state.players != Players.ONE:
-            second = self._second.controls(camera, self._ticked.game)
-            controls = controls._replace(second_turn=second.turn, second_pointer=second.pointer)
-            controls = controls._replace(serve=controls.serve or self._second.serve)
-        return controls
+        game = self._ticked.game
+        if self._state.players == Players.ONE:
+            return self._hands.controls(camera, game)
+        return controls_of_two(self._hands, self._second, camera, game)
 
     def _paused(self, panel: Screen) -> Screen:
         """A panel over the game; keys that were held when it opened are let go."""

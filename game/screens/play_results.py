@@ -8,7 +8,8 @@ import msgspec
 
 from game.kept.progress import RANKS, Best
 from game.kept.scores import LONGEST_NAME, Score
-from game.language import tr
+from game.language import ntr, tr
+from game.overlay.readings import player_name
 from game.rules import Game, Phase
 from game.screens.app_state import AppState
 from game.screens.base import Screen
@@ -17,7 +18,7 @@ from game.screens.menus.results import Figure, Results
 from game.screens.play_record import PlayRecord
 from game.screens.toolkit.menu import Entry
 from game.screens.toolkit.text_entry import TextEntry
-from game.screens.versus import player_name, verdict
+from game.screens.versus import verdict
 
 
 class Played(Screen, Protocol):
@@ -80,6 +81,9 @@ def game_results(state: AppState, play: Played, game: Game, record: PlayRecord) 
     )
     title = verdict(game) if game.sides else tr("You won") if won else tr("Game over")
     line = tr("Every level is cleared.") if won else tr("The last ball is gone in {level}.").format(level=tr(game.level.name))
+    if game.sides and not won:
+        loser = player_name([side.lives for side in game.sides].index(0))
+        line = tr("{player} has lost the last ball in {level}.").format(player=loser, level=tr(game.level.name))
     if play.endless is not None:
         line = tr("{line} Number of these levels: {seed}").format(line=line, seed=play.endless)
     entries = _after_game(state, play, game)
@@ -99,7 +103,13 @@ def _scores(game: Game) -> tuple[Figure, ...]:
     """The score, or those of two who play against each other."""
     if not game.sides:
         return (Figure(tr("Score"), game.score),)
-    return tuple([Figure(player_name(index), side.score) for index, side in enumerate(game.sides)])
+    return tuple([Figure(player_name(index), side.score, _with_lives(side.lives)) for index, side in enumerate(game.sides)])
+
+
+def _with_lives(lives: int) -> Callable[[int], str]:
+    """What says a player's points, with the lives that are left."""
+    left = ntr("{count} life", "{count} lives", lives).format(count=lives)
+    return lambda points: f"{points:,}  ({left})"
 
 
 def _after_game(state: AppState, play: Played, game: Game) -> tuple[Entry, ...]:

@@ -55,7 +55,7 @@ def test_the_arithmetic_of_floats_has_the_same_results(published):
         assert not exact.defined or agrees(kind, found.expected, exact.expected, exact.tolerance), exact
 
 
-@pytest.mark.parametrize("seed", [0, 1, 2])
+@pytest.mark.parametrize("seed", [0, 1])
 def test_the_results_are_the_slides(vectors_of, seed):
     """A transcription that shares no code with the vectors answers the same, and divides by zero where they are undefined."""
     for vector in vectors_of(seed):

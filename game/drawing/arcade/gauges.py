@@ -12,6 +12,7 @@ from game.drawing.palette import Colour, mixed
 from game.drawing.raster.arrays import Points
 from game.drawing.raster.pixels import pairs
 from game.drawing.raster.primitives import HALF_PIXEL, draw_dot
+from game.rules.power_up import OF_PADDLES
 from game.scene import Scene
 
 _RADIUS, _WIDTH = 1.042, 0.011
@@ -20,6 +21,9 @@ _CHIP, _LEAST_CHIP = 0.030, 0.5
 """Radius of an icon: in ground radii, and at least so many units of text."""
 _ICONS = tuple([math.radians(degrees) for degrees in (150.0, 182.0, 214.0, 302.0, 334.0, 6.0, 118.0)])
 """Angles of the icons on the screen, counter-clockwise from the right: none where a tipped arena fills the surface."""
+_OF_PLAYERS = tuple([tuple([math.radians(angle) for angle in half]) for half in ((214.0, 302.0, 334.0), (150.0, 118.0, 88.0))])
+_OF_BOTH = math.radians(182.0), math.radians(6.0)
+"""The same where two play against each other: what acts on one of them is beside the own half."""
 _SPAN = math.radians(23.0)
 """Angle of a full arc, counter-clockwise from its icon."""
 _CHIP_ROOM = math.radians(4.5)
@@ -37,7 +41,7 @@ def draw(canvas: Canvas, scene: Scene, icons: PowerIcons) -> None:
     """An icon and an arc for every power-up that lasts: the arc is as long as the time that is left. The heart has a target."""
     camera, theme, ground = canvas.camera, canvas.theme, scene.ground_radius
     radius = max(_CHIP * ground * camera.scale, _LEAST_CHIP * canvas.unit)
-    for angle, power in zip(_ICONS, scene.powers, strict=False):
+    for angle, power in zip(_icon_angles(scene), scene.powers, strict=False):
         colour = power_colour(power.kind, theme)
         begin, left = angle + _CHIP_ROOM, power.share_left
         _draw_arc(canvas, ground, begin, begin + _SPAN, mixed(theme.rim, theme.background, _EMPTY))
@@ -53,6 +57,14 @@ def draw(canvas: Canvas, scene: Scene, icons: PowerIcons) -> None:
         pixel = _within(pixel, radius, canvas.size)
         for share, colour in ((1.0, theme.danger), (0.72, theme.background), (0.42, theme.danger)):
             draw_dot(canvas.surface, pixel, radius * share, colour)
+
+
+def _icon_angles(scene: Scene) -> tuple[float, ...]:
+    """Angles of the icons of the power-ups, in their order."""
+    if scene.second_paddle is None:
+        return _ICONS
+    free = [iter(_OF_PLAYERS[0]), iter(_OF_PLAYERS[1]), iter(_OF_BOTH)]
+    return tuple([next(free[power.player if power.kind in OF_PADDLES else 2]) for power in scene.powers])
 
 
 def _within(pixel: complex, radius: float, size: tuple[int, int]) -> complex:

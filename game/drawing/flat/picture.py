@@ -50,13 +50,13 @@ class FlatPicture:
         """Cover a 32-bit surface. contents: of all slots, per ring."""
         self._draw_resting(canvas, scene, contents)
         for k, ring in enumerate(scene.rings):
-            if k != PADDLES and ring.spin:
+            if k == scene.second_paddle or (k != PADDLES and ring.spin):
                 self._ring(canvas, scene, k).draw(canvas.surface, ring.phase, contents[k])
         self._draw_paddles(canvas, scene, contents[PADDLES])
 
     def _draw_resting(self, canvas: Canvas, scene: Scene, contents: Contents) -> None:
         """The ground and the rings at rest, from memory as far as they are the same."""
-        resting = [k for k, ring in enumerate(scene.rings) if k != PADDLES and not ring.spin]
+        resting = [k for k, ring in enumerate(scene.rings) if k not in (PADDLES, scene.second_paddle) and not ring.spin]
         now = tuple([contents[k] for k in resting])
         rings = tuple([(k, scene.rings[k]) for k in resting])
         ground = Ground(scene.ground_radius, scene.rings[PADDLES].radius, scene.ground)

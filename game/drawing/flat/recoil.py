@@ -10,15 +10,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from game.drawing.canvas import Canvas
-from game.drawing.flat.ring import RingPicture
+from game.drawing.flat.ring import RingPicture, pieces_of
 from game.drawing.raster.annulus import Floats, annulus_pixels
 from game.drawing.raster.pixels import pixels_of
 from game.drawing.slots.contents import ContentKind, SlotContent
 from game.effects import Recoil
 from physics import Ring
 
-_FARTHEST = 0.05
-"""Share of the paddles' radius; beyond it a recoil is cut off."""
+_OUTWARDS, _INWARDS = 0.035, 0.01
+"""Shares of the paddles' radius; beyond them a recoil is cut off."""
 _SHADOW_ASIDE = 24.0
 """Pixels beside a paddle that its shadow may reach."""
 _ANGLE_STEPS = np.float32(65535.0 / math.tau)
@@ -55,26 +55,32 @@ class RecoilPicture:
         """One paddle on a 32-bit surface. content: of the slot that is struck; picture: of the paddles' ring."""
         scale, pixels = canvas.camera.scale, self._pixels_near(canvas, ring)
         middle, margin = ring.angle(recoil.slot), _SHADOW_ASIDE / max(scale * ring.radius, 1.0)
-        memory, out = pixels_of(canvas.surface), np.float32(min(recoil.out, _FARTHEST * ring.radius) * scale)
+        memory, out = pixels_of(canvas.surface), np.float32(_out(recoil, ring) * scale)
         for turn in (-math.tau, 0.0, math.tau):  # the paddle may lie across angle 0
             reach = ring.half_angle + margin
-            run = slice(*np.searchsorted(pixels.angle, (middle + turn - reach, middle + turn + reach)).tolist())
-            angle = pixels.angle[run] - np.float32(middle + turn)
-            colours = picture.colours_at(canvas.surface, content, pixels.radius[run] - out, angle)
-            there = np.flatnonzero(colours)
-            memory[pixels.pixel[run][there]] = colours[there]
+            begin, end = np.searchsorted(pixels.angle, (middle + turn - reach, middle + turn + reach)).tolist()
+            for some in pieces_of(begin, end):
+                angle = pixels.angle[some] - np.float32(middle + turn)
+                colours = picture.colours_at(canvas.surface, content, pixels.radius[some] - out, angle)
+                there = np.flatnonzero(colours)
+                memory[pixels.pixel[some][there]] = colours[there]
 
     def _pixels_near(self, canvas: Canvas, ring: Ring) -> _PaddlePixels:
         """The pixels around the paddles' track."""
         surface, camera = canvas.surface, canvas.camera
         key = (canvas.size, surface.get_pitch(), camera, ring.radius, ring.half_width)
         if self._pixels is None or self._pixels.key != key:
-            outer = (ring.outer_radius + _FARTHEST * ring.radius) * camera.scale + 1.0
-            inner = max((ring.inner_radius - _FARTHEST * ring.radius) * camera.scale - 1.0, 0.0)
+            outer = (ring.outer_radius + _OUTWARDS * ring.radius) * camera.scale + 1.0
+            inner = max((ring.inner_radius - _INWARDS * ring.radius) * camera.scale - 1.0, 0.0)
             found = annulus_pixels(canvas.size, surface.get_pitch() // 4, camera.centre, inner, outer)
             order = np.argsort((found.angle * _ANGLE_STEPS).astype(np.uint16), kind="stable")  # 16 bits are sorted in no time
             self._pixels = _PaddlePixels(key, found.pixel[order], found.radius[order], found.angle[order])
         return self._pixels
+
+
+def _out(recoil: Recoil, ring: Ring) -> float:
+    """World units that a paddle is out of its slot, outwards or inwards, as far as that is drawn."""
+    return min(max(recoil.out, -_INWARDS * ring.radius), _OUTWARDS * ring.radius)
 
 
 def without_recoiling(contents: tuple[SlotContent, ...], recoils: tuple[Recoil, ...]) -> tuple[SlotContent, ...]:

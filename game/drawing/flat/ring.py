@@ -82,6 +82,11 @@ def least_lane(scale: float) -> float:
     return (2.0 * _BORDER + 1.0) / scale
 
 
+def pieces_of(begin: int, end: int) -> list[slice]:
+    """A run of pixels in pieces that are drawn at once."""
+    return [slice(first, min(first + _AT_ONCE, end)) for first in range(begin, end, _AT_ONCE)]
+
+
 class RingPicture:
     """One ring, ready to be drawn.
 
@@ -175,7 +180,7 @@ class RingPicture:
             there = wanted[slot.astype(np.int64) % len(wanted)] & (off < reach)
             steps = np.flatnonzero(np.diff(there[:-1] | there[1:], prepend=False, append=False))
             ends = [(int(self._wedge_ends[a]), int(self._wedge_ends[b])) for a, b in zip(steps[::2], steps[1::2], strict=True)]
-        return [slice(first, min(first + _AT_ONCE, end)) for start, end in ends for first in range(start, end, _AT_ONCE)]
+        return [piece for start, end in ends for piece in pieces_of(start, end)]
 
     def _arrange(self, surface: pygame.Surface, contents: tuple[SlotContent, ...]) -> None:
         """Note where in the atlas each column around the ring begins, from slot 0 on; twice around, which saves a modulo."""

@@ -16,7 +16,7 @@ class Command(Enum):
     PRESENT = "Present"
     LARGER = "Larger text"
     SMALLER = "Smaller text"
-    MORE = "More values"
+    CONTROLS = "Controls"
     SAVE_LEVEL = "Save level"
     SAVE_PNG = "PNG"
     SAVE_SVG = "SVG"

@@ -1,4 +1,4 @@
-"""How the lab's window is divided: head, world, words, and the side with the widgets; in a lecture room without it."""
+"""How the lab's window is divided: head, world, words, and the side with the controls; in a lecture room without it."""
 
 from typing import NamedTuple
 
@@ -13,7 +13,7 @@ _LEAST = 14.5
 _SMALLEST = (640, 480)
 """Pixels: of a smaller window, the rest is cut off."""
 _HEAD, _TALL_HEAD, _NARROW = 5.8, 6.6, 40.0
-"""Height of the title and the idea; their height where the width beside the widgets is below the third number. In units."""
+"""Height of the title and the idea; their height where the width beside the controls is below the third number. In units."""
 _LINES, _MORE_LINES = 8.2, 9.3
 """Lines of formula and notes; their number in a narrow window."""
 _LINE = 1.25
@@ -50,7 +50,7 @@ class WindowLayout(NamedTuple):
 
 
 def layout_of(size: tuple[int, int], scale: float | None = None) -> WindowLayout:
-    """The division of a surface of that size, pixels. scale: of a lecture room's text; None for the window with widgets."""
+    """The division of a surface of that size, pixels. scale: of a lecture room's text; None for the window with controls."""
     width, height = max(size[0], _SMALLEST[0]), max(size[1], _SMALLEST[1])
     unit = max(unit_of((width, height)) * _BODY, _LEAST)
     if scale is not None:

@@ -2,8 +2,9 @@
 
 import msgspec
 
+from game.input.players import Players
 from game.language import tr
-from game.screens.app_state import AppState, Players
+from game.screens.app_state import AppState
 from game.screens.difficulty_names import DIFFICULTIES, difficulty_name, ruleset_of
 from game.screens.toolkit.items import ChoiceItem
 

@@ -33,8 +33,7 @@ class HighScores(Panel):
         """The table of one difficulty."""
         table = self.state.kept.scores.value.table(_TABLES[self._tab])
         heads = ("#", "", tr("Name"), tr("Score"), "", tr("Until"), tr("Date"))
-        head = Cells(self._cells(heads), faint=True)
-        rows: list[tuple[Item, ...]] = [(head,)]
+        rows: list[tuple[Item, ...]] = [(Cells(self._cells(heads), faint=True),)] if table else []
         rows += [(self._line(number, score),) for number, score in enumerate(table, 1)]
         if not table:
             rows.append((TextItem(tr("Nobody yet: the first game that ends with points stands here."), 1.1, faint=True),))

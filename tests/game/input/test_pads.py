@@ -9,11 +9,11 @@ import pygame
 import pytest
 
 from game.input.hands import Hands
+from game.input.players import Players
 from game.lab.registry import scenes
 from game.lab.session import session
 from game.lab.window.screen import Lab
 from game.rules import Phase, paddle_ring
-from game.screens.app_state import Players
 from game.screens.play import PlayScreen
 from game.screens.title import Title
 from game.screens.toolkit.menu import Menu
@@ -158,11 +158,12 @@ def test_a_second_gamepad_is_the_second_players(desk, pad):
 
 
 def test_a_gamepad_leaves_the_lab(desk, pad):
-    """Where a screen hears events themselves, B is Esc, and the directional pad is the arrow keys."""
+    """Where a screen hears events themselves, B is Esc, and the directional pad is the arrow keys: they go to the controls."""
     under = desk.screen
     desk.screen = Lab(desk.shared, session.fresh(scenes()[0], None), under)
     desk.wait(FRAME)
     tap(desk, pad, pygame.CONTROLLER_BUTTON_DPAD_DOWN)
+    tap(desk, pad, pygame.CONTROLLER_BUTTON_B)
     assert isinstance(desk.screen, Lab)
     tap(desk, pad, pygame.CONTROLLER_BUTTON_B)
     assert desk.screen is under

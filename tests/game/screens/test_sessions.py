@@ -33,7 +33,6 @@ from game.screens.play_record import record_name
 from game.screens.title import Title
 from game.screens.toolkit.menu import Menu
 from game.screens.toolkit.text_entry import TextEntry
-from game.screens.versus import verdict
 from game.screens.watch import Watch
 from physics import direction
 from tests.support.dummy_window import FRAME, Desk, shared
@@ -314,7 +313,13 @@ def test_two_players_against_each_other_have_a_paddle_each(desk):
     assert game.arena.rings[paddle_rings(game)[1]].angle(0) != upper
     lose(desk, lambda: desk.press(pygame.K_SPACE))
     desk.press(pygame.K_RETURN)
-    assert desk.screen._title == verdict(desk.screen._under._ticked.game)
+    sides = desk.screen._under._ticked.game.sides
+    loser, verdicts = int(sides[1].lives == 0), ("Player 2 wins", "Player 1 wins")
+    assert desk.screen._title == verdicts[loser]
+    assert desk.screen._line.startswith(f"Player {loser + 1} has lost the last ball")
+    assert [figure.said(figure.amount) for figure in desk.screen._figures[:2]] == [
+        f"{side.score:,}  ({side.lives} {'life' if side.lives == 1 else 'lives'})" for side in sides
+    ]
     assert "Enter your name" not in [entry.label for entry in desk.screen._entries]
 
 
