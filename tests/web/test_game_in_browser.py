@@ -218,7 +218,7 @@ def test_the_wall_looks_as_on_the_desktop(page, tmp_path, key, view, part):
 
 
 def test_the_ground_has_the_desktops_pattern(page, tmp_path):
-    """Level 10's dots, between the wall and the paddles: the steps from pixel to pixel follow pygame's; without a pattern they do not."""
+    """Level 10's dots, between the wall and the paddles: the steps from pixel to pixel follow pygame's."""
     page.go("level/10")
     page.tab.wait_for_timeout(3000)
     page.frames(2)
