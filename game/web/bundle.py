@@ -1,8 +1,6 @@
-"""The project's own Python for the browser, as one archive: what plays and draws there, without what only a desktop can run."""
+"""The project's own Python for the browser: what plays and draws there, without what only a desktop can run."""
 
 import ast
-import io
-import zipfile
 from collections.abc import Iterator
 from importlib.resources import files
 from importlib.resources.abc import Traversable
@@ -11,8 +9,6 @@ import polib
 
 from game.language import CODES, ENGLISH
 
-_EPOCH = (1980, 1, 1, 0, 0, 0)
-"""The date of every file in the archive: the same sources give the same bytes."""
 _STARTS = ("game.web.client.page", "game.lab.scenes", "game.languages")
 """What the browser imports, and what that imports only once it is wanted."""
 _PACKAGES = ("game", "physics")
@@ -20,31 +16,16 @@ _GRADING = ("tools.grade.page",)
 """What the worker that grades imports besides."""
 
 
-def archive() -> bytes:
-    """A ZIP archive of every module that the browser's start needs, and of the levels. The same sources give the same bytes."""
-    return _packed(_contents())
-
-
-def grading_archive() -> bytes:
-    """A ZIP archive of what the worker that grades needs beside the other one."""
-    present = _modules(_STARTS, _PACKAGES)
-    needed = _modules(_GRADING, (*_PACKAGES, "tools"))
-    return _packed({name: data for name, data in needed.items() if name not in present})
-
-
-def _packed(contents: dict[str, bytes]) -> bytes:
-    """Files as a ZIP archive."""
-    held = io.BytesIO()
-    with zipfile.ZipFile(held, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as packed:
-        for name, data in sorted(contents.items()):
-            packed.writestr(zipfile.ZipInfo(name, _EPOCH), data, zipfile.ZIP_DEFLATED, 9)
-    return held.getvalue()
-
-
-def _contents() -> dict[str, bytes]:
-    """The files of the archive by name."""
+def browser_sources() -> dict[str, bytes]:
+    """Every module that the browser's start needs, the levels and the translations, by the names of their files."""
     levels = {name: data for name, data in _tree("game") if name.startswith("game/levels/") and name.endswith(".toml")}
     return _modules(_STARTS, _PACKAGES) | levels | _translations()
+
+
+def grading_sources() -> dict[str, bytes]:
+    """Every module that the worker that grades needs besides."""
+    present, wanted = _modules(_STARTS, _PACKAGES), _modules(_GRADING, (*_PACKAGES, "tools"))
+    return {name: data for name, data in wanted.items() if name not in present}
 
 
 def _modules(starts: tuple[str, ...], packages: tuple[str, ...]) -> dict[str, bytes]:

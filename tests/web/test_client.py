@@ -1,10 +1,8 @@
 """The page's Python, its lists of primitives, its files: without a browser."""
 
-import io
 import json
 import os
 import sys
-import zipfile
 from pathlib import Path
 
 import pygame
@@ -18,7 +16,6 @@ from game.picture.display_list import DisplayList, Primitive
 from game.picture.ground import around_colour, ground_colour
 from game.system.errors import EnvironmentMissingError
 from game.web import packages
-from game.web.bundle import archive, grading_archive
 from game.web.client.keys import BUTTONS, BY_CODE, BY_KEY
 from game.web.client.page import Page
 from tools.grade.page import PageGrader
@@ -128,24 +125,6 @@ def test_the_backdrop_is_sent_only_when_it_changes():
     assert not frame(page, seconds=0.01).get("backdrop")
     resized = json.loads(page.frame('{"seconds": 0.0, "width": 900, "height": 800}'))
     assert resized["backdrop"]
-
-
-def test_the_archive_is_the_same_twice_and_holds_what_is_needed():
-    """All that the page imports, and nothing that needs pygame."""
-    first = archive()
-    assert first == archive()
-    listed = first.decode("latin-1")
-    assert all(
-        [name in listed for name in ("game/web/client/page.py", "game/lab/scenes/runs/nudge.py", "game/levels/classic/1-")]
-    )
-    assert not any([name in listed for name in ("game/app.py", "game/drawing/painter.py", "physics/batch")])
-
-
-def test_the_worker_that_grades_needs_modules_of_the_tools_alone():
-    """The packages of the game are found in the game's archive, which is unpacked first: none is in both."""
-    names = zipfile.ZipFile(io.BytesIO(grading_archive())).namelist()
-    assert "tools/grade/page.py" in names
-    assert all([name.startswith("tools/") for name in names])
 
 
 def test_a_function_that_is_given_up_is_not_asked_again():

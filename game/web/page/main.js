@@ -172,7 +172,10 @@ function heard({ data }) {
     waiting = false;
     heed(data.reply);
     latest = { reply: data.reply, size: turn.size };
-    if (!window.polarBreakout.firstFrame) window.polarBreakout.firstFrame = performance.now();
+    if (!window.polarBreakout.firstFrame) {
+      window.polarBreakout.firstFrame = performance.now();
+      navigator.serviceWorker?.register("offline.js").catch(() => undefined); // only now: it loads everything once more
+    }
     window.polarBreakout.frames += 1;
   } else if (data.kind === "answer") {
     questions.get(data.number)(data.answer);
@@ -202,7 +205,6 @@ function start() {
     event.preventDefault();
     for (const file of event.dataTransfer.files) give(file);
   });
-  navigator.serviceWorker?.register("offline.js").catch(() => undefined);
 }
 
 window.polarBreakout = { ask, give, input, frames: 0, firstFrame: 0 };
