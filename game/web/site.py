@@ -19,6 +19,7 @@ from game.system.wording import quoted_path
 from game.web.archives import compressed, page_archive, zip_archive, zip_contents
 from game.web.bundle import browser_sources, grading_sources
 from game.web.compiled import compiled
+from game.web.music import rendered_music
 from game.web.packages import EDITOR, EDITOR_FILES, MSGSPEC, RUNTIME, RUNTIME_FILES, Package, fetched, packed_files
 from game.web.samples import rendered
 from game.web.standard_library import needed
@@ -53,6 +54,7 @@ def built_site(cache: Path) -> dict[str, bytes]:
     site |= {f"editor/{Path(name).name}": data for name, data in editor.items() if name != "LICENSE"}
     samples, index = rendered()
     site |= {"sounds.packed": compressed(samples), "sounds.json": msgspec.json.encode(index)}
+    site["music.packed"] = compressed(rendered_music())
     site["notices.txt"] = _notices(wheel, editor["LICENSE"].decode()).encode()
     version = _version(site)
     for name in _STAMPED:

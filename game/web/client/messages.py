@@ -143,6 +143,7 @@ class FrameReply(msgspec.Struct, omit_defaults=True):
     said: a sentence for a screen reader. described: what the picture shows. fragment: of the page's address.
     keep: whether what is stored has changed. download: a file for the player. told: a line to show for a moment.
     language: code of the texts'. code: a text for the editor, in place of what it holds. grading: a text to be graded.
+    music: gains of its layers, when they have changed.
     """
 
     backdrop: bool = False
@@ -163,3 +164,4 @@ class FrameReply(msgspec.Struct, omit_defaults=True):
     language: str = ""
     code: str | None = None
     grading: GradingRequest | None = None
+    music: tuple[float, ...] | None = None

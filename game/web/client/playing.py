@@ -25,6 +25,7 @@ from game.picture.display_list import DisplayList
 from game.picture.figures import add_figures, add_notice
 from game.rules import TICK, EventKind, Game, Phase, new_game, tick
 from game.scene import scene_at, still
+from game.sound.music.mood import mood_of
 from game.student.own_physics import OwnPhysics
 from game.web.client.menus import MenuScreen, Opened, Screens, help_menu, settings_menu
 from game.web.client.messages import PageItem, PageMenu
@@ -155,6 +156,7 @@ class GameOnPage:
         self._speed = min(self._speed, state.settings.speed)
         self._due = due(self._due.rest, (seconds - stopped) * slowed * state.settings.speed / 100.0)
         seen = self._layout(size)
+        state.music.follow(mood_of(self.game))
         for _ in range(self._due.ticks):
             self._tick(seen)
             if EffectKind.HIT_STOP in state.settings.shown and (stop := hit_stop_seconds(self._ticked)):

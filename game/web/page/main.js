@@ -106,6 +106,7 @@ function heed(reply) {
   if (reply.grading) grader.grade(reply.grading);
   document.body.classList.toggle("playing", element("menu").hidden || element("menu").classList.contains("side"));
   if (reply.sounds) speaker.play(reply.sounds);
+  if (reply.music) speaker.follow(reply.music);
   if (reply.said) element("said").textContent = reply.said;
   if (reply.described && canvas.getAttribute("aria-label") !== reply.described) canvas.setAttribute("aria-label", reply.described);
   if (reply.fragment !== undefined && reply.fragment !== null) replaceFragment(reply.fragment);
@@ -207,5 +208,5 @@ function start() {
   });
 }
 
-window.polarBreakout = { ask, give, input, frames: 0, firstFrame: 0 };
+window.polarBreakout = { ask, give, input, speaker, frames: 0, firstFrame: 0 };
 start();
