@@ -37,6 +37,19 @@ def test_functions_are_graded_shown_and_flown(page, axe):
     page.wait(lambda: page.standing()["tick"] > before + 60)
 
 
+def test_functions_that_hang_in_the_lab_alone_open_the_page_again(page):
+    """They answered all that the grading asked, and loop in C later: the page says so in one line, and goes on without them."""
+    text = WRONG.replace("    n = p / abs(p)\n", "    if r_p == 7.77:\n        sum(itertools.count())\n    n = p / abs(p)\n", 1)
+    page.go("functions")
+    graded(page, f"import itertools\n{text}")
+    page.tab.evaluate("polarBreakout.firstFrame = 0")
+    page.tab.evaluate("location.hash = '#lab/case-1?radius=7.77'")
+    page.wait(lambda: page.tab.evaluate("window.polarBreakout?.firstFrame > 0"), page.told)
+    assert page.told().startswith("Your own functions gave no answer")
+    page.go("lab/case-1?radius=7.77")
+    assert page.standing()["panes"] == [""]
+
+
 def test_what_is_typed_is_graded_by_the_keyboard_alone(page):
     """Ctrl+Enter grades what stands in the editor; Escape leaves it for the controls."""
     page.go("functions")

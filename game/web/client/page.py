@@ -45,6 +45,8 @@ from game.web.client.watching import ReplayOnPage, verdict
 
 _REPLAY, _LEVEL, _FUNCTIONS = ".polar", ".toml", ".py"
 _MOST_DIGITS = 5
+_LIMIT = 8.0
+"""Seconds for a frame in which the player's own functions may be asked: a loop in Python ends long before by itself."""
 _FIRST_SCENE = "case-1"
 """Beside the editor: the scene of the simplest function with a picture."""
 
@@ -211,6 +213,7 @@ class Page:
             download=state.download,
             told=" ".join(state.told),
             music=self._music if self._music != before.music else None,
+            limit=0.0 if state.functions.running is None else _LIMIT,
             code=state.functions.fresh,
             grading=state.functions.request,
             language=current() if current() != before.language else "",
