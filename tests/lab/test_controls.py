@@ -4,6 +4,8 @@ import pygame
 import pytest
 
 from game.drawing.text import Type
+from game.input.actions import Action
+from game.input.signals import Released
 from game.lab.kit.picture import Toggle
 from game.lab.registry import scenes
 from game.lab.session import session
@@ -197,26 +199,55 @@ def test_a_held_arrow_moves_a_slider_on(desk):
 @pytest.mark.usefixtures("unseen")
 def test_a_gamepad_uses_the_controls(desk):
     """The pad's cross moves the focus and steps, again and again while it is held; A accepts, B gives the keys back."""
-    down, up, right = (getattr(pygame, f"CONTROLLER_BUTTON_DPAD_{name}") for name in ("DOWN", "UP", "RIGHT"))
-    for button in (down, down, down):
-        desk.pad(button)
-    desk.pad(right, pygame.CONTROLLERBUTTONDOWN)
+    desk.pad(Action.DOWN, Action.DOWN, Action.DOWN)
+    desk.pad(Action.RIGHT, held=True)
     for _ in range(20):
         desk.wait_once(0.1)
     moved = desk.values.point("ball")
     assert moved.real > 9.45
-    desk.pad(right, pygame.CONTROLLERBUTTONUP)
+    desk.screen.answer(Released(Action.RIGHT, desk.side._held[0].position), SIZE)
     desk.wait_once(1.0)
     assert desk.values.point("ball") == moved
-    for button in (up, up, up):
-        desk.pad(button)
+    desk.pad(Action.SERVE)
+    assert desk.side._typing is None, "nothing can be typed with it"
+    desk.pad(Action.UP, Action.UP, Action.UP)
     assert spot_at(desk.side._laid(SIZE), desk.side._focus).item.label == "Colours"
     theme = desk.shared.theme
-    desk.pad(pygame.CONTROLLER_BUTTON_A)
+    desk.pad(Action.SERVE)
     assert desk.shared.theme is not theme
-    desk.pad(pygame.CONTROLLER_BUTTON_B)
+    desk.pad(Action.TIP)
+    assert spot_at(desk.side._laid(SIZE), desk.side._focus).item.label == "Help"
+    desk.pad(Action.BACK)
     assert isinstance(desk.screen, Lab)
     assert desk.side._focus is None
+
+
+@pytest.mark.usefixtures("unseen")
+def test_a_gamepad_gives_commands(desk, run):
+    """Left and right step, held they repeat; A runs and pauses, shoulders turn to another scene, View helps, B leaves."""
+    desk.screen._session = session.toggled(run)
+    desk.pad(Action.RIGHT, Action.RIGHT, Action.LEFT)
+    assert desk.session.tick == 1
+    desk.pad(Action.RIGHT, held=True)
+    for _ in range(20):
+        desk.wait_once(0.1)
+    assert desk.session.tick > 10
+    desk.pad(Action.SERVE)
+    assert desk.session.playing
+    desk.pad(Action.STEP)
+    first = desk.session.scene.name
+    desk.pad(Action.STEP, Action.STEP_BACK)
+    assert desk.session.scene.name == first
+    desk.pad(Action.HELP)
+    assert desk.screen._help
+    desk.pad(Action.BACK)
+    assert not desk.screen._help
+    desk.screen.present()
+    scale = desk.screen._scale
+    desk.pad(Action.UP)
+    assert desk.screen._scale == scale + 1
+    desk.pad(Action.BACK)
+    assert desk.screen is None
 
 
 def test_buttons_do_what_their_keys_do_and_say_which(desk):

@@ -2,10 +2,9 @@
 
 import pygame
 
-from game.input.devices import as_key
 from game.input.keys import code_among, position_in
 from game.input.repeat import Repeat
-from game.input.signals import KeyboardState, Signal
+from game.input.signals import Pressed, Signal, is_still_down, pad_of
 from game.lab.course.progress import course_progress, progress_path
 from game.lab.export.files import step_name
 from game.lab.export.slide import SLIDE_SIZE, SlideStyle
@@ -18,7 +17,7 @@ from game.lab.session import session as sessions
 from game.lab.session.session import Session
 from game.lab.session.share import SharedScene, parsed, preset, share_line
 from game.lab.window import saving
-from game.lab.window.commands import BOUND, TOGGLE_KEYS, Command, command_of
+from game.lab.window.commands import BOUND, PAD_COMMANDS, TOGGLE_KEYS, Command, command_of
 from game.lab.window.controls import Controlled, PresetChosen, Refused, Request, SceneChosen, ValueRequested
 from game.lab.window.dragging import Drag, PaneView, drag_at
 from game.lab.window.help import draw_help
@@ -100,28 +99,29 @@ class Lab:
         return found if self._lesson is None else self._lesson.lowered(found, self._shared.type)
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
-        """Let go of a repeating key that is up; everything else is heard as an event of the window."""
-        if isinstance(signal, KeyboardState):
-            if self._repeat is not None and self._repeat[0].position not in signal.down:
-                self._repeat = None
+        """React to a gamepad, and let go of what is up again; keyboard and mouse are heard as events of the window."""
+        if self._repeat is not None and not is_still_down(self._repeat[0].position, signal):
+            self._repeat = None
+        if pad_of(signal) is None:
             return self._controls(size).answer(signal, size)
-        return self
+        if self._help:
+            self._help = not isinstance(signal, Pressed)
+            return self
+        taken, following = (False, self) if self.presents else self._controls(size).hear_pad(signal, size)
+        if taken or not isinstance(signal, Pressed) or signal.action not in PAD_COMMANDS:
+            return following
+        return self._asked(PAD_COMMANDS[signal.action], signal.position)
 
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> Screen | None:
         """React to an event of the window."""
         self._pixels_per_point = pixels_per_point
-        event = as_key(event) or event
-        if event.type == pygame.WINDOWFOCUSLOST:
-            self._repeat = None
         if self._help:
             self._help = event.type not in (pygame.KEYDOWN, pygame.MOUSEBUTTONDOWN)
             return self
         if event.type == pygame.KEYDOWN:
             return self._key(event, size)
-        following: Screen | None = self
-        taken = False
-        if not self.presents and self._drag is None:
-            taken, following = self._controls(size).hear(event, size, pixels_per_point)
+        elsewhere = self.presents or self._drag is not None
+        taken, following = (False, self) if elsewhere else self._controls(size).hear(event, size, pixels_per_point)
         if not taken:
             self._mouse(event, size)
         return following
@@ -202,13 +202,17 @@ class Lab:
             if taken:
                 return following
         key = code_among(event, BOUND)
-        toggle, command = TOGGLE_KEYS.get(key), command_of(key)
-        request = toggle or command
+        toggle = TOGGLE_KEYS.get(key)
+        request = toggle or command_of(key)
         if request is None or event.mod & _MODIFIERS:
             return self
         if toggle is not None and self._lesson is not None and self._lesson.answer(list(Toggle).index(toggle)):
             return self
-        self._repeat = None if command is None or command not in _REPEATED else (Repeat(position_in(event)), command)
+        return self._asked(request, position_in(event))
+
+    def _asked(self, request: Command | Toggle, position: int) -> Screen | None:
+        """Do what a key or a button asks for that went down; as long as it is, again and again where that is wanted."""
+        self._repeat = (Repeat(position), request) if isinstance(request, Command) and request in _REPEATED else None
         return self._do(request)
 
     def _mouse(self, event: pygame.Event, size: tuple[int, int]) -> None:

@@ -10,7 +10,7 @@ import pygame
 
 from game.input.events import translated
 from game.input.keys import Action, position_in
-from game.input.signals import Clicked, FocusLost, Moved, Pressed, Zoomed
+from game.input.signals import Clicked, Moved, Pressed, Released, Signal, Zoomed
 from game.lab.kit.parameters import defaults
 from game.lab.session.share import SharedScene, share_line
 from game.lab.window.controls import (
@@ -113,6 +113,31 @@ class Side(Form):
             return False, self._screen
         return True, self._screen
 
+    def hear_pad(self, signal: Signal, size: tuple[int, int]) -> tuple[bool, Screen | None]:
+        """Whether what a gamepad did is for the controls, and the screen to go on with. Nothing can be typed with it."""
+        spot = spot_at(self._laid(size), self._focus)
+        match signal:
+            case Pressed(Action.TIP):
+                self._typing = None
+                self._tab(1, size)
+            case Pressed(Action.UP | Action.DOWN) if not self._has_keys:
+                self._tab(1, size)
+            case Pressed() if not self._has_keys:
+                return False, self._screen
+            case Pressed(Action.BACK):
+                self.release()
+            case Pressed(Action.LEFT | Action.RIGHT | Action.UP | Action.DOWN):
+                self._stride, self._typing = 1, None
+                return True, self.answer(signal, size)
+            case Pressed(Action.SERVE | Action.CONFIRM):
+                is_number = spot is not None and isinstance(spot.item, FieldSlider)
+                return True, self._screen if is_number else self.answer(signal, size)
+            case Released():
+                return True, self.answer(signal, size)
+            case _:
+                return False, self._screen
+        return True, self._screen
+
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> tuple[bool, Screen | None]:
         """Whether another event is for the controls, and the screen to go on with."""
         if event.type == pygame.TEXTINPUT and self._typing is not None:
@@ -120,8 +145,6 @@ class Side(Form):
             return True, self._screen
         if event.type == pygame.MOUSEBUTTONUP:
             self._is_pressed = False
-        if event.type == pygame.KEYUP and self._held is not None and self._held[0].position == position_in(event):
-            self._held = None
         signal = translated(event, pixels_per_point)
         match signal:
             case Moved(pixel, held):
@@ -136,8 +159,6 @@ class Side(Form):
                     self.release()
             case Zoomed():
                 taken = self._is_inside(self._pointer)
-            case FocusLost():
-                taken, self._held = False, None
             case _:
                 taken = False
         return taken, self.answer(signal, size) if taken and signal is not None else self._screen
