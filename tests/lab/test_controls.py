@@ -13,12 +13,12 @@ from game.lab.session.share import parsed
 from game.lab.window.controls import Controlled
 from game.lab.window.layout import layout_of
 from game.lab.window.screen import SHOWN, Lab
-from game.lab.window.side import Side
+from game.lab.window.side import LabSide
 from game.lab.window.words import small_print_height
-from game.screens.toolkit.caption import Caption
 from game.screens.toolkit.drop_down import OptionList
 from game.screens.toolkit.form import spot_at
 from game.screens.toolkit.items import ButtonItem, Switch
+from game.screens.toolkit.label import LabelItem
 from tests.support.dummy_window import FRAME, shared
 from tests.support.lab_desk import SIZE, LabDesk
 
@@ -318,7 +318,7 @@ def test_the_controls_fit_their_side(size, text):
     app.settings = app.settings._replace(text_size=round(100 * text))
     smallest = 0.95 if text == 1.0 else 0.57
     shown = [Controlled(session.fresh(scene, None), SHOWN, frozenset()) for scene in scenes()]
-    side = Side(app, None, None, layout, shown[0])
+    side = LabSide(app, None, None, layout, shown[0])
     assert side.unit(size) == pytest.approx(0.87 * text * layout.unit)
     for seen in shown:
         side.show(layout, seen)
@@ -336,9 +336,9 @@ def test_the_controls_fit_their_side(size, text):
 def said(item, height):
     """What an item says, in letters of which size, and how much of its width is taken otherwise, in units."""
     match item:
-        case Caption() if height > 1.5:
+        case LabelItem() if height > 1.5:
             return max(item.text, item.note, key=len), 1.1, 0.0
-        case Caption():
+        case LabelItem():
             return item.text + item.note, 1.1 * (0.95 if item.note else 1.0), 0.7 if item.note else 0.0
         case ButtonItem():
             return item.label, 1.15, 0.6

@@ -18,14 +18,14 @@ from game.lab.session.session import Session
 from game.lab.session.share import SharedScene, parsed, preset, share_line
 from game.lab.window import saving
 from game.lab.window.commands import BOUND, PAD_COMMANDS, TOGGLE_KEYS, Command, command_of
-from game.lab.window.controls import Controlled, PresetChosen, Refused, Request, SceneChosen, ValueRequested
+from game.lab.window.controls import Controlled, NumberRefused, PresetChosen, Request, SceneChosen, ValueRequested
 from game.lab.window.dragging import Drag, PaneView, drag_at
 from game.lab.window.help import draw_help
 from game.lab.window.layout import DEFAULT_SCALE, TEXT_SCALES, WindowLayout, layout_of
 from game.lab.window.lesson import Lesson
 from game.lab.window.pan_zoom import PanZoom
 from game.lab.window.presented import paint_presented, presented_words
-from game.lab.window.side import Side
+from game.lab.window.side import LabSide
 from game.lab.window.stepping import SESSION_CHANGES, STEPS, Following, stepped_by
 from game.lab.window.view import draw_all_handles, draw_halo, draw_panes, letters_for, pane_views
 from game.lab.window.words import TextSheet, draw_head, draw_notice, draw_small_print, draw_words
@@ -66,7 +66,7 @@ class Lab:
         self._scale: int | None = None  # of TEXT_SCALES, while presenting
         self._pan_zoom = PanZoom.whole(session.scene, session.given)
         self._drawn: tuple[Session, Picture] | None = None
-        self._side: Side | None = None
+        self._side: LabSide | None = None
         self._drag: Drag | None = None
         self._repeat: tuple[Repeat, Command] | None = None
         self._pointer = -1 - 1j  # pixels
@@ -261,7 +261,7 @@ class Lab:
                 self._shown = self._shown ^ {request}
             case ValueRequested(name, value):
                 self._session = sessions.changed(self._session, clamped(scene.parameters, given, {name: value}))
-            case Refused(note):
+            case NumberRefused(note):
                 self._session = self._session._replace(notes=(note,))
             case SceneChosen(name):
                 self._open(name)
@@ -374,12 +374,12 @@ class Lab:
         """What is shown of the picture."""
         return reveals.shown_picture(self._reveal, self._picture())
 
-    def _controls(self, size: tuple[int, int]) -> Side:
+    def _controls(self, size: tuple[int, int]) -> LabSide:
         """The controls of the scene as it stands."""
         seen = Controlled(self._session, self._shown, self._picture().toggles)
         layout = layout_of(size, text=self._shared.text_scale)
         if self._side is None:
-            self._side = Side(self._shared, self, self._do, layout, seen)
+            self._side = LabSide(self._shared, self, self._do, layout, seen)
         self._side.show(layout, seen)
         return self._side
 

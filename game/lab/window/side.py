@@ -16,9 +16,9 @@ from game.lab.session.share import SharedScene, share_line
 from game.lab.window.controls import (
     Component,
     Controlled,
+    NumberRefused,
     PresetChosen,
     Reactions,
-    Refused,
     Request,
     SceneChosen,
     Typing,
@@ -51,7 +51,7 @@ _ARROWS = {pygame.K_LEFT: Action.LEFT, pygame.K_RIGHT: Action.RIGHT, pygame.K_UP
 _ENTER = (pygame.K_RETURN, pygame.K_KP_ENTER)
 
 
-class Side(Form):
+class LabSide(Form):
     """The controls of the scene that is shown."""
 
     def __init__(
@@ -265,7 +265,7 @@ class Side(Form):
         try:
             number = float(text)
         except ValueError:
-            return self._ask(Refused(f"{typing.component.parameter.label}: {text!r} is not a number"))
+            return self._ask(NumberRefused(f"{typing.component.parameter.label}: {text!r} is not a number"))
         return self._ask(typing.component.requested(self._seen.session, number))
 
     def _small_print_height(self) -> float:
