@@ -145,6 +145,7 @@ def test_all_controls_are_used_by_keys_alone(desk):
     """Tab goes through them and around; arrows step a slider, with Shift by ten; Enter types, presses, opens; Esc ends."""
     spots = [spot for spot in desk.side._laid(SIZE).spots if spot.item.focusable]
     desk.press(pygame.K_RETURN)
+    desk.press(pygame.K_TAB, mod=pygame.KMOD_LALT)
     assert desk.side._focus is None, "the keys are the scene's at first"
     seen = []
     for _ in spots:
@@ -162,6 +163,8 @@ def test_all_controls_are_used_by_keys_alone(desk):
     assert desk.values.number("r") == 1.45
     desk.press(pygame.K_RETURN)
     desk.type("2")
+    desk.press(pygame.K_TAB, mod=pygame.KMOD_LALT)
+    assert desk.values.number("r") == 1.45
     desk.press(pygame.K_TAB)
     desk.type("9")
     desk.press(pygame.K_RETURN)

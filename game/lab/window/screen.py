@@ -25,7 +25,7 @@ from game.lab.window.layout import DEFAULT_SCALE, TEXT_SCALES, WindowLayout, lay
 from game.lab.window.lesson import Lesson
 from game.lab.window.pan_zoom import PanZoom
 from game.lab.window.presented import paint_presented, presented_words
-from game.lab.window.side import LabSide
+from game.lab.window.side import MODIFIERS, LabSide
 from game.lab.window.stepping import SESSION_CHANGES, STEPS, Following, stepped_by
 from game.lab.window.view import draw_all_handles, draw_halo, draw_panes, letters_for, pane_views
 from game.lab.window.words import TextSheet, draw_head, draw_notice, draw_small_print, draw_words
@@ -36,8 +36,6 @@ from game.screens.base import Screen
 SHOWN = frozenset(Toggle) - {Toggle.PYMUNK}
 """What is shown at first."""
 _NOTICE_SECONDS = 5.0
-_MODIFIERS = pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META
-"""Keys pressed together with one of these belong to the desktop."""
 _REPEATED = frozenset({Command.FORWARD, Command.BACK})
 """Commands that a held key gives again and again: single steps."""
 
@@ -204,7 +202,7 @@ class Lab:
         key = code_among(event, BOUND)
         toggle = TOGGLE_KEYS.get(key)
         request = toggle or command_of(key)
-        if request is None or event.mod & _MODIFIERS:
+        if request is None or event.mod & MODIFIERS:
             return self
         if toggle is not None and self._lesson is not None and self._lesson.answer(list(Toggle).index(toggle)):
             return self

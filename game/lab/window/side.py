@@ -48,6 +48,10 @@ _LONGEST = 32
 _STRIDE = 10
 """Steps that an arrow key moves a slider by with Shift."""
 _ARROWS = {pygame.K_LEFT: Action.LEFT, pygame.K_RIGHT: Action.RIGHT, pygame.K_UP: Action.UP, pygame.K_DOWN: Action.DOWN}
+MODIFIERS = pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META
+"""Keys pressed together with one of these belong to the desktop."""
+_ENTERING = (pygame.K_TAB, pygame.K_UP, pygame.K_DOWN)
+"""They give the keys to the controls."""
 _ENTER = (pygame.K_RETURN, pygame.K_KP_ENTER)
 
 
@@ -93,15 +97,13 @@ class LabSide(Form):
         self._typing, self._focus, self._has_keys, self._held = None, None, False, None
 
     def hear_key(self, event: pygame.Event, size: tuple[int, int]) -> tuple[bool, Screen | None]:
-        """Whether a key that went down is for the controls, and the screen to go on with."""
+        """Whether a key that went down is for the controls, and the screen to go on with. Alt with Tab is the desktop's."""
         if self._typing is not None:
-            return True, self._typed(self._typing, event, size)
-        if event.key == pygame.K_TAB:
+            return True, self._screen if event.mod & pygame.KMOD_ALT else self._typed(self._typing, event, size)
+        if event.mod & MODIFIERS or not (self._has_keys or event.key in _ENTERING):
+            return False, self._screen
+        if event.key == pygame.K_TAB or not self._has_keys:
             self._tab(-1 if event.mod & pygame.KMOD_SHIFT else 1, size)
-        elif not self._has_keys:
-            if event.key not in (pygame.K_UP, pygame.K_DOWN):
-                return False, self._screen
-            self._tab(1, size)
         elif event.key == pygame.K_ESCAPE:
             self.release()
         elif event.key in _ARROWS:
