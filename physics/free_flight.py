@@ -1,9 +1,11 @@
 """For how long does no ball certainly touch anything, whatever the player does to the paddles meanwhile?
 
-A ball outside a ring's band touches nothing of it before it enters the band. Inside the band it touches nothing before
-its way around the centre, its own size and the ring's turning have used up the angle to the next sector on either side.
-For a ring that turns, steering is allowed for: its rim is taken to be as fast as the ball, or as it is where that is more. If
-a ring at rest is started, or one is turned faster than that, what was known is dropped and computed anew.
+A ball outside a ring's band touches nothing of it before it enters the band. Inside the band of a ring that keeps its spin, the
+same search says when it touches an end as in a tick, for a ball that is larger by far more than what rounding can do.
+For a ring that may be steered, it touches nothing before its way around the centre, its own size and the ring's turning have
+used up the angle to the next sector on either side: the ring's rim is taken to be as fast as the ball, or as it is where that
+is more. If a ring is turned faster than that, or one is steered that was to keep its spin, what was known is dropped and
+computed anew.
 
 While a free flight lasts, a tick moves balls and rings and looks at nothing. That changes no bit of the result.
 """
@@ -12,12 +14,17 @@ import math
 from collections.abc import Sequence
 
 from physics.broad_phase import in_band, nearest_slot
+from physics.narrow_phase import is_over
 from physics.polar import signed_difference
 from physics.shapes import Arena, Ball, Ring, unchecked
 from physics.sweep.band import Stretch, band_stretches
 from physics.sweep.gap import gap_end
+from physics.time_of_impact import angular_reach, gap_of_end, time_to_end
 from physics.tolerances import ANGLE_SLACK, CLEARANCE, LARGEST, TOUCH
 from physics.vectors import cross, dot, length
+
+_LONGEST_TURN = 1000.0
+"""Radians. A ring that turns by more within the horizon is not followed exactly: rounding its turns tick by tick adds up."""
 
 FreeFlight = tuple[Arena, float, tuple[int, ...]]
 """What one step knows of the ticks after it; opaque to callers, who hand it back to `advance`.
@@ -64,10 +71,17 @@ def may_be_steered(old: Ring, new: Ring, balls: Sequence[Ball]) -> bool:
     return True
 
 
-def clear_time(ball: Ball, rings: Sequence[Ring], layers: Sequence[Sequence[int]], horizon: float) -> float:
+def clear_time(
+    ball: Ball,
+    rings: Sequence[Ring],
+    layers: Sequence[Sequence[int]],
+    horizon: float,
+    steered: Sequence[int] | None = None,
+) -> float:
     """Seconds, at most `horizon`, for which a ball certainly touches no living sector; 0 where it may touch one now.
 
-    layers: per ring and slot, 0 where nothing is. horizon: seconds, >= 0, finite.
+    layers: per ring and slot, 0 where nothing is. horizon: seconds, >= 0, finite. steered: per ring, not 0 where its spin may
+    change meanwhile; None for all that turn. The others are taken to keep their spin.
     """
     p, v, ball_radius = ball
     distance, speed, outward = length(p), length(v), dot(p, v) >= 0.0
@@ -80,25 +94,53 @@ def clear_time(ball: Ball, rings: Sequence[Ring], layers: Sequence[Sequence[int]
         larger = ball_radius + slack + 2.0 * TOUCH * (ring.radius + ring.half_width + ball_radius)
         leaving = outward and distance > ring.radius  # it does not come back
         if in_band(distance, larger if leaving else larger + speed * clear, ring):
-            clear = _clear_of_ring(unchecked(Ball, (p, v, larger)), speed, ring, layers[k], clear)
+            may_turn = ring.spin != 0.0 if steered is None else steered[k] != 0 or abs(ring.spin) * horizon > _LONGEST_TURN
+            clear = _clear_of_ring(unchecked(Ball, (p, v, larger)), speed, ring, layers[k], clear, may_turn)
             if clear == 0.0:
                 return 0.0
     return clear
 
 
-def _clear_of_ring(ball: Ball, speed: float, ring: Ring, alive: Sequence[int], horizon: float) -> float:
+def _clear_of_ring(
+    ball: Ball,
+    speed: float,
+    ring: Ring,
+    alive: Sequence[int],
+    horizon: float,
+    steered: bool,  # noqa: FBT001
+) -> float:
     """`clear_time` for one ring within reach; speed: of the ball."""
-    turning = max(abs(ring.spin), speed / (ring.radius + ring.half_width)) if ring.spin != 0.0 else 0.0
-    inward, outward = band_stretches(ball, ring, horizon)
-    if inward is not None:
-        clear = _clear_of_sectors(ball, ring, alive, inward, turning)
-        if clear < inward.stop:
-            return clear
-    if outward is not None:
-        clear = _clear_of_sectors(ball, ring, alive, outward, turning)
-        if clear < outward.stop:
-            return clear
+    turning = max(abs(ring.spin), speed / (ring.radius + ring.half_width)) if steered else 0.0
+    for stretch in band_stretches(ball, ring, horizon):
+        if stretch is not None:
+            if steered:
+                clear = _clear_of_sectors(ball, ring, alive, stretch, turning)
+            else:
+                clear = _time_to_touch(ball, ring, alive, stretch)
+            if clear < stretch.stop:
+                return clear
     return horizon
+
+
+def _time_to_touch(ball: Ball, ring: Ring, alive: Sequence[int], stretch: Stretch) -> float:
+    """Seconds from now until a ball touches a ring that keeps its spin, on a stretch of its flight; the stretch's end if never."""
+    start, clear = stretch.start, stretch.stop
+    entry, now = ball.moved(start), ring.turned(start)
+    theta = entry.theta()
+    slot = nearest_slot(now, theta)
+    angle = now.angle(slot)
+    if alive[slot] != 0 and is_over(now, theta, angle):
+        return start
+    reach, offset = angular_reach(entry, now, clear - start), signed_difference(theta, angle)
+    for side in (-1, 1):
+        end = gap_end(now, alive, slot, offset, side, 0, reach)
+        if end is not None:
+            if start == 0.0 and gap_of_end(entry, now, end) <= 0.0:
+                return 0.0
+            time = time_to_end(entry, now, end, clear - start)
+            if time is not None and start + time < clear:
+                clear = start + time
+    return clear
 
 
 def _clear_of_sectors(ball: Ball, ring: Ring, alive: Sequence[int], stretch: Stretch, turning: float) -> float:

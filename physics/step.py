@@ -62,12 +62,32 @@ class Step(NamedTuple):
 
 
 class _Next(NamedTuple):
-    """The next impact of one ball: its time since the tick's start, the ball, the ring, and the impact."""
+    """The next impact of a ball in a tick: seconds after its start, infinite for none; the ring, and the impact."""
 
     time: float
-    ball: int
     ring: int
     impact: Impact
+
+
+_NO_IMPACT = _Next(math.inf, -1, Impact(math.inf, -1, Contact(0j, 0j, math.inf, Feature.END)))
+
+
+class Course(NamedTuple):
+    """Of one ball, within a tick.
+
+    Attributes:
+        clock: seconds after the tick's start at which it is where it is now.
+        impacts: how many it has had.
+        next: the one that follows.
+    """
+
+    clock: float
+    impacts: int
+    next: _Next
+
+
+AT_START = Course(0.0, 0, _NO_IMPACT)
+"""For a list of courses: one for each ball."""
 
 
 def advance(arena: Arena, dt: float, speed: float, flight: FreeFlight | None = None) -> Step:
@@ -113,7 +133,8 @@ def _flown(arena: Arena, freed: int, dt: float, speed: float) -> Step:
     freed: how many balls had to be moved for that.
     """
     balls, layers = list(arena.balls), list(arena.layers)
-    hits, dropped = answer_impacts(balls, arena.rings, layers, dt, speed)
+    hits: list[Hit] = []
+    dropped = answer_impacts(balls, arena.rings, layers, dt, speed, [AT_START] * len(balls), hits)
     turned = tuple([ring.turned(dt) if ring.spin != 0.0 else ring for ring in arena.rings])
     end = Arena(tuple(balls), turned, tuple(layers))
     if dropped > 0:
@@ -123,126 +144,127 @@ def _flown(arena: Arena, freed: int, dt: float, speed: float) -> Step:
 
 
 def answer_impacts(
-    balls: list[Ball], rings: Sequence[Ring], layers: list[tuple[int, ...]], dt: float, speed: float
-) -> tuple[list[Hit], int]:
-    """Fly the balls to the tick's end, in place: the hits on the way, and how many balls were dropped.
+    balls: list[Ball],
+    rings: Sequence[Ring],
+    layers: list[tuple[int, ...]],
+    dt: float,
+    speed: float,
+    courses: list[Course],
+    hits: list[Hit],
+) -> int:
+    """Fly the balls to the tick's end, in place; how many were dropped.
 
-    layers: changed in place too, with every hit. The rings are given at the tick's start, and are not turned.
+    layers: changed in place too, with every hit. The rings are given at the tick's start, and are not turned. courses: one for
+    each ball, written. hits: those on the way are added.
     """
-    clocks, impacts = [0.0] * len(balls), [0] * len(balls)
-    hits: list[Hit] = []
-    pending: list[_Next] = []
-    stale = list(range(len(balls)))  # whose next impact is not known
-    while True:
-        for j in stale:
-            following = _next_impact(j, balls[j], clocks[j], rings, layers, dt)
-            if following is not None:
-                pending.append(following)
-        if len(pending) == 0:
-            break
-        found = _earliest(pending)
-        i = found.ball
-        there = balls[i].moved(found.time - clocks[i])
-        answered = _hits(found, there, rings, layers, speed)
-        balls[i], clocks[i] = unchecked(Ball, (there.position, answered[0].after, there.radius)), found.time
-        impacts[i] += 1
-        for hit in answered:
-            hits.append(hit)
-            set_layers(layers, hit.ring, hit.slot, hit.layers)
-        stale = [j for j in _withdrawn(pending, i, layers) if impacts[j] < MAX_IMPACTS]
+    for i in range(len(balls)):
+        courses[i] = Course(0.0, 0, _next_impact(balls[i], 0.0, rings, layers, dt))
+    i = _earliest(courses)
+    while i >= 0:
+        found = courses[i].next
+        there = balls[i].moved(found.time - courses[i].clock)
+        impacts = courses[i].impacts + 1
+        balls[i] = unchecked(Ball, (there.position, _answer(i, found, there, rings, layers, speed, hits), there.radius))
+        courses[i] = Course(found.time, impacts, _NO_IMPACT)
+        for j in range(len(balls)):
+            course = courses[j]
+            withdrawn = course.next.ring >= 0 and layers[course.next.ring][course.next.impact.slot] == 0
+            if withdrawn or (j == i and impacts < MAX_IMPACTS):
+                courses[j] = Course(
+                    course.clock, course.impacts, _next_impact(balls[j], course.clock, rings, layers, dt)
+                )
+        i = _earliest(courses)
     dropped = 0
     for i in range(len(balls)):
-        if impacts[i] < MAX_IMPACTS:
-            balls[i] = balls[i].moved(dt - clocks[i])
+        if courses[i].impacts < MAX_IMPACTS:
+            balls[i] = balls[i].moved(dt - courses[i].clock)
         else:
             dropped += 1
-    return hits, dropped
+    return dropped
 
 
-def _next_impact(
-    index: int, ball: Ball, clock: float, rings: Sequence[Ring], layers: Sequence[tuple[int, ...]], dt: float
-) -> _Next | None:
+def _next_impact(ball: Ball, clock: float, rings: Sequence[Ring], layers: Sequence[tuple[int, ...]], dt: float) -> _Next:
     """The first impact of a ball, given where it is at `clock`, before the tick ends."""
     rest = dt - clock
     distance, reach = length(ball.position), length(ball.velocity) * rest + ball.radius
-    first: _Next | None = None
-    for k, ring in enumerate(rings):
+    first = _NO_IMPACT
+    for k in range(len(rings)):
+        ring = rings[k]
         if not in_band(distance, reach, ring):
             continue
         now = ring.turned(clock) if clock > 0.0 and ring.spin != 0.0 else ring
         impact = first_impact(ball, now, rest, layers[k])
-        if impact is not None and (first is None or clock + impact.time < first.time):
-            first = _Next(clock + impact.time, index, k, impact)
+        if impact is not None and clock + impact.time < first.time:
+            # Made anew for the compiler, which takes it for one that may be None still.
+            first = _Next(clock + impact.time, k, Impact(impact.time, impact.slot, impact.contact))
     return first
 
 
-def _hits(found: _Next, ball: Ball, rings: Sequence[Ring], layers: Sequence[tuple[int, ...]], speed: float) -> list[Hit]:
-    """The hit of an impact, or the two hits of a bounce off two sectors at once. ball: at that moment."""
-    contact, slot, ring = found.impact.contact, found.impact.slot, rings[found.ring]
-    for k, other in _touched_besides(found, ball, rings, layers):
-        after = bounce_off_two(ball, contact, ring, other.contact, rings[k], speed)
-        if after is not None:
-            after = complex(after.real, after.imag)  # for the compiler, which takes it for one that may be None still
-            first = _hit(found, ball, found.ring, slot, contact, after, layers)
-            return _in_order(first, _hit(found, ball, k, other.slot, other.contact, after, layers))
-    return [_hit(found, ball, found.ring, slot, contact, bounce(ball, contact, ring, speed), layers)]
-
-
-def _touched_besides(
-    found: _Next, ball: Ball, rings: Sequence[Ring], layers: Sequence[tuple[int, ...]]
-) -> list[tuple[int, Impact]]:
-    """What else the ball touches and approaches at the moment of an impact: ring and impact, in the order of the rings.
-
-    A ball above a sector is nearer to it than to any other of its ring.
-    """
-    feature = found.impact.contact.feature
-    above = feature == Feature.OUTER_FACE or feature == Feature.INNER_FACE  # noqa: PLR1714  # what compiles
-    distance = length(ball.position)
-    touched: list[tuple[int, Impact]] = []
-    for k, ring in enumerate(rings):
-        if not (above and k == found.ring) and in_band(distance, ball.radius * (1.0 + OVERLAP), ring):
-            for impact in touched_now(ball, ring.turned(found.time), layers[k]):
-                if impact is not None:
-                    touched.append((k, impact))  # noqa: PERF401  # what compiles
-    return touched
-
-
-def _hit(
-    found: _Next, ball: Ball, k: int, slot: int, contact: Contact, after: complex, layers: Sequence[tuple[int, ...]]
-) -> Hit:
-    """The record of one bounce off one sector."""
-    left = layers[k][slot] - 1 if layers[k][slot] > 0 else layers[k][slot]
-    return Hit(found.time, found.ball, k, slot, contact, ball.velocity, after, left)
-
-
-def _in_order(first: Hit, second: Hit) -> list[Hit]:
-    """Two hits at one moment in the order of ring and slot; one where both are ends of the same sector."""
-    if (first.ring, first.slot) == (second.ring, second.slot):
-        return [first]
-    return [first, second] if (first.ring, first.slot) < (second.ring, second.slot) else [second, first]
-
-
-def _earliest(pending: Sequence[_Next]) -> _Next:
-    """The impact that is answered first: of equally early ones that of the lowest ball."""
-    found = pending[0]
-    for other in pending:
-        if (other.time, other.ball) < (found.time, found.ball):
-            found = other
+def _earliest(courses: Sequence[Course]) -> int:
+    """The ball whose next impact is answered first: of equally early ones the lowest; -1 where none has any."""
+    found, time = -1, math.inf
+    for i in range(len(courses)):
+        if courses[i].next.time < time:
+            found, time = i, courses[i].next.time
     return found
 
 
-def _withdrawn(pending: list[_Next], ball: int, layers: Sequence[tuple[int, ...]]) -> list[int]:
-    """The balls whose pending impact is none any more after a hit of `ball`; their impacts are taken out."""
-    balls = []
-    for n in range(len(pending) - 1, -1, -1):
-        if pending[n].ball == ball or not _is_there(pending[n], layers):
-            balls.append(pending.pop(n).ball)  # noqa: PERF401  # two things are done
-    return balls
+def _answer(
+    i: int, found: _Next, ball: Ball, rings: Sequence[Ring], layers: list[tuple[int, ...]], speed: float, hits: list[Hit]
+) -> complex:
+    """The velocity of ball number i after an impact: of its hit, or of the two hits of a bounce off two sectors at once.
+
+    ball: at that moment. The hits are added, and take their layers. A ball above a sector is nearer to it than to any other
+    of its ring: nothing else of that ring is asked for.
+    """
+    contact, slot, ring = found.impact.contact, found.impact.slot, rings[found.ring]
+    above = contact.feature == Feature.OUTER_FACE or contact.feature == Feature.INNER_FACE  # noqa: PLR1714  # what compiles
+    distance = length(ball.position)
+    for k in range(len(rings)):
+        if not (above and k == found.ring) and in_band(distance, ball.radius * (1.0 + OVERLAP), rings[k]):
+            for other in touched_now(ball, rings[k].turned(found.time), layers[k]):
+                if other is not None:
+                    after = bounce_off_two(ball, contact, ring, other.contact, rings[k], speed)
+                    if after is not None:
+                        both = complex(after.real, after.imag)  # for the compiler, which takes it for one that may be None still
+                        first = _hit(found.time, i, ball, found.ring, slot, contact, both, layers)
+                        second = _hit(found.time, i, ball, k, other.slot, other.contact, both, layers)
+                        _add_both(first, second, layers, hits)
+                        return both
+    velocity = bounce(ball, contact, ring, speed)
+    _add(_hit(found.time, i, ball, found.ring, slot, contact, velocity, layers), layers, hits)
+    return velocity
 
 
-def _is_there(found: _Next, layers: Sequence[tuple[int, ...]]) -> bool:
-    """Whether the sector of an impact has not been broken meanwhile."""
-    return layers[found.ring][found.impact.slot] != 0
+def _hit(
+    time: float, i: int, ball: Ball, k: int, slot: int, contact: Contact, after: complex, layers: Sequence[tuple[int, ...]]
+) -> Hit:
+    """The record of one bounce off one sector."""
+    left = layers[k][slot] - 1 if layers[k][slot] > 0 else layers[k][slot]
+    return Hit(time, i, k, slot, contact, ball.velocity, after, left)
+
+
+def _add_both(first: Hit, second: Hit, layers: list[tuple[int, ...]], hits: list[Hit]) -> None:
+    """Add two hits at one moment in the order of ring and slot; one where both are ends of the same sector."""
+    if (first.ring, first.slot) == (second.ring, second.slot):
+        _add(first, layers, hits)
+    elif (first.ring, first.slot) < (second.ring, second.slot):
+        _add(first, layers, hits)
+        _add(second, layers, hits)
+    else:
+        _add(second, layers, hits)
+        _add(first, layers, hits)
+
+
+def _add(hit: Hit, layers: list[tuple[int, ...]], hits: list[Hit]) -> None:
+    """Record a hit, which takes its layer."""
+    add_hit(hits, hit)
+    set_layers(layers, hit.ring, hit.slot, hit.layers)
+
+
+def add_hit(hits: list[Hit], hit: Hit) -> None:
+    """Record a hit."""
+    hits.append(hit)
 
 
 def set_layers(layers: list[tuple[int, ...]], ring: int, slot: int, left: int) -> None:

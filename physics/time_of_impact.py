@@ -73,7 +73,7 @@ def _first_touch(ball: Ball, ring: Ring, stretch: Stretch, alive: Sequence[int])
         found = contact(ball, ring, slot)
         if _meets(ball, ring, found, stretch.heading):
             return Impact(start, slot, found)
-    reach = _reach(ball, ring, span)
+    reach = angular_reach(ball, ring, span)
     offset = signed_difference(theta, angle)
     clockwise = gap_end(ring, alive, slot, offset, -1, int(over), reach)
     counter = gap_end(ring, alive, slot, offset, 1, int(over), reach)
@@ -95,7 +95,7 @@ def touched_now(ball: Ball, ring: Ring, alive: Sequence[int]) -> tuple[Impact | 
     angle = ring.angle(slot)
     if alive[slot] != 0 and is_over(ring, theta, angle):
         return _touch(ball, ring, slot, contact(ball, ring, slot), touch), None
-    reach, offset = _reach(ball, ring, 0.0), signed_difference(theta, angle)
+    reach, offset = angular_reach(ball, ring, 0.0), signed_difference(theta, angle)
     clockwise, counter = gap_end(ring, alive, slot, offset, -1, 0, reach), gap_end(ring, alive, slot, offset, 1, 0, reach)
     return (
         None if clockwise is None else _touch(ball, ring, clockwise.slot, _contact_with(ball, ring, clockwise), touch),
@@ -129,11 +129,22 @@ def approaches(ball: Ball, ring: Ring, found: Contact) -> bool:
 
 def _touch_of_end(ball: Ball, ring: Ring, end: End, span: float) -> Impact | None:
     """The first touch with one end within `span` seconds, and what is touched at that moment."""
-    resting = ring.spin == 0.0
-    time = touch_of_resting_end(ball, ring, end, span) if resting else touch_of_turning_end(ball, ring, end, span)
+    time = time_to_end(ball, ring, end, span)
     if time is None:
         return None
     return Impact(time, end.slot, _contact_with(ball.moved(time), ring.turned(time), end))
+
+
+def time_to_end(ball: Ball, ring: Ring, end: End, span: float) -> float | None:
+    """Seconds until the first touch with one end, within `span` seconds, or None."""
+    if ring.spin == 0.0:
+        return touch_of_resting_end(ball, ring, end, span)
+    return touch_of_turning_end(ball, ring, end, span)
+
+
+def gap_of_end(ball: Ball, ring: Ring, end: End) -> float:
+    """World units between the ball and one end, < 0 where they overlap."""
+    return _contact_with(ball, ring, end).gap
 
 
 def _contact_with(ball: Ball, ring: Ring, end: End) -> Contact:
@@ -141,7 +152,7 @@ def _contact_with(ball: Ball, ring: Ring, end: End) -> Contact:
     return end_contact(ball, ring, end.slot, angle_of_end(ring, end))
 
 
-def _reach(ball: Ball, ring: Ring, span: float) -> float:
+def angular_reach(ball: Ball, ring: Ring, span: float) -> float:
     """Angle beyond which no end can be touched within `span` seconds; infinite for a ball that may cover the centre.
 
     A disc of radius s at distance d > s from the centre is seen under asin(s / d) <= s pi / (2 d) to each side.

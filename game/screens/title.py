@@ -6,6 +6,7 @@ from game.drawing.camera import Camera, unit_of
 from game.drawing.canvas import Canvas
 from game.input.keys import Action
 from game.language import tr
+from game.level_names import level_name
 from game.levels import from_level
 from game.screens.app_state import AppState
 from game.screens.base import Screen
@@ -64,7 +65,7 @@ class Title(Panel):
     def content(self) -> Content:
         """Where one can go."""
         state = self.state
-        following = tr(state.catalogue[next_level(state)].name)
+        following = level_name(state.catalogue[next_level(state)].name)
         items: tuple[Item, ...] = (
             ButtonItem(tr("Play"), self._play, note=following, large=True),
             ButtonItem(tr("Levels"), lambda: LevelSelect(state, self)),

@@ -11,7 +11,9 @@ from physics.shapes import Arena, Ball, Ring
 Floats = npt.NDArray[np.float64]
 Complexes = npt.NDArray[np.complex128]
 Integers = npt.NDArray[np.int64]
-Layers = npt.NDArray[np.int32]
+Layers = npt.NDArray[np.int8]
+MOST_LAYERS = 127
+"""In one slot: as many as a byte holds, so that the bricks of many games fit into the processor's cache."""
 
 
 class Games(NamedTuple):
@@ -29,10 +31,10 @@ class Games(NamedTuple):
         half_angles: (K,), radians.
         counts: (K,).
         frictions: (K,).
-        steered: (K,), 1 where a ring at rest may be started and the free flight allows for that; -1 where one was started
-            whose free flight does not allow for it yet.
-        known: (G,), 1 where it is known that no ball overlaps anything, as after every step; else 0.
-        seconds: (G,), for which no ball touches anything.
+        steered: (K,), 0 where a ring was never given another spin in any game; 1 where it was, and the free flight allows for
+            another at any time; -1 where it was, and the flights of other games do not allow for it yet.
+        known: (G,), one of the values in `physics.batch.games`.
+        free: (G,), ticks in which no ball touches anything; 0 where nothing is known.
         dropped: (G,), balls that used up MAX_IMPACTS since this was set to 0.
         freed: (G,), balls moved out of material since this was set to 0.
     """
@@ -50,7 +52,7 @@ class Games(NamedTuple):
     frictions: Floats
     steered: Integers
     known: Integers
-    seconds: Floats
+    free: Integers
     dropped: Integers
     freed: Integers
 
@@ -59,7 +61,7 @@ def arrays_of(arenas: Sequence[Arena]) -> Games:
     """The arrays of these arenas, which have one shape."""
     rings = arenas[0].rings
     shape, balls = (len(arenas), len(rings)), (len(arenas), len(arenas[0].balls))
-    layers = np.zeros((*shape, max([ring.count for ring in rings], default=0)), np.int32)
+    layers = np.zeros((*shape, max([ring.count for ring in rings], default=0)), np.int8)
     for g, arena in enumerate(arenas):
         for k, row in enumerate(arena.layers):
             layers[g, k, : len(row)] = row
@@ -77,7 +79,7 @@ def arrays_of(arenas: Sequence[Arena]) -> Games:
         np.array([ring.friction for ring in rings], np.float64),
         np.zeros(len(rings), np.int64),
         np.zeros(len(arenas), np.int64),
-        np.zeros(len(arenas)),
+        np.zeros(len(arenas), np.int64),
         np.zeros(len(arenas), np.int64),
         np.zeros(len(arenas), np.int64),
     )
@@ -87,8 +89,8 @@ def no_games() -> Games:
     """The arrays of no game at all: the types to compile for."""
     real, integer = np.empty((0, 0)), np.empty(0, np.int64)
     plane, row = np.empty((0, 0), np.complex128), np.empty(0)
-    layers = np.empty((0, 0, 0), np.int32)
-    return Games(plane, plane, real, real, real, layers, row, row, row, integer, row, integer, integer, row, integer, integer)
+    layers = np.empty((0, 0, 0), np.int8)
+    return Games(plane, plane, real, real, real, layers, row, row, row, integer, row, *[integer] * 5)
 
 
 def arena_of(games: Games, rings: Sequence[Ring], game: int) -> Arena:

@@ -8,16 +8,15 @@ from typing import Any, NamedTuple
 import numpy as np
 import numpy.typing as npt
 
-from physics.batch.arrays import Complexes, Floats, Integers, Layers, arena_of, arrays_of
+from physics.batch.arrays import MOST_LAYERS, Complexes, Floats, Integers, Layers, arena_of, arrays_of
 from physics.batch.compilation import check_subnormals, compiled
-from physics.batch.hits import HIT
+from physics.batch.games import CLEAR, UNKNOWN
+from physics.batch.hits import Rows, new_rows
 from physics.shapes import PERMANENT, Arena, Ring
 from physics.tolerances import LARGEST, MAX_IMPACTS, SMALLEST
 
 _ROWS = 4096
 """Rows for hits that a step begins with, beside those that one tick may need; more are made as they are needed."""
-
-_MOST_LAYERS = 2**31 - 1
 
 
 class Steps(NamedTuple):
@@ -105,7 +104,8 @@ class Batch:
         games.freed[:] = 0
         if (games.steered < 0).any():
             games.steered[games.steered < 0] = 1
-            games.seconds[:] = 0.0
+            games.free[:] = 0
+            np.minimum(games.known, CLEAR, out=games.known)
         bounds = [len(self) * part // parts for part in range(parts + 1)]
         if parts == 1:
             hits = self._part(steered, 0, len(self), ticks)
@@ -127,7 +127,7 @@ class Batch:
         mine, new = self._games, arrays_of([arena])
         mine.positions[game], mine.velocities[game], mine.ball_radii[game] = new.positions, new.velocities, new.ball_radii
         mine.phases[game], mine.spins[game], mine.layers[game] = new.phases, new.spins, new.layers
-        mine.known[game], mine.seconds[game] = 0, 0.0
+        mine.known[game], mine.free[game] = UNKNOWN, 0
 
     def _part(self, spins: Floats | None, first: int, last: int, ticks: int) -> npt.NDArray[Any]:
         """The hits of some of the games, these advanced."""
@@ -135,13 +135,13 @@ class Batch:
         games = self._games
         if spins is not None:
             self._compiled.steer(games, spins, first, last)
-        hits, count = np.empty(_ROWS + 2 * MAX_IMPACTS * games.positions.shape[1], HIT), 0
+        rows = new_rows(_ROWS + 2 * MAX_IMPACTS * games.positions.shape[1])
         game, tick = first, 0
         while True:
-            game, tick, count = self._compiled.play(games, game, last, tick, ticks, self._dt, self._speed, hits, count)
+            game, tick = self._compiled.play(games, game, last, tick, ticks, self._dt, self._speed, rows)
             if game == last:
-                return hits[:count].copy()
-            hits = np.concatenate([hits, np.empty_like(hits)])
+                return rows.hits[: rows.now[0]].copy()
+            rows = Rows(np.concatenate([rows.hits, np.empty_like(rows.hits)]), rows.now)
 
 
 def _seen(array: npt.NDArray[Any]) -> npt.NDArray[Any]:
@@ -189,8 +189,8 @@ def _check_shape(name: str, arena: Arena, model: Arena) -> None:
         if len(layers) != ring.count:
             raise ValueError(f"{name}.layers[{k}] must have {ring.count} entries, not {len(layers)}")
         for left in layers:
-            if not (isinstance(left, int) and PERMANENT <= left <= _MOST_LAYERS):
-                raise ValueError(f"{name}.layers[{k}] must be whole numbers from {PERMANENT} to {_MOST_LAYERS}, not {left}")
+            if not (isinstance(left, int) and PERMANENT <= left <= MOST_LAYERS):
+                raise ValueError(f"{name}.layers[{k}] must be whole numbers from {PERMANENT} to {MOST_LAYERS}, not {left}")
 
 
 def _fixed(ring: Ring) -> tuple[float, ...]:

@@ -18,14 +18,13 @@ from inspect import isfunction
 from types import ModuleType
 from typing import Any, NamedTuple, TypeVar
 
-import numpy as np
-
 import physics
 from physics.batch import games as loop
 from physics.batch.arrays import no_games
-from physics.batch.hits import HIT
+from physics.batch.games import Workspace
+from physics.batch.hits import new_rows, write_hit
 from physics.shapes import Ball, Ring, unchecked
-from physics.step import set_layers
+from physics.step import AT_START, add_hit, set_layers
 
 
 class Compiled(NamedTuple):
@@ -66,9 +65,9 @@ def check_subnormals() -> None:
 Result = TypeVar("Result")
 
 _LOCK = threading.Lock()
-_REPLACED = {"set_layers", "play_one_tick"}
+_REPLACED = {"set_layers", "add_hit", "play_one_tick"}
 """Functions in whose place others are compiled."""
-_NOT_COMPILED = {f"physics.batch{name}" for name in ("", ".arrays", ".batch", ".compilation", ".hits")}
+_NOT_COMPILED = {f"physics.batch{name}" for name in ("", ".arrays", ".batch", ".compilation")}
 
 
 def compiled(progress: Callable[[float], None] | None = None) -> Compiled:
@@ -122,7 +121,7 @@ def _compiled() -> Compiled:
     start = time.perf_counter()
     _register()
     key = sources_hash()
-    to_steer, to_play = loop.steer, loop.play
+    to_steer, to_play, room_for = loop.steer, loop.play, loop.workspace
 
     @numba.njit(cache=True, nogil=True)  # type: ignore[untyped-decorator, unused-ignore]
     def steer(games, spins, first, last):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
@@ -130,17 +129,24 @@ def _compiled() -> Compiled:
         to_steer(games, spins, first, last)
 
     @numba.njit(cache=True, nogil=True)  # type: ignore[untyped-decorator, unused-ignore]
-    def play(games, first, last, tick, ticks, dt, speed, hits, count):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+    def play(games, first, last, tick, ticks, dt, speed, rows):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
         _ = key
-        return to_play(games, first, last, tick, ticks, dt, speed, hits, count)
+        return to_play(games, first, last, tick, ticks, dt, speed, rows, room_for(games))
+
+    @numba.njit(cache=True, nogil=True, no_cpython_wrapper=True)  # type: ignore[untyped-decorator, unused-ignore]
+    def play_one_tick(games, g, dt, speed, rows, room):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+        _ = key
+        rows.now[0] = 0
+        to_play(games, g, g + 1, 0, 1, dt, speed, rows, room)
 
     games = numba.typeof(no_games())
-    integer, real = numba.int64, numba.float64
+    integer, real, rows = numba.int64, numba.float64, numba.typeof(new_rows(0))
     steer.compile((games, real[:, ::1], integer, integer))
-    play.compile((games, integer, integer, integer, integer, real, real, numba.typeof(np.empty(0, HIT)), integer))
-    _register_tick(play)
-    hits = sum(play.stats.cache_hits.values())
-    return Compiled(steer, play, time.perf_counter() - start, hits > 0)
+    play.compile((games, integer, integer, integer, integer, real, real, rows))
+    play_one_tick.compile((games, integer, real, real, rows, _workspace_type()))
+    _register_tick(play_one_tick)
+    cached = all([sum(loop.stats.cache_hits.values()) > 0 for loop in (steer, play, play_one_tick)])
+    return Compiled(steer, play, time.perf_counter() - start, cached)
 
 
 def _register() -> None:
@@ -151,7 +157,7 @@ def _register() -> None:
         if name.startswith("physics.") and name not in _NOT_COMPILED:
             for function in list(vars(sys.modules[name]).values()):
                 if isfunction(function) and function.__module__ == name and function.__name__ not in _REPLACED:
-                    register_jitable(function)
+                    register_jitable(forceinline=name == loop.__name__)(function)
     _register_members()
 
     @overload(unchecked)
@@ -166,20 +172,30 @@ def _register() -> None:
 
         return write
 
+    @overload(add_hit)
+    def _add_hit(hits, hit):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
+        return lambda hits, hit: write_hit(hits, hit)
 
-def _register_tick(play: Any) -> None:
+
+def _register_tick(compiled_tick: Any) -> None:
     """Have `play_one_tick` call what is compiled already, instead of compiling it once more into every loop that uses it."""
     from numba.extending import overload  # noqa: PLC0415  # an extra
 
-    none, one = np.int64(0), np.int64(1)  # numba would compile it anew for literals
-
     @overload(loop.play_one_tick)
-    def _play_one_tick(games, g, dt, speed, hits):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
-        def tick(games, g, dt, speed, hits):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
-            _, _, count = play(games, g, g + 1, np.int64(none), np.int64(one), dt, speed, hits, np.int64(none))
-            return count
+    def _play_one_tick(games, g, dt, speed, rows, room):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
+        def tick(games, g, dt, speed, rows, room):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+            compiled_tick(games, g, dt, speed, rows, room)
 
         return tick
+
+
+def _workspace_type() -> Any:
+    """numba's type of `Workspace`: its lists cannot be made outside of compiled code."""
+    from numba import typeof  # noqa: PLC0415
+    from numba.core import types  # noqa: PLC0415  # an extra
+
+    examples = Ball(0j, 0j, 1.0), Ring(1.0, 0.5, 0.1, 1), AT_START
+    return types.NamedTuple([types.List(typeof(example)) for example in examples], Workspace)
 
 
 def _register_members() -> None:

@@ -224,8 +224,8 @@ def test_revealing_survives_a_change_that_takes_steps_away():
     """A bounce that becomes a separation has fewer steps: what is shown is all of them, and nothing fails."""
     desk = LabDesk("moving-surface?step=8")
     assert desk.screen._reveal == Reveal(8)
-    desk.type_into(desk.row("heading").field, "60")
-    desk.type_into(desk.row("v_p", 1).field, "0")
+    desk.type_into("heading", "60")
+    desk.type_into("v_p", "0", 1)
     assert desk.screen._reveal.shown(desk.session.picture) == len(desk.session.picture.steps) == 6
     desk.wait(FRAME)
     desk.close()

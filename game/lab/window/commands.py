@@ -21,7 +21,7 @@ class Command(Enum):
     PRESENT = "Present"
     LARGER = "Larger text"
     SMALLER = "Smaller text"
-    MORE = "More values"
+    CONTROLS = "Controls"
     SAVE_LEVEL = "Save level"
     SAVE_PNG = "PNG"
     SAVE_SVG = "SVG"
@@ -69,7 +69,7 @@ KEYS = (
     KeyBinding((pygame.K_d,), Command.DEFAULTS, "the scene's defaults"),
     KeyBinding((pygame.K_LEFTBRACKET,), Command.PREVIOUS, "the scene before; the task before, in the course"),
     KeyBinding((pygame.K_RIGHTBRACKET,), Command.NEXT, "the scene after; the task after, in the course"),
-    KeyBinding((pygame.K_TAB,), Command.MORE, "the next page of values, where there are several"),
+    KeyBinding((pygame.K_TAB,), Command.CONTROLS, "the next control; arrows and Enter use it, Esc ends"),
     KeyBinding((pygame.K_w,), Command.SAVE_LEVEL, "save an arena of your own as a level"),
     KeyBinding((pygame.K_HOME,), Command.WHOLE, "show the whole scene again"),
     KeyBinding((pygame.K_c,), Command.COPY, "copy the share line"),

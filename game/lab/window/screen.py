@@ -2,7 +2,6 @@
 
 import pygame
 
-from game.drawing.palette import Theme
 from game.input.devices import as_key
 from game.input.keys import code_among, position_in
 from game.input.repeat import Repeat
@@ -20,15 +19,16 @@ from game.lab.session.session import Session
 from game.lab.session.share import SharedScene, parsed, preset, share_line
 from game.lab.window import saving
 from game.lab.window.commands import BOUND, TOGGLE_KEYS, Command, command_of
+from game.lab.window.controls import Controlled, PresetChosen, Refused, Request, SceneChosen, ValueRequested
 from game.lab.window.dragging import Drag, PaneView, drag_at
 from game.lab.window.help import draw_help
 from game.lab.window.layout import DEFAULT_SCALE, TEXT_SCALES, WindowLayout, layout_of
 from game.lab.window.lesson import Lesson
 from game.lab.window.pan_zoom import PanZoom
 from game.lab.window.presented import paint_presented, presented_words
+from game.lab.window.side import Side
 from game.lab.window.stepping import SESSION_CHANGES, STEPS, Following, stepped_by
 from game.lab.window.view import draw_all_handles, draw_halo, draw_panes, letters_for, pane_views
-from game.lab.window.widgets import PageTurned, PresetChosen, Refused, Request, SceneChosen, Side, ValueRequested
 from game.lab.window.words import TextSheet, draw_head, draw_notice, draw_small_print, draw_words
 from game.lab.yours.pane import with_yours
 from game.screens.app_state import AppState
@@ -67,16 +67,14 @@ class Lab:
         self._scale: int | None = None  # of TEXT_SCALES, while presenting
         self._pan_zoom = PanZoom.whole(session.scene, session.given)
         self._drawn: tuple[Session, Picture] | None = None
-        self._side: tuple[tuple[tuple[int, int], Theme, str, int], Side] | None = None
+        self._side: Side | None = None
         self._drag: Drag | None = None
         self._repeat: tuple[Repeat, Command] | None = None
         self._pointer = -1 - 1j  # pixels
         self._pixels_per_point = 1 + 1j
-        self._seconds = 0.0  # since the last picture
         self._notice, self._notice_left = "", 0.0
         self._help = False
         self._lesson: Lesson | None = None
-        self._page = 0  # of the parameters
         if presents:
             self.present()
         if step is not None and self._picture().steps:
@@ -98,13 +96,15 @@ class Lab:
 
     def layout(self, size: tuple[int, int]) -> WindowLayout:
         """How a window of that size is divided."""
-        found = layout_of(size, None if self._scale is None else TEXT_SCALES[self._scale])
+        found = layout_of(size, None if self._scale is None else TEXT_SCALES[self._scale], self._shared.text_scale)
         return found if self._lesson is None else self._lesson.lowered(found, self._shared.type)
 
-    def answer(self, signal: Signal, _size: tuple[int, int]) -> Screen | None:
+    def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
         """Let go of a repeating key that is up; everything else is heard as an event of the window."""
-        if self._repeat is not None and isinstance(signal, KeyboardState) and self._repeat[0].position not in signal.down:
-            self._repeat = None
+        if isinstance(signal, KeyboardState):
+            if self._repeat is not None and self._repeat[0].position not in signal.down:
+                self._repeat = None
+            return self._controls(size).answer(signal, size)
         return self
 
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> Screen | None:
@@ -118,15 +118,17 @@ class Lab:
             return self
         if event.type == pygame.KEYDOWN:
             return self._key(event, size)
-        taken, request = (False, None) if self.presents else self._widgets(size).hear(event)
-        if request is not None:
-            return self._do(request)
+        following: Screen | None = self
+        taken = False
+        if not self.presents and self._drag is None:
+            taken, following = self._controls(size).hear(event, size, pixels_per_point)
         if not taken:
             self._mouse(event, size)
-        return self
+        return following
 
-    def advance(self, seconds: float, _size: tuple[int, int]) -> Screen | None:
+    def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
         """Let time pass."""
+        self._controls(size).advance(seconds, size)
         if self._reveal.seen is None:  # a scene that runs waits until all of it is shown
             self._session = sessions.later(self._session, seconds)
         if self._repeat is not None:
@@ -135,7 +137,6 @@ class Lab:
             self._repeat = held, command
             if due:
                 self._obey(command)
-        self._seconds += seconds
         self._notice_left -= seconds
         if self._lesson is not None:
             self._lesson.observe(self._session)
@@ -146,7 +147,7 @@ class Lab:
         return self
 
     def draw(self, surface: pygame.Surface) -> None:
-        """The world, the words, the widgets."""
+        """The world, the words, the controls."""
         theme, size = self._shared.theme, surface.get_size()
         sheet = TextSheet(surface, self.layout(size), theme, self._shared.type)
         surface.fill(theme.background)
@@ -163,7 +164,6 @@ class Lab:
             draw_halo(sheet, self._pointer)
         if self._lesson is not None:
             self._lesson.draw(sheet)
-        self._seconds = 0.0
         if self._help:
             draw_help(surface, theme, self._shared.type)
 
@@ -185,11 +185,10 @@ class Lab:
         return share_line(SharedScene(session.scene, session.given, session.tick, step))
 
     def _draw_side(self, sheet: TextSheet) -> None:
-        """The widgets, and the small print below them."""
-        side = self._widgets(sheet.surface.get_size())
-        side.show(self._session, self._shown, self._picture().toggles)
-        draw_small_print(sheet, side.bottom, (f"state hash {sessions.state_hash(self._session)}", self._line()))
-        side.draw(sheet.surface, self._session, self._seconds, self._pixels_per_point)
+        """The controls, and the small print below them."""
+        bottom = self._controls(sheet.surface.get_size()).draw(sheet.surface)
+        if bottom is not None:
+            draw_small_print(sheet, bottom, (f"state hash {sessions.state_hash(self._session)}", self._line()))
 
     def _step_name(self) -> str:
         """Which step of a reveal is shown."""
@@ -197,14 +196,11 @@ class Lab:
         return name if asked is None else f"{name}.   Now drag your {asked.asked}"
 
     def _key(self, event: pygame.Event, size: tuple[int, int]) -> Screen | None:
-        """React to a key. While a field is typed into, the key is the field's."""
-        side = self._widgets(size)
-        if side.busy and not self.presents:
-            if event.key == pygame.K_ESCAPE:
-                side.release_focus()
-                return self
-            _, request = side.hear(event)
-            return self if request is None else self._do(request)
+        """React to a key, unless it is for the controls."""
+        if not self.presents:
+            taken, following = self._controls(size).hear_key(event, size)
+            if taken:
+                return following
         key = code_among(event, BOUND)
         toggle, command = TOGGLE_KEYS.get(key), command_of(key)
         request = toggle or command
@@ -227,7 +223,6 @@ class Lab:
                 self._pointer = self._pixel(event.pos)
                 pressed = views if event.button == 1 else [view._replace(handles=()) for view in views]
                 self._drag = drag_at(self._pointer, pressed, self._session.given, unit)
-                self._widgets(size).release_focus()
             case pygame.MOUSEBUTTONUP | pygame.WINDOWFOCUSLOST:
                 self._drag = None
             case pygame.MOUSEWHEEL:
@@ -251,13 +246,11 @@ class Lab:
         self._session = sessions.changed(self._session, dragged(scene.parameters, self._session.given, drag.handle, target))
 
     def _do(self, request: Request) -> Screen | None:
-        """Do what a widget or a key asks for."""
+        """Do what a control or a key asks for."""
         scene, given = self._session.scene, self._session.given
         match request:
             case Command.LEAVE:
                 return self._under
-            case PageTurned() | Command.MORE:
-                self._page += 1
             case Command():
                 self._obey(request)
             case Toggle():
@@ -348,7 +341,7 @@ class Lab:
     def _show(self, shared: SharedScene) -> None:
         """A scene as a share line names it."""
         self._session = sessions.opened(shared)
-        self._pan_zoom, self._drag, self._page = PanZoom.whole(shared.scene, shared.given), None, 0
+        self._pan_zoom, self._drag = PanZoom.whole(shared.scene, shared.given), None
         self._reveal = reveals.Reveal(shared.step, self._reveal.predicts)
 
     def _first_step(self) -> reveals.Reveal:
@@ -377,12 +370,14 @@ class Lab:
         """What is shown of the picture."""
         return reveals.shown_picture(self._reveal, self._picture())
 
-    def _widgets(self, size: tuple[int, int]) -> Side:
-        """The widgets, built anew when the window's size, the theme or the scene changes."""
-        key = (size, self._shared.theme, self._session.scene.name, self._page)
-        if self._side is None or self._side[0] != key:
-            self._side = key, Side(layout_of(size), self._shared.theme, self._shared.type, self._session, self._page)
-        return self._side[1]
+    def _controls(self, size: tuple[int, int]) -> Side:
+        """The controls of the scene as it stands."""
+        seen = Controlled(self._session, self._shown, self._picture().toggles)
+        layout = layout_of(size, text=self._shared.text_scale)
+        if self._side is None:
+            self._side = Side(self._shared, self, self._do, layout, seen)
+        self._side.show(layout, seen)
+        return self._side
 
     def _pane_views(self, size: tuple[int, int]) -> list[PaneView]:
         """Area, camera and handles of each pane."""
