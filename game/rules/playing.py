@@ -14,7 +14,6 @@ from game.rules.serving import before_serve
 from game.rules.shape import shaped
 from game.rules.speed import with_speed_now
 from game.rules.state import (
-    PADDLES,
     POINTER_STEPS,
     TICK,
     Advance,

@@ -157,9 +157,7 @@ class Batch:
         mine.positions[games], mine.velocities[games] = positions, velocities
         mine.known[games], mine.free[games] = UNKNOWN, 0
 
-    def _part(
-        self, spins: Floats | None, first: int, last: int, ticks: int, lost: npt.NDArray[np.bool_]
-    ) -> npt.NDArray[Any]:
+    def _part(self, spins: Floats | None, first: int, last: int, ticks: int, lost: npt.NDArray[np.bool_]) -> npt.NDArray[Any]:
         """The hits of some of the games, these advanced. lost: written."""
         check_subnormals()
         games = self._games
@@ -169,9 +167,7 @@ class Batch:
         rows.now[0] = 0
         game = -1
         while True:
-            game = self._compiled.step(
-                games, first, last, game, ticks, self._dt, self._speed, self._ground_radius, rows, lost
-            )
+            game = self._compiled.step(games, first, last, game, ticks, self._dt, self._speed, self._ground_radius, rows, lost)
             if game == last:
                 break
             rows = Rows(np.concatenate([rows.hits, np.empty_like(rows.hits)]), rows.now)

@@ -238,9 +238,7 @@ def startable(ring: Ring) -> Ring:
     return ring if ring.spin != 0.0 else with_turn(ring, ring.phase, _STARTED)
 
 
-def _looked_ahead(
-    balls: list[Ball], rings: list[Ring], layers: Layers, steered: Integers, dt: float
-) -> tuple[int, int]:
+def _looked_ahead(balls: list[Ball], rings: list[Ring], layers: Layers, steered: Integers, dt: float) -> tuple[int, int]:
     """How many ticks are free of any touch, and what is known then. No ball overlaps anything."""
     horizon = (LOOK_AHEAD + _MARGIN) * dt
     seconds = horizon

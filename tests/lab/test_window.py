@@ -14,11 +14,12 @@ from game.lab.kit.scene import Motion, picture_of
 from game.lab.registry import scenes
 from game.lab.session import session
 from game.lab.session.checks import lines
+from game.lab.session.commands import Command
+from game.lab.session.pan_zoom import PanZoom
 from game.lab.session.share import SharedScene, parsed
 from game.lab.window import saving, screen
-from game.lab.window.commands import KEYS, MORE_HELP, Command, command_of
+from game.lab.window.commands import KEYS, MORE_HELP, command_of
 from game.lab.window.layout import layout_of
-from game.lab.window.pan_zoom import PanZoom
 from game.lab.window.screen import Lab
 from game.lab.window.words import TextSheet, draw_head, draw_words
 from game.screens.play import PlayScreen

@@ -1,46 +1,12 @@
 """What keys and buttons of the lab ask for: one table binds them, and the help reads it."""
 
-from enum import Enum
 from typing import NamedTuple
 
 import pygame
 
 from game.input.actions import Action
 from game.lab.kit.picture import Toggle
-
-
-class Command(Enum):
-    """What can be asked for by a key alone. The value is the button's text."""
-
-    PLAY = "Play"
-    REVEAL = "Reveal"
-    UNDO_STEP = "Step back"
-    PAGE_DOWN = "Page down"
-    PAGE_UP = "Page up"
-    PREDICT = "Predict"
-    COURSE = "Course"
-    PRESENT = "Present"
-    LARGER = "Larger text"
-    SMALLER = "Smaller text"
-    CONTROLS = "Controls"
-    SAVE_LEVEL = "Save level"
-    SAVE_PNG = "PNG"
-    SAVE_SVG = "SVG"
-    SAVE_GIF = "GIF"
-    FORWARD = "Step"
-    BACK = "Back"
-    RESTART = "Restart"
-    SLOWER = "-"
-    FASTER = "+"
-    DEFAULTS = "Defaults"
-    COPY = "Copy line"
-    SAVE = "Save case"
-    WHOLE = "Whole scene"
-    THEME = "Colours"
-    HELP = "Help"
-    PREVIOUS = "<"
-    NEXT = ">"
-    LEAVE = "Leave"
+from game.lab.session.commands import Command
 
 
 class KeyBinding(NamedTuple):

@@ -9,8 +9,9 @@ from game.input.key_names import code_names
 from game.lab.kit.parameters import Parameter, Point, plain, snapped, step_of, written
 from game.lab.kit.picture import Toggle
 from game.lab.registry import chapters
+from game.lab.session.commands import Command
 from game.lab.session.session import PACES, Session
-from game.lab.window.commands import KEYS, TOGGLE_KEYS, Command
+from game.lab.window.commands import KEYS, TOGGLE_KEYS
 from game.screens.base import Screen
 from game.screens.toolkit.drop_down import DropDown, Option, Options
 from game.screens.toolkit.items import ButtonItem, Item, Space, Switch

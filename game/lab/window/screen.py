@@ -5,8 +5,8 @@ import pygame
 from game.input.keys import code_among, position_in
 from game.input.repeat import Repeat
 from game.input.signals import Pressed, Signal, is_still_down, pad_of
-from game.lab.course.progress import course_progress, progress_path
-from game.lab.export.files import step_name
+from game.lab.course.progress import course_progress
+from game.lab.course.progress_path import progress_path
 from game.lab.export.slide import SLIDE_SIZE, SlideStyle
 from game.lab.kit.handles import Handle, dragged
 from game.lab.kit.parameters import Clamped, clamped
@@ -14,19 +14,21 @@ from game.lab.kit.picture import Picture, Toggle
 from game.lab.registry import scenes
 from game.lab.session import reveal as reveals
 from game.lab.session import session as sessions
+from game.lab.session.commands import Command
+from game.lab.session.pan_zoom import PanZoom
+from game.lab.session.presenting import DEFAULT_SCALE, TEXT_SCALES
 from game.lab.session.session import Session
 from game.lab.session.share import SharedScene, parsed, preset, share_line
+from game.lab.session.stepping import SESSION_CHANGES, STEPS, Following, stepped_by
 from game.lab.window import saving
-from game.lab.window.commands import BOUND, PAD_COMMANDS, TOGGLE_KEYS, Command, command_of
+from game.lab.window.commands import BOUND, PAD_COMMANDS, TOGGLE_KEYS, command_of
 from game.lab.window.controls import Controlled, NumberRefused, PresetChosen, Request, SceneChosen, ValueRequested
 from game.lab.window.dragging import Drag, PaneView, drag_at
 from game.lab.window.help import draw_help
-from game.lab.window.layout import DEFAULT_SCALE, TEXT_SCALES, WindowLayout, layout_of
+from game.lab.window.layout import WindowLayout, layout_of
 from game.lab.window.lesson import Lesson
-from game.lab.window.pan_zoom import PanZoom
 from game.lab.window.presented import paint_presented, presented_words
 from game.lab.window.side import MODIFIERS, LabSide
-from game.lab.window.stepping import SESSION_CHANGES, STEPS, Following, stepped_by
 from game.lab.window.view import draw_all_handles, draw_halo, draw_panes, letters_for, pane_views
 from game.lab.window.words import TextSheet, draw_head, draw_notice, draw_small_print, draw_words
 from game.lab.yours.pane import with_yours
@@ -190,8 +192,7 @@ class Lab:
 
     def _step_name(self) -> str:
         """Which step of a reveal is shown."""
-        asked, name = reveals.prediction(self._reveal, self._picture()), step_name(self._reveal, self._picture())
-        return name if asked is None else f"{name}.   Now drag your {asked.asked}"
+        return reveals.step_words(self._reveal, self._picture())
 
     def _key(self, event: pygame.Event, size: tuple[int, int]) -> Screen | None:
         """React to a key, unless it is for the controls."""
