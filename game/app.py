@@ -85,7 +85,8 @@ def play(
 ) -> int:
     """Open a window with the title, the first of the levels chosen, and play until it is closed; the exit code.
 
-    recorder: told every tick of every game played. autopilot: it plays, from the first serve on, without a title.
+    seed: of the session, of which every game's is made. recorder: told every tick of every game played.
+    autopilot: it plays, from the first serve on, without a title.
     physics: that the games are flown on. ruleset: of the games; None for the one chosen last. players: how many play.
     Raises EnvironmentMissingError without a display, DisplayLostError when it goes away.
     """

@@ -75,7 +75,8 @@ def play(
         typer.Option(
             min=0,
             max=2**63 - 1,
-            help="Decides the power-ups, where the aim of each serve begins, and nudges; the same seed is the same chance.",
+            help="Decides the power-ups, where the aim of each serve begins, and nudges; the same seed is the same chance. "
+            "In the window it is the first game's, and the seeds of the games after it are made of it.",
             show_default="1 if --headless, else random",
         ),
     ] = None,
@@ -207,7 +208,7 @@ def save_screens(
     pictures: Annotated[Path, typer.Option(metavar="DIR", help="The folder that gets a PNG file of every screen.")],
     only: Annotated[str, typer.Option(help="A part of the names of the screens wanted.")] = "",
     size: Annotated[str, typer.Option(metavar="WxH", help="Size of the pictures in pixels.")] = "1280x800",
-    theme: Annotated[Literal["dark", "light"], typer.Option(help="Their colours.")] = "dark",
+    theme: Annotated[Literal["dark", "light", "contrast"], typer.Option(help="Their colours.")] = "dark",
     vision: Annotated[
         Literal["full", "protanopia", "deuteranopia", "tritanopia"],
         typer.Option(help="The colours that the player tells apart."),

@@ -46,7 +46,7 @@ def _following(
     if isinstance(screen, Typist) and screen.typed(event):
         return screen
     pixels_per_point = _pixels_per_point(window, size)
-    signals = tuple(state.devices.signals(event, size, pixels_per_point))
+    signals = tuple(state.devices.signals(event, size, pixels_per_point, orbits=state.view.goal > 0.0))
     if isinstance(screen, Listener):
         if any([isinstance(signal, Pressed) and signal.action is Action.FULL_SCREEN for signal in signals]):
             toggle_full_screen(window, state)
@@ -61,10 +61,10 @@ def _following(
 
 
 def _after_pads(screen: Screen, signals: tuple[Signal, ...], size: tuple[int, int]) -> Screen | None:
-    """The screen after what gamepads did, of some signals."""
+    """The screen after what gamepads did, of some signals, also if the player has left."""
     following: Screen | None = screen
     for signal in signals:
-        if following is screen and pad_of(signal) is not None:
+        if following is screen and (isinstance(signal, FocusLost) or pad_of(signal) is not None):
             following = screen.answer(signal, size)
     return following
 

@@ -9,10 +9,10 @@ import pygame
 
 from game.drawing.camera import Layout
 from game.drawing.canvas import Canvas
+from game.drawing.letter_sizes import stepped
 from game.drawing.palette import Colour, Theme, mixed
 from game.drawing.palettes import themed
 from game.drawing.raster.primitives import draw_box, draw_circle, draw_dot
-from game.drawing.text import stepped
 from game.effects import Streak
 from game.effects.streaks import BUMP_TICKS, ENDED_TICKS
 from game.input.key_names import key_name
@@ -45,15 +45,15 @@ _SWATCH, _SWATCH_GAP = (1.5, 0.42), 0.5
 """The sign in the colour of a player's paddle, and from it to the player's name."""
 _PLAYER_SCORE, _PLAYER_LIVES, _PLAYER_HEIGHT = 1.1, 3.9, 4.4
 """From the top of a player's figures to the score and to the middle of the lives, and height of them all."""
-_PLAYER_COMBO = 4.0
-"""Height of the combo's room, which is on the side of a player's figures that is nearer to the middle."""
+_PLAYER_COMBO, _AHEAD = 4.0, 1.1
+"""Heights of the combo and of the line that says who is ahead; both are on the side of a player's figures that is nearer to the
+middle."""
 
 
 def draw(canvas: Canvas, shown: Readings, layout: Layout) -> None:
     """The figures in the four corners of a layout."""
     if shown.players:
-        for player, colour in zip(shown.players, paddle_colours(canvas.theme, shown.palette), strict=True):
-            _draw_player(canvas, shown, player, colour, layout)
+        _draw_players(canvas, shown, layout)
     else:
         _draw_score(canvas, shown, layout)
     _draw_level(canvas, shown, layout)
@@ -79,21 +79,46 @@ def _draw_score(canvas: Canvas, shown: Readings, layout: Layout) -> None:
     _draw_lives(canvas, pixel, shown.lives, -1.0)
 
 
+def _draw_players(canvas: Canvas, shown: Readings, layout: Layout) -> None:
+    """The figures of two players, each in the left corner of the own half."""
+    longest = max([player.name for player in shown.players], key=len).upper()
+    canvas = _fitting_player(canvas, longest, layout)
+    for player, colour in zip(shown.players, paddle_colours(canvas.theme, shown.palette), strict=True):
+        _draw_player(canvas, shown, player, colour, layout)
+
+
+def _fitting_player(canvas: Canvas, name: str, layout: Layout) -> Canvas:
+    """A canvas with smaller letters where a player's name would reach the arena; they are not smaller than usual."""
+    letters = canvas.type.rendered(name, canvas.unit * _CAPTION, canvas.theme.text).get_width()
+    wide = letters + canvas.unit * (_SWATCH[0] + _SWATCH_GAP)
+    corner = complex(layout.unit * _EDGE, layout.unit * _EDGE + canvas.unit * _PLAYER_HEIGHT)
+    room = _room(layout, corner) if layout.beside else layout.size[0]
+    return canvas._replace(unit=min(max(canvas.unit * room / wide, layout.unit), canvas.unit))
+
+
 def _draw_player(canvas: Canvas, shown: Readings, player: PlayerReadings, colour: Colour, layout: Layout) -> None:
-    """A player's sign, name, score and lives, and the combo of the one for whom it counts. colour: of the player's paddle."""
+    """A player's sign, name, score and lives, who is ahead, and the combo of the one for whom it counts.
+
+    colour: of the player's paddle.
+    """
     theme, unit, upper = canvas.theme, canvas.unit, player is shown.players[-1]
-    corner = complex(unit * _EDGE, unit * _EDGE if upper else layout.size[1] - unit * (_EDGE + _PLAYER_HEIGHT))
+    corner = complex(1.0, 1.0) * layout.unit * _EDGE
+    if not upper:
+        corner = complex(corner.real, layout.size[1] - corner.imag - unit * _PLAYER_HEIGHT)
     sign = pygame.Rect(0, 0, round(unit * _SWATCH[0]), max(round(unit * _SWATCH[1]), 2))
     sign.midleft = (round(corner.real), round(corner.imag + unit * _CAPTION * 0.6))
     draw_box(canvas.surface, sign, sign.height / 2.0, colour)
-    name = player.name.upper() if not player.leads else tr("{player}, AHEAD").format(player=player.name.upper())
     pixel = complex(sign.right + unit * _SWATCH_GAP, sign.centery)
-    canvas.write(name, _CAPTION, theme.accent if player.leads else theme.faint, pixel, "midleft")
+    name = canvas.write(player.name.upper(), _CAPTION, theme.accent if player.leads else theme.faint, pixel, "midleft")
     score = canvas.write(f"{player.score:,}", _FIGURE, theme.text, corner + 1j * unit * _PLAYER_SCORE)
     _draw_lives(canvas, corner + 1j * unit * _PLAYER_LIVES, player.lives, 1.0)
+    if player.leads:
+        beyond = corner + 1j * unit * (_PLAYER_HEIGHT + 0.7 if upper else -0.7)
+        pixel = beyond if layout.beside else complex(name.right + unit, name.centery)
+        canvas.write(tr("AHEAD"), _CAPTION, theme.accent, pixel, "midleft")
     if player.scores:
         across = complex(max(score.right, corner.real + unit * _LIFE_PITCH * max(LIVES, player.lives)) + unit, score.top)
-        offset = _PLAYER_HEIGHT + 0.3 if upper else -_PLAYER_COMBO
+        offset = _PLAYER_HEIGHT + _AHEAD if upper else -_PLAYER_COMBO - _AHEAD
         _draw_combo(canvas, shown, corner + 1j * unit * offset if layout.beside else across, layout)
 
 

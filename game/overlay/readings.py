@@ -5,6 +5,7 @@ from typing import NamedTuple
 from game.effects import Streak
 from game.effects.streaks import NO_STREAK
 from game.language import tr
+from game.level_names import level_name
 from game.levels import number_of
 from game.rules import Game, layers_left, winner
 
@@ -52,7 +53,7 @@ def readings(game: Game, streak: Streak = NO_STREAK, *, muted: bool = False, bad
     """The figures of a game. The other arguments are those of `Readings`."""
     number, count = number_of(game.level, game.levels)
     left = layers_left(game)
-    figures = game.score, game.combo, game.lives, number, count, tr(game.level.name), left
+    figures = game.score, game.combo, game.lives, number, count, level_name(game.level.name), left
     return Readings(*figures, muted, badge, streak, game.level.look.palette, _players(game))
 
 

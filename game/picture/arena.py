@@ -1,7 +1,6 @@
 """The game's scene as two lists of primitives: a backdrop that seldom changes, and what is new in every frame."""
 
 import math
-from typing import NamedTuple
 
 from game.drawing.camera import Camera
 from game.drawing.palette import Theme
@@ -10,9 +9,13 @@ from game.drawing.slots.contents import ContentKind, Contents, SlotContent, rest
 from game.drawing.slots.parts import SlotShape, slot_shape
 from game.picture.display_list import DisplayList
 from game.picture.ground import PatternedGround, add_ground
-from game.picture.moving import add_ball, add_in_air, add_on_ground, add_words
+from game.picture.moving.balls import add_ball
+from game.picture.moving.bursts import add_bursts
+from game.picture.moving.layers import add_in_air, add_on_ground
+from game.picture.moving.words import add_words
 from game.picture.slots import add_shadow, add_slot
 from game.picture.solid import SolidBlocks
+from game.picture.view import ArenaView
 from game.rules import PADDLES
 from game.scene import Scene
 
@@ -20,14 +23,6 @@ _MOST_RINGS = 64
 """Pictures of rings that are cached."""
 _EVERYWHERE = (-1e5 - 1e5j, 1e5 - 1e5j, 1e5 + 1e5j, -1e5 + 1e5j)
 """Corners of a square that covers every canvas, pixels."""
-
-
-class ArenaView(NamedTuple):
-    """Through what a scene is seen. unit: size of text, pixels."""
-
-    camera: Camera
-    theme: Theme
-    unit: float
 
 
 class ArenaPicture:
@@ -64,19 +59,19 @@ class ArenaPicture:
 
     def frame(self, scene: Scene, view: ArenaView) -> DisplayList:
         """All that moves. It is painted over the backdrop."""
-        out, theme = DisplayList(), themed(view.theme, scene.palette)
-        contents = slot_contents(scene)
-        if view.camera.flat:
-            self._add_flat(out, scene, view.camera, theme, contents)
-            add_on_ground(out, scene, view.camera, theme)
+        out, view = DisplayList(), view._replace(theme=themed(view.theme, scene.palette))
+        camera, theme, contents = view.camera, view.theme, slot_contents(scene)
+        if camera.flat:
+            self._add_flat(out, scene, camera, theme, contents)
+            add_on_ground(out, scene, view)
         else:
-            add_on_ground(out, scene, view.camera, theme)
-            self._blocks.add(out, scene, view.camera, theme, contents)
-        add_in_air(out, scene, view.camera, theme, view.unit)
-        if view.camera.flat:
-            for ball in scene.balls:
-                add_ball(out, ball, view.camera, theme)
-        add_words(out, scene, view.camera, theme, view.unit)
+            add_on_ground(out, scene, view)
+            self._blocks.add(out, scene, camera, theme, contents)
+        add_bursts(out, scene, view)
+        for ball in scene.balls if camera.flat else ():
+            add_ball(out, ball, camera, theme)
+        add_in_air(out, scene, view)
+        add_words(out, scene, view)
         return out
 
     def _add_flat(self, out: DisplayList, scene: Scene, camera: Camera, theme: Theme, contents: Contents) -> None:

@@ -42,7 +42,7 @@ class LevelPictures:
         return waited
 
     def picture(self, level: Level, side: int, theme: Theme, *, whole: bool = False) -> pygame.Surface | None:
-        """A level's picture, `side` pixels square; None where it has to wait for the next frame. whole: with the paddles."""
+        """A level's picture, `side` pixels square; None where it has to wait for the next frame. whole: the arena as a disc."""
         key = (level.content_hash(), side, theme, whole)
         if key in self._drawn:
             self._drawn.move_to_end(key)
@@ -51,7 +51,8 @@ class LevelPictures:
             self.waiting = True
             return None
         self._budget -= 1
-        self._drawn[key] = thumbnail(level, side, theme, whole=whole)
+        picture = thumbnail(level, side, theme, whole=whole)
+        self._drawn[key] = _round(picture) if whole else picture
         if len(self._drawn) > _MOST:
             self._drawn.popitem(last=False)
         return self._drawn[key]
@@ -68,8 +69,7 @@ def thumbnail(level: Level, side: int, theme: Theme, *, whole: bool = False) -> 
     reach, radius = (level.ground_radius, _WHOLE_RADIUS) if whole else (reach, _RADIUS)
     camera = Camera(complex(side, side) * _FINER / 2.0, side * _FINER * radius / reach)
     Painter().paint(Canvas(large, camera, theme._replace(background=theme.panel), Type(), 1.0), scene)
-    picture = pygame.transform.smoothscale(large, (side, side))
-    return _round(picture) if whole else picture
+    return pygame.transform.smoothscale(large, (side, side))
 
 
 def _round(picture: pygame.Surface) -> pygame.Surface:

@@ -14,7 +14,7 @@ from game.effects import LONGEST, Effects
 from game.fixed_step import LONGEST_FRAME
 from game.input.key_names import key_name, watch_help
 from game.input.keys import Action
-from game.input.signals import Clicked, Dragged, Moved, Pressed, Signal, Zoomed
+from game.input.signals import Clicked, FocusLost, Moved, Pressed, Signal
 from game.language import tr
 from game.overlay import hud
 from game.overlay.readings import readings
@@ -75,6 +75,8 @@ class Watch:
         """Play, stop, step, seek, or leave."""
         state = self._state
         signal = self._on_buttons(signal, size)
+        leaves = isinstance(signal, Pressed) and signal.action in (Action.BACK, Action.HELP, Action.SETTINGS)
+        state.view = state.view.after(FocusLost() if leaves else signal, unit_of(size))
         match signal:
             case Pressed(Action.BACK):
                 return self._back()
@@ -91,9 +93,6 @@ class Watch:
                 self._speed = min(self._speed + 1, len(SPEEDS) - 1)
             case Pressed(action):
                 self._go(action)
-                state.view = state.view.after(signal, unit_of(size))
-            case Dragged() | Zoomed():
-                state.view = state.view.after(signal, unit_of(size))
             case Clicked(pixel) | Moved(pixel, True) if self._on_timeline(pixel, size):
                 bar = self._timeline(size)
                 share = (pixel.real - bar.left) / max(bar.width, 1)

@@ -18,7 +18,7 @@ from game.lab.session.commands import Command
 from game.lab.session.pan_zoom import PanZoom
 from game.lab.session.share import SharedScene, parsed
 from game.lab.window import saving, screen
-from game.lab.window.commands import KEYS, command_of
+from game.lab.window.commands import KEYS, MORE_HELP, command_of
 from game.lab.window.layout import layout_of
 from game.lab.window.screen import Lab
 from game.lab.window.words import TextSheet, draw_head, draw_words
@@ -44,14 +44,15 @@ def test_the_ball_is_dragged_where_the_hand_goes(desk):
 
 
 def test_a_drag_on_nothing_moves_the_view_and_home_brings_it_back(desk):
-    """A drag on nothing moves the world and changes no value; Home shows what was shown at first."""
+    """A drag on nothing moves the world, wherever the mouse goes, and no value; Home shows what was shown at first."""
     before = desk.values
     start = desk.pixel(7 + 4j)
-    desk.drag(start, (start[0] + 100, start[1] + 50))
-    assert desk.values == before
-    assert desk.pixel(7 + 4j) == (start[0] + 100, start[1] + 50)
-    desk.press(pygame.K_HOME)
-    assert desk.pixel(7 + 4j) == start
+    for button, across in ((1, 100), (2, 700)):
+        desk.drag(start, (start[0] + across, start[1] + 50), button)
+        assert desk.values == before
+        assert desk.pixel(7 + 4j) == (start[0] + across, start[1] + 50)
+        desk.press(pygame.K_HOME)
+        assert desk.pixel(7 + 4j) == start
 
 
 def test_handles_are_dragged_only_in_panes_that_have_them():
@@ -142,6 +143,13 @@ def test_help_opens_and_any_key_closes_it(desk):
     desk.press(pygame.K_ESCAPE)
     assert desk.screen is not None
     assert not desk.screen._help
+
+
+def test_every_line_of_the_help_fits_its_column():
+    """What a key does ends before the next column, or before the panel's edge."""
+    type_, unit = Type(), 40.0
+    for _, meaning in (*MORE_HELP, *[("", key.meaning) for key in KEYS]):
+        assert type_.rendered(meaning, unit, (0, 0, 0)).get_width() < 16.6 * unit, meaning
 
 
 @pytest.mark.usefixtures("unseen")

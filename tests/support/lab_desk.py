@@ -5,6 +5,8 @@ from typing import NamedTuple
 import pygame
 
 from game.app import frame
+from game.input.actions import Action
+from game.input.signals import Pressed, Released, pad_position
 from game.lab.session import session
 from game.lab.session.share import parsed
 from game.lab.window.layout import layout_of, pane_areas
@@ -61,7 +63,8 @@ class LabDesk(Desk):
         pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=start, button=button))
         middle = ((start[0] + end[0]) // 2, (start[1] + end[1]) // 2)
         for pixel in (middle, end):
-            pygame.event.post(pygame.Event(pygame.MOUSEMOTION, pos=pixel, rel=(0, 0), buttons=(1, 0, 0)))
+            held = tuple([int(button == one) for one in (1, 2, 3)])
+            pygame.event.post(pygame.Event(pygame.MOUSEMOTION, pos=pixel, rel=(0, 0), buttons=held))
         pygame.event.post(pygame.Event(pygame.MOUSEBUTTONUP, pos=end, button=button))
         self.wait(2 * FRAME)
 
@@ -107,8 +110,10 @@ class LabDesk(Desk):
         """Click in the middle of the control that says something."""
         self.click(self.spot(label).box.center)
 
-    def pad(self, button, *kinds):
-        """Press and release a gamepad's button, or only one of both."""
-        for kind in kinds or (pygame.CONTROLLERBUTTONDOWN, pygame.CONTROLLERBUTTONUP):
-            pygame.event.post(pygame.Event(kind, button=button, instance_id=0))
-        self.wait(FRAME)
+    def pad(self, *actions, held=False):
+        """Press a gamepad's buttons that mean some actions, and release them unless they are held."""
+        for action in actions:
+            position = pad_position(0, list(Action).index(action))
+            for signal in (Pressed(action, position), Released(action, position))[: 1 if held else 2]:
+                if self.screen is not None:
+                    self.screen = self.screen.answer(signal, self.size)

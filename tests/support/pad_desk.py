@@ -41,7 +41,7 @@ class PadDesk(Desk):
         for key in keys:
             for act in (self.pad.press, self.pad.release):
                 act(self.BUTTONS[key])
-                self.wait(2 * FRAME)
+                self.wait(FRAME)
 
     def close(self):
         """Pull the gamepad out, and take the window away."""

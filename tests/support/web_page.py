@@ -35,6 +35,10 @@ class WebPage:
         """What the game's Python answers. argument: an expression of JavaScript."""
         return self.tab.evaluate(f"(async () => polarBreakout.ask({what!r}, {argument}))()")
 
+    def timeline(self):
+        """The names of the steps in which Python has started."""
+        return [name for name, _moment in self.ask("timeline")]
+
     def standing(self):
         """How the game or the lab's scene stands."""
         return json.loads(self.ask("probe"))

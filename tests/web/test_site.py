@@ -1,6 +1,10 @@
 """The files that a web host serves, without a browser and without the runtime."""
 
 import json
+import socket
+import struct
+from urllib.parse import urlsplit
+from urllib.request import urlopen
 
 import numpy as np
 import pytest
@@ -11,6 +15,7 @@ from game.web.archives import compressed, page_archive, zip_archive, zip_content
 from game.web.bundle import browser_sources, grading_sources
 from game.web.compiled import compiled
 from game.web.samples import differences
+from game.web.server import served
 from game.web.standard_library import needed
 
 
@@ -79,3 +84,17 @@ def test_what_was_compiled_is_cached_and_a_torn_file_is_not_used(monkeypatch, tm
     path.write_bytes(path.read_bytes()[:-10])
     with pytest.raises(EnvironmentMissingError):
         compiled(sources, {}, tmp_path)
+
+
+def test_a_browser_that_goes_away_leaves_the_terminal_quiet(capsys):
+    """Its connection is reset while the server waits for the next request; the server goes on."""
+    with served({"index.html": b"a page"}, 0) as address:
+        where = urlsplit(address)
+        connection = socket.create_connection((where.hostname, where.port))
+        connection.sendall(b"GET / HTTP/1.1\r\nHost: here\r\n\r\n")
+        assert connection.recv(1)
+        connection.setsockopt(socket.SOL_SOCKET, socket.SO_LINGER, struct.pack("ii", 1, 0))  # a close is a reset
+        connection.close()
+        with urlopen(address) as answer:  # noqa: S310  # ours
+            assert answer.read() == b"a page"
+    assert capsys.readouterr() == ("", "")

@@ -9,6 +9,9 @@ from game.editor import session as editing
 from game.editor.session import EditorSession
 from game.editor.symmetry import FOLDS
 from game.input.keys import Action
+from physics import PERMANENT
+
+_ASCII = 128
 
 
 def _mirrored(session: EditorSession) -> EditorSession:
@@ -25,6 +28,14 @@ def folded(session: EditorSession, steps: int = 1) -> EditorSession:
 def next_of(choices: tuple[int, ...], present: int, steps: int) -> int:
     """The choice some steps further, round at the end."""
     return choices[(choices.index(present) + steps) % len(choices)]
+
+
+def layers_of(event: pygame.Event) -> int | None:
+    """The brush that a key stands for, by what is written on it; None for other keys."""
+    written = getattr(event, "unicode", "") or (chr(event.key) if event.key < _ASCII else "")
+    if written == "-":
+        return PERMANENT
+    return int(written) if written in tuple("0123456789") else None
 
 
 CHANGES: dict[str, Callable[[EditorSession], EditorSession]] = {

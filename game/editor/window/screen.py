@@ -21,6 +21,7 @@ from game.editor.window.commands import (
     ERASING_KEYS,
     PAINTING_KEYS,
     folded,
+    layers_of,
     next_of,
 )
 from game.editor.window.help import EditorHelp, Hand, hint
@@ -30,7 +31,7 @@ from game.editor.window.play_test import PlayTest
 from game.editor.window.targets import Target, TargetKind, beside, target_below
 from game.input.keys import Action, position_in
 from game.input.repeat import Repeat
-from game.input.signals import PAD_POSITIONS, KeyboardState, Pressed, Released, Signal, pad_of
+from game.input.signals import PAD_POSITIONS, FocusLost, KeyboardState, Pressed, Released, Signal, pad_of
 from game.language import tr
 from game.levels import Level
 from game.screens.app_state import AppState
@@ -38,13 +39,11 @@ from game.screens.base import Screen
 from game.screens.toolkit.menu import Entry, Menu
 from game.system.errors import BadInputError
 from game.system.files import write_text
-from physics import PERMANENT
 
 _LOOK_SECONDS = 0.5
 """From one look at the file to the next."""
 _TYPED = "0123456789.-"
 _LONGEST_NUMBER = 12
-_ASCII = 128
 
 
 class Editor:
@@ -76,8 +75,6 @@ class Editor:
             return self._key(event)
         if event.type == pygame.KEYUP and event.key in (*PAINTING_KEYS, *ERASING_KEYS):
             self._painting = None
-        if event.type == pygame.WINDOWFOCUSLOST:
-            self._painting = self._held = None
         if event.type == pygame.MOUSEWHEEL:
             return self._wheel(event, size)
         if event.type not in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION):
@@ -95,8 +92,12 @@ class Editor:
     def answer(self, signal: Signal, _size: tuple[int, int]) -> Screen | None:
         """React to a gamepad, or to a key that was let go."""
         self._held = _still_held(self._held, signal)
-        if pad_of(signal) is None:
-            return self
+        if isinstance(signal, FocusLost):
+            self._painting = None
+        return self if pad_of(signal) is None else self._pad(signal)
+
+    def _pad(self, signal: Signal) -> Screen | None:
+        """A gamepad's button or stick."""
         self._hand = Hand.PAD
         match signal:
             case Pressed(Action.LEFT | Action.RIGHT | Action.UP | Action.DOWN):
@@ -144,9 +145,9 @@ class Editor:
             draw_arena(canvas, self._painter, self._drawn)
         by_mouse = self._hand is Hand.MOUSE
         at = self._hovered(seen) if by_mouse else (self.session.ring, self.session.slot)
-        idle = self._in_panel and not by_mouse
-        draw_outlines(canvas, self.session, at, canvas.theme.faint if idle else canvas.theme.accent)
-        panel = PanelState(self._target, idle, self._typed, hint(self._hand, in_panel=self._in_panel))
+        in_panel = self._in_panel and not by_mouse
+        draw_outlines(canvas, self.session, at, canvas.theme.faint if in_panel else canvas.theme.accent)
+        panel = PanelState(self._target, in_panel, self._typed, hint(self._hand, in_panel=self._in_panel))
         draw_panel(canvas, seen, self.session, panel, str(self._file.path.name))
 
     def save(self) -> bool:
@@ -182,7 +183,7 @@ class Editor:
         command = COMMAND_KEYS.get(event.key)
         if command is not None:
             return self._command(command)
-        layers = _layers_of(event)
+        layers = layers_of(event)
         if layers is not None:
             self.session = editing.brushed(self.session, layers)
         elif event.key in DIRECTIONS:
@@ -331,7 +332,7 @@ class Editor:
 
     def _command(self, name: str | None) -> Screen | None:
         """Do what a button or a key says."""
-        self._painting = None
+        self._painting = self._held = None
         change = CHANGES.get(name or "")
         if change is not None:
             self.session = change(self.session)
@@ -372,14 +373,6 @@ class Editor:
         return Menu(self._state, self, tr("Unsaved changes"), (self._file.path.name,), entries, back=lambda: self)
 
 
-def _layers_of(event: pygame.Event) -> int | None:
-    """The brush that a key stands for, by what is written on it; None for other keys."""
-    written = getattr(event, "unicode", "") or (chr(event.key) if event.key < _ASCII else "")
-    if written == "-":
-        return PERMANENT
-    return int(written) if written in tuple("0123456789") else None
-
-
 def _still_held(held: tuple[Pressed, int, Repeat] | None, signal: Signal) -> tuple[Pressed, int, Repeat] | None:
     """The direction that is held down after a signal."""
     if held is None:
@@ -390,6 +383,8 @@ def _still_held(held: tuple[Pressed, int, Repeat] | None, signal: Signal) -> tup
             return held if position in down or position >= PAD_POSITIONS else None
         case Released():
             return None if signal.position == position else held
+        case FocusLost():
+            return None
         case _:
             return held
 

@@ -1,4 +1,4 @@
-"""What keys and gamepads can choose in the panel: a number, the brush, the rotation, or a command; and the way between them."""
+"""What keys and gamepads can choose in the panel: a number, the brush, the rotation, or a command; and what is beside it."""
 
 from enum import Enum, auto
 from typing import NamedTuple

@@ -1,6 +1,6 @@
 """The controls beside the picture as rows of items: lists of scenes and presets, sliders with fields, switches, buttons."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from typing import NamedTuple
 
 import pygame
@@ -13,9 +13,9 @@ from game.lab.session.commands import Command
 from game.lab.session.session import PACES, Session
 from game.lab.window.commands import KEYS, TOGGLE_KEYS
 from game.screens.base import Screen
-from game.screens.toolkit.caption import Caption
 from game.screens.toolkit.drop_down import DropDown, Option, Options
 from game.screens.toolkit.items import ButtonItem, Item, Space, Switch
+from game.screens.toolkit.label import LabelItem
 from game.screens.toolkit.layout import Column, Row
 from game.screens.toolkit.slider import FieldSlider
 from game.screens.toolkit.text_field import TextField
@@ -29,6 +29,7 @@ _BUTTONS = (
     (Command.DEFAULTS, Command.WHOLE, Command.COPY),
     (Command.SAVE, Command.THEME, Command.HELP),
 )
+"""In rows."""
 
 
 class ValueRequested(NamedTuple):
@@ -38,7 +39,7 @@ class ValueRequested(NamedTuple):
     value: complex
 
 
-class Refused(NamedTuple):
+class NumberRefused(NamedTuple):
     """What was typed is no number. note: a sentence that says so."""
 
     note: str
@@ -56,7 +57,7 @@ class PresetChosen(NamedTuple):
     line: str
 
 
-Request = ValueRequested | Refused | SceneChosen | PresetChosen | Toggle | Command
+Request = ValueRequested | NumberRefused | SceneChosen | PresetChosen | Toggle | Command
 
 
 class Component(NamedTuple):
@@ -84,8 +85,7 @@ class Component(NamedTuple):
     def moved(self, session: Session, number: float) -> ValueRequested:
         """The same by a slider: inside the range, and a multiple of the parameter's step."""
         low, high = float(self.parameter.low), float(self.parameter.high)
-        name = self.parameter.name
-        rounded = snapped((self.parameter,), {name: min(max(number, low), high)})[name].real
+        rounded = snapped((self.parameter,), {self.parameter.name: number})[self.parameter.name].real
         return self.requested(session, min(max(rounded, low), high))
 
 
@@ -118,8 +118,11 @@ class Reactions(NamedTuple):
     presets: Callable[[], Screen | None]
 
 
-def controls(seen: Controlled, do: Reactions) -> Column:
-    """All controls: the lists above, the buttons below, and the numbers between them, which scroll where they are too many."""
+def controls(seen: Controlled, do: Reactions, *, narrow: bool = False) -> Column:
+    """All controls: the lists above, the buttons below, and the numbers between them, which scroll where they are too many.
+
+    narrow: a row has room for two buttons, or for one switch.
+    """
     scene = seen.session.scene
     lists: list[Row] = [
         (_button(Command.PREVIOUS, do), DropDown(scene.name, do.scenes, "all scenes", _LIST_SHARE), _button(Command.NEXT, do)),
@@ -127,9 +130,11 @@ def controls(seen: Controlled, do: Reactions) -> Column:
     if scene.presets:
         lists.append((DropDown("Presets", do.presets, "values worth looking at"),))
     numbers = [row for parameter in scene.parameters for row in _parameter(parameter, seen, do)]
-    time = [*_time(seen.session, do), _SPACE] if seen.session.runs else []
-    below = [_SPACE, *time, *_switches(seen, do), _SPACE]
-    below += [tuple([_button(command, do) for command in commands]) for commands in _BUTTONS]
+    time = [*_time(seen.session, do, narrow=narrow), _SPACE] if seen.session.runs else []
+    switches = [_switch(key, toggle, seen, do) for key, toggle in TOGGLE_KEYS.items()]
+    below = [_SPACE, *time, *_rows(switches, 1 if narrow else 2), _SPACE]
+    buttons = [[_button(command, do) for command in commands] for commands in _BUTTONS]
+    below += _rows([button for row in buttons for button in row], 2) if narrow else [tuple(row) for row in buttons]
     lists.append(_SPACE)
     return Column(tuple(lists), tuple(numbers), tuple(below))
 
@@ -154,7 +159,7 @@ def _parameter(parameter: Parameter, seen: Controlled, do: Reactions) -> list[Ro
     value = f"{parameter.label} = {written(parameter, seen.session.given.values[parameter.name])}"
     count = 2 if isinstance(parameter, Point) else 1
     sliders: list[Row] = [(_slider(Component(parameter, coordinate), seen, do),) for coordinate in range(count)]
-    return [(Caption(value, parameter.meaning),), *sliders]
+    return [(LabelItem(value, parameter.meaning),), *sliders]
 
 
 def _slider(component: Component, seen: Controlled, do: Reactions) -> FieldSlider:
@@ -181,21 +186,20 @@ def _slider(component: Component, seen: Controlled, do: Reactions) -> FieldSlide
     )
 
 
-def _time(session: Session, do: Reactions) -> list[Row]:
+def _time(session: Session, do: Reactions, *, narrow: bool) -> list[Row]:
     """The buttons to run, to step and to restart; below them the clock between those for slower and faster."""
     play = _button(Command.PLAY, do, "Pause" if session.playing else "Play")
     steps = (_button(Command.BACK, do), play, _button(Command.FORWARD, do), _button(Command.RESTART, do))
     pace = PACES[session.pace]
     clock = f"tick {session.tick} of {session.last}, {'real' if pace == 1.0 else f'1/{round(1 / pace)}'} time"
-    middle = Caption(clock, centred=True, width_share=_LIST_SHARE)
-    return [steps, (_button(Command.SLOWER, do), middle, _button(Command.FASTER, do))]
+    middle = LabelItem(clock, centred=True, width_share=_LIST_SHARE)
+    return [*_rows(steps, 2 if narrow else 4), (_button(Command.SLOWER, do), middle, _button(Command.FASTER, do))]
 
 
-def _switches(seen: Controlled, do: Reactions) -> list[Row]:
-    """A switch for each kind of mark, two in a row."""
-    items: list[Item] = [_switch(key, toggle, seen, do) for key, toggle in TOGGLE_KEYS.items()]
-    items += [Item()] * (len(items) % 2)
-    return [tuple(items[first : first + 2]) for first in range(0, len(items), 2)]
+def _rows(items: Sequence[Item], count: int) -> list[Row]:
+    """Items in rows of so many, the last row filled up with empty room."""
+    filled = [*items, *[Item()] * (-len(items) % count)]
+    return [tuple(filled[first : first + count]) for first in range(0, len(filled), count)]
 
 
 def _switch(key: int, toggle: Toggle, seen: Controlled, do: Reactions) -> Switch:

@@ -2,10 +2,9 @@
 
 import pygame
 
-from game.input.devices import as_key
 from game.input.keys import code_among, position_in
 from game.input.repeat import Repeat
-from game.input.signals import KeyboardState, Signal
+from game.input.signals import Pressed, Signal, is_still_down, pad_of
 from game.lab.course.progress import course_progress
 from game.lab.course.progress_path import progress_path
 from game.lab.export.slide import SLIDE_SIZE, SlideStyle
@@ -22,14 +21,14 @@ from game.lab.session.session import Session
 from game.lab.session.share import SharedScene, parsed, preset, share_line
 from game.lab.session.stepping import SESSION_CHANGES, STEPS, Following, stepped_by
 from game.lab.window import saving
-from game.lab.window.commands import BOUND, TOGGLE_KEYS, command_of
-from game.lab.window.controls import Controlled, PresetChosen, Refused, Request, SceneChosen, ValueRequested
+from game.lab.window.commands import BOUND, PAD_COMMANDS, TOGGLE_KEYS, command_of
+from game.lab.window.controls import Controlled, NumberRefused, PresetChosen, Request, SceneChosen, ValueRequested
 from game.lab.window.dragging import Drag, PaneView, drag_at
 from game.lab.window.help import draw_help
 from game.lab.window.layout import WindowLayout, layout_of
 from game.lab.window.lesson import Lesson
 from game.lab.window.presented import paint_presented, presented_words
-from game.lab.window.side import Side
+from game.lab.window.side import MODIFIERS, LabSide
 from game.lab.window.view import draw_all_handles, draw_halo, draw_panes, letters_for, pane_views
 from game.lab.window.words import TextSheet, draw_head, draw_notice, draw_small_print, draw_words
 from game.lab.yours.pane import with_yours
@@ -39,8 +38,6 @@ from game.screens.base import Screen
 SHOWN = frozenset(Toggle) - {Toggle.PYMUNK}
 """What is shown at first."""
 _NOTICE_SECONDS = 5.0
-_MODIFIERS = pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META
-"""Keys pressed together with one of these belong to the desktop."""
 _REPEATED = frozenset({Command.FORWARD, Command.BACK})
 """Commands that a held key gives again and again: single steps."""
 
@@ -69,7 +66,7 @@ class Lab:
         self._scale: int | None = None  # of TEXT_SCALES, while presenting
         self._pan_zoom = PanZoom.whole(session.scene, session.given)
         self._drawn: tuple[Session, Picture] | None = None
-        self._side: Side | None = None
+        self._side: LabSide | None = None
         self._drag: Drag | None = None
         self._repeat: tuple[Repeat, Command] | None = None
         self._pointer = -1 - 1j  # pixels
@@ -98,32 +95,33 @@ class Lab:
 
     def layout(self, size: tuple[int, int]) -> WindowLayout:
         """How a window of that size is divided."""
-        found = layout_of(size, None if self._scale is None else TEXT_SCALES[self._scale])
+        found = layout_of(size, None if self._scale is None else TEXT_SCALES[self._scale], self._shared.text_scale)
         return found if self._lesson is None else self._lesson.lowered(found, self._shared.type)
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
-        """Let go of a repeating key that is up; everything else is heard as an event of the window."""
-        if isinstance(signal, KeyboardState):
-            if self._repeat is not None and self._repeat[0].position not in signal.down:
-                self._repeat = None
+        """React to a gamepad, and let go of what is up again; keyboard and mouse are heard as events of the window."""
+        if self._repeat is not None and not is_still_down(self._repeat[0].position, signal):
+            self._repeat = None
+        if pad_of(signal) is None:
             return self._controls(size).answer(signal, size)
-        return self
+        if self._help:
+            self._help = not isinstance(signal, Pressed)
+            return self
+        taken, following = (False, self) if self.presents else self._controls(size).hear_pad(signal, size)
+        if taken or not isinstance(signal, Pressed) or signal.action not in PAD_COMMANDS:
+            return following
+        return self._asked(PAD_COMMANDS[signal.action], signal.position)
 
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> Screen | None:
         """React to an event of the window."""
         self._pixels_per_point = pixels_per_point
-        event = as_key(event) or event
-        if event.type == pygame.WINDOWFOCUSLOST:
-            self._repeat = None
         if self._help:
             self._help = event.type not in (pygame.KEYDOWN, pygame.MOUSEBUTTONDOWN)
             return self
         if event.type == pygame.KEYDOWN:
             return self._key(event, size)
-        following: Screen | None = self
-        taken = False
-        if not self.presents and self._drag is None:
-            taken, following = self._controls(size).hear(event, size, pixels_per_point)
+        elsewhere = self.presents or self._drag is not None
+        taken, following = (False, self) if elsewhere else self._controls(size).hear(event, size, pixels_per_point)
         if not taken:
             self._mouse(event, size)
         return following
@@ -203,13 +201,17 @@ class Lab:
             if taken:
                 return following
         key = code_among(event, BOUND)
-        toggle, command = TOGGLE_KEYS.get(key), command_of(key)
-        request = toggle or command
-        if request is None or event.mod & _MODIFIERS:
+        toggle = TOGGLE_KEYS.get(key)
+        request = toggle or command_of(key)
+        if request is None or event.mod & MODIFIERS:
             return self
         if toggle is not None and self._lesson is not None and self._lesson.answer(list(Toggle).index(toggle)):
             return self
-        self._repeat = None if command is None or command not in _REPEATED else (Repeat(position_in(event)), command)
+        return self._asked(request, position_in(event))
+
+    def _asked(self, request: Command | Toggle, position: int) -> Screen | None:
+        """Do what a key or a button asks for that went down; as long as it is, again and again where that is wanted."""
+        self._repeat = (Repeat(position), request) if isinstance(request, Command) and request in _REPEATED else None
         return self._do(request)
 
     def _mouse(self, event: pygame.Event, size: tuple[int, int]) -> None:
@@ -258,7 +260,7 @@ class Lab:
                 self._shown = self._shown ^ {request}
             case ValueRequested(name, value):
                 self._session = sessions.changed(self._session, clamped(scene.parameters, given, {name: value}))
-            case Refused(note):
+            case NumberRefused(note):
                 self._session = self._session._replace(notes=(note,))
             case SceneChosen(name):
                 self._open(name)
@@ -371,12 +373,13 @@ class Lab:
         """What is shown of the picture."""
         return reveals.shown_picture(self._reveal, self._picture())
 
-    def _controls(self, size: tuple[int, int]) -> Side:
+    def _controls(self, size: tuple[int, int]) -> LabSide:
         """The controls of the scene as it stands."""
         seen = Controlled(self._session, self._shown, self._picture().toggles)
+        layout = layout_of(size, text=self._shared.text_scale)
         if self._side is None:
-            self._side = Side(self._shared, self, self._do, layout_of(size), seen)
-        self._side.show(layout_of(size), seen)
+            self._side = LabSide(self._shared, self, self._do, layout, seen)
+        self._side.show(layout, seen)
         return self._side
 
     def _pane_views(self, size: tuple[int, int]) -> list[PaneView]:

@@ -10,15 +10,15 @@ import pygame
 
 from game.input.events import translated
 from game.input.keys import Action, position_in
-from game.input.signals import Clicked, FocusLost, Moved, Pressed, Zoomed
+from game.input.signals import Clicked, Moved, Pressed, Released, Signal, Zoomed
 from game.lab.kit.parameters import defaults
 from game.lab.session.share import SharedScene, share_line
 from game.lab.window.controls import (
     Component,
     Controlled,
+    NumberRefused,
     PresetChosen,
     Reactions,
-    Refused,
     Request,
     SceneChosen,
     Typing,
@@ -30,7 +30,7 @@ from game.lab.window.layout import WindowLayout
 from game.lab.window.words import small_print_height
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.toolkit.drop_down import OptionList
+from game.screens.toolkit.drop_down import Option, OptionList, Options
 from game.screens.toolkit.focus import Focus, first_focus, moved_focus
 from game.screens.toolkit.form import Form, spot_at
 from game.screens.toolkit.layout import Laid, laid_in_column
@@ -41,15 +41,21 @@ _LETTERS = 0.87
 """The toolkit's unit in the lab's: what items are called is about as large as body text then."""
 _TOP, _LEAST_SMALL_PRINT = 0.6, 5.0
 """From the window's edge to the controls, and the least room for the small print below them, in the lab's units."""
+_NARROW = 19.0
+"""A side that is narrower has fewer controls in a row, in the toolkit's units."""
 _LONGEST = 32
 """Characters that can be typed into a field."""
 _STRIDE = 10
 """Steps that an arrow key moves a slider by with Shift."""
 _ARROWS = {pygame.K_LEFT: Action.LEFT, pygame.K_RIGHT: Action.RIGHT, pygame.K_UP: Action.UP, pygame.K_DOWN: Action.DOWN}
+MODIFIERS = pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META
+"""Keys pressed together with one of these belong to the desktop."""
+_ENTERING = (pygame.K_TAB, pygame.K_UP, pygame.K_DOWN)
+"""They give the keys to the controls."""
 _ENTER = (pygame.K_RETURN, pygame.K_KP_ENTER)
 
 
-class Side(Form):
+class LabSide(Form):
     """The controls of the scene that is shown."""
 
     def __init__(
@@ -71,7 +77,6 @@ class Side(Form):
         self._typing: Typing | None = None
         self._clicked_while: Typing | None = None  # what was typed when the mouse was pressed
         self._has_keys = False
-        self._is_pressed = False  # whether a press of the mouse that still lasts began here
 
     @property
     def screen(self) -> Screen:
@@ -92,15 +97,13 @@ class Side(Form):
         self._typing, self._focus, self._has_keys, self._held = None, None, False, None
 
     def hear_key(self, event: pygame.Event, size: tuple[int, int]) -> tuple[bool, Screen | None]:
-        """Whether a key that went down is for the controls, and the screen to go on with."""
+        """Whether a key that went down is for the controls, and the screen to go on with. Alt with Tab is the desktop's."""
         if self._typing is not None:
-            return True, self._typed(self._typing, event, size)
-        if event.key == pygame.K_TAB:
+            return True, self._screen if event.mod & pygame.KMOD_ALT else self._typed(self._typing, event, size)
+        if event.mod & MODIFIERS or not (self._has_keys or event.key in _ENTERING):
+            return False, self._screen
+        if event.key == pygame.K_TAB or not self._has_keys:
             self._tab(-1 if event.mod & pygame.KMOD_SHIFT else 1, size)
-        elif not self._has_keys:
-            if event.key not in (pygame.K_UP, pygame.K_DOWN):
-                return False, self._screen
-            self._tab(1, size)
         elif event.key == pygame.K_ESCAPE:
             self.release()
         elif event.key in _ARROWS:
@@ -112,6 +115,31 @@ class Side(Form):
             return False, self._screen
         return True, self._screen
 
+    def hear_pad(self, signal: Signal, size: tuple[int, int]) -> tuple[bool, Screen | None]:
+        """Whether what a gamepad did is for the controls, and the screen to go on with. Nothing can be typed with it."""
+        spot = spot_at(self._laid(size), self._focus)
+        match signal:
+            case Pressed(Action.TIP):
+                self._typing = None
+                self._tab(1, size)
+            case Pressed(Action.UP | Action.DOWN) if not self._has_keys:
+                self._tab(1, size)
+            case Pressed() if not self._has_keys:
+                return False, self._screen
+            case Pressed(Action.BACK):
+                self.release()
+            case Pressed(Action.LEFT | Action.RIGHT | Action.UP | Action.DOWN):
+                self._stride, self._typing = 1, None
+                return True, self.answer(signal, size)
+            case Pressed(Action.SERVE | Action.CONFIRM):
+                is_number = spot is not None and isinstance(spot.item, FieldSlider)
+                return True, self._screen if is_number else self.answer(signal, size)
+            case Released():
+                return True, self.answer(signal, size)
+            case _:
+                return False, self._screen
+        return True, self._screen
+
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> tuple[bool, Screen | None]:
         """Whether another event is for the controls, and the screen to go on with."""
         if event.type == pygame.TEXTINPUT and self._typing is not None:
@@ -119,8 +147,6 @@ class Side(Form):
             return True, self._screen
         if event.type == pygame.MOUSEBUTTONUP:
             self._is_pressed = False
-        if event.type == pygame.KEYUP and self._held is not None and self._held[0].position == position_in(event):
-            self._held = None
         signal = translated(event, pixels_per_point)
         match signal:
             case Moved(pixel, held):
@@ -130,13 +156,11 @@ class Side(Form):
                     self._focus = None
                 self._pointer = pixel
             case Clicked(pixel):
-                taken = self._is_pressed = self._is_inside(pixel)
+                taken = self._is_inside(pixel)
                 if not taken:
                     self.release()
             case Zoomed():
                 taken = self._is_inside(self._pointer)
-            case FocusLost():
-                taken, self._held = False, None
             case _:
                 taken = False
         return taken, self.answer(signal, size) if taken and signal is not None else self._screen
@@ -172,15 +196,16 @@ class Side(Form):
 
     def unit(self, _size: tuple[int, int]) -> float:
         """Size of the toolkit's text, pixels."""
-        return self._layout.unit * _LETTERS
+        return self._layout.unit * _LETTERS * self._state.text_scale
 
     def _laid(self, size: tuple[int, int]) -> Laid:
         """The controls below each other."""
         unit, area = self._layout.unit, self._layout.side.copy()
         area.top += round(unit * _TOP)
         area.height -= round(unit * _TOP + self._small_print)
-        rows = controls(self._seen._replace(typing=self._typing), self._do)
-        laid = laid_in_column(rows, area, self._state.type, self.unit(size), self._scroll)
+        letters = self.unit(size)
+        rows = controls(self._seen._replace(typing=self._typing), self._do, narrow=area.width < _NARROW * letters)
+        laid = laid_in_column(rows, area, self._state.type, letters, self._scroll)
         self._scroll = min(self._scroll, float(laid.over))
         return laid
 
@@ -202,10 +227,10 @@ class Side(Form):
         return super()._clicked(pixel, size)
 
     def _tab(self, step: int, size: tuple[int, int]) -> None:
-        """Focus the next control, or the one before; at first the one that the mouse is on."""
+        """Focus the next control, or the one before; at first, beginning at the one that the mouse is on."""
         laid = self._laid(size)
-        if self._focus is None or not self._has_keys:
-            self._focus = self._focus or first_focus(laid)
+        if self._focus is None:
+            self._focus = first_focus(laid)
         else:
             self._focus = moved_focus(laid, self._focus, Action.RIGHT if step > 0 else Action.LEFT, None)
         self._has_keys = True
@@ -242,7 +267,7 @@ class Side(Form):
         try:
             number = float(text)
         except ValueError:
-            return self._ask(Refused(f"{typing.component.parameter.label}: {text!r} is not a number"))
+            return self._ask(NumberRefused(f"{typing.component.parameter.label}: {text!r} is not a number"))
         return self._ask(typing.component.requested(self._seen.session, number))
 
     def _small_print_height(self) -> float:
@@ -257,10 +282,16 @@ class Side(Form):
 
     def _scenes(self) -> Screen | None:
         """The list of all scenes."""
-        about = "Scenes", scene_options(), self._seen.session.scene.name
-        return OptionList(self._state, self._screen, *about, lambda option: self._ask(SceneChosen(option.name)))
+        present = self._seen.session.scene.name
+        return self._opened("Scenes", scene_options(), present, lambda option: self._ask(SceneChosen(option.name)))
 
     def _presets(self) -> Screen | None:
         """The list of the scene's presets."""
-        about = "Presets", preset_options(self._seen.session), ""
-        return OptionList(self._state, self._screen, *about, lambda option: self._ask(PresetChosen(option.note)))
+        options = preset_options(self._seen.session)
+        return self._opened("Presets", options, "", lambda option: self._ask(PresetChosen(option.note)))
+
+    def _opened(self, title: str, options: Options, present: str, choose: Callable[[Option], Screen | None]) -> Screen:
+        """A list over the lab. Where it was opened by the mouse, that will be elsewhere when it is left."""
+        if not self._has_keys:
+            self._focus = None
+        return OptionList(self._state, self._screen, title, options, present, choose)

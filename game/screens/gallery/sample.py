@@ -70,9 +70,9 @@ def later(screen: Screen, seconds: float) -> Screen:
     return screen
 
 
-def begun(state: AppState, seconds: float) -> PlayScreen:
-    """A player who does nothing, some time after a level has begun."""
-    play = PlayScreen(state, state.catalogue[_LEVEL:])
+def begun(state: AppState, seconds: float, level: int = _LEVEL) -> PlayScreen:
+    """A player who does nothing, some time after a level has begun. level: its index."""
+    play = PlayScreen(state, state.catalogue[level:])
     later(play, seconds)
     return play
 

@@ -65,6 +65,7 @@ def _around_the_game() -> Iterator[tuple[str, Opener]]:
 def _games() -> Iterator[tuple[str, Opener]]:
     """Games, and what is opened over one."""
     yield "entry", lambda state: begun(state, 0.55)
+    yield "first-game", lambda state: begun(_new_player(state), 2.0, 0)
     yield "serve", lambda state: begun(state, 2.0)
     yield "play", played
     yield "play-solid", lambda state: played(_tipped(state))

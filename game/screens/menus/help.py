@@ -101,8 +101,14 @@ def _controls() -> tuple[Row, ...]:
             tr("Mouse"),
             tr("The nearest paddle follows the pointer; a click serves. The signs at the right pause, help and set."),
         ),
-        (tr("Gamepad"), tr("The stick's angle is the paddle's angle; the triggers turn; the lower button serves.")),
-        (tr("Touch"), tr("Drag where a paddle shall go; tap to serve.")),
+        (
+            tr("Gamepad"),
+            tr(
+                "The stick's angle is the paddle's angle; the triggers turn; the lower button serves. "
+                "The other stick aims the serve, and in 3D moves the camera."
+            ),
+        ),
+        (tr("Touch"), tr("Drag where a paddle shall go; tap to serve. In 3D two fingers turn and zoom.")),
         (tr("One button"), tr("In the settings: the paddles never stop, and every press turns them round.")),
     )
     rows: list[Row] = []

@@ -2,6 +2,7 @@
 
 from game.kept.scores import ENDLESS, Score
 from game.language import tr
+from game.level_names import level_name
 from game.overlay.toast import Toast
 from game.screens.app_state import AppState
 from game.screens.base import Screen
@@ -53,7 +54,7 @@ class HighScores(Panel):
 
     def _line(self, number: int, score: Score) -> Cells:
         """A line of the table."""
-        until = tr("the end") if score.won else tr(score.last)
+        until = tr("the end") if score.won else level_name(score.last)
         name = score.name or "-"
         if score.speed < 100:
             name = tr("{name} ({speed} %)").format(name=name, speed=score.speed)

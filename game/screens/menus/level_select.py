@@ -12,6 +12,7 @@ from game.drawing.raster.primitives import draw_box
 from game.drawing.text import Type
 from game.kept.progress import RANKS, Best
 from game.language import tr
+from game.level_names import level_name
 from game.levels import Level, from_level
 from game.overlay.toast import Toast
 from game.screens.app_state import AppState
@@ -87,7 +88,7 @@ class Card(Item):
             draw_lock(canvas, lock, theme.text)
         colour = theme.accent if focused else theme.text if self.is_open else theme.faint
         left, room = complex(hole.left, hole.bottom + unit * 0.25), float(side)
-        name = f"{self.number}  {tr(self.level.name)}" if self.number else tr(self.level.name)
+        name = f"{self.number}  {level_name(self.level.name)}" if self.number else level_name(self.level.name)
         lines = canvas.type.wrapped(name, unit * _NAME, room) if self._most_lines > 1 else (name,)
         for index, line in enumerate(lines if len(lines) <= self._most_lines else (name,)):
             write_fitting(canvas, line, _NAME, colour, left + 1j * unit * _LINE * index, "topleft", room)
@@ -160,7 +161,11 @@ class LevelSelect(Panel):
         state, level = self.state, self.state.catalogue[index]
         progress, names = state.kept.progress.value, [level.name for level in state.catalogue]
         best, is_open = progress.best(level.name, state.difficulty), progress.is_open(index, names)
-        tip = tr(level.description) if is_open else tr("Finish {level} to open this one.").format(level=tr(names[index - 1]))
+        tip = (
+            tr(level.description)
+            if is_open
+            else tr("Finish {level} to open this one.").format(level=level_name(names[index - 1]))
+        )
         if best is not None:
             words = tr("Best at {difficulty}: {score} points, rank {rank}, {time}")
             told = words.format(

@@ -61,7 +61,7 @@ def _switch(state: AppState, label: str, field: str, tip: str) -> Switch:
 
 def _picture(state: AppState, _panel: Screen) -> tuple[Row, ...]:
     """Colours and motion."""
-    names = {"dark": tr("Dark"), "light": tr("Light")}
+    names = {"dark": tr("Dark"), "light": tr("Light"), "contrast": tr("High contrast")}
     keys = list(names)
 
     def choose(index: int) -> None:

@@ -8,7 +8,7 @@ from game.drawing.canvas import Canvas
 from game.drawing.raster.primitives import draw_box
 from game.input.keys import Action
 from game.input.repeat import Repeat
-from game.input.signals import PAD_POSITIONS, Clicked, KeyboardState, Moved, Pressed, Released, Signal, Zoomed
+from game.input.signals import Clicked, KeyboardState, Moved, Pressed, Released, Signal, Zoomed, is_still_down
 from game.screens.base import Screen
 from game.screens.toolkit import layout
 from game.screens.toolkit.focus import Focus, first_focus, moved_focus
@@ -37,6 +37,8 @@ class Form:
         self._changes = 0  # counts what happened: while it stays, so does the picture
         self._pixel = 0j  # where the mouse was
         self._grip: Grip | None = None
+        self._is_pressed = False  # whether the mouse was pressed here, and still is
+        self._drags_bar = False  # whether the mouse drags the scroll bar
         self._held: tuple[Pressed, Repeat] | None = None  # the direction that is held down
 
     @property
@@ -86,8 +88,8 @@ class Form:
                 self._moved(pressed.action, size)
         return self.screen
 
-    def draw_items(self, canvas: Canvas, laid: Laid, focus: Focus | None) -> None:
-        """All items, the scroll bar, and what is said about the item that has the focus."""
+    def draw_items(self, canvas: Canvas, laid: Laid, focus: Focus | None, *, centred: bool = False) -> None:
+        """All items, the scroll bar, and what is said about the item that has the focus. centred: those words."""
         surface, clip = canvas.surface, canvas.surface.get_clip()
         for spot in laid.spots:
             surface.set_clip(laid.body.clip(clip) if spot.in_body else clip)
@@ -97,7 +99,7 @@ class Form:
         _draw_scroll_bar(canvas, laid, self._scroll)
         focused = spot_at(laid, focus)
         if focused is not None and focused.item.tip:
-            _draw_tip(canvas, focused.item.tip, laid.tip)
+            _draw_tip(canvas, focused.item.tip, laid.tip, centred=centred)
 
     def _laid(self, size: tuple[int, int]) -> Laid:
         """Where everything is now. It does not scroll further than there is something."""
@@ -153,8 +155,10 @@ class Form:
 
     def _hovered(self, pixel: complex, size: tuple[int, int]) -> Screen | None:
         """Focus what the mouse is on."""
-        self._pixel, self._grip = pixel, None
-        spot = _pointed_spot(self._laid(size), pixel)
+        laid = self._laid(size)
+        self._pixel, self._grip, self._is_pressed = pixel, None, False
+        self._drags_bar = _is_on_bar(laid, pixel, self.unit(size))
+        spot = _pointed_spot(laid, pixel)
         if spot is not None:
             self._focus = Focus(spot.row, spot.column)
         return self.screen
@@ -165,9 +169,10 @@ class Form:
         A finger that comes down presses nothing yet: what it is on when it moves is dragged, if it has the focus.
         """
         laid, unit, before, self._pixel = self._laid(size), self.unit(size), self._pixel, pixel
-        if self._grip is None:
-            if self._drags_bar(pixel, laid, size):
-                return self.screen
+        if self._drags_bar:
+            self._scroll_to(pixel, laid, unit)
+            return self.screen
+        if self._grip is None and not self._is_pressed:
             spot = _pointed_spot(laid, pixel)
             if spot is not None and Focus(spot.row, spot.column) == self._focus:
                 self._grip = _grip_of(spot, pixel, unit)
@@ -181,8 +186,10 @@ class Form:
     def _clicked(self, pixel: complex, size: tuple[int, int]) -> Screen | None:
         """Use what the mouse is on."""
         laid, unit = self._laid(size), self.unit(size)
-        self._pixel, self._grip = pixel, None
-        if self._drags_bar(pixel, laid, size):
+        self._pixel, self._grip, self._is_pressed = pixel, None, True
+        self._drags_bar = _is_on_bar(laid, pixel, unit)
+        if self._drags_bar:
+            self._scroll_to(pixel, laid, unit)
             return self.screen
         spot = _pointed_spot(laid, pixel)
         if spot is None:
@@ -192,15 +199,12 @@ class Form:
         self._changes += 1
         return spot.item.pointed(self.screen, pixel, spot.box, unit, clicked=True)
 
-    def _drags_bar(self, pixel: complex, laid: Laid, size: tuple[int, int]) -> bool:
-        """Scroll to where the mouse is on the scroll bar; whether it is there."""
-        track = _scroll_track(laid, self.unit(size))
-        if not laid.over or index_at([track.inflate(track.width * 2, 0)], pixel) is None:
-            return False
+    def _scroll_to(self, pixel: complex, laid: Laid, unit: float) -> None:
+        """Scroll to where the mouse is along the scroll bar."""
+        track = _scroll_track(laid, unit)
         thumb = track.height * laid.body.height / (laid.body.height + laid.over)
         share = (pixel.imag - track.top - thumb / 2.0) / max(track.height - thumb, 1.0)
         self._scroll = min(max(share, 0.0), 1.0) * laid.over
-        return True
 
     def _scroll_by(self, pixels: float, size: tuple[int, int]) -> None:
         """Scroll the body as far as it goes."""
@@ -233,10 +237,8 @@ def _held_after(held: tuple[Pressed, Repeat] | None, signal: Signal) -> tuple[Pr
     match signal:
         case Pressed(Action.UP | Action.DOWN | Action.LEFT | Action.RIGHT):
             return signal, Repeat(signal.position)
-        case KeyboardState(down):
-            return held if held is not None and (held[0].position in down or held[0].position >= PAD_POSITIONS) else None
-        case Released(_, position):
-            return None if held is not None and held[0].position == position else held
+        case KeyboardState() | Released():
+            return held if held is not None and is_still_down(held[0].position, signal) else None
         case Moved():
             return held
         case _:
@@ -262,16 +264,23 @@ def _pointed_spot(laid: Laid, pixel: complex) -> Spot | None:
     return None
 
 
-def _draw_tip(canvas: Canvas, tip: str, box: pygame.Rect) -> None:
+def _draw_tip(canvas: Canvas, tip: str, box: pygame.Rect, *, centred: bool) -> None:
     """What is said about the item that has the focus."""
+    anchor, x = ("midtop", box.centerx) if centred else ("topleft", box.left)
     size = layout.TIP
     lines = canvas.type.wrapped(tip, canvas.unit * size, box.width)
     if len(lines) > layout.TIP_LINES:
         size *= 0.85
         lines = canvas.type.wrapped(tip, canvas.unit * size, box.width)[: layout.TIP_LINES]
     for index, line in enumerate(lines):
-        pixel = complex(box.left, box.top + canvas.unit * size * layout.LINE * index)
-        canvas.write(line, size, canvas.theme.faint, pixel)
+        pixel = complex(x, box.top + canvas.unit * size * layout.LINE * index)
+        canvas.write(line, size, canvas.theme.faint, pixel, anchor)
+
+
+def _is_on_bar(laid: Laid, pixel: complex, unit: float) -> bool:
+    """Whether a pixel is on the scroll bar, or a little beside it."""
+    track = _scroll_track(laid, unit)
+    return laid.over > 0 and index_at([track.inflate(track.width * 2, 0)], pixel) is not None
 
 
 def _scroll_track(laid: Laid, unit: float) -> pygame.Rect:

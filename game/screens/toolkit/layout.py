@@ -34,7 +34,7 @@ BAR = 0.45
 _BAR_ROOM = 1.1
 COLUMN_MARGIN = 0.9
 """From the edges of an area to the rows in it."""
-_TIGHTEST, _LEAST_SEEN = 0.75, 0.16
+_TIGHTEST, _LEAST_SEEN = 0.75, 0.22
 """Rows in a column are made lower down to this share of their heights; least share of its height for a body that scrolls."""
 CLOSE = 1.9
 """Side of the button in the upper right corner."""

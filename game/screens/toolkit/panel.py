@@ -91,7 +91,7 @@ class Panel(Form):
         focus = self._settled(laid)
         self.draw_plate(canvas, content, laid)
         _draw_tabs(canvas, content, laid, focus)
-        self.draw_items(canvas, laid, focus)
+        self.draw_items(canvas, laid, focus, centred=content.centred)
 
     def draw_behind(self, surface: pygame.Surface) -> None:
         """The screen below, dimmed: drawn once."""

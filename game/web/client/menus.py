@@ -278,7 +278,7 @@ def settings_menu(state: PageState, back: Callable[[], PageScreen], under: PageS
             return Opened(item, changes(lambda value: Settings(**{**held._asdict(), name: value == "True"})))
 
         languages = ((SYSTEM, tr("as the system")), *[(language.code, language.name) for language in LANGUAGES])
-        colours = (("dark", tr("Dark")), ("light", tr("Light")))
+        colours = (("dark", tr("Dark")), ("light", tr("Light")), ("contrast", tr("High contrast")))
         volume = PageItem("volume", tr("Volume"), "number", str(held.volume), low=0.0, high=LOUDEST, step=10.0)
         music = PageItem("music", tr("Music"), "number", str(held.music), low=0.0, high=LOUDEST, step=10.0)
         speed = PageItem(

@@ -19,7 +19,7 @@ from game.kept.progress import RANKS, Best
 from game.kept.scores import LONGEST_NAME, Score
 from game.language import tr
 from game.levels import Level, built_in, classic, number_of
-from game.overlay.notice_words import Notice, notice, ready
+from game.overlay.notice_words import Notice, notice, ready, to_newcomer
 from game.overlay.readings import readings
 from game.picture.display_list import DisplayList
 from game.picture.figures import add_figures, add_notice
@@ -37,7 +37,7 @@ _OFFER_TICKS = round(20.0 / TICK)
 """Without a paddle's touch, until the player may give up the ball."""
 _END_TICKS, _CLEARED_TICKS = 200, 150
 """From the end of the game, and of a level, to the results: nobody who is still playing chooses an entry by accident."""
-_SERVE_KEY = "Space"
+_SERVE_KEY, _TURN_KEYS = "Space", ("←", "→")
 _NOTE, _NOTE_LETTER = 0.9, 0.57
 """The line about the physics: size of its letters in units, and the width of a letter in shares of its size, roughly."""
 
@@ -189,6 +189,8 @@ class GameOnPage:
         if self.game.phase in (Phase.OVER, Phase.WON):
             return None
         told = notice(self.game, _SERVE_KEY)
+        if told is not None and not self._state.kept.progress.value.bests:
+            told = to_newcomer(told, *_TURN_KEYS)
         if told is None and self._pilot is None and self._untouched >= _OFFER_TICKS:
             return Notice(tr("Out of reach?"), tr("{key}: give up this ball; it costs a life").format(key="G"))
         return told

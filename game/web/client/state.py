@@ -13,8 +13,9 @@ from game.input.view import FLAT, Viewpoint
 from game.kept.store import Kept
 from game.language import choose
 from game.levels import Level, campaign
-from game.picture.arena import ArenaPicture, ArenaView
+from game.picture.arena import ArenaPicture
 from game.picture.display_list import DisplayList
+from game.picture.view import ArenaView
 from game.rules import Ruleset, Ticked
 from game.scene import Scene
 from game.screens.difficulty_names import SOURCE, ruleset_of
@@ -132,7 +133,7 @@ class PageState:
 
     def draw_scene(self, out: Pictures, scene: Scene, camera: Camera, size: tuple[int, int]) -> None:
         """Show a scene."""
-        seen = ArenaView(camera, self.theme, unit_of(size))
+        seen = ArenaView(camera, self.theme, unit_of(size), size)
         out.backdrop = self.arena.backdrop(scene, seen)
         out.frame = self.arena.frame(scene, seen)
 

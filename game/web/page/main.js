@@ -22,6 +22,7 @@ let limit = 0, worker = null, grader = null, latest = null, waiting = false, sen
 function say(words) {
   element("loading").textContent = words;
   element("loading").hidden = false;
+  element("progress").hidden = true;
 }
 
 function fail(words) {
@@ -177,10 +178,13 @@ function openAgain(words) {
 function heard({ data }) {
   if (data.kind === "ready") {
     element("loading").hidden = true;
+    element("progress").hidden = true;
     if (history.state?.told) tell(history.state.told);
     history.replaceState(null, "");
     openFragment();
     requestAnimationFrame(turn);
+  } else if (data.kind === "progress") {
+    element("progress").value = data.share;
   } else if (data.kind === "frame") {
     waiting = false;
     heed(data.reply);

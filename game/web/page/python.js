@@ -18,15 +18,31 @@ const AWAKE = `
 import random
 random.seed()
 `; // or every visit would draw the same numbers
+const DOWNLOADED = 0.7; // share of the progress
+const STEPS = { "runtime ready": 0.75, "python started": 0.85, "game imported": 1, "memory copied": 1 }; // the same, when they are reached
 const plain = self.fetch.bind(self);
 const begun = new Map(); // downloads that nobody has asked for yet
+let expected = 0, received = 0; // bytes
+
+function reached(step) {
+  performance.mark(step);
+  self.postMessage({ kind: "progress", share: STEPS[step] });
+}
+
+function count(chunk, out) {
+  received += chunk.length;
+  if (expected) self.postMessage({ kind: "progress", share: DOWNLOADED * Math.min(received / expected, 1) });
+  out.enqueue(chunk);
+}
 
 /** Large files are served compressed, whatever the host does; they are unpacked here. */
 async function unpacked(name) {
   const answer = await plain(new URL(`${name}.packed`, import.meta.url));
   if (!answer.ok) throw new Error(`${name}: ${answer.status}`);
   const type = TYPES[name.split(".").pop()] ?? "application/octet-stream";
-  return new Response(answer.body.pipeThrough(new DecompressionStream("gzip")), { headers: { "Content-Type": type } });
+  expected += Number(answer.headers.get("Content-Length"));
+  const counted = answer.body.pipeThrough(new TransformStream({ transform: count }));
+  return new Response(counted.pipeThrough(new DecompressionStream("gzip")), { headers: { "Content-Type": type } });
 }
 
 function download(name) {
@@ -88,7 +104,7 @@ async function runtime(make, program, snapshot) {
       writeFiles(module.FS, program);
       module.loadDynamicLibrary(LIBRARY, { global: false, nodelete: true, allowUndefined: true });
       if (memory > module.HEAPU8.length) module.growMemory(memory);
-      performance.mark("runtime ready");
+      reached("runtime ready");
     };
     return make(settings);
   };
@@ -114,7 +130,7 @@ export async function startedPython() {
     try {
       const python = await runtime(make, program, stored);
       python.runPython(AWAKE);
-      performance.mark("memory copied");
+      reached("memory copied");
       return { python, snapshot: null };
     } catch (error) {
       console.warn(`a stored snapshot cannot be used: ${error.message ?? error}`);
@@ -122,9 +138,9 @@ export async function startedPython() {
     }
   }
   const python = await runtime(make, program, null);
-  performance.mark("python started");
+  reached("python started");
   python.runPython(IMPORTS);
-  performance.mark("game imported");
+  reached("game imported");
   let snapshot = null;
   try {
     snapshot = snapshotOf(python);

@@ -10,6 +10,7 @@ from game.editor.window.layout import editor_layout
 from game.editor.window.play_test import PlayTest
 from game.editor.window.screen import Editor
 from game.editor.window.targets import box_of
+from game.input.repeat import FIRST, NEXT
 from game.levels import load_file
 from tests.support.dummy_window import FRAME, Desk, shared
 from tests.support.pad_desk import PadDesk
@@ -91,6 +92,15 @@ def test_keys_paint_erase_copy_and_paste(keys):
     assert slots(keys, 1) == (1, 3, 3, 3, 0, *[1] * (count - 5))
     keys.press(DOWN, RIGHT, pygame.K_p)
     assert keys.screen.session.brush == 3
+    before = keys.screen.session.slot
+    keys.hold(RIGHT)
+    keys.wait(FIRST + 4.0 * NEXT)
+    keys.release(RIGHT)
+    keys.wait(FRAME)
+    moved = keys.screen.session.slot
+    assert 3 <= (moved - before) % count <= 6
+    keys.wait(2.0 * NEXT)
+    assert keys.screen.session.slot == moved
 
 
 def test_keys_change_numbers_and_give_every_command(keys, tmp_path):
@@ -157,5 +167,13 @@ def test_a_gamepad_alone_makes_a_level(pad, tmp_path):
     pad.screen = pad.screen._editor
     pad.press(pygame.K_h)
     assert isinstance(pad.screen, EditorHelp)
-    pad.press(pygame.K_ESCAPE, pygame.K_ESCAPE, pygame.K_ESCAPE)
+    pad.press(pygame.K_ESCAPE, pygame.K_ESCAPE)
+    pad.pad.press(pygame.CONTROLLER_BUTTON_DPAD_LEFT)
+    pad.wait(2 * FRAME)
+    pad.pad.pull_out()
+    pad.wait(2 * FRAME)
+    slot = pad.screen.session.slot
+    pad.wait(FIRST + 2.0 * NEXT)
+    assert pad.screen.session.slot == slot
+    pad.post(pygame.QUIT)
     assert pad.screen is None

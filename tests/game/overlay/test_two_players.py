@@ -10,7 +10,7 @@ from game.drawing.slots.contents import ContentKind, slot_contents
 from game.drawing.text import Type
 from game.effects import NOTHING
 from game.overlay import hud
-from game.overlay.notice_words import notice
+from game.overlay.notice_words import notice, who_steers
 from game.overlay.readings import readings
 from game.rules import ActivePower, Controls, EventKind, PowerUp, Ruleset, Side, paddle_rings, tick
 from game.scene import scene_at, still
@@ -71,3 +71,13 @@ def test_the_ball_of_the_second_player_stays_on_the_paddle_that_serves():
     turned = half.rings[paddle].phase - before.rings[paddle].phase
     assert turned > 1e-4
     assert half.balls[0].position == pytest.approx(before.balls[0].position * direction(turned), abs=1e-9)
+
+
+def test_before_the_first_serve_both_are_told_their_keys():
+    """And not again later."""
+    told = who_steers(GAME, "Left, Right", "A, D", "Space")
+    assert told.hint == "Player 1: Left, Right. Player 2: A, D. Space: serve"
+    played, _ = after(GAME, 1, Controls(serve=True))
+    upwards = direction(1.0)
+    second, _ = after(with_balls(played, (upwards * 10.3, upwards)), 1)
+    assert [who_steers(game, "", "", "") for game in (played, second)] == [None, None]
