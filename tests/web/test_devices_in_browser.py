@@ -25,7 +25,7 @@ LOUDEST = """seconds => new Promise(done => {
 })"""
 """The largest amplitude of all that is heard in some seconds."""
 MIXED = """async number => {
-  const { archived, undifferenced, unzipped } = await import('./samples.js'), { mixed } = await import('./music.js');
+  const { archived, undifferenced, unzipped } = await import('./archives.js'), { mixed } = await import('./music.js');
   const files = archived(await unzipped('music.packed'));
   const index = JSON.parse(new TextDecoder().decode(files.get('index')));
   const loop = await mixed(index.layers[number], undifferenced(files.get(`${number}`)));

@@ -1,6 +1,6 @@
 // The music: every layer is mixed once, of notes that Python has rendered; then all play together at the gains that Python decides.
 
-import { archived, undifferenced, unzipped } from "./samples.js";
+import { archived, undifferenced, unzipped } from "./archives.js";
 
 const SOON = 0.1; // seconds from the order to play until it begins
 const SMOOTH = 0.03; // seconds in which a gain comes to a new value

@@ -1,7 +1,7 @@
 // Plays the game's sounds: samples that Python has rendered, at the gains that Python decides.
 
 import { Music } from "./music.js";
-import { undifferenced, unzipped } from "./samples.js";
+import { undifferenced, unzipped } from "./archives.js";
 
 export class Speaker {
   #buffers = null;

@@ -1,4 +1,4 @@
-// Samples as the site has them: compressed, and as differences.
+// Files as the site has them: compressed, several in one, samples as differences.
 
 /** A file that is served compressed. */
 export async function unzipped(address) {
