@@ -25,6 +25,7 @@ def test_functions_are_graded_shown_and_flown(page, axe):
     told = graded(page, WRONG)
     assert "11 of 13 functions right" in told
     assert "wrong sign at |p| < r_p" in told
+    assert page.standing()["panes"][-1] == "yours: functions.py"  # the first wrong answer
     page.use("case:narrow_phase_case_1")
     assert page.standing()["line"].startswith("case-1?ball=5.57,6.32")
     assert page.standing()["panes"][-1] == "yours: functions.py"

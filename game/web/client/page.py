@@ -143,7 +143,9 @@ class Page:
             case CodeTyped(text=text):
                 self._state.functions.typed(text)
             case Graded():
-                self._state.functions.graded(message)
+                line = self._state.functions.graded(message)
+                if line and isinstance(self._screen, LabOnPage):
+                    self._screen.open(line)
             case FileGiven(name=name, data=data):
                 self._open_file(name, data)
             case LinkOpened(fragment=fragment):
