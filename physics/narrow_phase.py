@@ -31,6 +31,11 @@ def contact(ball: Ball, ring: Ring, slot: int) -> Contact:
     angle = ring.angle(slot)
     if not is_over(ring, theta, angle):
         return end_contact(ball, ring, slot, theta)
+    return contact_above(ball, ring, theta, angle)
+
+
+def contact_above(ball: Ball, ring: Ring, theta: float, angle: float) -> Contact:
+    """`contact` with a sector above which the ball is known to be: its angle theta lies within that with its middle at `angle`."""
     face = face_contact(ball, ring)
     if face.gap > -ball.radius or ring.half_angle == math.pi:
         return face

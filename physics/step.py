@@ -170,9 +170,7 @@ def answer_impacts(
             course = courses[j]
             withdrawn = course.next.ring >= 0 and layers[course.next.ring][course.next.impact.slot] == 0
             if withdrawn or (j == i and impacts < MAX_IMPACTS):
-                courses[j] = Course(
-                    course.clock, course.impacts, _next_impact(balls[j], course.clock, rings, layers, dt)
-                )
+                courses[j] = Course(course.clock, course.impacts, _next_impact(balls[j], course.clock, rings, layers, dt))
         i = _earliest(courses)
     dropped = 0
     for i in range(len(balls)):
@@ -226,7 +224,9 @@ def _answer(
                 if other is not None:
                     after = bounce_off_two(ball, contact, ring, other.contact, rings[k], speed)
                     if after is not None:
-                        both = complex(after.real, after.imag)  # for the compiler, which takes it for one that may be None still
+                        both = complex(
+                            after.real, after.imag
+                        )  # for the compiler, which takes it for one that may be None still
                         first = _hit(found.time, i, ball, found.ring, slot, contact, both, layers)
                         second = _hit(found.time, i, ball, k, other.slot, other.contact, both, layers)
                         _add_both(first, second, layers, hits)

@@ -35,6 +35,8 @@ class SourcePilot:
         """Start without a plan."""
         self._velocity: complex | None = None
         self._plan: _Plan | None = None
+        self._angle = math.nan
+        self._controls = Controls()
 
     def controls(self, game: Game) -> Controls:
         """What to do in this tick."""
@@ -51,7 +53,9 @@ class SourcePilot:
             return Controls()
         left = max(0.0, (self._plan.tick - game.tick) * TICK)
         angle = self._plan.bearing - self._plan.spin * min(left, _CUT_TIME)
-        return Controls(pointer=pointer_to(angle))
+        if angle != self._angle:
+            self._angle, self._controls = angle, Controls(pointer=pointer_to(angle))
+        return self._controls
 
 
 def serve_delay(game: Game) -> int:

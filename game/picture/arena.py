@@ -8,7 +8,7 @@ from game.drawing.palettes import themed
 from game.drawing.slots.contents import ContentKind, Contents, SlotContent, resting_contents, slot_contents
 from game.drawing.slots.parts import SlotShape, slot_shape
 from game.picture.display_list import DisplayList
-from game.picture.ground import add_ground
+from game.picture.ground import PatternedGround, add_ground
 from game.picture.moving.balls import add_ball
 from game.picture.moving.bursts import add_bursts
 from game.picture.moving.layers import add_in_air, add_on_ground
@@ -39,10 +39,11 @@ class ArenaPicture:
         """The ground, and in the flat view the rings that rest: the very same list as long as it has not changed."""
         theme = themed(view.theme, scene.palette)
         resting = _resting(scene, view.camera)
+        ground = PatternedGround(scene.ground_radius, scene.rings[PADDLES].radius, scene.ground)
         key = (
             view.camera,
             theme,
-            scene.ground_radius,
+            ground,
             resting,
             tuple([(scene.layers[k], scene.rings[k].phase) for k in resting]),
             scene.tints,
@@ -50,7 +51,7 @@ class ArenaPicture:
         if key != self._key:
             self._key, self._backdrop = key, DisplayList()
             self._backdrop.polygon(_EVERYWHERE, theme.background)
-            add_ground(self._backdrop, view.camera, theme, scene.ground_radius)
+            add_ground(self._backdrop, view.camera, theme, ground)
             contents = resting_contents(scene.layers, scene.tints)
             for k in resting:
                 self._add_ring(self._backdrop, scene, view.camera, theme, k, _standing(scene, k, contents))

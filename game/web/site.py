@@ -17,9 +17,9 @@ from game.system.errors import BadInputError, EnvironmentMissingError
 from game.system.files import write_whole
 from game.system.wording import quoted_path
 from game.web.archives import compressed, page_archive, zip_archive, zip_contents
-from game.web.bundle import browser_sources
+from game.web.bundle import browser_sources, grading_sources
 from game.web.compiled import compiled
-from game.web.packages import MSGSPEC, RUNTIME, Package, fetched, runtime_files
+from game.web.packages import EDITOR, EDITOR_FILES, MSGSPEC, RUNTIME, RUNTIME_FILES, Package, fetched, packed_files
 from game.web.samples import rendered
 from game.web.standard_library import needed
 
@@ -40,17 +40,20 @@ def built_site(cache: Path) -> dict[str, bytes]:
     if not _PAGE.is_dir():
         raise EnvironmentMissingError("the page is not part of this application; install the package polar-breakout instead")
     site = {entry.name: entry.read_bytes() for entry in _PAGE.iterdir() if entry.is_file()}
-    runtime, wheel = runtime_files(fetched(RUNTIME, cache)), fetched(MSGSPEC, cache)
+    runtime, wheel = packed_files(fetched(RUNTIME, cache), RUNTIME_FILES), fetched(MSGSPEC, cache)
     site |= {f"runtime/{name}.packed": compressed(runtime[name]) for name in _COMPRESSED}
     site |= {"runtime/pyodide.mjs": runtime["pyodide.mjs"], f"runtime/{_LOCK}": _without_packages(runtime[_LOCK])}
-    library, program = _compiled(runtime, wheel, cache)
+    library, program, grading = _compiled(runtime, wheel, cache)
     site |= {
         f"runtime/{_LIBRARY}.packed": compressed(zip_archive(library)),
         "program.packed": compressed(page_archive(program)),
+        "grading.packed": compressed(page_archive(grading)),
     }
+    editor = packed_files(fetched(EDITOR, cache), EDITOR_FILES)
+    site |= {f"editor/{Path(name).name}": data for name, data in editor.items() if name != "LICENSE"}
     samples, index = rendered()
     site |= {"sounds.packed": compressed(samples), "sounds.json": msgspec.json.encode(index)}
-    site["notices.txt"] = _notices(wheel).encode()
+    site["notices.txt"] = _notices(wheel, editor["LICENSE"].decode()).encode()
     version = _version(site)
     for name in _STAMPED:
         site[name] = site[name].replace(_STAMP, version.encode())
@@ -58,17 +61,17 @@ def built_site(cache: Path) -> dict[str, bytes]:
     return site
 
 
-def _compiled(runtime: dict[str, bytes], wheel: Path, cache: Path) -> tuple[dict[str, bytes], dict[str, bytes]]:
-    """The standard library, and the game with msgspec: compiled modules and other files by name."""
+def _compiled(runtime: dict[str, bytes], wheel: Path, cache: Path) -> tuple[dict[str, bytes], ...]:
+    """The standard library, the game with msgspec, and what grades: compiled modules and other files by name."""
     library = needed(zip_contents(runtime[_LIBRARY]))
     extension = {name: data for name, data in zip_contents(wheel.read_bytes()).items() if name.endswith((".py", ".so"))}
-    done = compiled(
-        {f"{_LIBRARY}/{name}": data for name, data in library.items()} | browser_sources() | extension, runtime, cache
-    )
-    inside = f"{_LIBRARY}/"
+    sources = {f"{_LIBRARY}/{name}": data for name, data in library.items()} | browser_sources() | grading_sources()
+    done = compiled(sources | extension, runtime, cache)
+    inside, grading = f"{_LIBRARY}/", "tools/"
     return (
         {name.removeprefix(inside): data for name, data in done.items() if name.startswith(inside)},
-        {name: data for name, data in done.items() if not name.startswith(inside)},
+        {name: data for name, data in done.items() if not name.startswith((inside, grading))},
+        {name: data for name, data in done.items() if name.startswith(grading)},
     )
 
 
@@ -96,7 +99,7 @@ def _version(site: dict[str, bytes]) -> str:
     return digest.hexdigest()[:16]
 
 
-def _notices(wheel: Path) -> str:
+def _notices(wheel: Path, editor_licence: str) -> str:
     """The licences of what is served beside the project's own files."""
     with zipfile.ZipFile(wheel) as packed:
         name = next(name for name in packed.namelist() if name.endswith("licenses/LICENSE"))
@@ -108,6 +111,7 @@ def _notices(wheel: Path) -> str:
         + "\nIts licence: https://www.mozilla.org/MPL/2.0/",
         _PYTHON,
         _about(MSGSPEC, "in program.packed, compiled") + f"\n\n{msgspec_licence}",
+        _about(EDITOR, "editor/") + f"\n\n{editor_licence}",
         python.read_text(encoding="utf-8") if python.is_file() else "",
     ]
     return "\n\n".join(parts).rstrip() + "\n"

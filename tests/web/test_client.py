@@ -18,6 +18,7 @@ from game.system.errors import EnvironmentMissingError
 from game.web import packages
 from game.web.client.keys import BUTTONS, BY_CODE, BY_KEY
 from game.web.client.page import Page
+from tools.grade.page import PageGrader
 
 PAD_BUTTONS = ("A", "B", "X", "Y", "LEFTSHOULDER", "RIGHTSHOULDER", "", "", "BACK", "START", "", "")
 PAD_BUTTONS += ("DPAD_UP", "DPAD_DOWN", "DPAD_LEFT", "DPAD_RIGHT")
@@ -108,6 +109,21 @@ def test_the_backdrop_is_sent_only_when_it_changes():
     assert not frame(page, seconds=0.01).get("backdrop")
     resized = json.loads(page.frame('{"seconds": 0.0, "width": 900, "height": 800}'))
     assert resized["backdrop"]
+
+
+def test_a_function_that_is_given_up_is_not_asked_again():
+    """A worker that had to be ended: the request comes again without the function, and the text does not run in the page."""
+    page = Page(b'{"rate": 1, "sounds": []}', "", calm=True)
+    frame(page, {"type": "link", "fragment": "functions"}, {"type": "code", "text": "def on_left(a, b):\n    return a > b\n"})
+    first = frame(page, {"type": "choose", "id": "grade"})["grading"]
+    second = frame(page, {"type": "graded", "number": first["number"], "function": "on_left", "call": 7})["grading"]
+    assert second["given_up"] == {"on_left": 7}
+    reply = PageGrader().grade(json.dumps(second), lambda *_call: None)
+    menu = frame(page, {"type": "graded", "number": second["number"], "reply": reply})["menu"]
+    words = " ".join([*menu["lines"], *[item["label"] for item in menu["items"]]])
+    assert "no answer to on_left(a=" in words
+    assert "not used in the lab and in the game" in words
+    assert next(item for item in menu["items"] if item["id"] == "fly")["disabled"]
 
 
 def test_without_npm_one_line_says_what_is_needed(monkeypatch, tmp_path):

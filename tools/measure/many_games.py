@@ -10,6 +10,7 @@ from rich.console import Console
 
 from physics import Arena
 from physics.batch import Batch, compiled
+from physics.batch.arrays import Integers
 from physics.batch.compilation import check_numba
 from tools.measure.contenders import Play
 from tools.measure.standard_arena import BALL_RADIUS, CHECK_EVERY, GROUND, SPEED, TICK, arena, served
@@ -57,12 +58,17 @@ class ManyGames:
             steps = self._batch.step(ticks=min(CHECK_EVERY, ticks - first), threads=threads)
             start = clock()
             self._count(len(steps.hits))
-            for game in np.flatnonzero(steps.lost[:, 0]).tolist():
-                rings = self._batch.arena(game).rings
-                self._batch.put(game, Arena((served(self._chance),), rings, self._arena.layers))
+            self._serve(np.flatnonzero(steps.lost[:, 0]))
             aside += clock() - start
         self._ticks += ticks
         return aside
+
+    def _serve(self, games: Integers) -> None:
+        """Bring lost balls back, and lay the bricks of their games anew."""
+        balls = [served(self._chance) for _ in games]
+        if len(balls) > 0:
+            positions, velocities = np.array([[ball.position] for ball in balls]), np.array([[ball.velocity] for ball in balls])
+            self._batch.serve(games, positions, velocities, self._arena.layers)
 
     def state(self) -> str:
         """How realistic it was: the share of balls in reach of a ring, and the hits."""

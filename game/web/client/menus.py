@@ -12,6 +12,7 @@ from game.picture.display_list import DisplayList
 from game.screens.demo import Demo
 from game.screens.difficulty_names import DIFFICULTIES, difficulty_name
 from game.settings.values import LOUDEST, SPEEDS, Settings
+from game.web.client.functions.text import FunctionsText
 from game.web.client.messages import PageItem, PageMenu
 from game.web.client.state import PageScreen, PageState, Pictures
 
@@ -27,7 +28,7 @@ _HELP = (
     "P or Escape: pause. 1 and 2: the view from above, the view in 3D; drag with the right button to turn it.",
     "M: sound. T: dark or light colours. O: settings. L: the lab.",
     "A gamepad's left stick points the paddles, A serves, Y changes the view.",
-    "Drop a replay (.polar) or a level file (.toml) on this page to open it.",
+    "Drop a replay (.polar), a level (.toml) or functions of your own (.py) on this page to open them.",
 )
 
 
@@ -132,6 +133,7 @@ class Screens(NamedTuple):
     game: Callable[[tuple[Level, ...]], PageScreen]
     replay: Callable[[str, bytes], PageScreen]
     lab: Callable[[str], PageScreen]
+    flight: Callable[[FunctionsText], PageScreen]
 
 
 def title(state: PageState, screens: Screens) -> MenuScreen:

@@ -1,4 +1,4 @@
-"""A line that is only read: of what the items below it are, or between buttons."""
+"""A line that is only read: it says what the items below it are, or stands between buttons."""
 
 from dataclasses import dataclass
 
@@ -16,7 +16,7 @@ _SMALLER = 0.9
 
 
 @dataclass(frozen=True)
-class Caption(Item):
+class LabelItem(Item):
     """Words, and a note behind them in the second colour. centred: the words, which have no note then."""
 
     text: str
