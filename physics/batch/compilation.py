@@ -18,8 +18,6 @@ from inspect import isfunction
 from types import ModuleType
 from typing import Any, NamedTuple, TypeVar
 
-import numpy as np
-
 import physics
 from physics.batch import games as loop
 from physics.batch.arrays import no_games
@@ -176,7 +174,7 @@ def _register() -> None:
 
     @overload(add_hit)
     def _add_hit(hits, hit):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
-        return lambda hits, hit: write_hit(hits, hit)
+        return write_hit
 
 
 def _register_tick(compiled_tick: Any) -> None:
@@ -193,8 +191,8 @@ def _register_tick(compiled_tick: Any) -> None:
 
 def _workspace_type() -> Any:
     """numba's type of `Workspace`: its lists cannot be made outside of compiled code."""
-    from numba.core import types  # noqa: PLC0415  # an extra
     from numba import typeof  # noqa: PLC0415
+    from numba.core import types  # noqa: PLC0415  # an extra
 
     examples = Ball(0j, 0j, 1.0), Ring(1.0, 0.5, 0.1, 1), AT_START
     return types.NamedTuple([types.List(typeof(example)) for example in examples], Workspace)

@@ -112,7 +112,9 @@ def fault_of(arena, step, speed):
     found = rows([step])
     for n, row in enumerate(found):
         room.rows.hits[n] = row
-    return Fault(tick_fault(room.before, after, 0, room.rows.hits, len(found), TICK, speed, step.freed, step.dropped, room.work))
+    return Fault(
+        tick_fault(room.before, after, 0, room.rows.hits, len(found), TICK, speed, step.freed, step.dropped, room.work)
+    )
 
 
 def with_ball(step, **fields):

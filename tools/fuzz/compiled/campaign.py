@@ -4,7 +4,7 @@ import functools
 import time
 from collections.abc import Callable, Sequence
 from inspect import isfunction
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt

@@ -1,7 +1,6 @@
 """The loop of the compiled fuzzer: games of one arena that are played and checked, tick by tick. Compiled as a whole."""
 
 import math
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
