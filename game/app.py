@@ -10,25 +10,23 @@ import pygame
 
 from game.chosen_physics import SWEPT, ChosenPhysics
 from game.input.events import keyboard_state
-from game.input.key_names import layout_changed
-from game.input.keys import Action
-from game.input.signals import FocusLost, KeyboardState, PadChanged, Pressed, Signal
+from game.input.players import Players
+from game.input.signals import KeyboardState
 from game.kept.store import Kept
 from game.kept.window import WindowBox
 from game.lab.kit.second_engine import Engine
 from game.lab.registry import scenes
 from game.lab.session import session
 from game.lab.session.share import parsed
-from game.language import system_prefers, tr
+from game.language import system_prefers
 from game.levels import Level, built_in
 from game.overlay import toast
-from game.overlay.toast import Toast
 from game.own_levels import own_levels
 from game.replays.file import Recording
 from game.replays.playback import Playback
 from game.rules import Ruleset
 from game.screens.app_state import AppState, Recorder
-from game.screens.base import Listener, Screen, Still, Typist
+from game.screens.base import Screen, Still
 from game.screens.difficulty_names import ruleset_of
 from game.screens.editors import OpenEditors
 from game.screens.menus.level_select import LevelSelect
@@ -37,13 +35,13 @@ from game.screens.title import Title
 from game.screens.watch import Watch
 from game.second_opinion import Compare
 from game.settings.file import SettingsFile
-from game.settings.keys import changed
 from game.sound.mixer import Audio
 from game.student.functions_file import FunctionsFile
 from game.system import window as display
 from game.system.display_lost import on_display_lost
 from game.system.ending import deferred, pending
 from game.system.errors import DisplayLostError
+from game.window_events import answered_events, toggle_full_screen
 
 LOST = "the display is gone"
 _TITLE = "Polar Breakout"
@@ -51,10 +49,6 @@ _IDLE_RATE = 10
 """Frames per second while the window has no focus: nothing moves then."""
 _STILL_RATE = 60
 """Frames per second, at most, of a screen that stands still."""
-_LEFT, _BACK = (pygame.WINDOWFOCUSLOST, pygame.WINDOWMINIMIZED), (pygame.WINDOWFOCUSGAINED, pygame.WINDOWRESTORED)
-"""The player goes to another window, and comes back."""
-_SHOWN_AGAIN = (pygame.WINDOWEXPOSED, pygame.WINDOWRESIZED, pygame.WINDOWSIZECHANGED, pygame.WINDOWRESTORED, pygame.WINDOWSHOWN)
-"""After these the window's picture may be gone."""
 
 
 class Services(NamedTuple):
@@ -87,16 +81,18 @@ def play(
     autopilot: bool = False,
     physics: ChosenPhysics = SWEPT,
     ruleset: Ruleset | None = None,
+    players: Players = Players.ONE,
 ) -> int:
     """Open a window with the title, the first of the levels chosen, and play until it is closed; the exit code.
 
-    recorder: told every tick of every game played. autopilot: it plays, from the first serve on, without a title.
-    physics: that the games are flown on. ruleset: of the games; None for the one chosen last.
+    seed: of the session, of which every game's is made. recorder: told every tick of every game played.
+    autopilot: it plays, from the first serve on, without a title.
+    physics: that the games are flown on. ruleset: of the games; None for the one chosen last. players: how many play.
     Raises EnvironmentMissingError without a display, DisplayLostError when it goes away.
     """
     catalogue = built_in() if levels[0] in built_in() else levels
     state = _state(catalogue, services, catalogue.index(levels[0]), seed)
-    state.recorder, state.autopilot, state.physics = recorder, autopilot, physics
+    state.recorder, state.autopilot, state.physics, state.players = recorder, autopilot, physics, players
     state.ruleset = ruleset or state.ruleset
     editors = OpenEditors()
     state.own_levels, state.open_editor = own_levels, editors.opened
@@ -185,7 +181,7 @@ def _shown(
     box = state.kept.window.value
     window = display.open_window(_TITLE, (box.width, box.height) if box.width else None, (box.left, box.top))
     if full_screen:
-        _toggle_full_screen(window, state)
+        toggle_full_screen(window, state)
     handler = on_display_lost(lambda: _save(state, services.lost))  # noqa: F841  # must live as long as the window
     with deferred():
         try:
@@ -256,7 +252,7 @@ def frame(
 
     keyboard: asked which keys are down, after the events: of too many, some are lost.
     """
-    answered = _answered(window, state, screen)
+    answered = answered_events(window, _surface(window).get_size(), state, screen)
     if answered is not None:
         answered = answered.answer(keyboard(), _surface(window).get_size())
     if answered is None:
@@ -267,7 +263,7 @@ def frame(
         state.toast = toast.later(state.toast, seconds)
         _draw(window, state, following, surface)
         if state.wants_full_screen not in (None, state.full_screen):
-            _toggle_full_screen(window, state)
+            toggle_full_screen(window, state)
         state.wants_full_screen = None
     if state.audio is not None:
         state.audio.prepare()
@@ -305,90 +301,3 @@ def _flip(window: pygame.Window) -> None:
         window.flip()
     except pygame.error as error:
         raise DisplayLostError(f"{LOST}: {error}") from None
-
-
-def _answered(window: pygame.Window, state: AppState, screen: Screen) -> Screen | None:
-    """The screen after all that the player did since the last frame; None once the window is closed or left."""
-    size = _surface(window).get_size()
-    for event in pygame.event.get():
-        if event.type in (pygame.QUIT, pygame.WINDOWCLOSE):
-            return None
-        if event.type == pygame.KEYMAPCHANGED:
-            layout_changed()
-        if event.type in _SHOWN_AGAIN:
-            state.shown = None
-        if event.type in (*_LEFT, *_BACK):
-            state.away = event.type in _LEFT
-        following = _following(event, size, window, state, screen)
-        if following is None:
-            return None
-        screen = following
-    return screen
-
-
-def _following(
-    event: pygame.Event, size: tuple[int, int], window: pygame.Window, state: AppState, screen: Screen
-) -> Screen | None:
-    """The screen after one event. size: of the surface, pixels."""
-    if isinstance(screen, Typist) and screen.typed(event):
-        return screen
-    pixels_per_point = _pixels_per_point(window, size)
-    signals = tuple(state.devices.signals(event, size, pixels_per_point))
-    if isinstance(screen, Listener):
-        if any([isinstance(signal, Pressed) and signal.action is Action.FULL_SCREEN for signal in signals]):
-            _toggle_full_screen(window, state)
-            return screen
-        return screen.hear(event, size, pixels_per_point)
-    following: Screen | None = screen
-    for signal in signals:
-        if following is not None:
-            following = _following_signal(signal, size, window, state, following)
-    return following
-
-
-def _following_signal(
-    signal: Signal, size: tuple[int, int], window: pygame.Window, state: AppState, screen: Screen
-) -> Screen | None:
-    """The screen after one signal. size: of the surface, pixels."""
-    if not _means_speed(signal, screen) and _answered_here(signal, window, state):
-        return screen
-    if isinstance(signal, Pressed) and signal.action is Action.LAB and state.open_lab is not None:
-        left = screen.answer(FocusLost(), size)  # a game in play pauses
-        return None if left is None else state.open_lab(state, left)
-    return screen.answer(signal, size)
-
-
-def _answered_here(signal: Signal, window: pygame.Window, state: AppState) -> bool:
-    """Obey a signal that means the same on every screen; whether it is one."""
-    match signal:
-        case Pressed(Action.FULL_SCREEN):
-            _toggle_full_screen(window, state)
-        case Pressed(Action.NORMALS):
-            state.shows_normals = not state.shows_normals and state.compare is not None
-        case PadChanged(name, there):
-            state.toast = Toast((tr("Gamepad: {name}") if there else tr("Gamepad gone: {name}")).format(name=name))
-        case Pressed(action) if (now := changed(state.settings, action)) is not None:
-            state.change(*now)
-        case _:
-            return False
-    return True
-
-
-def _means_speed(signal: Signal, screen: Screen) -> bool:
-    """Whether the volume's keys change how fast a recording runs."""
-    speeds = (Action.LESS, Action.MORE)
-    return isinstance(screen, Watch) and isinstance(signal, Pressed) and signal.action in speeds
-
-
-def _toggle_full_screen(window: pygame.Window, state: AppState) -> None:
-    """Make the window as large as the desktop, or as it was before."""
-    state.full_screen = not state.full_screen
-    if state.full_screen:
-        window.set_fullscreen(desktop=True)
-    else:
-        window.set_windowed()
-
-
-def _pixels_per_point(window: pygame.Window, size: tuple[int, int]) -> complex:
-    """Pixels of the surface per unit of the mouse's coordinates: above 1 on a high-DPI screen."""
-    return complex(size[0] / max(window.size[0], 1), size[1] / max(window.size[1], 1))

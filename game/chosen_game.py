@@ -8,6 +8,7 @@ from typing import NamedTuple
 from game.chosen_physics import SWEPT, ChosenPhysics
 from game.effects import LONGEST
 from game.headless import autopilot_game, result_line
+from game.input.players import Players
 from game.levels import Level
 from game.picture_file import PlayedGame, picture_folders, save_picture
 from game.replays import file as replay
@@ -25,6 +26,7 @@ class ChosenGame(NamedTuple):
     """The game that the options ask for.
 
     ruleset: None where they say nothing. record: the file of its replay; None for none. own: the player's functions.
+    players: how many play in the window; without one the autopilot plays for both.
     """
 
     levels: tuple[Level, ...]
@@ -33,12 +35,19 @@ class ChosenGame(NamedTuple):
     record: Path | None
     physics: ChosenPhysics
     own: FunctionsFile | None = None
+    players: Players = Players.ONE
+
+    @property
+    def rules(self) -> Ruleset:
+        """The ruleset, with two players where they play against each other."""
+        ruleset = self.ruleset or Ruleset()
+        return ruleset._replace(versus=self.players is Players.VERSUS)
 
 
 def play_headless(chosen_game: ChosenGame, ticks: int) -> PlayedGame:
     """A game of the autopilot without a window, recorded if asked for; a signal ends it early, what was played is kept."""
-    levels, seed, chosen_rules, record, physics, _ = chosen_game
-    ruleset = chosen_rules or Ruleset()
+    levels, seed, record, physics = chosen_game.levels, chosen_game.seed, chosen_game.record, chosen_game.physics
+    ruleset = chosen_game.rules
     recorder = None if record is None else replay.Recorder(levels, seed, ruleset)
     passed, cut_short = deque[Ticked](maxlen=LONGEST), 0
 

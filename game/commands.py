@@ -13,6 +13,7 @@ from game.chosen_game import ChosenGame, demonstrate, play_headless
 from game.chosen_physics import SWEPT, flown_on, functions_of
 from game.editor.command import file_to_edit
 from game.headless import result_line
+from game.input.players import Players
 from game.kept.folder import data_folder
 from game.kept.score_listing import tell_scores
 from game.kept.store import Kept
@@ -55,6 +56,7 @@ _GAME_OPTIONS = (
     "with_",
     "rules",
     "difficulty",
+    "players",
     "screenshot",
     *_PICTURE_OPTIONS,
     "version",
@@ -73,7 +75,8 @@ def play(
         typer.Option(
             min=0,
             max=2**63 - 1,
-            help="Decides the power-ups, where the aim of each serve begins, and nudges; the same seed is the same chance.",
+            help="Decides the power-ups, where the aim of each serve begins, and nudges; the same seed is the same chance. "
+            "In the window it is the first game's, and the seeds of the games after it are made of it.",
             show_default="1 if --headless, else random",
         ),
     ] = None,
@@ -97,6 +100,12 @@ def play(
         Literal["easy", "normal", "hard"] | None,
         typer.Option(help="Of the arcade rules.", show_default="normal; in the window the one chosen last"),
     ] = None,
+    players: Annotated[
+        Literal["one", "together", "versus"],
+        typer.Option(
+            help="One; two who steer the same paddles; two against each other, each with a paddle and a half of the ring."
+        ),
+    ] = "one",
     screenshot: Annotated[Path | None, typer.Option(help="Draw the last tick of a headless game into this PNG file.")] = None,
     size: Annotated[str, typer.Option(metavar="WxH", help="Size of the screenshot in pixels.")] = "1280x800",
     view: Annotated[Literal["flat", "solid"], typer.Option(help="The screenshot's view: from above, or in 3D.")] = "flat",
@@ -118,6 +127,7 @@ def play(
     _refuse_physics(context, physics, with_, record)
     flown = physics if with_ is None else "source"
     ruleset = _ruleset(context, rules, difficulty, flown)
+    _refuse_versus(players, ruleset)
     check_target(record, "--record")
     check_target(screenshot, "--screenshot", ".png")
     levels = chosen(level)
@@ -125,10 +135,10 @@ def play(
         say(f"polar-breakout: warning: {quoted(level)}: {line}")
     if headless and not autopilot:
         raise BadInputError("--headless: nobody plays; add --autopilot")
-    if not headless:
-        seed = random.SystemRandom().getrandbits(32) if seed is None else seed
+    if seed is None:
+        seed = 1 if headless else random.SystemRandom().getrandbits(32)
     with functions_of(with_, checked=headless) as own:
-        game = ChosenGame(levels, 1 if seed is None else seed, ruleset, record, flown_on(physics, own), own)
+        game = ChosenGame(levels, seed, ruleset, record, flown_on(physics, own), own, Players[players.upper()])
         if not headless:
             _play_in_window(game, autopilot=autopilot)
             return
@@ -150,6 +160,12 @@ def _ruleset(context: typer.Context, rules: str | None, difficulty: str | None, 
     if rules is None and difficulty is None:
         return None
     return Ruleset(Difficulty[(difficulty or "normal").upper()])
+
+
+def _refuse_versus(players: str, ruleset: Ruleset | None) -> None:
+    """BadInputError for two against each other under the source's rules."""
+    if players == "versus" and ruleset == SOURCE_RULES:
+        raise BadInputError("--players versus: the source's rules know one player; play by the arcade rules")
 
 
 @app.command("levels")
@@ -192,16 +208,25 @@ def save_screens(
     pictures: Annotated[Path, typer.Option(metavar="DIR", help="The folder that gets a PNG file of every screen.")],
     only: Annotated[str, typer.Option(help="A part of the names of the screens wanted.")] = "",
     size: Annotated[str, typer.Option(metavar="WxH", help="Size of the pictures in pixels.")] = "1280x800",
-    theme: Annotated[Literal["dark", "light"], typer.Option(help="Their colours.")] = "dark",
+    theme: Annotated[Literal["dark", "light", "contrast"], typer.Option(help="Their colours.")] = "dark",
+    vision: Annotated[
+        Literal["full", "protanopia", "deuteranopia", "tritanopia"],
+        typer.Option(help="The colours that the player tells apart."),
+    ] = "full",
+    language: Annotated[Literal["en", "de", "cs"], typer.Option(help="Of the texts.")] = "en",
+    text_size: Annotated[int, typer.Option(min=100, max=200, help="Of the texts, per cent.")] = 100,
 ) -> None:
     """Draw every screen of the game, with made-up scores, into a folder."""
     pixels = size_of(size)
     check_pygame()
-    from game.screens.gallery import save_pictures  # noqa: PLC0415  # pygame, only where it is needed
+    from game.screens.gallery.pictures import save_pictures  # noqa: PLC0415  # pygame, only where it is needed
+    from game.settings.values import Settings  # noqa: PLC0415
+
+    settings = Settings(theme, vision=vision, language=language, text_size=text_size)
 
     try:
         pictures.mkdir(parents=True, exist_ok=True)
-        for path in save_pictures(pictures, pixels, theme, only):
+        for path in save_pictures(pictures, pixels, settings, only):
             tell(str(path))
     except OSError as error:
         raise BadInputError(f"--pictures {quoted_path(pictures)}: cannot write; {error.strerror or error}") from None
@@ -267,7 +292,7 @@ def _play_in_window(chosen_game: ChosenGame, *, autopilot: bool) -> None:
     from game.app import Services  # noqa: PLC0415  # pygame, only where it is needed
     from game.app import play as play_in_window  # noqa: PLC0415
 
-    levels, seed, ruleset, record, physics, own = chosen_game
+    levels, seed, ruleset, record, physics, own, players = chosen_game
     kept = Kept(data_folder(), record)
     games = kept.games if physics is SWEPT else None  # replays are verified with the swept physics
 
@@ -281,7 +306,16 @@ def _play_in_window(chosen_game: ChosenGame, *, autopilot: bool) -> None:
         try:
             with _settings() as settings:
                 services = Services(_second_opinion(), _second_engine, settings, kept, lost, own)
-                play_in_window(levels, seed, services, recorder=games, autopilot=autopilot, physics=physics, ruleset=ruleset)
+                play_in_window(
+                    levels,
+                    seed,
+                    services,
+                    recorder=games,
+                    autopilot=autopilot,
+                    physics=physics,
+                    ruleset=ruleset,
+                    players=players,
+                )
         except EnvironmentMissingError as error:
             say(f"polar-breakout: {error}; playing 20 s without a window instead")
             demonstrate(chosen_game)

@@ -9,6 +9,7 @@ import random
 from collections.abc import Callable
 
 from game.language import tr_noop
+from game.level_names import GENERATED
 from game.levels import BallSpec, Level, PaddleSpec, RingSpec, checked, warnings
 from game.system.errors import BadInputError
 from physics import PERMANENT
@@ -72,7 +73,7 @@ def _drawn(chance: Chance, hardness: float, number: int) -> Level:
         lane = _APART if chance() < 0.5 else 2.0 * _BALL * (1.6 + chance())
         outer = radius - half_width - lane
     return Level(
-        name=f"Endless {number + 1}",
+        name=GENERATED.format(number=number + 1),
         ground_radius=_GROUND,
         ball=BallSpec(_BALL, _rounded(7.5 + 2.5 * hardness + 0.5 * chance())),
         paddles=PaddleSpec(

@@ -9,7 +9,7 @@ import math
 from typing import NamedTuple, TypedDict
 
 from game.effects import Burst, EffectKind, Effects, FallingStack, Flash, Light, Pop, Recoil, Trail, Wave
-from game.rules import BEST_COMBO, PADDLES, TICK, ActivePower, Drop, EventKind, Game, Phase, Ticked, held_balls
+from game.rules import BEST_COMBO, PADDLES, TICK, ActivePower, Drop, EventKind, Game, Phase, Ticked, held_balls, paddle_rings
 from game.rules.turn import place_turn
 from physics import Ball, Ring, Step, direction, signed_difference
 
@@ -42,6 +42,7 @@ class Scene(NamedTuple):
     rings: all of them; ring 0 is the paddles.
     layers: per ring and slot, as in `physics.Arena`.
     tallest: per ring, layers of its highest stack when the level began.
+    tints: per ring of bricks, as in `RingSpec.tints`.
     balls: those in play, or the one that waits for its serve.
     aim: of the ball that waits for its serve; else None.
     trails, flashes, pops, falling, bursts, recoils, waves: as in `Effects`.
@@ -54,6 +55,7 @@ class Scene(NamedTuple):
     held_aims: where balls that stick to a paddle will go.
     clock: seconds, for what moves by itself; it stands still for players who want no such motion.
     lights, entry: as in `Effects`. shining: whether balls give light.
+    second_paddle: index of the ring that is the second player's paddle, where two play against each other.
     """
 
     ground_radius: float
@@ -82,9 +84,11 @@ class Scene(NamedTuple):
     core: float | None = None
     clock: float = 0.0
     held_aims: tuple[Aim, ...] = ()
+    tints: tuple[tuple[int, ...], ...] = ()
     lights: tuple[Light, ...] = ()
     shining: bool = False
     entry: int | None = None
+    second_paddle: int | None = None
 
 
 def still(game: Game) -> Ticked:
@@ -99,7 +103,7 @@ def scene_at(ticked: Ticked, alpha: float, effects: Effects) -> Scene:
         rings, balls = game.arena.rings, game.arena.balls
     else:
         rings = _turned(ticked.moving.rings, game.arena.rings, alpha)
-        balls = _balls_at(ticked, rings[PADDLES], alpha)
+        balls = _balls_at(ticked, rings, alpha)
     return Scene(
         game.level.ground_radius,
         game.level.look.palette,
@@ -122,6 +126,7 @@ def scene_at(ticked: Ticked, alpha: float, effects: Effects) -> Scene:
         lights=effects.lights,
         shining=EffectKind.LIGHTS in effects.steady,
         entry=effects.entry,
+        tints=tuple([ring.tints() for ring in game.level.rings]),
         **_arcade(ticked, alpha),
     )
 
@@ -137,6 +142,7 @@ class _Arcade(TypedDict, total=False):
     wells: tuple[Well, ...]
     core: float | None
     held_aims: tuple[Aim, ...]
+    second_paddle: int | None
 
 
 def _arcade(ticked: Ticked, alpha: float) -> _Arcade:
@@ -155,13 +161,14 @@ def _arcade(ticked: Ticked, alpha: float) -> _Arcade:
         "wells": tuple([Well(cmath.rect(w.distance, math.radians(w.angle)), w.reach, w.strength) for w in game.level.wells]),
         "core": _core(game, growing),
         "held_aims": _held_aims(game),
+        "second_paddle": paddle_rings(game)[1] if game.ruleset.versus else None,
     }
 
 
 def _held_aims(game: Game) -> tuple[Aim, ...]:
     """Where the balls that stick to a paddle will go: inward, turned by where they stick."""
     pairs = zip(game.held, held_balls(game), strict=True)
-    aims = [(ball, direction(place_turn(game, held.offset))) for held, ball in pairs]
+    aims = [(ball, direction(place_turn(game, held.offset, held.ring))) for held, ball in pairs]
     return tuple([Aim(ball.position, -ball.position / abs(ball.position) * turn) for ball, turn in aims])
 
 
@@ -194,17 +201,26 @@ def _turned(before: tuple[Ring, ...], after: tuple[Ring, ...], alpha: float) -> 
     return tuple([old.turned(alpha * TICK) if old.spin else new for old, new in zip(before, after, strict=True)])
 
 
-def _balls_at(ticked: Ticked, paddles: Ring, alpha: float) -> tuple[Ball, ...]:
-    """The balls at a moment of the tick: on their paddle while they wait for the serve, else on their paths."""
+def _balls_at(ticked: Ticked, rings: tuple[Ring, ...], alpha: float) -> tuple[Ball, ...]:
+    """The balls at a moment of the tick: on their paddle while they wait for the serve, else on their paths.
+
+    rings: at that moment.
+    """
+    game = ticked.game
+
+    def back(k: int) -> float:
+        """How far a ring has still to turn until the tick's end, radians, clockwise."""
+        return signed_difference(rings[k].phase, game.arena.rings[k].phase)
+
     if _rests(ticked):
-        angle = signed_difference(paddles.phase, ticked.game.arena.rings[PADDLES].phase)
-        return tuple([_about_origin(ball, angle) for ball in ticked.game.arena.balls])
+        angle = back(paddle_rings(game)[game.server])
+        return tuple([_about_origin(ball, angle) for ball in game.arena.balls])
     flying = [_on_its_path(ball, index, ticked, alpha) for index, ball in enumerate(ticked.moving.balls)]
-    if not ticked.game.held:
+    if not game.held:
         return tuple(flying)
-    angle = signed_difference(paddles.phase, ticked.game.arena.rings[PADDLES].phase)
-    stuck = zip(ticked.game.held, held_balls(ticked.game), strict=True)
-    return (*flying, *[_about_origin(ball, angle) for held, ball in stuck if held.ticks > 0])  # a new one is still seen flying
+    stuck = zip(game.held, held_balls(game), strict=True)
+    on_paddles = [_about_origin(ball, back(held.ring)) for held, ball in stuck if held.ticks > 0]
+    return (*flying, *on_paddles)  # one that was just caught is still seen flying
 
 
 def _rests(ticked: Ticked) -> bool:

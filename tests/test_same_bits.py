@@ -1,7 +1,10 @@
 """The simulation uses nothing that may give other bits on another machine. Every rule is shown to catch what breaks it."""
 
+from functools import cache
+
 import pytest
 
+from tests.support.kinds import Names
 from tests.support.paths import ROOT
 from tests.support.same_bits import findings
 
@@ -15,6 +18,12 @@ def simulation():
         path for name in RULES_OF_THE_GAME for path in [ROOT / "game" / f"{name}.py", *(ROOT / "game" / name).rglob("*.py")]
     ]
     return physics + [path for path in game if path.exists()]
+
+
+@cache
+def names_of_the_simulation():
+    """What its annotations say, and those of the levels' fields."""
+    return Names([path.read_text(encoding="utf-8") for path in [*simulation(), *(ROOT / "game" / "level_format").glob("*.py")]])
 
 
 def test_the_simulation_is_found():
@@ -31,9 +40,8 @@ def test_the_simulation_is_found():
 
 @pytest.mark.parametrize("path", simulation(), ids=lambda path: path.relative_to(ROOT).as_posix())
 def test_no_module_of_the_simulation_depends_on_the_machine(path):
-    """A finding is named with its line. Levels are read for the names of their fields only."""
-    known = [other.read_text(encoding="utf-8") for other in [*simulation(), *(ROOT / "game" / "level_format").glob("*.py")]]
-    assert findings(path.read_text(encoding="utf-8"), known) == []
+    """A finding is named with its line."""
+    assert findings(path.read_text(encoding="utf-8"), names_of_the_simulation()) == []
 
 
 SHAPES = """
@@ -146,7 +154,7 @@ RIGHT = {
 def test_what_may_differ_is_found(name):
     """Each rule catches what breaks it, and nothing else in that text."""
     text, expected = WRONG[name]
-    found = findings(text, [SHAPES])
+    found = findings(text, Names([text, SHAPES]))
     assert found
     assert all(expected in finding.what for finding in found), found
 
@@ -154,12 +162,13 @@ def test_what_may_differ_is_found(name):
 @pytest.mark.parametrize("name", RIGHT)
 def test_what_is_the_same_everywhere_is_left_alone(name):
     """IEEE 754 fixes + - * / and the root, and floor and fmod are exact."""
-    assert findings(RIGHT[name], [SHAPES]) == []
+    assert findings(RIGHT[name], Names([RIGHT[name], SHAPES])) == []
 
 
 def test_a_finding_knows_its_line():
     """For whoever has to mend it."""
-    (finding,) = findings("import math\n\nx = math.sin(1.0)")
+    text = "import math\n\nx = math.sin(1.0)"
+    (finding,) = findings(text, Names([text]))
     assert finding == (3, "math.sin")
 
 
@@ -180,5 +189,4 @@ def test_the_real_modules_are_watched(module, good, bad):
     """A line of the engine, written the tempting way, is found."""
     source = (ROOT / module).read_text(encoding="utf-8")
     assert good in source
-    known = [path.read_text(encoding="utf-8") for path in simulation()]
-    assert findings(source.replace(good, bad), known)
+    assert findings(source.replace(good, bad), names_of_the_simulation())

@@ -11,6 +11,7 @@ Seen from straight above and from infinitely far (t = k = 0) a height changes no
 """
 
 import math
+from collections.abc import Iterable
 from typing import TYPE_CHECKING, NamedTuple
 
 if TYPE_CHECKING:  # in a browser there is no numpy: who projects many points at once brings it along
@@ -57,6 +58,19 @@ class Camera(NamedTuple):
         turned = point * complex(math.cos(self.azimuth), -math.sin(self.azimuth))
         up = turned.imag * math.cos(self.tilt) + height * math.sin(self.tilt)
         return self.centre + complex(turned.real, -up) * self.scale_at(point, height)
+
+    def pixels(self, points: Iterable[complex]) -> list[complex]:
+        """Pixels of many points of the ground: as `project` one by one, but faster."""
+        centre, scale = self.centre, self.scale
+        if self.flat:
+            return [centre + point.conjugate() * scale for point in points]
+        turning, lean, cosine = self.turning, self.closeness * math.sin(self.tilt), math.cos(self.tilt)
+        found = []
+        for point in points:
+            turned = point * turning
+            here = scale / (1.0 + lean * turned.imag)
+            found.append(centre + complex(turned.real * here, -turned.imag * cosine * here))
+        return found
 
     def side(self, point: complex, reach: float) -> float:
         """How far a point of the ground is to the right on the screen. reach: world units that count as 1."""
@@ -116,6 +130,19 @@ class Layout(NamedTuple):
     unit: float
     ground_radius: float
     beside: bool
+
+    def right_edge(self, y: float) -> float:
+        """Where the flat arena ends to the right at a height of the surface, pixels; its middle where it is not."""
+        return self.camera.centre.real + self._half_chord(y)
+
+    def left_edge(self, y: float) -> float:
+        """Where it ends to the left."""
+        return self.camera.centre.real - self._half_chord(y)
+
+    def _half_chord(self, y: float) -> float:
+        """Half the arena's width at a height of the surface, pixels."""
+        radius, away = self.ground_radius * self.camera.scale, y - self.camera.centre.imag
+        return math.sqrt(max(radius**2 - away**2, 0.0))
 
 
 def layout(size: tuple[int, int], ground_radius: float, below: float = 0.0) -> Layout:

@@ -7,7 +7,7 @@ Without red or green cones (protanopia, deuteranopia) the bricks are orange and 
 
 from typing import NamedTuple
 
-from game.drawing.palette import DARK, Colour, Theme
+from game.drawing.palette import LIGHT, Colour, Theme
 from game.language import tr_noop
 
 
@@ -139,7 +139,7 @@ VISION_NAMES = {
 
 
 def seen_by(vision: str, theme: Theme) -> Theme:
-    """The dark or the light theme in colours that a player tells apart. vision: one of VISIONS."""
+    """A theme in colours that a player tells apart; those on black are the dark theme's. vision: one of VISIONS."""
     if vision == VISIONS[0]:
         return theme
-    return theme._replace(**(_DARK if theme == DARK else _LIGHT)[vision]._asdict())
+    return theme._replace(**(_LIGHT if theme == LIGHT else _DARK)[vision]._asdict())

@@ -1,7 +1,7 @@
-"""The colours of everything, dark and light, chosen to tell apart without colour vision.
+"""The colours of everything, dark, light and in high contrast, chosen to tell apart without colour vision.
 
-Stacks are told apart by their terraces first and by colour second; the colours of a stack grow lighter (on the dark theme)
-or darker (on the light one) with every layer, so that they stay in order in grey. `tests/game/drawing/test_palette.py` computes
+Stacks are told apart by their terraces first and by colour second; the colours of a stack grow lighter (on dark ground)
+or darker (on light ground) with every layer, so that they stay in order in grey. `tests/game/drawing/test_palette.py` computes
 all this.
 """
 
@@ -123,6 +123,43 @@ LIGHT = Theme(
         (16, 4, 6),
     ),
 )
+
+HIGH_CONTRAST = Theme(
+    background=(0, 0, 0),
+    ground=(0, 0, 0),
+    ground_line=(58, 58, 58),
+    rim=(255, 255, 255),
+    text=(255, 255, 255),
+    faint=(214, 214, 214),
+    accent=(255, 232, 0),
+    panel=(0, 0, 0),
+    panel_edge=(118, 118, 118),
+    paddle=(0, 176, 160),
+    paddle_top=(0, 255, 232),
+    ball=(255, 255, 255),
+    trail=(120, 180, 255),
+    steel=(150, 150, 150),
+    steel_line=(0, 0, 0),
+    flash=(255, 255, 255),
+    danger=(255, 120, 110),
+    shadow=0.0,
+    shade=1.0,
+    vignette=0.0,
+    glow=0.0,
+    relief=0.0,
+    layers=(
+        (72, 105, 240),
+        (152, 98, 255),
+        (217, 109, 212),
+        (249, 136, 112),
+        (247, 173, 45),
+        (254, 200, 4),
+        (255, 226, 84),
+        (255, 241, 144),
+        (255, 255, 255),
+    ),
+)
+"""Black, without light and shadow; the levels' own palettes are left out."""
 
 
 @cache

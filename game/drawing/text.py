@@ -98,11 +98,6 @@ def _pixels(size: float) -> int:
     return min(max(round(size), _SMALLEST), _LARGEST)
 
 
-def stepped(size: float) -> float:
-    """A size rounded to quarters, for words whose size changes from frame to frame: every size costs a font and a picture."""
-    return round(4.0 * size) / 4.0
-
-
 def _ink(letter: pygame.Surface) -> pygame.Rect:
     """The columns that a letter covers, at full height; for a space, which covers none, all of its columns."""
     ink = letter.get_bounding_rect()

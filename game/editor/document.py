@@ -68,9 +68,13 @@ def with_value(document: Document, path: Path, value: float | str | list[int]) -
 
 def painted(document: Document, ring: int, slots: Collection[int], layers: int) -> Document:
     """The document with stacks of a ring set. layers: 1 to 9; 0 takes the brick away; -1 is unbreakable."""
-    before = list(document.level.rings[ring].slots())
-    after = [layers if slot in slots else old for slot, old in enumerate(before)]
-    if after == before:
+    before = document.level.rings[ring].slots()
+    return painted_slots(document, ring, [layers if slot in slots else old for slot, old in enumerate(before)])
+
+
+def painted_slots(document: Document, ring: int, after: list[int]) -> Document:
+    """The document with all stacks of a ring set, each as for `painted`."""
+    if after == list(document.level.rings[ring].slots()):
         return document
     same = after[0] if len(set(after)) == 1 else None
     return with_value(document, ("rings", ring, "layers"), after if same is None else same)

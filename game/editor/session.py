@@ -44,6 +44,8 @@ class EditorSession(NamedTuple):
     symmetry: of a stroke.
     message: what the last command could not do; empty where it could.
     saved: the text that the file has.
+    slot: of the chosen ring: the cursor.
+    copied: layers of the slots of a ring, from the cursor on; empty before the first copy.
     """
 
     history: EditHistory
@@ -52,6 +54,8 @@ class EditorSession(NamedTuple):
     symmetry: Symmetry
     message: str
     saved: str
+    slot: int = 0
+    copied: tuple[int, ...] = ()
 
     @property
     def document(self) -> Document:
@@ -113,7 +117,7 @@ def stroked(session: EditorSession, ring: int, slot: int, *, layers: int | None 
     except BadInputError as error:
         return session._replace(message=str(error))
     history = session.history.changed(document) if begins else session.history.merged(document)
-    return session._replace(history=history, ring=ring, message="")
+    return session._replace(history=history, ring=ring, slot=slot, message="")
 
 
 def stepped(session: EditorSession, row: Row, steps: float) -> EditorSession:
@@ -126,9 +130,9 @@ def entered(session: EditorSession, row: Row, value: float) -> EditorSession:
     """The session with a number set. What the format refuses stays as it was, with a message."""
     try:
         if row.path[-1] == "count" and row.path[0] == "rings":
-            return _after(session, with_count(session.document, session.ring, round(value)))
+            return after(session, with_count(session.document, session.ring, round(value)))
         whole = isinstance(value_at(session.document, row.path), int)
-        return _after(session, with_value(session.document, row.path, round(value) if whole else float(value)))
+        return after(session, with_value(session.document, row.path, round(value) if whole else float(value)))
     except BadInputError as error:
         return session._replace(message=str(error))
 
@@ -140,7 +144,7 @@ def with_ring_copied(session: EditorSession) -> EditorSession:
     apart = _APART * session.document.level.ground_radius / 10.0
     radius = outermost.radius + outermost.half_width + apart + rings[session.ring].half_width
     try:
-        return _after(session, ring_added(session.document, session.ring, radius))._replace(ring=len(rings))
+        return _within(after(session, ring_added(session.document, session.ring, radius))._replace(ring=len(rings)))
     except BadInputError as error:
         return session._replace(message=str(error))
 
@@ -148,7 +152,7 @@ def with_ring_copied(session: EditorSession) -> EditorSession:
 def with_ring_removed(session: EditorSession) -> EditorSession:
     """The session without the chosen ring, the one before it chosen."""
     try:
-        return _after(session, ring_removed(session.document, session.ring))._replace(ring=max(session.ring - 1, 0))
+        return _within(after(session, ring_removed(session.document, session.ring))._replace(ring=max(session.ring - 1, 0)))
     except BadInputError as error:
         return session._replace(message=str(error))
 
@@ -156,7 +160,7 @@ def with_ring_removed(session: EditorSession) -> EditorSession:
 def filled(session: EditorSession) -> EditorSession:
     """The session with the brush put into every slot of the chosen ring."""
     count = session.document.level.rings[session.ring].count
-    return _after(session, painted(session.document, session.ring, range(count), session.brush))
+    return after(session, painted(session.document, session.ring, range(count), session.brush))
 
 
 def brushed(session: EditorSession, layers: int) -> EditorSession:
@@ -169,7 +173,7 @@ def chosen_ring(session: EditorSession, offset: int) -> EditorSession:
     rings = session.document.level.rings
     outward = sorted(range(len(rings)), key=lambda index: rings[index].radius)
     position = (outward.index(session.ring) + offset) % len(rings)
-    return session._replace(ring=outward[position], message="")
+    return _within(session._replace(ring=outward[position], message=""))
 
 
 def undone(session: EditorSession) -> EditorSession:
@@ -188,14 +192,16 @@ def reloaded(session: EditorSession, text: str) -> EditorSession:
         document = opened(text)
     except BadInputError as error:
         return session._replace(message=str(error), saved=text)
-    return _after(session, document)._replace(saved=text)
+    return after(session, document)._replace(saved=text)
 
 
-def _after(session: EditorSession, document: Document) -> EditorSession:
+def after(session: EditorSession, document: Document) -> EditorSession:
     """The session after a change that can be undone."""
     return _within(session._replace(history=session.history.changed(document), message=""))
 
 
 def _within(session: EditorSession) -> EditorSession:
-    """The session with a ring chosen that there is."""
-    return session._replace(ring=min(session.ring, len(session.document.level.rings) - 1))
+    """The session with a ring chosen, and a slot of it, that there are."""
+    rings = session.document.level.rings
+    ring = min(session.ring, len(rings) - 1)
+    return session._replace(ring=ring, slot=session.slot % rings[ring].count)

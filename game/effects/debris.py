@@ -39,7 +39,7 @@ class Throw(NamedTuple):
 
 
 THROWS = {
-    Matter.BRICK: Throw(10, 16.0, 44.0, 58.0, 2.2, 2.4),
+    Matter.BRICK: Throw(16, 24.0, 52.0, 62.0, 2.2, 2.8),
     Matter.BALL: Throw(20, 34.0, 95.0, 60.0, 2.6, 2.0),
     Matter.STEEL: Throw(14, 26.0, 105.0, 55.0, 4.0, 1.6),
     Matter.PADDLE: Throw(9, 22.0, 80.0, 30.0, 4.5, 1.4),

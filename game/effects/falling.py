@@ -30,11 +30,14 @@ class FallingStack(NamedTuple):
 
 
 def after_tick(falling: tuple[FallingStack, ...], ticked: Ticked) -> tuple[FallingStack, ...]:
-    """The falling stacks a tick later, with those that its hits began."""
+    """The falling stacks a tick later, with those whose lowest layer has just gone."""
     falling = fallen(falling)
     for event in ticked.events:
         if event.kind == EventKind.BRICK_HIT and event.hit is not None:
             falling = after_hit(falling, event.hit.ring, event.hit.slot, event.hit.layers)
+        elif event.kind == EventKind.BRICK_CRUMBLED and event.sector is not None:
+            ring, slot = event.sector
+            falling = after_hit(falling, ring, slot, ticked.game.arena.layers[ring][slot])
     return falling
 
 

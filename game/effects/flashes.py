@@ -33,6 +33,7 @@ def after_tick(flashes: tuple[Flash, ...], ticked: Ticked, shown: Shown) -> tupl
         older = [flash._replace(age=flash.age + 1.0 / FLASH_TICKS) for flash in flashes]
         flashes = tuple([flash for flash in older if flash.age < 1.0])
     new = [_flash(event, event.hit, shown) for event in ticked.events if event.hit is not None and event.kind not in RETOLD]
+    new += [_changed(*event.sector, ticked, shown) for event in ticked.events if event.sector is not None]
     return (*flashes, *[flash for flash in new if flash.lit or flash.echoed]) if new else flashes
 
 
@@ -40,3 +41,8 @@ def _flash(event: Event, hit: Hit, shown: Shown) -> Flash:
     """The light of a hit."""
     echoed = EffectKind.RING in shown and event.kind == EventKind.BRICK_HIT
     return Flash(hit.ring, hit.slot, hit.layers, 0.0, EffectKind.FLASH in shown, echoed)
+
+
+def _changed(ring: int, slot: int, ticked: Ticked, shown: Shown) -> Flash:
+    """The light of a sector that crumbled or grew without a hit."""
+    return Flash(ring, slot, ticked.game.arena.layers[ring][slot], 0.0, EffectKind.FLASH in shown)

@@ -3,7 +3,7 @@
 from enum import Enum, auto
 from typing import NamedTuple
 
-from game.rules import BEST_COMBO, Event, EventKind, PowerUp, Ticked
+from game.rules import BEST_COMBO, PADDLES, Event, EventKind, PowerUp, Ticked
 
 
 class LightSource(Enum):
@@ -23,7 +23,7 @@ class Light(NamedTuple):
     reach: how far it is seen, in ground radii.
     strength: 0 to 1, when new.
     ticks: that it is seen.
-    layer: of a brick, 1 the lowest; 0 of all else. power: of a power-up.
+    layer: of a brick, 1 the lowest, its tint added; 0 of all else. power: of a power-up.
     """
 
     source: LightSource
@@ -43,10 +43,10 @@ class Light(NamedTuple):
 
 MOST = 12
 """Lights at once; the oldest make room."""
-_BRICK, _BRICK_PER_COMBO = 0.45, 0.06
-"""Strength of a brick's light, and what every brick in a row adds to it up to the best combo."""
+_BRICK, _BRICK_PER_COMBO, _BRICK_REACH, _BRICK_TICKS = 0.7, 0.04, 0.34, 120
+"""Strength of a brick's light, what every brick in a row adds to it up to the best combo, its reach and its ticks."""
 _LIGHTS = {
-    EventKind.PADDLE_HIT: Light(LightSource.PADDLE, 0j, 0.26, 0.6, 70),
+    EventKind.PADDLE_HIT: Light(LightSource.PADDLE, 0j, 0.34, 0.8, 100),
     EventKind.SHIELD_HIT: Light(LightSource.PADDLE, 0j, 0.5, 1.0, 130),
     EventKind.WALL_HIT: Light(LightSource.STEEL, 0j, 0.16, 0.5, 50),
     EventKind.BALLS_MET: Light(LightSource.STEEL, 0j, 0.16, 0.5, 50),
@@ -55,6 +55,8 @@ _LIGHTS = {
     EventKind.BALL_LOST: Light(LightSource.BAD, 0j, 0.5, 1.0, 200),
     EventKind.BRICK_REGROWN: Light(LightSource.GOOD, 0j, 0.16, 0.6, 90),
     EventKind.DROP_CAUGHT: Light(LightSource.POWER, 0j, 0.4, 0.9, 120),
+    EventKind.DROP_LOST: Light(LightSource.POWER, 0j, 0.2, 0.5, 90),
+    EventKind.BALL_RELEASED: Light(LightSource.PADDLE, 0j, 0.34, 0.8, 100),
 }
 """The lights of events but for bricks, whose light depends on more."""
 
@@ -77,8 +79,13 @@ def _covered(light: Light, new: list[Light], ticked: Ticked) -> bool:
 def _light(event: Event, ticked: Ticked) -> Light | None:
     """The light of an event; None for those that are dark."""
     if event.kind == EventKind.BRICK_HIT:
-        layer = 1 if event.hit is None else max(event.hit.layers, 0) + 1
+        hit = event.hit
+        layer = 1 if hit is None else max(hit.layers, 0) + 1 + ticked.game.level.rings[hit.ring - PADDLES - 1].tint_at(hit.slot)
         strength = min(_BRICK + _BRICK_PER_COMBO * min(ticked.game.combo, BEST_COMBO), 1.0)
-        return Light(LightSource.BRICK, event.position, 0.24, strength, 80, layer)
+        return Light(LightSource.BRICK, event.position, _BRICK_REACH, strength, _BRICK_TICKS, layer)
+    if event.kind == EventKind.BRICK_CRUMBLED and event.sector is not None:
+        ring, slot = event.sector
+        layer = ticked.game.arena.layers[ring][slot] + 1
+        return Light(LightSource.BRICK, event.position, _BRICK_REACH, _BRICK, _BRICK_TICKS, layer)
     light = _LIGHTS.get(event.kind)
     return None if light is None else light._replace(position=event.position, power=event.power)

@@ -13,6 +13,7 @@ _WORDS = {
     EventKind.SHIELD_HIT: tr_noop("saved"),
     EventKind.SPEED_UP: tr_noop("faster"),
     EventKind.CORE_BROKEN: tr_noop("the wall falls"),
+    EventKind.BRICK_CRUMBLED: tr_noop("crumbled"),
 }
 POWER_NAMES = {
     PowerUp.MULTI_BALL: tr_noop("three balls"),

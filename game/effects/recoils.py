@@ -6,7 +6,7 @@ out(t) = s e^(-t/d) sin(w t)        s the strength of the hit
 import math
 from typing import NamedTuple
 
-from game.rules import TICK, EventKind, Ticked
+from game.rules import PADDLES, TICK, EventKind, Ticked
 from physics import Hit, dot, length
 
 RECOIL_TICKS = 84
@@ -19,7 +19,7 @@ _SWING = math.tau / 0.3
 
 
 class Recoil(NamedTuple):
-    """A paddle that was struck.
+    """A paddle that was struck; of two players who play against each other, the first one's.
 
     slot: which one.
     strength: of the hit, world units.
@@ -43,7 +43,7 @@ def after_tick(recoils: tuple[Recoil, ...], ticked: Ticked) -> tuple[Recoil, ...
         older = [recoil._replace(age=recoil.age + 1) for recoil in recoils]
         recoils = tuple([recoil for recoil in older if recoil.age < RECOIL_TICKS])
     for event in ticked.events:
-        if event.kind == EventKind.PADDLE_HIT and event.hit is not None:
+        if event.kind == EventKind.PADDLE_HIT and event.hit is not None and event.hit.ring == PADDLES:
             slot = event.hit.slot
             strength = _STRENGTH * ticked.game.level.ground_radius * _outwards(event.hit)
             recoils = (*[recoil for recoil in recoils if recoil.slot != slot], Recoil(slot, strength))

@@ -34,6 +34,12 @@ class Action(Enum):
     SOLID = auto()
     LAB = auto()
     GIVE_UP = auto()
+    ORBIT_LEFT = auto()
+    ORBIT_RIGHT = auto()
+    TILT_UP = auto()
+    TILT_DOWN = auto()
+    ZOOM_IN = auto()
+    ZOOM_OUT = auto()
 
 
 Choice = tuple[Action, tuple[int, ...]]

@@ -21,33 +21,18 @@ class Devices:
         self.pads = Pads()
         self._fingers = Fingers()
 
-    def signals(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> Iterator[Signal]:
-        """What an event means, nothing for most. size: of the surface, pixels. pixels_per_point: as in `translated`."""
+    def signals(
+        self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex, *, orbits: bool = False
+    ) -> Iterator[Signal]:
+        """What an event means, nothing for most. size: of the surface, pixels. pixels_per_point: as in `translated`.
+
+        orbits: whether two fingers move the camera.
+        """
         if event.type in _OTHERS:
             self.pads.left_alone()
         yield from self.pads.signals(event)
-        yield from self._fingers.signals(event, size)
+        yield from self._fingers.signals(event, size, orbits=orbits)
         if not getattr(event, "touch", False):  # what SDL makes of a finger for those who know mice only
             signal = translated(event, pixels_per_point)
             if signal is not None:
                 yield signal
-
-
-def as_key(event: pygame.Event) -> pygame.Event | None:
-    """The key that does what a gamepad's button does on a screen that hears events: arrows, Enter, Escape; None for others."""
-    if event.type not in (pygame.CONTROLLERBUTTONDOWN, pygame.CONTROLLERBUTTONUP) or event.button not in _AS_KEYS:
-        return None
-    kind = pygame.KEYDOWN if event.type == pygame.CONTROLLERBUTTONDOWN else pygame.KEYUP
-    code = _AS_KEYS[event.button]
-    return pygame.Event(kind, key=code, mod=0, scancode=0, unicode="\r" if code == pygame.K_RETURN else "")
-
-
-_AS_KEYS = {
-    pygame.CONTROLLER_BUTTON_DPAD_LEFT: pygame.K_LEFT,
-    pygame.CONTROLLER_BUTTON_DPAD_RIGHT: pygame.K_RIGHT,
-    pygame.CONTROLLER_BUTTON_DPAD_UP: pygame.K_UP,
-    pygame.CONTROLLER_BUTTON_DPAD_DOWN: pygame.K_DOWN,
-    pygame.CONTROLLER_BUTTON_A: pygame.K_RETURN,
-    pygame.CONTROLLER_BUTTON_B: pygame.K_ESCAPE,
-    pygame.CONTROLLER_BUTTON_START: pygame.K_ESCAPE,
-}

@@ -84,9 +84,9 @@ class Hands(NamedTuple):
                 return Hands(turned=self.turned)
         return hands._replace(turned=-hands.turned, pressed=True) if _is_press(signal) else hands
 
-    def controls(self, camera: Camera, game: Game) -> Controls:
-        """The controls of the next tick. The last turning key pressed wins."""
-        turn, pointer, aim = 0, None, self._aim(camera, game)
+    def controls(self, camera: Camera, game: Game, *, aims: bool = True) -> Controls:
+        """The controls of the next tick. The last turning key pressed wins. aims: whether the mouse may aim the serve."""
+        turn, pointer, aim = 0, None, self._aim(camera, game) if aims else None
         if self.held:
             turn = 1 if self.held[-1].action is Action.RIGHT else -1
         elif self.spin:
@@ -134,6 +134,14 @@ class Hands(NamedTuple):
     def _without(self, position: int) -> tuple[Pressed, ...]:
         """The held keys but one."""
         return tuple([key for key in self.held if key.position != position])
+
+
+def controls_of_two(first: Hands, second: Hands, camera: Camera, game: Game) -> Controls:
+    """The controls of the next tick of two players. Either serves; who has the ball on the own paddle aims."""
+    one, other = (hands.controls(camera, game, aims=game.server == player) for player, hands in enumerate((first, second)))
+    aim = one.aim if other.aim is None else other.aim
+    one = one._replace(serve=one.serve or other.serve, aim=aim)
+    return one._replace(second_turn=other.turn, second_pointer=other.pointer)
 
 
 def _is_press(signal: Signal) -> bool:

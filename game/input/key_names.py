@@ -46,8 +46,8 @@ _BUTTONS = {
     pygame.CONTROLLER_BUTTON_START: tr_noop("Menu"),
     pygame.CONTROLLER_BUTTON_LEFTSHOULDER: tr_noop("LB"),
     pygame.CONTROLLER_BUTTON_RIGHTSHOULDER: tr_noop("RB"),
-    pygame.CONTROLLER_BUTTON_LEFTSTICK: tr_noop("Left stick"),
-    pygame.CONTROLLER_BUTTON_RIGHTSTICK: tr_noop("Right stick"),
+    pygame.CONTROLLER_BUTTON_LEFTSTICK: tr_noop("L3"),
+    pygame.CONTROLLER_BUTTON_RIGHTSTICK: tr_noop("R3"),
     pygame.CONTROLLER_BUTTON_DPAD_LEFT: tr_noop("D-pad left"),
     pygame.CONTROLLER_BUTTON_DPAD_RIGHT: tr_noop("D-pad right"),
     pygame.CONTROLLER_BUTTON_DPAD_UP: tr_noop("D-pad up"),
@@ -66,6 +66,18 @@ def positions_in_use(action: Action) -> tuple[int, ...]:
     return tuple([one for one in candidates if one and KEYS.action(one, _code_at(one)) is action])
 
 
+def second_player_positions() -> tuple[int, ...]:
+    """The keys of the second player, where two play: to the left and to the right the second that the action has, and on."""
+    return tuple([position for action in (Action.LEFT, Action.RIGHT) for position in positions_in_use(action)[1:]])
+
+
+def players_keys() -> tuple[str, str]:
+    """The names of the keys of the first and of the second player, where two play."""
+    first = [key_name(action) for action in (Action.LEFT, Action.RIGHT)]
+    second = [position_name(position) for position in second_player_positions()]
+    return ", ".join(first), ", ".join(second) or NO_KEY
+
+
 def key_names(action: Action) -> tuple[str, ...]:
     """The names of an action's keys as this layout writes them, the usual one first; the keypad's only where all are its."""
     names = [position_name(position) for position in positions_in_use(action)]
@@ -82,9 +94,16 @@ def button_name(button: int) -> str:
     return tr(_BUTTONS[button]) if button in _BUTTONS else tr("Button {number}").format(number=button)
 
 
+def button_names(*actions: Action) -> str:
+    """The gamepad's usual buttons for some actions, in one cell of a help."""
+    buttons = [KEYS.binding(action).buttons[:1] for action in actions]
+    return "   ".join([button_name(button) for own in buttons for button in own]) or NO_KEY
+
+
 def code_names(codes: Iterable[int]) -> tuple[str, ...]:
-    """The names of the keys that mean some codes, as this layout writes them, the keypad's left out."""
-    return _without_keypad([_name_of(code) for code in codes])
+    """The names of the keys that mean some codes, as this layout writes them; none for a key it has not, nor the keypad's."""
+    known = [code for code in codes if _is_written(code) or position_of(code)]
+    return _without_keypad([_name_of(code) for code in known])
 
 
 def key_name(action: Action) -> str:
@@ -108,10 +127,10 @@ def play_help() -> tuple[tuple[str, str], ...]:
         (_all(Action.RESTART), tr("restart (asks first)")),
         (_all(Action.GIVE_UP), tr("give up a ball that no paddle reaches")),
         (_all(Action.TIP, Action.FLAT, Action.SOLID), tr("tip the camera; from above; in 3D")),
-        (tr("Right drag   Wheel"), tr("in 3D: orbit and tilt; zoom")),
+        *_camera_help(),
         (_all(Action.FULL_SCREEN), tr("full screen")),
         (_all(Action.MUTE, Action.LESS, Action.MORE), tr("sound off / on; softer; louder")),
-        (_all(Action.THEME, Action.EFFECTS), tr("dark / light colours; effects off / on")),
+        (_all(Action.THEME, Action.EFFECTS), tr("next colours; effects off / on")),
         (_all(Action.SETTINGS), tr("settings: every effect, reduced motion")),
         (_all(Action.NORMALS), tr("normals: ours thick, pymunk's thin")),
         (_all(Action.LAB), tr("the lab: the collision detection to touch")),
@@ -130,11 +149,23 @@ def watch_help() -> tuple[tuple[str, str], ...]:
         (_all(Action.START, Action.END), tr("to the beginning / the end")),
         (tr("Mouse"), tr("click or drag on the timeline")),
         (_all(Action.TIP, Action.FLAT, Action.SOLID), tr("tip the camera; from above; in 3D")),
+        *_camera_help(),
         (others, tr("full screen, sound, colours, effects, settings")),
         (_all(Action.NORMALS), tr("normals: ours thick, pymunk's thin")),
         (_all(Action.LAB), tr("the lab: the collision detection to touch")),
         (_all(Action.BACK), tr("leave")),
         ("   ".join(key_names(Action.HELP)), tr("this help")),
+    )
+
+
+def _camera_help() -> tuple[tuple[str, str], ...]:
+    """Pairs of keys and what they do to the camera in 3D."""
+    zoom = button_names(Action.ZOOM_IN, Action.ZOOM_OUT)
+    return (
+        (_all(Action.ORBIT_LEFT, Action.ORBIT_RIGHT, Action.TILT_UP, Action.TILT_DOWN), tr("in 3D: orbit and tilt")),
+        (_all(Action.ZOOM_IN, Action.ZOOM_OUT), tr("in 3D: zoom")),
+        (tr("Right drag   Wheel"), tr("in 3D: orbit and tilt; zoom; so do two fingers")),
+        (f"{tr('Right stick')}   {zoom}", tr("the same by gamepad; while a ball waits, the stick aims")),
     )
 
 
@@ -161,9 +192,12 @@ def _positions_with(code: int) -> list[int]:
 
 def _name_of(code: int) -> str:
     """What the layout calls the key that means a code: the code itself, or what is written where the US layout has it."""
-    if code & NAMED_KEY or code < _CHARACTERS.start or code in _codes_by_position().values():
-        return _said(code)
-    return position_name(position_of(code))
+    return _said(code) if _is_written(code) else position_name(position_of(code))
+
+
+def _is_written(code: int) -> bool:
+    """Whether the layout writes a code on a key of its own."""
+    return bool(code & NAMED_KEY) or code < _CHARACTERS.start or code in _codes_by_position().values()
 
 
 def _said(code: int) -> str:

@@ -70,6 +70,12 @@ BINDINGS = (
     Binding(Action.TIP, (pygame.K_TAB,), buttons=(pygame.CONTROLLER_BUTTON_Y,)),
     Binding(Action.FLAT, (pygame.K_1, pygame.K_KP_1)),
     Binding(Action.SOLID, (pygame.K_2, pygame.K_KP_2)),
+    Binding(Action.ORBIT_LEFT, positions=(pygame.KSCAN_Z,)),
+    Binding(Action.ORBIT_RIGHT, positions=(pygame.KSCAN_X,)),
+    Binding(Action.TILT_UP, positions=(pygame.KSCAN_V,)),
+    Binding(Action.TILT_DOWN, positions=(pygame.KSCAN_C,)),
+    Binding(Action.ZOOM_IN, (pygame.K_PAGEUP,), buttons=(pygame.CONTROLLER_BUTTON_RIGHTSTICK,)),
+    Binding(Action.ZOOM_OUT, (pygame.K_PAGEDOWN,), buttons=(pygame.CONTROLLER_BUTTON_LEFTSTICK,)),
 )
 
 US_CODES: Mapping[int, int] = {

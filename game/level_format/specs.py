@@ -14,6 +14,7 @@ Degrees = Annotated[float, Meta(ge=0.01, le=180.0)]
 Fraction = Annotated[float, Meta(ge=0.0, le=1.0)]
 Angle = Annotated[float, Meta(ge=-360.0, le=360.0)]
 Layers = Annotated[int, Meta(ge=PERMANENT, le=9)]
+Tint = Annotated[int, Meta(ge=0, le=8)]
 Seconds = Annotated[float, Meta(ge=0.0, le=600.0)]
 DropKind = Literal["multi_ball", "wide", "narrow", "slow", "fast", "sticky", "life", "shield", "pierce"]
 DROP_KINDS: tuple[DropKind, ...] = get_args(DropKind)
@@ -57,6 +58,7 @@ class RingSpec(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     For the arcade rules: bumper: whether its sectors, all unbreakable, give points and a short burst of speed. regrow: seconds
     after which the next of its missing bricks grows again, as long as there are bricks elsewhere; 0 for never. reverse: seconds
     after which it turns the other way round, again and again; 0 for never.
+    tint: how many colours of the palette its lowest layers skip; a list is repeated around the ring. It decides nothing.
     """
 
     radius: Size
@@ -70,10 +72,19 @@ class RingSpec(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
     bumper: bool = False
     regrow: Seconds = 0.0
     reverse: Seconds = 0.0
+    tint: Tint | Annotated[list[Tint], Meta(min_length=1, max_length=2000)] = 0
 
     def slots(self) -> tuple[int, ...]:
         """Layers of each slot."""
         return tuple(self.layers) if isinstance(self.layers, list) else (self.layers,) * self.count
+
+    def tints(self) -> tuple[int, ...]:
+        """Tints of the slots, to be repeated around the ring."""
+        return tuple(self.tint) if isinstance(self.tint, list) else (self.tint,)
+
+    def tint_at(self, slot: int) -> int:
+        """Tint of one slot."""
+        return self.tint[slot % len(self.tint)] if isinstance(self.tint, list) else self.tint
 
 
 class WellSpec(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
@@ -138,7 +149,7 @@ class Level(msgspec.Struct, frozen=True, forbid_unknown_fields=True):
         return hashlib.sha256(msgspec.json.encode(_counted(self))).hexdigest()
 
 
-_LATER = {"growth", "top_speed", "turn", "bumper", "regrow", "reverse", "chapter", "drops", "wells", "look"}
+_LATER = {"growth", "top_speed", "turn", "bumper", "regrow", "reverse", "chapter", "drops", "wells", "look", "tint"}
 """Keys that came after replay format 2."""
 
 

@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 import pygame
 
-from game.drawing.camera import Camera
+from game.drawing.camera import Camera, Layout
 from game.drawing.canvas import Canvas
 from game.drawing.raster.primitives import draw_box
 from game.language import tr, tr_noop
@@ -57,14 +57,14 @@ _DIRECTIONS = (
     tr_noop("lower right"),
 )
 # Lengths are in units of text.
-_SIZE, _PITCH, _MARGIN, _RIGHT, _BOTTOM = 1.1, 1.9, 0.6, 0.8, 7.0
-"""Size of letters, from line to line, from words to the plate's ends, and from the plates to the surface's edges."""
+_SIZE, _PITCH, _MARGIN, _RIGHT, _TOP = 1.1, 1.9, 0.6, 0.8, 4.0
+"""Size of letters, from line to line, from words to the plate's ends, from the plates to the surface's right edge, and from its
+upper edge to the uppermost: the lives are above."""
 _PLATE, _CORNER, _EDGE_LINE = 1.6, 0.4, 0.06
 """Height of a plate, radius of its corners and width of its edge."""
-
-_WIDEST, _HIGHEST = 0.34, 0.62
-"""Share of the surface's width for the words, which are smaller where they need more; and of its height, above which only the
-newest caption may be."""
+_SMALLEST, _LOWEST = 0.85, 0.42
+"""A caption that would reach into the arena has smaller letters, at least this share of those without large text; and share of
+the surface's height below which only the newest caption may be."""
 
 
 class Caption(NamedTuple):
@@ -102,17 +102,19 @@ def later(captions: tuple[Caption, ...], seconds: float) -> tuple[Caption, ...]:
     return tuple([caption for caption in aged if caption.left > 0.0])
 
 
-def draw(canvas: Canvas, captions: tuple[Caption, ...]) -> None:
-    """The captions in the lower right, where no ball and no paddle comes, the newest lowest."""
-    theme, unit, (width, height) = canvas.theme, canvas.unit, canvas.size
+def draw(canvas: Canvas, captions: tuple[Caption, ...], layout: Layout) -> None:
+    """The captions below the lives in the upper right, beside the arena, the newest uppermost."""
+    theme, unit, (width, height) = canvas.theme, canvas.unit, layout.size
     for index, caption in enumerate(reversed(captions)):
-        bottom = height - unit * (_BOTTOM + _PITCH * index)
-        if index and bottom - unit * _PLATE < height * _HIGHEST:
+        top = unit * (_TOP + _PITCH * index)
+        if index and top + unit * _PLATE > height * _LOWEST:
             return
         wide = canvas.type.rendered(caption.text, unit * _SIZE, theme.text).get_width()
-        size = _SIZE * min(width * _WIDEST / wide, 1.0)
-        plate = pygame.Rect(0, 0, round(wide * size / _SIZE + 2.0 * unit * _MARGIN), round(unit * _PLATE))
-        plate.bottomright = (round(width - unit * _RIGHT), round(bottom))
+        room = width - unit * (_RIGHT + 2.0 * _MARGIN) - layout.right_edge(top + unit * _PLATE)
+        size = _SIZE * min(max(room / wide, _SMALLEST * layout.unit / unit), 1.0)
+        share = size / _SIZE
+        plate = pygame.Rect(0, round(top), round((wide + 2.0 * unit * _MARGIN) * share), round(unit * _PLATE * share))
+        plate.right = round(width - unit * _RIGHT)
         draw_box(canvas.surface, plate, unit * _CORNER, theme.panel, theme.panel_edge, unit * _EDGE_LINE)
         canvas.write(caption.text, size, theme.text, complex(*plate.center), "center")
 

@@ -1,7 +1,6 @@
 """The game's scene as two lists of primitives: a backdrop that seldom changes, and what is new in every frame."""
 
 import math
-from typing import NamedTuple
 
 from game.drawing.camera import Camera
 from game.drawing.palette import Theme
@@ -9,10 +8,14 @@ from game.drawing.palettes import themed
 from game.drawing.slots.contents import ContentKind, Contents, SlotContent, resting_contents, slot_contents
 from game.drawing.slots.parts import SlotShape, slot_shape
 from game.picture.display_list import DisplayList
-from game.picture.ground import add_ground
-from game.picture.moving import add_ball, add_in_air, add_on_ground, add_words
+from game.picture.ground import PatternedGround, add_ground
+from game.picture.moving.balls import add_ball
+from game.picture.moving.bursts import add_bursts
+from game.picture.moving.layers import add_in_air, add_on_ground
+from game.picture.moving.words import add_words
 from game.picture.slots import add_shadow, add_slot
 from game.picture.solid import SolidBlocks
+from game.picture.view import ArenaView
 from game.rules import PADDLES
 from game.scene import Scene
 
@@ -20,14 +23,6 @@ _MOST_RINGS = 64
 """Pictures of rings that are cached."""
 _EVERYWHERE = (-1e5 - 1e5j, 1e5 - 1e5j, 1e5 + 1e5j, -1e5 + 1e5j)
 """Corners of a square that covers every canvas, pixels."""
-
-
-class ArenaView(NamedTuple):
-    """Through what a scene is seen. unit: size of text, pixels."""
-
-    camera: Camera
-    theme: Theme
-    unit: float
 
 
 class ArenaPicture:
@@ -44,37 +39,39 @@ class ArenaPicture:
         """The ground, and in the flat view the rings that rest: the very same list as long as it has not changed."""
         theme = themed(view.theme, scene.palette)
         resting = _resting(scene, view.camera)
+        ground = PatternedGround(scene.ground_radius, scene.rings[PADDLES].radius, scene.ground)
         key = (
             view.camera,
             theme,
-            scene.ground_radius,
+            ground,
             resting,
             tuple([(scene.layers[k], scene.rings[k].phase) for k in resting]),
+            scene.tints,
         )
         if key != self._key:
             self._key, self._backdrop = key, DisplayList()
             self._backdrop.polygon(_EVERYWHERE, theme.background)
-            add_ground(self._backdrop, view.camera, theme, scene.ground_radius)
-            contents = resting_contents(scene.layers)
+            add_ground(self._backdrop, view.camera, theme, ground)
+            contents = resting_contents(scene.layers, scene.tints)
             for k in resting:
                 self._add_ring(self._backdrop, scene, view.camera, theme, k, _standing(scene, k, contents))
         return self._backdrop
 
     def frame(self, scene: Scene, view: ArenaView) -> DisplayList:
         """All that moves. It is painted over the backdrop."""
-        out, theme = DisplayList(), themed(view.theme, scene.palette)
-        contents = slot_contents(scene)
-        if view.camera.flat:
-            self._add_flat(out, scene, view.camera, theme, contents)
-            add_on_ground(out, scene, view.camera, theme)
+        out, view = DisplayList(), view._replace(theme=themed(view.theme, scene.palette))
+        camera, theme, contents = view.camera, view.theme, slot_contents(scene)
+        if camera.flat:
+            self._add_flat(out, scene, camera, theme, contents)
+            add_on_ground(out, scene, view)
         else:
-            add_on_ground(out, scene, view.camera, theme)
-            self._blocks.add(out, scene, view.camera, theme, contents)
-        add_in_air(out, scene, view.camera, theme, view.unit)
-        if view.camera.flat:
-            for ball in scene.balls:
-                add_ball(out, ball, view.camera, theme)
-        add_words(out, scene, view.camera, theme, view.unit)
+            add_on_ground(out, scene, view)
+            self._blocks.add(out, scene, camera, theme, contents)
+        add_bursts(out, scene, view)
+        for ball in scene.balls if camera.flat else ():
+            add_ball(out, ball, camera, theme)
+        add_in_air(out, scene, view)
+        add_words(out, scene, view)
         return out
 
     def _add_flat(self, out: DisplayList, scene: Scene, camera: Camera, theme: Theme, contents: Contents) -> None:
@@ -111,7 +108,7 @@ def _resting(scene: Scene, camera: Camera) -> tuple[int, ...]:
     """The rings that the backdrop shows: in the flat view those that do not turn, once the wall stands."""
     if not camera.flat or scene.entry is not None:
         return ()
-    return tuple([k for k, ring in enumerate(scene.rings) if k != PADDLES and not ring.spin])
+    return tuple([k for k, ring in enumerate(scene.rings) if k not in (PADDLES, scene.second_paddle) and not ring.spin])
 
 
 def _standing(scene: Scene, k: int, contents: Contents) -> tuple[SlotContent, ...]:

@@ -8,18 +8,26 @@ Every primitive is its code, its colour (0xRRGGBB, exact in a 32-bit float), its
     POLYGON   n, then n times x y                         filled
     LINE      width dash n, then n times x y              dash: length of dashes and gaps, 0 for a solid line
     TEXT      index size x y across bold                  index of the text; across: 0 begins at x, 1 ends there; y: middle
-    GLOW      x y across down                             half axes of an ellipse of light that fades to its edge; added
+    GLOW      x y across down takes                       half axes of an ellipse of light that fades to its edge; takes: 0, it
+                                                          is added; 1, its colour takes the others away
     GRADIENT  x y radius n, then n times share colour     a disc; colours by the share of the radius
     CELLS     x y width height columns rows, then colours a grid of cells, row by row from the top, smoothed
     CLIP      x y width height                            what follows is seen in this box only; a width of 0 ends that
     TURN      x y angle                                   what follows is turned about a point, until the next TURN
+    STRIP     n, then n times x y x y                     filled: between two lines, a point of each at a time
+    BAND      n, then n times x y half_width colour       a band through points, as wide as they say; its pieces have the
+                                                          colours of their ends, and where it bends it is round
+    PLATE     index size x y across down edge edge_colour a plate with round ends behind the words of a text whose middle is
+                                                          there, wider and higher by twice across and down; edge: its width
+    SPRITE    x y reach n, then n numbers                 polygons about a point, no farther away than reach on both axes: a
+                                                          picture that is often the same
 
 x to the right, y down, pixels; angles in radians, clockwise, from the right.
 """
 
 import math
 from array import array
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from enum import IntEnum
 
 from game.drawing.palette import Colour
@@ -39,6 +47,32 @@ class Primitive(IntEnum):
     CELLS = 9
     CLIP = 10
     TURN = 11
+    STRIP = 12
+    BAND = 13
+    PLATE = 14
+    SPRITE = 15
+
+
+_LENGTHS = {
+    Primitive.DISC.value: 3,
+    Primitive.CIRCLE.value: 4,
+    Primitive.SECTOR.value: 7,
+    Primitive.TEXT.value: 6,
+    Primitive.GLOW.value: 5,
+    Primitive.CLIP.value: 4,
+    Primitive.TURN.value: 3,
+    Primitive.PLATE.value: 8,
+}
+"""Numbers of the primitives that always have as many."""
+_COUNTED = {
+    Primitive.POLYGON.value: (0, 2),
+    Primitive.LINE.value: (2, 2),
+    Primitive.GRADIENT.value: (3, 2),
+    Primitive.STRIP.value: (0, 4),
+    Primitive.BAND.value: (0, 4),
+    Primitive.SPRITE.value: (3, 1),
+}
+"""Of the others the position of the count among their numbers, and how many follow it for each."""
 
 
 class DisplayList:
@@ -101,9 +135,11 @@ class DisplayList:
         )
         self.texts.append(words)
 
-    def glow(self, centre: complex, half_axes: tuple[float, float], colour: Colour, strength: float) -> None:
-        """An ellipse of light. half_axes: across and down."""
-        self.numbers.extend((Primitive.GLOW, packed(colour), strength, centre.real, centre.imag, *half_axes))
+    def glow(
+        self, centre: complex, half_axes: tuple[float, float], colour: Colour, strength: float, *, takes: bool = False
+    ) -> None:
+        """An ellipse of light. half_axes: across and down. takes: whether its colour takes the others away."""
+        self.numbers.extend((Primitive.GLOW, packed(colour), strength, centre.real, centre.imag, *half_axes, takes))
 
     def gradient(self, centre: complex, radius: float, stops: Iterable[tuple[float, Colour]]) -> None:
         """A disc whose colour depends on the distance from its centre. stops: shares of the radius, rising, and colours."""
@@ -125,6 +161,30 @@ class DisplayList:
         """Turn what follows about a point, counter-clockwise as in the world; 0 ends that."""
         self.numbers.extend((Primitive.TURN, 0.0, 1.0, centre.real, centre.imag, -angle))
 
+    def strip(self, left: Sequence[complex], right: Sequence[complex], colour: Colour) -> None:
+        """What is between two lines of as many points."""
+        self.numbers.extend((Primitive.STRIP, packed(colour), 1.0, len(left)))
+        self._add([pixel for both in zip(left, right, strict=True) for pixel in both])
+
+    def band(self, points: Iterable[tuple[complex, float, Colour]]) -> None:
+        """A band through points. points: pixels, half widths there, and colours."""
+        flat = [number for at, half, colour in points for number in (at.real, at.imag, half, float(packed(colour)))]
+        self.numbers.extend((Primitive.BAND, 0.0, 1.0, len(flat) // 4, *flat))
+
+    def plate(
+        self, words: str, size: float, pixel: complex, colour: Colour, margin: tuple[float, float], edge: tuple[float, Colour]
+    ) -> None:
+        """A plate behind words. size, pixel: of the words; margin: across and down; edge: its width and colour."""
+        index = len(self.texts)
+        self.numbers.extend((Primitive.PLATE, packed(colour), 1.0, index, size, pixel.real, pixel.imag, *margin))
+        self.numbers.extend((edge[0], packed(edge[1])))
+        self.texts.append(words)
+
+    def sprite(self, pixel: complex, reach: float, polygons: "DisplayList") -> None:
+        """Polygons about a pixel. reach: how far from it they go at most, across and down."""
+        self.numbers.extend((Primitive.SPRITE, 0.0, 1.0, pixel.real, pixel.imag, reach, len(polygons.numbers)))
+        self.numbers.extend(polygons.numbers)
+
     def extend(self, other: "DisplayList") -> None:
         """Add a picture without texts."""
         self.numbers.extend(other.numbers)
@@ -134,9 +194,31 @@ class DisplayList:
         self.numbers.extend([number for point in points for number in (point.real, point.imag)])
 
 
+def primitives(numbers: "array[float]") -> Iterator[tuple[int, int, float, "array[float]"]]:
+    """Every primitive of a list: its code, its packed colour, its opacity, and its own numbers."""
+    at, end = 0, len(numbers)
+    while at < end:
+        code, own = int(numbers[at]), at + 3
+        if code in _LENGTHS:
+            behind = own + _LENGTHS[code]
+        elif code == Primitive.CELLS:
+            behind = own + 6 + int(numbers[own + 4] * numbers[own + 5])
+        else:
+            index, each = _COUNTED[code]
+            behind = own + index + 1 + each * int(numbers[own + index])
+        yield code, int(numbers[at + 1]), numbers[at + 2], numbers[own:behind]
+        at = behind
+
+
 def packed(colour: Colour) -> int:
     """A colour as one number."""
     return colour[0] << 16 | colour[1] << 8 | colour[2]
+
+
+def unpacked(colour: float) -> Colour:
+    """A colour that is one number."""
+    number = int(colour)
+    return number >> 16, number >> 8 & 255, number & 255
 
 
 def inset_half_angle(half_angle: float, radius: float, inset: float) -> float:

@@ -16,7 +16,7 @@ from game.drawing.palette import Colour, Theme, mixed
 from game.drawing.slots.contents import ContentKind, Contents, SlotContent
 from game.drawing.slots.parts import LAYER_HEIGHT, Bar, Slab, SlotShape, height, parts, slot_shape
 from game.picture.display_list import DisplayList, inset_half_angle
-from game.picture.moving import add_ball
+from game.picture.moving.balls import add_ball
 from game.rules import PADDLES
 from game.scene import Scene
 from physics import Ball, Ring

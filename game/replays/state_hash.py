@@ -6,6 +6,7 @@ import zlib
 from collections.abc import Iterable
 
 from game.rules import PADDLES, Game, Ruleset
+from game.rules.state import paddle_rings
 
 FIELDS = ("ball positions", "ball velocities", "paddles", "brick rings", "layers", "score and lives", "phase and chance")
 """What the state is divided into, to say where two games part."""
@@ -53,14 +54,16 @@ def _arcade_state(game: Game) -> tuple[bytes, ...]:
     drops, powers, held = game.drops, game.powers, game.held
     moving = [game.speed, game.arena.rings[PADDLES].half_angle]
     moving += [x for drop in drops for x in (drop.position.real, drop.position.imag, drop.velocity.real, drop.velocity.imag)]
-    lasting = [x for power in powers for x in power] + [x for ball in held for x in (ball.ring, ball.slot, ball.ticks)]
+    lasting = [x for power in powers for x in (power if game.sides else power[:3])]  # who has it, where that can be asked
+    lasting += [x for ball in held for x in (ball.ring, ball.slot, ball.ticks)]
     counts = [game.paddle_hits, game.waited, game.burst, game.aim_start, game.score_before, *game.statistics.level]
     counts += [game.server, game.last_player, *[x for side in game.sides for x in side]]
     counts += [*game.statistics.game, *[x for result in game.results for x in result]]
+    others = [game.arena.rings[k].half_angle for k in paddle_rings(game)[1:]]
     return (
         _floats(moving) + _integers([len(drops), *[drop.kind for drop in drops]]),
         _integers([len(powers), len(held), *lasting]) + _floats([x for ball in held for x in (ball.offset, ball.radius)]),
-        _integers([*game.ruleset, *counts]),
+        _integers([*game.ruleset, *counts]) + _floats(others),
     )
 
 

@@ -31,5 +31,5 @@ def crumbled(game: Game, events: list[Event]) -> Game:
     _, _, k, slot = min(found)
     ring, slots = game.arena.rings[k], game.arena.layers[k]
     layers = (*game.arena.layers[:k], (*slots[:slot], slots[slot] - 1, *slots[slot + 1 :]), *game.arena.layers[k + 1 :])
-    events.append(Event(EventKind.BRICK_CRUMBLED, position=direction(ring.angle(slot)) * ring.radius))
+    events.append(Event(EventKind.BRICK_CRUMBLED, position=direction(ring.angle(slot)) * ring.radius, sector=(k, slot)))
     return game._replace(arena=game.arena._replace(layers=layers), waited=0, idle=0)

@@ -44,6 +44,9 @@ OPPOSITES = {
 }
 """Each of these ends the other."""
 
+OF_PADDLES = (PowerUp.WIDE, PowerUp.NARROW, PowerUp.STICKY, PowerUp.SHIELD)
+"""Of two players who play against each other, each has these alone; the others act on the balls, which are everybody's."""
+
 HARMFUL = (PowerUp.NARROW, PowerUp.FAST)
 """Those that a player would rather not catch."""
 
@@ -60,12 +63,13 @@ class ActivePower(NamedTuple):
     """A power-up that lasts.
 
     ticks_left: until it ends. ticks_total: how long it lasts from when it was caught. Both are 0 for the shield, which lasts
-    until a ball hits it.
+    until a ball hits it. player: who has it, of two who play against each other; else 0, as for those that act on the balls.
     """
 
     kind: PowerUp
     ticks_left: int
     ticks_total: int
+    player: int = 0
 
     @property
     def share_left(self) -> float:

@@ -2,7 +2,7 @@
 
 import math
 
-from game.rules.power_up import LASTING, OPPOSITES, ActivePower, Drop, PowerUp
+from game.rules.power_up import LASTING, OF_PADDLES, OPPOSITES, ActivePower, Drop, PowerUp
 from game.rules.state import Event, EventKind, Game, counted, player_at
 from game.rules.versus import with_lives
 from physics import Ball, angle_of, direction
@@ -39,12 +39,17 @@ def with_life(game: Game, position: complex, events: list[Event]) -> Game:
     return game._replace(lives=game.lives + 1)
 
 
-def without_power(game: Game, kind: PowerUp, events: list[Event]) -> Game:
-    """The game without a power-up that lasted, if it did."""
-    if game.power(kind) is None:
+def without_power(game: Game, kind: PowerUp, events: list[Event], player: int = 0) -> Game:
+    """The game without a player's power-up that lasted, if it did. player: as in `ActivePower`."""
+    if game.power(kind, player) is None:
         return game
     events.append(Event(EventKind.POWER_ENDED, power=kind))
-    return game._replace(powers=tuple([power for power in game.powers if power.kind != kind]))
+    return game._replace(powers=_without(game, kind, player))
+
+
+def _without(game: Game, kind: PowerUp, player: int) -> tuple[ActivePower, ...]:
+    """The power-ups that last, but for one."""
+    return tuple([power for power in game.powers if power.kind != kind or power.player != player])
 
 
 def one_tick_later(game: Game, events: list[Event]) -> Game:
@@ -65,12 +70,12 @@ def one_tick_later(game: Game, events: list[Event]) -> Game:
 def _with_power(game: Game, drop: Drop, events: list[Event]) -> Game:
     """The game with a power-up that lasts: its opposite ends, and one of the same kind begins anew."""
     kind = drop.kind
+    player = player_at(drop.position) if game.sides and kind in OF_PADDLES else 0
     opposite = OPPOSITES.get(kind)
-    if opposite is not None and game.power(opposite) is not None:
-        return without_power(game, opposite, events)
+    if opposite is not None and game.power(opposite, player) is not None:
+        return without_power(game, opposite, events, player)
     ticks = LASTING[kind]
-    others = [power for power in game.powers if power.kind != kind]
-    return game._replace(powers=(*others, ActivePower(kind, ticks, ticks)))
+    return game._replace(powers=(*_without(game, kind, player), ActivePower(kind, ticks, ticks, player)))
 
 
 def _with_more_balls(game: Game) -> Game:

@@ -61,7 +61,8 @@ def _with_next_brick(game: Game, k: int, events: list[Event]) -> Game:
         if left == 0 and full[slot] > 0 and not any([_is_near(game, ball, k, slot) for ball in game.arena.balls]):
             grown = (*slots[:slot], 1, *slots[slot + 1 :])
             layers = (*game.arena.layers[:k], grown, *game.arena.layers[k + 1 :])
-            events.append(Event(EventKind.BRICK_REGROWN, position=direction(ring.angle(slot)) * ring.radius))
+            position = direction(ring.angle(slot)) * ring.radius
+            events.append(Event(EventKind.BRICK_REGROWN, position=position, sector=(k, slot)))
             return game._replace(arena=game.arena._replace(layers=layers))
     return game
 

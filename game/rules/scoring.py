@@ -65,7 +65,7 @@ def credited(game: Game, hit: Hit, events: list[Event]) -> Game:
         return game._replace(combo=0, idle=game.idle + 1, paddle_hits=game.paddle_hits + 1)
     if game.ruleset.arcade and hit.ring == len(game.arena.rings) - 1:
         events.append(Event(EventKind.SHIELD_HIT, hit, position=where))
-        return without_power(game, PowerUp.SHIELD, events)
+        return without_power(game, PowerUp.SHIELD, events, hit.slot)
     if hit.layers == PERMANENT:
         game = game._replace(idle=game.idle + 1)
         if game.ruleset.arcade and game.level.rings[hit.ring - 1].bumper:

@@ -65,7 +65,8 @@ def before_serve(game: Game) -> Game:
 
 def _at_serve(game: Game) -> tuple[ActivePower, ...]:
     """The power-ups that a serve begins with."""
-    return (ActivePower(PowerUp.SHIELD, 0, 0),) if game.ruleset.handicap.shielded else ()
+    players = range(len(game.arena.layers[-1]) if game.ruleset.handicap.shielded else 0)
+    return tuple([ActivePower(PowerUp.SHIELD, 0, 0, player) for player in players])
 
 
 def serving(game: Game, controls: Controls, step: Step, moving: Arena) -> Ticked:

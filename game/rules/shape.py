@@ -7,7 +7,7 @@ import math
 
 from game.rules.power_up import PowerUp
 from game.rules.state import PADDLES, Game, paddle_rings
-from game.rules.versus import fits, own_half_angle, paddle_of
+from game.rules.versus import fits, half_shields, own_half_angle, paddle_of
 from physics import PERMANENT, Arena, Ball, Ring, contact, in_band, length
 
 _WIDE, _NARROW = 1.4, 0.7
@@ -26,47 +26,50 @@ def arcade_arena(game: Game) -> Arena:
     half_width = _SHIELD_HALF_WIDTH * level.ground_radius
     shield = Ring(outer + _SHIELD_DISTANCE * level.ground_radius + half_width, half_width, math.pi, 1)
     if game.ruleset.versus:
-        both = [paddle_of(rings[PADDLES], player)._replace(half_angle=wanted_half_angle(game)) for player in range(2)]
-        fixed = (PERMANENT,)
-        return Arena(balls, (both[0], *rings[PADDLES + 1 :], both[1], shield), (fixed, *layers[PADDLES + 1 :], fixed, (0,)))
+        both = [paddle_of(rings[PADDLES], player)._replace(half_angle=wanted_half_angle(game, player)) for player in range(2)]
+        fixed, wall = (PERMANENT,), layers[PADDLES + 1 :]
+        return Arena(balls, (both[0], *rings[PADDLES + 1 :], both[1], half_shields(shield)), (fixed, *wall, fixed, (0, 0)))
     paddles = rings[PADDLES]._replace(half_angle=wanted_half_angle(game))
     return Arena(balls, (paddles, *rings[PADDLES + 1 :], shield), (*layers, (0,)))
 
 
-def wanted_half_angle(game: Game) -> float:
-    """Half the angle of a paddle as difficulty and power-ups want it, radians; the paddles leave gaps between them."""
+def wanted_half_angle(game: Game, player: int = 0) -> float:
+    """Half the angle of a paddle as difficulty and power-ups want it, radians; the paddles leave gaps between them.
+
+    player: whose paddle, where two play against each other.
+    """
     spec = game.level.paddles
     own, count = math.radians(spec.half_angle), spec.count
     if game.ruleset.versus:
         own, count = own_half_angle(own, count), 2
     factor = game.ruleset.handicap.paddle_width
-    if game.power(PowerUp.WIDE) is not None:
+    if game.power(PowerUp.WIDE, player) is not None:
         factor *= _WIDE
-    if game.power(PowerUp.NARROW) is not None:
+    if game.power(PowerUp.NARROW, player) is not None:
         factor *= _NARROW
     return min(own * factor, max(own, _WIDEST * math.pi / count))
 
 
-def shield_layers(game: Game) -> int:
-    """Layers of the shield: 1 while there is one."""
-    return game.arena.layers[-1][0] if game.ruleset.arcade else 0
+def shield_layers(game: Game, player: int = 0) -> int:
+    """Layers of a player's shield: 1 while there is one. player: as in `ActivePower`."""
+    return game.arena.layers[-1][player] if game.ruleset.arcade else 0
 
 
 def shaped(game: Game) -> Game:
     """The game with paddles and shield as its power-ups want them, as far as no ball is in the way."""
-    half_angle = wanted_half_angle(game)
     for player, k in enumerate(paddle_rings(game)):
-        paddles = game.arena.rings[k]
+        paddles, half_angle = game.arena.rings[k], wanted_half_angle(game, player)
         if half_angle != paddles.half_angle:
             resized = paddles._replace(half_angle=half_angle)
             if half_angle < paddles.half_angle or _has_room(game, resized, player):
                 game = _with_paddles(game, resized, k)
-    layers = 0 if game.power(PowerUp.SHIELD) is None else 1
-    if layers != shield_layers(game):
+    before = game.arena.layers[-1]
+    layers = tuple([0 if game.power(PowerUp.SHIELD, player) is None else 1 for player in range(len(before))])
+    if layers != before:
         shield = game.arena.rings[-1]
-        if layers == 0 or not any([in_band(length(ball.position), ball.radius, shield) for ball in game.arena.balls]):
-            changed = (*game.arena.layers[:-1], (layers,))
-            game = game._replace(arena=game.arena._replace(layers=changed))
+        if any([in_band(length(ball.position), ball.radius, shield) for ball in game.arena.balls]):
+            layers = tuple([min(now, wanted) for now, wanted in zip(before, layers, strict=True)])
+        game = game._replace(arena=game.arena._replace(layers=(*game.arena.layers[:-1], layers)))
     return game
 
 

@@ -169,10 +169,10 @@ class Game(NamedTuple):
         """The level being played."""
         return self.levels[self.number]
 
-    def power(self, kind: PowerUp) -> ActivePower | None:
-        """The power-up of a kind that lasts now."""
+    def power(self, kind: PowerUp, player: int = 0) -> ActivePower | None:
+        """The power-up of a kind that lasts now. player: whose, as in `ActivePower`."""
         for power in self.powers:
-            if power.kind == kind:
+            if power.kind == kind and power.player == player:
                 return power
         return None
 
@@ -220,7 +220,7 @@ class Event(NamedTuple):
     """One thing that happened in a tick.
 
     hit: of PADDLE_HIT, BRICK_HIT, WALL_HIT, SHIELD_HIT, BUMPER_HIT and BALL_CAUGHT. power: of the events of drops and powers.
-    points: made by it. position: where, in world units.
+    points: made by it. position: where, in world units. sector: ring and slot of BRICK_CRUMBLED and BRICK_REGROWN.
     """
 
     kind: EventKind
@@ -228,6 +228,7 @@ class Event(NamedTuple):
     points: int = 0
     position: complex = 0j
     power: PowerUp | None = None
+    sector: tuple[int, int] | None = None
 
 
 class Ticked(NamedTuple):

@@ -22,7 +22,8 @@ def paddle_hits_answered(game: Game, moving: Arena, step: Step, events: list[Eve
     last: dict[int, Hit] = {}
     for hit in step.hits:
         last[hit.ball] = hit
-    sticky, paddles = game.power(PowerUp.STICKY) is not None, paddle_rings(game)
+    paddles = paddle_rings(game)
+    sticky = [game.power(PowerUp.STICKY, player) is not None for player in range(len(paddles))]
     balls: list[Ball] = []
     held: list[HeldBall] = []
     changed = False
@@ -32,7 +33,7 @@ def paddle_hits_answered(game: Game, moving: Arena, step: Step, events: list[Eve
             balls.append(ball)
             continue
         changed = True
-        if sticky:
+        if sticky[paddles.index(found.ring)]:
             held.append(HeldBall(found.slot, hit_offset(found, moving), ball.radius, 0, found.ring))
             events.append(Event(EventKind.BALL_CAUGHT, found, position=found.contact.point))
         else:
@@ -64,20 +65,20 @@ def turned(velocity: complex, inward: complex, turn: float, speed: float) -> com
     return direction(normal + min(max(leaning + turn, -most), most)) * speed
 
 
-def place_turn(game: Game, offset: float) -> float:
-    """Radians by which a hit at an offset from the paddle's middle turns a ball that flies inward, counter-clockwise.
+def place_turn(game: Game, offset: float, ring: int = PADDLES) -> float:
+    """Radians by which a hit at an offset from the middle of a ring's paddle turns a ball that flies inward, counter-clockwise.
 
     A ball that meets the counter-clockwise half leaves further to that side; seen along its flight, which is inward, that is
     clockwise.
     """
-    share = min(max(offset / game.arena.rings[PADDLES].half_angle, -1.0), 1.0)
+    share = min(max(offset / game.arena.rings[ring].half_angle, -1.0), 1.0)
     return -share * most_turn(game)
 
 
 def _returned(game: Game, ball: Ball, hit: Hit, moving: Arena, events: list[Event]) -> Ball:
     """A ball after its bounce off a paddle, turned by the position of the hit, and helped after a long wait."""
     inward = hit.contact.normal
-    velocity = turned(ball.velocity, inward, place_turn(game, hit_offset(hit, moving)), game.speed)
+    velocity = turned(ball.velocity, inward, place_turn(game, hit_offset(hit, moving), hit.ring), game.speed)
     return _helped(game, Ball(ball.position, velocity, ball.radius), inward, events, hit)
 
 
@@ -108,7 +109,7 @@ def released(game: Game, events: list[Event], *, serve: bool, aim: float | None)
             turn = signed_difference(normalize_angle(aim), angle_of(inward))
             balls.append(Ball(ball.position, turned(inward, inward, turn, game.speed), ball.radius))
         else:
-            velocity = turned(inward, inward, place_turn(game, stuck.offset), game.speed)
+            velocity = turned(inward, inward, place_turn(game, stuck.offset, stuck.ring), game.speed)
             balls.append(_helped(game, Ball(ball.position, velocity, ball.radius), inward, events))
         events.append(Event(EventKind.BALL_RELEASED, position=ball.position))
     return game._replace(held=tuple(held), arena=game.arena._replace(balls=tuple(balls)))

@@ -1,7 +1,8 @@
 """Two players against each other: one paddle each, in opposite halves of the ring, and points and lives of their own.
 
-Points go to the player whose paddle was hit last; a drop's to the one who catches it. The last ball in play costs a life of the
-player through whose half it leaves, and gives points to the other. Whoever has no life left has lost.
+Points go to the player whose paddle was hit last; a drop's to the one who catches it, who also has what it does to paddles and
+at the rim. The last ball in play costs a life of the player through whose half it leaves, and gives points to the other; who
+has no life left has lost.
 """
 
 import math
@@ -18,6 +19,8 @@ _MARGIN = 1e-6
 """Radians: how far a paddle stays away from the border of the halves."""
 _WIDEST = math.radians(36.0)
 """Radians: half a paddle at most, before power-ups."""
+_SHIELD_GAP = 1e-3
+"""Radians: half of what is left open between the two halves of the shield, so that their ends do not coincide."""
 
 
 def sides(ruleset: Ruleset) -> tuple[Side, ...]:
@@ -35,6 +38,11 @@ def paddle_of(ring: Ring, player: int) -> Ring:
     return Ring(
         ring.radius, ring.half_width, own_half_angle(ring.half_angle, ring.count), 1, _MIDDLES[player], 0.0, ring.friction
     )
+
+
+def half_shields(shield: Ring) -> Ring:
+    """The shield as two sectors, each player's over their half; the slot's number is the player's."""
+    return shield._replace(half_angle=math.pi / 2.0 - _SHIELD_GAP, count=2, phase=_MIDDLES[0])
 
 
 def room(ring: Ring, player: int) -> tuple[float, float]:

@@ -2,7 +2,6 @@
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from enum import IntEnum
 from pathlib import Path
 
 import pygame
@@ -16,6 +15,7 @@ from game.drawing.palette import Theme
 from game.drawing.text import Type
 from game.input.devices import Devices
 from game.input.keys import KEYS
+from game.input.players import Players
 from game.input.rebinding import bindings, checked
 from game.input.view import FLAT, Viewpoint
 from game.kept.store import Kept
@@ -28,6 +28,7 @@ from game.screens.base import Screen
 from game.screens.difficulty_names import SOURCE
 from game.screens.level_pictures import LevelPictures
 from game.second_opinion import Compare, NormalPair
+from game.session_seed import game_seed
 from game.settings.file import SettingsFile
 from game.settings.values import LOUDEST, Settings
 from game.sound.mixer import Audio
@@ -43,20 +44,12 @@ _PIXELS = Camera(0j, 1.0)
 """For what is no picture of the world."""
 
 
-class Players(IntEnum):
-    """How many play on this machine, and how."""
-
-    ONE = 0
-    TOGETHER = 1
-    VERSUS = 2
-
-
 @dataclass(slots=True)
 class AppState:
     """The state that all screens share, and what they do with it.
 
     catalogue: levels that the title offers; chosen: index of one of them.
-    seed: of every new game.
+    seed: of the session, of which every new game's is made. games: how many have begun.
     open_title: makes the title's screen; open_levels: the choice of levels over it, None where there is none.
     own_levels: reads the player's; open_editor: makes the editor's screen for one of their files, None for a new one, with a
     function that leads back; None where there is no editor.
@@ -107,6 +100,7 @@ class AppState:
     functions: FunctionsFile | None = None
     ruleset: Ruleset = SOURCE_RULES
     players: Players = Players.ONE
+    games: int = 0
     devices: Devices = field(default_factory=Devices)
     painter: Painter = field(default_factory=Painter)
     type: Type = field(default_factory=Type)
@@ -122,6 +116,11 @@ class AppState:
         """Of new games: two who play against each other need the arcade rules."""
         versus = self.players == Players.VERSUS
         return self.ruleset._replace(versus=versus, arcade=self.ruleset.arcade or versus)
+
+    def next_seed(self) -> int:
+        """The seed of the game that begins now."""
+        self.games += 1
+        return game_seed(self.seed, self.games - 1)
 
     @property
     def theme(self) -> Theme:

@@ -31,7 +31,7 @@ class Still(Protocol):
 
 @runtime_checkable
 class Listener(Protocol):
-    """A screen that hears the window's events themselves instead of what the game's keys mean: one can type there."""
+    """A screen that hears the events of keyboard and mouse themselves, not what they mean in the game: one can type there."""
 
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> "Screen | None":
         """React to an event. pixels_per_point: pixels of the surface per unit of the mouse's coordinates, across and down."""

@@ -5,6 +5,7 @@ from collections.abc import Iterator
 
 import pygame
 
+from game.drawing.camera import Layout
 from game.drawing.canvas import Canvas
 from game.drawing.palette import mixed
 from game.language import tr
@@ -19,8 +20,8 @@ _PALE = 0.4
 """Share of the way from the ground's colour to the text's."""
 _ARC_STEPS = 12
 # Lengths are in units of text.
-_EDGE, _CAPTION, _FIGURE = 0.8, 0.9, 1.5
-"""From the words to the surface's edge, and sizes of letters."""
+_EDGE, _ABOVE_NAME, _CAPTION, _FIGURE = 0.8, 4.6, 0.9, 1.5
+"""From the words to the surface's left and lower edges, and sizes of letters."""
 
 
 class Ghost:
@@ -92,12 +93,12 @@ def draw(canvas: Canvas, game: Game) -> None:
         pygame.draw.aacircle(canvas.surface, colour, (pixel.real, pixel.imag), max(radius, 2.0), width)
 
 
-def draw_lead(canvas: Canvas, game: Game, ghost: Game) -> None:
-    """How many points of the level the player is ahead of the ghost, at the left edge half way up."""
+def draw_lead(canvas: Canvas, game: Game, ghost: Game, layout: Layout) -> None:
+    """How many points of the level the player is ahead of the ghost, at the left edge above the level's name."""
     theme, unit = canvas.theme, canvas.unit
     lead = (game.score - game.score_before) - (ghost.score - ghost.score_before)
-    corner = complex(unit * _EDGE, canvas.size[1] / 2.0 - unit)
-    room = canvas.camera.centre.real - canvas.camera.scale * game.level.ground_radius - unit * _EDGE * 1.5
-    box = write_fitting(canvas, tr("BEST RUN"), _CAPTION, theme.faint, corner, "topleft", room)
     colour = theme.accent if lead > 0 else theme.danger if lead < 0 else theme.text
-    canvas.write(f"{lead:+,}", _FIGURE, colour, complex(box.left, box.bottom + unit * 0.1))
+    foot = complex(unit * _EDGE, canvas.size[1] - unit * _ABOVE_NAME)
+    box = canvas.write(f"{lead:+,}", _FIGURE, colour, foot, "bottomleft")
+    room = layout.left_edge(box.top - unit * _CAPTION) - box.left
+    write_fitting(canvas, tr("BEST RUN"), _CAPTION, theme.faint, complex(box.left, box.top), "bottomleft", room)

@@ -2,6 +2,7 @@
 
 from collections import OrderedDict
 
+import numpy as np
 import pygame
 
 from game.drawing.camera import Camera
@@ -18,6 +19,8 @@ _FINER = 2
 """Rows and columns of the drawing per pixel of the picture."""
 _RADIUS = 0.485
 """Of what is shown, in shares of the picture's side."""
+_WHOLE_RADIUS = 0.45
+"""Of the ground, where it is shown with the paddles: the rest is its glow."""
 _AROUND, _LEAST = 1.3, 0.4
 """Shown is the wall with some ground around it, and of the paddles' track at least such a share; never more than the ground."""
 _MOST = 160
@@ -39,7 +42,7 @@ class LevelPictures:
         return waited
 
     def picture(self, level: Level, side: int, theme: Theme, *, whole: bool = False) -> pygame.Surface | None:
-        """A level's picture, `side` pixels square; None where it has to wait for the next frame. whole: with the paddles."""
+        """A level's picture, `side` pixels square; None where it has to wait for the next frame. whole: the arena as a disc."""
         key = (level.content_hash(), side, theme, whole)
         if key in self._drawn:
             self._drawn.move_to_end(key)
@@ -48,7 +51,8 @@ class LevelPictures:
             self.waiting = True
             return None
         self._budget -= 1
-        self._drawn[key] = thumbnail(level, side, theme, whole=whole)
+        picture = thumbnail(level, side, theme, whole=whole)
+        self._drawn[key] = _round(picture) if whole else picture
         if len(self._drawn) > _MOST:
             self._drawn.popitem(last=False)
         return self._drawn[key]
@@ -62,7 +66,18 @@ def thumbnail(level: Level, side: int, theme: Theme, *, whole: bool = False) -> 
     bricks = [ring for index, ring in enumerate(scene.rings) if index not in (PADDLES, scene.shield)]
     wall = max([ring.outer_radius for ring in bricks], default=0.0)
     reach = min(max(wall * _AROUND, scene.rings[PADDLES].inner_radius * _LEAST), level.ground_radius)
-    reach = level.ground_radius if whole else reach
-    camera = Camera(complex(side, side) * _FINER / 2.0, side * _FINER * _RADIUS / reach)
+    reach, radius = (level.ground_radius, _WHOLE_RADIUS) if whole else (reach, _RADIUS)
+    camera = Camera(complex(side, side) * _FINER / 2.0, side * _FINER * radius / reach)
     Painter().paint(Canvas(large, camera, theme._replace(background=theme.panel), Type(), 1.0), scene)
     return pygame.transform.smoothscale(large, (side, side))
+
+
+def _round(picture: pygame.Surface) -> pygame.Surface:
+    """A square picture as the disc in it, whose edge fades away."""
+    side = picture.get_width()
+    across = (np.arange(side) + 0.5) / side - 0.5
+    away = np.hypot(across[:, None], across[None, :])
+    disc = pygame.Surface((side, side), pygame.SRCALPHA)
+    disc.blit(picture, (0, 0))
+    pygame.surfarray.pixels_alpha(disc)[:] = np.clip((0.5 - away) / (0.5 - _WHOLE_RADIUS), 0.0, 1.0) * 255.0
+    return disc

@@ -11,22 +11,24 @@ from game.effects import EffectKind, Effects
 from game.effects.hit_stop import hit_stop_seconds
 from game.effects.slow_motion import pace
 from game.fixed_step import Due, due
-from game.input.hands import Hands
-from game.input.key_names import key_name
+from game.input.hands import Hands, controls_of_two
+from game.input.key_names import key_name, players_keys, second_player_positions
 from game.input.keys import Action
-from game.input.signals import Clicked, FocusLost, KeyboardState, Moved, Pressed, Released, Signal, pad_of
+from game.input.players import Players
+from game.input.signals import Clicked, FocusLost, KeyboardState, Moved, Pointed, Pressed, Released, Signal, pad_of
 from game.language import tr
+from game.level_names import level_name
 from game.levels import Level, number_of
 from game.overlay import captions, hud, notice
 from game.overlay.captions import Caption
-from game.overlay.notice_words import Notice, ready
+from game.overlay.notice_words import Notice, ready, to_newcomer, who_steers
 from game.overlay.notice_words import notice as words_now
 from game.overlay.readings import readings
 from game.overlay.toast import Toast
 from game.rules import TICK, Controls, EventKind, Phase, new_game, tick
 from game.scene import scene_at, still
-from game.screens import ghost, play_buttons, versus
-from game.screens.app_state import AppState, Players
+from game.screens import ghost, play_buttons
+from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.menus.help import Help
 from game.screens.menus.settings_panel import SettingsPanel
@@ -42,12 +44,12 @@ _OFFER_TICKS = round(20.0 / TICK)
 """Without a paddle's touch, until the player may give up the ball."""
 _END_TICKS = 200
 """From the end of the game to the results: nobody who is still playing chooses an entry by accident."""
+_WON_TICKS = 500
+"""From the end of a game that is won to the results: its fireworks are seen first."""
 _CLEARED_TICKS = 150
 """From the last brick of a level to its results: it is seen breaking first."""
 _NEWS_SECONDS = 5.0
 """How long news of the physics is shown."""
-_SECOND_PLAYERS = (pygame.KSCAN_A, pygame.KSCAN_D)
-"""Positions of the second player's keys, where two play."""
 # Lengths are in units of text.
 _NOTE, _NOTE_ROOM, _NOTE_BOTTOM, _NOTE_MARGIN = 0.95, 1.6, 0.3, 0.8
 """The line about the physics: size of its letters, height left to it, from it to the lower edge and to the sides."""
@@ -59,7 +61,7 @@ class PlayScreen:
     def __init__(self, state: AppState, levels: tuple[Level, ...], endless: int | None = None) -> None:
         """Start a new game at the first of the levels. endless: the seed that they were made from; None for others."""
         self._state, self._levels, self.endless = state, levels, endless
-        self._ticked = still(new_game(levels, state.seed if endless is None else endless, state.game_rules))
+        self._ticked = still(new_game(levels, state.next_seed() if endless is None else endless, state.game_rules))
         self._effects = Effects()
         self._normals: tuple[NormalPair, ...] = ()
         self._hands = Hands()
@@ -93,16 +95,20 @@ class PlayScreen:
             case Pressed(Action.GIVE_UP) if not self._may_give_up:
                 return self
         self._hold(signal)
-        self._state.view = self._state.view.after(signal, unit_of(size))
+        if not (isinstance(signal, Pointed) and signal.direction and self._ticked.game.phase == Phase.SERVING):  # it aims
+            self._state.view = self._state.view.after(signal, unit_of(size))
         return self
 
     def _hold(self, signal: Signal) -> None:
         """Note what a player holds down; where two play, the second one's keys and gamepad are not the first one's."""
-        keys = isinstance(signal, Pressed | Released) and signal.position in _SECOND_PLAYERS
+        if self._state.players == Players.ONE:
+            self._hands = self._hands.after(signal)
+            return
+        keys = isinstance(signal, Pressed | Released) and signal.position in second_player_positions()
         keys = keys or pad_of(signal) == 1
-        if self._state.players != Players.ONE and (keys or isinstance(signal, KeyboardState)):
+        if keys or isinstance(signal, KeyboardState):
             self._second = self._second.after(signal)
-        if not (self._state.players != Players.ONE and keys):
+        if not keys:
             self._hands = self._hands.after(signal)
 
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
@@ -136,7 +142,7 @@ class PlayScreen:
         racing = None if self._record.ghost is None or not state.settings.ghost else self._record.ghost.game
         if racing is not None:
             ghost.draw(canvas, racing)
-            ghost.draw_lead(state.words(canvas), self._ticked.game, racing)
+            ghost.draw_lead(state.words(canvas), self._ticked.game, racing, seen)
         if state.shows_normals:
             contact_normals.draw(canvas, self._normals)
         badge = aids.badge(state.settings) if self._pilot is None else tr("autopilot")
@@ -144,11 +150,10 @@ class PlayScreen:
         words = state.words(canvas)
         hud.draw(words, shown, seen)
         play_buttons.draw(canvas, seen, self._hovered)
-        versus.draw(words, self._ticked.game)
         told = self._notice()
         if told is not None:
             notice.draw(words, told, scene)
-        captions.draw(words, self._captions)
+        captions.draw(words, self._captions, seen)
         if state.physics.note:
             _draw_note(canvas, tr(state.physics.note))
 
@@ -162,9 +167,13 @@ class PlayScreen:
         if 0.0 < self._ready < _READY_SECONDS:
             return ready()
         game = self._ticked.game
-        if game.phase in (Phase.OVER, Phase.WON):
+        if game.phase in (Phase.OVER, Phase.WON) or (game.phase == Phase.CLEARED and self._told == game.number):
             return None
         told = words_now(game, key_name(Action.SERVE))
+        if self._state.players != Players.ONE:
+            told = who_steers(game, *players_keys(), key_name(Action.SERVE)) or told
+        elif told is not None and not self._state.kept.progress.value.bests:
+            told = to_newcomer(told, key_name(Action.LEFT), key_name(Action.RIGHT))
         if told is None and self._may_give_up:
             words = tr("{key}: give up this ball; it costs a life").format(key=key_name(Action.GIVE_UP))
             return Notice(tr("Out of reach?"), words)
@@ -176,8 +185,10 @@ class PlayScreen:
         game = self._ticked.game
         number, _ = number_of(game.level, game.levels)
         if self.endless is not None:
-            return tr("{name}, of the levels with the number {seed}").format(name=tr(game.level.name), seed=self.endless)
-        return tr("Level {number}: {name}").format(number=number, name=tr(game.level.name))
+            return tr("{name}, of the levels with the number {seed}").format(
+                name=level_name(game.level.name), seed=self.endless
+            )
+        return tr("Level {number}: {name}").format(number=number, name=level_name(game.level.name))
 
     def restarted(self) -> Screen:
         """The same levels from their first serve."""
@@ -191,13 +202,14 @@ class PlayScreen:
 
     def went_on(self) -> Screen:
         """This game, with the next level at once."""
+        self._let_go()
         self._hands = self._hands.after(Pressed(Action.SERVE))
         return self
 
     def _results(self) -> Screen | None:
         """The panel after a level or the game, once it has been seen for a moment."""
         game = self._ticked.game
-        if game.phase in (Phase.OVER, Phase.WON) and game.phase_tick >= _END_TICKS:
+        if game.phase in (Phase.OVER, Phase.WON) and game.phase_tick >= (_WON_TICKS if game.phase == Phase.WON else _END_TICKS):
             return game_results(self._state, self, game, self._record)
         if (
             game.phase == Phase.CLEARED
@@ -232,19 +244,22 @@ class PlayScreen:
         """What the player asks for in the next tick."""
         if self._state.settings.one_button:
             return self._hands.one_button_controls(self._ticked.game)
-        controls = self._hands.controls(camera, self._ticked.game)
-        if self._state.players != Players.ONE:
-            second = self._second.controls(camera, self._ticked.game)
-            controls = controls._replace(second_turn=second.turn, second_pointer=second.pointer)
-            controls = controls._replace(serve=controls.serve or self._second.serve)
-        return controls
+        game = self._ticked.game
+        if self._state.players == Players.ONE:
+            return self._hands.controls(camera, game)
+        return controls_of_two(self._hands, self._second, camera, game)
 
     def _paused(self, panel: Screen) -> Screen:
         """A panel over the game; keys that were held when it opened are let go."""
-        self._hands, self._second, self._hovered = self._hands.after(FocusLost()), Hands(), None
+        self._let_go()
         if self._ticked.game.phase == Phase.PLAYING:
             self._ready = _READY_SECONDS
         return panel
+
+    def _let_go(self) -> None:
+        """Hold nothing any more: what comes up while another screen is open is not heard here."""
+        self._hands, self._second, self._hovered = self._hands.after(FocusLost()), Hands(), None
+        self._state.view = self._state.view.after(FocusLost(), 1.0)
 
     def _layout(self, size: tuple[int, int]) -> Layout:
         """Where everything is on a surface of some size."""

@@ -3,12 +3,13 @@
 from functools import cache
 
 from game.chosen_physics import SWEPT
+from game.input.players import Players
 from game.kept.progress import OWN, Best
 from game.kept.scores import ENDLESS
 from game.levels import Level, built_in
 from game.replays.file import load
 from game.rules import EventKind, Game, Ticked
-from game.screens.app_state import AppState, Players
+from game.screens.app_state import AppState
 from game.screens.earned import earned
 from game.screens.ghost import Ghost
 from game.system.errors import BadInputError

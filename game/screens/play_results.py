@@ -8,8 +8,10 @@ import msgspec
 
 from game.kept.progress import RANKS, Best
 from game.kept.scores import LONGEST_NAME, Score
-from game.language import tr
-from game.rules import Game, Phase
+from game.language import ntr, tr
+from game.level_names import level_name
+from game.overlay.readings import player_name
+from game.rules import Game, Phase, winner
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.menus.high_scores import HighScores
@@ -17,7 +19,7 @@ from game.screens.menus.results import Figure, Results
 from game.screens.play_record import PlayRecord
 from game.screens.toolkit.menu import Entry
 from game.screens.toolkit.text_entry import TextEntry
-from game.screens.versus import player_name, verdict
+from game.screens.versus import verdict
 
 
 class Played(Screen, Protocol):
@@ -45,7 +47,7 @@ def level_results(state: AppState, play: Played, game: Game, record: PlayRecord)
     """After a level: its figures, and the next one."""
     result = game.results[-1]
     before = record.before
-    following = tr(game.levels[game.number + 1].name)
+    following = level_name(game.levels[game.number + 1].name)
     entries = (
         Entry(tr("Next: {level}").format(level=following), play.went_on),
         Entry(tr("All levels"), state.levels),
@@ -57,8 +59,10 @@ def level_results(state: AppState, play: Played, game: Game, record: PlayRecord)
         Figure(tr("Balls lost"), result.balls_lost),
         *(_scores(game) if game.sides else (Figure(tr("Score so far"), game.score),)),
     )
-    rank = RANKS[int(result.rank)]
-    line = tr(game.level.name)
+    rank = "" if game.sides else RANKS[int(result.rank)]
+    line = level_name(game.level.name)
+    if (ahead := winner(game)) is not None:
+        line = tr("{level}. {player} is ahead.").format(level=line, player=player_name(ahead))
     if record.earned:
         line = tr("{level}. Yours from now on, in the settings: {things}").format(level=line, things=", ".join(record.earned))
     return Results(state, play, tr("Level cleared"), line, figures, entries, rank, back=play.went_on)
@@ -79,7 +83,14 @@ def game_results(state: AppState, play: Played, game: Game, record: PlayRecord) 
         Figure(tr("Time"), game.tick, clock),
     )
     title = verdict(game) if game.sides else tr("You won") if won else tr("Game over")
-    line = tr("Every level is cleared.") if won else tr("The last ball is gone in {level}.").format(level=tr(game.level.name))
+    line = (
+        tr("Every level is cleared.")
+        if won
+        else tr("The last ball is gone in {level}.").format(level=level_name(game.level.name))
+    )
+    if game.sides and not won:
+        loser = player_name([side.lives for side in game.sides].index(0))
+        line = tr("{player} has lost the last ball in {level}.").format(player=loser, level=level_name(game.level.name))
     if play.endless is not None:
         line = tr("{line} Number of these levels: {seed}").format(line=line, seed=play.endless)
     entries = _after_game(state, play, game)
@@ -99,7 +110,13 @@ def _scores(game: Game) -> tuple[Figure, ...]:
     """The score, or those of two who play against each other."""
     if not game.sides:
         return (Figure(tr("Score"), game.score),)
-    return tuple([Figure(player_name(index), side.score) for index, side in enumerate(game.sides)])
+    return tuple([Figure(player_name(index), side.score, _with_lives(side.lives)) for index, side in enumerate(game.sides)])
+
+
+def _with_lives(lives: int) -> Callable[[int], str]:
+    """What says a player's points, with the lives that are left."""
+    left = ntr("{count} life", "{count} lives", lives).format(count=lives)
+    return lambda points: f"{points:,}  ({left})"
 
 
 def _after_game(state: AppState, play: Played, game: Game) -> tuple[Entry, ...]:

@@ -14,7 +14,7 @@ from game.effects import LONGEST, Effects
 from game.fixed_step import LONGEST_FRAME
 from game.input.key_names import key_name, watch_help
 from game.input.keys import Action
-from game.input.signals import Clicked, Dragged, Moved, Pressed, Signal, Zoomed
+from game.input.signals import Clicked, FocusLost, Moved, Pressed, Signal
 from game.language import tr
 from game.overlay import hud
 from game.overlay.readings import readings
@@ -24,6 +24,7 @@ from game.scene import scene_at, still
 from game.screens import play_buttons
 from game.screens.app_state import AppState
 from game.screens.base import Screen
+from game.screens.menus.control_rows import WIDE_TEXT
 from game.screens.menus.help import Help
 from game.screens.menus.settings_panel import SettingsPanel
 from game.screens.toolkit.plate import write_fitting
@@ -74,6 +75,8 @@ class Watch:
         """Play, stop, step, seek, or leave."""
         state = self._state
         signal = self._on_buttons(signal, size)
+        leaves = isinstance(signal, Pressed) and signal.action in (Action.BACK, Action.HELP, Action.SETTINGS)
+        state.view = state.view.after(FocusLost() if leaves else signal, unit_of(size))
         match signal:
             case Pressed(Action.BACK):
                 return self._back()
@@ -90,9 +93,6 @@ class Watch:
                 self._speed = min(self._speed + 1, len(SPEEDS) - 1)
             case Pressed(action):
                 self._go(action)
-                state.view = state.view.after(signal, unit_of(size))
-            case Dragged() | Zoomed():
-                state.view = state.view.after(signal, unit_of(size))
             case Clicked(pixel) | Moved(pixel, True) if self._on_timeline(pixel, size):
                 bar = self._timeline(size)
                 share = (pixel.real - bar.left) / max(bar.width, 1)
@@ -130,9 +130,11 @@ class Watch:
                 self._hovered = play_buttons.action_at(seen, pixel, play_buttons.WATCHING)
             case Clicked(pixel) if (action := play_buttons.action_at(seen, pixel, play_buttons.WATCHING)) is not None:
                 return Pressed(action)
-            case Clicked(pixel) if pixel.imag > size[1] - unit_of(size) * _ROOM and pixel.real > self._timeline(size).right:
+            case Clicked(pixel) if self._on_timeline(pixel, size):
+                return signal
+            case Clicked(pixel) if pixel.imag > size[1] - self._unit(size) * _ROOM and pixel.real > self._speed_left(size):
                 self._speed = (self._speed + 1) % len(SPEEDS)
-            case Clicked(pixel) if not self._on_timeline(pixel, size):
+            case Clicked(pixel):
                 return Pressed(Action.PAUSE)
         return signal
 
@@ -196,9 +198,19 @@ class Watch:
     def _timeline(self, size: tuple[int, int]) -> pygame.Rect:
         """The timeline's bar, pixels."""
         unit = self._unit(size)
-        width = max(round(size[0] - unit * (_BAR_LEFT + _BAR_RIGHT)), 1)
-        corner = (round(unit * _BAR_LEFT), round(size[1] - unit * _BAR_BOTTOM))
+        left, right = (_EDGE, _EDGE) if self._has_large_text else (_BAR_LEFT, _BAR_RIGHT)
+        width = max(round(size[0] - unit * (left + right)), 1)
+        corner = (round(unit * left), round(size[1] - unit * _BAR_BOTTOM))
         return pygame.Rect(corner, (width, max(round(unit * _BAR_HEIGHT), 1)))
+
+    @property
+    def _has_large_text(self) -> bool:
+        """Whether there is no room beside the bar for words: they are below it then."""
+        return self._state.text_scale > WIDE_TEXT
+
+    def _speed_left(self, size: tuple[int, int]) -> float:
+        """Where the words that say how fast it runs may begin, pixels."""
+        return size[0] - self._unit(size) * _BAR_RIGHT
 
     def _on_timeline(self, pixel: complex, size: tuple[int, int]) -> bool:
         """Whether a pixel is on the bar, or near enough to mean it."""
@@ -211,10 +223,15 @@ class Watch:
         share = self._at / max(self._frames.ticks, 1)
         draw_bar(canvas.surface, bar, share, theme)
         draw_dot(canvas.surface, complex(bar.left + bar.width * share, bar.centery), bar.height, theme.text)
-        left, right = complex(unit * _EDGE, bar.centery), complex(canvas.size[0] - unit * _EDGE, bar.centery)
-        canvas.write(tr("playing") if self._playing else tr("stopped"), _TEXT, theme.text, left, "midleft")
+        y = bar.bottom + unit * (_KEYS_TOP + 0.5 * _TEXT) if self._has_large_text else bar.centery
+        left, right = complex(unit * _EDGE, y), complex(canvas.size[0] - unit * _EDGE, y)
+        played = canvas.write(tr("playing") if self._playing else tr("stopped"), _TEXT, theme.text, left, "midleft")
         seconds = f"{self._at * TICK:.1f} / {self._frames.ticks * TICK:.1f} s    {_speed_text(SPEEDS[self._speed])}"
-        canvas.write(seconds, _TEXT, theme.text, right, "midright")
+        speed = canvas.write(seconds, _TEXT, theme.text, right, "midright")
+        if self._has_large_text:
+            keys, room = complex(played.right + unit, y), speed.left - played.right - 2.0 * unit
+            write_fitting(canvas, _help_key(), _KEYS, theme.faint, keys, "midleft", room)
+            return
         below = complex(bar.left, bar.bottom + unit * _KEYS_TOP)
         write_fitting(canvas, _keys_help(), _KEYS, theme.faint, below, "topleft", right.real - below.real)
 
@@ -222,6 +239,11 @@ class Watch:
 def _speed_text(speed: float) -> str:
     """A speed, slow ones as a fraction."""
     return f"{speed:g}x" if speed >= 1.0 else f"1/{1.0 / speed:g}x"
+
+
+def _help_key() -> str:
+    """The key that tells all others."""
+    return f"{key_name(Action.HELP)}: {tr('help')}"
 
 
 def _keys_help() -> str:

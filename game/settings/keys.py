@@ -17,7 +17,8 @@ def changed(settings: Settings, action: Action) -> tuple[Settings, Toast] | None
             return settings, Toast(tr("Volume {percent} %").format(percent=settings.volume), settings.volume / LOUDEST)
         case Action.THEME:
             settings = settings.other_colours()
-            return settings, Toast(tr("Dark colours") if settings.colours == "dark" else tr("Light colours"))
+            told = {"dark": tr("Dark colours"), "light": tr("Light colours"), "contrast": tr("High contrast")}
+            return settings, Toast(told[settings.colours])
         case Action.EFFECTS:
             settings = settings._replace(effects=not settings.effects)
             return settings, Toast(tr("Effects on") if settings.effects else tr("Effects off"))

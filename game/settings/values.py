@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from game.drawing.colour_vision import VISIONS, seen_by
-from game.drawing.palette import DARK, LIGHT, Theme, without_depth
+from game.drawing.palette import DARK, HIGH_CONTRAST, LIGHT, Theme, without_depth
 from game.effects import ALL, MOVING, PLAIN, EffectKind, Shown
 from game.input.actions import DEFAULT_KEYS, OwnKeys
 from game.language import SYSTEM
@@ -11,7 +11,7 @@ from game.unlocks import PLAIN_BALL, PLAIN_TRAIL
 
 LOUDEST = 100
 VOLUME_STEP = 10
-THEMES = {"dark": DARK, "light": LIGHT}
+THEMES = {"dark": DARK, "light": LIGHT, "contrast": HIGH_CONTRAST}
 SPEEDS = (50, 100)
 """The least and the most of the game's speed, per cent."""
 TEXT_SIZES = (100, 200)
@@ -67,8 +67,9 @@ class Settings(NamedTuple):
         return self._replace(volume=volume, sound=self.sound or steps > 0)
 
     def other_colours(self) -> "Settings":
-        """Dark to light and back."""
-        return self._replace(colours="light" if self.colours == "dark" else "dark")
+        """The next of THEMES, the first one after the last."""
+        names = list(THEMES)
+        return self._replace(colours=names[(names.index(self.colours) + 1) % len(names)])
 
     def toggled(self, kind: EffectKind) -> "Settings":
         """An effect wanted or not wanted any more."""

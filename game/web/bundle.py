@@ -1,8 +1,6 @@
-"""The project's own Python for the browser, as one archive: what plays and draws there, without what only a desktop can run."""
+"""The project's own Python for the browser: what plays and draws there, without what only a desktop can run."""
 
 import ast
-import io
-import zipfile
 from collections.abc import Iterator
 from importlib.resources import files
 from importlib.resources.abc import Traversable
@@ -11,27 +9,30 @@ import polib
 
 from game.language import CODES, ENGLISH
 
-_EPOCH = (1980, 1, 1, 0, 0, 0)
-"""The date of every file in the archive: the same sources give the same bytes."""
 _STARTS = ("game.web.client.page", "game.lab.scenes", "game.languages")
 """What the browser imports, and what that imports only once it is wanted."""
 _PACKAGES = ("game", "physics")
+_GRADING = ("tools.grade.page",)
+"""What the worker that grades imports besides."""
 
 
-def archive() -> bytes:
-    """A ZIP archive of every module that the browser's start needs, and of the levels. The same sources give the same bytes."""
-    held = io.BytesIO()
-    with zipfile.ZipFile(held, "w", zipfile.ZIP_DEFLATED, compresslevel=9) as packed:
-        for name, data in sorted(_contents().items()):
-            packed.writestr(zipfile.ZipInfo(name, _EPOCH), data, zipfile.ZIP_DEFLATED, 9)
-    return held.getvalue()
+def browser_sources() -> dict[str, bytes]:
+    """Every module that the browser's start needs, the levels and the translations, by the names of their files."""
+    levels = {name: data for name, data in _tree("game") if name.startswith("game/levels/") and name.endswith(".toml")}
+    return _modules(_STARTS, _PACKAGES) | levels | _translations()
 
 
-def _contents() -> dict[str, bytes]:
-    """The files of the archive by name."""
-    modules = _sources()
+def grading_sources() -> dict[str, bytes]:
+    """Every module that the worker that grades needs besides."""
+    present, wanted = _modules(_STARTS, _PACKAGES), _modules(_GRADING, (*_PACKAGES, "tools"))
+    return {name: data for name, data in wanted.items() if name not in present}
+
+
+def _modules(starts: tuple[str, ...], packages: tuple[str, ...]) -> dict[str, bytes]:
+    """The modules that some modules need, themselves included, by the names of their files."""
+    modules = {name: data for package in packages for name, data in _tree(package) if name.endswith(".py")}
     needed: dict[str, bytes] = {}
-    open_ = [*_STARTS]
+    open_ = [*starts]
     while open_:
         module = open_.pop()
         name = next((name for name in _file_names(module) if name in modules), None)
@@ -39,8 +40,7 @@ def _contents() -> dict[str, bytes]:
             continue
         needed[name] = modules[name]
         open_ += _imported(modules[name])
-    levels = {name: data for name, data in _tree("game") if name.startswith("game/levels/") and name.endswith(".toml")}
-    return needed | levels | _translations()
+    return needed
 
 
 def _translations() -> dict[str, bytes]:
@@ -48,11 +48,6 @@ def _translations() -> dict[str, bytes]:
     folder, codes = files("game.languages"), [code for code in CODES if code != ENGLISH.code]
     texts = {code: folder.joinpath(f"{code}.po").read_text(encoding="utf-8") for code in codes}
     return {f"game/languages/{code}.mo": polib.pofile(text).to_binary() for code, text in texts.items()}
-
-
-def _sources() -> dict[str, bytes]:
-    """Every module of the packages by the name of its file."""
-    return {name: data for package in _PACKAGES for name, data in _tree(package) if name.endswith(".py")}
 
 
 def _tree(package: str) -> Iterator[tuple[str, bytes]]:

@@ -1,10 +1,12 @@
 """A web server for the page, on this machine alone."""
 
+import sys
 from collections.abc import Iterator
 from contextlib import contextmanager
 from http import HTTPStatus
 from http.server import BaseHTTPRequestHandler, ThreadingHTTPServer
 from threading import Thread
+from typing import Any
 from urllib.parse import unquote, urlsplit
 
 from game.system.errors import EnvironmentMissingError
@@ -20,6 +22,17 @@ _TYPES = {
     "svg": "image/svg+xml",
     "txt": "text/plain; charset=utf-8",
 }
+
+
+class _Server(ThreadingHTTPServer):
+    """A server that a browser may leave at any time."""
+
+    daemon_threads = True
+
+    def handle_error(self, request: Any, client_address: Any) -> None:
+        """Report errors on the terminal, but not that a browser has closed its connection."""
+        if not isinstance(sys.exception(), ConnectionError):
+            super().handle_error(request, client_address)
 
 
 @contextmanager
@@ -50,10 +63,9 @@ def served(site: dict[str, bytes], port: int) -> Iterator[str]:
             """Nothing."""
 
     try:
-        server = ThreadingHTTPServer((ADDRESS, port), Handler)
+        server = _Server((ADDRESS, port), Handler)
     except (OSError, OverflowError) as error:
         raise EnvironmentMissingError(f"port {port} cannot be had ({error}); choose another with --port") from None
-    server.daemon_threads = True
     thread = Thread(target=server.serve_forever, daemon=True)
     thread.start()
     try:

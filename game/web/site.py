@@ -3,7 +3,6 @@
 They are static and need no special headers. The runtime's large files are compressed here, since not every host does it.
 """
 
-import gzip
 import hashlib
 import json
 import sysconfig
@@ -17,16 +16,22 @@ from game import VERSION
 from game.system.errors import BadInputError, EnvironmentMissingError
 from game.system.files import write_whole
 from game.system.wording import quoted_path
-from game.web.bundle import archive
-from game.web.packages import MSGSPEC, RUNTIME, Package, fetched, runtime_files
+from game.web.archives import compressed, page_archive, zip_archive, zip_contents
+from game.web.bundle import browser_sources, grading_sources
+from game.web.compiled import compiled
+from game.web.packages import EDITOR, EDITOR_FILES, MSGSPEC, RUNTIME, RUNTIME_FILES, Package, fetched, packed_files
 from game.web.samples import rendered
+from game.web.standard_library import needed
 
-_COMPRESSED = ("pyodide.asm.wasm", "pyodide.asm.mjs", "pyodide-lock.json")
-"""Files of the runtime that are served compressed; the page unpacks them."""
+_COMPRESSED = ("pyodide.asm.wasm", "pyodide.asm.mjs")
+"""Files of the runtime that are served compressed, else as they are; the page unpacks them."""
+_LIBRARY, _LOCK = "python_stdlib.zip", "pyodide-lock.json"
+_STAMPED = ("offline.js", "snapshot.js")
 _PAGE = files("game") / "web" / "page"
 _STAMP = b"VERSION-OF-THE-SITE"
-"""Stands in the service worker for what `_version` says."""
-_PYTHON = """The runtime contains CPython 3.14 and its standard library (runtime/python_stdlib.zip), under the
+"""Stands in these files for what `_version` says."""
+_PYTHON = """The runtime contains CPython 3.14, unchanged, and of its standard library (runtime/python_stdlib.zip) what the
+page needs, compiled and without documentation, under the
 Python Software Foundation License Version 2: https://docs.python.org/3/license.html"""
 
 
@@ -35,20 +40,44 @@ def built_site(cache: Path) -> dict[str, bytes]:
     if not _PAGE.is_dir():
         raise EnvironmentMissingError("the page is not part of this application; install the package polar-breakout instead")
     site = {entry.name: entry.read_bytes() for entry in _PAGE.iterdir() if entry.is_file()}
-    for name, data in runtime_files(fetched(RUNTIME, cache)).items():
-        if name in _COMPRESSED:
-            site[f"runtime/{name}.packed"] = gzip.compress(data, 9, mtime=0)
-        else:
-            site[f"runtime/{name}"] = data
-    wheel = fetched(MSGSPEC, cache)
-    site["runtime/msgspec.whl"] = wheel.read_bytes()
+    runtime, wheel = packed_files(fetched(RUNTIME, cache), RUNTIME_FILES), fetched(MSGSPEC, cache)
+    site |= {f"runtime/{name}.packed": compressed(runtime[name]) for name in _COMPRESSED}
+    site |= {"runtime/pyodide.mjs": runtime["pyodide.mjs"], f"runtime/{_LOCK}": _without_packages(runtime[_LOCK])}
+    library, program, grading = _compiled(runtime, wheel, cache)
+    site |= {
+        f"runtime/{_LIBRARY}.packed": compressed(zip_archive(library)),
+        "program.packed": compressed(page_archive(program)),
+        "grading.packed": compressed(page_archive(grading)),
+    }
+    editor = packed_files(fetched(EDITOR, cache), EDITOR_FILES)
+    site |= {f"editor/{Path(name).name}": data for name, data in editor.items() if name != "LICENSE"}
     samples, index = rendered()
-    site |= {"game.zip": archive(), "sounds.bin": samples, "sounds.json": msgspec.json.encode(index)}
-    site["notices.txt"] = _notices(wheel).encode()
+    site |= {"sounds.packed": compressed(samples), "sounds.json": msgspec.json.encode(index)}
+    site["notices.txt"] = _notices(wheel, editor["LICENSE"].decode()).encode()
     version = _version(site)
-    site["offline.js"] = site["offline.js"].replace(_STAMP, version.encode())
+    for name in _STAMPED:
+        site[name] = site[name].replace(_STAMP, version.encode())
     site["offline.json"] = json.dumps({"version": version, "files": ["./", *sorted(site)]}, indent=1).encode()
     return site
+
+
+def _compiled(runtime: dict[str, bytes], wheel: Path, cache: Path) -> tuple[dict[str, bytes], ...]:
+    """The standard library, the game with msgspec, and what grades: compiled modules and other files by name."""
+    library = needed(zip_contents(runtime[_LIBRARY]))
+    extension = {name: data for name, data in zip_contents(wheel.read_bytes()).items() if name.endswith((".py", ".so"))}
+    sources = {f"{_LIBRARY}/{name}": data for name, data in library.items()} | browser_sources() | grading_sources()
+    done = compiled(sources | extension, runtime, cache)
+    inside, grading = f"{_LIBRARY}/", "tools/"
+    return (
+        {name.removeprefix(inside): data for name, data in done.items() if name.startswith(inside)},
+        {name: data for name, data in done.items() if not name.startswith((inside, grading))},
+        {name: data for name, data in done.items() if name.startswith(grading)},
+    )
+
+
+def _without_packages(lock: bytes) -> bytes:
+    """The runtime's list of packages as it asks for it, without the packages: none is loaded."""
+    return json.dumps(json.loads(lock) | {"packages": {}}).encode()
 
 
 def write_site(site: dict[str, bytes], folder: Path) -> None:
@@ -70,17 +99,19 @@ def _version(site: dict[str, bytes]) -> str:
     return digest.hexdigest()[:16]
 
 
-def _notices(wheel: Path) -> str:
+def _notices(wheel: Path, editor_licence: str) -> str:
     """The licences of what is served beside the project's own files."""
     with zipfile.ZipFile(wheel) as packed:
         name = next(name for name in packed.namelist() if name.endswith("licenses/LICENSE"))
         msgspec_licence = packed.read(name).decode()
     python = Path(sysconfig.get_path("stdlib"), "LICENSE.txt")
     parts = [
-        f"The polar breakout {VERSION} is under the MIT licence.\n\nIt is served together with these files, unchanged:",
-        _about(RUNTIME, "runtime/pyodide*") + "\nIts licence: https://www.mozilla.org/MPL/2.0/",
+        f"The polar breakout {VERSION} is under the MIT licence.\n\nIt is served together with these files:",
+        _about(RUNTIME, "runtime/pyodide*, unchanged but for the list of packages, which is empty")
+        + "\nIts licence: https://www.mozilla.org/MPL/2.0/",
         _PYTHON,
-        _about(MSGSPEC, "runtime/msgspec.whl") + f"\n\n{msgspec_licence}",
+        _about(MSGSPEC, "in program.packed, compiled") + f"\n\n{msgspec_licence}",
+        _about(EDITOR, "editor/") + f"\n\n{editor_licence}",
         python.read_text(encoding="utf-8") if python.is_file() else "",
     ]
     return "\n\n".join(parts).rstrip() + "\n"

@@ -82,7 +82,7 @@ def test_a_mistake_that_is_called_invisible_is_made_and_not_seen(name):
 )
 def test_mistakes_are_named(name, comparison, said):
     """The harness says what is wrong, not only that something is."""
-    assert said in what(played_with(name, enough=200), comparison)
+    assert said in what(played_with(name, enough=60), comparison)
 
 
 @pytest.mark.parametrize(

@@ -4,7 +4,9 @@ import polib
 import pytest
 
 from game import language
+from game.generated import generated
 from game.language import CODES, ENGLISH, LANGUAGES, SYSTEM, choose, ntr, system_prefers, tr
+from game.level_names import level_name
 from tools.translations.check import FOLDER, Text, problems, texts
 
 
@@ -85,3 +87,11 @@ def test_every_language_can_be_chosen_and_drawn():
             assert None not in font.metrics("".join(sorted(set(name + translated) - {"\n"})))
     finally:
         pygame.quit()
+
+
+def test_endless_levels_are_called_in_the_players_language():
+    """By their number, which may be followed by that of the seed, as scores have it; other names are texts themselves."""
+    names = (generated(5, 2).name, "Endless 3 (42)", "First Wall")
+    assert [level_name(name) for name in names] == ["Endless 3", "Endless 3 (42)", "First Wall"]
+    choose("de")
+    assert [level_name(name) for name in names] == ["Endlos 3", "Endlos 3 (42)", "Erste Mauer"]

@@ -5,6 +5,7 @@ import pytest
 from game.lab.kit.parameters import defaults
 from game.lab.session import session
 from game.lab.session.share import SharedScene
+from game.lab.window.screen import Lab
 from tests.support.lab_desk import LabDesk
 from tests.support.lab_scenes import counting_scene
 
@@ -22,3 +23,9 @@ def desk():
     found = LabDesk()
     yield found
     found.close()
+
+
+@pytest.fixture
+def unseen(monkeypatch):
+    """Draws no pictures of the lab: they take most of the time of tests that are not about them."""
+    monkeypatch.setattr(Lab, "draw", lambda _lab, _surface: None)

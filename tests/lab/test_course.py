@@ -85,8 +85,8 @@ def test_the_course_in_the_window(tmp_path, monkeypatch):
     desk.press(pygame.K_1 + TASKS[0].right)
     assert course_progress(path).value.done == {TASKS[0].name}
     desk.press(pygame.K_RIGHTBRACKET)
-    desk.type_into(desk.row("ball").field, "7.8")
-    desk.type_into(desk.row("ball", 1).field, "0")
+    desk.type_into("ball", "7.8")
+    desk.type_into("ball", "0", 1)
     desk.wait(FRAME)
     assert course_progress(path).value.done == {TASKS[0].name, TASKS[1].name}
     desk.press(pygame.K_e, pygame.K_1)

@@ -15,10 +15,11 @@ from game.lab.kit.scene import picture_of, started
 from game.lab.registry import chapters, scene_named, scenes
 from game.lab.session import reveal
 from game.lab.session.checks import lines
+from game.lab.session.pan_zoom import PanZoom
+from game.lab.session.presenting import TEXT_SCALES
 from game.lab.session.reveal import Reveal
 from game.lab.window.dragging import drag_at
-from game.lab.window.layout import TEXT_SCALES, layout_of
-from game.lab.window.pan_zoom import PanZoom
+from game.lab.window.layout import layout_of
 from game.lab.window.screen import SHOWN
 from game.lab.window.view import letters_for, pane_canvas, pane_views
 from game.lab.window.words import TextSheet
@@ -224,8 +225,8 @@ def test_revealing_survives_a_change_that_takes_steps_away():
     """A bounce that becomes a separation has fewer steps: what is shown is all of them, and nothing fails."""
     desk = LabDesk("moving-surface?step=8")
     assert desk.screen._reveal == Reveal(8)
-    desk.type_into(desk.row("heading").field, "60")
-    desk.type_into(desk.row("v_p", 1).field, "0")
+    desk.type_into("heading", "60")
+    desk.type_into("v_p", "0", 1)
     assert desk.screen._reveal.shown(desk.session.picture) == len(desk.session.picture.steps) == 6
     desk.wait(FRAME)
     desk.close()

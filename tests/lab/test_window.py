@@ -1,7 +1,6 @@
 """The lab's window, worked by posted events on the dummy driver."""
 
 import random
-from functools import cache
 
 import pygame
 import pytest
@@ -12,19 +11,20 @@ from game.drawing.text import Type
 from game.input.key_names import play_help
 from game.lab.kit.parameters import defaults
 from game.lab.kit.scene import Motion, picture_of
-from game.lab.registry import scene_named, scenes
+from game.lab.registry import scenes
 from game.lab.session import session
 from game.lab.session.checks import lines
+from game.lab.session.commands import Command
+from game.lab.session.pan_zoom import PanZoom
 from game.lab.session.share import SharedScene, parsed
 from game.lab.window import saving, screen
-from game.lab.window.commands import KEYS, Command, command_of
+from game.lab.window.commands import KEYS, MORE_HELP, command_of
 from game.lab.window.layout import layout_of
-from game.lab.window.pan_zoom import PanZoom
 from game.lab.window.screen import Lab
-from game.lab.window.screenshot import save_screenshot
 from game.lab.window.words import TextSheet, draw_head, draw_words
 from game.screens.play import PlayScreen
 from game.screens.title import Title
+from game.screens.toolkit.drop_down import OptionList
 from game.screens.toolkit.menu import Menu
 from game.settings.values import THEMES
 from tests.support.dummy_window import FRAME, Desk, shared
@@ -44,14 +44,15 @@ def test_the_ball_is_dragged_where_the_hand_goes(desk):
 
 
 def test_a_drag_on_nothing_moves_the_view_and_home_brings_it_back(desk):
-    """A drag on nothing moves the world and changes no value; Home shows what was shown at first."""
+    """A drag on nothing moves the world, wherever the mouse goes, and no value; Home shows what was shown at first."""
     before = desk.values
     start = desk.pixel(7 + 4j)
-    desk.drag(start, (start[0] + 100, start[1] + 50))
-    assert desk.values == before
-    assert desk.pixel(7 + 4j) == (start[0] + 100, start[1] + 50)
-    desk.press(pygame.K_HOME)
-    assert desk.pixel(7 + 4j) == start
+    for button, across in ((1, 100), (2, 700)):
+        desk.drag(start, (start[0] + across, start[1] + 50), button)
+        assert desk.values == before
+        assert desk.pixel(7 + 4j) == (start[0] + across, start[1] + 50)
+        desk.press(pygame.K_HOME)
+        assert desk.pixel(7 + 4j) == start
 
 
 def test_handles_are_dragged_only_in_panes_that_have_them():
@@ -97,6 +98,7 @@ def test_a_drag_beyond_the_range_stops_at_its_border_and_says_so(desk):
     assert "is beyond its range" in desk.session.notes[0]
 
 
+@pytest.mark.usefixtures("unseen")
 def test_every_scene_is_one_key_away(desk):
     """] opens every scene once and then the first one again; [ goes back."""
     names = []
@@ -111,7 +113,7 @@ def test_every_scene_is_one_key_away(desk):
 
 def test_defaults_and_restart(desk):
     """R leaves the settings as they are; D sets the defaults."""
-    desk.type_into(desk.row("half_angle").field, "50")
+    desk.type_into("half_angle", "50")
     desk.press(pygame.K_r)
     assert desk.values.number("half_angle") == 50.0
     desk.press(pygame.K_d)
@@ -143,6 +145,14 @@ def test_help_opens_and_any_key_closes_it(desk):
     assert not desk.screen._help
 
 
+def test_every_line_of_the_help_fits_its_column():
+    """What a key does ends before the next column, or before the panel's edge."""
+    type_, unit = Type(), 40.0
+    for _, meaning in (*MORE_HELP, *[("", key.meaning) for key in KEYS]):
+        assert type_.rendered(meaning, unit, (0, 0, 0)).get_width() < 16.6 * unit, meaning
+
+
+@pytest.mark.usefixtures("unseen")
 def test_a_scene_in_motion(desk, run):
     """A scene runs, pauses, steps forward and back, slows down, restarts, and opens at a share line's tick."""
     desk.screen._session = run
@@ -174,6 +184,7 @@ def test_full_screen_comes_with_the_press_and_stays_when_the_key_comes_up(desk, 
     assert isinstance(desk.screen, Lab)
 
 
+@pytest.mark.usefixtures("unseen")
 def test_a_tap_under_load_goes_on_by_one_scene(desk):
     """However long pictures take between the press and the release of the key, it counts once."""
     names = [scene.name for scene in scenes()]
@@ -187,6 +198,7 @@ def test_a_tap_under_load_goes_on_by_one_scene(desk):
     assert pygame.key.get_repeat() == (0, 0)
 
 
+@pytest.mark.usefixtures("unseen")
 def test_a_held_key_repeats_steps_but_a_tap_is_one_step(desk, run):
     """A held key steps again after 0.4 s, until it is released or the window loses the focus; a tap is one step."""
     desk.screen._session = session.toggled(run)
@@ -225,38 +237,38 @@ def test_the_labs_page_says_every_key():
     assert [key for key in keys if f" {key} " not in f" {named} "] == []
 
 
-@cache
-def preset_pictures(name):
+def preset_pictures(scene):
     """What a scene shows at every preset, of one that runs the first picture and the last."""
-    scene = scene_named(name)
     ticks = (0, scene.shows.ticks) if isinstance(scene.shows, Motion) else (0,)
     every = [(given, state_at(scene, given, tick)) for given in lines(scene, Pymunk()) for tick in ticks]
     return [picture_of(scene, given, state) for given, state in every]
 
 
 @pytest.mark.parametrize("scene", scenes(), ids=lambda scene: scene.name)
-@pytest.mark.parametrize("size", [(800, 600), (1280, 800), (3840, 2160), (900, 1600)])
-def test_the_words_fit_their_places(scene, size):
-    """At every preset, title, idea, formula and note end inside their parts of the window."""
-    layout = layout_of(size)
-    sheet = TextSheet(pygame.Surface(size), layout, DARK, Type())
-    assert draw_head(sheet, scene) <= layout.head.bottom
-    for picture in preset_pictures(scene.name):
-        assert draw_words(sheet, picture) <= layout.words.bottom
+def test_the_words_fit_their_places(scene):
+    """At every preset, title, idea, formula and note end inside their parts of the window, of every common size."""
+    pictures, type_ = preset_pictures(scene), Type()
+    for size in ((800, 600), (1280, 800), (3840, 2160), (900, 1600)):
+        layout = layout_of(size)
+        sheet = TextSheet(pygame.Surface(size), layout, DARK, type_)
+        assert draw_head(sheet, scene) <= layout.head.bottom
+        for picture in pictures:
+            assert draw_words(sheet, picture) <= layout.words.bottom
 
 
 @pytest.mark.parametrize("scene", scenes(), ids=lambda scene: scene.name)
-def test_every_scene_is_drawn_in_both_themes(scene, tmp_path):
+def test_every_scene_is_drawn_in_both_themes(scene):
     """A scene can be drawn in dark and in light colours, one that runs halfway through."""
     tick = scene.shows.ticks // 2 if isinstance(scene.shows, Motion) else 0
     given = defaults(scene.parameters, Pymunk())
     assert state_at(scene, given, 0) is not None or tick == 0
-    pictures = []
+    app, surface, means = shared(), pygame.Surface((800, 600), 0, 32), []
+    lab = Lab(app, session.opened(SharedScene(scene, given, tick)))
     for theme in THEMES:
-        file = tmp_path / "scene.png"
-        save_screenshot(SharedScene(scene, given, tick), file, (800, 600), theme)
-        pictures.append(pygame.image.load(file))
-    assert pygame.transform.average_color(pictures[0])[0] + 100 < pygame.transform.average_color(pictures[1])[0]
+        app.settings = app.settings._replace(colours=theme)
+        lab.draw(surface)
+        means.append(pygame.transform.average_color(surface)[0])
+    assert means[0] + 100 < means[1]
 
 
 def random_event(chance, size):
@@ -287,12 +299,16 @@ def test_no_hands_break_it(scene, tmp_path, monkeypatch):
     monkeypatch.setattr(screen, "progress_path", lambda: tmp_path / "progress.json")
     chance = random.Random(scene.name)
     desk = LabDesk(scene.name, (800, 600))
-    for _ in range(15):
-        for _ in range(10):
+    lab = desk.screen
+    for _ in range(6):
+        for _ in range(25):
             pygame.event.post(random_event(chance, desk.size))
         desk.wait(FRAME)
-        shown = parsed(desk.session.line)
-        assert shown.given.values == desk.session.given.values
+        shown = parsed(lab.session.line)
+        assert shown.given.values == lab.session.given.values
+        if isinstance(desk.screen, OptionList):
+            desk.press(pygame.K_ESCAPE)
+        assert desk.screen is lab
     desk.close()
 
 

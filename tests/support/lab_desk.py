@@ -1,8 +1,12 @@
 """A desk with the lab on it: its window on the dummy driver, and hands that work it."""
 
+from typing import NamedTuple
+
 import pygame
 
 from game.app import frame
+from game.input.actions import Action
+from game.input.signals import Pressed, Released, pad_position
 from game.lab.session import session
 from game.lab.session.share import parsed
 from game.lab.window.layout import layout_of, pane_areas
@@ -11,6 +15,15 @@ from tests.support.dummy_window import FRAME, Desk, shared
 from tools.crosscheck.second_engine import Pymunk
 
 SIZE = (1000, 700)
+
+
+class Slid(NamedTuple):
+    """Where a slider is, in pixels, and its item."""
+
+    item: object
+    bar: pygame.Rect
+    field: pygame.Rect
+    knob: tuple[int, int]
 
 
 class LabDesk(Desk):
@@ -50,7 +63,8 @@ class LabDesk(Desk):
         pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=start, button=button))
         middle = ((start[0] + end[0]) // 2, (start[1] + end[1]) // 2)
         for pixel in (middle, end):
-            pygame.event.post(pygame.Event(pygame.MOUSEMOTION, pos=pixel, rel=(0, 0), buttons=(1, 0, 0)))
+            held = tuple([int(button == one) for one in (1, 2, 3)])
+            pygame.event.post(pygame.Event(pygame.MOUSEMOTION, pos=pixel, rel=(0, 0), buttons=held))
         pygame.event.post(pygame.Event(pygame.MOUSEBUTTONUP, pos=end, button=button))
         self.wait(2 * FRAME)
 
@@ -60,31 +74,46 @@ class LabDesk(Desk):
         pygame.event.post(pygame.Event(pygame.MOUSEWHEEL, x=0, y=steps, precise_x=0.0, precise_y=float(steps)))
         self.wait(FRAME)
 
-    def row(self, name, coordinate=0):
-        """The slider and field of a number."""
-        return next(
-            row for row in self.screen._widgets(self.size)._rows if (row.parameter.name, row.coordinate) == (name, coordinate)
-        )
+    @property
+    def side(self):
+        """The controls as they are now."""
+        return self.screen._controls(self.size)
 
-    def type_into(self, field, text):
-        """Click a field, clear it, type and press Return."""
-        pixel = field.rect.center
-        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=pixel, button=1))
-        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONUP, pos=pixel, button=1))
-        self.wait(FRAME)
-        field.set_text("")
+    def spot(self, label):
+        """The control that says something, and its box; of a point's two sliders the x."""
+        return next(spot for spot in self.side._laid(self.size).spots if getattr(spot.item, "label", None) == label)
+
+    def slider(self, name, coordinate=0):
+        """The slider of a number: its item, its bar and its field's box, and the pixel of its knob."""
+        spots = [spot for spot in self.side._laid(self.size).spots if getattr(spot.item, "label", None) == name]
+        item, box, unit = spots[coordinate].item, spots[coordinate].box, self.side.unit(self.size)
+        bar = item.bar(box, unit)
+        return Slid(item, bar, item.field_box(box, unit), (round(bar.left + bar.width * item.level), bar.centery))
+
+    def type_into(self, name, text, coordinate=0, end=pygame.K_RETURN):
+        """Click a number's field, which selects what is in it, type and press Return."""
+        self.click(self.slider(name, coordinate).field.center)
         for letter in text:
             key = pygame.key.key_code(letter) if letter.isalnum() else pygame.K_PERIOD
             pygame.event.post(pygame.Event(pygame.KEYDOWN, key=key, mod=0, unicode=letter))
             pygame.event.post(pygame.Event(pygame.TEXTINPUT, text=letter))
+        pygame.event.post(pygame.Event(pygame.KEYDOWN, key=end, mod=0, unicode="\r"))
         self.wait(FRAME)
-        pygame.event.post(pygame.Event(pygame.KEYDOWN, key=pygame.K_RETURN, mod=0, unicode="\r"))
-        self.wait(3 * FRAME)
 
-    def click_on(self, button):
-        """Click in the middle of a widget."""
-        pixel = button.rect.center
-        button.hovered = True
-        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=pixel, button=1))
-        pygame.event.post(pygame.Event(pygame.MOUSEBUTTONUP, pos=pixel, button=1))
-        self.wait(3 * FRAME)
+    def click(self, place):
+        """Press and release."""
+        for kind in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP):
+            pygame.event.post(pygame.Event(kind, pos=place, button=1))
+        self.wait(FRAME)
+
+    def click_on(self, label):
+        """Click in the middle of the control that says something."""
+        self.click(self.spot(label).box.center)
+
+    def pad(self, *actions, held=False):
+        """Press a gamepad's buttons that mean some actions, and release them unless they are held."""
+        for action in actions:
+            position = pad_position(0, list(Action).index(action))
+            for signal in (Pressed(action, position), Released(action, position))[: 1 if held else 2]:
+                if self.screen is not None:
+                    self.screen = self.screen.answer(signal, self.size)

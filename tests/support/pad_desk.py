@@ -18,6 +18,10 @@ class PadDesk(Desk):
             pygame.K_ESCAPE: pygame.CONTROLLER_BUTTON_B,
             pygame.K_p: pygame.CONTROLLER_BUTTON_START,
             pygame.K_g: pygame.CONTROLLER_BUTTON_X,
+            pygame.K_h: pygame.CONTROLLER_BUTTON_BACK,
+            pygame.K_TAB: pygame.CONTROLLER_BUTTON_Y,
+            pygame.K_COMMA: pygame.CONTROLLER_BUTTON_LEFTSHOULDER,
+            pygame.K_PERIOD: pygame.CONTROLLER_BUTTON_RIGHTSHOULDER,
             pygame.K_LEFT: pygame.CONTROLLER_BUTTON_DPAD_LEFT,
             pygame.K_RIGHT: pygame.CONTROLLER_BUTTON_DPAD_RIGHT,
             pygame.K_UP: pygame.CONTROLLER_BUTTON_DPAD_UP,
@@ -37,7 +41,7 @@ class PadDesk(Desk):
         for key in keys:
             for act in (self.pad.press, self.pad.release):
                 act(self.BUTTONS[key])
-                self.wait(2 * FRAME)
+                self.wait(FRAME)
 
     def close(self):
         """Pull the gamepad out, and take the window away."""

@@ -1,11 +1,13 @@
 """An X server without a screen, the game in a window there, and the hands that use it: keys, a mouse, or a gamepad."""
 
+import contextlib
 import json
 import os
 import select
 import shutil
 import subprocess
 import sys
+import time
 from types import MappingProxyType
 
 import pygame
@@ -35,7 +37,7 @@ def started_server(children):
 
 
 class RealGame:
-    """A game in a window. seen: what it told last (tests/support/watched_game.py)."""
+    """A game in a window. seen: what it told last (tests/support/watched_game.py); its screen is None once it has ended."""
 
     def __init__(self, children, display, folder, *arguments, pad=False):
         """Start it without a sound card; what it keeps goes into a folder."""
@@ -51,26 +53,50 @@ class RealGame:
             stdout=subprocess.PIPE,
             stderr=subprocess.PIPE,
         )
-        self.seen, self._read = {}, b""
+        self.seen, self._read, self._asked = {}, b"", 0
 
     def wait(self, condition):
         """Wait until what is to be seen meets a condition, however long that takes on a busy machine."""
         while not condition(self.seen):
+            assert self.seen.get("screen", "") is not None, f"it has ended: {self.process.stderr.read().decode()}"
             assert select.select([self.process.stdout], [], [], GIVE_UP)[0], self.seen
             more = os.read(self.process.stdout.fileno(), 1 << 16)
-            assert more, f"it has ended: {self.process.stderr.read().decode()} {self.seen}"
             *lines, self._read = (self._read + more).split(b"\n")
-            self.seen = json.loads(lines[-1]) if lines else self.seen
+            self.seen = json.loads(lines[-1]) if lines else self.seen if more else {"screen": None}
 
     def expect(self, screen):
         """Wait for a screen."""
         self.wait(lambda seen: seen.get("screen") == screen)
 
+    def until(self, condition, act):
+        """Do something until what is to be seen meets a condition: a busy X server loses a click or a key now and then.
+
+        It is done again only once the game has taken all that was sent before, so never because the game is slow.
+        """
+        end = time.monotonic() + GIVE_UP
+        while not condition(self.seen):
+            assert time.monotonic() < end, self.seen
+            act()
+            self._asked += 1
+            self.send(f"answer {self._asked}")
+            self.wait(lambda seen: seen["screen"] is None or seen["answered"] == self._asked)
+
     def changed(self, act):
-        """Do something, and wait until that is seen."""
-        before = self.seen
-        act()
-        self.wait(lambda seen: seen != before)
+        """Do something until another screen or other items are seen."""
+        before = _content(self.seen)
+        self.until(lambda seen: _content(seen) != before, act)
+
+    def send(self, *lines):
+        """Write lines to the game's stdin."""
+        with contextlib.suppress(BrokenPipeError):  # it has ended, which is to be seen
+            self.process.stdin.write("".join([f"{line}\n" for line in lines]).encode())
+            self.process.stdin.flush()
+
+
+def _content(seen):
+    """What is to be seen without what moves by itself: the focus, what is scrolled, the window."""
+    items = {label: item[5] for label, item in seen.get("items", {}).items()}
+    return seen["screen"], seen.get("text"), items
 
 
 class _Walker:
@@ -81,27 +107,33 @@ class _Walker:
 
     def choose(self, label):
         """Go to the item that says something, and accept it."""
-        while (seen := self.game.seen)["focus"] != label:
-            row, column = seen["items"][label][2:4]
-            here = seen["items"].get(seen["focus"])
-            if here is None or here[2] != row:
-                step = "DOWN" if here is None or here[2] < row else "UP"
-            else:
-                step = "RIGHT" if here[3] < column else "LEFT"
-            self.game.changed(lambda step=step: self.press(step))
-        self.press("ACCEPT")
+        self.game.until(lambda seen: seen["focus"] == label, lambda: self.press(self._step(label)))
+        self.game.changed(lambda: self.press("ACCEPT"))
 
     def leave(self):
         """Lead back."""
-        self.press("BACK")
+        self.game.changed(lambda: self.press("BACK"))
 
     def pause(self):
         """Stop the game for a while."""
-        self.press("PAUSE")
+        self.game.changed(lambda: self.press("PAUSE"))
 
     def serve(self):
         """Launch the ball."""
-        self.press("SERVE")
+        self.game.until(_is_served, lambda: self.press("SERVE"))
+
+    def steer(self, *, on):
+        """Turn the paddles as long as it is on."""
+        self.game.until(lambda seen: seen.get("steers", False) == on, lambda: self._hold(on=on))
+
+    def _step(self, label):
+        """The action that leads nearer to an item."""
+        seen = self.game.seen
+        row, column = seen["items"][label][2:4]
+        here = seen["items"].get(seen["focus"])
+        if here is None or here[2] != row:
+            return "DOWN" if here is None or here[2] < row else "UP"
+        return "RIGHT" if here[3] < column else "LEFT"
 
 
 class Keys(_Walker):
@@ -113,14 +145,19 @@ class Keys(_Walker):
         """Press and release a key."""
         _xdotool(self.game, "key", self.NAMES.get(action, action.capitalize()))
 
-    def steer(self, *, on):
-        """Turn the paddles as long as it is on."""
-        _xdotool(self.game, "keydown" if on else "keyup", "Left")
-
     def enter(self, name):
         """Type."""
-        _xdotool(self.game, "type", name)
-        self.press("ACCEPT")
+        self.game.until(lambda seen: seen["text"] == name, lambda: self._type(name))
+        self.game.changed(lambda: self.press("ACCEPT"))
+
+    def _type(self, name):
+        """Type the next letter, or take a wrong one away."""
+        text = self.game.seen["text"]
+        _xdotool(self.game, *(("type", name[len(text)]) if name.startswith(text) else ("key", "BackSpace")))
+
+    def _hold(self, *, on):
+        """Hold a turning key down, or let it go."""
+        _xdotool(self.game, "keydown" if on else "keyup", "Left")
 
 
 class Pad(_Walker):
@@ -141,11 +178,7 @@ class Pad(_Walker):
 
     def press(self, action):
         """Press and release a button."""
-        self._does(f"press {self.BUTTONS[action]}", f"release {self.BUTTONS[action]}")
-
-    def steer(self, *, on):
-        """Turn the paddles with a trigger as long as it is on."""
-        self._does(f"push {pygame.CONTROLLER_AXIS_TRIGGERRIGHT} {1.0 if on else -1.0}")
+        self.game.send(f"press {self.BUTTONS[action]}", f"release {self.BUTTONS[action]}")
 
     def enter(self, name):
         """Letter by letter."""
@@ -153,10 +186,9 @@ class Pad(_Walker):
             self.choose(letter)
         self.choose("Done")
 
-    def _does(self, *acts):
-        """Send what the gamepad does."""
-        self.game.process.stdin.write("".join([f"{act}\n" for act in acts]).encode())
-        self.game.process.stdin.flush()
+    def _hold(self, *, on):
+        """Squeeze a trigger, or let it go."""
+        self.game.send(f"push {pygame.CONTROLLER_AXIS_TRIGGERRIGHT} {1.0 if on else -1.0}")
 
 
 class Mouse:
@@ -167,28 +199,26 @@ class Mouse:
 
     def choose(self, label):
         """Click on the item that says something; the wheel brings it into view."""
-        while (seen := self.game.seen)["items"][label][4] and not self._is_seen(label):
-            wheel = "4" if seen["items"][label][1] < seen["view"][0] else "5"
-            self.game.changed(lambda wheel=wheel: _xdotool(self.game, "click", wheel))
-        self._click(*self.game.seen["items"][label][:2])
+        self.game.until(lambda seen: _is_in_view(seen, label), lambda: self._turn_wheel(label))
+        self._click_on(lambda seen: seen["items"][label][:2])
 
     def leave(self):
         """Lead back by a panel's cross, or by the first button beside a replay, or by the editor's."""
         seen = self.game.seen
         if "close" in seen:
-            self._click(*seen["close"])
+            self._click_on(lambda seen: seen["close"])
         elif "buttons" in seen:
-            self._click(*seen["buttons"][0])
+            self._click_on(lambda seen: seen["buttons"][0])
         else:
             self.choose("leave")
 
     def pause(self):
         """The button beside the arena."""
-        self._click(*self.game.seen["buttons"][0])
+        self._click_on(lambda seen: seen["buttons"][0])
 
     def serve(self):
         """A click on the arena."""
-        self._click(100, 100)
+        self.game.until(_is_served, lambda: self._click(100, 100))
 
     def steer(self, *, on):
         """The mouse rests: the paddles follow it once."""
@@ -197,10 +227,14 @@ class Mouse:
         """Letter by letter."""
         Pad.enter(self, name)
 
-    def _is_seen(self, label):
-        """Whether an item's middle is in view."""
-        upper, lower = self.game.seen["view"]
-        return upper <= self.game.seen["items"][label][1] < lower
+    def _turn_wheel(self, label):
+        """Scroll nearer to an item."""
+        seen = self.game.seen
+        _xdotool(self.game, "click", "4" if seen["items"][label][1] < seen["view"][0] else "5")
+
+    def _click_on(self, found):
+        """Click until something else is seen. found: says where, from what is to be seen."""
+        self.game.changed(lambda: self._click(*found(self.game.seen)))
 
     def _click(self, x, y):
         """A click of the main button."""
@@ -211,6 +245,17 @@ class Mouse:
         if not hasattr(self, "_number"):
             self._number = _xdotool(self.game, "getwindowfocus").strip()
         return self._number
+
+
+def _is_served(seen):
+    """Whether no ball waits for a serve."""
+    return seen.get("phase") != "SERVING"
+
+
+def _is_in_view(seen, label):
+    """Whether an item's middle is in view."""
+    _, y, _, _, scrolls, _ = seen["items"][label]
+    return not scrolls or seen["view"][0] <= y < seen["view"][1]
 
 
 def _xdotool(game, *words):

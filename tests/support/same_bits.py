@@ -12,7 +12,7 @@ so that nothing passes for want of an annotation.
 import ast
 from typing import NamedTuple
 
-from tests.support.kinds import Names, Scope, arguments_of, items, module_level
+from tests.support.kinds import Scope, arguments_of, items, module_level
 
 EXACT_MATH = {
     *("ceil", "copysign", "fabs", "floor", "fmod", "frexp", "fsum", "gcd", "inf", "isclose", "isfinite", "isinf", "isnan"),
@@ -35,11 +35,9 @@ class Finding(NamedTuple):
     what: str
 
 
-def findings(source, known=()):
-    """All places in a module; `known`: the sources of modules whose classes and functions it uses."""
-    names = Names([source, *known])
-    tree = ast.parse(source)
-    checker = _Checker(names, tree)
+def findings(source, names):
+    """All places in a module; `names`: what the annotations say in it and in the modules that it uses."""
+    checker = _Checker(names, ast.parse(source))
     return sorted(set(checker.found))
 
 

@@ -35,6 +35,10 @@ class WebPage:
         """What the game's Python answers. argument: an expression of JavaScript."""
         return self.tab.evaluate(f"(async () => polarBreakout.ask({what!r}, {argument}))()")
 
+    def timeline(self):
+        """The names of the steps in which Python has started."""
+        return [name for name, _moment in self.ask("timeline")]
+
     def standing(self):
         """How the game or the lab's scene stands."""
         return json.loads(self.ask("probe"))
@@ -63,6 +67,8 @@ class WebPage:
         """Leave whatever is open."""
         if self.title() == "Polar Breakout":
             return
+        if self.tab.query_selector("#item-close"):
+            self.use("close")
         self.tab.locator("#picture").focus()
         if not self.title():
             self.tab.keyboard.press("p")

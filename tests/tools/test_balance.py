@@ -33,7 +33,7 @@ def test_a_player_that_cannot_be_is_refused(text):
 def test_the_command_prints_a_line_a_player_and_writes_every_game(tmp_path, capsys):
     path = tmp_path / "games.json"
     assert run(app, "balance", ["--level", "1", "--players", "100/1", "--seeds", "2", "--json", str(path)]) == 0
-    assert "First Bricks 100 ms, 1 deg 2 100%" in " ".join(capsys.readouterr().out.split())
+    assert "Sunrise 100 ms, 1 deg 2 100%" in " ".join(capsys.readouterr().out.split())
     games = json.loads(path.read_text())
     assert [game["seed"] for game in games] == [0, 1]
     assert all([0 < game["score"] < 10_000 for game in games])

@@ -48,8 +48,11 @@ def test_an_earlier_file_is_shown_beside(tmp_path, capsys):
         bench(rounds=1, ticks=100, batch=False, compare=file)
 
 
-def test_the_plot_is_a_picture(tmp_path, monkeypatch):
-    """Of few points here."""
+@pytest.mark.parametrize("compiled", [False, pytest.param(True, marks=pytest.mark.deep)])
+def test_the_plot_is_a_picture(tmp_path, monkeypatch, compiled):
+    """With and without the compiled batch; of few points here."""
+    if not compiled:
+        monkeypatch.setitem(sys.modules, "numba", None)
     monkeypatch.setattr(scaling, "BRICKS_A_ROW", (4, 8))
     monkeypatch.setattr(scaling, "BALLS", (1, 2))
     monkeypatch.setattr(scaling, "_PYMUNK_BALLS", (1, 2))

@@ -88,8 +88,11 @@ def open_page(browser, site):
 
 @pytest.fixture(scope="session")
 def shared_page(open_page):
-    """One page for the tests that leave it usable."""
+    """One page for the tests that leave it usable. Its Python has come from the snapshot that a first visit has stored."""
     with open_page() as page:
+        assert page.ask("snapshot") is True
+        page.open()
+        assert "memory copied" in page.timeline()
         yield page
 
 

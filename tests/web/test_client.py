@@ -12,29 +12,19 @@ from game.drawing.ground.colours import around_colours, ground_colours
 from game.drawing.palette import DARK, LIGHT
 from game.input.actions import Action
 from game.input.keys import BINDINGS
-from game.picture.display_list import DisplayList, Primitive
+from game.picture.display_list import DisplayList, Primitive, primitives
 from game.picture.ground import around_colour, ground_colour
 from game.system.errors import EnvironmentMissingError
 from game.web import packages
-from game.web.bundle import archive
 from game.web.client.keys import BUTTONS, BY_CODE, BY_KEY
 from game.web.client.page import Page
+from tools.grade.page import PageGrader
 
 PAD_BUTTONS = ("A", "B", "X", "Y", "LEFTSHOULDER", "RIGHTSHOULDER", "", "", "BACK", "START", "", "")
 PAD_BUTTONS += ("DPAD_UP", "DPAD_DOWN", "DPAD_LEFT", "DPAD_RIGHT")
 """SDL's names of the buttons of a browser's standard gamepad."""
 NOT_ON_PAGES = {Action.TIP, Action.FULL_SCREEN, Action.NORMALS}
 """Tab is the browser's, so is F11; no second engine is there."""
-LENGTHS = {
-    Primitive.DISC: 3,
-    Primitive.CIRCLE: 4,
-    Primitive.SECTOR: 7,
-    Primitive.TEXT: 6,
-    Primitive.GLOW: 4,
-    Primitive.CLIP: 4,
-    Primitive.TURN: 3,
-}
-"""Numbers of the primitives that always have as many."""
 
 
 def browser_key(code):
@@ -42,6 +32,7 @@ def browser_key(code):
     name = pygame.key.name(code)
     named = {"space": " ", "return": "Enter", "enter": "Enter", "escape": "Escape", "up": "ArrowUp", "down": "ArrowDown"}
     named |= {"pause": "Pause", "break": "Pause", "home": "Home", "end": "End", "f1": "F1"}
+    named |= {"page up": "PageUp", "page down": "PageDown"}
     return named.get(name, name.strip("[]") if name.startswith("[") and len(name) == 3 else name)
 
 
@@ -56,6 +47,10 @@ def test_keys_mean_what_they_mean_on_the_desktop():
         pygame.KSCAN_A: "KeyA",
         pygame.KSCAN_RIGHT: "ArrowRight",
         pygame.KSCAN_D: "KeyD",
+        pygame.KSCAN_Z: "KeyZ",
+        pygame.KSCAN_X: "KeyX",
+        pygame.KSCAN_V: "KeyV",
+        pygame.KSCAN_C: "KeyC",
     }
     assert {positions[one]: binding.action for binding in BINDINGS for one in binding.positions} == BY_CODE
     buttons = {button: one.action for one in BINDINGS for button in one.buttons}
@@ -83,35 +78,24 @@ def frame(page, *signals, seconds=0.0):
     return json.loads(page.frame(json.dumps({"seconds": seconds, "width": 1280, "height": 800, "signals": signals})))
 
 
-def primitives(numbers):
+def codes(numbers):
     """The codes of a list, each primitive being as long as it is documented to be."""
-    at, found = 0, []
-    while at < len(numbers):
-        code = Primitive(int(numbers[at]))
-        found.append(code)
-        assert numbers[at + 1] == int(numbers[at + 1])
-        assert 0.0 <= numbers[at + 2] <= 1.0
-        own = numbers[at + 3 :]
-        counted = {
-            Primitive.POLYGON: lambda own: 1 + 2 * int(own[0]),
-            Primitive.LINE: lambda own: 3 + 2 * int(own[2]),
-            Primitive.GRADIENT: lambda own: 4 + 2 * int(own[3]),
-        }
-        at += 3 + (LENGTHS[code] if code in LENGTHS else counted[code](own))
-    assert at == len(numbers)
-    return found
+    found = list(primitives(numbers))
+    assert sum([3 + len(own) for *_, own in found]) == len(numbers)
+    assert all([0.0 <= opacity <= 1.0 for _, _, opacity, _ in found])
+    return [code for code, *_ in found]
 
 
 def test_both_views_are_lists_of_the_documented_primitives():
     """The flat view has sectors, the solid one polygons alone; texts are referred to."""
     page = page_playing()
-    flat, reply = primitives(page.numbers), frame(page)
+    flat, reply = codes(page.numbers), frame(page)
     assert Primitive.SECTOR in flat
     assert len(reply["texts"]) == flat.count(Primitive.TEXT)
     frame(page, {"type": "key", "code": "Digit2", "key": "2", "down": True})
     for _ in range(12):
         frame(page, seconds=0.1)
-    solid = primitives(page.numbers)
+    solid = codes(page.numbers)
     assert Primitive.SECTOR not in solid
     assert solid.count(Primitive.POLYGON) > 100
 
@@ -127,15 +111,19 @@ def test_the_backdrop_is_sent_only_when_it_changes():
     assert resized["backdrop"]
 
 
-def test_the_archive_is_the_same_twice_and_holds_what_is_needed():
-    """All that the page imports, and nothing that needs pygame."""
-    first = archive()
-    assert first == archive()
-    listed = first.decode("latin-1")
-    assert all(
-        [name in listed for name in ("game/web/client/page.py", "game/lab/scenes/runs/nudge.py", "game/levels/classic/1-")]
-    )
-    assert not any([name in listed for name in ("game/app.py", "game/drawing/painter.py", "physics/batch")])
+def test_a_function_that_is_given_up_is_not_asked_again():
+    """A worker that had to be ended: the request comes again without the function, and the text does not run in the page."""
+    page = Page(b'{"rate": 1, "sounds": []}', "", calm=True)
+    frame(page, {"type": "link", "fragment": "functions"}, {"type": "code", "text": "def on_left(a, b):\n    return a > b\n"})
+    first = frame(page, {"type": "choose", "id": "grade"})["grading"]
+    second = frame(page, {"type": "graded", "number": first["number"], "function": "on_left", "call": 7})["grading"]
+    assert second["given_up"] == {"on_left": 7}
+    reply = PageGrader().grade(json.dumps(second), lambda *_call: None)
+    menu = frame(page, {"type": "graded", "number": second["number"], "reply": reply})["menu"]
+    words = " ".join([*menu["lines"], *[item["label"] for item in menu["items"]]])
+    assert "no answer to on_left(a=" in words
+    assert "not used in the lab and in the game" in words
+    assert next(item for item in menu["items"] if item["id"] == "fly")["disabled"]
 
 
 def test_without_npm_one_line_says_what_is_needed(monkeypatch, tmp_path):

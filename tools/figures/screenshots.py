@@ -14,11 +14,23 @@ from game.system.errors import CheckFailedError
 _GAME = ("--size", "1120x700")
 _FROM_THE_LAB = ("--size", "960x640", "--theme", "light")
 SCREENSHOTS: dict[str, tuple[str, ...]] = {
-    "game": ("--headless", "--autopilot", "--level", "18", "--seed", "7", "--ticks", "2200", *_GAME),
+    "game": ("--headless", "--autopilot", "--level", "14", "--seed", "6", "--ticks", "2400", *_GAME),
     "game-heart": ("--headless", "--autopilot", "--level", "32", "--seed", "7", "--ticks", "2400", "--view", "solid", *_GAME),
-    "game-vault": ("--headless", "--autopilot", "--level", "12", "--seed", "5", "--ticks", "2800", "--view", "solid", *_GAME),
-    "game-petals": ("--headless", "--autopilot", "--level", "3", "--seed", "3", "--ticks", "2400", *_GAME),
-    "game-orbit": ("--headless", "--autopilot", "--level", "20", "--seed", "4", "--ticks", "2600", "--view", "solid", *_GAME),
+    "game-petals": ("--headless", "--autopilot", "--level", "3", "--seed", "3", "--ticks", "2400", "--view", "solid", *_GAME),
+    "game-dart-board": (
+        "--headless",
+        "--autopilot",
+        "--level",
+        "2",
+        "--seed",
+        "5",
+        "--ticks",
+        "2200",
+        "--view",
+        "solid",
+        *_GAME,
+    ),
+    "game-galaxy": ("--headless", "--autopilot", "--level", "17", "--seed", "4", "--ticks", "2600", "--view", "solid", *_GAME),
     "lab-polar": ("lab", "polar", *_FROM_THE_LAB),
     "lab-on-left": ("lab", "on-left", *_FROM_THE_LAB),
     "lab-broad-phase": ("lab", "broad-phase", *_FROM_THE_LAB),
@@ -31,7 +43,7 @@ SCREENSHOTS: dict[str, tuple[str, ...]] = {
     "lab-response-paddle": ("lab", "response-paddle", *_FROM_THE_LAB),
     "lab-inside-material": ("lab", "inside-material", *_FROM_THE_LAB),
     "lab-two-bricks": ("lab", "two-bricks", *_FROM_THE_LAB),
-    "lab-discrete-swept": ("lab", "discrete-swept", *_FROM_THE_LAB),
+    "lab-discrete-swept": ("lab", "discrete-swept?tick=120", *_FROM_THE_LAB),
     "lab-presented": ("lab", "moving-surface?step=8", "--present", *_FROM_THE_LAB),
     "lab-yours": ("lab", "case-1", "--with", "tools/figures/mine.py", *_FROM_THE_LAB),
 }

@@ -37,7 +37,7 @@ from game.system.wording import quoted_path
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
-_LEVEL, _SEED, _SERVED = 11, 3, 1300
+_LEVEL, _SEED, _SERVED = 9, 3, 1300
 _TICKS_A_FRAME = 20
 _PAUSE, _TIP, _ORBIT = 6, 11, 13
 """Frames from above, on the way, and tipped."""

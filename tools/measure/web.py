@@ -1,14 +1,18 @@
-"""What the page costs in Chromium: `python -m tools.measure.web`. First frame, download, frames a second, memory.
+"""What the page costs in Chromium: `python -m tools.measure.web`. Start, download, frames, input, memory.
 
-Needs the extra `web`, Chromium and npm. The first visit is to loopback with empty caches; the second one has them filled by the
-service worker. Times count only on an idle machine.
+Needs the extra `web`, Chromium and npm. The first visit is to loopback with empty caches; before the second one the page has
+stored its files and Python's memory. Times count only on an idle machine.
 """
 
 import importlib.util
 import itertools
+import json
 import shutil
+import statistics
 import sys
 import time
+from pathlib import Path
+from typing import TYPE_CHECKING
 
 import typer
 
@@ -16,6 +20,9 @@ from game.system.command_line import run
 from game.system.errors import EnvironmentMissingError
 from game.system.output import tell
 from game.system.start import prepare
+
+if TYPE_CHECKING:
+    from playwright.sync_api import Browser, Page
 
 PROGRAM = "python -m tools.measure.web"
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
@@ -29,6 +36,40 @@ _COUNT = """seconds => new Promise(done => {
 """The times of the browser's frames for some seconds."""
 _SETTLING, _SECONDS = 2.0, 10.0
 """Seconds before frames are counted, and in which they are."""
+_WATCH = """() => {
+  const seen = window.inputDelays = { frame: 0, pressed: -1, sent: false, frames: [], milliseconds: [], began: 0 };
+  const next = window.requestAnimationFrame;
+  let last = 0;
+  window.requestAnimationFrame = callback => next(now => {
+    if (now !== last) [last, seen.frame] = [now, seen.frame + 1];
+    callback(now);
+  });
+  const post = Worker.prototype.postMessage;
+  Worker.prototype.postMessage = function (message, ...rest) {
+    if (seen.pressed >= 0 && message.kind === "frame" && message.request.includes('"type":"key"')) seen.sent = true;
+    return post.call(this, message, ...rest);
+  };
+  const show = CanvasRenderingContext2D.prototype.drawImage;
+  let answered = polarBreakout.frames;
+  CanvasRenderingContext2D.prototype.drawImage = function (...rest) {
+    const shown = show.apply(this, rest);
+    if (this.canvas.id === "picture" && seen.sent && polarBreakout.frames > answered) {
+      seen.frames.push(seen.frame - seen.pressed);
+      seen.milliseconds.push(performance.now() - seen.began);
+      seen.pressed = -1;
+      seen.sent = false;
+    }
+    return shown;
+  };
+  addEventListener("keydown", () => {
+    if (seen.pressed >= 0) return;
+    [seen.pressed, seen.began, answered] = [seen.frame, performance.now(), polarBreakout.frames];
+  }, true);
+}"""
+"""Counts the browser's frames from a key's event to the first picture that was asked for with it."""
+_PRESSES, _PRESS_SECONDS = 60, 0.15
+_LOOK_SECONDS, _MINUTE = 5.0, 60.0
+"""How often a game that has ended is looked for, to begin another one."""
 
 
 def main() -> None:
@@ -38,55 +79,134 @@ def main() -> None:
 
 
 @app.command()
-def web(level: int = typer.Option(8, min=1, help="Number of the campaign's level that is played by the program.")) -> int:
+def web(
+    level: int = typer.Option(8, min=1, help="Number of the campaign's level that is played by the program."),
+    visits: int = typer.Option(3, min=1, help="How often the page is opened with nothing stored, and then again."),
+    minutes: float = typer.Option(1.0, min=0.0, help="How long the program plays before memory is measured."),
+) -> int:
     """Open the page in Chromium and measure it. Exit code 3 where the extra `web`, Chromium or npm is missing."""
     chromium = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
     if chromium is None or importlib.util.find_spec("playwright") is None:
         raise EnvironmentMissingError("Chromium and the extra `web` are needed")
-    from playwright.sync_api import Page, sync_playwright  # noqa: PLC0415  # only where they are there
+    from playwright.sync_api import sync_playwright  # noqa: PLC0415  # only where it is there
 
     from game.web.packages import cache_folder  # noqa: PLC0415  # numpy and the sounds, only now
     from game.web.server import served  # noqa: PLC0415
     from game.web.site import built_site  # noqa: PLC0415
 
-    def visit(page: Page, address: str) -> float:
-        """Milliseconds to the first frame."""
-        page.goto(address)
-        until = time.monotonic() + _PATIENCE
-        while not page.evaluate("polarBreakout.firstFrame"):
-            if time.monotonic() > until:
-                raise EnvironmentMissingError(f"no frame in {_PATIENCE:.0f} s: {page.inner_text('#loading')}")
-            page.wait_for_timeout(20)
-        return float(page.evaluate("polarBreakout.firstFrame"))
-
-    def rate(page: Page) -> str:
-        """Pictures a second, and how late the slowest hundredth of the browser's frames was."""
-        page.wait_for_timeout(1000.0 * _SETTLING)
-        before = page.evaluate("polarBreakout.frames")
-        times = page.evaluate(_COUNT, _SECONDS)
-        pictures = page.evaluate("polarBreakout.frames") - before
-        gaps = sorted([later - sooner for sooner, later in itertools.pairwise(times)])
-        return f"{pictures / _SECONDS:.1f} pictures a second, 99 % of frames within {gaps[int(0.99 * len(gaps))]:.1f} ms"
-
     site = built_site(cache_folder())
     tell(f"download: {sum(map(len, site.values())) / 1e6:.2f} MB in {len(site)} files")
-    with served(site, 0) as address, sync_playwright() as playwright:
+    for name, data in sorted(site.items(), key=lambda file: -len(file[1]))[:5]:
+        tell(f"  {len(data) / 1e6:.2f} MB {name}")
+    with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
-        page = browser.new_context(viewport={"width": 1280, "height": 800}).new_page()
-        tell(f"first frame: {visit(page, address):.0f} ms")
-        page.wait_for_timeout(5000.0)  # the service worker stores the files
-        tell(f"first frame, second visit: {visit(page, address):.0f} ms")
-        page.evaluate(f"location.hash = '#level/{level}'")
-        page.wait_for_timeout(500.0)
-        page.keyboard.press("Escape")
-        for item in ("autopilot", "go-on"):
-            page.click(f"#item-{item}")
-        tell(f"from above: {rate(page)}")
-        page.keyboard.press("2")
-        tell(f"in 3D: {rate(page)}")
-        tell(f"Python's memory: {page.evaluate('polarBreakout.ask(`memory`)') / 1e6:.1f} MB")
+        for _ in range(visits - 1):
+            with served(site, 0) as address:
+                _two_visits(browser, address).context.close()
+        with served(site, 0) as address:
+            page = _two_visits(browser, address)
+            _play(page, level)
+            tell(f"from above: {_rate(page)}")
+            page.keyboard.press("2")
+            tell(f"in 3D: {_rate(page)}")
+            page.keyboard.press("1")
+            tell(f"from a key to its picture: {_input_delay(page)}")
+            _play_on(page, minutes)
+            tell(f"after {minutes:g} minutes: {_memory(browser, page)}")
         browser.close()
     return 0
+
+
+def _two_visits(browser: "Browser", address: str) -> "Page":
+    """Visit the page with nothing stored, wait until it has stored what it does, and visit it again."""
+    page = browser.new_context(viewport={"width": 1280, "height": 800}).new_page()
+    tell(f"first frame: {_visit(page, address)}")
+    page.evaluate("polarBreakout.ask('snapshot')")
+    page.evaluate("navigator.serviceWorker.ready.then(() => true)")
+    tell(f"first frame, second visit: {_visit(page, address)}")
+    return page
+
+
+def _visit(page: "Page", address: str) -> str:
+    """Milliseconds from opening the page to its first frame, and of what came before."""
+    page.goto(address)
+    until = time.monotonic() + _PATIENCE
+    while not page.evaluate("polarBreakout.firstFrame"):
+        if time.monotonic() > until:
+            raise EnvironmentMissingError(f"no frame in {_PATIENCE:.0f} s: {page.inner_text('#loading')}")
+        page.wait_for_timeout(20)
+    opened = page.evaluate("performance.timeOrigin")
+    steps = ", ".join([f"{name} {moment - opened:.0f}" for name, moment in page.evaluate("polarBreakout.ask('timeline')")])
+    return f"{page.evaluate('polarBreakout.firstFrame'):.0f} ms ({steps})"
+
+
+def _play(page: "Page", level: int) -> None:
+    """Let the program play from a level on."""
+    page.evaluate(f"location.hash = '#level/{level}'")
+    page.wait_for_timeout(500.0)
+    _let_play(page)
+
+
+def _let_play(page: "Page") -> None:
+    """Let the program play the game that has been opened."""
+    page.keyboard.press("Escape")
+    for item in ("autopilot", "go-on"):
+        page.click(f"#item-{item}")
+
+
+def _rate(page: "Page") -> str:
+    """Pictures a second, and how late the slowest hundredth of the browser's frames was."""
+    page.wait_for_timeout(1000.0 * _SETTLING)
+    before = page.evaluate("polarBreakout.frames")
+    times = page.evaluate(_COUNT, _SECONDS)
+    pictures = page.evaluate("polarBreakout.frames") - before
+    gaps = sorted([later - sooner for sooner, later in itertools.pairwise(times)])
+    return f"{pictures / _SECONDS:.1f} pictures a second, 99 % of frames within {gaps[int(0.99 * len(gaps))]:.1f} ms"
+
+
+def _input_delay(page: "Page") -> str:
+    """Frames of the browser, and milliseconds, from keys to the pictures that heed them."""
+    page.evaluate(_WATCH)
+    for _ in range(_PRESSES):
+        page.keyboard.press("ArrowLeft")
+        page.wait_for_timeout(1000.0 * _PRESS_SECONDS)
+    seen = page.evaluate("inputDelays")
+    frames, milliseconds = sorted(seen["frames"]), seen["milliseconds"]
+    most, share = frames[-1], sum(count <= 2 for count in frames) / len(frames)
+    return f"{share:.0%} of {len(frames)} within 2 frames, at most {most}; {statistics.median(milliseconds):.0f} ms"
+
+
+def _play_on(page: "Page", minutes: float) -> None:
+    """Let the program play for some time, and begin again whenever its game has ended."""
+    until = time.monotonic() + _MINUTE * minutes
+    while time.monotonic() < until:
+        page.wait_for_timeout(1000.0 * _LOOK_SECONDS)
+        if page.query_selector("#item-again"):
+            page.click("#item-again")
+            _let_play(page)
+
+
+def _memory(browser: "Browser", page: "Page") -> str:
+    """Python's memory, the page's own JavaScript, and what the whole process of the tab has for itself."""
+    python = page.evaluate("polarBreakout.ask('memory')")
+    script = page.evaluate("performance.memory.usedJSHeapSize")
+    state = json.loads(page.evaluate("polarBreakout.ask('probe')"))
+    session = browser.new_browser_cdp_session()
+    processes = session.send("SystemInfo.getProcessInfo")["processInfo"]
+    busiest = max([process for process in processes if process["type"] == "renderer"], key=lambda process: process["cpuTime"])
+    return (
+        f"Python's memory {python / 1e6:.1f} MB, JavaScript of the page {script / 1e6:.1f} MB, process of the tab"
+        f" {_own_bytes(busiest['id']) / 1e6:.0f} MB; {state.get('level', 'no game')}"
+    )
+
+
+def _own_bytes(process: int) -> int:
+    """Bytes of memory that a process has for itself alone; 0 where the system does not tell."""
+    try:
+        lines = Path(f"/proc/{process}/smaps_rollup").read_text(encoding="ascii").splitlines()
+    except OSError:
+        return 0
+    return sum(1024 * int(line.split()[1]) for line in lines if line.startswith("Private_"))
 
 
 if __name__ == "__main__":

@@ -6,7 +6,6 @@ from typing import NamedTuple
 import numpy as np
 import pygame
 
-from game.drawing.balls import marks
 from game.drawing.balls.skins import surface_colours
 from game.drawing.camera import Camera
 from game.drawing.canvas import Canvas
@@ -62,7 +61,6 @@ class BallPictures:
         camera = canvas.camera
         for ball in sorted(scene.balls, key=lambda ball: -(ball.position * camera.turning).imag):
             self._draw_ball(canvas, ball, blocks)
-            marks.draw(canvas, scene, ball)
 
     def _draw_ball(self, canvas: Canvas, ball: Ball, blocks: ProjectedBlocks | None) -> None:
         """One ball."""
@@ -76,7 +74,7 @@ class BallPictures:
             hidden = occluding_quads(blocks, camera, ball.position, centre, radius + _MARGIN)
             if len(hidden):
                 picture = _without(picture, hidden - corner)
-        canvas.surface.blit(picture, (corner.real, corner.imag))
+        canvas.surface.blit(picture, (corner.real + canvas.offset[0], corner.imag + canvas.offset[1]))
 
     def _picture(self, look: _BallLook) -> pygame.Surface:
         """The picture of a ball, drawn once."""

@@ -11,15 +11,17 @@ from typing import NamedTuple
 import pygame
 
 from game.drawing.canvas import Canvas
-from game.drawing.flat.recoil import RecoilPicture, without_recoiling
-from game.drawing.flat.ring import RingKey, RingPicture, least_lane, ring_key
+from game.drawing.flat.ring import RingKey, RingPicture, least_lane, ring_key, shift_of
 from game.drawing.ground.picture import Ground, draw_pattern, ground_picture
-from game.drawing.slots.contents import Contents, SlotContent
+from game.drawing.slots.contents import ContentKind, Contents, SlotContent
 from game.rules import PADDLES
 from game.scene import Scene
 
 _MOST_RINGS = 96
 """Pictures of rings cached; more than one arena may be on the screen."""
+_RECOIL = (0.01, 0.035)
+"""How far paddles recoil at most, inwards and outwards, in shares of their radius; beyond that a recoil is cut off."""
+_EMPTY = SlotContent(ContentKind.EMPTY)
 
 
 class _RestingPicture(NamedTuple):
@@ -44,19 +46,18 @@ class FlatPicture:
         """Start with nothing cached."""
         self._resting: _RestingPicture | None = None
         self._rings: OrderedDict[RingKey, RingPicture] = OrderedDict()
-        self._recoil = RecoilPicture()
 
     def draw(self, canvas: Canvas, scene: Scene, contents: Contents) -> None:
-        """Cover a 32-bit surface. contents: of all slots, per ring."""
+        """Cover a 32-bit surface. contents: of all slots, per ring. The canvas' offset leaves the arena on the surface."""
         self._draw_resting(canvas, scene, contents)
         for k, ring in enumerate(scene.rings):
-            if k != PADDLES and ring.spin:
-                self._ring(canvas, scene, k).draw(canvas.surface, ring.phase, contents[k])
+            if k == scene.second_paddle or (k != PADDLES and ring.spin):
+                self._ring(canvas, scene, k).draw(canvas.surface, ring.phase, contents[k], shift=shift_of(canvas))
         self._draw_paddles(canvas, scene, contents[PADDLES])
 
     def _draw_resting(self, canvas: Canvas, scene: Scene, contents: Contents) -> None:
         """The ground and the rings at rest, from memory as far as they are the same."""
-        resting = [k for k, ring in enumerate(scene.rings) if k != PADDLES and not ring.spin]
+        resting = [k for k, ring in enumerate(scene.rings) if k not in (PADDLES, scene.second_paddle) and not ring.spin]
         now = tuple([contents[k] for k in resting])
         rings = tuple([(k, scene.rings[k]) for k in resting])
         ground = Ground(scene.ground_radius, scene.rings[PADDLES].radius, scene.ground)
@@ -74,20 +75,23 @@ class FlatPicture:
             if shown != contents[k]:
                 self._ring(canvas, scene, k).draw(cached.picture, scene.rings[k].phase, contents[k], cached.ground, shown)
         self._resting = cached._replace(contents=now)
-        canvas.surface.blit(cached.picture, (0, 0))
+        canvas.cover(cached.picture)
 
     def _draw_paddles(self, canvas: Canvas, scene: Scene, contents: tuple[SlotContent, ...]) -> None:
         """The paddles in their slots, and over them those that were struck."""
-        paddles = scene.rings[PADDLES]
+        paddles, shift = scene.rings[PADDLES], shift_of(canvas)
         picture = self._ring(canvas, scene, PADDLES)
-        picture.draw(canvas.surface, paddles.phase, without_recoiling(contents, scene.recoils))
-        self._recoil.prepare(canvas, paddles)
-        for recoil in scene.recoils:
-            self._recoil.draw(canvas, paddles, recoil, contents[recoil.slot], picture)
+        out = {recoil.slot: recoil.out for recoil in scene.recoils}
+        still = tuple([_EMPTY if slot in out else content for slot, content in enumerate(contents)])
+        picture.draw(canvas.surface, paddles.phase, still, shift=shift)
+        if out:
+            picture.draw_moved(canvas.surface, paddles.phase, contents, out, shift)
 
     def _ring(self, canvas: Canvas, scene: Scene, k: int) -> RingPicture:
         """The picture of one ring."""
-        key = ring_key(canvas, scene.rings[k], scene.tallest[k], scene.ground_radius, _lanes(scene)[k])
+        ring = scene.rings[k]
+        room = (_RECOIL[0] * ring.radius, _RECOIL[1] * ring.radius) if k == PADDLES else (0.0, 0.0)
+        key = ring_key(canvas, ring, scene.tallest[k], scene.ground_radius, _lanes(scene)[k], room)
         picture = self._rings.get(key)
         if picture is None:
             picture = self._rings[key] = RingPicture(key)

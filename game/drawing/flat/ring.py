@@ -54,6 +54,7 @@ class RingKey(NamedTuple):
     slots: how many there are.
     ground_radius: world units.
     shadow: length of the longest shadow of what stands there, world units.
+    room: how far what stands there may be moved, inwards and outwards, world units.
     theme: the colours.
     """
 
@@ -64,17 +65,34 @@ class RingKey(NamedTuple):
     slots: int
     ground_radius: float
     shadow: float
+    room: tuple[float, float]
     theme: Theme
 
 
-def ring_key(canvas: Canvas, ring: Ring, tallest: int, ground_radius: float, lane: float) -> RingKey:
+class _BandPixels(NamedTuple):
+    """The pixels between two radii, wedge after wedge.
+
+    pixel: its index in the surface's memory. row, column: where in the atlas their radii, and around the ring their angles are.
+    wedge_ends: numbers of the first pixels of all wedges, and behind the last.
+    """
+
+    pixel: NDArray[np.int64]
+    row: NDArray[np.int32]
+    column: NDArray[np.int32]
+    wedge_ends: NDArray[np.int64]
+
+
+def ring_key(
+    canvas: Canvas, ring: Ring, tallest: int, ground_radius: float, lane: float, room: tuple[float, float] = (0.0, 0.0)
+) -> RingKey:
     """The key of a ring on a 32-bit surface. tallest: layers of the highest stack that may ever stand there.
 
-    lane: from the ring to the next one outwards, world units; no shadow goes beyond, so that rings share no pixels.
+    lane: from the ring to the next one outwards, world units; no shadow goes beyond, so that rings share no pixels. room: as in
+    `RingKey`.
     """
     stride, slot = canvas.surface.get_pitch() // 4, slot_shape(ring, tallest, 1.0 / canvas.camera.scale)
     shadow = min(_SHADOW * ground_radius, max(lane - least_lane(canvas.camera.scale), 0.0))
-    return RingKey(canvas.size, stride, canvas.camera, slot, ring.count, ground_radius, shadow, canvas.theme)
+    return RingKey(canvas.size, stride, canvas.camera, slot, ring.count, ground_radius, shadow, room, canvas.theme)
 
 
 def least_lane(scale: float) -> float:
@@ -82,17 +100,23 @@ def least_lane(scale: float) -> float:
     return (2.0 * _BORDER + 1.0) / scale
 
 
+def shift_of(canvas: Canvas) -> int:
+    """How far a canvas' offset moves pixels in the surface's memory."""
+    across, down = canvas.offset
+    return down * (canvas.surface.get_pitch() // 4) + across
+
+
 class RingPicture:
     """One ring, ready to be drawn.
 
     The pictures of all contents that its slots have shown stand in an atlas, column after column: a column has the colours
-    of all radii at one angle of one content. A 0 leaves what is drawn already.
+    of all radii at one angle of one content, and spare rows for contents that are moved. A 0 leaves what is drawn already.
     """
 
     def __init__(self, key: RingKey) -> None:
         """Find the ring's pixels."""
         scale, slot = key.camera.scale, key.slot
-        self._shadow = key.shadow
+        self._shadow, self._room = key.shadow, key.room
         outer = (slot.outer_radius + self._shadow) * scale
         fine = _FINE if outer < _LARGE else _FINE // 2
         pitch = math.tau / key.slots
@@ -106,16 +130,15 @@ class RingPicture:
         self._angles = (((np.arange(self._columns) + 0.5) / self._columns - 0.5) * pitch).astype(np.float32)
         self._half_pitch = pitch / 2.0
         self._reach = slot.half_angle + (self._shadow * scale + 2.0) / max(slot.inner_radius * scale, 1.0) + _WEDGE
-        pixels = annulus_pixels(key.size, key.stride, key.camera.centre, low, outer + _BORDER)
-        wedge = np.minimum((pixels.angle * np.float32(_WEDGES / math.tau)).astype(np.uint16), _WEDGES - 1)
-        order = np.argsort(wedge, kind="stable")
-        self._wedge_ends = np.append(0, np.cumsum(np.bincount(wedge, minlength=_WEDGES)))
-        self._pixel_index = pixels.pixel[order]
-        self._pixel_row = np.minimum(((pixels.radius[order] - low) * fine).astype(np.int32), rows - 1)
-        column = (pixels.angle[order] * (self._columns_around / math.tau)).astype(np.int32)
-        self._pixel_column = np.minimum(column, self._columns_around - 1)
+        inwards, outwards = (math.ceil(room * scale) for room in key.room)
+        self._spare = fine * (inwards + outwards) + 1 if outwards else 0
+        self._pixels = self._pixels_between(key, low, outer + _BORDER)
+        self._wide = self._pixels
+        if self._spare:
+            self._wide = self._pixels_between(key, max(low - inwards, 0.0), outer + _BORDER + outwards)
         self._columns_of: dict[SlotContent, NDArray[np.int32]] = {}
-        self._atlas, self._filled = np.zeros((0, rows), dtype=np.uint32), 0  # columns so far; the atlas grows by leaps
+        self._filled = 0  # columns of the atlas so far; it grows by leaps
+        self._atlas = np.zeros((0, rows + 2 * self._spare), dtype=np.uint32)
         self._contents: tuple[SlotContent, ...] = ()
         self._column_at = np.zeros(0, dtype=np.int32)
 
@@ -126,65 +149,92 @@ class RingPicture:
         contents: tuple[SlotContent, ...],
         ground: pygame.Surface | None = None,
         before: tuple[SlotContent, ...] = (),
+        shift: int = 0,
     ) -> None:
         """Draw the ring. phase: middle angle of slot 0, radians; contents: of every slot.
 
         ground: a surface like the other, which shows where nothing stands; without it what is drawn already stays. before:
-        with a ground, the contents that the surface shows so far: only slots with others are drawn.
+        with a ground, the contents that the surface shows so far: only slots with others are drawn. shift: as `shift_of` says.
         """
-        if not len(self._pixel_index):
-            return
         if contents != self._contents:
-            self._arrange(surface, contents)
-        shift = round((self._half_pitch - phase) / math.tau * self._columns_around) % self._columns_around
-        column_at, atlas, memory = self._column_at[shift:], self._atlas.ravel(), pixels_of(surface)
-        under = memory if ground is None else pixels_of(ground)
+            self._column_at, self._contents = self._arranged(surface, contents, {}), contents
+        under = pixels_of(surface if ground is None else ground)
         if ground is None:
             wanted, reach = [content.kind is not ContentKind.EMPTY for content in contents], self._reach
         else:
             wanted = [before[slot : slot + 1] != (content,) for slot, content in enumerate(contents)]
             reach = self._half_pitch + _WEDGE
-        for some in self._pixels_near(phase, np.array(wanted), reach):
-            index = column_at.take(self._pixel_column[some])
-            index += self._pixel_row[some]
-            colours, pixel = atlas.take(index), self._pixel_index[some]
+        self._look_up(pixels_of(surface), under, self._pixels, (self._column_at, phase, wanted, reach), shift)
+
+    def draw_moved(
+        self, surface: pygame.Surface, phase: float, contents: tuple[SlotContent, ...], out: dict[int, float], shift: int = 0
+    ) -> None:
+        """Draw some slots alone, each moved outwards by so many world units, as far as there is room; the rest as above."""
+        wanted, memory = [slot in out for slot in range(len(contents))], pixels_of(surface)
+        column_at = self._arranged(surface, contents, out)
+        self._look_up(memory, memory, self._wide, (column_at, phase, wanted, self._reach), shift)
+
+    def _look_up(
+        self,
+        memory: NDArray[np.uint32],
+        under: NDArray[np.uint32],
+        pixels: _BandPixels,
+        how: tuple[NDArray[np.int32], float, list[bool], float],
+        shift: int,
+    ) -> None:
+        """Give pixels their colours, or where nothing stands those of another surface. how: as `_pixels_near` takes them."""
+        around, phase, wanted, reach = how
+        turn = round((self._half_pitch - phase) / math.tau * self._columns_around) % self._columns_around
+        column_at, atlas = around[turn:], self._atlas.ravel()
+        for some in self._pixels_near(pixels.wedge_ends, phase, np.array(wanted), reach):
+            index = column_at.take(pixels.column[some])
+            index += pixels.row[some]
+            colours, pixel = atlas.take(index), pixels.pixel[some] + shift
             bare = np.flatnonzero(colours == 0)
             colours[bare] = under.take(pixel.take(bare))
             memory[pixel] = colours
 
-    def colours_at(self, surface: pygame.Surface, content: SlotContent, radius: Floats, angle: Floats) -> NDArray[np.uint32]:
-        """The colours of a slot's content as a surface stores them, 0 where there is none.
+    def _pixels_between(self, key: RingKey, low: float, high: float) -> _BandPixels:
+        """The pixels between two radii, pixels."""
+        found = annulus_pixels(key.size, key.stride, key.camera.centre, low, high)
+        wedge = np.minimum((found.angle * np.float32(_WEDGES / math.tau)).astype(np.uint16), _WEDGES - 1)
+        order = np.argsort(wedge, kind="stable")
+        row = ((found.radius[order] - self._low) * self._fine + self._spare).astype(np.int32)
+        column = (found.angle[order] * (self._columns_around / math.tau)).astype(np.int32)
+        return _BandPixels(
+            found.pixel[order],
+            np.clip(row, 0, len(self._radii) + 2 * self._spare - 1),
+            np.minimum(column, self._columns_around - 1),
+            np.append(0, np.cumsum(np.bincount(wedge, minlength=_WEDGES))),
+        )
 
-        radius: pixels from the arena's centre; angle: radians from the slot's middle.
-        """
-        if content not in self._columns_of:
-            self._columns_of[content] = self._added(surface, content)
-        column = ((angle + np.float32(self._half_pitch)) * np.float32(0.5 * self._columns / self._half_pitch)).astype(np.int32)
-        row = ((radius - np.float32(self._low)) * np.float32(self._fine)).astype(np.int32)
-        within = (row >= 0) & (row < len(self._radii))
-        index = self._columns_of[content].take(column, mode="clip") + np.where(within, row, 0)
-        return np.where(within, self._atlas.ravel().take(index), np.uint32(0))
-
-    def _pixels_near(self, phase: float, wanted: NDArray[np.bool_], reach: float) -> list[slice]:
-        """The pixels of the wedges in which slots are wanted. reach: radians on both sides of a slot's middle."""
-        ends = [(0, len(self._pixel_index))]
+    def _pixels_near(self, wedge_ends: NDArray[np.int64], phase: float, wanted: NDArray[np.bool_], reach: float) -> list[slice]:
+        """The pixels of the wedges in which slots are wanted, in pieces. reach: radians on both sides of a slot's middle."""
+        ends = [(0, int(wedge_ends[-1]))]
         if len(wanted) <= _WEDGES // 2:  # slots that are narrower than a wedge could be overlooked
             turns = (np.arange(_WEDGES + 1) * _WEDGE - phase) / (2.0 * self._half_pitch)
             slot = np.rint(turns)
             off = np.abs(turns - slot) * (2.0 * self._half_pitch)
             there = wanted[slot.astype(np.int64) % len(wanted)] & (off < reach)
             steps = np.flatnonzero(np.diff(there[:-1] | there[1:], prepend=False, append=False))
-            ends = [(int(self._wedge_ends[a]), int(self._wedge_ends[b])) for a, b in zip(steps[::2], steps[1::2], strict=True)]
+            ends = [(int(wedge_ends[a]), int(wedge_ends[b])) for a, b in zip(steps[::2], steps[1::2], strict=True)]
         return [slice(first, min(first + _AT_ONCE, end)) for start, end in ends for first in range(start, end, _AT_ONCE)]
 
-    def _arrange(self, surface: pygame.Surface, contents: tuple[SlotContent, ...]) -> None:
-        """Note where in the atlas each column around the ring begins, from slot 0 on; twice around, which saves a modulo."""
+    def _arranged(self, surface: pygame.Surface, contents: tuple[SlotContent, ...], out: dict[int, float]) -> NDArray[np.int32]:
+        """Where in the atlas each column around the ring begins, from slot 0 on; twice around, which saves a modulo.
+
+        out: of slots that are moved outwards, world units: their columns begin so much later.
+        """
         for content in dict.fromkeys(contents):
             if content not in self._columns_of:
                 self._columns_of[content] = self._added(surface, content)
-        around = [self._columns_of[content] for content in contents]
-        self._column_at = np.concatenate(around + around)
-        self._contents = contents
+        around = [self._columns_of[content] - self._rows_of(out.get(slot, 0.0)) for slot, content in enumerate(contents)]
+        return np.concatenate(around + around)
+
+    def _rows_of(self, out: float) -> int:
+        """Rows of the atlas that a slot is moved by."""
+        inwards, outwards = self._room
+        return round(min(max(out, -inwards), outwards) * self._scale * self._fine)
 
     def _added(self, surface: pygame.Surface, content: SlotContent) -> NDArray[np.int32]:
         """Paint one more content into the atlas, and return where in it each column of a slot begins."""
@@ -204,9 +254,9 @@ class RingPicture:
         colours = np.where(colours == packed(surface, np.moveaxis(bare, 0, 2)), 0, np.maximum(colours, 1))
         first, self._filled = self._filled, self._filled + len(angles)
         if self._filled > len(self._atlas):
-            self._atlas = np.concatenate([self._atlas, np.zeros((self._filled, len(self._radii)), dtype=np.uint32)])
-        self._atlas[first : self._filled] = colours.T
-        return ((first + column) * len(self._radii)).astype(np.int32)
+            self._atlas = np.concatenate([self._atlas, np.zeros((self._filled, self._atlas.shape[1]), dtype=np.uint32)])
+        self._atlas[first : self._filled, self._spare : self._spare + len(self._radii)] = colours.T
+        return ((first + column) * self._atlas.shape[1]).astype(np.int32)
 
     def _grouped(self, pile: tuple[Part, ...]) -> Floats:
         """The columns' angles, one for all that look the same: far from the slot's ends and from what is painted on it."""

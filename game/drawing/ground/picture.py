@@ -5,6 +5,7 @@ row of pixels sees a straight line of the ground, parallel to the screen, and wh
 """
 
 import math
+from functools import cache
 from typing import NamedTuple
 
 import numpy as np
@@ -17,6 +18,7 @@ from game.drawing.ground.colours import Disc, discs_around, discs_of_ground, gro
 from game.drawing.ground.patterns import PLAIN, marks
 from game.drawing.palette import Colour, Theme, mixed
 from game.drawing.raster.annulus import Floats, columns_between
+from game.drawing.raster.arrays import Points
 from game.drawing.raster.pixels import packed, pairs, pixels_of, unpacked
 from game.drawing.raster.quads import QuadRaster, fine_pixels
 
@@ -93,16 +95,23 @@ def ground_picture(canvas: Canvas, ground: Ground) -> pygame.Surface:
 
 def draw_pattern(canvas: Canvas, ground: Ground) -> None:
     """The ground's pattern and the marks at its rim, over its picture."""
-    drawn, theme = marks(ground.pattern), canvas.theme
-    corners = drawn.corners * ground.radius
-    colours = ground_colours(theme, np.abs(drawn.corners.mean(axis=1)).astype(np.float32))
-    strength = drawn.strength.astype(np.float32)[:, None]
+    theme, (shares, strengths) = canvas.theme, _mark_arrays(ground.pattern)
+    corners = shares * ground.radius
+    colours = ground_colours(theme, np.abs(shares.mean(axis=1)).astype(np.float32))
+    strength = strengths[:, None]
     colours += (np.array(theme.ground_line, dtype=np.float32) - np.array(theme.ground, dtype=np.float32)) * strength
     raster = QuadRaster()
     shades = packed(raster.canvas, np.clip(colours, 0.0, 255.0))
     finer = _MARKS_FINER if canvas.size[0] * canvas.size[1] < _MANY_PIXELS else 1
     pixels = canvas.camera.projected(corners * canvas.camera.turning, 0.0)
     raster.draw(canvas.surface, fine_pixels(pixels, finer), shades, finer)
+
+
+@cache
+def _mark_arrays(pattern: str) -> tuple[Points, Floats]:
+    """Corners and strengths of a pattern's marks."""
+    drawn = marks(pattern)
+    return np.array([mark.corners for mark in drawn]), np.array([mark.strength for mark in drawn], dtype=np.float32)
 
 
 def _smooth_picture(canvas: Canvas, radius: float) -> pygame.Surface:

@@ -59,11 +59,18 @@ class QuadRaster:
         self._tiles: dict[int, _Tile] = {}
         self._size = (0, 0)
 
-    def draw(self, surface: pygame.Surface, corners: FinePixels, colours: NDArray[np.uint32], finer: int) -> None:
+    def draw(
+        self,
+        surface: pygame.Surface,
+        corners: FinePixels,
+        colours: NDArray[np.uint32],
+        finer: int,
+        offset: tuple[int, int] = (0, 0),
+    ) -> None:
         """Fill convex quadrilaterals in their order.
 
         corners: four a row, in a drawing with `finer` columns and rows per pixel of the surface; colours: as 32-bit surfaces
-        with alpha store them, multiplied by their alpha.
+        with alpha store them, multiplied by their alpha. offset: pixels by which all is farther to the right and down.
         """
         if self._size != surface.get_size():
             self._tiles.clear()
@@ -75,7 +82,8 @@ class QuadRaster:
                 tile = self._tiles[number] = _Tile(finer, quads, picture)
                 self._fill(quads, finer, picture)
             left, top, width, height = quads.box
-            surface.blit(tile.picture, (left, top), (0, 0, width, height), special_flags=pygame.BLEND_PREMULTIPLIED)
+            pixel = left + offset[0], top + offset[1]
+            surface.blit(tile.picture, pixel, (0, 0, width, height), special_flags=pygame.BLEND_PREMULTIPLIED)
 
     def _fill(self, quads: _Quads, finer: int, picture: pygame.Surface) -> None:
         """Draw a tile; what is covered of a pixel becomes its alpha.

@@ -23,6 +23,9 @@ class ContentKind(IntEnum):
     EMPTY = auto()
     PADDLE = auto()
     STICKY_PADDLE = auto()
+    SECOND_PADDLE = auto()
+    """Of the second player, where two play against each other."""
+    STICKY_SECOND_PADDLE = auto()
     BRICKS = auto()
     STEEL = auto()
     BUMPER = auto()
@@ -39,16 +42,23 @@ class SlotContent(NamedTuple):
     kind: what it is.
     layers: of a stack of bricks; 0 of everything else.
     glow: 0 none to GLOW_STEPS full.
+    tint: how many of the palette's colours for layers the lowest one skips.
     """
 
     kind: ContentKind
     layers: int = 0
     glow: int = 0
+    tint: int = 0
 
 
 Contents = tuple[tuple[SlotContent, ...], ...]
 """What stands in the slots, per ring and slot."""
 
+_PADDLE_KINDS = (
+    (ContentKind.PADDLE, ContentKind.STICKY_PADDLE),
+    (ContentKind.SECOND_PADDLE, ContentKind.STICKY_SECOND_PADDLE),
+)
+"""Of each player: without and with glue."""
 _EMPTY, _PADDLE, _STEEL = SlotContent(ContentKind.EMPTY), SlotContent(ContentKind.PADDLE), SlotContent(ContentKind.STEEL)
 
 
@@ -61,21 +71,23 @@ def slot_contents(scene: Scene) -> Contents:
 
 
 @lru_cache(maxsize=8)
-def resting_contents(layers: tuple[tuple[int, ...], ...]) -> Contents:
-    """What stands in the slots while nothing glows. layers: per ring and slot, as in `physics.Arena`."""
-    return tuple([paddle_contents(len(ring), []) if k == PADDLES else _resting(ring) for k, ring in enumerate(layers)])
+def resting_contents(layers: tuple[tuple[int, ...], ...], tints: tuple[tuple[int, ...], ...] = ()) -> Contents:
+    """What stands in the slots while nothing glows. layers: per ring and slot, as in `physics.Arena`; tints: as in `Scene`."""
+    wall = [_tinted(_resting(ring), _tints_of(k, tints)) for k, ring in enumerate(layers[PADDLES + 1 :], PADDLES + 1)]
+    return (paddle_contents(len(layers[PADDLES]), []), *wall)
 
 
 def _ring_contents(scene: Scene, k: int, flashes: list[Flash]) -> tuple[SlotContent, ...]:
     """What stands in the slots of one ring. flashes: of this ring."""
     layers = scene.layers[k]
-    if k == PADDLES:
-        sticky = any([power.kind == PowerUp.STICKY for power in scene.powers])
-        contents = paddle_contents(len(layers), flashes)
-        return _renamed(contents, ContentKind.PADDLE, ContentKind.STICKY_PADDLE) if sticky else contents
+    if k in (PADDLES, scene.second_paddle):
+        player = int(k != PADDLES)
+        sticky = any([power.kind == PowerUp.STICKY and power.player == player for power in scene.powers])
+        return _renamed(paddle_contents(len(layers), flashes), ContentKind.PADDLE, _PADDLE_KINDS[player][sticky])
     contents = wall_contents(layers, flashes)
     if scene.entry is not None:
         contents = _entering(scene, k, contents, scene.entry)
+    contents = _tinted(contents, _tints_of(k, scene.tints))
     if k == scene.shield:
         return _renamed(contents, ContentKind.BRICKS, ContentKind.SHIELD)
     if k in scene.bumpers:
@@ -95,6 +107,20 @@ def _arrived(content: SlotContent, come: float) -> SlotContent:
     if come < 0.0 or content.kind is ContentKind.EMPTY:
         return _EMPTY
     return content._replace(glow=max(content.glow, math.ceil(GLOW * (1.0 - come) * GLOW_STEPS)))
+
+
+def _tints_of(k: int, tints: tuple[tuple[int, ...], ...]) -> tuple[int, ...]:
+    """The tints of a ring that is not the paddles' one; 0 for a ring that the level does not name. tints: as in `Scene`."""
+    number = k - PADDLES - 1
+    return tints[number] if number < len(tints) else (0,)
+
+
+@lru_cache(maxsize=256)
+def _tinted(contents: tuple[SlotContent, ...], tints: tuple[int, ...]) -> tuple[SlotContent, ...]:
+    """The contents with the tints of their slots. tints: repeated around the ring."""
+    if not any(tints):
+        return contents
+    return tuple([content._replace(tint=tints[slot % len(tints)]) for slot, content in enumerate(contents)])
 
 
 @lru_cache(maxsize=64)
@@ -122,7 +148,7 @@ def wall_contents(layers: tuple[int, ...], flashes: list[Flash]) -> tuple[SlotCo
             _add_echo(contents, flash)
     for flash in flashes:
         if flash.lit:
-            kind, count, _ = contents[flash.slot]
+            kind, count = contents[flash.slot][:2]
             contents[flash.slot] = SlotContent(ContentKind.GHOST if kind is ContentKind.EMPTY else kind, count, _glow(flash))
     return tuple(contents)
 
@@ -153,7 +179,7 @@ def _add_echo(contents: list[SlotContent], flash: Flash) -> None:
     count = len(contents)
     front = (GLOW_STEPS - _glow(flash) + 1) / GLOW_STEPS * (count / 2.0)
     width = count / (2.0 * GLOW_STEPS)
-    for slot, (kind, layers, glow) in enumerate(contents):
+    for slot, (kind, layers, glow, _) in enumerate(contents):
         distance = abs((slot - flash.slot + count // 2) % count - count // 2)
         if kind is not ContentKind.EMPTY and front - 2.0 * width < distance <= front:
             echo = _ECHO_GLOW if distance > front - width else 1

@@ -29,6 +29,8 @@ _GHOST_GLOW = 0.75
 """The light of a brick that has gone: its share of the way from the ground's colour to the flash's, at first."""
 _PADDLE_RIM = 0.4
 """Width of a paddle's darker edge, in half widths."""
+_SECOND_SIDE = 0.45
+"""The second player's paddle has the text's colour; its sides have this share of the way from there to the ground's."""
 _KNOB, _KNOB_PITCH = 0.3, 3.0
 """Half the side of a dot on a sticky paddle, and from one to the next, in half widths."""
 _TERRACE = 0.085
@@ -156,6 +158,8 @@ def height(content: SlotContent) -> float:
     heights = {
         ContentKind.PADDLE: PADDLE_HEIGHT,
         ContentKind.STICKY_PADDLE: PADDLE_HEIGHT,
+        ContentKind.SECOND_PADDLE: PADDLE_HEIGHT,
+        ContentKind.STICKY_SECOND_PADDLE: PADDLE_HEIGHT,
         ContentKind.STEEL: STEEL_HEIGHT,
         ContentKind.BUMPER: STEEL_HEIGHT,
         ContentKind.SHIELD: SHIELD_HEIGHT,
@@ -191,9 +195,11 @@ def dots(layers: int, top: SlotShape) -> list[tuple[float, float, float]]:
 def _paddle(content: SlotContent, shape: SlotShape, theme: Theme) -> tuple[Part, ...]:
     """A low box with a lighter top."""
     rim = max(_PADDLE_RIM * shape.half_width, shape.finest)
+    second = content.kind in (ContentKind.SECOND_PADDLE, ContentKind.STICKY_SECOND_PADDLE)
+    side, top = (mixed(theme.text, theme.ground, _SECOND_SIDE), theme.text) if second else (theme.paddle, theme.paddle_top)
     return (
-        Slab(0.0, PADDLE_HEIGHT, 0.0, _glowing(theme.paddle, content, theme)),
-        Slab(PADDLE_HEIGHT, PADDLE_HEIGHT, rim, _glowing(theme.paddle_top, content, theme)),
+        Slab(0.0, PADDLE_HEIGHT, 0.0, _glowing(side, content, theme)),
+        Slab(PADDLE_HEIGHT, PADDLE_HEIGHT, rim, _glowing(top, content, theme)),
     )
 
 
@@ -222,7 +228,7 @@ def _stack(content: SlotContent, shape: SlotShape, drop: float, theme: Theme) ->
     pile: list[Part] = []
     for layer in range(content.layers):
         bottom, last = layer + drop, layer == content.layers - 1
-        colour = _colour_at(theme, bottom)
+        colour = _colour_at(theme, content.tint + bottom)
         if last:
             colour = _glowing(colour, content, theme)
         pile.append(Slab(bottom, bottom + 1.0, bottom * step, colour))
@@ -230,9 +236,10 @@ def _stack(content: SlotContent, shape: SlotShape, drop: float, theme: Theme) ->
             reach = max(_SHADE_REACH * step, shape.finest)
             pile.append(FootShade(bottom + 1.0, (bottom + 1.0) * step, reach, _SHADE_DARKNESS, colour))
     highest = content.layers - 1.0 + drop
+    top_colour = _colour_at(theme, content.tint + highest)
     if content.kind is ContentKind.GROWING:
-        pile += _seam(_glowing(_colour_at(theme, highest), content, theme), highest * step, highest + 1.0, shape, theme)
-    dotted = _glowing(mixed(_colour_at(theme, highest), theme.ground, DOT_SHADE), content, theme)
+        pile += _seam(_glowing(top_colour, content, theme), highest * step, highest + 1.0, shape, theme)
+    dotted = _glowing(mixed(top_colour, theme.ground, DOT_SHADE), content, theme)
     inset = highest * step
     top = shape._replace(half_width=shape.half_width - inset, half_angle=shape.half_angle - inset / shape.radius)
     for radius, angle, half in dots(content.layers, top):
@@ -303,6 +310,8 @@ _STACKS = frozenset({ContentKind.BRICKS, ContentKind.GROWING})
 _PILES: dict[ContentKind, Callable[[SlotContent, SlotShape, Theme], tuple[Part, ...]]] = {
     ContentKind.PADDLE: _paddle,
     ContentKind.STICKY_PADDLE: _sticky_paddle,
+    ContentKind.SECOND_PADDLE: _paddle,
+    ContentKind.STICKY_SECOND_PADDLE: _sticky_paddle,
     ContentKind.STEEL: _steel,
     ContentKind.BUMPER: _bumper,
     ContentKind.SHIELD: _shield,
@@ -312,7 +321,7 @@ _PILES: dict[ContentKind, Callable[[SlotContent, SlotShape, Theme], tuple[Part, 
 
 
 def _colour_at(theme: Theme, bottom: float) -> Colour:
-    """The colour of a layer whose bottom is so many layers above the ground; between two layers' while it falls."""
+    """The colour of a layer whose bottom is so many layers above the ground, tint added; between two layers' as it falls."""
     low = math.floor(bottom)
     return mixed(layer_colour(theme, low + 1), layer_colour(theme, low + 2), bottom - low)
 

@@ -85,7 +85,7 @@ class SolidPicture:
             picture.blit(self._bare.picture, (0, 0))
             draw_pattern(canvas._replace(surface=picture), ground)
             self._ground = _GroundPicture(turned, picture)
-        canvas.surface.blit(self._ground.picture, (0, 0))
+        canvas.cover(self._ground.picture)
 
     def draw_blocks(self, canvas: Canvas, scene: Scene, contents: Contents) -> ProjectedBlocks:
         """Draw everything that stands on the ground but the balls, with the balls' shadows; the blocks as they are seen.
@@ -102,7 +102,7 @@ class SolidPicture:
         pixel = self._raster.canvas
         shade = np.full(len(dark), round(canvas.theme.shadow * 255.0) << pixel.get_shifts()[3], dtype=np.uint32)
         colours = np.concatenate([shade, packed(pixel, faces.colours)])
-        self._raster.draw(canvas.surface, np.concatenate([dark, faces.corners]), colours, finer)
+        self._raster.draw(canvas.surface, np.concatenate([dark, faces.corners]), colours, finer, canvas.offset)
         return seen
 
     def _projected(self, canvas: Canvas, scene: Scene, contents: Contents, finer: int) -> ProjectedBlocks:
@@ -137,8 +137,9 @@ def _fill_large(canvas: Canvas, dark: FinePixels, faces: Faces) -> None:
     There shadows have one colour, the ground's in the shade, wherever they lie.
     """
     shade = mixed(canvas.theme.ground, _BLACK, canvas.theme.shadow)
-    fill_quads(canvas.surface, dark, np.repeat(np.array([shade], dtype=np.float32), len(dark), axis=0))
-    fill_quads(canvas.surface, faces.corners, faces.colours)
+    offset = np.complex64(complex(*canvas.offset))
+    fill_quads(canvas.surface, dark + offset, np.repeat(np.array([shade], dtype=np.float32), len(dark), axis=0))
+    fill_quads(canvas.surface, faces.corners + offset, faces.colours)
 
 
 def _ring_key(canvas: Canvas, scene: Scene, k: int, contents: tuple[SlotContent, ...], below: float, finer: int) -> _RingKey:

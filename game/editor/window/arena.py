@@ -1,7 +1,6 @@
 """The arena of the editor: the level as it will be played, the chosen ring and the slots under the pointer outlined."""
 
 import math
-from collections.abc import Collection
 
 import pygame
 
@@ -10,6 +9,7 @@ from game.drawing.canvas import Canvas
 from game.drawing.painter import Painter
 from game.drawing.palette import Colour
 from game.editor.session import EditorSession
+from game.editor.symmetry import images
 from game.effects import NOTHING
 from game.levels import Level, RingSpec
 from game.rules import new_game
@@ -17,7 +17,7 @@ from game.scene import scene_at, still
 
 _ARC_DEGREES = 3.0
 """An arc is drawn as a line with a corner at least so often."""
-_CHOSEN_WIDTH, _SLOT_WIDTH = 0.12, 0.2
+_CHOSEN_WIDTH, _SLOT_WIDTH, _CURSOR_WIDTH = 0.12, 0.2, 0.4
 """Of outlines, in units of text."""
 
 
@@ -36,16 +36,16 @@ def draw_arena(canvas: Canvas, painter: Painter, level: Level) -> None:
     painter.paint(canvas, scene)
 
 
-def draw_outlines(canvas: Canvas, session: EditorSession, hovered: tuple[int, Collection[int]] | None) -> None:
-    """The chosen ring's edges, and the slots that a stroke would paint. hovered: their ring and they; None for none."""
+def draw_outlines(canvas: Canvas, session: EditorSession, at: tuple[int, int] | None, colour: Colour) -> None:
+    """The chosen ring's edges, and in a colour the slots that a stroke would paint. at: ring and slot of it; None for none."""
     rings = session.document.level.rings
     chosen = rings[session.ring]
     for radius in (chosen.radius - chosen.half_width, chosen.radius + chosen.half_width):
         _draw_circle(canvas, radius, canvas.theme.faint, _CHOSEN_WIDTH)
-    if hovered is not None:
-        ring, slots = hovered
-        for slot in slots:
-            _draw_slot(canvas, rings[ring], slot)
+    if at is not None:
+        ring, middle = at
+        for slot in images(rings[ring], middle, session.symmetry):
+            _draw_slot(canvas, rings[ring], slot, _CURSOR_WIDTH if slot == middle else _SLOT_WIDTH, colour)
 
 
 def _draw_circle(canvas: Canvas, radius: float, colour: Colour, width: float) -> None:
@@ -56,15 +56,15 @@ def _draw_circle(canvas: Canvas, radius: float, colour: Colour, width: float) ->
         pygame.draw.lines(canvas.surface, colour, True, pixels, round(canvas.unit * width))
 
 
-def _draw_slot(canvas: Canvas, ring: RingSpec, slot: int) -> None:
-    """The outline of a slot's brick, whether or not there is one."""
+def _draw_slot(canvas: Canvas, ring: RingSpec, slot: int, width: float, colour: Colour) -> None:
+    """The outline of a slot's brick, whether or not there is one. width: of the line, units of text."""
     middle = ring.phase + slot * 360.0 / ring.count
     steps = max(math.ceil(2.0 * ring.half_angle / _ARC_DEGREES), 1)
     angles = [middle - ring.half_angle + 2.0 * ring.half_angle * step / steps for step in range(steps + 1)]
     outer = [_pixel(canvas.camera, ring.radius + ring.half_width, angle) for angle in angles]
     inner = [_pixel(canvas.camera, ring.radius - ring.half_width, angle) for angle in reversed(angles)]
-    width = max(round(canvas.unit * _SLOT_WIDTH), 1)
-    pygame.draw.lines(canvas.surface, canvas.theme.accent, True, [*outer, *inner], width)
+    line = max(round(canvas.unit * width), 1)
+    pygame.draw.lines(canvas.surface, colour, True, [*outer, *inner], line)
 
 
 def _pixel(camera: Camera, radius: float, degrees: float) -> tuple[float, float]:

@@ -1,73 +1,105 @@
-"""The editor's help: every key and what the mouse does."""
+"""The editor's help: what keys, mouse and gamepad do; and the line that says how to go on."""
 
-import pygame
+from enum import Enum, auto
 
-from game.input.signals import Clicked, Pressed, Signal
+from game.input.key_names import button_names
+from game.input.keys import Action
 from game.language import tr, tr_noop
-from game.screens.app_state import AppState
-from game.screens.base import Screen
-from game.screens.still_picture import StillPicture
-from game.screens.toolkit.plate import centred, dim, draw_panel
+from game.screens.toolkit.focus import Focus
+from game.screens.toolkit.items import Cells, Item, TextItem
+from game.screens.toolkit.layout import Content, Row
+from game.screens.toolkit.menu import back_row
+from game.screens.toolkit.panel import Panel
 
-# Lengths are in units of text.
-_WIDTH, _LEFT, _TOP, _BOTTOM = 36.0, 2.0, 1.2, 1.2
-_TITLE, _TEXT, _PITCH, _LINES_TOP, _MEANING_LEFT = 2.2, 1.05, 1.5, 3.8, 11.0
 
-LINES = (
-    (tr_noop("Left button"), tr_noop("paint bricks with the brush, also by dragging")),
-    (tr_noop("Right button"), tr_noop("take bricks away")),
-    (tr_noop("Wheel"), tr_noop("over the arena: the brush; over a number: the number")),
+class Hand(Enum):
+    """What the player used last."""
+
+    KEYS = auto()
+    MOUSE = auto()
+    PAD = auto()
+
+
+KEYS = (
+    (tr_noop("Left, right"), tr_noop("move the cursor along the ring; hold Space meanwhile to paint on")),
+    (tr_noop("Up, down"), tr_noop("move it to the next ring outward or inward")),
+    (tr_noop("Space or Enter"), tr_noop("paint bricks with the brush")),
+    (tr_noop("Backspace"), tr_noop("take bricks away")),
     ("1-9, 0, -", tr_noop("brush: layers of a stack, a gap, unbreakable")),
+    ("P", tr_noop("brush: what is under the cursor")),
+    ("Ctrl+C, Ctrl+V", tr_noop("copy the ring's bricks, paste them; both from the cursor on")),
     ("R, M", tr_noop("repeat a stroke around the ring; mirror it")),
-    ("Tab, Shift+Tab", tr_noop("choose the next ring outward or inward")),
-    (tr_noop("Up, down"), tr_noop("choose a number")),
-    (tr_noop("Left, right"), tr_noop("change it; with Shift ten steps at once")),
-    (tr_noop("Enter"), tr_noop("type it; Enter again takes it over")),
-    ("C or Ins, Del", tr_noop("copy the chosen ring outward; remove it")),
     ("F", tr_noop("fill the chosen ring with the brush")),
+    ("C or Ins, Del", tr_noop("copy the chosen ring outward; remove it")),
+    (tr_noop("Page up, Page down"), tr_noop("choose the next ring outward or inward")),
+    ("Tab", tr_noop("between the arena and the panel")),
+    (tr_noop("In the panel"), tr_noop("up, down: choose; left, right: change, with Shift ten steps at once")),
+    (tr_noop("Enter there"), tr_noop("type a number, Enter again takes it over; or press a button")),
     ("Ctrl+Z, Ctrl+Y", tr_noop("undo, redo")),
     ("F5", tr_noop("play the level; Esc there comes back")),
     ("Ctrl+S", tr_noop("save; comments in the file stay")),
     ("Esc", tr_noop("leave; asks where changes are not saved")),
 )
 """Keys, and what they do."""
+MOUSE = (
+    (tr_noop("Left button"), tr_noop("paint bricks with the brush, also by dragging")),
+    (tr_noop("Right button"), tr_noop("take bricks away")),
+    (tr_noop("Wheel"), tr_noop("over the arena: the brush; over a number: the number")),
+    (tr_noop("Click on a number"), tr_noop("type it; + and - beside it change it")),
+    (tr_noop("Click on a button"), tr_noop("what it says")),
+)
+"""What the mouse does."""
 _NOTE = tr_noop("A file that is changed in a text editor is taken over at once, and can be undone.")
 
 
-class EditorHelp:
-    """A panel that any key of the game or a click closes."""
+def pad_lines() -> tuple[tuple[str, str], ...]:
+    """What a gamepad does, by the names of the buttons that the player has chosen."""
+    return (
+        (tr("D-pad, left stick"), tr("move the cursor: left, right along the ring; up, down across rings")),
+        (button_names(Action.SERVE), tr("paint bricks with the brush; hold it and move to paint on")),
+        (button_names(Action.GIVE_UP), tr("take bricks away")),
+        (button_names(Action.STEP_BACK, Action.STEP), tr("another brush; in the panel ten steps of a number")),
+        (button_names(Action.TIP), tr("between the arena and the panel")),
+        (tr("In the panel"), tr("up, down: choose; left, right: change; the buttons copy, paste, undo, save")),
+        (button_names(Action.PAUSE), tr("play the level")),
+        (button_names(Action.HELP), tr("this help")),
+        (button_names(Action.BACK), tr("from the panel to the arena; from there leave")),
+    )
 
-    def __init__(self, state: AppState, under: Screen) -> None:
-        """Open over the editor."""
-        self._state, self._under = state, under
-        self._picture = StillPicture()
 
-    def answer(self, signal: Signal, _size: tuple[int, int]) -> Screen | None:
-        """Close it, or wait on."""
-        return self._under if isinstance(signal, Pressed | Clicked) else self
+def hint(hand: Hand, *, in_panel: bool) -> str:
+    """How to go on, for who uses keys, mouse or gamepad."""
+    if hand is Hand.MOUSE:
+        return tr("Left button: paint; right button: take away; wheel: brush. Click a number to type it.")
+    if hand is Hand.KEYS and in_panel:
+        return tr("Up, down: choose; left, right: change; Enter: type or press; Tab: to the arena.")
+    if hand is Hand.KEYS:
+        return tr("Arrows: move; Space: paint; Backspace: take away; Tab: to the panel; F1: help.")
+    other, paint, remove = (button_names(action) for action in (Action.TIP, Action.SERVE, Action.GIVE_UP))
+    if in_panel:
+        return tr("Up, down: choose; left, right: change; {press}: press; {other}: to the arena.").format(
+            press=paint, other=other
+        )
+    words = tr("{paint}: paint; {remove}: take away; {other}: to the panel; {help}: help.")
+    return words.format(paint=paint, remove=remove, other=other, help=button_names(Action.HELP))
 
-    def advance(self, _seconds: float, _size: tuple[int, int]) -> Screen | None:
-        """Nothing moves."""
-        return self
 
-    def draw(self, surface: pygame.Surface) -> None:
-        """The editor, dimmed, and the panel."""
-        self._picture.show(surface, (self._state.appearance,), self._draw)
+class EditorHelp(Panel):
+    """A panel with a part for each of keys, mouse and gamepad."""
 
-    def _draw(self, surface: pygame.Surface) -> None:
-        """Draw it anew."""
-        self._under.draw(surface)
-        canvas = self._state.canvas(surface)
-        theme, unit = canvas.theme, canvas.unit
-        dim(surface, theme)
-        height = _LINES_TOP + _PITCH * (len(LINES) + 1) + _BOTTOM
-        panel = centred(canvas.size, unit * _WIDTH, unit * height)
-        draw_panel(surface, panel, theme, unit)
-        corner = complex(panel.left + unit * _LEFT, panel.top + unit * _TOP)
-        canvas.write(tr("The editor"), _TITLE, theme.text, corner)
-        for index, (keys, meaning) in enumerate(LINES):
-            line = complex(corner.real, panel.top + unit * (_LINES_TOP + _PITCH * index))
-            canvas.write(tr(keys), _TEXT, theme.accent, line)
-            canvas.write(tr(meaning), _TEXT, theme.text, line + unit * _MEANING_LEFT)
-        last = complex(corner.real, panel.top + unit * (_LINES_TOP + _PITCH * len(LINES)))
-        canvas.write(tr(_NOTE), _TEXT, theme.faint, last)
+    def content(self) -> Content:
+        """The part that is shown."""
+        lines = (_translated(KEYS), _translated(MOUSE), pad_lines())[self._tab]
+        rows: list[Row] = [(Cells(((names, 1.0, "left"), (meaning, 2.6, "left"))),) for names, meaning in lines]
+        rows += [(Item(),), (TextItem(tr(_NOTE), 1.0, faint=True),)]
+        names = (tr("Keys"), tr("Mouse"), tr("Gamepad"))
+        return Content(tr("The editor"), tuple(rows), back_row(tr("Back"), self.back), names, self._tab, 44.0)
+
+    def first(self) -> Focus | None:
+        """The button that closes it."""
+        return Focus(len(self.content().body), 1)
+
+
+def _translated(lines: tuple[tuple[str, str], ...]) -> tuple[tuple[str, str], ...]:
+    """Lines in the player's language."""
+    return tuple([(tr(names), tr(meaning)) for names, meaning in lines])

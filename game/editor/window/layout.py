@@ -17,11 +17,11 @@ ROW_TEXT, CHIP_TEXT, BUTTON_TEXT, HEADING, TITLE, MESSAGE = 0.95, 0.9, 0.95, 0.9
 _PANEL, _MARGIN, _GAP = 18.5, 0.8, 0.25
 """Width of the panel, around everything, and between neighbours."""
 _TITLE_HEIGHT, _HEADING_HEIGHT, _ROW_HEIGHT, _CHIP_HEIGHT, _BUTTON_HEIGHT = 2.0, 1.3, 1.22, 1.25, 1.4
-_PANEL_HEIGHT = 41.5
+_PANEL_HEIGHT = 43.2
 """Of everything in the panel together, with the margins."""
 _FOOT = 3.2
 """Height of the lines below the arena."""
-_BUTTON_ROWS = 5
+_BUTTON_ROWS = 6
 
 
 class Button(NamedTuple):
@@ -41,6 +41,8 @@ BUTTONS = (
     Button("remove", tr_noop("Remove ring"), "Del"),
     Button("fill", tr_noop("Fill ring"), "F"),
     Button("mirror", tr_noop("Mirror"), "M"),
+    Button("copy", tr_noop("Copy bricks"), "Ctrl+C"),
+    Button("paste", tr_noop("Paste bricks"), "Ctrl+V"),
     Button("undo", tr_noop("Undo"), "Ctrl+Z"),
     Button("redo", tr_noop("Redo"), "Ctrl+Y"),
     Button("test", tr_noop("Play-test"), "F5"),

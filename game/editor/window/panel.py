@@ -1,5 +1,7 @@
 """The editor's panel: numbers, brushes, symmetry, commands; and the lines below the arena."""
 
+from typing import NamedTuple
+
 import pygame
 
 from game.drawing.canvas import Canvas
@@ -16,6 +18,7 @@ from game.editor.window.layout import (
     TITLE,
     EditorLayout,
 )
+from game.editor.window.targets import Target, TargetKind, box_of
 from game.language import tr
 
 # Lengths are in units of text.
@@ -32,22 +35,36 @@ def stepper_at(box: pygame.Rect, pixel: complex, unit: float) -> int:
     return -1 if pixel.real >= box.right - 2 * width else 0
 
 
-def draw_panel(canvas: Canvas, seen: EditorLayout, session: EditorSession, selected: int, typed: str | None, name: str) -> None:
-    """Everything beside the arena. selected: index of a row; typed: what is being entered into it; name: of the file."""
+class PanelState(NamedTuple):
+    """What the player does with the panel.
+
+    target: that keys and gamepad have chosen. has_keys: whether they act on it, not on the arena. typed: what is being entered
+    into the number that is chosen; None for nothing. hint: how to go on, for who uses keys, mouse or gamepad.
+    """
+
+    target: Target
+    has_keys: bool
+    typed: str | None
+    hint: str
+
+
+def draw_panel(canvas: Canvas, seen: EditorLayout, session: EditorSession, state: PanelState, name: str) -> None:
+    """Everything beside the arena. name: of the file."""
     level, theme = session.document.level, canvas.theme
     title = f"{level.name} *" if session.changed else level.name
     _write_fitted(canvas, title, TITLE, theme.accent if session.changed else theme.text, seen.title)
-    heading = tr("rings[{index}]    Tab: next of {count}").format(index=session.ring, count=len(level.rings))
+    heading = tr("rings[{index}]    Page up: next of {count}").format(index=session.ring, count=len(level.rings))
     _write(canvas, heading, HEADING, theme.faint, seen.ring_heading)
     _write(canvas, tr("Ball and paddles"), HEADING, theme.faint, seen.arena_heading)
+    if state.has_keys or state.target.kind is TargetKind.NUMBER:
+        edge = theme.accent if state.has_keys else theme.panel_edge
+        draw_box(canvas.surface, box_of(state.target, seen), canvas.unit * _CORNER, theme.panel, edge, canvas.unit * _EDGE)
     for index, (row, box) in enumerate(seen.rows):
-        chosen = index == selected
-        if chosen:
-            draw_box(canvas.surface, box, canvas.unit * _CORNER, theme.panel, theme.accent, canvas.unit * _EDGE)
+        chosen = state.target == Target(TargetKind.NUMBER, index) and (state.has_keys or state.typed is not None)
         colour = theme.accent if chosen else theme.text
         left = complex(box.left + canvas.unit * _INSET, box.centery)
         canvas.write(row.name, ROW_TEXT, colour, left, "midleft")
-        shown = f"{typed}_" if chosen and typed is not None else f"{value_at(session.document, row.path):g}"
+        shown = f"{state.typed}_" if chosen and state.typed is not None else f"{value_at(session.document, row.path):g}"
         width = canvas.unit * _STEPPER
         canvas.write(shown, ROW_TEXT, colour, complex(box.right - 2.0 * width - canvas.unit * 0.2, box.centery), "midright")
         canvas.write("-", ROW_TEXT, theme.faint, complex(box.right - 1.5 * width, box.centery), "center")
@@ -60,29 +77,28 @@ def draw_panel(canvas: Canvas, seen: EditorLayout, session: EditorSession, selec
     _write(canvas, tr("Repeat a stroke around the ring (key R)"), HEADING, theme.faint, seen.fold_heading)
     for fold, box in seen.folds:
         _draw_chip(canvas, box, f"x{fold}", theme.panel, chosen=fold == session.symmetry.fold)
-    for button, box in seen.buttons:
+    for index, (button, box) in enumerate(seen.buttons):
         on = button.name == "mirror" and session.symmetry.mirrored
+        chosen = state.has_keys and state.target == Target(TargetKind.COMMAND, index)
         draw_box(
             canvas.surface,
             box,
             canvas.unit * _CORNER,
             theme.panel,
-            theme.accent if on else theme.panel_edge,
-            canvas.unit * _EDGE,
+            theme.accent if on or chosen else theme.panel_edge,
+            canvas.unit * _EDGE * (2.5 if chosen else 1.0),
         )
-        canvas.write(
-            tr(button.label), BUTTON_TEXT, theme.text, complex(box.left + canvas.unit * _INSET, box.centery), "midleft"
-        )
+        colour = theme.accent if chosen else theme.text
+        canvas.write(tr(button.label), BUTTON_TEXT, colour, complex(box.left + canvas.unit * _INSET, box.centery), "midleft")
         right = complex(box.right - canvas.unit * _INSET, box.centery)
         canvas.write(button.key, BUTTON_TEXT * 0.85, theme.faint, right, "midright")
-    _draw_foot(canvas, seen, session, name)
+    _draw_foot(canvas, seen, session, name, state.hint)
 
 
-def _draw_foot(canvas: Canvas, seen: EditorLayout, session: EditorSession, name: str) -> None:
-    """The file, and below it what is wrong, if anything, or how to paint."""
+def _draw_foot(canvas: Canvas, seen: EditorLayout, session: EditorSession, name: str, hint: str) -> None:
+    """The file, and below it what is wrong, if anything, or how to go on."""
     theme, box = canvas.theme, seen.foot
     wrong = session.message or session.document.problem
-    hint = tr("Left button: paint; right button: take away; wheel: brush. Click a number to type it.")
     lines = canvas.type.wrapped(wrong or hint, canvas.unit * MESSAGE, float(box.width))[:2]
     for number, line in enumerate([name, *lines][: 3 if len(lines) > 1 else 2]):
         colour = theme.faint if number == 0 else theme.danger if wrong else theme.text

@@ -6,18 +6,32 @@ from dataclasses import replace
 import pygame
 
 from game.drawing.painter import Painter
+from game.editor import cursor
 from game.editor import session as editing
 from game.editor.document import saved_text
 from game.editor.file_watch import WatchedFile
 from game.editor.session import EditorSession
-from game.editor.symmetry import FOLDS, images
 from game.editor.window.arena import draw_arena, draw_outlines, slot_at
-from game.editor.window.help import EditorHelp
-from game.editor.window.layout import EditorLayout, editor_layout
-from game.editor.window.panel import draw_panel, stepper_at
+from game.editor.window.commands import (
+    CHANGES,
+    COMMAND_ACTIONS,
+    COMMAND_KEYS,
+    CONTROL_KEYS,
+    DIRECTIONS,
+    ERASING_KEYS,
+    PAINTING_KEYS,
+    folded,
+    layers_of,
+    next_of,
+)
+from game.editor.window.help import EditorHelp, Hand, hint
+from game.editor.window.layout import BRUSHES, BUTTONS, EditorLayout, editor_layout
+from game.editor.window.panel import PanelState, draw_panel, stepper_at
 from game.editor.window.play_test import PlayTest
-from game.input.devices import as_key
-from game.input.signals import Signal
+from game.editor.window.targets import Target, TargetKind, beside, target_below
+from game.input.keys import Action, position_in
+from game.input.repeat import Repeat
+from game.input.signals import PAD_POSITIONS, FocusLost, KeyboardState, Pressed, Released, Signal, pad_of
 from game.language import tr
 from game.levels import Level
 from game.screens.app_state import AppState
@@ -33,7 +47,10 @@ _LONGEST_NUMBER = 12
 
 
 class Editor:
-    """Edits one level file."""
+    """Edits one level file.
+
+    Keys and gamepad act on the cursor in the arena, or on what they have chosen in the panel beside it.
+    """
 
     def __init__(
         self, state: AppState, session: EditorSession, file: WatchedFile, back: Callable[[], Screen | None] = lambda: None
@@ -42,38 +59,74 @@ class Editor:
         self._state, self.session, self._file, self._back = state, session, file, back
         self._painter = Painter()
         self._drawn: Level = session.document.level  # the last one that could be drawn
-        self._selected = 0
+        self._hand = Hand.KEYS
+        self._in_panel = False
+        self._target = Target(TargetKind.NUMBER)
         self._typed: str | None = None
-        self._pixel: complex | None = None
-        self._painting: int | None = None  # layers that the drag puts
+        self._pixel: complex | None = None  # of the mouse
+        self._painting: int | None = None  # layers that the drag puts: of the mouse, or of the cursor while a key is down
+        self._held: tuple[Pressed, int, Repeat] | None = None  # the direction that is held down, and the steps it takes
         self._since_look = 0.0
         self.discarded = False  # whether the player has chosen to lose what is not saved
 
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> Screen | None:
-        """React to a window's event."""
-        event = as_key(event) or event
+        """React to a window's event. What gamepads do comes as signals, to `answer`."""
         if event.type == pygame.KEYDOWN:
             return self._key(event)
+        if event.type == pygame.KEYUP and event.key in (*PAINTING_KEYS, *ERASING_KEYS):
+            self._painting = None
         if event.type == pygame.MOUSEWHEEL:
             return self._wheel(event, size)
         if event.type not in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION):
             return self
         x, y = event.pos
-        self._pixel = complex(x * pixels_per_point.real, y * pixels_per_point.imag)
+        self._pixel, self._hand = complex(x * pixels_per_point.real, y * pixels_per_point.imag), Hand.MOUSE
         if event.type == pygame.MOUSEBUTTONUP:
             self._painting = None
         elif event.type == pygame.MOUSEBUTTONDOWN and event.button in (1, 3):
             return self._pressed(self._pixel, event.button, editor_layout(size, self.session))
         elif event.type == pygame.MOUSEMOTION and self._painting is not None:
-            self._stroke(editor_layout(size, self.session), begins=False)
+            self._stroke(self._hovered(editor_layout(size, self.session)), begins=False)
         return self
 
-    def answer(self, _signal: Signal, _size: tuple[int, int]) -> Screen | None:
-        """The editor hears events themselves."""
+    def answer(self, signal: Signal, _size: tuple[int, int]) -> Screen | None:
+        """React to a gamepad, or to a key that was let go."""
+        self._held = _still_held(self._held, signal)
+        if isinstance(signal, FocusLost):
+            self._painting = None
+        return self if pad_of(signal) is None else self._pad(signal)
+
+    def _pad(self, signal: Signal) -> Screen | None:
+        """A gamepad's button or stick."""
+        self._hand = Hand.PAD
+        match signal:
+            case Pressed(Action.LEFT | Action.RIGHT | Action.UP | Action.DOWN):
+                self._typed, self._held = None, (signal, 1, Repeat(signal.position))
+                self._go(signal.action, 1)
+            case Pressed(Action.SERVE | Action.CONFIRM) if not (self._in_panel and self._target.kind is TargetKind.NUMBER):
+                return self._accept()
+            case Pressed(Action.GIVE_UP) if not self._in_panel:
+                self._draw_at_cursor(0)
+            case Released(Action.SERVE | Action.CONFIRM | Action.GIVE_UP):
+                self._painting = None
+            case Pressed(Action.TIP):
+                self._in_panel = not self._in_panel
+            case Pressed(Action.STEP | Action.STEP_BACK as action):
+                self._shoulder(1 if action is Action.STEP else -1)
+            case Pressed(Action.BACK) if self._in_panel:
+                self._in_panel = False
+            case Pressed(action):
+                return self._command(COMMAND_ACTIONS.get(action))
         return self
 
     def advance(self, seconds: float, _size: tuple[int, int]) -> Screen | None:
-        """Look at the file now and then."""
+        """A direction that is held down acts again and again; look at the file now and then."""
+        if self._held is not None:
+            pressed, steps, repeat = self._held
+            repeat, acts = repeat.later(seconds)
+            self._held = pressed, steps, repeat
+            if acts:
+                self._go(pressed.action, steps)
         self._since_look += seconds
         if self._since_look >= _LOOK_SECONDS:
             self._since_look = 0.0
@@ -90,14 +143,12 @@ class Editor:
             self._drawn = self.session.document.level
         except ValueError:  # sizes that the physics does not take; the problem is written below
             draw_arena(canvas, self._painter, self._drawn)
-        hovered = self._hovered(seen)
-        slots = (
-            None
-            if hovered is None
-            else images(self.session.document.level.rings[hovered[0]], hovered[1], self.session.symmetry)
-        )
-        draw_outlines(canvas, self.session, None if hovered is None or slots is None else (hovered[0], slots))
-        draw_panel(canvas, seen, self.session, self._selected, self._typed, str(self._file.path.name))
+        by_mouse = self._hand is Hand.MOUSE
+        at = self._hovered(seen) if by_mouse else (self.session.ring, self.session.slot)
+        in_panel = self._in_panel and not by_mouse
+        draw_outlines(canvas, self.session, at, canvas.theme.faint if in_panel else canvas.theme.accent)
+        panel = PanelState(self._target, in_panel, self._typed, hint(self._hand, in_panel=self._in_panel))
+        draw_panel(canvas, seen, self.session, panel, str(self._file.path.name))
 
     def save(self) -> bool:
         """Write the file; whether that was possible. What is wrong is shown."""
@@ -125,50 +176,96 @@ class Editor:
         """A key went down."""
         if self._typed is not None and self._type(event):
             return self
+        self._hand = Hand.KEYS
         if event.mod & (pygame.KMOD_CTRL | pygame.KMOD_META):
             again = event.key == pygame.K_y or (event.key == pygame.K_z and event.mod & pygame.KMOD_SHIFT)
-            named = {pygame.K_z: "undo", pygame.K_s: "save"}.get(event.key)
-            return self._command("redo" if again else named)
-        command = _COMMAND_KEYS.get(event.key)
+            return self._command("redo" if again else CONTROL_KEYS.get(event.key))
+        command = COMMAND_KEYS.get(event.key)
         if command is not None:
             return self._command(command)
-        if event.unicode in tuple("0123456789"):
-            self.session = editing.brushed(self.session, int(event.unicode))
-        elif event.unicode == "-":
-            self.session = editing.brushed(self.session, -1)
+        layers = layers_of(event)
+        if layers is not None:
+            self.session = editing.brushed(self.session, layers)
+        elif event.key in DIRECTIONS:
+            pressed, steps = Pressed(DIRECTIONS[event.key], position_in(event)), 10 if event.mod & pygame.KMOD_SHIFT else 1
+            self._held = pressed, steps, Repeat(pressed.position)
+            self._go(pressed.action, steps)
         else:
-            self._move(event)
+            return self._act(event)
         return self
 
-    def _move(self, event: pygame.Event) -> None:
-        """Choose a ring or a number, or change it."""
+    def _act(self, event: pygame.Event) -> Screen | None:
+        """A key that paints, takes away, accepts, or goes to another ring or into the panel."""
+        if event.key in PAINTING_KEYS:
+            return self._accept()
+        if event.key in ERASING_KEYS and not self._in_panel:
+            self._draw_at_cursor(0)
+        elif event.key == pygame.K_TAB:
+            self._in_panel = not self._in_panel
+        elif event.key in (pygame.K_PAGEUP, pygame.K_PAGEDOWN):
+            self.session = cursor.moved_across(self.session, 1 if event.key == pygame.K_PAGEUP else -1)
+        return self
+
+    def _go(self, action: Action, steps: int) -> None:
+        """Move the cursor, or in the panel choose another number or change it. steps: at once, of a number."""
+        sign = 1 if action in (Action.RIGHT, Action.UP) else -1
+        if self._in_panel:
+            self._go_in_panel(sign, steps, across=action in (Action.LEFT, Action.RIGHT))
+            return
+        along = action in (Action.LEFT, Action.RIGHT)
+        self.session = (cursor.moved_along if along else cursor.moved_across)(self.session, sign)
+        if self._painting is not None:
+            self._stroke((self.session.ring, self.session.slot), begins=False)
+
+    def _go_in_panel(self, sign: int, steps: int, *, across: bool) -> None:
+        """Choose another target, or change the one that is chosen."""
         shown = editing.rows(self.session)
-        step = 10.0 if event.mod & pygame.KMOD_SHIFT else 1.0
-        match event.key:
-            case pygame.K_TAB:
-                self.session = editing.chosen_ring(self.session, -1 if event.mod & pygame.KMOD_SHIFT else 1)
-            case pygame.K_UP:
-                self._selected = (self._selected - 1) % len(shown)
-            case pygame.K_DOWN:
-                self._selected = (self._selected + 1) % len(shown)
-            case pygame.K_LEFT:
-                self.session = editing.stepped(self.session, shown[self._selected], -step)
-            case pygame.K_RIGHT:
-                self.session = editing.stepped(self.session, shown[self._selected], step)
-            case pygame.K_RETURN | pygame.K_KP_ENTER:
-                self._typed = ""
+        if not across:
+            self._target = target_below(self._target, -sign, len(shown))
+            return
+        match self._target.kind:
+            case TargetKind.NUMBER:
+                self.session = editing.stepped(self.session, shown[self._target.number], float(sign * steps))
+            case TargetKind.BRUSH:
+                self.session = editing.brushed(self.session, next_of(BRUSHES, self.session.brush, sign))
+            case TargetKind.FOLD:
+                self.session = folded(self.session, sign)
+            case TargetKind.COMMAND:
+                self._target = beside(self._target)
+
+    def _shoulder(self, sign: int) -> None:
+        """The gamepad's shoulders: ten steps of a number, else another brush."""
+        if self._in_panel and self._target.kind is TargetKind.NUMBER:
+            self._go_in_panel(sign, 10, across=True)
+        else:
+            self.session = editing.brushed(self.session, next_of(BRUSHES, self.session.brush, sign))
+
+    def _accept(self) -> Screen | None:
+        """Paint at the cursor, or in the panel type a number or give a command."""
+        if not self._in_panel:
+            self._draw_at_cursor(self.session.brush)
+        elif self._target.kind is TargetKind.NUMBER:
+            self._typed = ""
+        elif self._target.kind is TargetKind.COMMAND:
+            return self._command(BUTTONS[self._target.number].name)
+        return self
+
+    def _draw_at_cursor(self, layers: int) -> None:
+        """Begin a stroke at the cursor; it goes on while the key is held and the cursor moves."""
+        self._painting = layers
+        self._stroke((self.session.ring, self.session.slot), begins=True)
 
     def _type(self, event: pygame.Event) -> bool:
         """Enter a number; whether the key was for that."""
-        typed = self._typed or ""
+        typed, unicode = self._typed or "", getattr(event, "unicode", "")
         if event.key in (pygame.K_RETURN, pygame.K_KP_ENTER):
             self._enter(typed)
         elif event.key == pygame.K_ESCAPE:
             self._typed = None
         elif event.key == pygame.K_BACKSPACE:
             self._typed = typed[:-1]
-        elif event.unicode and event.unicode in _TYPED:
-            self._typed = (typed + event.unicode)[:_LONGEST_NUMBER]
+        elif unicode and unicode in _TYPED:
+            self._typed = (typed + unicode)[:_LONGEST_NUMBER]
         else:
             self._typed = None
             return False
@@ -181,14 +278,14 @@ class Editor:
             value = float(typed)
         except ValueError:
             return
-        self.session = editing.entered(self.session, editing.rows(self.session)[self._selected], value)
+        self.session = editing.entered(self.session, editing.rows(self.session)[self._target.number], value)
 
     def _wheel(self, event: pygame.Event, size: tuple[int, int]) -> Screen | None:
         """The wheel changes the number under the pointer, else the brush."""
         seen, steps = editor_layout(size, self.session), float(event.precise_y)
         index = None if self._pixel is None else _index_at([box for _, box in seen.rows], self._pixel)
         if index is not None:
-            self._selected = index
+            self._target = Target(TargetKind.NUMBER, index)
             self.session = editing.stepped(self.session, seen.rows[index][0], steps)
         elif steps:
             self.session = editing.brushed(self.session, self.session.brush + (1 if steps > 0.0 else -1))
@@ -209,21 +306,23 @@ class Editor:
         index = _index_at([box for _, box in seen.rows], pixel)
         if index is not None:
             row, box = seen.rows[index]
-            self._selected = index
+            self._target, self._in_panel = Target(TargetKind.NUMBER, index), True
             sign = stepper_at(box, pixel, seen.unit)
             if sign:
                 self.session = editing.stepped(self.session, row, float(sign))
             else:
                 self._typed = ""
+        hovered = self._hovered(seen)
+        if hovered is not None:
+            self._in_panel = False
         self._painting = 0 if button == 3 else self.session.brush
-        self._stroke(seen, begins=True)
+        self._stroke(hovered, begins=True)
         return self
 
-    def _stroke(self, seen: EditorLayout, *, begins: bool) -> None:
-        """Paint the slot under the pointer and its images."""
-        hovered = self._hovered(seen)
-        if hovered is not None and self._painting is not None:
-            self.session = editing.stroked(self.session, *hovered, layers=self._painting, begins=begins)
+    def _stroke(self, at: tuple[int, int] | None, *, begins: bool) -> None:
+        """Paint a slot of a ring and its images."""
+        if at is not None and self._painting is not None:
+            self.session = editing.stroked(self.session, *at, layers=self._painting, begins=begins)
 
     def _hovered(self, seen: EditorLayout) -> tuple[int, int] | None:
         """Ring and slot under the pointer."""
@@ -233,7 +332,8 @@ class Editor:
 
     def _command(self, name: str | None) -> Screen | None:
         """Do what a button or a key says."""
-        change = _CHANGES.get(name or "")
+        self._painting = self._held = None
+        change = CHANGES.get(name or "")
         if change is not None:
             self.session = change(self.session)
         elif name == "save":
@@ -273,40 +373,22 @@ class Editor:
         return Menu(self._state, self, tr("Unsaved changes"), (self._file.path.name,), entries, back=lambda: self)
 
 
-def _mirrored(session: EditorSession) -> EditorSession:
-    """The session with mirror images switched on or off."""
-    return session._replace(symmetry=session.symmetry._replace(mirrored=not session.symmetry.mirrored))
-
-
-def _next_fold(session: EditorSession) -> EditorSession:
-    """The session with the next number of rotations."""
-    fold = FOLDS[(FOLDS.index(session.symmetry.fold) + 1) % len(FOLDS)]
-    return session._replace(symmetry=session.symmetry._replace(fold=fold))
+def _still_held(held: tuple[Pressed, int, Repeat] | None, signal: Signal) -> tuple[Pressed, int, Repeat] | None:
+    """The direction that is held down after a signal."""
+    if held is None:
+        return None
+    position = held[0].position
+    match signal:
+        case KeyboardState(down):
+            return held if position in down or position >= PAD_POSITIONS else None
+        case Released():
+            return None if signal.position == position else held
+        case FocusLost():
+            return None
+        case _:
+            return held
 
 
 def _index_at(boxes: list[pygame.Rect], pixel: complex) -> int | None:
     """Index of the box that a pixel is in."""
     return next((index for index, box in enumerate(boxes) if box.collidepoint(pixel.real, pixel.imag)), None)
-
-
-_CHANGES: dict[str, Callable[[EditorSession], EditorSession]] = {
-    "add": editing.with_ring_copied,
-    "remove": editing.with_ring_removed,
-    "fill": editing.filled,
-    "undo": editing.undone,
-    "redo": editing.redone,
-    "mirror": _mirrored,
-    "fold": _next_fold,
-}
-_COMMAND_KEYS = {
-    pygame.K_INSERT: "add",
-    pygame.K_c: "add",
-    pygame.K_DELETE: "remove",
-    pygame.K_f: "fill",
-    pygame.K_m: "mirror",
-    pygame.K_r: "fold",
-    pygame.K_F5: "test",
-    pygame.K_F1: "help",
-    pygame.K_h: "help",
-    pygame.K_ESCAPE: "leave",
-}

@@ -116,7 +116,7 @@ def clamped(parameters: Sequence[Parameter], given: Given, requested: Mapping[st
 
 def snapped(parameters: Sequence[Parameter], requested: Mapping[str, complex]) -> dict[str, complex]:
     """The requested values rounded to each parameter's step, as a drag makes them. What is not finite stays so."""
-    steps = {parameter.name: _step(parameter) for parameter in parameters}
+    steps = {parameter.name: step_of(parameter) for parameter in parameters}
     return {name: _rounded(value, steps[name]) for name, value in requested.items()}
 
 
@@ -137,7 +137,7 @@ def plain(value: float) -> str:
     return repr(value + 0.0).removesuffix(".0")
 
 
-def _step(parameter: Parameter) -> float:
+def step_of(parameter: Parameter) -> float:
     """What a drag moves a parameter by."""
     return 1.0 if isinstance(parameter, Count) else parameter.step
 

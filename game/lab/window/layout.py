@@ -1,4 +1,4 @@
-"""How the lab's window is divided: head, world, words, and the side with the widgets; in a lecture room without it."""
+"""How the lab's window is divided: head, world, words, and the side with the controls; in a lecture room without it."""
 
 from typing import NamedTuple
 
@@ -13,14 +13,13 @@ _LEAST = 14.5
 _SMALLEST = (640, 480)
 """Pixels: of a smaller window, the rest is cut off."""
 _HEAD, _TALL_HEAD, _NARROW = 5.8, 6.6, 40.0
-"""Height of the title and the idea; their height where the width beside the widgets is below the third number. In units."""
+"""Height of the title and the idea; their height where the width beside the controls is below the third number. In units."""
 _LINES, _MORE_LINES = 8.2, 9.3
 """Lines of formula and notes; their number in a narrow window."""
 _LINE = 1.25
 """Height of a line of text, in units."""
-TEXT_SCALES = (1.5, 2.0, 2.75, 3.0)
-"""Sizes of the text in a lecture room, in that of the window's; the third is that of 24 points on a slide."""
-DEFAULT_SCALE = TEXT_SCALES.index(2.75)
+_SIDE = 20.0
+"""Width of the side, in units."""
 _MOST_PEN = 1.6
 """Lines and points grow with the text up to this."""
 _PRESENTED_HEAD, _PRESENTED_WORDS = 1.6, 3.8
@@ -52,13 +51,16 @@ class WindowLayout(NamedTuple):
         return self.unit / self.pen * (1.0 if self.presents else 0.95)
 
 
-def layout_of(size: tuple[int, int], scale: float | None = None) -> WindowLayout:
-    """The division of a surface of that size, pixels. scale: of a lecture room's text; None for the window with widgets."""
+def layout_of(size: tuple[int, int], scale: float | None = None, text: float = 1.0) -> WindowLayout:
+    """The division of a surface of that size, pixels. scale: of a lecture room's text; None for the window with controls.
+
+    text: how much larger than usual the player wants the controls' texts; the side is wider then, as far as the picture allows.
+    """
     width, height = max(size[0], _SMALLEST[0]), max(size[1], _SMALLEST[1])
     unit = max(unit_of((width, height)) * _BODY, _LEAST)
     if scale is not None:
         return _presented((width, height), unit, scale)
-    side = min(max(round(unit * 20.0), round(width * 0.24)), round(width * 0.4))
+    side = min(max(round(unit * _SIDE * text), round(width * 0.24)), round(width * 0.4))
     left = width - side
     head_units, lines = (_HEAD, _LINES) if left > _NARROW * unit else (_TALL_HEAD, _MORE_LINES)
     head, words = round(unit * head_units), round(unit * (_LINE * lines + 1.0))

@@ -2,13 +2,11 @@
 
 import pygame
 
-from game.drawing.palette import Theme
-from game.input.devices import as_key
 from game.input.keys import code_among, position_in
 from game.input.repeat import Repeat
-from game.input.signals import KeyboardState, Signal
-from game.lab.course.progress import course_progress, progress_path
-from game.lab.export.files import step_name
+from game.input.signals import Pressed, Signal, is_still_down, pad_of
+from game.lab.course.progress import course_progress
+from game.lab.course.progress_path import progress_path
 from game.lab.export.slide import SLIDE_SIZE, SlideStyle
 from game.lab.kit.handles import Handle, dragged
 from game.lab.kit.parameters import Clamped, clamped
@@ -16,19 +14,22 @@ from game.lab.kit.picture import Picture, Toggle
 from game.lab.registry import scenes
 from game.lab.session import reveal as reveals
 from game.lab.session import session as sessions
+from game.lab.session.commands import Command
+from game.lab.session.pan_zoom import PanZoom
+from game.lab.session.presenting import DEFAULT_SCALE, TEXT_SCALES
 from game.lab.session.session import Session
 from game.lab.session.share import SharedScene, parsed, preset, share_line
+from game.lab.session.stepping import SESSION_CHANGES, STEPS, Following, stepped_by
 from game.lab.window import saving
-from game.lab.window.commands import BOUND, TOGGLE_KEYS, Command, command_of
+from game.lab.window.commands import BOUND, PAD_COMMANDS, TOGGLE_KEYS, command_of
+from game.lab.window.controls import Controlled, NumberRefused, PresetChosen, Request, SceneChosen, ValueRequested
 from game.lab.window.dragging import Drag, PaneView, drag_at
 from game.lab.window.help import draw_help
-from game.lab.window.layout import DEFAULT_SCALE, TEXT_SCALES, WindowLayout, layout_of
+from game.lab.window.layout import WindowLayout, layout_of
 from game.lab.window.lesson import Lesson
-from game.lab.window.pan_zoom import PanZoom
 from game.lab.window.presented import paint_presented, presented_words
-from game.lab.window.stepping import SESSION_CHANGES, STEPS, Following, stepped_by
+from game.lab.window.side import MODIFIERS, LabSide
 from game.lab.window.view import draw_all_handles, draw_halo, draw_panes, letters_for, pane_views
-from game.lab.window.widgets import PageTurned, PresetChosen, Refused, Request, SceneChosen, Side, ValueRequested
 from game.lab.window.words import TextSheet, draw_head, draw_notice, draw_small_print, draw_words
 from game.lab.yours.pane import with_yours
 from game.screens.app_state import AppState
@@ -37,8 +38,6 @@ from game.screens.base import Screen
 SHOWN = frozenset(Toggle) - {Toggle.PYMUNK}
 """What is shown at first."""
 _NOTICE_SECONDS = 5.0
-_MODIFIERS = pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META
-"""Keys pressed together with one of these belong to the desktop."""
 _REPEATED = frozenset({Command.FORWARD, Command.BACK})
 """Commands that a held key gives again and again: single steps."""
 
@@ -67,16 +66,14 @@ class Lab:
         self._scale: int | None = None  # of TEXT_SCALES, while presenting
         self._pan_zoom = PanZoom.whole(session.scene, session.given)
         self._drawn: tuple[Session, Picture] | None = None
-        self._side: tuple[tuple[tuple[int, int], Theme, str, int], Side] | None = None
+        self._side: LabSide | None = None
         self._drag: Drag | None = None
         self._repeat: tuple[Repeat, Command] | None = None
         self._pointer = -1 - 1j  # pixels
         self._pixels_per_point = 1 + 1j
-        self._seconds = 0.0  # since the last picture
         self._notice, self._notice_left = "", 0.0
         self._help = False
         self._lesson: Lesson | None = None
-        self._page = 0  # of the parameters
         if presents:
             self.present()
         if step is not None and self._picture().steps:
@@ -98,35 +95,40 @@ class Lab:
 
     def layout(self, size: tuple[int, int]) -> WindowLayout:
         """How a window of that size is divided."""
-        found = layout_of(size, None if self._scale is None else TEXT_SCALES[self._scale])
+        found = layout_of(size, None if self._scale is None else TEXT_SCALES[self._scale], self._shared.text_scale)
         return found if self._lesson is None else self._lesson.lowered(found, self._shared.type)
 
-    def answer(self, signal: Signal, _size: tuple[int, int]) -> Screen | None:
-        """Let go of a repeating key that is up; everything else is heard as an event of the window."""
-        if self._repeat is not None and isinstance(signal, KeyboardState) and self._repeat[0].position not in signal.down:
+    def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
+        """React to a gamepad, and let go of what is up again; keyboard and mouse are heard as events of the window."""
+        if self._repeat is not None and not is_still_down(self._repeat[0].position, signal):
             self._repeat = None
-        return self
+        if pad_of(signal) is None:
+            return self._controls(size).answer(signal, size)
+        if self._help:
+            self._help = not isinstance(signal, Pressed)
+            return self
+        taken, following = (False, self) if self.presents else self._controls(size).hear_pad(signal, size)
+        if taken or not isinstance(signal, Pressed) or signal.action not in PAD_COMMANDS:
+            return following
+        return self._asked(PAD_COMMANDS[signal.action], signal.position)
 
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> Screen | None:
         """React to an event of the window."""
         self._pixels_per_point = pixels_per_point
-        event = as_key(event) or event
-        if event.type == pygame.WINDOWFOCUSLOST:
-            self._repeat = None
         if self._help:
             self._help = event.type not in (pygame.KEYDOWN, pygame.MOUSEBUTTONDOWN)
             return self
         if event.type == pygame.KEYDOWN:
             return self._key(event, size)
-        taken, request = (False, None) if self.presents else self._widgets(size).hear(event)
-        if request is not None:
-            return self._do(request)
+        elsewhere = self.presents or self._drag is not None
+        taken, following = (False, self) if elsewhere else self._controls(size).hear(event, size, pixels_per_point)
         if not taken:
             self._mouse(event, size)
-        return self
+        return following
 
-    def advance(self, seconds: float, _size: tuple[int, int]) -> Screen | None:
+    def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
         """Let time pass."""
+        self._controls(size).advance(seconds, size)
         if self._reveal.seen is None:  # a scene that runs waits until all of it is shown
             self._session = sessions.later(self._session, seconds)
         if self._repeat is not None:
@@ -135,7 +137,6 @@ class Lab:
             self._repeat = held, command
             if due:
                 self._obey(command)
-        self._seconds += seconds
         self._notice_left -= seconds
         if self._lesson is not None:
             self._lesson.observe(self._session)
@@ -146,7 +147,7 @@ class Lab:
         return self
 
     def draw(self, surface: pygame.Surface) -> None:
-        """The world, the words, the widgets."""
+        """The world, the words, the controls."""
         theme, size = self._shared.theme, surface.get_size()
         sheet = TextSheet(surface, self.layout(size), theme, self._shared.type)
         surface.fill(theme.background)
@@ -163,7 +164,6 @@ class Lab:
             draw_halo(sheet, self._pointer)
         if self._lesson is not None:
             self._lesson.draw(sheet)
-        self._seconds = 0.0
         if self._help:
             draw_help(surface, theme, self._shared.type)
 
@@ -185,34 +185,33 @@ class Lab:
         return share_line(SharedScene(session.scene, session.given, session.tick, step))
 
     def _draw_side(self, sheet: TextSheet) -> None:
-        """The widgets, and the small print below them."""
-        side = self._widgets(sheet.surface.get_size())
-        side.show(self._session, self._shown, self._picture().toggles)
-        draw_small_print(sheet, side.bottom, (f"state hash {sessions.state_hash(self._session)}", self._line()))
-        side.draw(sheet.surface, self._session, self._seconds, self._pixels_per_point)
+        """The controls, and the small print below them."""
+        bottom = self._controls(sheet.surface.get_size()).draw(sheet.surface)
+        if bottom is not None:
+            draw_small_print(sheet, bottom, (f"state hash {sessions.state_hash(self._session)}", self._line()))
 
     def _step_name(self) -> str:
         """Which step of a reveal is shown."""
-        asked, name = reveals.prediction(self._reveal, self._picture()), step_name(self._reveal, self._picture())
-        return name if asked is None else f"{name}.   Now drag your {asked.asked}"
+        return reveals.step_words(self._reveal, self._picture())
 
     def _key(self, event: pygame.Event, size: tuple[int, int]) -> Screen | None:
-        """React to a key. While a field is typed into, the key is the field's."""
-        side = self._widgets(size)
-        if side.busy and not self.presents:
-            if event.key == pygame.K_ESCAPE:
-                side.release_focus()
-                return self
-            _, request = side.hear(event)
-            return self if request is None else self._do(request)
+        """React to a key, unless it is for the controls."""
+        if not self.presents:
+            taken, following = self._controls(size).hear_key(event, size)
+            if taken:
+                return following
         key = code_among(event, BOUND)
-        toggle, command = TOGGLE_KEYS.get(key), command_of(key)
-        request = toggle or command
-        if request is None or event.mod & _MODIFIERS:
+        toggle = TOGGLE_KEYS.get(key)
+        request = toggle or command_of(key)
+        if request is None or event.mod & MODIFIERS:
             return self
         if toggle is not None and self._lesson is not None and self._lesson.answer(list(Toggle).index(toggle)):
             return self
-        self._repeat = None if command is None or command not in _REPEATED else (Repeat(position_in(event)), command)
+        return self._asked(request, position_in(event))
+
+    def _asked(self, request: Command | Toggle, position: int) -> Screen | None:
+        """Do what a key or a button asks for that went down; as long as it is, again and again where that is wanted."""
+        self._repeat = (Repeat(position), request) if isinstance(request, Command) and request in _REPEATED else None
         return self._do(request)
 
     def _mouse(self, event: pygame.Event, size: tuple[int, int]) -> None:
@@ -227,7 +226,6 @@ class Lab:
                 self._pointer = self._pixel(event.pos)
                 pressed = views if event.button == 1 else [view._replace(handles=()) for view in views]
                 self._drag = drag_at(self._pointer, pressed, self._session.given, unit)
-                self._widgets(size).release_focus()
             case pygame.MOUSEBUTTONUP | pygame.WINDOWFOCUSLOST:
                 self._drag = None
             case pygame.MOUSEWHEEL:
@@ -251,20 +249,18 @@ class Lab:
         self._session = sessions.changed(self._session, dragged(scene.parameters, self._session.given, drag.handle, target))
 
     def _do(self, request: Request) -> Screen | None:
-        """Do what a widget or a key asks for."""
+        """Do what a control or a key asks for."""
         scene, given = self._session.scene, self._session.given
         match request:
             case Command.LEAVE:
                 return self._under
-            case PageTurned() | Command.MORE:
-                self._page += 1
             case Command():
                 self._obey(request)
             case Toggle():
                 self._shown = self._shown ^ {request}
             case ValueRequested(name, value):
                 self._session = sessions.changed(self._session, clamped(scene.parameters, given, {name: value}))
-            case Refused(note):
+            case NumberRefused(note):
                 self._session = self._session._replace(notes=(note,))
             case SceneChosen(name):
                 self._open(name)
@@ -348,7 +344,7 @@ class Lab:
     def _show(self, shared: SharedScene) -> None:
         """A scene as a share line names it."""
         self._session = sessions.opened(shared)
-        self._pan_zoom, self._drag, self._page = PanZoom.whole(shared.scene, shared.given), None, 0
+        self._pan_zoom, self._drag = PanZoom.whole(shared.scene, shared.given), None
         self._reveal = reveals.Reveal(shared.step, self._reveal.predicts)
 
     def _first_step(self) -> reveals.Reveal:
@@ -377,12 +373,14 @@ class Lab:
         """What is shown of the picture."""
         return reveals.shown_picture(self._reveal, self._picture())
 
-    def _widgets(self, size: tuple[int, int]) -> Side:
-        """The widgets, built anew when the window's size, the theme or the scene changes."""
-        key = (size, self._shared.theme, self._session.scene.name, self._page)
-        if self._side is None or self._side[0] != key:
-            self._side = key, Side(layout_of(size), self._shared.theme, self._shared.type, self._session, self._page)
-        return self._side[1]
+    def _controls(self, size: tuple[int, int]) -> LabSide:
+        """The controls of the scene as it stands."""
+        seen = Controlled(self._session, self._shown, self._picture().toggles)
+        layout = layout_of(size, text=self._shared.text_scale)
+        if self._side is None:
+            self._side = LabSide(self._shared, self, self._do, layout, seen)
+        self._side.show(layout, seen)
+        return self._side
 
     def _pane_views(self, size: tuple[int, int]) -> list[PaneView]:
         """Area, camera and handles of each pane."""

@@ -14,6 +14,8 @@ from game.lab.window.layout import WindowLayout
 
 _LINE = 1.25
 """Height of a line of text in the size of its letters."""
+_SMALL, _SMALL_EDGE, _SMALL_ABOVE, _SMALL_BELOW = 0.85, 0.8, 0.3, 0.6
+"""Of small print: size of letters, and from it to the edges, to what is above it, and to the window's lower edge; in units."""
 _BETWEEN = "      "
 """Between formulas on one line."""
 
@@ -84,13 +86,24 @@ def _fitting(type_: Type, lines: Sequence[str], size: float, width: float, most:
 
 
 def draw_small_print(sheet: TextSheet, top: float, lines: tuple[str, ...]) -> None:
-    """Small lines below the widgets, which end at `top`: at the bottom of the side, as far as there is room."""
-    unit, side = sheet.unit, sheet.layout.side
-    size, left, width = unit * 0.85, side.left + unit * 0.8, side.width - unit * 1.6
-    wrapped = [part for line in lines for part in _wrapped_anywhere(sheet.type, line, size, width)]
-    start = max(top + unit * 0.3, sheet.layout.size[1] - unit * 0.6 - _LINE * size * len(wrapped))
+    """Small lines below the controls, which end at `top`: at the bottom of the side, as far as there is room."""
+    wrapped, size = _small_lines(sheet.type, sheet.layout, lines), sheet.unit * _SMALL
+    left, height = sheet.layout.side.left + sheet.unit * _SMALL_EDGE, _LINE * size * len(wrapped)
+    start = max(top + sheet.unit * _SMALL_ABOVE, sheet.layout.size[1] - sheet.unit * _SMALL_BELOW - height)
     for number, part in enumerate(wrapped):
         sheet.type.write(sheet.surface, part, size, sheet.theme.faint, complex(left, start + _LINE * size * number))
+
+
+def small_print_height(type_: Type, layout: WindowLayout, lines: tuple[str, ...]) -> float:
+    """Height that small lines take at the bottom of the side, pixels."""
+    count = len(_small_lines(type_, layout, lines))
+    return layout.unit * (_SMALL_ABOVE + _LINE * _SMALL * count + _SMALL_BELOW)
+
+
+def _small_lines(type_: Type, layout: WindowLayout, lines: tuple[str, ...]) -> list[str]:
+    """Small lines as wide as the side."""
+    size, width = layout.unit * _SMALL, layout.side.width - 2.0 * layout.unit * _SMALL_EDGE
+    return [part for line in lines for part in _wrapped_anywhere(type_, line, size, width)]
 
 
 def draw_notice(sheet: TextSheet, text: str, bottom: float) -> float:
@@ -110,7 +123,7 @@ def draw_notice(sheet: TextSheet, text: str, bottom: float) -> float:
 
 
 def _write_lines(sheet: TextSheet, text: str, colour: Colour, top: float, size: float) -> float:
-    """A text in as many lines as it needs beside the widgets; returns where the next line begins. size: of letters, pixels."""
+    """A text in as many lines as it needs beside the controls; returns where the next line begins. size: of letters, pixels."""
     edge = sheet.unit * 0.9
     for line in sheet.type.wrapped(text, size, sheet.layout.side.left - 2.0 * edge):
         sheet.type.write(sheet.surface, line, size, colour, complex(edge, top))

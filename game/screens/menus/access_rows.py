@@ -18,7 +18,7 @@ _STEP = 5
 def access_rows(state: AppState, _panel: Screen) -> tuple[Row, ...]:
     """All of it."""
     settings = state.settings
-    captions = tr("Words in the lower right for the sounds that matter, and where they come from.")
+    captions = tr("Words in the upper right for the sounds that matter, and where they come from.")
     one_button = tr("In play the paddles turn by themselves; any key, click or touch reverses them, and serves.")
     return (
         (_language(state),),

@@ -15,8 +15,8 @@ from game.screens.toolkit.layout import Row
 
 _SLOTS = 2
 """Keys of an action that are shown."""
-_WIDE_TEXT = 1.3
-"""Above this size of text an action's name has a line of its own."""
+WIDE_TEXT = 1.3
+"""Above so many times its usual size text has no room for columns."""
 _KEY_SHARE = 0.62
 """Of the width of an action's name."""
 
@@ -29,7 +29,7 @@ def control_rows(state: AppState, panel: Screen) -> tuple[Row, ...]:
         for action, name in actions.items():
             label: Item = Cells(((name, 1.0, "left"),))
             keys = _keys(state, panel, action, name)
-            rows += [(label,), keys] if state.text_scale > _WIDE_TEXT else [(label, *keys)]
+            rows += [(label,), keys] if state.text_scale > WIDE_TEXT else [(label, *keys)]
     return tuple(rows)
 
 

@@ -14,7 +14,7 @@ from game.screens.toolkit.layout import Content, Row
 from game.screens.toolkit.menu import back_row
 from game.screens.toolkit.panel import Panel
 
-_TALL = 21.5
+_TALL = 24.0
 """Height of the tallest part, units of text."""
 
 
@@ -32,8 +32,8 @@ class Help(Panel):
         """The part that is shown."""
         footer = back_row(tr("Back"), self.back)
         if self._keys is not None:
-            return Content(self._title, _key_rows(self._keys), footer, width=40.0)
-        parts = (_game, _aiming, power_rows, _controls, _key_part)
+            return Content(self._title, self._key_rows(self._keys), footer, width=40.0)
+        parts = (_game, _aiming, power_rows, _controls, lambda: self._key_rows(play_help()))
         names = (tr("The game"), tr("Aiming"), tr("Power-ups"), tr("Ways to play"), tr("Keys"))
         return Content(tr("How to play"), parts[self._tab](), footer, names, self._tab, 44.0, tall=_TALL)
 
@@ -46,6 +46,13 @@ class Help(Panel):
         if isinstance(signal, Pressed) and signal.action in (Action.HELP, Action.PAUSE):
             return self.back()
         return super().answer(signal, size)
+
+    def _key_rows(self, keys: tuple[tuple[str, str], ...]) -> tuple[Row, ...]:
+        """A line for each, two where texts are large."""
+        if not self.has_large_text:
+            return tuple([(Cells(((names, 1.0, "left"), (meaning, 2.0, "left"))),) for names, meaning in keys])
+        words = [(TextItem(names, 1.0, faint=True), TextItem(meaning, 1.1), Item()) for names, meaning in keys]
+        return tuple([(item,) for items in words for item in items])
 
 
 def _game() -> tuple[Row, ...]:
@@ -94,8 +101,14 @@ def _controls() -> tuple[Row, ...]:
             tr("Mouse"),
             tr("The nearest paddle follows the pointer; a click serves. The signs at the right pause, help and set."),
         ),
-        (tr("Gamepad"), tr("The stick's angle is the paddle's angle; the triggers turn; the lower button serves.")),
-        (tr("Touch"), tr("Drag where a paddle shall go; tap to serve.")),
+        (
+            tr("Gamepad"),
+            tr(
+                "The stick's angle is the paddle's angle; the triggers turn; the lower button serves. "
+                "The other stick aims the serve, and in 3D moves the camera."
+            ),
+        ),
+        (tr("Touch"), tr("Drag where a paddle shall go; tap to serve. In 3D two fingers turn and zoom.")),
         (tr("One button"), tr("In the settings: the paddles never stop, and every press turns them round.")),
     )
     rows: list[Row] = []
@@ -103,13 +116,3 @@ def _controls() -> tuple[Row, ...]:
         row: tuple[Item, ...] = (TextItem(name, 1.2, width_share=0.35), TextItem(how, 1.1))
         rows += [row, (Item(),)]
     return tuple(rows)
-
-
-def _key_part() -> tuple[Row, ...]:
-    """All keys of a game."""
-    return _key_rows(play_help())
-
-
-def _key_rows(keys: tuple[tuple[str, str], ...]) -> tuple[Row, ...]:
-    """A line for each."""
-    return tuple([(Cells(((names, 1.0, "left"), (meaning, 2.0, "left"))),) for names, meaning in keys])

@@ -2,10 +2,12 @@
 
 import pygame
 
-from game.drawing.arcade.icons import PowerIcons
 from game.drawing.canvas import Canvas
+from game.drawing.display_list_painter import DisplayListPainter
 from game.effects.pops import POWER_NAMES
 from game.language import tr
+from game.picture.display_list import DisplayList
+from game.picture.moving.drops import add_chip
 from game.rules import HARMFUL, LASTING, TICK, PowerUp
 from game.screens.toolkit.items import Drawing, Item, TextItem
 from game.screens.toolkit.layout import Row
@@ -14,7 +16,7 @@ _SIGN = 0.16
 """Width of a sign's column, in comparison with the words'."""
 _ROW, _ICON = 2.9, 0.95
 """Height of a row and radius of an icon, units of text."""
-_icons = PowerIcons()
+_painter = DisplayListPainter()
 
 
 def power_rows() -> tuple[Row, ...]:
@@ -40,7 +42,9 @@ def _cell(kind: PowerUp) -> tuple[Item, Item]:
     def paint(canvas: Canvas, box: pygame.Rect) -> None:
         pixel = complex(box.centerx, box.top + canvas.unit * 1.1)
         radius = min(canvas.unit * _ICON, box.width * 0.5)
-        _icons.draw(canvas.surface, kind, pixel, radius, canvas.theme)
+        sign = DisplayList()
+        add_chip(sign, kind, pixel, radius, canvas.theme)
+        _painter.paint(canvas.surface, canvas.type, sign)
 
     return Drawing(_ROW, paint, width_share=_SIGN), TextItem(words, 1.0, faint=kind in HARMFUL)
 

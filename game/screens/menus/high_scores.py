@@ -2,6 +2,7 @@
 
 from game.kept.scores import ENDLESS, Score
 from game.language import tr
+from game.level_names import level_name
 from game.overlay.toast import Toast
 from game.screens.app_state import AppState
 from game.screens.base import Screen
@@ -33,8 +34,7 @@ class HighScores(Panel):
         """The table of one difficulty."""
         table = self.state.kept.scores.value.table(_TABLES[self._tab])
         heads = ("#", "", tr("Name"), tr("Score"), "", tr("Until"), tr("Date"))
-        head = Cells(self._cells(heads), faint=True)
-        rows: list[tuple[Item, ...]] = [(head,)]
+        rows: list[tuple[Item, ...]] = [(Cells(self._cells(heads), faint=True),)] if table else []
         rows += [(self._line(number, score),) for number, score in enumerate(table, 1)]
         if not table:
             rows.append((TextItem(tr("Nobody yet: the first game that ends with points stands here."), 1.1, faint=True),))
@@ -54,7 +54,7 @@ class HighScores(Panel):
 
     def _line(self, number: int, score: Score) -> Cells:
         """A line of the table."""
-        until = tr("the end") if score.won else tr(score.last)
+        until = tr("the end") if score.won else level_name(score.last)
         name = score.name or "-"
         if score.speed < 100:
             name = tr("{name} ({speed} %)").format(name=name, speed=score.speed)

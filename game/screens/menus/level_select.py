@@ -12,11 +12,13 @@ from game.drawing.raster.primitives import draw_box
 from game.drawing.text import Type
 from game.kept.progress import RANKS, Best
 from game.language import tr
+from game.level_names import level_name
 from game.levels import Level, from_level
 from game.overlay.toast import Toast
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.difficulty_names import difficulty_name
+from game.screens.menus.control_rows import WIDE_TEXT
 from game.screens.menus.difficulty import difficulty_choice, players_choice
 from game.screens.play import PlayScreen
 from game.screens.play_record import record_name
@@ -33,10 +35,12 @@ _COLUMNS, _FEW_COLUMNS = 4, 3
 """Cards beside each other, as many as a chapter has; and where the player wants large texts."""
 _CARD_MARGIN, _CARD_TEXT = 0.45, 2.9
 """From a card's edges to its picture, and the height of the words below it; units of text."""
+_NAME, _NAME_LINES, _LINE = 1.05, 2, 1.2
+"""Size of a name's letters, the lines that it may take where texts are large, and from line to line; units of text."""
 _WIDTH = 40.0
 """Of the plate, units of text."""
-_LOCKED = 110
-"""How much of a locked level's picture is seen, of 255."""
+_LOCKED, _LOCK = 110, 2.6
+"""How much of a locked level's picture is seen, of 255; and the padlock's size, units of text."""
 
 
 @dataclass(frozen=True)
@@ -57,8 +61,13 @@ class Card(Item):
         return True
 
     def height(self, _type: Type, unit: float, width: float) -> float:
-        """A square picture and two lines."""
-        return width / unit + _CARD_TEXT
+        """A square picture, the name and a line."""
+        return width / unit + _CARD_TEXT + _LINE * (self._most_lines - 1)
+
+    @property
+    def _most_lines(self) -> int:
+        """Lines that the name may take."""
+        return _NAME_LINES if self.state.text_scale > WIDE_TEXT else 1
 
     def draw(self, canvas: Canvas, box: pygame.Rect, *, focused: bool) -> None:
         """Picture, number and name, best score and rank."""
@@ -74,14 +83,16 @@ class Card(Item):
             canvas.surface.blit(picture, hole)
             picture.set_alpha(None)
         if not self.is_open:
-            lock = pygame.Rect(0, 0, round(unit * 3.0), round(unit * 3.0))
+            lock = pygame.Rect(0, 0, round(unit * _LOCK), round(unit * _LOCK))
             lock.center = hole.center
             draw_lock(canvas, lock, theme.text)
         colour = theme.accent if focused else theme.text if self.is_open else theme.faint
         left, room = complex(hole.left, hole.bottom + unit * 0.25), float(side)
-        name = f"{self.number}  {tr(self.level.name)}" if self.number else tr(self.level.name)
-        write_fitting(canvas, name, 1.05, colour, left, "topleft", room)
-        foot = hole.bottom + unit * 1.55
+        name = f"{self.number}  {level_name(self.level.name)}" if self.number else level_name(self.level.name)
+        lines = canvas.type.wrapped(name, unit * _NAME, room) if self._most_lines > 1 else (name,)
+        for index, line in enumerate(lines if len(lines) <= self._most_lines else (name,)):
+            write_fitting(canvas, line, _NAME, colour, left + 1j * unit * _LINE * index, "topleft", room)
+        foot = hole.bottom + unit * (1.55 + _LINE * (self._most_lines - 1))
         if self.best is not None:
             canvas.write(f"{self.best.score:,}", 0.95, theme.faint, complex(hole.left, foot))
             _draw_rank(canvas, RANKS[self.best.rank], complex(hole.right, foot + unit * 0.35))
@@ -150,7 +161,11 @@ class LevelSelect(Panel):
         state, level = self.state, self.state.catalogue[index]
         progress, names = state.kept.progress.value, [level.name for level in state.catalogue]
         best, is_open = progress.best(level.name, state.difficulty), progress.is_open(index, names)
-        tip = tr(level.description) if is_open else tr("Finish {level} to open this one.").format(level=tr(names[index - 1]))
+        tip = (
+            tr(level.description)
+            if is_open
+            else tr("Finish {level} to open this one.").format(level=level_name(names[index - 1]))
+        )
         if best is not None:
             words = tr("Best at {difficulty}: {score} points, rank {rank}, {time}")
             told = words.format(

@@ -8,6 +8,7 @@ import platformdirs
 
 from game.kept.games import MOST, KeptGame
 from game.language import tr
+from game.level_names import level_name
 from game.overlay.toast import Toast
 from game.screens.base import Screen
 from game.screens.difficulty_names import difficulty_name
@@ -46,7 +47,7 @@ class Replays(Panel):
 
     def _line(self, game: KeptGame) -> Cells:
         """A game's line."""
-        until = tr("the end") if game.won else tr(game.last)
+        until = tr("the end") if game.won else level_name(game.last)
         words = (
             game.title or game.date,
             until,
@@ -136,7 +137,7 @@ def _rule() -> str:
 
 def _played(game: KeptGame) -> str:
     """What was played, in words."""
-    words = [" – ".join(dict.fromkeys([tr(game.first), tr(game.last)]))] if game.first else []
+    words = [" – ".join(dict.fromkeys([level_name(game.first), level_name(game.last)]))] if game.first else []
     return ", ".join([word for word in (*words, difficulty_name(game.difficulty)) if word])
 
 

@@ -11,7 +11,7 @@ from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.earned import feats
 from game.screens.menus.access_rows import access_rows
-from game.screens.menus.control_rows import control_rows
+from game.screens.menus.control_rows import WIDE_TEXT, control_rows
 from game.screens.toolkit.items import ChoiceItem, Heading, Item, Switch, TextItem
 from game.screens.toolkit.layout import Row
 from game.screens.toolkit.slider import Slider
@@ -61,7 +61,7 @@ def _switch(state: AppState, label: str, field: str, tip: str) -> Switch:
 
 def _picture(state: AppState, _panel: Screen) -> tuple[Row, ...]:
     """Colours and motion."""
-    names = {"dark": tr("Dark"), "light": tr("Light")}
+    names = {"dark": tr("Dark"), "light": tr("Light"), "contrast": tr("High contrast")}
     keys = list(names)
 
     def choose(index: int) -> None:
@@ -112,13 +112,14 @@ def _unlockable(state: AppState, label: str, field: str, conditions: dict[str, C
 
 
 def _effects(state: AppState, _panel: Screen) -> tuple[Row, ...]:
-    """One switch for all, and one for each, in two columns."""
+    """One switch for all, and one for each, in two columns where there is room."""
     tip = tr("All that is listed below, but for the trail; {key} turns them off and on at any time.").format(
         key=key_name(Action.EFFECTS)
     )
     items = [_effect(state, kind, *words) for kind, words in effect_names().items()]
-    pairs: list[Row] = [tuple(items[first : first + 2]) for first in range(0, len(items), 2)]
-    return ((_switch(state, tr("Effects"), "effects", tip),), (Heading(tr("One by one")),), *pairs)
+    columns = 1 if state.text_scale > WIDE_TEXT else 2
+    rows: list[Row] = [tuple(items[first : first + columns]) for first in range(0, len(items), columns)]
+    return ((_switch(state, tr("Effects"), "effects", tip),), (Heading(tr("One by one")),), *rows)
 
 
 def _effect(state: AppState, kind: EffectKind, label: str, tip: str) -> Switch:

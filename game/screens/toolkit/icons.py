@@ -12,7 +12,7 @@ from game.drawing.raster.primitives import draw_dot
 _THIN = 0.13
 """Width of a stroke, in sides of the box."""
 _REACH, _FINER = 0.2, 4
-"""Of a cross: half its width, in sides of the box; and how much larger it is drawn."""
+"""Of a cross: half its width, in sides of the box; and how much larger a sign is drawn."""
 
 
 def draw_cross(canvas: Canvas, box: pygame.Rect, colour: Colour) -> None:
@@ -49,23 +49,35 @@ def draw_gear(canvas: Canvas, box: pygame.Rect, colour: Colour) -> None:
 
 def draw_lock(canvas: Canvas, box: pygame.Rect, colour: Colour) -> None:
     """A padlock: not open yet."""
-    body = pygame.Rect(0, 0, round(box.width * 0.5), round(box.height * 0.38))
-    body.midtop = (box.centerx, round(box.centery - box.height * 0.02))
-    bow = pygame.Rect(0, 0, round(box.width * 0.32), round(box.height * 0.42))
-    bow.midbottom = (box.centerx, body.top + round(box.height * 0.16))
-    width = max(round(box.width * 0.07), 1)
-    pygame.draw.arc(canvas.surface, colour, bow, 0.0, math.pi, width)
-    for side in (bow.left, bow.right - width):
-        pygame.draw.rect(canvas.surface, colour, (side, bow.centery - 1, width, body.top - bow.centery + 2))
-    pygame.draw.rect(canvas.surface, colour, body, border_radius=max(width, 1))
+    picture = _lock(max(box.width, 1), colour)
+    canvas.surface.blit(picture, picture.get_rect(center=box.center))
+
+
+@lru_cache(maxsize=32)
+def _lock(side: int, colour: Colour) -> pygame.Surface:
+    """A padlock, drawn finer and scaled down."""
+    large = _clear(side, colour)
+    fine, width = side * _FINER, side * _FINER * 0.08
+    middle, bow, top = fine / 2.0, fine * 0.15, fine * 0.4
+    body = pygame.Rect(round(middle - fine * 0.24), round(fine * 0.48), round(fine * 0.48), round(fine * 0.36))
+    pygame.draw.rect(large, colour, body, border_radius=round(width))
+    pygame.draw.circle(large, colour, (middle, top), bow + width / 2.0, round(width), True, True, False, False)
+    for x in (middle - bow - width / 2.0, middle + bow - width / 2.0):
+        pygame.draw.rect(large, colour, (round(x), round(top) - 1, round(width), body.top - round(top) + 2))
+    return pygame.transform.smoothscale(large, (side, side))
+
+
+def _clear(side: int, colour: Colour) -> pygame.Surface:
+    """A surface to draw a sign on that is scaled down to `side` pixels: nothing of a colour."""
+    large = pygame.Surface((side * _FINER, side * _FINER), pygame.SRCALPHA)
+    large.fill((*colour[:3], 0))
+    return large
 
 
 @lru_cache(maxsize=32)
 def _cross(side: int, colour: Colour) -> pygame.Surface:
     """A cross of two strokes with round ends, drawn finer and scaled down."""
-    fine = side * _FINER
-    large = pygame.Surface((fine, fine), pygame.SRCALPHA)
-    large.fill((*colour[:3], 0))
+    fine, large = side * _FINER, _clear(side, colour)
     middle, width = complex(fine, fine) / 2.0, fine * _THIN / 2.0
     for towards in (1 + 1j, 1 - 1j):
         across, reach = towards / abs(towards) * 1j * width, towards * fine * _REACH

@@ -30,6 +30,8 @@ _SWITCH, _SWITCH_GAP, _SWITCH_EDGE, _KNOB_INSET = (1.9, 0.95), 0.5, 0.1, 0.2
 """A switch, from it to the word beside it, the width of its edge, and from its edge to its knob."""
 _OVERRULED = 0.45
 """A switch that has no effect now has this share of the way from the panel's colour to its own."""
+_FADED = 0.4
+"""What cannot be used has this share of the way from the panel's colour to its own."""
 _CHEVRON, _CHOICE_GAP = (0.3, 0.32), 0.8
 """Half width and half height of the arrow heads beside a choice, and from them to its words."""
 _LINE_WIDTH = 0.05
@@ -67,9 +69,24 @@ class Item:
         """Obey left (-1) or right (+1); whether they mean anything here."""
         return False
 
+    def grip(self, _pixel: complex, _box: pygame.Rect, _unit: float) -> complex | None:
+        """From the middle of what is dragged to the pixel that was pressed, pixels; None where nothing can be dragged."""
+        return None
+
     def pointed(self, panel: Screen, _pixel: complex, _box: pygame.Rect, _unit: float, *, clicked: bool) -> Screen | None:
         """The screen to go on with after a click, or a drag with the button held."""
         return self.accepted(panel) if clicked else panel
+
+
+@dataclass(frozen=True)
+class Space(Item):
+    """Empty room between rows. tall: its height."""
+
+    tall: float
+
+    def height(self, _type: Type, _unit: float, _width: float) -> float:
+        """As it was given."""
+        return self.tall
 
 
 @dataclass(frozen=True)
@@ -193,7 +210,7 @@ class LineItem(Item):
 
 @dataclass(frozen=True)
 class Switch(LineItem):
-    """On or off. words: said beside it, first for off; overruled: it has no effect now."""
+    """On or off. words: said beside it, first for off; overruled: it has no effect now; usable: whether it can be turned."""
 
     label: str
     on: bool
@@ -201,9 +218,16 @@ class Switch(LineItem):
     tip: str = ""
     words: tuple[str, str] = ("", "")
     overruled: bool = False
+    usable: bool = True
+
+    @property
+    def focusable(self) -> bool:
+        """Where it can be turned."""
+        return self.usable
 
     def draw(self, canvas: Canvas, box: pygame.Rect, *, focused: bool) -> None:
         """The label, and a switch that says on or off."""
+        canvas = canvas if self.usable else canvas._replace(theme=_faded(canvas.theme))
         theme, unit = canvas.theme, canvas.unit
         draw_focus(canvas, box, focused=focused)
         track = pygame.Rect(0, 0, round(unit * _SWITCH[0]), round(unit * _SWITCH[1]))
@@ -350,3 +374,9 @@ class Drawing(Item):
     def draw(self, canvas: Canvas, box: pygame.Rect, *, focused: bool) -> None:  # noqa: ARG002  # it never is
         """The picture."""
         self.paint(canvas, box)
+
+
+def _faded(theme: Theme) -> Theme:
+    """The colours of what cannot be used."""
+    text, accent, edge = (mixed(theme.panel, colour, _FADED) for colour in (theme.text, theme.accent, theme.panel_edge))
+    return theme._replace(text=text, accent=accent, panel_edge=edge)

@@ -32,6 +32,10 @@ _SCREEN_MARGIN = 0.6
 BAR = 0.45
 """Width of the scroll bar."""
 _BAR_ROOM = 1.1
+COLUMN_MARGIN = 0.9
+"""From the edges of an area to the rows in it."""
+_TIGHTEST, _LEAST_SEEN = 0.75, 0.22
+"""Rows in a column are made lower down to this share of their heights; least share of its height for a body that scrolls."""
 CLOSE = 1.9
 """Side of the button in the upper right corner."""
 
@@ -72,7 +76,7 @@ class Laid(NamedTuple):
 
     plate: the whole. close: the button that leads back. tabs: the tabs' heads. body: what is seen of it.
     spots: all items; those of the body where the scrolling puts them. tip: where words about the focused item stand.
-    over: how far the body can be scrolled.
+    over: how far the body can be scrolled. bar: right edge of the scroll bar.
     """
 
     plate: pygame.Rect
@@ -82,6 +86,7 @@ class Laid(NamedTuple):
     spots: tuple[Spot, ...]
     tip: pygame.Rect
     over: int
+    bar: int
 
 
 def laid_out(content: Content, area: pygame.Rect, type_: Type, units: tuple[float, float], scroll: float) -> Laid:
@@ -124,7 +129,44 @@ def laid_out(content: Content, area: pygame.Rect, type_: Type, units: tuple[floa
     close = pygame.Rect(0, 0, round(CLOSE * unit), round(CLOSE * unit))
     close.topright = (round(plate.right - 0.7 * unit), round(plate.top + 0.7 * unit))
     tabs = _tabs(content.tabs, type_, unit, (left, round(body.top - (TABS + TABS_GAP) * unit), whole))
-    return Laid(plate, close, tabs, body, (*spots, *below), tip, over)
+    return Laid(plate, close, tabs, body, (*spots, *below), tip, over, plate.right - round(unit * MARGIN))
+
+
+class Column(NamedTuple):
+    """Rows on a part of a surface. head, foot: they stay; body: rows between them, which scroll where they are too many."""
+
+    head: tuple[Row, ...]
+    body: tuple[Row, ...]
+    foot: tuple[Row, ...]
+
+
+def laid_in_column(column: Column, area: pygame.Rect, type_: Type, unit: float, scroll: float) -> Laid:
+    """Everything below each other from the top of an area, pixels. unit: size of text. scroll: of the body.
+
+    Where there is too little room, all rows are made lower, and then the body scrolls; where little would be seen of it,
+    everything scrolls.
+    """
+    margin = round(COLUMN_MARGIN * unit)
+    left, width = area.left + margin, max(area.width - 2 * margin, 1)
+    parts = [sum([_row_height(row, type_, unit, width) for row in rows]) for rows in column]
+    squeeze = min(max(area.height / max(sum(parts), 1.0), _TIGHTEST), 1.0)
+    head, wanted, foot = (squeeze * part for part in parts)
+    room = area.height - head - foot
+    if room < wanted and room < area.height * _LEAST_SEEN and (column.head or column.foot):
+        everything = Column((), (*column.head, *column.body, *column.foot), ())
+        return laid_in_column(everything, area, type_, unit, scroll)
+    seen, inner = min(wanted, room), width - (round(_BAR_ROOM * unit) if wanted > room else 0)
+    over = max(round(wanted - seen), 0)
+    body = pygame.Rect(left, round(area.top + head), inner, round(seen))
+    before, inside = len(column.head), len(column.head) + len(column.body)
+    spots = (
+        *_spots(column.head, type_, unit, (left, area.top, width), (0, False), squeeze),
+        *_spots(column.body, type_, unit, (left, body.top - min(scroll, over), inner), (before, True), squeeze),
+        *_spots(column.foot, type_, unit, (left, body.bottom, width), (inside, False), squeeze),
+    )
+    bottom = round(body.bottom + foot)
+    tip = pygame.Rect(left, bottom, width, round(TIP * LINE * TIP_LINES * unit))
+    return Laid(area, pygame.Rect(0, 0, 0, 0), (), body, spots, tip, over, left + width)
 
 
 def _row_height(row: Row, type_: Type, unit: float, width: float) -> float:
@@ -143,15 +185,23 @@ def _widths(row: Row, unit: float, width: float) -> list[float]:
 
 
 def _spots(
-    rows: tuple[Row, ...], type_: Type, unit: float, start: tuple[int, float, float], first: tuple[int, bool]
+    rows: tuple[Row, ...],
+    type_: Type,
+    unit: float,
+    start: tuple[int, float, float],
+    first: tuple[int, bool],
+    squeeze: float = 1.0,
 ) -> list[Spot]:
-    """Rows of items below each other. start: left, top and width; first: number of the first row, and whether it scrolls."""
+    """Rows of items below each other. start: left, top and width; first: number of the first row, and whether it scrolls.
+
+    squeeze: the share of their heights that they have.
+    """
     left, y, width = start
     spots = []
     for number, row in enumerate(rows, first[0]):
-        tall, x = _row_height(row, type_, unit, width), float(left)
+        tall, x = squeeze * _row_height(row, type_, unit, width), float(left)
         for column, (item, wide) in enumerate(zip(row, _widths(row, unit, width), strict=True)):
-            box = pygame.Rect(round(x), round(y), round(wide), round(tall - _ROW_GAP * unit))
+            box = pygame.Rect(round(x), round(y), round(wide), round(tall - squeeze * _ROW_GAP * unit))
             spots.append(Spot(item, box, number, column, first[1]))
             x += wide + _COLUMN_GAP * unit
         y += tall

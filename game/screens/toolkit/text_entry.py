@@ -5,7 +5,6 @@ from collections.abc import Callable
 import pygame
 
 from game.drawing.canvas import Canvas
-from game.drawing.raster.primitives import draw_box
 from game.language import tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
@@ -13,9 +12,10 @@ from game.screens.toolkit.focus import Focus
 from game.screens.toolkit.items import ButtonItem, Drawing, Item
 from game.screens.toolkit.layout import Content, Row
 from game.screens.toolkit.panel import Panel
-from game.screens.toolkit.plate import write_fitting
+from game.screens.toolkit.text_field import TextField, draw_field
 
 _LETTERS = ("ABCDEFGHIJ", "KLMNOPQRST", "UVWXYZ-_.!", "0123456789")
+_FEW_LETTERS = 6
 _NAVIGATION = frozenset(
     {pygame.K_UP, pygame.K_DOWN, pygame.K_LEFT, pygame.K_RIGHT, pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_ESCAPE}
 )
@@ -36,7 +36,9 @@ class TextEntry(Panel):
     def content(self) -> Content:
         """The field, the letters, and what to do with them."""
         keys: list[Row] = [(Drawing(2.6, self._draw_field),)]
-        keys += [tuple([ButtonItem(letter, self._typed(letter), centred=True) for letter in line]) for line in _LETTERS]
+        for line in self._lines:
+            letters = [ButtonItem(letter, self._typed(letter), centred=True) for letter in line]
+            keys.append((*letters, *[Item()] * (len(self._lines[0]) - len(line))))
         space = ButtonItem(tr("Space"), self._typed(" "), centred=True, width_share=2.0)
         erase = ButtonItem(tr("Erase"), self._erase, centred=True)
         keys.append((space, erase))
@@ -46,7 +48,15 @@ class TextEntry(Panel):
 
     def first(self) -> Focus | None:
         """The button that accepts, so that one can type and press Enter."""
-        return Focus(len(_LETTERS) + 2, 0)
+        return Focus(len(self._lines) + 2, 0)
+
+    @property
+    def _lines(self) -> tuple[str, ...]:
+        """The letters, fewer beside each other where the player wants large texts."""
+        if not self.has_large_text:
+            return _LETTERS
+        letters = "".join(_LETTERS)
+        return tuple([letters[start : start + _FEW_LETTERS] for start in range(0, len(letters), _FEW_LETTERS)])
 
     def typed(self, event: pygame.Event) -> bool:
         """Take an event of the keyboard as text; whether it is one. Arrows, Enter and Esc mean what they mean everywhere."""
@@ -81,13 +91,4 @@ class TextEntry(Panel):
 
     def _draw_field(self, canvas: Canvas, box: pygame.Rect) -> None:
         """The text and where the next letter goes."""
-        theme, unit = canvas.theme, canvas.unit
-        draw_box(canvas.surface, box, unit * 0.4, theme.background, theme.panel_edge, unit * 0.08)
-        left = complex(box.left + unit * 0.7, box.centery)
-        shown = self.text[-60:]
-        end = (
-            write_fitting(canvas, shown, 1.6, theme.text, left, "midleft", box.width - unit * 2.0).right if shown else left.real
-        )
-        caret = pygame.Rect(round(end + unit * 0.15), 0, max(round(unit * 0.1), 1), round(unit * 1.5))
-        caret.centery = box.centery
-        pygame.draw.rect(canvas.surface, theme.accent, caret)
+        draw_field(canvas, box, self.text, 1.6, TextField(self.text, len(self.text), len(self.text)))

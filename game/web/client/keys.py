@@ -5,7 +5,16 @@
 
 from game.input.actions import Action
 
-BY_CODE = {"ArrowLeft": Action.LEFT, "KeyA": Action.LEFT, "ArrowRight": Action.RIGHT, "KeyD": Action.RIGHT}
+BY_CODE = {
+    "ArrowLeft": Action.LEFT,
+    "KeyA": Action.LEFT,
+    "ArrowRight": Action.RIGHT,
+    "KeyD": Action.RIGHT,
+    "KeyZ": Action.ORBIT_LEFT,
+    "KeyX": Action.ORBIT_RIGHT,
+    "KeyV": Action.TILT_UP,
+    "KeyC": Action.TILT_DOWN,
+}
 """Keys that mean something wherever they are, by where they are."""
 BY_KEY = {
     "ArrowUp": Action.UP,
@@ -35,6 +44,8 @@ BY_KEY = {
     "End": Action.END,
     "1": Action.FLAT,
     "2": Action.SOLID,
+    "PageUp": Action.ZOOM_IN,
+    "PageDown": Action.ZOOM_OUT,
 }
 """Keys that mean something by what is written on them."""
 BUTTONS = (

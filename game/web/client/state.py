@@ -13,13 +13,15 @@ from game.input.view import FLAT, Viewpoint
 from game.kept.store import Kept
 from game.language import choose
 from game.levels import Level, campaign
-from game.picture.arena import ArenaPicture, ArenaView
+from game.picture.arena import ArenaPicture
 from game.picture.display_list import DisplayList
+from game.picture.view import ArenaView
 from game.rules import Ruleset, Ticked
 from game.scene import Scene
 from game.screens.difficulty_names import SOURCE, ruleset_of
 from game.settings.file import SettingsFile
 from game.settings.values import Settings
+from game.web.client.functions.panel import OwnFunctionsPanel
 from game.web.client.messages import Download, PageItem, PageMenu
 from game.web.client.sounds import Sounds
 
@@ -74,7 +76,7 @@ class PageState:
     levels: of the campaign. own: the player's, by the names of their files.
     density: pixels of the canvas per CSS pixel.
     told: lines for the player to read for a moment. said: for a screen reader. started: sounds to be played now.
-    changed: whether what is stored has changed. download: a file for the player.
+    functions: the player's own, in the editor. changed: whether what is stored has changed. download: a file for the player.
     """
 
     sounds: Sounds
@@ -93,6 +95,7 @@ class PageState:
     said: list[str] = field(default_factory=list)
     started: list[tuple[int, float, float]] = field(default_factory=list)
     changed: bool = False
+    functions: OwnFunctionsPanel = field(default_factory=OwnFunctionsPanel)
     download: Download | None = None
     problems: set[str] = field(default_factory=set)
 
@@ -128,7 +131,7 @@ class PageState:
 
     def draw_scene(self, out: Pictures, scene: Scene, camera: Camera, size: tuple[int, int]) -> None:
         """Show a scene."""
-        seen = ArenaView(camera, self.theme, unit_of(size))
+        seen = ArenaView(camera, self.theme, unit_of(size), size)
         out.backdrop = self.arena.backdrop(scene, seen)
         out.frame = self.arena.frame(scene, seen)
 

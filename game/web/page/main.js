@@ -1,6 +1,8 @@
 // The page: asks Python in the worker for a frame, paints the one before, and hands on what the player did.
 
 import { Controls } from "./controls.js";
+import { Editor } from "./editor.js";
+import { Grader } from "./grader.js";
 import { Input } from "./input.js";
 import { paint } from "./painter.js";
 import { Speaker } from "./speaker.js";
@@ -10,14 +12,16 @@ const LARGEST_FILE = 16 * 1024 * 1024;
 const element = (id) => document.getElementById(id);
 const canvas = element("picture"), context = canvas.getContext("2d", { alpha: false });
 const speaker = new Speaker(), input = new Input(canvas);
-const controls = new Controls(element("menu"), element("toolbar"), canvas, (id, value) => input.add({ type: "choose", id, value }));
+const controls = new Controls(element("menu"), element("toolbar"), canvas, choose);
+const editor = new Editor(element("code"), { typed: (text) => input.add({ type: "code", text }), grade: () => choose("grade", ""), left: () => element("item-grade")?.focus() });
 const backdrop = document.createElement("canvas"), backdropContext = backdrop.getContext("2d", { alpha: false });
 const questions = new Map();
-let worker = null, latest = null, waiting = false, sentAt = 0, background = "#000", toldUntil = 0, asked = 0;
+let worker = null, grader = null, latest = null, waiting = false, sentAt = 0, background = "#000", toldUntil = 0, asked = 0;
 
 function say(words) {
   element("loading").textContent = words;
   element("loading").hidden = false;
+  element("progress").hidden = true;
 }
 
 function fail(words) {
@@ -29,6 +33,12 @@ function tell(words) {
   element("told").textContent = words;
   element("told").hidden = false;
   toldUntil = performance.now() + 1000 * TOLD_SECONDS;
+}
+
+/** A control was used. */
+function choose(id, value) {
+  editor.flush();
+  input.add({ type: "choose", id, value });
 }
 
 /** Ask the game's Python something, for tests; its answer. */
@@ -45,11 +55,12 @@ function density() {
 }
 
 function fitted() {
-  const side = element("menu").classList.contains("side") && !element("menu").hidden ? element("menu").getBoundingClientRect() : null;
   const full = { width: innerWidth, height: innerHeight };
-  if (side) {
-    if (side.width < innerWidth) full.width = Math.max(innerWidth - side.width, 200);
-    else full.height = Math.max(innerHeight - side.height, 200);
+  for (const side of [element("menu"), element("code")]) {
+    if (side.hidden || !(side === element("code") || side.classList.contains("side"))) continue;
+    const { left, top, width } = side.getBoundingClientRect();
+    if (width < innerWidth) full.width = Math.max(Math.min(full.width, left), 200);
+    else full.height = Math.max(Math.min(full.height, top), 200);
   }
   canvas.style.width = `${full.width}px`;
   canvas.style.height = `${full.height}px`;
@@ -89,6 +100,11 @@ function heed(reply) {
   if (reply.toolbar) controls.showToolbar(reply.toolbar);
   if (reply.menu) controls.show(reply.menu);
   if (reply.menu_closed) controls.close();
+  if (reply.menu || reply.menu_closed) {
+    if (reply.menu?.editor) edit(reply.code ?? null);
+    else editor.hide();
+  } else if (typeof reply.code === "string") edit(reply.code);
+  if (reply.grading) grader.grade(reply.grading);
   document.body.classList.toggle("playing", element("menu").hidden || element("menu").classList.contains("side"));
   if (reply.sounds) speaker.play(reply.sounds);
   if (reply.said) element("said").textContent = reply.said;
@@ -96,6 +112,11 @@ function heed(reply) {
   if (reply.fragment !== undefined && reply.fragment !== null) replaceFragment(reply.fragment);
   if (reply.told) tell(reply.told);
   if (reply.download) download(reply.download);
+}
+
+function edit(code) {
+  editor.show(code);
+  grader.prepare();
 }
 
 function replaceFragment(fragment) {
@@ -146,13 +167,19 @@ function turn(now) {
 function heard({ data }) {
   if (data.kind === "ready") {
     element("loading").hidden = true;
+    element("progress").hidden = true;
     openFragment();
     requestAnimationFrame(turn);
+  } else if (data.kind === "progress") {
+    element("progress").value = data.share;
   } else if (data.kind === "frame") {
     waiting = false;
     heed(data.reply);
     latest = { reply: data.reply, size: turn.size };
-    if (!window.polarBreakout.firstFrame) window.polarBreakout.firstFrame = performance.now();
+    if (!window.polarBreakout.firstFrame) {
+      window.polarBreakout.firstFrame = performance.now();
+      navigator.serviceWorker?.register("offline.js").catch(() => undefined); // only now: it loads everything once more
+    }
     window.polarBreakout.frames += 1;
   } else if (data.kind === "answer") {
     questions.get(data.number)(data.answer);
@@ -173,6 +200,7 @@ function start() {
   worker.onerror = (event) => fail(`The game cannot be started: ${event.message ?? "its worker is missing"}`);
   worker.onmessage = heard;
   const base = new URL("./", location.href).href;
+  grader = new Grader({ base }, (signal) => input.add(signal));
   worker.postMessage({ kind: "start", base, calm: matchMedia("(prefers-reduced-motion: reduce)").matches, languages: navigator.languages.join(",") });
   for (const name of ["pointerdown", "keydown"]) addEventListener(name, () => speaker.wake());
   addEventListener("hashchange", openFragment);
@@ -181,7 +209,6 @@ function start() {
     event.preventDefault();
     for (const file of event.dataTransfer.files) give(file);
   });
-  navigator.serviceWorker?.register("offline.js").catch(() => undefined);
 }
 
 window.polarBreakout = { ask, give, input, frames: 0, firstFrame: 0 };

@@ -1,9 +1,17 @@
 // Paints flat lists of primitives on a canvas. game/picture/display_list.py documents every primitive.
 
-const DISC = 1, CIRCLE = 2, SECTOR = 3, POLYGON = 4, LINE = 5, TEXT = 6, GLOW = 7, GRADIENT = 8, CELLS = 9, CLIP = 10, TURN = 11;
+const DISC = 1, CIRCLE = 2, SECTOR = 3, POLYGON = 4, LINE = 5, TEXT = 6, GLOW = 7, GRADIENT = 8, CELLS = 9, CLIP = 10, TURN = 11,
+  STRIP = 12, BAND = 13, PLATE = 14, SPRITE = 15;
 const WHOLE = Math.PI * 0.999;
 const FONT = "system-ui, sans-serif";
+const BEND = 0.02, OVERLAP = 0.6;
+// Of a light: shares of its radius, and how much of it is left there, as a colour's alpha.
+const LIGHT = [[0, "ff"], [0.2, "d7"], [0.4, "80"], [0.6, "33"], [0.8, "0c"], [1, "00"]];
 const styles = new Map();
+
+function font(size, bold) {
+  return `${bold ? "600 " : ""}${size}px ${FONT}`;
+}
 
 function colour(packed) {
   let style = styles.get(packed);
@@ -16,6 +24,12 @@ function colour(packed) {
 
 /** Paint a list. numbers: a Float32Array; texts: those that it refers to. */
 export function paint(context, numbers, texts) {
+  shapes(context, numbers, texts);
+  context.setTransform(1, 0, 0, 1, 0, 0);
+  context.globalAlpha = 1;
+}
+
+function shapes(context, numbers, texts) {
   let at = 0;
   let turned = false, clipped = false;
   while (at < numbers.length) {
@@ -66,7 +80,7 @@ export function paint(context, numbers, texts) {
       }
       case TEXT: {
         context.fillStyle = colour(style);
-        context.font = `${numbers[at + 5] ? "600 " : ""}${numbers[at + 1]}px ${FONT}`;
+        context.font = font(numbers[at + 1], numbers[at + 5]);
         context.textBaseline = "middle";
         const words = texts[numbers[at]], across = numbers[at + 4];
         context.textAlign = across === 0 ? "left" : across === 1 ? "right" : "center";
@@ -76,7 +90,7 @@ export function paint(context, numbers, texts) {
       }
       case GLOW:
         glow(context, numbers, at, style);
-        at += 4;
+        at += 5;
         break;
       case GRADIENT: {
         const [x, y, radius, count] = numbers.subarray(at, at + 4);
@@ -115,13 +129,37 @@ export function paint(context, numbers, texts) {
         }
         at += 3;
         break;
+      case STRIP: {
+        const count = numbers[at];
+        context.fillStyle = colour(style);
+        strip(context, numbers, at + 1, count);
+        at += 1 + 4 * count;
+        break;
+      }
+      case BAND: {
+        const count = numbers[at];
+        band(context, numbers, at + 1, count);
+        at += 1 + 4 * count;
+        break;
+      }
+      case PLATE:
+        plate(context, numbers.subarray(at, at + 8), style, texts);
+        at += 8;
+        break;
+      case SPRITE: {
+        const count = numbers[at + 3];
+        context.save();
+        context.translate(numbers[at], numbers[at + 1]);
+        shapes(context, numbers.subarray(at + 4, at + 4 + count), texts);
+        context.restore();
+        at += 4 + count;
+        break;
+      }
       default:
         throw new Error(`primitive ${code} at ${at - 3}`);
     }
   }
   if (clipped) context.restore();
-  context.setTransform(1, 0, 0, 1, 0, 0);
-  context.globalAlpha = 1;
 }
 
 function sector(context, numbers, at) {
@@ -145,17 +183,61 @@ function path(context, numbers, at, count) {
   for (let k = 1; k < count; k++) context.lineTo(numbers[at + 2 * k], numbers[at + 2 * k + 1]);
 }
 
+function strip(context, numbers, at, count) {
+  context.beginPath();
+  context.moveTo(numbers[at], numbers[at + 1]);
+  for (let k = 1; k < count; k++) context.lineTo(numbers[at + 4 * k], numbers[at + 4 * k + 1]);
+  for (let k = count - 1; k >= 0; k--) context.lineTo(numbers[at + 4 * k + 2], numbers[at + 4 * k + 3]);
+  context.fill();
+}
+
+// Every piece begins a little earlier: the smooth edges of two polygons let through what is behind their seam.
+function band(context, numbers, at, count) {
+  let before = 0;
+  for (let k = 1; k < count; k++) {
+    const [x, y, from, , endX, endY, to, style] = numbers.subarray(at + 4 * k - 4, at + 4 * k + 4);
+    const length = Math.hypot(endX - x, endY - y);
+    if (length === 0) continue;
+    const right = (endX - x) / length, down = (endY - y) / length, heading = Math.atan2(down, right);
+    const startX = x - right * OVERLAP, startY = y - down * OVERLAP;
+    context.fillStyle = colour(style);
+    if (Math.abs(Math.sin(heading - before)) > BEND) {
+      context.beginPath();
+      context.arc(x, y, from, 0, 2 * Math.PI);
+      context.fill();
+    }
+    context.beginPath();
+    context.moveTo(startX - down * from, startY + right * from);
+    context.lineTo(endX - down * to, endY + right * to);
+    context.lineTo(endX + down * to, endY - right * to);
+    context.lineTo(startX + down * from, startY - right * from);
+    context.fill();
+    before = heading;
+  }
+}
+
+function plate(context, [index, size, x, y, across, down, edge, edgeStyle], style, texts) {
+  context.font = font(size, 0);
+  const width = context.measureText(texts[index]).width + 2 * across, height = size + 2 * down;
+  context.fillStyle = colour(style);
+  context.strokeStyle = colour(edgeStyle);
+  context.lineWidth = edge;
+  context.setLineDash([]);
+  context.beginPath();
+  context.roundRect(x - width / 2, y - height / 2, width, height, height / 2);
+  context.fill();
+  context.stroke();
+}
+
 function glow(context, numbers, at, style) {
-  const x = numbers[at], y = numbers[at + 1], across = numbers[at + 2], down = numbers[at + 3];
+  const x = numbers[at], y = numbers[at + 1], across = numbers[at + 2], down = numbers[at + 3], takes = numbers[at + 4];
   if (across < 0.5 || down < 0.5) return;
   const before = context.getTransform();
-  context.globalCompositeOperation = "lighter";
+  context.globalCompositeOperation = takes ? "multiply" : "lighter";
   context.translate(x, y);
   context.scale(1, down / across);
   const gradient = context.createRadialGradient(0, 0, 0, 0, 0, across), own = colour(style);
-  gradient.addColorStop(0, own);
-  gradient.addColorStop(0.4, own + "70");
-  gradient.addColorStop(1, own + "00");
+  for (const [share, strength] of LIGHT) gradient.addColorStop(share, own + strength);
   context.fillStyle = gradient;
   context.beginPath();
   context.arc(0, 0, across, 0, 2 * Math.PI);

@@ -1,51 +1,32 @@
 // The game's Python, in a thread of its own: CPython on WebAssembly, the project's modules, what is stored.
 
-import { loadPyodide } from "./runtime/pyodide.mjs";
+import { addFiles, startedPython } from "./python.js";
+import { discardSnapshots, storeSnapshot } from "./snapshot.js";
 
 const KEPT = "/kept";
-const PACKED = ["pyodide.asm.wasm", "pyodide.asm.mjs", "pyodide-lock.json"];
-const TYPES = { wasm: "application/wasm", mjs: "text/javascript", json: "application/json" };
-const plain = self.fetch.bind(self);
-let page = null, python = null, stored = false;
+const SNAPSHOT_DELAY = 3000; // milliseconds from the start until its memory is stored
+let page = null, python = null, stored = false, storing = Promise.resolve(null);
 
-/** Large files of the runtime are served compressed, whatever the host does; they are unpacked here. */
-self.fetch = async (wanted, options) => {
-  const address = String(wanted?.url ?? wanted);
-  const name = PACKED.find((one) => address.endsWith(`/${one}`));
-  if (!name) return plain(wanted, options);
-  const answer = await plain(`${address}.packed`);
-  if (!answer.ok) return answer;
-  const type = TYPES[name.split(".").pop()];
-  return new Response(answer.body.pipeThrough(new DecompressionStream("gzip")), { headers: { "Content-Type": type } });
-};
-
-async function bytes(address) {
-  const answer = await fetch(address);
-  if (!answer.ok) throw new Error(`${address}: ${answer.status}`);
-  return new Uint8Array(await answer.arrayBuffer());
-}
-
-async function start({ base, calm, languages }) {
-  const program = URL.createObjectURL(new Blob([await bytes(`${base}runtime/pyodide.asm.mjs`)], { type: "text/javascript" }));
-  const createPyodideModule = (await import(program)).default;
-  URL.revokeObjectURL(program);
-  const [own, msgspec, sounds] = await Promise.all([bytes(`${base}game.zip`), bytes(`${base}runtime/msgspec.whl`), bytes(`${base}sounds.json`), runtime(createPyodideModule, base)]);
-  python.unpackArchive(msgspec, "wheel");
-  python.FS.mkdirTree("/program");
-  python.FS.writeFile("/program/game.zip", own);
+async function start({ base, calm, languages, grades }) {
+  performance.mark("worker began");
+  const [started, sounds] = await Promise.all([startedPython(), fetch(`${base}sounds.json`).then((answer) => answer.arrayBuffer())]);
+  python = started.python;
+  if (grades) {
+    await addFiles(python, "grading");
+    page = python.runPython("from tools.grade.page import PageGrader; PageGrader()");
+    return;
+  }
   stored = await opened();
-  python.globals.set("index", python.toPy(sounds));
+  python.globals.set("index", python.toPy(new Uint8Array(sounds)));
   python.globals.set("languages", languages);
   page = python.runPython(`
-import sys
-sys.path.insert(0, "/program/game.zip")
 from game.web.client.page import Page
 Page(bytes(index), ${stored ? `"${KEPT}"` : '""'}, calm=${calm ? "True" : "False"}, languages=languages)
 `);
-}
-
-async function runtime(createPyodideModule, base) {
-  python = await loadPyodide({ indexURL: `${base}runtime/`, createPyodideModule });
+  performance.mark("page made");
+  if (started.snapshot) {
+    storing = new Promise((done) => setTimeout(done, SNAPSHOT_DELAY)).then(() => storeSnapshot(started.snapshot));
+  }
 }
 
 /** Mount what the browser stores for this page; false where it stores nothing. */
@@ -91,6 +72,7 @@ function frame(request) {
 }
 
 const ASKED = {
+  grade: (request) => page.grade(request, (name, call) => self.postMessage({ kind: "asking", name, call })),
   probe: () => page.probe(),
   verify: (data) => {
     const given = python.toPy(data);
@@ -100,12 +82,17 @@ const ASKED = {
   },
   save: () => save().then(() => stored),
   memory: () => python._module.HEAPU8.length,
+  snapshot: () => storing,
+  timeline: () => performance.getEntriesByType("mark").map(({ name, startTime }) => [name, performance.timeOrigin + startTime]),
 };
 
 self.onmessage = async ({ data }) => {
   try {
     if (data.kind === "start") {
-      await start(data);
+      await start(data).catch(async (error) => {
+        await discardSnapshots(); // so that a reload does not find what may have been the cause
+        throw error;
+      });
       self.postMessage({ kind: "ready" });
     } else if (data.kind === "frame") {
       frame(data.request);

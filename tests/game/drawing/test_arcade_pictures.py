@@ -12,18 +12,22 @@ import numpy as np
 import pygame
 import pytest
 
-from game.drawing.arcade.gauges import _CHIP_ROOM, _ICONS, _RADIUS, _SPAN
-from game.drawing.arcade.icons import PowerIcons
 from game.drawing.arcade.signs import power_colour
 from game.drawing.balls.ball import BallPictures
+from game.drawing.display_list_painter import DisplayListPainter
 from game.drawing.painter import Painter
 from game.drawing.palette import DARK, LIGHT, contrast
 from game.drawing.slots.contents import ContentKind, slot_contents
+from game.drawing.text import Type
 from game.effects import NOTHING
 from game.input.view import FLAT, SOLID
 from game.level_format.specs import WellSpec
 from game.levels import classic
+from game.picture.display_list import DisplayList
+from game.picture.moving.drops import add_chip
+from game.picture.moving.gauges import CHIP_ROOM, ICONS, RADIUS, SPAN
 from game.rules import ActivePower, Drop, HeldBall, PowerUp, Ruleset, new_game
+from game.rules.drops import DROP_RADIUS
 from game.scene import scene_at, still
 from game.unlocks import BALLS, TRAILS
 from physics import Ball
@@ -65,7 +69,9 @@ def test_signs_differ_in_shape(theme):
     """In grey, at least 7 % of a chip's pixels tell any two power-ups apart."""
     grey = {}
     for kind in PowerUp:
-        icon = PowerIcons().icon(kind, 24.0, theme)
+        icon, picture = pygame.Surface((50, 50), pygame.SRCALPHA), DisplayList()
+        add_chip(picture, kind, 25 + 25j, 24.0, theme)
+        DisplayListPainter().paint(icon, Type(), picture)
         alpha = pygame.surfarray.array_alpha(icon) > 128
         light = pygame.surfarray.array3d(icon).astype(float).mean(axis=2)
         grey[kind] = np.where(alpha, np.where(light > (light[alpha].min() + light[alpha].max()) / 2.0, 1.0, 0.0), 0.5)
@@ -82,13 +88,14 @@ def test_chips_stand_out_from_the_ground(theme):
 
 @VIEWS
 def test_a_drop_is_where_the_rules_say(view):
-    """Its chip is around its position, and between two ticks on its way there."""
+    """Its chip covers the ground around its position at that tick, or before it; tipped, it floats above."""
     game = game_of()
     drop = Drop(PowerUp.WIDE, 5.0 + 3.0j, 2.0 + 0j)
     with_drop = game._replace(drops=(drop,))
     bare, camera = painted(scene_of(game), view)
     picture, _ = painted(scene_of(with_drop), view)
-    assert changed(bare, picture, camera, drop.position, 12.0) > 150
+    area = math.pi * (DROP_RADIUS * game.level.ground_radius * camera.scale_at(drop.position)) ** 2
+    assert changed(bare, picture, camera, drop.position, 12.0) > 0.3 * area
     assert changed(bare, picture, camera, -drop.position, 12.0) == 0
     (early,) = scene_of(with_drop, 0.0).drops
     assert early.position == pytest.approx(drop.position - drop.velocity / 240.0)
@@ -101,9 +108,9 @@ def test_a_gauge_is_as_long_as_what_is_left(share):
     power = ActivePower(PowerUp.SLOW, round(1000 * share), 1000)
     picture, camera = painted(scene_of(game._replace(powers=(power,))))
     colour = power_colour(PowerUp.SLOW, DARK)
-    begin = _ICONS[0] + _CHIP_ROOM
-    angles = np.linspace(begin + 0.01, begin + _SPAN - 0.01, 60)
-    pixels = [camera.project(10.0 * _RADIUS * cmath.exp(1j * float(angle))) for angle in angles]
+    begin = ICONS[0] + CHIP_ROOM
+    angles = np.linspace(begin + 0.01, begin + SPAN - 0.01, 60)
+    pixels = [camera.project(10.0 * RADIUS * cmath.exp(1j * float(angle))) for angle in angles]
     lit = [tuple(picture[math.floor(pixel.real), math.floor(pixel.imag)]) == colour for pixel in pixels]
     assert sum(lit) / len(lit) == pytest.approx(share, abs=0.06)
     assert lit == sorted(lit, reverse=True)

@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 from game.drawing.camera import Camera, bearing, layout, unit_of
 from game.input.hands import Hands
 from game.input.keys import Action
-from game.input.signals import Dragged, Pressed, Zoomed
+from game.input.signals import Dragged, FocusLost, KeyboardState, Pointed, Pressed, Released, Zoomed
 from game.input.view import FLAT, LEAST_TILT, LEAST_ZOOM, MOST_TILT, MOST_ZOOM, SOLID, Viewpoint
 from game.levels import classic
 from game.rules import POINTER_STEPS, new_game
@@ -126,6 +126,24 @@ def test_dragging_and_zooming_stay_within_bounds():
         assert 0.5 < view.zoom < 4.0
         assert abs(view.azimuth) <= math.pi
     assert FLAT.after(Dragged(50 + 0j), 20.0).after(Zoomed(2.0), 20.0) == FLAT
+
+
+def test_keys_and_the_right_stick_move_the_camera_as_long_as_they_are_held():
+    """A quarter of a turn takes the same time at any frame rate; up and nearer; nothing from above, or once let go."""
+    key = Pressed(Action.ORBIT_RIGHT, 27)
+    once, often = SOLID.after(key, 20.0).later(0.4), SOLID.after(key, 20.0)
+    for _ in range(40):
+        often = often.later(0.01)
+    assert once.azimuth == pytest.approx(often.azimuth)
+    assert once.azimuth == pytest.approx(SOLID.after(Pointed(1 + 0j, aims=True), 20.0).later(0.4).azimuth)
+    assert once.azimuth > SOLID.azimuth
+    assert SOLID.after(Dragged(-20 + 0j), 20.0).azimuth > SOLID.azimuth
+    up = SOLID.after(Pointed(1j, aims=True), 20.0).later(0.2)
+    assert up.tilt < SOLID.tilt
+    assert SOLID.after(Pressed(Action.ZOOM_IN), 20.0).later(0.2).zoom > SOLID.zoom
+    for ended in (Released(Action.ORBIT_RIGHT, 27), KeyboardState(frozenset()), FocusLost()):
+        assert once.after(ended, 20.0).later(1.0).azimuth == once.azimuth
+    assert FLAT.after(key, 20.0).later(1.0).azimuth == 0.0
 
 
 @pytest.mark.parametrize("tilt", [0.2, 0.9, 1.3])

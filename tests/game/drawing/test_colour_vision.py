@@ -11,7 +11,7 @@ import numpy as np
 import pytest
 
 from game.drawing.colour_vision import VISION_NAMES, VISIONS, seen_by
-from game.drawing.palette import DARK, LIGHT
+from game.drawing.palette import DARK, HIGH_CONTRAST, LIGHT
 
 MACHADO = {
     "protanopia": [[0.152286, 1.052583, -0.204868], [0.114503, 0.786281, 0.099216], [-0.003882, -0.048116, 1.051998]],
@@ -21,8 +21,11 @@ MACHADO = {
 }
 XYZ = [[0.4124564, 0.3575761, 0.1804375], [0.2126729, 0.7151522, 0.0721750], [0.0193339, 0.1191920, 0.9503041]]
 D65 = (0.95047, 1.0, 1.08883)
-CASES = [(vision, theme) for vision in VISIONS[1:] for theme in (DARK, LIGHT)]
-EACH = pytest.mark.parametrize(("vision", "theme"), CASES, ids=[f"{v}-{'dark' if t is DARK else 'light'}" for v, t in CASES])
+THEMES = {"dark": DARK, "light": LIGHT, "contrast": HIGH_CONTRAST}
+CASES = [(vision, name) for vision in VISIONS[1:] for name in THEMES]
+EACH = pytest.mark.parametrize(
+    ("vision", "theme"), [(vision, THEMES[name]) for vision, name in CASES], ids=[f"{vision}-{name}" for vision, name in CASES]
+)
 
 
 def light(colour, vision):

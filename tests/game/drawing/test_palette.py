@@ -4,13 +4,13 @@ import numpy as np
 import pytest
 
 from game.drawing.ground.colours import ground_colours
-from game.drawing.palette import DARK, LIGHT, contrast, layer_colour, luminance, mixed
+from game.drawing.palette import DARK, HIGH_CONTRAST, LIGHT, contrast, layer_colour, luminance, mixed
 from game.drawing.palettes import NAMES, themed
 
 THEMES = pytest.mark.parametrize(
     "theme",
-    [themed(theme, name) for theme in (DARK, LIGHT) for name in NAMES],
-    ids=[f"{kind} {name}" for kind in ("dark", "light") for name in NAMES],
+    [*[themed(theme, name) for theme in (DARK, LIGHT) for name in NAMES], HIGH_CONTRAST],
+    ids=[*[f"{kind} {name}" for kind in ("dark", "light") for name in NAMES], "high contrast"],
 )
 
 
@@ -35,6 +35,15 @@ def test_things_stand_out_from_the_ground(theme):
     for thing in (theme.paddle, theme.paddle_top, theme.ball, theme.steel, theme.rim, *theme.layers):
         assert contrast(thing, theme.ground) >= 3.0
         assert contrast(thing, lightest) >= 2.6
+
+
+def test_high_contrast_is_what_its_name_says():
+    """Text has 7 on every surface, what the ball meets 4.5, and no level's palette changes that."""
+    theme = HIGH_CONTRAST
+    assert {themed(theme, name) for name in NAMES} == {theme}
+    for under in (theme.background, theme.ground, theme.panel):
+        assert min([contrast(text, under) for text in (theme.text, theme.faint, theme.accent, theme.danger)]) >= 7.0
+        assert min([contrast(thing, under) for thing in (theme.paddle, theme.steel, theme.rim, *theme.layers)]) >= 4.5
 
 
 def simulated(colour, kind):

@@ -73,7 +73,7 @@ MOVES = {
 }
 
 
-@pytest.mark.parametrize("level", [3, 4, 5, 6])
+@pytest.mark.parametrize("level", [3, pytest.param(4, marks=pytest.mark.deep), pytest.param(5, marks=pytest.mark.deep), 6])
 @pytest.mark.parametrize("move", MOVES)
 def test_nothing_flickers_while_the_camera_moves(level, move):
     """While the camera moves slowly, every frame is near the mean of its neighbours."""

@@ -1,5 +1,6 @@
 """What is to be seen for a moment, and that none of it reaches the rules."""
 
+import cmath
 import itertools
 import math
 
@@ -15,8 +16,9 @@ from game.effects.shakes import SHAKE_TICKS, Shake
 from game.effects.streaks import BUMP_TICKS, ENDED_TICKS, NO_STREAK
 from game.effects.waves import WaveTone
 from game.levels import classic
-from game.rules import BEST_COMBO, Controls, EventKind, Phase, new_game, tick
-from physics import PERMANENT
+from game.rules import BEST_COMBO, PADDLES, Controls, Event, EventKind, Phase, PowerUp, Ruleset, new_game, tick
+from game.rules.crumbling import CRUMBLING_TICKS
+from physics import PERMANENT, Hit, contact
 
 
 def played(count, shown=ALL, level=0, seed=5):
@@ -260,3 +262,54 @@ def test_a_recoil_is_as_strong_as_the_hit_is_square():
     assert len(shares) > 3
     assert [seen[share] for share in shares] == sorted(seen.values())
     assert math.isclose(seen[shares[-1]], shares[-1] * 0.055 * 10.0, rel_tol=1e-9)
+
+
+SHOWN_OTHERWISE = {
+    EventKind.AIMED: "the paddle's hit has been told",
+    EventKind.BALL_CAUGHT: "the paddle's hit has been told",
+    EventKind.DROP_RELEASED: "the drop itself",
+    EventKind.POWER_ENDED: "its arc beyond the rim is gone",
+    EventKind.GAME_WON: "the last level is cleared in the same tick",
+}
+"""Events that leave nothing of their own, and what is seen instead."""
+
+
+@pytest.mark.parametrize("kind", sorted(set(EventKind) - set(SHOWN_OTHERWISE)))
+def test_every_event_is_seen(kind):
+    """An event leaves something that is not there without it."""
+    game = tick(new_game(classic(), 1), Controls(serve=True)).game
+    done = tick(game, Controls())
+    struck = Hit(0.0, 0, PADDLES, 0, contact(game.arena.balls[0], game.arena.rings[PADDLES], 0), -1j, 1j, PERMANENT)
+    hits = (EventKind.PADDLE_HIT, EventKind.BRICK_HIT, EventKind.WALL_HIT, EventKind.BUMPER_HIT)
+    sector = (1, 0) if kind in (EventKind.BRICK_CRUMBLED, EventKind.BRICK_REGROWN) else None
+    event = Event(kind, struck if kind in hits else None, 10, 5j, PowerUp.WIDE, sector)
+    quiet, seen = done._replace(events=()), done._replace(events=(event,))
+    assert effects.after(NOTHING, seen) != effects.after(NOTHING, quiet)
+
+
+def test_a_layer_that_crumbles_is_seen_to_break():
+    """Shards of its colour come from its sector, light falls around it, and the rest of its stack comes down."""
+    game = tick(new_game(classic()[4:], 1, Ruleset()), Controls(serve=True)).game
+    done = tick(game._replace(waited=CRUMBLING_TICKS), Controls())
+    fading = effects.after(NOTHING, done)
+    (event,) = [event for event in done.events if event.kind == EventKind.BRICK_CRUMBLED]
+    ring, slot = event.sector
+    left = done.game.arena.layers[ring][slot]
+    assert left == game.arena.layers[ring][slot] - 1
+    (burst,) = [burst for burst in fading.bursts if burst.matter is Matter.BRICK]
+    assert burst.layer == left + 1
+    assert abs(cmath.rect(burst.origin.radius, burst.origin.angle) - event.position) < 1e-9
+    assert [light.layer for light in fading.lights if light.position == event.position] == [left + 1]
+    assert [(stack.ring, stack.slot) for stack in fading.falling] == ([(ring, slot)] if left else [])
+
+
+def test_a_won_game_has_more_fireworks():
+    """Five times, one after the other, and then there is nothing left of them; a level that is not the last one has none."""
+    for phase, times in ((Phase.WON, 5), (Phase.CLEARED, 0)):
+        game, fading, seen = new_game(classic()[-2:], 1)._replace(phase=phase), NOTHING, 0
+        for _ in range(1000):
+            done = tick(game, Controls())
+            game, fading = done.game, effects.after(fading, done)
+            seen += any(burst.age == 0 for burst in fading.bursts)
+        assert seen == times
+        assert fading.bursts == ()

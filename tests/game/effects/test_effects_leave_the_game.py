@@ -49,7 +49,7 @@ def played(settings, view=None, seconds=1.0 / 60.0):
     screen, surface, frames = PlayScreen(app, classic()[LEVEL:]), pygame.Surface((96, 72), 0, 32), 0
     while recorded.recorder.ticks < TICKS:
         screen = screen.advance(seconds, SIZE)
-        if frames % 5 == 0:
+        if frames % 10 == 0:
             screen.draw(surface)
         frames += 1
     return recorded.recorder.recording(), frames

@@ -12,8 +12,8 @@ import pygame
 import pytest
 
 from game.autopilot import Autopilot
-from game.drawing import waves as wave_picture
 from game.drawing.camera import layout
+from game.drawing.display_list_painter import DisplayListPainter
 from game.drawing.painter import Painter
 from game.drawing.palette import DARK
 from game.drawing.slots.contents import ContentKind, wall_contents
@@ -23,6 +23,8 @@ from game.effects import ALL, FLASH_TICKS, NOTHING, Flash, Recoil, Wave, bursts
 from game.effects.waves import WAVE_TICKS, WaveTone
 from game.input.view import FLAT, SOLID, Viewpoint
 from game.levels import classic
+from game.picture.display_list import DisplayList
+from game.picture.moving.waves import add_waves
 from game.rules import PADDLES, EventKind, new_game, tick
 from game.scene import scene_at
 from tests.support.dummy_window import shared
@@ -145,6 +147,13 @@ def test_light_leaves_gaps_dark_and_flashes_alone():
         assert all(look.glow == 0 for k, look in enumerate(plain) if k != 3)
 
 
+def draw_waves(canvas, scene):
+    """The waves alone."""
+    picture = DisplayList()
+    add_waves(picture, scene, canvas.view)
+    DisplayListPainter().paint(canvas.surface, canvas.type, picture)
+
+
 @VIEWS
 def test_a_wave_is_a_circle_on_the_ground(view):
     """It is drawn at its radius all around and nowhere else; before it begins and after it ends nothing is drawn."""
@@ -153,10 +162,10 @@ def test_a_wave_is_a_circle_on_the_ground(view):
     surface, camera = canvas.surface, canvas.camera
     surface.fill(DARK.ground)
     unseen = Wave(WaveTone.BAD, 2.0, 9.0, -1), Wave(WaveTone.BAD, 2.0, 9.0, WAVE_TICKS)
-    wave_picture.draw(canvas, scene._replace(waves=unseen))
+    draw_waves(canvas, scene._replace(waves=unseen))
     assert len(np.unique(pygame.surfarray.array3d(surface).reshape(-1, 3), axis=0)) == 1
     wave = Wave(WaveTone.BAD, 2.0, 9.0, 30)
-    wave_picture.draw(canvas, scene._replace(waves=(wave,)))
+    draw_waves(canvas, scene._replace(waves=(wave,)))
     picture = pygame.surfarray.array3d(surface).astype(int)
     for angle in np.arange(0.0, math.tau, 0.37):
         outwards = cmath.exp(1j * angle)

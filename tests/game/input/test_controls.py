@@ -13,7 +13,7 @@ import pytest
 from game.drawing.camera import Camera
 from game.input.devices import Devices
 from game.input.events import keyboard_state, translated
-from game.input.hands import Hands
+from game.input.hands import Hands, controls_of_two
 from game.input.keys import BINDINGS, Action, Binding, KeyTable, position_of
 from game.input.signals import (
     Clicked,
@@ -29,8 +29,9 @@ from game.input.signals import (
     Squeezed,
     Zoomed,
 )
+from game.input.view import ZOOM_STEP
 from game.levels import classic
-from game.rules import POINTER_STEPS, Controls, Phase, new_game, paddle_ring, tick
+from game.rules import POINTER_STEPS, Controls, Phase, Ruleset, new_game, paddle_ring, tick
 
 CAMERA = Camera(400 + 300j, 30.0)
 WAITING = new_game(classic(), 1)
@@ -290,10 +291,38 @@ def test_a_finger_points_and_clicks_where_it_stays():
     assert heard(pygame.Event(pygame.MOUSEMOTION, mouse, touch=False)) == [Moved(1 + 1j, held=True)]
 
 
+def test_two_fingers_move_the_camera_where_there_is_one():
+    """Together they drag it, apart they zoom; neither steers nor clicks meanwhile, and a third begins nothing."""
+    devices = Devices()
+
+    def heard(*events):
+        return [signal for event in events for signal in devices.signals(event, (800, 600), ONE, orbits=True)]
+
+    down, motion, up = pygame.FINGERDOWN, pygame.FINGERMOTION, pygame.FINGERUP
+    assert heard(finger(down, (0.5, 0.5)), finger(down, (0.75, 0.5), 2)) == [Moved(400 + 300j, held=False)]
+    (drag, zoom) = heard(finger(motion, (1.0, 0.5), 2))
+    assert drag == Dragged(100 + 0j)
+    assert ZOOM_STEP**zoom.steps == pytest.approx(2.0)
+    (drag, zoom) = heard(finger(motion, (0.75, 0.5)))
+    assert (drag, ZOOM_STEP**zoom.steps) == (Dragged(100 + 0j), pytest.approx(0.5))
+    assert heard(finger(up, (1.0, 0.5), 2), finger(up, (0.75, 0.5))) == []
+    assert heard(finger(down, (0.5, 0.5)), finger(up, (0.5, 0.5))) == [Moved(400 + 300j, held=False), Clicked(400 + 300j)]
+
+
 def test_every_action_has_a_key():
     """Nothing can only be done by nobody, and no key does two things."""
     assert {one.action for one in BINDINGS} == set(Action)
-    claimed = [claim for one in BINDINGS for claim in (*one.codes, *one.positions)]
-    assert len(claimed) == len(set(claimed))
-    buttons = [button for one in BINDINGS for button in one.buttons]
-    assert len(buttons) == len(set(buttons))
+    for kind in ("codes", "positions", "buttons"):
+        claimed = [claim for one in BINDINGS for claim in getattr(one, kind)]
+        assert len(claimed) == len(set(claimed))
+
+
+def test_of_two_players_the_one_who_has_the_ball_aims():
+    """The other one's mouse inside the ring of paddles moves a paddle meanwhile; either one's key serves."""
+    game, camera = new_game(classic(), 1, Ruleset(versus=True)), Camera(400 + 300j, 30.0)
+    first = Hands(pointer=camera.project(3 + 1j))
+    second = Hands(aiming=1j, serve=True)
+    for server, aims, moves in ((0, True, False), (1, True, True)):
+        controls = controls_of_two(first, second, camera, game._replace(server=server))
+        assert (controls.aim is not None, controls.pointer is not None, controls.serve) == (aims, moves, True)
+    assert controls_of_two(first, Hands(), camera, game._replace(server=1)).aim is None

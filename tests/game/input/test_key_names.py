@@ -38,6 +38,15 @@ def test_keys_are_named_as_their_own_layout_writes_them():
     assert rows["this help"] == "Р   F1"  # noqa: RUF001
 
 
+def test_a_key_that_the_layout_does_not_have_has_no_name(monkeypatch):
+    """The US layout has no key for +, which shares that of =; the German one has, and where the US one has = it writes no =."""
+    faster = (pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS)
+    assert key_names.code_names(faster) == ("=",)
+    german = US_CODES | {pygame.KSCAN_RIGHTBRACKET: pygame.K_PLUS, pygame.KSCAN_EQUALS: ord("\u00b4")}
+    monkeypatch.setattr(key_names, "_codes_by_position", lambda: german)
+    assert key_names.code_names(faster) == ("+", "\u00b4")
+
+
 def test_the_present_layout_is_asked_of_the_system():
     """SDL's dummy driver has the US layout; what it says is what the table of US codes says."""
     pygame.display.init()

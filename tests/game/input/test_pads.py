@@ -9,11 +9,12 @@ import pygame
 import pytest
 
 from game.input.hands import Hands
+from game.input.players import Players
+from game.input.view import SOLID
 from game.lab.registry import scenes
 from game.lab.session import session
 from game.lab.window.screen import Lab
 from game.rules import Phase, paddle_ring
-from game.screens.app_state import Players
 from game.screens.play import PlayScreen
 from game.screens.title import Title
 from game.screens.toolkit.menu import Menu
@@ -158,11 +159,42 @@ def test_a_second_gamepad_is_the_second_players(desk, pad):
 
 
 def test_a_gamepad_leaves_the_lab(desk, pad):
-    """Where a screen hears events themselves, B is Esc, and the directional pad is the arrow keys."""
+    """Its cross gives the keys to the lab's controls, B takes them back, and again B leaves the lab."""
     under = desk.screen
     desk.screen = Lab(desk.shared, session.fresh(scenes()[0], None), under)
     desk.wait(FRAME)
     tap(desk, pad, pygame.CONTROLLER_BUTTON_DPAD_DOWN)
+    tap(desk, pad, pygame.CONTROLLER_BUTTON_B)
     assert isinstance(desk.screen, Lab)
     tap(desk, pad, pygame.CONTROLLER_BUTTON_B)
     assert desk.screen is under
+
+
+def test_the_right_stick_moves_the_camera_in_3d_but_while_it_aims(desk, pad):
+    """Before the serve it aims; in play it orbits as long as it is pushed, and the stick's button brings the camera nearer."""
+    desk.shared.view = SOLID
+    tap(desk, pad, pygame.CONTROLLER_BUTTON_A)
+    pad.push(pygame.CONTROLLER_AXIS_RIGHTX, 1.0)
+    desk.wait(0.2)
+    assert desk.screen._hands.aiming == 1.0
+    assert desk.shared.view == SOLID
+    pad.push(pygame.CONTROLLER_AXIS_RIGHTX, 0.0)
+    tap(desk, pad, pygame.CONTROLLER_BUTTON_A)
+    assert game_of(desk).phase == Phase.PLAYING
+    pad.push(pygame.CONTROLLER_AXIS_RIGHTX, 1.0)
+    pad.press(pygame.CONTROLLER_BUTTON_RIGHTSTICK)
+    desk.wait(0.2)
+    pad.push(pygame.CONTROLLER_AXIS_RIGHTX, 0.0)
+    pad.release(pygame.CONTROLLER_BUTTON_RIGHTSTICK)
+    desk.wait(3 * FRAME)
+    turned = desk.shared.view
+    assert turned.azimuth > math.radians(10.0)
+    assert turned.zoom > 1.05
+    desk.wait(0.2)
+    assert desk.shared.view == turned
+    pad.push(pygame.CONTROLLER_AXIS_RIGHTX, 1.0)
+    desk.wait(2 * FRAME)
+    desk.screen.went_on()  # from the results of a level, which have heard that the stick was let go
+    turned = desk.shared.view
+    desk.wait(0.2)
+    assert desk.shared.view == turned

@@ -7,6 +7,7 @@ from game import app
 from game.input.repeat import FIRST, NEXT, Repeat
 from game.input.signals import KeyboardState
 from game.lab.registry import scenes
+from game.lab.window.screen import Lab
 from game.screens.play import PlayScreen
 from game.screens.title import Title
 from tests.support.dummy_window import FRAME, Desk, shared
@@ -17,8 +18,9 @@ DEFAULT = (0, 0)
 
 
 @pytest.fixture
-def lab():
-    """The lab with a scene that runs."""
+def lab(monkeypatch):
+    """The lab with a scene that runs; its pictures, which take most of the time, are not drawn."""
+    monkeypatch.setattr(Lab, "draw", lambda _lab, _surface: None)
     desk = LabDesk("discrete-swept")
     yield desk
     desk.close()

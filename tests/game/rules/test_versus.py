@@ -8,8 +8,22 @@ import pytest
 from game.autopilot import Autopilot
 from game.replays.file import Recorder, decoded, encoded
 from game.replays.verify import verified
-from game.rules import PADDLES, Controls, EventKind, Phase, PowerUp, Ruleset, Side, new_game, tick, winner
-from game.rules.power_up import ActivePower
+from game.rules import (
+    PADDLES,
+    ActivePower,
+    Controls,
+    Difficulty,
+    Drop,
+    EventKind,
+    Phase,
+    PowerUp,
+    Ruleset,
+    Side,
+    new_game,
+    shield_layers,
+    tick,
+    winner,
+)
 from game.rules.state import paddle_rings
 from game.system.errors import BadInputError
 from physics import direction, length, signed_difference
@@ -69,7 +83,7 @@ def test_a_lost_ball_is_the_players_whose_half_it_leaves():
 
 def test_points_are_the_players_who_hit_the_ball_last():
     """Bricks, bumpers and caught drops; the sum of both is the game's score."""
-    game, player = new_game((EVERYTHING,) * 2, 4, VERSUS), Autopilot()
+    game, player = new_game((EVERYTHING,) * 2, 7, VERSUS), Autopilot()
     for _ in range(3000):
         done = tick(game, player.controls(game))
         game = done.game
@@ -85,7 +99,8 @@ def test_points_are_the_players_who_hit_the_ball_last():
 def test_a_paddle_grows_only_within_its_half():
     """At the border it waits until its player moves it away."""
     game, _ = after(versus(), 700, Controls(turn=1))
-    game = with_balls(game._replace(powers=(ActivePower(PowerUp.WIDE, 900, 900),)), (0.5j, 1.0))
+    both = tuple([ActivePower(PowerUp.WIDE, 900, 900, player) for player in range(2)])
+    game = with_balls(game._replace(powers=both), (0.5j, 1.0))
     game, _ = after(game, 1)
     narrow, wide = [ring.half_angle for ring in paddles(game)]
     assert wide == pytest.approx(1.4 * narrow)
@@ -93,9 +108,42 @@ def test_a_paddle_grows_only_within_its_half():
     assert paddles(game)[PADDLES].half_angle == wide
 
 
+@pytest.mark.parametrize(("position", "player"), [(8.8j, 1), (-8.8j, 0)])
+def test_a_drop_acts_on_the_paddle_that_caught_it(position, player):
+    """Its width and its glue are that player's alone; the opposite ends that player's power-up only; balls are everybody's."""
+    game, others = versus(), tuple([ActivePower(PowerUp.NARROW, 900, 900, number) for number in range(2)])
+    for kind, powers, left in (
+        (PowerUp.WIDE, others, {(PowerUp.NARROW, 1 - player)}),
+        (PowerUp.STICKY, others[:1], {(PowerUp.NARROW, 0), (PowerUp.STICKY, player)}),
+        (PowerUp.SLOW, (), {(PowerUp.SLOW, 0)}),
+    ):
+        caught, _ = after(with_balls(game._replace(powers=powers, drops=(Drop(kind, position, position / 8),)), (0.5j, 1.0)), 1)
+        assert {(power.kind, power.player) for power in caught.powers} == left
+    wide, _ = after(with_balls(game._replace(drops=(Drop(PowerUp.WIDE, position, position / 8),)), (0.5j, 1.0)), 1)
+    grown = [new.half_angle > old.half_angle for new, old in zip(paddles(wide), paddles(game), strict=True)]
+    assert grown == [player == 0, player == 1]
+
+
+@pytest.mark.parametrize("player", [0, 1])
+def test_a_shield_guards_the_half_of_its_player(player):
+    """It returns a ball there, once; in the other half balls leave. On easy both begin with one."""
+    game = versus()._replace(powers=(ActivePower(PowerUp.SHIELD, 0, 0, player),))
+    own, other = (direction(angle) for angle in ((-1.0, 1.0), (1.0, -1.0))[player])
+    game, _ = after(with_balls(game, (0.5j, 1.0)), 1)
+    assert [shield_layers(game, number) for number in range(2)] == [player == 0, player == 1]
+    _, events = after(with_balls(game, (other * 9.3, other)), 60)
+    assert EventKind.BALL_LOST in kinds(events)
+    returned, events = after(with_balls(game, (own * 9.3, own)), 20)
+    assert kinds(events) == [EventKind.SHIELD_HIT, EventKind.POWER_ENDED]
+    assert (returned.powers, shield_layers(returned, player)) == ((), 0)
+    easy = new_game((LEVEL,), 1, VERSUS._replace(difficulty=Difficulty.EASY))
+    assert easy.arena.layers[-1] == (1, 1)
+
+
 def test_a_ball_sticks_to_either_paddle():
     """And goes where that paddle goes."""
-    game = with_balls(versus()._replace(powers=(ActivePower(PowerUp.STICKY, 900, 900),)), (8.0j, 1j), (-8.0j, -1j))
+    sticky = tuple([ActivePower(PowerUp.STICKY, 900, 900, player) for player in range(2)])
+    game = with_balls(versus()._replace(powers=sticky), (8.0j, 1j), (-8.0j, -1j))
     game, _ = after(game, 40)
     assert sorted(ball.ring for ball in game.held) == sorted(paddle_rings(game))
     game, _ = after(game, 30, Controls(second_turn=1))

@@ -14,6 +14,7 @@ from game.screens.menus.settings_panel import SettingsPanel
 from game.screens.play import PlayScreen
 from game.screens.title import Title
 from game.screens.toolkit.menu import Menu
+from game.session_seed import game_seed
 from tests.support.dummy_window import FRAME, SIZE
 
 
@@ -227,7 +228,7 @@ def test_losing_every_ball_ends_the_game(playing, ticks):
 
 
 def test_switches_work_on_every_screen(desk):
-    """M, T and E switch sound, colours and effects on the title, in a game and in its pause menu."""
+    """M, T and E switch sound, colours and effects on the title, in a game and in its pause menu; T has three colours."""
     for opens in (None, pygame.K_RETURN, pygame.K_p):
         if opens is not None:
             desk.press(opens)
@@ -235,7 +236,7 @@ def test_switches_work_on_every_screen(desk):
         chosen = desk.shared.settings
         assert (chosen.sound, chosen.theme, chosen.effects) == (False, LIGHT, False)
         assert desk.shared.theme is LIGHT
-        desk.press(pygame.K_m, pygame.K_t, pygame.K_e)
+        desk.press(pygame.K_m, pygame.K_t, pygame.K_t, pygame.K_e)
         chosen = desk.shared.settings
         assert (chosen.sound, chosen.theme, chosen.effects) == (True, DARK, True)
 
@@ -270,3 +271,15 @@ def test_a_key_shows_in_the_next_frame(playing):
     playing.wait(FRAME)
     assert paddles() != still
     assert pygame.image.tobytes(surface, "RGB") != before
+
+
+def test_every_game_of_a_session_has_a_seed_of_its_own(playing, ticks):
+    """The first one the session's, the others made of it and their number: the same again in another session; all recorded."""
+    for _ in range(2):
+        playing.wait(FRAME)
+        playing.press(pygame.K_r)
+        playing.choose("From the first level")
+    playing.wait(FRAME)
+    seeds = list(dict.fromkeys([game.seed for _, game in ticks]))
+    assert seeds == [game_seed(playing.shared.seed, number) for number in range(3)]
+    assert seeds == [7, 3825955368494240696, 4910021442178799501]

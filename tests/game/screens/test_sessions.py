@@ -9,6 +9,9 @@ from game.editor import command
 from game.editor.window.layout import editor_layout
 from game.editor.window.screen import Editor
 from game.generated import sequence
+from game.input.actions import OwnKeys
+from game.input.keys import KEYS, Action
+from game.input.players import Players
 from game.kept import games as kept_games
 from game.kept.progress import Best
 from game.kept.scores import ENDLESS, objection
@@ -20,11 +23,13 @@ from game.replays.verify import verified
 from game.rules import Phase, Ruleset, new_game, paddle_rings, tick
 from game.screens import ghost, play_buttons
 from game.screens.editors import OpenEditors
+from game.screens.gallery.sample import sample_state
 from game.screens.menus.credits import Credits
 from game.screens.menus.endless import seed_of
 from game.screens.menus.help import Help
 from game.screens.menus.high_scores import HighScores
-from game.screens.menus.level_select import LevelSelect
+from game.screens.menus.key_capture import KeyCapture
+from game.screens.menus.level_select import LevelSelect, next_level
 from game.screens.menus.replays import Replays
 from game.screens.menus.results import Results
 from game.screens.menus.settings_panel import SettingsPanel
@@ -33,7 +38,6 @@ from game.screens.play_record import record_name
 from game.screens.title import Title
 from game.screens.toolkit.menu import Menu
 from game.screens.toolkit.text_entry import TextEntry
-from game.screens.versus import verdict
 from game.screens.watch import Watch
 from physics import direction
 from tests.support.dummy_window import FRAME, Desk, shared
@@ -215,6 +219,78 @@ def test_by_gamepad_alone(pad_desk, tmp_path):
     assert desk.screen is None
 
 
+def test_a_gamepad_alone_sets_and_binds(pad_desk):
+    """Tabs, a slider, a button given to an action, all as at first again; and a number entered for endless levels."""
+    desk = pad_desk
+    desk.choose("Settings")
+    desk.press(pygame.K_TAB, pygame.K_TAB)
+    volume = desk.shared.settings.volume
+    desk.focus("Volume")
+    desk.press(pygame.K_LEFT)
+    assert desk.shared.settings.volume < volume
+    desk.press(pygame.K_TAB)
+    spots = desk.screen._laid(desk.window.size).spots
+    row = next(spot.row for spot in spots if [cell[0] for cell in getattr(spot.item, "cells", ())] == ["Give up a ball"])
+    while desk.screen._focus.row != row:
+        desk.press(pygame.K_DOWN)
+    desk.press(pygame.K_RIGHT, pygame.K_RIGHT, pygame.K_RETURN)
+    assert isinstance(desk.screen, KeyCapture)
+    desk.press(pygame.K_COMMA)
+    assert KEYS.binding(Action.GIVE_UP).buttons == (pygame.CONTROLLER_BUTTON_LEFTSHOULDER,)
+    desk.choose("Every key and button as at first")
+    assert KEYS.binding(Action.GIVE_UP).buttons == (pygame.CONTROLLER_BUTTON_X,)
+    desk.press(pygame.K_ESCAPE)
+    for label in ("Endless", "Levels of a number", "4", "Done"):
+        desk.choose(label)
+    assert desk.screen._ticked.game.seed == 4
+
+
+def test_a_gamepad_alone_chooses_makes_and_plays_a_level(pad_desk):
+    """Difficulty and players; a level made in the editor, edited again and played; the pause menu and its question."""
+    desk = pad_desk
+    desk.choose("Levels")
+    desk.choose("Difficulty")
+    desk.choose("Players")
+    assert (desk.shared.difficulty, desk.shared.players) == ("hard", Players.TOGETHER)
+    desk.choose("Make a new level")
+    assert isinstance(desk.screen, Editor)
+    desk.press(pygame.K_g, pygame.K_ESCAPE)
+    for label in ("Save and leave", "My level", "Edit"):
+        desk.choose(label)
+    assert isinstance(desk.screen, Editor)
+    desk.press(pygame.K_ESCAPE)
+    desk.choose("My level")
+    desk.choose("Play")
+    assert desk.screen._ticked.game.level.rings[0].slots()[0] == 0
+    desk.press(pygame.K_p)
+    desk.choose("Restart")
+    desk.choose("Go on")
+    assert isinstance(desk.screen, PlayScreen)
+
+
+def test_a_gamepad_alone_keeps_names_and_deletes_a_game(pad_desk, tmp_path):
+    """A replay is renamed, watched tick by tick, and deleted after the question."""
+    desk = pad_desk
+    desk.press(pygame.K_RETURN, pygame.K_SPACE)
+    desk.wait(0.2)
+    desk.press(pygame.K_p)
+    desk.choose("Title")
+    desk.shared.kept.game_done()
+    desk.choose("Replays")
+    (game,) = desk.shared.kept.games.listed()
+    for label in (game.date, "Rename", "Z", "Done", "Z", "Delete", "Keep it", "Z", "Watch"):
+        desk.choose(label)
+    assert isinstance(desk.screen, Watch)
+    desk.press(pygame.K_SPACE)
+    at = desk.screen._at
+    desk.press(pygame.K_PERIOD, pygame.K_PERIOD, pygame.K_COMMA)
+    assert desk.screen._at == int(at) + 1
+    desk.press(pygame.K_ESCAPE)
+    for label in ("Z", "Delete", "Delete"):
+        desk.choose(label)
+    assert Kept(tmp_path).games.listed() == []
+
+
 def with_one_brick(game):
     """A game in play with one layer of one brick left, which the ball flies to."""
     ball, wall = game.arena.balls[0], game.arena.rings[1]
@@ -298,7 +374,7 @@ def test_a_game_on_a_level_of_ones_own_makes_no_high_score(desk):
 
 
 def test_two_players_against_each_other_have_a_paddle_each(desk):
-    """A and D turn the upper paddle, the arrows the lower one; the results name the winner, and no score is entered."""
+    """The second keys of Left and Right turn the upper paddle alone; the results name the winner, no score is entered."""
     desk.choose("Levels")
     desk.choose("Players")
     desk.choose("Players")
@@ -306,15 +382,24 @@ def test_two_players_against_each_other_have_a_paddle_each(desk):
     game = desk.screen._ticked.game
     assert game.ruleset.versus
     lower, upper = (game.arena.rings[ring].angle(0) for ring in paddle_rings(game))
-    desk.hold(pygame.K_d)
+    own = ((Action.RIGHT, (pygame.KSCAN_RIGHT, pygame.KSCAN_K)),)
+    desk.shared.change(desk.shared.settings._replace(own_keys=OwnKeys(own)))
+    desk.hold(pygame.K_k)
     desk.wait(0.2)
-    desk.release(pygame.K_d)
+    desk.release(pygame.K_k)
+    desk.shared.change(desk.shared.settings._replace(own_keys=OwnKeys()))
     game = desk.screen._ticked.game
     assert game.arena.rings[paddle_rings(game)[0]].angle(0) == lower
     assert game.arena.rings[paddle_rings(game)[1]].angle(0) != upper
     lose(desk, lambda: desk.press(pygame.K_SPACE))
     desk.press(pygame.K_RETURN)
-    assert desk.screen._title == verdict(desk.screen._under._ticked.game)
+    sides = desk.screen._under._ticked.game.sides
+    loser, verdicts = int(sides[1].lives == 0), ("Player 2 wins", "Player 1 wins")
+    assert desk.screen._title == verdicts[loser]
+    assert desk.screen._line.startswith(f"Player {loser + 1} has lost the last ball")
+    assert [figure.said(figure.amount) for figure in desk.screen._figures[:2]] == [
+        f"{side.score:,}  ({side.lives} {'life' if side.lives == 1 else 'lives'})" for side in sides
+    ]
     assert "Enter your name" not in [entry.label for entry in desk.screen._entries]
 
 
@@ -337,3 +422,12 @@ def test_endless_levels_of_a_number_have_a_table_of_their_own(desk, tmp_path):
     assert objection(entry, tmp_path / "replays") is None
     assert Kept(tmp_path).progress.value.bests == []
     assert [seed_of(text) for text in ("007", "abc")] == [7, int.from_bytes(b"abc", "little")]
+
+
+def test_the_title_shows_the_level_that_play_begins(tmp_path):
+    """The autopilot plays what the player has reached, by the rules of the campaign."""
+    state = sample_state(tmp_path)
+    shown = Title(state)._demo._ticked.game
+    assert 0 < next_level(state) < len(state.catalogue)
+    assert shown.level == state.catalogue[next_level(state)]
+    assert shown.ruleset.arcade

@@ -6,6 +6,7 @@ import pygame
 import pytest
 
 from game.drawing.camera import layout
+from game.input.view import SOLID
 from game.rules import Phase, paddle_ring
 from game.screens import play_buttons
 from game.screens.menus.settings_panel import SettingsPanel
@@ -83,3 +84,14 @@ def test_one_finger_plays_sets_and_leaves(desk):
     tap(desk, spot(desk, "Title").box.center)
     tap(desk, spot(desk, "Quit").box.center)
     assert desk.screen is None
+
+
+@pytest.mark.parametrize("size", [(800, 600), (1280, 800), (3840, 2160), (600, 800)])
+@pytest.mark.parametrize("buttons", [play_buttons.PLAYING, play_buttons.WATCHING])
+def test_the_buttons_hide_nothing_of_the_arena(size, buttons):
+    """Neither from above nor in 3D do they cover the ground on which the paddles turn."""
+    flat = layout(size, 10.0)
+    for seen in (flat, SOLID.seen(flat)):
+        for box in play_buttons.button_boxes(seen, buttons):
+            corners = [complex(x, y) for x in (box.left, box.right) for y in (box.top, box.bottom)]
+            assert min([abs(seen.camera.unproject(corner)) for corner in corners]) > 10.0

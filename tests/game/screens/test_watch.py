@@ -200,3 +200,17 @@ def test_a_recording_is_shown_without_what_is_not_wanted(desk):
     for _ in range(20):
         desk.wait(0.3)
         assert desk.screen._effects._replace(trails=()) == NOTHING
+
+
+def test_the_timeline_is_long_in_large_text_too(desk):
+    """It has at least half of the width; a click on it seeks, and one on the words at the right changes the speed."""
+    state = desk.shared
+    state.change(state.settings._replace(text_size=200))
+    desk.wait(FRAME)
+    bar = desk.screen._timeline(SIZE)
+    assert bar.width > SIZE[0] / 2
+    desk.click((bar.left + bar.width * 3 // 4, bar.centery))
+    assert shown(desk) == pytest.approx(0.75 * TICKS, abs=20)
+    before = desk.screen._speed
+    desk.click((SIZE[0] - 20, SIZE[1] - 10))
+    assert desk.screen._speed == (before + 1) % len(SPEEDS)

@@ -5,7 +5,7 @@ import signal
 import pygame
 import pytest
 
-from game import app
+from game import app, window_events
 from game.kept.store import Kept
 from game.levels import built_in, classic
 from game.screens.play import PlayScreen
@@ -81,7 +81,7 @@ def test_size_and_position_of_the_window_are_remembered(monkeypatch, tmp_path):
         if len(seen) == 1:
             window.size, window.position = (500, 400), (60, 70)
         elif len(seen) == 2:
-            app._toggle_full_screen(window, state)
+            app.toggle_full_screen(window, state)
 
     monkeypatch.setattr(app, "frame", looked)
     for _ in range(3):
@@ -92,7 +92,7 @@ def test_size_and_position_of_the_window_are_remembered(monkeypatch, tmp_path):
 def test_another_keyboard_layout_is_noticed(playing, monkeypatch):
     """The names of the keys are asked anew when the player switches to another layout."""
     noticed = []
-    monkeypatch.setattr(app, "layout_changed", lambda: noticed.append(True))
+    monkeypatch.setattr(window_events, "layout_changed", lambda: noticed.append(True))
     playing.post(pygame.KEYMAPCHANGED)
     assert noticed == [True]
 

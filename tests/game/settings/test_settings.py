@@ -10,7 +10,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from game.drawing.colour_vision import VISIONS
-from game.drawing.palette import LIGHT
+from game.drawing.palette import HIGH_CONTRAST, LIGHT
 from game.effects import ALL, MOVING, PLAIN, EffectKind
 from game.input.actions import Action, OwnKeys
 from game.input.rebinding import bindings, checked
@@ -259,8 +259,9 @@ def test_the_volume_goes_in_steps_and_ends_at_its_ends():
     assert (loud.volume, loud.sound) == (0, False)
 
 
-def test_colours_go_to_and_fro():
-    """Dark, light, dark."""
+def test_colours_go_round():
+    """Dark, light, high contrast, dark."""
     light = Settings().other_colours()
     assert light.theme is LIGHT
-    assert light.other_colours() == Settings()
+    assert light.other_colours().theme is HIGH_CONTRAST
+    assert light.other_colours().other_colours() == Settings()

@@ -5,6 +5,7 @@ import random
 import subprocess
 import sys
 import textwrap
+from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
 import pygame
@@ -196,9 +197,8 @@ def test_a_game_with_sound_is_the_game_without(audio):
     assert set(audio._sounds) <= set(every_note())
 
 
-def recorded(folder, x, volume=1.0, *, muted=False):
+def recorded(path, x=0.0, volume=1.0, *, muted=False):
     """The left and the right ear's peak of the sound that reaches the card when a ball is lost at x, and of 3 s after it."""
-    path = folder / "card.raw"
     done = run(
         f"""
         import os, time
@@ -226,10 +226,13 @@ def recorded(folder, x, volume=1.0, *, muted=False):
 
 def test_the_card_hears_left_right_volume_and_mute(tmp_path):
     """Played to a file instead of a card: panned with constant power, half the volume a quarter of the amplitude, mute 0."""
-    left, middle, right = [recorded(tmp_path, x) for x in (-10.0, 0.0, 10.0)]
+    played = {"left": {"x": -10.0}, "middle": {}, "right": {"x": 10.0}, "half": {"volume": 0.5}, "silent": {"muted": True}}
+    with ThreadPoolExecutor() as several:
+        peaks = [several.submit(recorded, tmp_path / name, **given) for name, given in played.items()]
+    left, middle, right, half, silent = [peak.result() for peak in peaks]
     assert left[0] > 3.0 * left[1] > 0.0
     assert left == pytest.approx(right[::-1], rel=0.02)
     assert middle[0] == pytest.approx(middle[1], rel=0.02)
     assert np.sum(left**2) == pytest.approx(np.sum(middle**2), rel=0.03)
-    assert recorded(tmp_path, 0.0, 0.5) == pytest.approx(0.25 * middle, rel=0.05)
-    assert list(recorded(tmp_path, 0.0, muted=True)) == [0.0, 0.0]
+    assert half == pytest.approx(0.25 * middle, rel=0.05)
+    assert list(silent) == [0.0, 0.0]

@@ -57,6 +57,18 @@ def test_a_recorded_game_verifies(capsys, tmp_path: Path):
     assert verified == f"verified {file}: {out}"
 
 
+def test_two_players_are_chosen(capsys, tmp_path: Path):
+    """The autopilot plays for both; the recording verifies; the source's rules know one player."""
+    file = tmp_path / "two.polar"
+    code, out, _ = polar(capsys, *HEADLESS, "--players", "versus", "--record", file)
+    assert code == 0
+    assert replay.load(file).ruleset.versus
+    assert polar(capsys, "replay", "--verify", file) == (0, f"verified {file}: {out}", "")
+    code, _, err = polar(capsys, *HEADLESS, "--players", "versus", "--rules", "source")
+    assert (code, err.count("\n")) == (2, 1)
+    assert "--players versus" in err
+
+
 def test_the_rules_and_the_difficulty_are_chosen(capsys, tmp_path: Path):
     """Each is another game; arcade at normal difficulty is played where nothing is said, and a replay knows its rules."""
     chosen = [[], ["--rules", "arcade"], ["--difficulty", "easy"], ["--difficulty", "hard"], ["--rules", "source"]]

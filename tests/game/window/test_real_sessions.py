@@ -69,6 +69,7 @@ def test_a_session(children, tmp_path, hands):
     player.choose("Title")
     game.expect("Title")
     player.choose("Quit")
+    game.wait(lambda seen: seen["screen"] is None)
     out, err = game.process.communicate()
     assert game.process.returncode == 0, (out, err)
     assert err.count(b"\n") == 1, err
@@ -115,6 +116,7 @@ def lose_a_game(game, player):
     game.expect("Menu")
     player.choose("Go on")
     game.expect("PlayScreen")
+    game.wait(lambda seen: seen["is_kept"])
     player.steer(on=True)
     serve_until(game, player, "Results")
     player.choose("Enter your name")
@@ -124,9 +126,10 @@ def lose_a_game(game, player):
 def serve_until(game, player, screen):
     """Serve whenever a ball waits, until another screen opens."""
     while game.seen["screen"] != screen:
-        if game.seen.get("phase") == "SERVING":
+        phase = game.seen.get("phase")
+        if phase == "SERVING":
             player.serve()
-        elif game.seen.get("phase") in ("OVER", "WON"):
+            continue
+        if phase in ("OVER", "WON"):
             player.steer(on=False)
-        before = game.seen
-        game.wait(lambda seen, before=before: seen != before)
+        game.wait(lambda seen, phase=phase: seen.get("phase") != phase or seen["screen"] == screen)

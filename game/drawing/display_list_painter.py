@@ -1,0 +1,191 @@
+"""Paints flat lists of primitives on a surface, anti-aliased: the desktop's half of what a browser's canvas does.
+
+Of the primitives (`game.picture.display_list` documents them) those are painted here that the desktop's pictures are made of.
+"""
+
+from array import array
+from collections.abc import Callable
+from functools import lru_cache
+
+import numpy as np
+import pygame
+
+from game.drawing.palette import Colour
+from game.drawing.raster.pixels import pairs
+from game.drawing.raster.primitives import HALF_PIXEL, draw_box, draw_circle, draw_dot
+from game.drawing.text import Type
+from game.picture.display_list import DisplayList, Primitive, primitives, unpacked
+
+_BEND = 0.02
+"""Sine of the angle between two pieces of a band from which a disc rounds the joint."""
+_FINER = 4
+"""Rows and columns of a sprite's drawing per pixel."""
+_MOST_SPRITES = 256
+_STRENGTHS = 22
+"""Strengths that a light has pictures for, from none to all of its colour."""
+_LARGEST, _STEP = 96, 8
+"""Sides of the pictures that lights are drawn in and scaled up from, pixels, as nothing of a light is sharp: at most, and from
+one to the next. They are never scaled down, which would leave white not quite white."""
+_SHARPNESS = 3.2
+"""How fast a light falls off."""
+_INSETS = np.array([0.8, 1.0, 0.5]).reshape(3, 1, 1)
+"""From a strip's borders to what is filled, to the lines that close its gaps, and to those that smooth it, pixels: the quickest
+of those that were tried that leave no hole."""
+_ANCHORS = {0.0: "midleft", 0.5: "center", 1.0: "midright"}
+"""Points of a text's box, by how far along the text they are."""
+
+
+class DisplayListPainter:
+    """Paints lists; caches sprites, and reuses the memory of lights, for new memory costs more than scaling them up."""
+
+    def __init__(self) -> None:
+        """Start with nothing cached."""
+        self._sprites: dict[bytes, pygame.Surface] = {}
+        self._light = pygame.Surface((1, 1), 0, 32)
+
+    def paint(self, surface: pygame.Surface, letters: Type, picture: DisplayList) -> None:
+        """Paint a list on a 32-bit surface. Raises ValueError for a primitive that only a canvas paints."""
+        for code, packed, opacity, own in primitives(picture.numbers):
+            colour = unpacked(packed)
+            if code in _SHAPES:
+                _SHAPES[code](surface, colour, own)
+                continue
+            match code:
+                case Primitive.TEXT:
+                    index, size, x, y, across, _bold = own
+                    letters.write(surface, picture.texts[int(index)], size, colour, complex(x, y), _ANCHORS[across])
+                case Primitive.PLATE:
+                    _paint_plate(surface, letters.rendered(picture.texts[int(own[0])], own[1], colour), own, colour)
+                case Primitive.GLOW:
+                    self._paint_light(surface, colour, opacity, own)
+                case Primitive.SPRITE:
+                    sprite = self._sprite(own)
+                    surface.blit(sprite, sprite.get_rect(center=(round(own[0]), round(own[1]))))
+                case _:
+                    raise ValueError(f"the desktop does not paint {Primitive(code).name}")
+
+    def _sprite(self, own: "array[float]") -> pygame.Surface:
+        """The picture of a sprite, drawn once."""
+        key = own[2:].tobytes()
+        if key not in self._sprites:
+            if len(self._sprites) >= _MOST_SPRITES:
+                self._sprites.clear()
+            self._sprites[key] = _sprite(own[2], own[4:])
+        return self._sprites[key]
+
+    def _paint_light(self, surface: pygame.Surface, colour: Colour, strength: float, own: "array[float]") -> None:
+        """An ellipse of light."""
+        x, y, across, down, takes = own
+        wide, high = max(round(across), 1), max(round(down), 1)
+        if self._light.width < 2 * wide or self._light.height < 2 * high:
+            self._light = pygame.Surface((max(self._light.width, 2 * wide), max(self._light.height, 2 * high)), 0, 32)
+        picture = self._light.subsurface((0, 0, 2 * wide, 2 * high))
+        side = max(min(2 * wide, 2 * high, _LARGEST) // _STEP * _STEP, 2)
+        small = _small_light(side, round(strength * _STRENGTHS + 0.499), colour, takes=bool(takes))
+        pygame.transform.smoothscale(small, picture.size, picture)
+        flag = pygame.BLEND_RGB_MULT if takes else pygame.BLEND_RGB_ADD
+        surface.blit(picture, (round(x) - wide, round(y) - high), special_flags=flag)
+
+
+def _corners(own: "array[float]") -> list[tuple[float, float]]:
+    """The corners of a polygon, pixels."""
+    return list(zip(own[1::2], own[2::2], strict=True))
+
+
+def _paint_disc(surface: pygame.Surface, colour: Colour, own: "array[float]") -> None:
+    """A disc."""
+    draw_dot(surface, complex(own[0], own[1]), own[2], colour)
+
+
+def _paint_circle(surface: pygame.Surface, colour: Colour, own: "array[float]") -> None:
+    """The line of a circle."""
+    draw_circle(surface, complex(own[0], own[1]), own[2] + own[3] / 2.0, own[3], colour)
+
+
+def _paint_polygon(surface: pygame.Surface, colour: Colour, own: "array[float]") -> None:
+    """A filled polygon."""
+    corners = _corners(own)
+    pygame.draw.polygon(surface, colour, corners)
+    pygame.draw.aalines(surface, colour, True, [(x - 0.5, y - 0.5) for x, y in corners])
+
+
+def _paint_strip(surface: pygame.Surface, colour: Colour, own: "array[float]") -> None:
+    """What is between two lines, quadrilateral by quadrilateral, since a polygon with many corners is filled slowly."""
+    lines, fill = np.array(own[1:]).astype(np.float64).view(np.complex128).reshape(-1, 2).T, pygame.draw.polygon
+    across = lines[::-1] - lines
+    filled, closing, smooth = lines + across * np.minimum(_INSETS / np.maximum(np.abs(across), 1e-9), 0.5)
+    left, right = pairs(filled)
+    for corners in zip(left, left[1:], right[1:], right, strict=False):
+        fill(surface, colour, corners)
+    for border in pairs(closing):
+        pygame.draw.lines(surface, colour, False, border)
+    pygame.draw.aalines(surface, colour, True, pairs(np.concatenate([smooth[0], smooth[1, ::-1]]) - HALF_PIXEL))
+
+
+def _paint_band(surface: pygame.Surface, _colour: Colour, own: "array[float]") -> None:
+    """A band, piece by piece."""
+    before, start, radius = 0j, complex(own[1], own[2]), own[3]
+    for k in range(5, len(own), 4):
+        end, end_radius = complex(own[k], own[k + 1]), own[k + 2]
+        piece = end - start
+        if piece:
+            colour = unpacked(own[k + 3])
+            if abs((piece * before.conjugate()).imag) >= _BEND * abs(piece) * abs(before):
+                draw_dot(surface, start, radius, colour)
+            _paint_piece(surface, colour, start, end, radius, end_radius)
+            before = piece
+        start, radius = end, end_radius
+
+
+def _paint_piece(
+    surface: pygame.Surface, colour: Colour, start: complex, end: complex, start_radius: float, end_radius: float
+) -> None:
+    """A straight piece of a band. The radii are half its widths at its ends."""
+    aside = (end - start) / abs(end - start) * 1j
+    left = start + aside * start_radius, end + aside * end_radius
+    right = end - aside * end_radius, start - aside * start_radius
+    pygame.draw.polygon(surface, colour, [(corner.real, corner.imag) for corner in (*left, *right)])
+    for one, other in (left, right):
+        pygame.draw.aaline(surface, colour, (one.real - 0.5, one.imag - 0.5), (other.real - 0.5, other.imag - 0.5))
+
+
+_SHAPES: dict[int, Callable[[pygame.Surface, Colour, "array[float]"], None]] = {
+    Primitive.DISC.value: _paint_disc,
+    Primitive.CIRCLE.value: _paint_circle,
+    Primitive.POLYGON.value: _paint_polygon,
+    Primitive.STRIP.value: _paint_strip,
+    Primitive.BAND.value: _paint_band,
+}
+"""What paints the primitives that consist of their own numbers alone."""
+
+
+def _paint_plate(surface: pygame.Surface, words: pygame.Surface, own: "array[float]", colour: Colour) -> None:
+    """A plate behind words."""
+    _index, _size, x, y, across, down, edge, edge_colour = own
+    plate = words.get_rect(center=(round(x), round(y))).inflate(round(2.0 * across), round(2.0 * down))
+    draw_box(surface, plate, plate.height / 2.0, colour, unpacked(edge_colour), edge)
+
+
+def _sprite(reach: float, numbers: "array[float]") -> pygame.Surface:
+    """Polygons on a transparent square, drawn finer and scaled down. Its transparent pixels have the first one's colour."""
+    side = 2 * round(reach)
+    middle = side * _FINER / 2.0
+    picture = pygame.Surface((side * _FINER, side * _FINER), pygame.SRCALPHA)
+    picture.fill((*unpacked(numbers[1]), 0))
+    for _code, packed, _opacity, own in primitives(numbers):
+        corners = [(middle + x * _FINER, middle + y * _FINER) for x, y in _corners(own)]
+        pygame.draw.polygon(picture, unpacked(packed), corners)
+    return pygame.transform.smoothscale(picture, (side, side))
+
+
+@lru_cache(maxsize=256)
+def _small_light(side: int, step: int, colour: Colour, *, takes: bool) -> pygame.Surface:
+    """A round light. step: of its strength, up to _STRENGTHS; takes: whether its colour takes the others away."""
+    across = ((np.arange(side) + 0.5) * (2.0 / side) - 1.0).astype(np.float32)
+    away = across[:, None] ** 2 + across[None, :] ** 2
+    light = np.exp(-_SHARPNESS * away) * np.clip(1.0 - away, 0.0, 1.0) * np.float32(step / _STRENGTHS)
+    own = np.array(colour, dtype=np.float32)
+    rgb = 255.0 - (255.0 - own) * light[..., None] if takes else own * light[..., None]
+    small = pygame.Surface((side, side), 0, 32)
+    pygame.surfarray.pixels3d(small)[:] = np.rint(rgb).astype(np.uint8)
+    return small

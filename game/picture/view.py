@@ -1,0 +1,20 @@
+"""Through what a scene is seen, for whatever makes a picture of it."""
+
+from typing import NamedTuple
+
+from game.drawing.camera import Camera
+from game.drawing.palette import Theme
+from game.unlocks import PLAIN_TRAIL
+
+
+class ArenaView(NamedTuple):
+    """Through what a scene is seen.
+
+    unit: size of text, pixels. size: of the whole picture, pixels. trail: name of what balls leave behind.
+    """
+
+    camera: Camera
+    theme: Theme
+    unit: float
+    size: tuple[int, int]
+    trail: str = PLAIN_TRAIL

@@ -1,0 +1,54 @@
+"""Draws the screens into files."""
+
+import io
+from collections.abc import Iterator
+from pathlib import Path
+from tempfile import TemporaryDirectory
+
+import pygame
+
+from game.levels import built_in
+from game.overlay import toast
+from game.screens.base import Screen
+from game.screens.gallery.sample import FRAME, sample_state
+from game.screens.gallery.screens import every_screen
+from game.screens.menus.level_select import LevelSelect
+from game.settings.values import Settings
+from game.system.files import write_whole
+from game.system.quiet_stderr import quiet_libraries
+
+
+def save_pictures(folder: Path, size: tuple[int, int], settings: Settings, only: str = "") -> Iterator[Path]:
+    """Draw the screens into PNG files, one after the other: their paths. size: pixels. only: a part of the names wanted."""
+    with quiet_libraries():
+        pygame.display.init()
+    try:
+        for name, opened in every_screen():
+            if only in name:
+                with TemporaryDirectory() as kept:
+                    state = sample_state(Path(kept), settings)
+                    surface = _drawn(opened(state), size)
+                    if state.toast is not None:
+                        toast.draw(state.words(state.canvas(surface)), state.toast)
+                    yield _saved(folder / f"{name}.png", surface)
+    finally:
+        pygame.quit()
+
+
+def _drawn(screen: Screen, size: tuple[int, int]) -> pygame.Surface:
+    """A screen's picture."""
+    surface = pygame.Surface(size, 0, 32)
+    if isinstance(screen, LevelSelect):  # the levels' pictures come one by one
+        for _ in range(2 * len(built_in())):
+            screen.advance(FRAME, size)
+            screen.draw(surface)
+    screen.draw(surface)
+    return surface
+
+
+def _saved(path: Path, surface: pygame.Surface) -> Path:
+    """The path of a picture that was written."""
+    picture = io.BytesIO()
+    pygame.image.save(surface, picture, "screen.png")
+    write_whole(path, picture.getvalue())
+    return path

@@ -1,0 +1,73 @@
+"""Python modules compiled for the page: by the runtime's own CPython, under Node.js, since no other has the same bytecode.
+
+A browser that gets them need not compile some 400 modules before the first picture.
+"""
+
+import hashlib
+import shutil
+import subprocess
+import tempfile
+import time
+import zipfile
+from importlib.resources import files
+from pathlib import Path
+
+from game.system.errors import EnvironmentMissingError
+from game.system.files import write_whole
+from game.web.archives import zip_archive, zip_contents
+
+_SCRIPT = "compile.mjs"
+_PATIENCE = 300.0
+"""Seconds that Node.js may take."""
+_CACHED_SECONDS = 30 * 86400.0
+"""Results that nobody has asked for this long are removed."""
+
+
+def compiled(sources: dict[str, bytes], runtime: dict[str, bytes], cache: Path) -> dict[str, bytes]:
+    """Every .py as its .pyc, without docstrings, assertions and columns in tracebacks; other files as they are.
+
+    runtime: its files by name. cache: the folder of results, since compiling takes seconds.
+    EnvironmentMissingError where Node.js is missing or cannot run the runtime.
+    """
+    script = files("game").joinpath("web", _SCRIPT).read_bytes()
+    archive = zip_archive(sources)
+    digest = hashlib.sha256(b"".join([hashlib.sha256(data).digest() for data in (script, *runtime.values(), archive)]))
+    path = cache / f"compiled-{digest.hexdigest()[:16]}.zip"
+    try:
+        found = zip_contents(path.read_bytes())
+        path.touch()
+    except (OSError, zipfile.BadZipFile):
+        found = _by_node(script, archive, runtime)
+        _cache(found, path)
+    return found
+
+
+def _by_node(script: bytes, archive: bytes, runtime: dict[str, bytes]) -> dict[str, bytes]:
+    """Let Node.js compile an archive of sources."""
+    node = shutil.which("node")
+    if node is None:
+        raise EnvironmentMissingError("node is needed to compile the page's Python; install Node.js")
+    with tempfile.TemporaryDirectory() as name:
+        folder = Path(name)
+        for file, data in {**runtime, _SCRIPT: script, "sources.zip": archive}.items():
+            (folder / file).write_bytes(data)
+        command = [node, _SCRIPT, ".", "sources.zip", "out.zip"]
+        try:
+            done = subprocess.run(command, cwd=folder, capture_output=True, timeout=_PATIENCE, check=False)  # noqa: S603  # ours
+        except (OSError, subprocess.TimeoutExpired):
+            done = None
+        if done is None or done.returncode:
+            raise EnvironmentMissingError("node cannot compile the page's Python; Node.js 20 or newer is needed")
+        return zip_contents((folder / "out.zip").read_bytes())
+
+
+def _cache(found: dict[str, bytes], path: Path) -> None:
+    """Store a result, and remove those that have not been used for long; a cache that cannot be written is done without."""
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        write_whole(path, zip_archive(found, zipfile.ZIP_DEFLATED))
+        for other in path.parent.glob("compiled-*.zip"):
+            if time.time() - other.stat().st_mtime > _CACHED_SECONDS:
+                other.unlink(missing_ok=True)
+    except OSError:
+        return

@@ -1,0 +1,33 @@
+"""The part of Python's standard library that the page gets: what the game needs, and what computes."""
+
+_LEFT_OUT = """
+    _aix_support _android_support _apple_support _ios_support _osx_support _pydatetime _pydecimal _pyio _pyrepl
+    antigravity argparse bdb cProfile cmd code compileall configparser ctypes curses dbm doctest email ensurepip filecmp
+    fileinput ftplib getpass html http idlelib imaplib ipaddress mailbox mimetypes modulefinder multiprocessing netrc
+    nturl2path optparse pdb pickletools platform plistlib poplib profile profiling pstats pty py_compile pyclbr pydoc pydoc_data
+    quopri rlcompleter runpy sched shelve smtplib socketserver sqlite3 symtable sysconfig tabnanny tarfile this trace
+    tracemalloc tty turtle turtledemo unittest urllib venv wave webbrowser wsgiref xml xmlrpc zipapp zoneinfo __phello__
+    asyncio.proactor_events asyncio.tools asyncio.windows_events asyncio.windows_utils concurrent.futures.interpreter
+    concurrent.futures.process concurrent.interpreters logging.config logging.handlers pathlib.types pyodide.http
+    site-packages
+"""
+"""Modules and packages for files, networks, processes, terminals and packaging. The page has none of these."""
+_ENCODINGS = "aliases ascii base64_codec cp1252 cp437 charmap hex_codec latin_1 raw_unicode_escape undefined"
+_UNICODE = ("utf_", "unicode_")
+"""Of the encodings, which there are."""
+
+
+def needed(files: dict[str, bytes]) -> dict[str, bytes]:
+    """What of the standard library is served. files: all of its files, by name."""
+    left_out = frozenset(_LEFT_OUT.split())
+    return {name: data for name, data in files.items() if _is_needed(name, left_out)}
+
+
+def _is_needed(name: str, left_out: frozenset[str]) -> bool:
+    """Whether a file is served."""
+    parts = name.rpartition(".")[0].split("/")
+    if parts[0].startswith("_sysconfigdata"):
+        return False
+    if parts[0] == "encodings" and parts[-1] != "__init__":
+        return parts[-1] in _ENCODINGS.split() or parts[-1].startswith(_UNICODE)
+    return not any([".".join(parts[:length]) in left_out for length in range(1, len(parts) + 1)])

@@ -1,0 +1,82 @@
+"""One picture, two painters: the same list on the page's canvas and on a surface of pygame."""
+
+import base64
+import io
+
+import numpy as np
+import pygame
+import pytest
+
+from game.drawing.display_list_painter import DisplayListPainter
+from game.drawing.text import Type
+from game.effects import NOTHING, Light, Wave
+from game.effects.lights import LightSource
+from game.effects.waves import WaveTone
+from game.input.view import FLAT, SOLID
+from game.levels import classic
+from game.picture.display_list import DisplayList
+from game.picture.moving.layers import add_in_air, add_on_ground
+from game.rules import ActivePower, Drop, PowerUp, Ruleset, new_game
+from game.scene import Aim, Well, scene_at, still
+from game.unlocks import PLAIN_TRAIL, TRAILS
+from physics import Ball
+from tests.support.pictures import DARK, LIGHT, camera_of, canvas_of
+
+SIZE = (900, 700)
+TOLERANCE = (0.4, 95.0)
+"""Of the pictures' mean difference and of the worst block's, of 255: pygame draws small dots with whole pixels."""
+PAINT = """async ([numbers, ground, width, height]) => {
+  const { paint } = await import("./painter.js");
+  const canvas = Object.assign(document.createElement("canvas"), { width, height });
+  const context = canvas.getContext("2d");
+  context.fillStyle = ground;
+  context.fillRect(0, 0, width, height);
+  paint(context, new Float32Array(numbers), []);
+  return canvas.toDataURL();
+}"""
+
+
+def everything_that_moves():
+    """A scene with all of it, on a bare ground."""
+    game = new_game(classic(), 1, Ruleset())
+    return scene_at(still(game), 1.0, NOTHING)._replace(
+        balls=(Ball(2.0 + 1.0j, 3.0 + 1.0j, 0.25),),
+        trails=(tuple([complex(2.0 - 0.2 * k, 1.0 - 0.02 * k * k) for k in range(24)][::-1]),),
+        aim=Aim(-3.0 - 3.0j, 0.6 + 0.8j),
+        waves=(Wave(WaveTone.GOOD, 1.0, 8.0, 40),),
+        lights=(Light(LightSource.PADDLE, -5.0 + 2.0j, 0.26, 0.9, 70),),
+        shining=True,
+        wells=(Well(5.0 - 3.0j, 2.0, 30.0),),
+        clock=1.3,
+        powers=tuple([ActivePower(kind, 700, 1000) for kind in (PowerUp.PIERCE, PowerUp.SLOW, PowerUp.FAST)]),
+        drops=tuple([Drop(kind, 5.0j + 1.5 * k, 1j) for k, kind in enumerate(PowerUp)]),
+        core=0.6,
+    )
+
+
+def blocks(picture):
+    """Means over blocks of 4 by 4 pixels: what anti-aliasing does to an edge counts little."""
+    pixels = pygame.surfarray.array3d(picture).astype(np.float64)
+    return pixels.reshape(SIZE[0] // 4, 4, SIZE[1] // 4, 4, 3).mean(axis=(1, 3))
+
+
+@pytest.mark.parametrize(
+    ("view", "theme", "trail"),
+    [*[(FLAT, DARK, trail) for trail in TRAILS], (SOLID, DARK, PLAIN_TRAIL), (FLAT, LIGHT, PLAIN_TRAIL)],
+    ids=[*TRAILS, "solid", "light"],
+)
+def test_both_painters_show_the_same(page, view, theme, trail):
+    """Everything that moves, of every trail: mean difference of a channel, of 255, and of the worst block."""
+    scene = everything_that_moves()
+    canvas = canvas_of(scene, SIZE, theme=theme, camera=camera_of(view, scene, SIZE))._replace(unit=20.0, trail=trail)
+    picture = DisplayList()
+    add_on_ground(picture, scene, canvas.view)
+    add_in_air(picture, scene, canvas.view)
+    canvas.surface.fill(theme.ground)
+    DisplayListPainter().paint(canvas.surface, Type(), picture)
+    ground = "#{:02x}{:02x}{:02x}".format(*theme.ground)
+    shown = page.tab.evaluate(PAINT, [picture.numbers.tolist(), ground, *SIZE])
+    on_page = pygame.image.load(io.BytesIO(base64.b64decode(shown.split(",")[1])), "shown.png")
+    apart = np.abs(blocks(canvas.surface) - blocks(on_page))
+    assert apart.mean() < TOLERANCE[0]
+    assert apart.max() < TOLERANCE[1]
