@@ -38,8 +38,8 @@ _OFFER_TICKS = round(20.0 / TICK)
 _END_TICKS, _CLEARED_TICKS = 200, 150
 """From the end of the game, and of a level, to the results: nobody who is still playing chooses an entry by accident."""
 _SERVE_KEY, _TURN_KEYS = "Space", ("←", "→")
-_NOTE, _NOTE_LETTER = 0.9, 0.57
-"""The line about the physics: size of its letters in units, and the width of a letter in shares of its size, roughly."""
+_NOTE, _NOTE_LETTER, _NOTE_UP, _NOTE_UP_NARROW = 0.9, 0.57, 0.8, 3.9
+"""The line about the physics, in units: size of its letters, width of one in shares of that, height over the lower edge."""
 
 
 class GameOnPage:
@@ -346,6 +346,7 @@ class GameOnPage:
 
 
 def _add_note(out: DisplayList, note: str, size: tuple[int, int], colour: Colour, unit: float) -> None:
-    """Add the line about the physics at the lower edge, smaller where it would not fit into the width."""
+    """Add the line about the physics at the lower edge, on a narrow canvas above the figures; smaller if it would not fit."""
     letters = unit * min(_NOTE, size[0] / (unit * _NOTE_LETTER * (len(note) + 4)))
-    out.text(note, letters, complex(size[0] / 2.0, size[1] - 0.8 * unit), colour)
+    up = _NOTE_UP if size[0] > size[1] else _NOTE_UP_NARROW
+    out.text(note, letters, complex(size[0] / 2.0, size[1] - up * unit), colour)
