@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from game.drawing.ground.colours import ground_colours
+from game.drawing.ground.shades import ground_colours
 from game.drawing.light_colour import light_colour
 from game.drawing.palette import DARK, HIGH_CONTRAST, LIGHT, contrast, layer_colour, luminance, mixed
 from game.drawing.palettes import NAMES, themed
