@@ -35,7 +35,7 @@ def contact(ball: Ball, ring: Ring, slot: int) -> Contact:
 
 
 def contact_above(ball: Ball, ring: Ring, theta: float, angle: float) -> Contact:
-    """`contact` with a sector above which the ball is known to be: its angle theta lies within that with its middle at `angle`."""
+    """`contact` with a sector, its middle at `angle`, within which the ball's angle theta is known to lie."""
     face = face_contact(ball, ring)
     if face.gap > -ball.radius or ring.half_angle == math.pi:
         return face

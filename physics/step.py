@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 from physics.bounce import bounce, bounce_off_two
 from physics.broad_phase import in_band
@@ -41,6 +41,13 @@ class Hit(NamedTuple):
     before: complex
     after: complex
     layers: int
+
+
+class Hits(Protocol):
+    """Where hits are recorded: a list, or the batch's rows."""
+
+    def append(self, hit: Hit, /) -> None:
+        """Record a hit."""
 
 
 class Step(NamedTuple):
@@ -120,10 +127,12 @@ def advance(arena: Arena, dt: float, speed: float, flight: FreeFlight | None = N
     moved: tuple[Ball, ...] = ()
     for p, v, ball_radius in balls:
         moved += (unchecked(Ball, (p + v * dt, v, ball_radius)),)
-    turned = [*rings]
-    for k in turning:
-        turned[k] = rings[k].turned(dt)
-    arena = unchecked(Arena, (moved, tuple(turned), layers))
+    if turning:
+        turned = [*rings]
+        for k in turning:
+            turned[k] = rings[k].turned(dt)
+        rings = tuple(turned)
+    arena = unchecked(Arena, (moved, rings, layers))
     return unchecked(Step, (arena, (), 0, 0, (arena, seconds - dt, turning)))
 
 
@@ -150,7 +159,7 @@ def answer_impacts(
     dt: float,
     speed: float,
     courses: list[Course],
-    hits: list[Hit],
+    hits: Hits,
 ) -> int:
     """Fly the balls to the tick's end, in place; how many were dropped.
 
@@ -208,7 +217,7 @@ def _earliest(courses: Sequence[Course]) -> int:
 
 
 def _answer(
-    i: int, found: _Next, ball: Ball, rings: Sequence[Ring], layers: list[tuple[int, ...]], speed: float, hits: list[Hit]
+    i: int, found: _Next, ball: Ball, rings: Sequence[Ring], layers: list[tuple[int, ...]], speed: float, hits: Hits
 ) -> complex:
     """The velocity of ball number i after an impact: of its hit, or of the two hits of a bounce off two sectors at once.
 
@@ -244,7 +253,7 @@ def _hit(
     return Hit(time, i, k, slot, contact, ball.velocity, after, left)
 
 
-def _add_both(first: Hit, second: Hit, layers: list[tuple[int, ...]], hits: list[Hit]) -> None:
+def _add_both(first: Hit, second: Hit, layers: list[tuple[int, ...]], hits: Hits) -> None:
     """Add two hits at one moment in the order of ring and slot; one where both are ends of the same sector."""
     if (first.ring, first.slot) == (second.ring, second.slot):
         _add(first, layers, hits)
@@ -256,13 +265,13 @@ def _add_both(first: Hit, second: Hit, layers: list[tuple[int, ...]], hits: list
         _add(first, layers, hits)
 
 
-def _add(hit: Hit, layers: list[tuple[int, ...]], hits: list[Hit]) -> None:
+def _add(hit: Hit, layers: list[tuple[int, ...]], hits: Hits) -> None:
     """Record a hit, which takes its layer."""
     add_hit(hits, hit)
     set_layers(layers, hit.ring, hit.slot, hit.layers)
 
 
-def add_hit(hits: list[Hit], hit: Hit) -> None:
+def add_hit(hits: Hits, hit: Hit) -> None:
     """Record a hit."""
     hits.append(hit)
 

@@ -75,7 +75,8 @@ def _covered(pop: Pop, new: list[Pop]) -> bool:
 
 def _position(event: Event) -> complex:
     """Where the words of an event belong: those of what a paddle caught beside it, so that it is not hidden."""
-    return event.position * _BESIDE if event.kind == EventKind.DROP_CAUGHT else event.position
+    caught = event.kind in {EventKind.DROP_CAUGHT, EventKind.LIFE_GAINED}
+    return event.position * _BESIDE if caught else event.position
 
 
 def _text(event: Event) -> str:
@@ -85,7 +86,7 @@ def _text(event: Event) -> str:
     if event.kind == EventKind.LEVEL_CLEARED:
         return tr("+{points} bonus").format(points=event.points)
     if event.kind == EventKind.DROP_CAUGHT and event.power is not None:
-        return tr(POWER_NAMES[event.power])
+        return "" if event.power == PowerUp.LIFE else tr(POWER_NAMES[event.power])  # a life says it itself, if there is one
     return tr(_WORDS[event.kind]) if event.kind in _WORDS else ""
 
 

@@ -37,7 +37,8 @@ from physics import Arena, has_left
 
 def played(game: Game, moving: Arena, controls: Controls, advance: Advance) -> Ticked:
     """A tick with balls in play. moving: the arena with the paddles' new spin."""
-    arcade, piercing, speed, score = game.ruleset.arcade, is_piercing(game), game.speed, game.score
+    arcade, speed, score = game.ruleset.arcade, game.speed, game.score
+    piercing = arcade and is_piercing(game)
     flown = without_bricks(moving) if piercing else moving
     step = advance(flown, TICK, speed, game.flight)
     arena = with_bricks(step.arena, moving) if piercing else step.arena

@@ -54,8 +54,9 @@ def _spin(game: Game, paddles: Ring, turn: int, pointer: int | None) -> float:
 
 def top_spin(game: Game) -> float:
     """The paddles' top speed, rad/s. Under the arcade rules it follows the balls' speed, and stays below it."""
-    top = math.radians(game.level.paddles.top_speed)
-    return min(top * (game.speed / game.level.ball.speed), fastest_spin(game)) if game.ruleset.arcade else top
+    level = game.levels[game.number]
+    top = math.radians(level.paddles.top_speed)
+    return min(top * (game.speed / level.ball.speed), fastest_spin(game)) if game.ruleset.arcade else top
 
 
 def keyed_spin(spin: float, turn: int, top: float, change: float) -> float:

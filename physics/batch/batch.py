@@ -3,7 +3,7 @@
 import functools
 import math
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, wait
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -57,7 +57,7 @@ class Batch:
             raise ValueError("arenas must be at least one, not none")
         for g, arena in enumerate(arenas):
             _check_shape(f"arenas[{g}]", arena, arenas[0])
-        self._rings = arenas[0].rings
+        self._model = arenas[0]
         check_subnormals()
         self._compiled = compiled()
         self._games = arrays_of(arenas)
@@ -111,17 +111,21 @@ class Batch:
         bounds = [len(self) * part // parts for part in range(parts + 1)]
         lost = np.empty(games.positions.shape, np.bool_)
         jobs = [_pool(parts - 1).submit(self._part, steered, bounds[k], bounds[k + 1], ticks, lost) for k in range(1, parts)]
-        found = [self._part(steered, 0, bounds[1], ticks, lost), *[job.result() for job in jobs]]
-        hits = found[0] if parts == 1 else np.concatenate(found)
+        try:
+            hits = self._part(steered, 0, bounds[1], ticks, lost)
+        finally:
+            wait(jobs)
+        if jobs:
+            hits = np.concatenate([hits, *[job.result() for job in jobs]])
         return Steps(hits, lost, games.dropped.copy(), games.freed.copy())
 
     def arena(self, game: int) -> Arena:
         """One game as the arena that `physics.advance` takes."""
-        return arena_of(self._games, self._rings, game)
+        return arena_of(self._games, self._model.rings, game)
 
     def put(self, game: int, arena: Arena) -> None:
         """Replace one game: a lost ball comes back, bricks are laid anew. ValueError where the arena has another shape."""
-        _check_shape("arena", arena, self.arena(game))
+        _check_shape("arena", arena, self._model)
         mine, new = self._games, arrays_of([arena])
         mine.positions[game], mine.velocities[game], mine.ball_radii[game] = new.positions, new.velocities, new.ball_radii
         mine.phases[game], mine.spins[game], mine.layers[game] = new.phases, new.spins, new.layers
@@ -132,13 +136,13 @@ class Batch:
         games: Integers,
         positions: Complexes,
         velocities: Complexes,
-        layers: Sequence[Sequence[int]] | None = None,
+        layers: Layers | None = None,
     ) -> None:
         """Put the balls of some games elsewhere, at once: `put` for many, where rings and spins are left as they are.
 
         games: (n,), their numbers, int64. positions, velocities: (n, balls), world units (per second), complex128, as `Ball`
-        takes them. layers: what is laid in each of these games, as in `Arena`; None to leave their bricks. Raises ValueError,
-        naming the argument; then nothing is changed.
+        takes them. layers: (rings, slots of the fullest ring), int8, what is laid in each of these games, as one of those in
+        `layers`; None to leave their bricks. Raises ValueError, naming the argument; then nothing is changed.
         """
         mine = self._games
         shape = (len(games), mine.positions.shape[1])
@@ -153,7 +157,10 @@ class Batch:
         if not ((size == 0.0) | ((size >= SMALLEST) & (size <= LARGEST))).all():
             raise ValueError(f"velocities must be 0 or from {SMALLEST:g} to {LARGEST:g} long")
         if layers is not None:
-            mine.layers[games] = _checked_layers(layers, self._rings, mine.layers.shape[2])
+            _check_array("layers", layers, np.dtype(np.int8), mine.layers.shape[1:])
+            if (layers < PERMANENT).any():
+                raise ValueError(f"layers must be from {PERMANENT} up, not {layers.min()}")
+            mine.layers[games] = layers
         mine.positions[games], mine.velocities[games] = positions, velocities
         mine.known[games], mine.free[games] = UNKNOWN, 0
 
@@ -230,17 +237,6 @@ def _check_shape(name: str, arena: Arena, model: Arena) -> None:
         if arena is not model and layers is model.layers[k]:
             continue
         _check_row(f"{name}.layers[{k}]", layers, ring)
-
-
-def _checked_layers(layers: Sequence[Sequence[int]], rings: Sequence[Ring], slots: int) -> Layers:
-    """Layers as they are stored, (rings, slots)."""
-    if len(layers) != len(rings):
-        raise ValueError(f"layers must be of {len(rings)} rings, not {len(layers)}")
-    stored = np.zeros((len(rings), slots), np.int8)
-    for k, row in enumerate(layers):
-        _check_row(f"layers[{k}]", row, rings[k])
-        stored[k, : len(row)] = row
-    return stored
 
 
 def _check_row(name: str, row: Sequence[int], ring: Ring) -> None:

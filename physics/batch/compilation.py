@@ -174,7 +174,7 @@ def _register() -> None:
 
     @overload(add_hit)
     def _add_hit(hits, hit):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
-        return lambda hits, hit: write_hit(hits, hit)
+        return lambda hits, hit: write_hit(hits, hit)  # noqa: PLW0108  # the names and annotations must be the function's
 
 
 def _register_tick(compiled_tick: Any) -> None:

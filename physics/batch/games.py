@@ -7,12 +7,12 @@ the free flight (`known`, `free`). `tests/physics/test_batch.py` compares them w
 """
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import numpy.typing as npt
 
-from physics.batch.arrays import Complexes, Floats, Games, Integers, Layers
+from physics.batch.arrays import Complexes, Floats, Games
 from physics.batch.hits import Rows
 from physics.broad_phase import has_left
 from physics.escape import freed
@@ -157,7 +157,7 @@ def _find_lost(games: Games, first: int, last: int, ground_radius: float, lost: 
             lost[g, i] = has_left(positions[g, i], radii[g, i], ground_radius)
 
 
-def play(  # in pieces that are given the games it takes half as long again: their arrays are counted in and out
+def play(  # noqa: C901, PLR0912  # given to functions, the arrays of the games are counted in and out: twice as slow
     games: Games, first: int, last: int, ticks: int, dt: float, speed: float, rows: Rows, room: Workspace
 ) -> int:
     """Advance the games from `first` to below `last` until each has `ticks` in `games.played`.
@@ -191,7 +191,7 @@ def play(  # in pieces that are given the games it takes half as long again: the
                 balls[i] = Ball(positions[g, i], velocities[g, i], radii[g, i])
             for k in range(len(rings)):
                 rings[k] = with_turn(rings[k], phases[g, k], spins[g, k])
-            layers = all_layers[g]
+            layers: Any = all_layers[g]
             moved = 0
             if known[g] != ENDING:
                 moved = _free(balls, rings, layers) if known[g] == UNKNOWN else 0
@@ -219,7 +219,7 @@ def play(  # in pieces that are given the games it takes half as long again: the
 
 
 def play_one_tick(games: Games, g: int, dt: float, speed: float, rows: Rows, room: Workspace) -> None:
-    """One tick of one game, its hits in the rows from the first on. Other compiled loops call by it what is compiled already."""
+    """One tick of one game, its hits in the rows from the first on. By it other compiled loops call what is compiled."""
     rows.now[0], games.played[g] = 0, 0
     play(games, g, g + 1, 1, dt, speed, rows, room)
 
@@ -238,7 +238,7 @@ def startable(ring: Ring) -> Ring:
     return ring if ring.spin != 0.0 else with_turn(ring, ring.phase, _STARTED)
 
 
-def _looked_ahead(balls: list[Ball], rings: list[Ring], layers: Layers, steered: Integers, dt: float) -> tuple[int, int]:
+def _looked_ahead(balls: list[Ball], rings: list[Ring], layers: Any, steered: Any, dt: float) -> tuple[int, int]:
     """How many ticks are free of any touch, and what is known then. No ball overlaps anything."""
     horizon = (LOOK_AHEAD + _MARGIN) * dt
     seconds = horizon
@@ -247,7 +247,7 @@ def _looked_ahead(balls: list[Ball], rings: list[Ring], layers: Layers, steered:
     return int(seconds / dt), CLEAR if seconds == horizon else ENDING
 
 
-def _free(balls: list[Ball], rings: list[Ring], layers: Layers) -> int:
+def _free(balls: list[Ball], rings: list[Ring], layers: Any) -> int:
     """Move the balls that overlap material out of it, in place; how many there were."""
     number = 0
     for i in range(len(balls)):

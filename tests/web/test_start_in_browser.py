@@ -50,14 +50,15 @@ def test_a_second_visit_copies_the_memory_and_its_games_differ(open_page):
         assert one != other
 
 
-@pytest.mark.parametrize("change", ["torn", "unusable"])
-def test_a_snapshot_that_cannot_be_used_is_discarded_and_stored_anew(open_page, change):
-    """Half of it, which its digest shows; and one that is not a snapshot, which the runtime refuses."""
+@pytest.mark.parametrize(("change", "starts"), [("torn", 1), ("unusable", 2)])
+def test_a_snapshot_that_cannot_be_used_is_discarded_and_stored_anew(open_page, change, starts):
+    """Half of it, which its digest shows before it is used; and one that is not a snapshot, which the runtime refuses."""
     with open_page() as page:
         page.ask("snapshot")
         assert page.tab.evaluate(STORED, change)
         steps, _hash = started(page)
         assert IMPORTED in steps
+        assert steps.count("runtime ready") == starts
         assert page.ask("snapshot") is True
         assert COPIED in started(page)[0]
 

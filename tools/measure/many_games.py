@@ -39,6 +39,7 @@ class ManyGames:
         self._arena, self._chance = state, Random(1)
         start = [state._replace(balls=(served(self._chance),)) for _ in range(games)]
         self._batch = Batch(start, dt=TICK, speed=SPEED, ground_radius=GROUND)
+        self._layers = self._batch.layers[0].copy()
         self.name, self.games = f"physics.batch, {sum([ring.count for ring in state.rings[1:]]):,} bricks", games
         self._threads, self._is_large = os.cpu_count() or 1, games >= _LARGE
         self._ticks = self._hits = self._looks = self._near = 0
@@ -68,7 +69,7 @@ class ManyGames:
         balls = [served(self._chance) for _ in games]
         if len(balls) > 0:
             positions, velocities = np.array([[ball.position] for ball in balls]), np.array([[ball.velocity] for ball in balls])
-            self._batch.serve(games, positions, velocities, self._arena.layers)
+            self._batch.serve(games, positions, velocities, self._layers)
 
     def state(self) -> str:
         """How realistic it was: the share of balls in reach of a ring, and the hits."""
