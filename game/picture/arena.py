@@ -3,12 +3,13 @@
 import math
 
 from game.drawing.camera import Camera
+from game.drawing.ground.measures import Ground
 from game.drawing.palette import Theme
 from game.drawing.palettes import themed
 from game.drawing.slots.contents import ContentKind, Contents, SlotContent, resting_contents, slot_contents
 from game.drawing.slots.parts import SlotShape, slot_shape
 from game.picture.display_list import DisplayList
-from game.picture.ground import PatternedGround, add_ground
+from game.picture.ground import add_ground
 from game.picture.moving.balls import add_ball
 from game.picture.moving.bursts import add_bursts
 from game.picture.moving.layers import add_in_air, add_on_ground
@@ -39,7 +40,7 @@ class ArenaPicture:
         """The ground, and in the flat view the rings that rest: the very same list as long as it has not changed."""
         theme = themed(view.theme, scene.palette)
         resting = _resting(scene, view.camera)
-        ground = PatternedGround(scene.ground_radius, scene.rings[PADDLES].radius, scene.ground)
+        ground = Ground(scene.ground_radius, scene.rings[PADDLES].radius, scene.ground)
         key = (
             view.camera,
             theme,

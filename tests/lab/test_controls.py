@@ -106,6 +106,7 @@ def test_the_list_of_scenes_is_used_by_keys_and_by_mouse():
     assert laid.body.contains(spot_at(laid, desk.screen._focus).box)
     desk.press(pygame.K_l, pygame.K_DOWN, pygame.K_ESCAPE)
     assert desk.session.scene.name == "free-run"
+    assert desk.side._focus is None
     desk.click_on("free-run")
     desk.type("cc")
     desk.press(pygame.K_RETURN)
@@ -203,11 +204,14 @@ def test_a_held_arrow_moves_a_slider_on(desk):
 def test_a_gamepad_uses_the_controls(desk):
     """The pad's cross moves the focus and steps, again and again while it is held; A accepts, B gives the keys back."""
     desk.pad(Action.DOWN, Action.DOWN, Action.DOWN)
+    desk.press(pygame.K_LEFT, mod=pygame.KMOD_LSHIFT)
+    desk.pad(Action.RIGHT)
+    assert desk.values.point("ball").real == 9.31
     desk.pad(Action.RIGHT, held=True)
     for _ in range(20):
         desk.wait_once(0.1)
     moved = desk.values.point("ball")
-    assert moved.real > 9.45
+    assert moved.real > 9.35
     desk.screen.answer(Released(Action.RIGHT, desk.side._held[0].position), SIZE)
     desk.wait_once(1.0)
     assert desk.values.point("ball") == moved
@@ -300,6 +304,9 @@ def test_what_does_not_fit_scrolls():
     assert moved[1] == spots[1]
     desk.wheel((100, 300), -1)
     assert desk.spot("r_g").box == moved[0]
+    while desk.side._focus is None or desk.spot("r_g")[2:4] != desk.side._focus:
+        desk.press(pygame.K_TAB)
+    assert desk.side._scroll == 0.0, "what the first number means is seen, too"
     desk.shared.settings = desk.shared.settings._replace(text_size=200)
     desk.press(pygame.K_LEFTBRACKET)
     desk.wheel(spots[0].center, -1)

@@ -8,12 +8,9 @@ from pathlib import Path
 import pygame
 import pytest
 
-from game.drawing.ground.colours import around_colours, ground_colours
-from game.drawing.palette import DARK, LIGHT
 from game.input.actions import Action
 from game.input.keys import BINDINGS
 from game.picture.display_list import DisplayList, Primitive, primitives
-from game.picture.ground import around_colour, ground_colour
 from game.system.errors import EnvironmentMissingError
 from game.web import packages
 from game.web.client.keys import BUTTONS, BY_CODE, BY_KEY
@@ -56,14 +53,6 @@ def test_keys_mean_what_they_mean_on_the_desktop():
     buttons = {button: one.action for one in BINDINGS for button in one.buttons}
     expected = [buttons.get(getattr(pygame, f"CONTROLLER_BUTTON_{name}", -1)) for name in PAD_BUTTONS]
     assert list(BUTTONS) == expected
-
-
-@pytest.mark.parametrize("theme", [DARK, LIGHT])
-@pytest.mark.parametrize("share", [0.0, 0.4, 0.97, 1.0])
-def test_the_ground_has_the_desktops_colours(theme, share):
-    """To one step of a channel, within the rim and beyond it."""
-    assert ground_colour(theme, share) == pytest.approx(ground_colours(theme, [share])[0].tolist(), abs=1.0)
-    assert around_colour(theme, 1.0 + share) == pytest.approx(around_colours(theme, [1.0 + share])[0].tolist(), abs=1.5)
 
 
 def page_playing():

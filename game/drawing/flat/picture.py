@@ -12,7 +12,8 @@ import pygame
 
 from game.drawing.canvas import Canvas
 from game.drawing.flat.ring import RingKey, RingPicture, least_lane, ring_key, shift_of
-from game.drawing.ground.picture import Ground, draw_pattern, ground_picture
+from game.drawing.ground.measures import Ground
+from game.drawing.ground.picture import draw_pattern, ground_picture
 from game.drawing.slots.contents import ContentKind, Contents, SlotContent
 from game.rules import PADDLES
 from game.scene import Scene

@@ -12,8 +12,9 @@ import pygame
 import pytest
 
 from game.drawing import palettes
-from game.drawing.ground.colours import discs_of_ground, ground_colours
+from game.drawing.ground.colours import discs_of_ground, ground_shade
 from game.drawing.ground.patterns import NAMES, marks
+from game.drawing.ground.shades import ground_colours
 from game.drawing.painter import Painter
 from game.drawing.palette import DARK, LIGHT, luminance, without_depth
 from game.effects import NOTHING, Light, LightSource
@@ -55,6 +56,13 @@ def test_light_falls_from_the_centre(theme):
         assert inner > middle > outer
         shaded = brightness(picture, camera, out * (ring.outer_radius + 2.0 * pixel))
         assert shaded < 0.9 * brightness(picture, camera, out * (ring.outer_radius + 0.5))
+
+
+@THEMES
+@pytest.mark.parametrize("share", [0.0, 0.4003, 0.9701, 1.0, 1.02])
+def test_many_pixels_of_the_ground_have_the_colour_of_each(theme, share):
+    """To a tenth of a step of a channel, also between the distances that colours are computed for."""
+    assert ground_colours(theme, np.float32([share]))[0] == pytest.approx(ground_shade(theme, share), abs=0.1)
 
 
 @THEMES
