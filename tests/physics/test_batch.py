@@ -58,7 +58,7 @@ def games_of_one_shape(case, chance):
         edge = max(ring.outer_radius for ring in arena.rings)
         for i, ball in enumerate(arena.balls):
             arena = served(arena, i, ball.radius, case.speed, chance)
-            if chance.random() < 0.3:
+            if chance.random() < 0.4:
                 position = complex(chance.uniform(-edge, edge), chance.uniform(-edge, edge))
                 balls = (*arena.balls[:i], arena.balls[i]._replace(position=position), *arena.balls[i + 1 :])
                 arena = arena._replace(balls=balls)
