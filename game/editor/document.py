@@ -19,6 +19,8 @@ from game.system.wording import quoted_message
 _SOURCE = "level"
 _DECIMALS = 6
 """Of a number that the editor writes."""
+_LONGEST_ROW = 60
+"""Entries of a list in one line of the file; a line may have 1,000 characters."""
 
 Path = tuple[str | int, ...]
 """Keys that lead to a value: ("rings", 0, "radius")."""
@@ -147,8 +149,11 @@ def _put(table: Table, key: str, value: float | str | list[int]) -> None:
 
 
 def _item(value: float | str | list[int]) -> Item:
-    """A value as TOML writes it."""
-    return tomlkit.item(value)
+    """A value as TOML writes it; a long list in several lines."""
+    if not isinstance(value, list) or len(value) <= _LONGEST_ROW:
+        return tomlkit.item(value)
+    rows = [", ".join(map(str, value[first : first + _LONGEST_ROW])) for first in range(0, len(value), _LONGEST_ROW)]
+    return tomlkit.array("[\n    " + ",\n    ".join(rows) + ",\n]")
 
 
 def _rounded(value: Any) -> Any:
