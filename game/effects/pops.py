@@ -29,6 +29,8 @@ POWER_NAMES = {
 """What power-ups are called."""
 _GOOD = frozenset({EventKind.LEVEL_CLEARED, EventKind.LIFE_GAINED, EventKind.CORE_BROKEN, EventKind.DROP_CAUGHT})
 """Good news beside bricks."""
+_PLATED = _GOOD | {EventKind.SPEED_UP}
+"""Words that stand on a plate: in the middle of the arena there may be bricks."""
 _BAD = frozenset({EventKind.BALL_LOST})
 _BESIDE = 0.82
 """Words about what a paddle caught are at this share of its distance from the centre."""
@@ -61,7 +63,7 @@ def after_tick(pops: tuple[Pop, ...], ticked: Ticked) -> tuple[Pop, ...]:
         risen = [pop._replace(age=pop.age + 1.0 / POP_TICKS) for pop in pops]
         pops = tuple([pop for pop in risen if pop.age < 1.0])
     new = [
-        Pop(_position(event), text, _is_bad(event), 0.0, _weight(event, ticked.game.combo), event.kind in _GOOD)
+        Pop(_position(event), text, _is_bad(event), 0.0, _weight(event, ticked.game.combo), event.kind in _PLATED)
         for event in ticked.events
         if (text := _text(event))
     ]

@@ -3,6 +3,7 @@
 They are static and need no special headers. The runtime's large files are compressed here, since not every host does it.
 """
 
+import base64
 import hashlib
 import json
 import sysconfig
@@ -19,6 +20,7 @@ from game.system.wording import quoted_path
 from game.web.archives import compressed, page_archive, zip_archive, zip_contents
 from game.web.bundle import browser_sources, grading_sources
 from game.web.compiled import compiled
+from game.web.music import rendered_music
 from game.web.packages import EDITOR, EDITOR_FILES, MSGSPEC, RUNTIME, RUNTIME_FILES, Package, fetched, packed_files
 from game.web.samples import rendered
 from game.web.standard_library import needed
@@ -28,6 +30,8 @@ _COMPRESSED = ("pyodide.asm.wasm", "pyodide.asm.mjs")
 _LIBRARY, _LOCK = "python_stdlib.zip", "pyodide-lock.json"
 _STAMPED = ("offline.js", "snapshot.js")
 _PAGE = files("game") / "web" / "page"
+_EDITOR_HASHES = {"js": b"HASHES-OF-THE-EDITOR", "css": b"HASHES-OF-ITS-STYLES"}
+"""Stand in the page's content security policy: it unpacks the editor's files, and may run what has these hashes."""
 _STAMP = b"VERSION-OF-THE-SITE"
 """Stands in these files for what `_version` says."""
 _PYTHON = """The runtime contains CPython 3.14, unchanged, and of its standard library (runtime/python_stdlib.zip) what the
@@ -49,10 +53,14 @@ def built_site(cache: Path) -> dict[str, bytes]:
         "program.packed": compressed(page_archive(program)),
         "grading.packed": compressed(page_archive(grading)),
     }
-    editor = packed_files(fetched(EDITOR, cache), EDITOR_FILES)
-    site |= {f"editor/{Path(name).name}": data for name, data in editor.items() if name != "LICENSE"}
+    editor = {Path(name).name: data for name, data in packed_files(fetched(EDITOR, cache), EDITOR_FILES).items()}
+    site["editor.packed"] = compressed(page_archive(editor))
+    for kind in ("js", "css"):
+        hashes = [_content_hash(data) for name, data in editor.items() if name.endswith(f".{kind}")]
+        site["index.html"] = site["index.html"].replace(_EDITOR_HASHES[kind], " ".join(hashes).encode())
     samples, index = rendered()
     site |= {"sounds.packed": compressed(samples), "sounds.json": msgspec.json.encode(index)}
+    site["music.packed"] = compressed(rendered_music())
     site["notices.txt"] = _notices(wheel, editor["LICENSE"].decode()).encode()
     version = _version(site)
     for name in _STAMPED:
@@ -73,6 +81,11 @@ def _compiled(runtime: dict[str, bytes], wheel: Path, cache: Path) -> tuple[dict
         {name: data for name, data in done.items() if not name.startswith((inside, grading))},
         {name: data for name, data in done.items() if name.startswith(grading)},
     )
+
+
+def _content_hash(data: bytes) -> str:
+    """A hash as a content security policy has it."""
+    return f"'sha256-{base64.b64encode(hashlib.sha256(data).digest()).decode()}'"
 
 
 def _without_packages(lock: bytes) -> bytes:
@@ -111,7 +124,7 @@ def _notices(wheel: Path, editor_licence: str) -> str:
         + "\nIts licence: https://www.mozilla.org/MPL/2.0/",
         _PYTHON,
         _about(MSGSPEC, "in program.packed, compiled") + f"\n\n{msgspec_licence}",
-        _about(EDITOR, "editor/") + f"\n\n{editor_licence}",
+        _about(EDITOR, "in editor.packed, unchanged") + f"\n\n{editor_licence}",
         python.read_text(encoding="utf-8") if python.is_file() else "",
     ]
     return "\n\n".join(parts).rstrip() + "\n"

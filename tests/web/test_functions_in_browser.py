@@ -25,6 +25,7 @@ def test_functions_are_graded_shown_and_flown(page, axe):
     told = graded(page, WRONG)
     assert "11 of 13 functions right" in told
     assert "wrong sign at |p| < r_p" in told
+    assert page.standing()["panes"][-1] == "yours: functions.py"  # the first wrong answer
     page.use("case:narrow_phase_case_1")
     assert page.standing()["line"].startswith("case-1?ball=5.57,6.32")
     assert page.standing()["panes"][-1] == "yours: functions.py"
@@ -35,6 +36,18 @@ def test_functions_are_graded_shown_and_flown(page, axe):
     page.wait(lambda: page.standing()["phase"] == "PLAYING", page.standing)
     before = page.standing()["tick"]
     page.wait(lambda: page.standing()["tick"] > before + 60)
+
+
+def test_functions_that_hang_in_the_lab_alone_open_the_page_again(page):
+    """They answered all that the grading asked, and loop in C later: the page says so in one line, and goes on without them."""
+    text = WRONG.replace("    n = p / abs(p)\n", "    if r_p == 7.77:\n        sum(itertools.count())\n    n = p / abs(p)\n", 1)
+    page.go("functions")
+    graded(page, f"import itertools\n{text}")
+    page.tab.evaluate("location.hash = '#lab/case-1?radius=7.77'")
+    page.wait(lambda: page.told().startswith("Your own functions gave no answer"), page.told)
+    page.wait(lambda: page.tab.evaluate("polarBreakout.firstFrame > 0"))
+    page.go("lab/case-1?radius=7.77")
+    assert page.standing()["panes"] == [""]
 
 
 def test_what_is_typed_is_graded_by_the_keyboard_alone(page):

@@ -94,10 +94,10 @@ def test_without_room_or_leave_to_store_it_every_visit_is_a_first_one(open_page,
 def test_the_page_unpacks_the_very_samples(page):
     """Their digest, by the page's own code."""
     samples = page.tab.evaluate("""async () => {
-      const { unpacked } = await import("./speaker.js");
+      const { undifferenced } = await import("./archives.js");
       const answer = await fetch("sounds.packed");
       const bytes = await new Response(answer.body.pipeThrough(new DecompressionStream("gzip"))).arrayBuffer();
-      const digest = await crypto.subtle.digest("SHA-256", unpacked(new Uint8Array(bytes)).buffer);
+      const digest = await crypto.subtle.digest("SHA-256", undifferenced(new Uint8Array(bytes)).buffer);
       return [...new Uint8Array(digest)];
     }""")
     waves = np.concatenate([waveform(note, RATE) for note in every_note()])

@@ -280,6 +280,7 @@ def settings_menu(state: PageState, back: Callable[[], PageScreen], under: PageS
         languages = ((SYSTEM, tr("as the system")), *[(language.code, language.name) for language in LANGUAGES])
         colours = (("dark", tr("Dark")), ("light", tr("Light")), ("contrast", tr("High contrast")))
         volume = PageItem("volume", tr("Volume"), "number", str(held.volume), low=0.0, high=LOUDEST, step=10.0)
+        music = PageItem("music", tr("Music"), "number", str(held.music), low=0.0, high=LOUDEST, step=10.0)
         speed = PageItem(
             "speed", tr("Speed of the game, %"), "number", str(held.speed), low=SPEEDS[0], high=SPEEDS[1], step=5.0
         )
@@ -294,6 +295,7 @@ def settings_menu(state: PageState, back: Callable[[], PageScreen], under: PageS
             ),
             switch("sound", tr("Sound")),
             Opened(volume, changes(lambda value: held._replace(volume=_whole(value, 0, LOUDEST, held.volume)))),
+            Opened(music, changes(lambda value: held._replace(music=_whole(value, 0, LOUDEST, held.music)))),
             Opened(speed, changes(lambda value: held._replace(speed=_whole(value, *SPEEDS, held.speed)))),
             switch("reduced_motion", tr("Reduced motion")),
             switch("effects", tr("Effects")),

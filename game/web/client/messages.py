@@ -143,6 +143,8 @@ class FrameReply(msgspec.Struct, omit_defaults=True):
     said: a sentence for a screen reader. described: what the picture shows. fragment: of the page's address.
     keep: whether what is stored has changed. download: a file for the player. told: a line to show for a moment.
     language: code of the texts'. code: a text for the editor, in place of what it holds. grading: a text to be graded.
+    music: gains of its layers, when they have changed. limit: seconds within which the next reply has to come, 0 for any: so
+    long as the player's own functions may hang.
     """
 
     backdrop: bool = False
@@ -163,3 +165,5 @@ class FrameReply(msgspec.Struct, omit_defaults=True):
     language: str = ""
     code: str | None = None
     grading: GradingRequest | None = None
+    music: tuple[float, ...] | None = None
+    limit: float = 0.0

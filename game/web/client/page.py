@@ -18,6 +18,7 @@ from game.replays.state_hash import state_hash
 from game.rules import paddle_ring
 from game.settings.file import SettingsFile
 from game.settings.values import Settings
+from game.sound.music.mood import SILENT
 from game.student.own_physics import OwnPhysics
 from game.system.errors import BadInputError
 from game.web.client.devices import PageDevices
@@ -44,6 +45,8 @@ from game.web.client.watching import ReplayOnPage, verdict
 
 _REPLAY, _LEVEL, _FUNCTIONS = ".polar", ".toml", ".py"
 _MOST_DIGITS = 5
+_LIMIT = 8.0
+"""Seconds for a frame in which the player's own functions may be asked: a loop in Python ends long before by itself."""
 _FIRST_SCENE = "case-1"
 """Beside the editor: the scene of the simplest function with a picture."""
 
@@ -74,6 +77,7 @@ class Page:
         self._shown: FrameReply = FrameReply()
         self._shown_backdrop: object = None
         self._size = (1, 1)
+        self._music = SILENT
         if stored is None:
             self._state.told.append("nothing can be stored here: scores and replays last until the page is closed")
         gc.collect()
@@ -97,6 +101,7 @@ class Page:
         for signal in asked.signals:
             self._hear(signal, size)
         self._screen = self._screen.advance(asked.seconds, size)
+        self._music = self._state.music.advance(asked.seconds, self._state.settings)
         self._pictures.frame = DisplayList()
         self._screen.draw(self._pictures, size)
         return msgspec.json.encode(self._reply(size)).decode()
@@ -138,7 +143,9 @@ class Page:
             case CodeTyped(text=text):
                 self._state.functions.typed(text)
             case Graded():
-                self._state.functions.graded(message)
+                line = self._state.functions.graded(message)
+                if line and isinstance(self._screen, LabOnPage):
+                    self._screen.open(line)
             case FileGiven(name=name, data=data):
                 self._open_file(name, data)
             case LinkOpened(fragment=fragment):
@@ -207,12 +214,16 @@ class Page:
             keep=state.changed,
             download=state.download,
             told=" ".join(state.told),
+            music=self._music if self._music != before.music else None,
+            limit=0.0 if state.functions.running is None else _LIMIT,
             code=state.functions.fresh,
             grading=state.functions.request,
             language=current() if current() != before.language else "",
         )
         self._size, self._shown_backdrop = size, self._pictures.backdrop
-        self._shown = FrameReply(colours=colours, menu=menu, toolbar=toolbar, fragment=screen.fragment, language=current())
+        self._shown = FrameReply(
+            colours=colours, menu=menu, toolbar=toolbar, fragment=screen.fragment, language=current(), music=self._music
+        )
         state.functions.fresh = state.functions.request = None
         state.started, state.said, state.told, state.changed, state.download = [], [], [], False, None
         return reply

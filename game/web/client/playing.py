@@ -25,6 +25,7 @@ from game.picture.display_list import DisplayList
 from game.picture.figures import add_figures, add_notice
 from game.rules import TICK, EventKind, Game, Phase, new_game, tick
 from game.scene import scene_at, still
+from game.sound.music.mood import mood_of
 from game.student.own_physics import OwnPhysics
 from game.web.client.menus import MenuScreen, Opened, Screens, help_menu, settings_menu
 from game.web.client.messages import PageItem, PageMenu
@@ -37,8 +38,8 @@ _OFFER_TICKS = round(20.0 / TICK)
 _END_TICKS, _CLEARED_TICKS = 200, 150
 """From the end of the game, and of a level, to the results: nobody who is still playing chooses an entry by accident."""
 _SERVE_KEY, _TURN_KEYS = "Space", ("←", "→")
-_NOTE, _NOTE_LETTER = 0.9, 0.57
-"""The line about the physics: size of its letters in units, and the width of a letter in shares of its size, roughly."""
+_NOTE, _NOTE_LETTER, _NOTE_UP, _NOTE_UP_NARROW = 0.9, 0.57, 0.8, 3.9
+"""The line about the physics, in units: size of its letters, width of one in shares of that, height over the lower edge."""
 
 
 class GameOnPage:
@@ -155,6 +156,7 @@ class GameOnPage:
         self._speed = min(self._speed, state.settings.speed)
         self._due = due(self._due.rest, (seconds - stopped) * slowed * state.settings.speed / 100.0)
         seen = self._layout(size)
+        state.music.follow(mood_of(self.game))
         for _ in range(self._due.ticks):
             self._tick(seen)
             if EffectKind.HIT_STOP in state.settings.shown and (stop := hit_stop_seconds(self._ticked)):
@@ -344,6 +346,7 @@ class GameOnPage:
 
 
 def _add_note(out: DisplayList, note: str, size: tuple[int, int], colour: Colour, unit: float) -> None:
-    """Add the line about the physics at the lower edge, smaller where it would not fit into the width."""
+    """Add the line about the physics at the lower edge, on a narrow canvas above the figures; smaller if it would not fit."""
     letters = unit * min(_NOTE, size[0] / (unit * _NOTE_LETTER * (len(note) + 4)))
-    out.text(note, letters, complex(size[0] / 2.0, size[1] - 0.8 * unit), colour)
+    up = _NOTE_UP if size[0] > size[1] else _NOTE_UP_NARROW
+    out.text(note, letters, complex(size[0] / 2.0, size[1] - up * unit), colour)

@@ -23,6 +23,7 @@ from game.settings.file import SettingsFile
 from game.settings.values import Settings
 from game.web.client.functions.panel import OwnFunctionsPanel
 from game.web.client.messages import Download, PageItem, PageMenu
+from game.web.client.music import MusicOnPage
 from game.web.client.sounds import Sounds
 
 _SMALLEST = 12.0
@@ -95,6 +96,7 @@ class PageState:
     said: list[str] = field(default_factory=list)
     started: list[tuple[int, float, float]] = field(default_factory=list)
     changed: bool = False
+    music: MusicOnPage = field(default_factory=MusicOnPage)
     functions: OwnFunctionsPanel = field(default_factory=OwnFunctionsPanel)
     download: Download | None = None
     problems: set[str] = field(default_factory=set)

@@ -1,16 +1,9 @@
 // The editor for the player's own functions: CodeMirror, loaded when it is first wanted; without it a plain text field.
 
-const TYPED_AFTER = 300;
-const SCRIPTS = ["editor/codemirror.js", "editor/python.js"];
+import { archived, unzipped } from "./archives.js";
 
-function loaded(tag, properties) {
-  return new Promise((done, failed) => {
-    const element = Object.assign(document.createElement(tag), properties);
-    element.onload = done;
-    element.onerror = () => failed(new Error(`${element.src ?? element.href} is missing`));
-    document.head.append(element);
-  });
-}
+const TYPED_AFTER = 300;
+const FILES = ["codemirror.css", "codemirror.js", "python.js"];
 
 export class Editor {
   #loading = null;
@@ -69,8 +62,11 @@ export class Editor {
 
   async #load() {
     try {
-      await loaded("link", { rel: "stylesheet", href: "editor/codemirror.css" });
-      for (const src of SCRIPTS) await loaded("script", { src });
+      const files = archived(await unzipped("editor.packed")), text = new TextDecoder();
+      for (const name of FILES) {
+        const tag = name.endsWith(".css") ? "style" : "script";
+        document.head.append(Object.assign(document.createElement(tag), { textContent: text.decode(files.get(name)) }));
+      }
       this.#mirror = globalThis.CodeMirror.fromTextArea(this.field, {
         mode: "python",
         inputStyle: "contenteditable", // what screen readers read

@@ -16,7 +16,8 @@ const controls = new Controls(element("menu"), element("toolbar"), canvas, choos
 const editor = new Editor(element("code"), { typed: (text) => input.add({ type: "code", text }), grade: () => choose("grade", ""), left: () => element("item-grade")?.focus() });
 const backdrop = document.createElement("canvas"), backdropContext = backdrop.getContext("2d", { alpha: false });
 const questions = new Map();
-let worker = null, grader = null, latest = null, waiting = false, sentAt = 0, background = "#000", toldUntil = 0, asked = 0;
+const HUNG = "Your own functions gave no answer, so the page was opened again without them.";
+let limit = 0, worker = null, grader = null, latest = null, waiting = false, sentAt = 0, background = "#000", toldUntil = 0, asked = 0;
 
 function say(words) {
   element("loading").textContent = words;
@@ -107,6 +108,8 @@ function heed(reply) {
   if (reply.grading) grader.grade(reply.grading);
   document.body.classList.toggle("playing", element("menu").hidden || element("menu").classList.contains("side"));
   if (reply.sounds) speaker.play(reply.sounds);
+  limit = reply.limit ?? 0;
+  if (reply.music) speaker.follow(reply.music);
   if (reply.said) element("said").textContent = reply.said;
   if (reply.described && canvas.getAttribute("aria-label") !== reply.described) canvas.setAttribute("aria-label", reply.described);
   if (reply.fragment !== undefined && reply.fragment !== null) replaceFragment(reply.fragment);
@@ -162,12 +165,22 @@ function turn(now) {
     latest = null;
   }
   if (!waiting) turn.size = request(now);
+  else if (limit && now - sentAt > 1000 * limit) openAgain(HUNG);
+}
+
+/** Nothing else ends a loop within a function written in C. What is stored is there again, and the address says the rest. */
+function openAgain(words) {
+  worker.terminate();
+  history.replaceState({ told: words }, "");
+  location.reload();
 }
 
 function heard({ data }) {
   if (data.kind === "ready") {
     element("loading").hidden = true;
     element("progress").hidden = true;
+    if (history.state?.told) tell(history.state.told);
+    history.replaceState(null, "");
     openFragment();
     requestAnimationFrame(turn);
   } else if (data.kind === "progress") {
@@ -211,5 +224,5 @@ function start() {
   });
 }
 
-window.polarBreakout = { ask, give, input, frames: 0, firstFrame: 0 };
+window.polarBreakout = { ask, give, input, speaker, frames: 0, firstFrame: 0 };
 start();

@@ -100,11 +100,14 @@ class OwnFunctionsPanel:
             return f"{NAME}: cannot be stored; {error.strerror}"
         return ""
 
-    def graded(self, message: Graded) -> None:
-        """A grade has come; or the worker had to be ended, and begins again without the function that did not answer."""
+    def graded(self, message: Graded) -> str:
+        """A grade has come; or the worker had to be ended, and begins again without the function that did not answer.
+
+        The share line of the first wrong answer that a scene shows; "" while there is none.
+        """
         asked = self._waiting
         if asked is None or message.number != asked.number:
-            return
+            return ""
         if message.reply:
             self._done(asked, msgspec.json.decode(message.reply, type=GradingReply))
         elif message.function and len(asked.given_up) < _MOST_GIVEN_UP:
@@ -112,6 +115,8 @@ class OwnFunctionsPanel:
         else:
             what = message.function or (NAME if message.call else "the worker that grades")
             self._done(asked, GradingReply(asked.number, f"{what} gave no answer within {asked.seconds:g} seconds"))
+        functions = () if self._waiting is not None or self._grade is None else self._grade.functions
+        return next((found.line for found in functions if found.line), "")
 
     def _ask(self, text: str, given_up: dict[str, int]) -> None:
         """Send a text to the worker."""

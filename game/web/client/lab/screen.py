@@ -302,8 +302,12 @@ class LabOnPage:
                 functions.is_open = False
                 return self._screens.flight(functions.running)
             case str() if kind == CASE and functions.line_of(name):
-                self._show(parsed(functions.line_of(name)))
+                self.open(functions.line_of(name))
         return self
+
+    def open(self, line: str) -> None:
+        """Show what a share line names."""
+        self._show(parsed(line))
 
     def _show(self, shared: SharedScene) -> None:
         """A scene as a share line names it."""
