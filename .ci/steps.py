@@ -2,6 +2,7 @@
 
 test      the README's own test line, in a fresh environment
 deep      the tests that take minutes: compiled loops, compilers, every known mistake
+window    whole sessions in a real window: where Xvfb and xdotool are, else one line that says what is missing
 lint      lint, format, types, who imports whom
 docs      the documentation site, its warnings as errors
 package   sdist and wheel: both are checked, every command of the wheel runs, the sdist is complete and passes some tests
@@ -41,7 +42,16 @@ HERE = Where(ENVIRONMENT / PROGRAMS, ROOT)
 
 def main(steps: list[str]) -> None:
     """Do these steps, or all; the first failure ends it."""
-    known = {"test": test, "deep": deep, "lint": lint, "docs": docs, "package": package, "frozen": frozen, "web": web}
+    known = {
+        "test": test,
+        "deep": deep,
+        "window": window,
+        "lint": lint,
+        "docs": docs,
+        "package": package,
+        "frozen": frozen,
+        "web": web,
+    }
     for step in steps:
         if step not in known:
             sys.exit(f".ci/run: no step {step!r}; expected some of {', '.join(known)}")
@@ -66,6 +76,14 @@ def deep() -> None:
     """What the README's test line leaves out."""
     install("test")
     run(HERE, "python", "-m", "pytest", "-n", "auto", "-m", "deep")
+
+
+def window() -> None:
+    """Sessions by keys, by mouse and by gamepad, in windows of a display server of their own."""
+    if lacks("window", "Xvfb", "xdotool"):
+        return
+    install("test")
+    run(HERE, "python", "-m", "pytest", "-m", "window")
 
 
 def test_line() -> str:
@@ -163,15 +181,21 @@ def frozen() -> None:
 
 def web() -> None:
     """The page's tests, which need a browser, and npm for the runtime."""
-    missing = [name for name in ("chromium", "npm") if shutil.which(name) is None]
-    if missing:
-        print(f".ci/run: web skipped: no {' and no '.join(missing)}", flush=True)
+    if lacks("web", "chromium", "npm"):
         return
     install("test", "web")
     node = shutil.which("node") or "node"  # npm's own
     for script in sorted((ROOT / "game" / "web" / "page").glob("*.js")):
         subprocess.run([node, "--check", script], check=True)
     run(HERE, "python", "-m", "pytest", "-q", "tests/web", BROWSER_TESTS="1")
+
+
+def lacks(step: str, *programs: str) -> bool:
+    """Whether a step has to be skipped for want of programs; one line says so."""
+    missing = [program for program in programs if shutil.which(program) is None]
+    if missing:
+        print(f".ci/run: {step} skipped: no {' and no '.join(missing)}", flush=True)
+    return bool(missing)
 
 
 def install(*extras: str) -> None:

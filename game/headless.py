@@ -30,7 +30,7 @@ def autopilot_game(
     game, pilot = new_game(levels, seed, ruleset), Autopilot()
     for start in _with_progress(range(0, ticks, _PROGRESS_STEP)):
         for _ in range(min(_PROGRESS_STEP, ticks - start)):
-            if game.phase in {Phase.WON, Phase.OVER} or pending():
+            if game.phase is Phase.WON or game.phase is Phase.OVER or pending():  # a set is made anew in every tick
                 return game
             controls = pilot.controls(game)
             done = tick(game, controls, advance)

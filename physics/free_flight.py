@@ -123,7 +123,7 @@ def _clear_of_ring(
 
 
 def _time_to_touch(ball: Ball, ring: Ring, alive: Sequence[int], stretch: Stretch) -> float:
-    """Seconds from now until a ball touches a ring that keeps its spin, on a stretch of its flight; the stretch's end if never."""
+    """Seconds from now until a ball touches a ring that keeps its spin, on a stretch of its flight; if never, to its end."""
     start, clear = stretch.start, stretch.stop
     entry, now = ball.moved(start), ring.turned(start)
     theta = entry.theta()

@@ -31,6 +31,11 @@ def contact(ball: Ball, ring: Ring, slot: int) -> Contact:
     angle = ring.angle(slot)
     if not is_over(ring, theta, angle):
         return end_contact(ball, ring, slot, theta)
+    return contact_above(ball, ring, theta, angle)
+
+
+def contact_above(ball: Ball, ring: Ring, theta: float, angle: float) -> Contact:
+    """`contact` with a sector, its middle at `angle`, within which the ball's angle theta is known to lie."""
     face = face_contact(ball, ring)
     if face.gap > -ball.radius or ring.half_angle == math.pi:
         return face

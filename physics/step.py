@@ -2,7 +2,7 @@
 
 import math
 from collections.abc import Sequence
-from typing import NamedTuple
+from typing import NamedTuple, Protocol
 
 from physics.bounce import bounce, bounce_off_two
 from physics.broad_phase import in_band
@@ -41,6 +41,13 @@ class Hit(NamedTuple):
     before: complex
     after: complex
     layers: int
+
+
+class Hits(Protocol):
+    """Where hits are recorded: a list, or the batch's rows."""
+
+    def append(self, hit: Hit, /) -> None:
+        """Record a hit."""
 
 
 class Step(NamedTuple):
@@ -120,10 +127,12 @@ def advance(arena: Arena, dt: float, speed: float, flight: FreeFlight | None = N
     moved: tuple[Ball, ...] = ()
     for p, v, ball_radius in balls:
         moved += (unchecked(Ball, (p + v * dt, v, ball_radius)),)
-    turned = [*rings]
-    for k in turning:
-        turned[k] = rings[k].turned(dt)
-    arena = unchecked(Arena, (moved, tuple(turned), layers))
+    if turning:
+        turned = [*rings]
+        for k in turning:
+            turned[k] = rings[k].turned(dt)
+        rings = tuple(turned)
+    arena = unchecked(Arena, (moved, rings, layers))
     return unchecked(Step, (arena, (), 0, 0, (arena, seconds - dt, turning)))
 
 
@@ -150,7 +159,7 @@ def answer_impacts(
     dt: float,
     speed: float,
     courses: list[Course],
-    hits: list[Hit],
+    hits: Hits,
 ) -> int:
     """Fly the balls to the tick's end, in place; how many were dropped.
 
@@ -170,9 +179,7 @@ def answer_impacts(
             course = courses[j]
             withdrawn = course.next.ring >= 0 and layers[course.next.ring][course.next.impact.slot] == 0
             if withdrawn or (j == i and impacts < MAX_IMPACTS):
-                courses[j] = Course(
-                    course.clock, course.impacts, _next_impact(balls[j], course.clock, rings, layers, dt)
-                )
+                courses[j] = Course(course.clock, course.impacts, _next_impact(balls[j], course.clock, rings, layers, dt))
         i = _earliest(courses)
     dropped = 0
     for i in range(len(balls)):
@@ -210,7 +217,7 @@ def _earliest(courses: Sequence[Course]) -> int:
 
 
 def _answer(
-    i: int, found: _Next, ball: Ball, rings: Sequence[Ring], layers: list[tuple[int, ...]], speed: float, hits: list[Hit]
+    i: int, found: _Next, ball: Ball, rings: Sequence[Ring], layers: list[tuple[int, ...]], speed: float, hits: Hits
 ) -> complex:
     """The velocity of ball number i after an impact: of its hit, or of the two hits of a bounce off two sectors at once.
 
@@ -226,7 +233,9 @@ def _answer(
                 if other is not None:
                     after = bounce_off_two(ball, contact, ring, other.contact, rings[k], speed)
                     if after is not None:
-                        both = complex(after.real, after.imag)  # for the compiler, which takes it for one that may be None still
+                        both = complex(
+                            after.real, after.imag
+                        )  # for the compiler, which takes it for one that may be None still
                         first = _hit(found.time, i, ball, found.ring, slot, contact, both, layers)
                         second = _hit(found.time, i, ball, k, other.slot, other.contact, both, layers)
                         _add_both(first, second, layers, hits)
@@ -244,7 +253,7 @@ def _hit(
     return Hit(time, i, k, slot, contact, ball.velocity, after, left)
 
 
-def _add_both(first: Hit, second: Hit, layers: list[tuple[int, ...]], hits: list[Hit]) -> None:
+def _add_both(first: Hit, second: Hit, layers: list[tuple[int, ...]], hits: Hits) -> None:
     """Add two hits at one moment in the order of ring and slot; one where both are ends of the same sector."""
     if (first.ring, first.slot) == (second.ring, second.slot):
         _add(first, layers, hits)
@@ -256,13 +265,13 @@ def _add_both(first: Hit, second: Hit, layers: list[tuple[int, ...]], hits: list
         _add(first, layers, hits)
 
 
-def _add(hit: Hit, layers: list[tuple[int, ...]], hits: list[Hit]) -> None:
+def _add(hit: Hit, layers: list[tuple[int, ...]], hits: Hits) -> None:
     """Record a hit, which takes its layer."""
     add_hit(hits, hit)
     set_layers(layers, hit.ring, hit.slot, hit.layers)
 
 
-def add_hit(hits: list[Hit], hit: Hit) -> None:
+def add_hit(hits: Hits, hit: Hit) -> None:
     """Record a hit."""
     hits.append(hit)
 

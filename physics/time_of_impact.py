@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from physics.broad_phase import nearest_slot
-from physics.narrow_phase import contact, end_contact, is_over
+from physics.narrow_phase import contact_above, end_contact, is_over
 from physics.polar import signed_difference
 from physics.shapes import Ball, Contact, Feature, Ring
 from physics.sweep.band import Stretch, band_stretches
@@ -70,7 +70,7 @@ def _first_touch(ball: Ball, ring: Ring, stretch: Stretch, alive: Sequence[int])
     angle = ring.angle(slot)
     over = alive[slot] != 0 and is_over(ring, theta, angle)
     if over:
-        found = contact(ball, ring, slot)
+        found = contact_above(ball, ring, theta, angle)
         if _meets(ball, ring, found, stretch.heading):
             return Impact(start, slot, found)
     reach = angular_reach(ball, ring, span)
@@ -94,7 +94,7 @@ def touched_now(ball: Ball, ring: Ring, alive: Sequence[int]) -> tuple[Impact | 
     slot = nearest_slot(ring, theta)
     angle = ring.angle(slot)
     if alive[slot] != 0 and is_over(ring, theta, angle):
-        return _touch(ball, ring, slot, contact(ball, ring, slot), touch), None
+        return _touch(ball, ring, slot, contact_above(ball, ring, theta, angle), touch), None
     reach, offset = angular_reach(ball, ring, 0.0), signed_difference(theta, angle)
     clockwise, counter = gap_end(ring, alive, slot, offset, -1, 0, reach), gap_end(ring, alive, slot, offset, 1, 0, reach)
     return (

@@ -8,6 +8,8 @@ from physics import Arena, Ball, FreeFlight, advance, cross, dot, normalize_angl
 LOOK = 1.0 / 20.0
 """Seconds per step when looking ahead; the physics is exact for any step."""
 _HORIZON = 60
+_FAR = 1.0 - 1e-9
+"""Far above rounding."""
 
 
 def without_paddles(arena: Arena, ball: Ball) -> Arena:
@@ -21,7 +23,7 @@ def crossing(arena: Arena, track: float, speed: float) -> tuple[float, Arena, in
     flight: FreeFlight | None = None
     for step in range(_HORIZON):
         ball = arena.balls[0]
-        left = _time_to_radius(ball, track)
+        left = _time_to_radius(ball, track) if _may_reach(ball, track) else math.inf
         if left <= LOOK:
             reached = advance(arena, max(left, 0.0), speed, flight)
             if not reached.hits:
@@ -30,6 +32,13 @@ def crossing(arena: Arena, track: float, speed: float) -> tuple[float, Arena, in
         hits += len(done.hits)
         arena, flight = done.arena, done.flight
     return None
+
+
+def _may_reach(ball: Ball, radius: float) -> bool:
+    """Whether the centre may cross a radius outward within LOOK; cheaper than when. False only where it is far from it."""
+    p, v, _ = ball
+    flown = LOOK * (abs(v.real) + abs(v.imag))  # at least as far as it flies
+    return flown >= radius or p.real * p.real + p.imag * p.imag > (radius - flown) * (radius - flown) * _FAR
 
 
 def _time_to_radius(ball: Ball, radius: float) -> float:

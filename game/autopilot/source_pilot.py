@@ -35,6 +35,8 @@ class SourcePilot:
         """Start without a plan."""
         self._velocity: complex | None = None
         self._plan: _Plan | None = None
+        self._angle = math.nan
+        self._controls = Controls()
 
     def controls(self, game: Game) -> Controls:
         """What to do in this tick."""
@@ -43,15 +45,20 @@ class SourcePilot:
             return Controls(serve=game.phase_tick >= SERVE_WAIT + serve_delay(game))
         if game.phase != Phase.PLAYING:
             return Controls(serve=True)
-        ball = _outermost(game.arena.balls)
+        balls = game.arena.balls
+        ball = balls[0] if len(balls) == 1 else _outermost(balls)
         if ball.velocity != self._velocity:
             self._velocity = ball.velocity
             self._plan = _plan(game, ball)
-        if self._plan is None:
+        plan = self._plan
+        if plan is None:
             return Controls()
-        left = max(0.0, (self._plan.tick - game.tick) * TICK)
-        angle = self._plan.bearing - self._plan.spin * min(left, _CUT_TIME)
-        return Controls(pointer=pointer_to(angle))
+        angle = plan.bearing
+        if plan.spin != 0.0:
+            angle -= plan.spin * min(max(0.0, (plan.tick - game.tick) * TICK), _CUT_TIME)
+        if angle != self._angle:
+            self._angle, self._controls = angle, Controls(pointer=pointer_to(angle))
+        return self._controls
 
 
 def serve_delay(game: Game) -> int:
@@ -61,8 +68,6 @@ def serve_delay(game: Game) -> int:
 
 def _outermost(balls: tuple[Ball, ...]) -> Ball:
     """The ball nearest to the rim."""
-    if len(balls) == 1:
-        return balls[0]
     return max(balls, key=lambda ball: length(ball.position))
 
 

@@ -3,6 +3,7 @@
 Of the primitives (`game.picture.display_list` documents them) those are painted here that the desktop's pictures are made of.
 """
 
+import math
 from array import array
 from collections.abc import Callable
 from functools import lru_cache
@@ -76,15 +77,32 @@ class DisplayListPainter:
     def _paint_light(self, surface: pygame.Surface, colour: Colour, strength: float, own: "array[float]") -> None:
         """An ellipse of light."""
         x, y, across, down, takes = own
-        wide, high = max(round(across), 1), max(round(down), 1)
-        if self._light.width < 2 * wide or self._light.height < 2 * high:
-            self._light = pygame.Surface((max(self._light.width, 2 * wide), max(self._light.height, 2 * high)), 0, 32)
-        picture = self._light.subsurface((0, 0, 2 * wide, 2 * high))
-        side = max(min(2 * wide, 2 * high, _LARGEST) // _STEP * _STEP, 2)
+        whole = pygame.Rect(0, 0, 2 * max(round(across), 1), 2 * max(round(down), 1))
+        whole.center = round(x), round(y)
+        side = max(min(*whole.size, _LARGEST) // _STEP * _STEP, 2)
         small = _small_light(side, round(strength * _STRENGTHS + 0.499), colour, takes=bool(takes))
-        pygame.transform.smoothscale(small, picture.size, picture)
-        flag = pygame.BLEND_RGB_MULT if takes else pygame.BLEND_RGB_ADD
-        surface.blit(picture, (round(x) - wide, round(y) - high), special_flags=flag)
+        part, seen = _seen(whole, surface.get_clip(), side)
+        if self._light.width < seen.width or self._light.height < seen.height:
+            self._light = pygame.Surface((max(self._light.width, seen.width), max(self._light.height, seen.height)), 0, 32)
+        if part.size != (0, 0):
+            picture = self._light.subsurface((0, 0, *seen.size))
+            pygame.transform.smoothscale(small.subsurface(part), seen.size, picture)
+            surface.blit(picture, seen, special_flags=pygame.BLEND_RGB_MULT if takes else pygame.BLEND_RGB_ADD)
+
+
+def _seen(whole: pygame.Rect, clip: pygame.Rect, side: int) -> tuple[pygame.Rect, pygame.Rect]:
+    """The part of a small square picture that is seen when it is scaled up, and where that part lies on the surface.
+
+    whole: where all of it lies; side: of the small picture, pixels.
+    """
+    box, across, down = whole.clip(clip), whole.width / side, whole.height / side
+    if not box.size[0] * box.size[1]:
+        return pygame.Rect(0, 0, 0, 0), pygame.Rect(0, 0, 0, 0)
+    left, top = int((box.left - whole.left) / across), int((box.top - whole.top) / down)
+    right, bottom = math.ceil((box.right - whole.left) / across), math.ceil((box.bottom - whole.top) / down)
+    part = pygame.Rect(left, top, min(right, side) - left, min(bottom, side) - top)
+    start = whole.left + round(left * across), whole.top + round(top * down)
+    return part, pygame.Rect(*start, max(round(part.width * across), 1), max(round(part.height * down), 1))
 
 
 def _corners(own: "array[float]") -> list[tuple[float, float]]:

@@ -33,7 +33,7 @@ def with_bricks_copied(session: EditorSession) -> EditorSession:
 def with_bricks_pasted(session: EditorSession) -> EditorSession:
     """The session with the bricks that were copied on the chosen ring, from the cursor on.
 
-    On a ring with another number of slots each takes the brick that is nearest in angle.
+    On a ring with another number of slots each takes the brick that stood where its share of the turn begins.
     """
     if not session.copied:
         return session

@@ -19,6 +19,8 @@ from game.system.wording import quoted_message
 _SOURCE = "level"
 _DECIMALS = 6
 """Of a number that the editor writes."""
+_LONGEST_ROW = 60
+"""Entries of a list in one line of the file; a line may have 1,000 characters."""
 
 Path = tuple[str | int, ...]
 """Keys that lead to a value: ("rings", 0, "radius")."""
@@ -81,18 +83,22 @@ def painted_slots(document: Document, ring: int, after: list[int]) -> Document:
 
 
 def with_count(document: Document, ring: int, count: int) -> Document:
-    """The document with another number of slots in a ring: bricks keep their share of the turn, stacks are sampled anew."""
+    """The document with another number of slots in a ring.
+
+    Bricks keep their share of the turn; every slot takes the layers and the tint of where it begins.
+    """
     spec = document.level.rings[ring]
     if count < 1:
         raise BadInputError(f"rings[{ring}].count: must be at least 1")
-    slots = spec.slots()
-    sampled = [slots[min(slot * spec.count // count, spec.count - 1)] for slot in range(count)]
+    sampled, slots = [slot * spec.count // count for slot in range(count)], spec.slots()
     toml = _tables(document.text)
     table: Any = toml["rings"][ring]
     _put(table, "count", count)
     _put(table, "half_angle", _rounded(spec.half_angle * spec.count / count))
     if isinstance(spec.layers, list):
-        _put(table, "layers", sampled)
+        _put(table, "layers", [slots[slot] for slot in sampled])
+    if isinstance(spec.tint, list):
+        _put(table, "tint", [spec.tint_at(slot) for slot in sampled])
     return opened(tomlkit.dumps(toml))
 
 
@@ -147,8 +153,11 @@ def _put(table: Table, key: str, value: float | str | list[int]) -> None:
 
 
 def _item(value: float | str | list[int]) -> Item:
-    """A value as TOML writes it."""
-    return tomlkit.item(value)
+    """A value as TOML writes it; a long list in several lines."""
+    if not isinstance(value, list) or len(value) <= _LONGEST_ROW:
+        return tomlkit.item(value)
+    rows = [", ".join(map(str, value[first : first + _LONGEST_ROW])) for first in range(0, len(value), _LONGEST_ROW)]
+    return tomlkit.array("[\n    " + ",\n    ".join(rows) + ",\n]")
 
 
 def _rounded(value: Any) -> Any:

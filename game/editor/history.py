@@ -24,10 +24,6 @@ class EditHistory(NamedTuple):
             return self
         return EditHistory(document, (*self.past, self.present)[-_LONGEST:])
 
-    def merged(self, document: Document) -> "EditHistory":
-        """The history after a change that is undone together with the one before it, as the strokes of one drag are."""
-        return self._replace(present=document, future=()) if self.past else self.changed(document)
-
     def undone(self) -> "EditHistory":
         """The history one change back; itself where there is none."""
         if not self.past:

@@ -105,10 +105,13 @@ def rows(session: EditorSession) -> tuple[Row, ...]:
     return tuple(own + arena)
 
 
-def stroked(session: EditorSession, ring: int, slot: int, *, layers: int | None = None, begins: bool) -> EditorSession:
+def stroked(
+    session: EditorSession, ring: int, slot: int, *, layers: int | None = None, before: EditHistory | None = None
+) -> EditorSession:
     """The session after a stroke on a slot and its images.
 
-    layers: to put there, the brush's where None. begins: False while the same drag goes on; a drag is undone as a whole.
+    layers: to put there, the brush's where None. before: the history when the drag began that the stroke belongs to, so that
+    undo takes back the drag as a whole, and nothing else; None for a stroke of its own.
     """
     put = session.brush if layers is None else layers
     slots = images(session.document.level.rings[ring], slot, session.symmetry)
@@ -116,7 +119,7 @@ def stroked(session: EditorSession, ring: int, slot: int, *, layers: int | None 
         document = painted(session.document, ring, slots, put)
     except BadInputError as error:
         return session._replace(message=str(error))
-    history = session.history.changed(document) if begins else session.history.merged(document)
+    history = (before or session.history).changed(document)
     return session._replace(history=history, ring=ring, slot=slot, message="")
 
 

@@ -29,6 +29,8 @@ POWER_NAMES = {
 """What power-ups are called."""
 _GOOD = frozenset({EventKind.LEVEL_CLEARED, EventKind.LIFE_GAINED, EventKind.CORE_BROKEN, EventKind.DROP_CAUGHT})
 """Good news beside bricks."""
+_PLATED = _GOOD | {EventKind.SPEED_UP}
+"""Words that stand on a plate: in the middle of the arena there may be bricks."""
 _BAD = frozenset({EventKind.BALL_LOST})
 _BESIDE = 0.82
 """Words about what a paddle caught are at this share of its distance from the centre."""
@@ -61,7 +63,7 @@ def after_tick(pops: tuple[Pop, ...], ticked: Ticked) -> tuple[Pop, ...]:
         risen = [pop._replace(age=pop.age + 1.0 / POP_TICKS) for pop in pops]
         pops = tuple([pop for pop in risen if pop.age < 1.0])
     new = [
-        Pop(_position(event), text, _is_bad(event), 0.0, _weight(event, ticked.game.combo), event.kind in _GOOD)
+        Pop(_position(event), text, _is_bad(event), 0.0, _weight(event, ticked.game.combo), event.kind in _PLATED)
         for event in ticked.events
         if (text := _text(event))
     ]
@@ -75,7 +77,8 @@ def _covered(pop: Pop, new: list[Pop]) -> bool:
 
 def _position(event: Event) -> complex:
     """Where the words of an event belong: those of what a paddle caught beside it, so that it is not hidden."""
-    return event.position * _BESIDE if event.kind == EventKind.DROP_CAUGHT else event.position
+    caught = event.kind in {EventKind.DROP_CAUGHT, EventKind.LIFE_GAINED}
+    return event.position * _BESIDE if caught else event.position
 
 
 def _text(event: Event) -> str:
@@ -85,7 +88,7 @@ def _text(event: Event) -> str:
     if event.kind == EventKind.LEVEL_CLEARED:
         return tr("+{points} bonus").format(points=event.points)
     if event.kind == EventKind.DROP_CAUGHT and event.power is not None:
-        return tr(POWER_NAMES[event.power])
+        return "" if event.power == PowerUp.LIFE else tr(POWER_NAMES[event.power])  # a life says it itself, if there is one
     return tr(_WORDS[event.kind]) if event.kind in _WORDS else ""
 
 

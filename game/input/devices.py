@@ -7,7 +7,7 @@ import pygame
 from game.input.events import translated
 from game.input.fingers import Fingers
 from game.input.pads import Pads
-from game.input.signals import PAD_POSITIONS, Signal
+from game.input.signals import Signal
 
 _OTHERS = (pygame.KEYDOWN, pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.FINGERDOWN)
 """Events that say that the player holds no gamepad."""
@@ -36,28 +36,3 @@ class Devices:
             signal = translated(event, pixels_per_point)
             if signal is not None:
                 yield signal
-
-
-def as_key(event: pygame.Event) -> pygame.Event | None:
-    """The key that does what a gamepad's button does on a screen that hears events: arrows, Enter, Escape; None for others.
-
-    Its position is the button's, so that it is not looked for among the keys that are down.
-    """
-    if event.type not in (pygame.CONTROLLERBUTTONDOWN, pygame.CONTROLLERBUTTONUP) or event.button not in _AS_KEYS:
-        return None
-    kind = pygame.KEYDOWN if event.type == pygame.CONTROLLERBUTTONDOWN else pygame.KEYUP
-    code = _AS_KEYS[event.button]
-    return pygame.Event(
-        kind, key=code, mod=0, scancode=PAD_POSITIONS + event.button, unicode="\r" if code == pygame.K_RETURN else ""
-    )
-
-
-_AS_KEYS = {
-    pygame.CONTROLLER_BUTTON_DPAD_LEFT: pygame.K_LEFT,
-    pygame.CONTROLLER_BUTTON_DPAD_RIGHT: pygame.K_RIGHT,
-    pygame.CONTROLLER_BUTTON_DPAD_UP: pygame.K_UP,
-    pygame.CONTROLLER_BUTTON_DPAD_DOWN: pygame.K_DOWN,
-    pygame.CONTROLLER_BUTTON_A: pygame.K_RETURN,
-    pygame.CONTROLLER_BUTTON_B: pygame.K_ESCAPE,
-    pygame.CONTROLLER_BUTTON_START: pygame.K_ESCAPE,
-}

@@ -117,6 +117,19 @@ def pad_of(signal: Signal) -> int | None:
             return None
 
 
+def is_still_down(position: int, signal: Signal) -> bool:
+    """Whether a key or a gamepad's button that was down is so after a signal. position: as that of `Pressed`."""
+    match signal:
+        case KeyboardState(down):
+            return position in down or position >= PAD_POSITIONS
+        case Released():
+            return signal.position != position
+        case FocusLost():
+            return False
+        case _:
+            return True
+
+
 def pad_position(index: int, control: int) -> int:
     """The position of a gamepad's button, or from STICK on of a direction of its stick. index: of the gamepad."""
     return PAD_POSITIONS + index * POSITIONS_PER_PAD + control

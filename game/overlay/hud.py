@@ -41,6 +41,8 @@ _COMBO_DOT, _COMBO_DOT_PITCH, _COMBO_DOT_LINE = 0.24, 0.72, 0.07
 _LIFE, _LIFE_PITCH, _LIFE_LINE = 0.42, 1.134, 0.08
 """Radius of a ball that stands for a life, from one to the next, and the line of one that is lost."""
 _LIVES_BELOW_CAPTION = 0.75
+_WITH_GAUGES = 1.08
+"""Radius of the arena with what lasts shown beyond its rim, in ground radii."""
 _SWATCH, _SWATCH_GAP = (1.5, 0.42), 0.5
 """The sign in the colour of a player's paddle, and from it to the player's name."""
 _PLAYER_SCORE, _PLAYER_LIVES, _PLAYER_HEIGHT = 1.1, 3.9, 4.4
@@ -161,7 +163,7 @@ def _draw_foot(canvas: Canvas, shown: Readings, corner: complex) -> None:
 
 def _room(layout: Layout, pixel: complex) -> float:
     """How far a line may go from a pixel towards the arena until it meets it, pixels; at least a sixth of the surface."""
-    middle, radius = layout.camera.centre, layout.ground_radius * layout.camera.scale
+    middle, radius = layout.camera.centre, layout.ground_radius * layout.camera.scale * _WITH_GAUGES
     half = math.sqrt(max(radius**2 - (pixel.imag - middle.imag) ** 2, 0.0))
     return max(abs(middle.real - pixel.real) - half, layout.size[0] / 6.0)
 

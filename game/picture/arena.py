@@ -3,6 +3,7 @@
 import math
 
 from game.drawing.camera import Camera
+from game.drawing.ground.measures import Ground
 from game.drawing.palette import Theme
 from game.drawing.palettes import themed
 from game.drawing.slots.contents import ContentKind, Contents, SlotContent, resting_contents, slot_contents
@@ -39,10 +40,11 @@ class ArenaPicture:
         """The ground, and in the flat view the rings that rest: the very same list as long as it has not changed."""
         theme = themed(view.theme, scene.palette)
         resting = _resting(scene, view.camera)
+        ground = Ground(scene.ground_radius, scene.rings[PADDLES].radius, scene.ground)
         key = (
             view.camera,
             theme,
-            scene.ground_radius,
+            ground,
             resting,
             tuple([(scene.layers[k], scene.rings[k].phase) for k in resting]),
             scene.tints,
@@ -50,7 +52,7 @@ class ArenaPicture:
         if key != self._key:
             self._key, self._backdrop = key, DisplayList()
             self._backdrop.polygon(_EVERYWHERE, theme.background)
-            add_ground(self._backdrop, view.camera, theme, scene.ground_radius)
+            add_ground(self._backdrop, view.camera, theme, ground)
             contents = resting_contents(scene.layers, scene.tints)
             for k in resting:
                 self._add_ring(self._backdrop, scene, view.camera, theme, k, _standing(scene, k, contents))

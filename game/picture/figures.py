@@ -1,5 +1,7 @@
 """The figures in the four corners, and the words that say what to do now."""
 
+from textwrap import wrap
+
 from game.drawing.camera import Layout
 from game.drawing.palette import Colour, Theme
 from game.language import ntr, tr
@@ -15,6 +17,8 @@ _LIFE, _LIFE_PITCH, _LIFE_LINE = 0.42, 1.134, 0.08
 """Radius of a ball that stands for a life, from one to the next, and the line of one that is lost."""
 _TITLE, _HINT, _LETTER = 1.5, 1.0, 0.56
 """Sizes of a notice's letters, and the width of a letter in shares of its size, roughly."""
+_ABOUT, _ABOUT_LINE, _ABOUT_WIDE = 0.95, 1.3, 0.5
+"""Of what the level is about: size of letters, from line to line, and share of the width in which it is broken into lines."""
 _NARROW_TOP = 0.115
 """From the upper edge to a notice where the figures are above the arena, in shares of the height."""
 
@@ -56,9 +60,12 @@ def add_notice(out: DisplayList, notice: Notice, layout: Layout, theme: Theme, u
     """Add a few words on a plate at the upper edge of the arena."""
     width, height = layout.size
     top = unit * 0.6 if layout.beside else _NARROW_TOP * height
-    letters = max(len(notice.title) * _TITLE, len(notice.hint) * _HINT)
+    most = max(int(_ABOUT_WIDE * width / (unit * _ABOUT * _LETTER)), 1)
+    about = [line for words in notice.about.splitlines() for line in wrap(words, most)]
+    letters = max(len(notice.title) * _TITLE, len(notice.hint) * _HINT, *[len(line) * _ABOUT for line in about], 0.0)
     half = min((letters * _LETTER / 2.0 + 0.8) * unit, width / 2.0)
-    deep = (3.6 if notice.hint else 2.4) * unit
+    below = len(about) * _ABOUT_LINE
+    deep = ((3.6 if notice.hint else 2.4) + below) * unit
     middle = width / 2.0
     plate = (
         complex(middle - half, top),
@@ -69,5 +76,7 @@ def add_notice(out: DisplayList, notice: Notice, layout: Layout, theme: Theme, u
     out.polygon(plate, theme.panel, 0.92)
     out.line([*plate, plate[0]], max(0.06 * unit, 1.0), theme.panel_edge)
     out.text(notice.title, unit * _TITLE, complex(middle, top + 1.25 * unit), theme.text, bold=1.0)
+    for index, line in enumerate(about):
+        out.text(line, unit * _ABOUT, complex(middle, top + (2.6 + _ABOUT_LINE * index) * unit), theme.text)
     if notice.hint:
-        out.text(notice.hint, unit * _HINT, complex(middle, top + 2.75 * unit), theme.faint)
+        out.text(notice.hint, unit * _HINT, complex(middle, top + (2.75 + below) * unit), theme.faint)

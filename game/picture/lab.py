@@ -95,8 +95,8 @@ def _add_shape(out: DisplayList, shape: PixelShape) -> None:
                 out.circle(centre, radius, width, colour)
             else:
                 out.disc(centre, radius, colour, opacity)
-        case ColourGrid():
-            pass  # no scene of a browser has one
+        case ColourGrid(corner, size, columns, colours):
+            out.cells(corner, complex(*size), columns, colours)
 
 
 def _add_label(out: DisplayList, label: WantedLabel, seen: SeenLabPane) -> None:

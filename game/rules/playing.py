@@ -14,7 +14,6 @@ from game.rules.serving import before_serve
 from game.rules.shape import shaped
 from game.rules.speed import with_speed_now
 from game.rules.state import (
-    PADDLES,
     POINTER_STEPS,
     TICK,
     Advance,
@@ -27,24 +26,24 @@ from game.rules.state import (
     counted,
     held_balls,
     in_phase,
+    one_tick_on,
     wall_layers,
 )
 from game.rules.turn import paddle_hits_answered, released
 from game.rules.versus import with_lost_ball
 from game.rules.wells import pulled
-from physics import Arena, Ball, Outcome, broad_phase_outcome
+from physics import Arena, has_left
 
 
 def played(game: Game, moving: Arena, controls: Controls, advance: Advance) -> Ticked:
     """A tick with balls in play. moving: the arena with the paddles' new spin."""
-    arcade, piercing, speed, score = game.ruleset.arcade, is_piercing(game), game.speed, game.score
+    arcade, speed, score = game.ruleset.arcade, game.speed, game.score
+    piercing = arcade and is_piercing(game)
     flown = without_bricks(moving) if piercing else moving
     step = advance(flown, TICK, speed, game.flight)
     arena = with_bricks(step.arena, moving) if piercing else step.arena
     waited = game.waited + 1
-    game = game._replace(
-        tick=game.tick + 1, phase_tick=game.phase_tick + 1, arena=arena, flight=step.flight, waited=waited if arcade else 0
-    )
+    game = one_tick_on(game, arena, step.flight, waited if arcade else 0)
     events: list[Event] = []
     for hit in step.hits:
         game = credited(game, hit, events)
@@ -92,11 +91,14 @@ def _level_cleared(game: Game, events: list[Event]) -> Game:
 
 def _without_lost_balls(game: Game, events: list[Event], *, give_up: bool) -> Game:
     """The game without the balls that left the ground or are given up: the last costs a life, the last life the game."""
-    kept = [ball for ball in game.arena.balls if _outcome(game, ball) is not Outcome.GAME_OVER]
-    staying = () if give_up else tuple(kept)
-    if len(staying) == len(game.arena.balls) and not (give_up and game.held):
+    balls, edge = game.arena.balls, game.level.ground_radius
+    kept = [ball for ball in balls if not has_left(ball.position, ball.radius, edge)]  # the source's outcome "game over"
+    if len(kept) == len(balls) and not give_up:
         return game
-    lost = [ball for ball in game.arena.balls if ball not in staying] + [*(held_balls(game) if give_up else ())]
+    staying = () if give_up else tuple(kept)
+    if len(staying) == len(balls) and not game.held:
+        return game
+    lost = [ball for ball in balls if ball not in staying] + [*(held_balls(game) if give_up else ())]
     events.extend([Event(EventKind.BALL_LOST, position=ball.position) for ball in lost])
     game = game._replace(arena=game.arena._replace(balls=staying), held=() if give_up else game.held)
     if staying or game.held:
@@ -107,9 +109,3 @@ def _without_lost_balls(game: Game, events: list[Event], *, give_up: bool) -> Ga
         events.append(Event(EventKind.GAME_OVER))
         return in_phase(game._replace(drops=()), Phase.OVER)
     return before_serve(game)
-
-
-def _outcome(game: Game, ball: Ball) -> Outcome:
-    """The source's broad phase: whether a ball has left the ground, and if not, what it may touch where it is."""
-    rings = game.arena.rings
-    return broad_phase_outcome(ball.position, ball.radius, game.level.ground_radius, rings[PADDLES], rings[PADDLES + 1 :])

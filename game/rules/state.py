@@ -8,6 +8,7 @@ from game.levels import Level
 from game.rules.power_up import ActivePower, Drop, PowerUp
 from game.rules.ruleset import SOURCE_RULES, Ruleset
 from physics import Arena, Ball, FreeFlight, Hit, Ring, Step, direction
+from physics.shapes import unchecked
 
 TICK = 1.0 / 240.0
 """Seconds per tick."""
@@ -176,6 +177,10 @@ class Game(NamedTuple):
         return None
 
 
+_WAITED = Game._fields.index("waited") - Game._fields.index("flight") - 1
+"""Index among the fields after `flight`."""
+
+
 class EventKind(IntEnum):
     """What happened, for drawing and sound.
 
@@ -283,6 +288,14 @@ def in_phase(game: Game, phase: Phase) -> Game:
     if game.phase == Phase.PLAYING:
         game = counted(game, ticks=game.phase_tick)
     return game._replace(phase=phase, phase_tick=0)
+
+
+def one_tick_on(game: Game, arena: Arena, flight: FreeFlight | None, waited: int) -> Game:
+    """The game with its ticks counted on, and with these fields: `_replace` in a third of its time, as every tick needs it."""
+    levels, number, seed, draws, tick, phase, phase_tick, _, score, lives, combo, idle, _, *others = game
+    others[_WAITED] = waited
+    fields = (levels, number, seed, draws, tick + 1, phase, phase_tick + 1, arena, score, lives, combo, idle, flight, *others)
+    return unchecked(Game, fields)
 
 
 def counted(game: Game, **more: int) -> Game:

@@ -9,7 +9,10 @@ import math
 from game.rules.speed import fastest_spin
 from game.rules.state import PADDLES, POINTER_STEPS, TICK, Controls, Game, paddle_ring, paddle_rings
 from game.rules.versus import spin_within
-from physics import Arena, Ring, signed_difference
+from physics import Arena, Ring, nearest_slot, signed_difference
+
+_HALFWAY = 1e-9
+"""Radians. A pointer so near to the middle between two paddles is compared with each: far above rounding."""
 
 
 def steered(game: Game, controls: Controls) -> Arena:
@@ -37,7 +40,7 @@ def _with_spin(arena: Arena, k: int, spin: float) -> Arena:
     """The arena with another spin of a ring; the arena itself where it has it already."""
     if spin == arena.rings[k].spin:
         return arena
-    return arena._replace(rings=(*arena.rings[:k], arena.rings[k].steered(spin), *arena.rings[k + 1 :]))
+    return Arena(arena.balls, (*arena.rings[:k], arena.rings[k].steered(spin), *arena.rings[k + 1 :]), arena.layers)
 
 
 def _spin(game: Game, paddles: Ring, turn: int, pointer: int | None) -> float:
@@ -51,8 +54,9 @@ def _spin(game: Game, paddles: Ring, turn: int, pointer: int | None) -> float:
 
 def top_spin(game: Game) -> float:
     """The paddles' top speed, rad/s. Under the arcade rules it follows the balls' speed, and stays below it."""
-    top = math.radians(game.level.paddles.top_speed)
-    return min(top * (game.speed / game.level.ball.speed), fastest_spin(game)) if game.ruleset.arcade else top
+    level = game.levels[game.number]
+    top = math.radians(level.paddles.top_speed)
+    return min(top * (game.speed / level.ball.speed), fastest_spin(game)) if game.ruleset.arcade else top
 
 
 def keyed_spin(spin: float, turn: int, top: float, change: float) -> float:
@@ -64,9 +68,11 @@ def keyed_spin(spin: float, turn: int, top: float, change: float) -> float:
 def spin_to_pointer(paddles: Ring, pointer: int, top: float) -> float:
     """Spin that brings the nearest paddle to the pointer within one tick, no faster than the top speed. rad/s."""
     wanted = pointer * (math.tau / POINTER_STEPS)
-    nearest = signed_difference(wanted, paddles.angle(0))
-    for slot in range(1, paddles.count):
-        offset = signed_difference(wanted, paddles.angle(slot))
-        if abs(offset) < abs(nearest):
-            nearest = offset
+    nearest = signed_difference(wanted, paddles.angle(nearest_slot(paddles, wanted)))
+    if abs(nearest) > math.pi / paddles.count - _HALFWAY:  # rounding may have chosen between two equally near
+        nearest = signed_difference(wanted, paddles.angle(0))
+        for slot in range(1, paddles.count):
+            offset = signed_difference(wanted, paddles.angle(slot))
+            if abs(offset) < abs(nearest):
+                nearest = offset
     return min(max(nearest / TICK, -top), top)

@@ -5,7 +5,7 @@ from game.autopilot import Autopilot
 from game.effects import EffectKind, Effects, Shown
 from game.fixed_step import Due, due
 from game.levels import Level
-from game.rules import Phase, new_game, tick
+from game.rules import Phase, Ruleset, new_game, tick
 from game.scene import Scene, scene_at, still
 
 _END_TICKS = 240
@@ -15,11 +15,11 @@ _DISTURBING = frozenset({EffectKind.SHAKE, EffectKind.POINTS})
 
 
 class Demo:
-    """The autopilot's game of one level."""
+    """The autopilot's game of one level, by the arcade rules."""
 
     def __init__(self, level: Level, seed: int) -> None:
         """Start before the first serve."""
-        self._ticked = still(new_game((level,), seed))
+        self._ticked = still(new_game((level,), seed, Ruleset()))
         self._autopilot = Autopilot()
         self._effects = Effects()
         self._due = Due(0, 0.0)

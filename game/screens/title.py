@@ -52,7 +52,7 @@ class Title(Panel):
     """Pictures per second: it is looked at in passing."""
 
     def __init__(self, state: AppState) -> None:
-        """Open with the level chosen last playing."""
+        """Open with the level playing that is to be played next."""
         super().__init__(state, None)
         self._shown = 0
         self._demo = self._new_demo()
@@ -136,7 +136,7 @@ class Title(Panel):
     def _new_demo(self) -> Demo:
         """A level to be played from its beginning: the one after that of the demonstration before."""
         state = self.state
-        index = (state.chosen + self._shown % len(state.catalogue)) % len(state.catalogue)
+        index = (next_level(state) + self._shown) % len(state.catalogue)
         demo = Demo(state.catalogue[index], state.seed)
         if state.settings.reduced_motion:
             for _ in range(round(_STILL_SECONDS / _STEP)):

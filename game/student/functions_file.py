@@ -8,7 +8,9 @@ from pathlib import Path
 from typing import Self
 
 from game.language import tr
-from game.student.program import Limits, Lines, Reply, Student, Wait, next_line, parsed_answer, python_host
+from game.student.answering import note_of, placed_problem
+from game.student.program import Limits, Lines, Student, Wait, next_line, python_host
+from game.student.reply import Reply, parsed_answer
 from game.system.errors import BadInputError, CheckFailedError
 from game.system.wording import quoted_path
 
@@ -18,8 +20,6 @@ _LOOK_EVERY = 1.0
 """Seconds between two looks at whether the file was saved."""
 _LARGEST_FILE = 1 << 20
 """Bytes."""
-_LISTED = 4
-"""Functions that are named; of more, the number."""
 
 
 class FunctionsFile:
@@ -75,16 +75,7 @@ class FunctionsFile:
     @property
     def note(self) -> str:
         """One line that says whose functions answer."""
-        if self.problem and self._student is None:
-            return tr("{problem}; the slides' own functions answer until it is saved again").format(problem=self.problem)
-        if self.problem:
-            return tr("{problem}; the version before goes on").format(problem=self.problem)
-        if len(self.own) > _LISTED:
-            return tr("Your {count} functions, from {file}; the rest is the slides'").format(
-                file=self.name, count=len(self.own)
-            )
-        names = ", ".join(sorted(self.own)) or tr("nothing yet")
-        return tr("Yours, from {file}: {functions}; the rest is the slides'").format(file=self.name, functions=names)
+        return note_of(self.name, self.own, self.problem, answers=self._student is not None)
 
     def refresh(self) -> str:
         """Look at the file, at most once a second, and read it again if it was saved; news in a few words, "" for none.
@@ -180,6 +171,6 @@ class FunctionsFile:
 
     def _tell(self, problem: str) -> None:
         """Remember a problem."""
-        self.problem = f"{self.name}, {problem}" if problem.startswith("line ") else f"{self.name}: {problem}"
+        self.problem = placed_problem(self.name, problem)
         self.broken = self.broken or self.problem
         self._news = ": ".join(self.problem.split(": ")[:2])  # where and what; `note` has the rest

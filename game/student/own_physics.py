@@ -4,7 +4,7 @@ import math
 from collections.abc import Sequence
 from typing import Any
 
-from game.student.functions_file import FunctionsFile
+from game.student.answering import AnsweringFunctions
 from physics import Arena, Ball, FreeFlight, Step, source_mode
 from physics.source_mode import SlidesBounce
 
@@ -12,7 +12,7 @@ from physics.source_mode import SlidesBounce
 class OwnPhysics:
     """A physics for `game.rules.tick`: the slides' algorithm on the functions of a file, which is asked for the bounces."""
 
-    def __init__(self, file: FunctionsFile) -> None:
+    def __init__(self, file: AnsweringFunctions) -> None:
         self.file = file
 
     @property

@@ -14,13 +14,12 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import NamedTuple
 
+from game.student.reply import Reply, parsed_answer, shown_text
 from game.system.errors import BadInputError, EnvironmentMissingError
 
 _LONGEST_ANSWER = 65536
 _ENDING = 5.0
 """Seconds in which a program that has closed its output must end."""
-_SHOWN = 80
-"""Characters of an unusable answer that a report quotes."""
 _REMEMBERED = 40
 """Lines at the end of stderr that are looked at when the program has ended: the trace of a Python program is among them."""
 _GRACE = 1.0
@@ -39,19 +38,6 @@ class Limits(NamedTuple):
     answer: float = 2.0
     start: float = 20.0
     memory: int = 2048
-
-
-class Reply(NamedTuple):
-    """An answer to a question.
-
-    result: what JSON made of it. problem: why there is none. defined: False where the program lacks the function. ended:
-    whether the program had to be ended, or had ended by itself.
-    """
-
-    result: object = None
-    problem: str | None = None
-    defined: bool = True
-    ended: bool = False
 
 
 Lines = queue.SimpleQueue[bytes]
@@ -128,7 +114,7 @@ class Student:
         if frames and any([words.startswith("Timeout (") for words in written]):
             return f"{where}no answer within {self._limits.answer:g} seconds"
         words = next((line.strip() for line in reversed(written) if line.strip()), "")
-        return f"{where}the program ended ({how}){f': {_quoted(words)}' if words and not frames else ''}"
+        return f"{where}the program ended ({how}){f': {shown_text(words)}' if words and not frames else ''}"
 
     def _failed(self, problem: str | None) -> Reply:
         """The reply to a question that the program did not survive."""
@@ -217,31 +203,10 @@ class _Running:
             self._errors.append(line)
 
 
-def parsed_answer(answer: object) -> Reply:
-    """The reply that an object of the line protocol means; `ended` where it is none of them."""
-    key, value = next(iter(answer.items())) if isinstance(answer, dict) and len(answer) == 1 else ("", None)
-    match key:
-        case "unusable":
-            raise BadInputError(str(value))
-        case "undefined":
-            return Reply(defined=False)
-        case "error":
-            return Reply(problem=str(value))
-        case "result":
-            return Reply(value)
-    return Reply(problem=f"not an answer: {_quoted(json.dumps(answer))}", ended=True)
-
-
 def _parsed(line: bytes) -> Reply:
     """The reply in a line; `ended` where it is none, since what else the program will print is unknown."""
     with contextlib.suppress(ValueError, RecursionError):
         reply = parsed_answer(json.loads(line))
         if not reply.ended:
             return reply
-    return Reply(problem=f"not an answer: {_quoted(line.decode(errors='replace').strip())}", ended=True)
-
-
-def _quoted(text: str) -> str:
-    """A text short enough for a report, without control characters."""
-    shown = "".join([letter if letter.isprintable() else "?" for letter in text[: _SHOWN + 1]])
-    return shown if len(shown) <= _SHOWN else f"{shown[:_SHOWN]}..."
+    return Reply(problem=f"not an answer: {shown_text(line.decode(errors='replace').strip())}", ended=True)

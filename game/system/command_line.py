@@ -16,6 +16,8 @@ from game.system.wording import quoted_message
 _INTERRUPTED = 130
 """What commands return that were interrupted and have told so far what they had."""
 _NO_OUTPUT = 3
+_PYDANTIC = "Value error, "
+"""What pydantic, which reads the options, writes before a message."""
 _EXIT_CODES = {BadInputError: 2, CheckFailedError: 1, EnvironmentMissingError: 3, DisplayLostError: 3}
 
 
@@ -46,7 +48,8 @@ def _code(app: typer.Typer, program: str, arguments: list[str] | None) -> int:
     try:
         code = command.main(args=arguments, prog_name=program, standalone_mode=False)
     except TyperException as error:
-        say(f"{program}: {quoted_message(error.format_message())} (--help lists the options)")
+        message = error.format_message().replace(_PYDANTIC, "", 1)
+        say(f"{program}: {quoted_message(message)} (--help lists the options)")
         return 2
     except tuple(_EXIT_CODES) as error:
         say(f"{program}: {error}")

@@ -12,13 +12,27 @@ from game.language import CODES, ENGLISH
 _STARTS = ("game.web.client.page", "game.lab.scenes", "game.languages")
 """What the browser imports, and what that imports only once it is wanted."""
 _PACKAGES = ("game", "physics")
+_GRADING = ("tools.grade.page",)
+"""What the worker that grades imports besides."""
 
 
 def browser_sources() -> dict[str, bytes]:
     """Every module that the browser's start needs, the levels and the translations, by the names of their files."""
-    modules = _sources()
+    levels = {name: data for name, data in _tree("game") if name.startswith("game/levels/") and name.endswith(".toml")}
+    return _modules(_STARTS, _PACKAGES) | levels | _translations()
+
+
+def grading_sources() -> dict[str, bytes]:
+    """Every module that the worker that grades needs besides."""
+    present, wanted = _modules(_STARTS, _PACKAGES), _modules(_GRADING, (*_PACKAGES, "tools"))
+    return {name: data for name, data in wanted.items() if name not in present}
+
+
+def _modules(starts: tuple[str, ...], packages: tuple[str, ...]) -> dict[str, bytes]:
+    """The modules that some modules need, themselves included, by the names of their files."""
+    modules = {name: data for package in packages for name, data in _tree(package) if name.endswith(".py")}
     needed: dict[str, bytes] = {}
-    open_ = [*_STARTS]
+    open_ = [*starts]
     while open_:
         module = open_.pop()
         name = next((name for name in _file_names(module) if name in modules), None)
@@ -26,8 +40,7 @@ def browser_sources() -> dict[str, bytes]:
             continue
         needed[name] = modules[name]
         open_ += _imported(modules[name])
-    levels = {name: data for name, data in _tree("game") if name.startswith("game/levels/") and name.endswith(".toml")}
-    return needed | levels | _translations()
+    return needed
 
 
 def _translations() -> dict[str, bytes]:
@@ -35,11 +48,6 @@ def _translations() -> dict[str, bytes]:
     folder, codes = files("game.languages"), [code for code in CODES if code != ENGLISH.code]
     texts = {code: folder.joinpath(f"{code}.po").read_text(encoding="utf-8") for code in codes}
     return {f"game/languages/{code}.mo": polib.pofile(text).to_binary() for code, text in texts.items()}
-
-
-def _sources() -> dict[str, bytes]:
-    """Every module of the packages by the name of its file."""
-    return {name: data for package in _PACKAGES for name, data in _tree(package) if name.endswith(".py")}
 
 
 def _tree(package: str) -> Iterator[tuple[str, bytes]]:

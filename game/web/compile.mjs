@@ -1,12 +1,13 @@
 // Compiles Python for the page, by the very CPython that will run it: node compile.mjs RUNTIME-FOLDER SOURCES.zip OUT.zip
-// Every .py of the one archive is a .pyc of the other, without docstrings and assertions; other files are as they were.
+// Every .py of the one archive is a .pyc of the other, without docstrings, assertions and columns in tracebacks; other files are
+// as they were.
 
 import { readFileSync, writeFileSync } from "node:fs";
 import { pathToFileURL } from "node:url";
 
 const [folder, sources, out] = process.argv.slice(2);
 const { loadPyodide } = await import(pathToFileURL(`${folder}/pyodide.mjs`).href);
-const python = await loadPyodide({ indexURL: `${folder}/`, env: { PYTHONHASHSEED: "0" } });
+const python = await loadPyodide({ indexURL: `${folder}/`, env: { PYTHONHASHSEED: "0", PYTHONNODEBUGRANGES: "1" } });
 python.FS.writeFile("/sources.zip", new Uint8Array(readFileSync(sources)));
 python.runPython(`
 import importlib.util, marshal, zipfile

@@ -24,7 +24,7 @@ _CACHED_SECONDS = 30 * 86400.0
 
 
 def compiled(sources: dict[str, bytes], runtime: dict[str, bytes], cache: Path) -> dict[str, bytes]:
-    """Every .py as its .pyc, without docstrings and assertions; other files as they are.
+    """Every .py as its .pyc, without docstrings, assertions and columns in tracebacks; other files as they are.
 
     runtime: its files by name. cache: the folder of results, since compiling takes seconds.
     EnvironmentMissingError where Node.js is missing or cannot run the runtime.

@@ -53,6 +53,17 @@ RUNTIME = Package(
 )
 RUNTIME_FILES = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.wasm", "python_stdlib.zip", "pyodide-lock.json")
 """What of the runtime's package is served."""
+EDITOR = Package(
+    "codemirror",
+    "5.65.20",
+    "codemirror-5.65.20.tgz",
+    "0ef6484ea4f71c28c6b3dd146349e79786762fc4b42e5b33befea6201c7fa6c8",
+    "MIT",
+    "https://github.com/codemirror/codemirror5/tree/5.65.20",
+    "npm",
+)
+EDITOR_FILES = ("lib/codemirror.js", "lib/codemirror.css", "mode/python/python.js", "LICENSE")
+"""What of the editor's package is served, its licence among the notices."""
 MSGSPEC = Package(
     "msgspec",
     "0.22.0",
@@ -95,10 +106,10 @@ def fetched(package: Package, cache: Path) -> Path:
     return path
 
 
-def runtime_files(archive: Path) -> dict[str, bytes]:
-    """The runtime's files by name. archive: as npm packs it."""
+def packed_files(archive: Path, names: tuple[str, ...]) -> dict[str, bytes]:
+    """Files of a package by name. archive: as npm packs it."""
     with tarfile.open(archive) as packed:
-        found = {name: packed.extractfile(f"package/{name}") for name in RUNTIME_FILES}
+        found = {name: packed.extractfile(f"package/{name}") for name in names}
         return {name: file.read() for name, file in found.items() if file is not None}
 
 

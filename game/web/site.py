@@ -3,6 +3,7 @@
 They are static and need no special headers. The runtime's large files are compressed here, since not every host does it.
 """
 
+import base64
 import hashlib
 import json
 import sysconfig
@@ -17,9 +18,10 @@ from game.system.errors import BadInputError, EnvironmentMissingError
 from game.system.files import write_whole
 from game.system.wording import quoted_path
 from game.web.archives import compressed, page_archive, zip_archive, zip_contents
-from game.web.bundle import browser_sources
+from game.web.bundle import browser_sources, grading_sources
 from game.web.compiled import compiled
-from game.web.packages import MSGSPEC, RUNTIME, Package, fetched, runtime_files
+from game.web.music import rendered_music
+from game.web.packages import EDITOR, EDITOR_FILES, MSGSPEC, RUNTIME, RUNTIME_FILES, Package, fetched, packed_files
 from game.web.samples import rendered
 from game.web.standard_library import needed
 
@@ -28,6 +30,8 @@ _COMPRESSED = ("pyodide.asm.wasm", "pyodide.asm.mjs")
 _LIBRARY, _LOCK = "python_stdlib.zip", "pyodide-lock.json"
 _STAMPED = ("offline.js", "snapshot.js")
 _PAGE = files("game") / "web" / "page"
+_EDITOR_HASHES = {"js": b"HASHES-OF-THE-EDITOR", "css": b"HASHES-OF-ITS-STYLES"}
+"""Stand in the page's content security policy: it unpacks the editor's files, and may run what has these hashes."""
 _STAMP = b"VERSION-OF-THE-SITE"
 """Stands in these files for what `_version` says."""
 _PYTHON = """The runtime contains CPython 3.14, unchanged, and of its standard library (runtime/python_stdlib.zip) what the
@@ -40,17 +44,24 @@ def built_site(cache: Path) -> dict[str, bytes]:
     if not _PAGE.is_dir():
         raise EnvironmentMissingError("the page is not part of this application; install the package polar-breakout instead")
     site = {entry.name: entry.read_bytes() for entry in _PAGE.iterdir() if entry.is_file()}
-    runtime, wheel = runtime_files(fetched(RUNTIME, cache)), fetched(MSGSPEC, cache)
+    runtime, wheel = packed_files(fetched(RUNTIME, cache), RUNTIME_FILES), fetched(MSGSPEC, cache)
     site |= {f"runtime/{name}.packed": compressed(runtime[name]) for name in _COMPRESSED}
     site |= {"runtime/pyodide.mjs": runtime["pyodide.mjs"], f"runtime/{_LOCK}": _without_packages(runtime[_LOCK])}
-    library, program = _compiled(runtime, wheel, cache)
+    library, program, grading = _compiled(runtime, wheel, cache)
     site |= {
         f"runtime/{_LIBRARY}.packed": compressed(zip_archive(library)),
         "program.packed": compressed(page_archive(program)),
+        "grading.packed": compressed(page_archive(grading)),
     }
+    editor = {Path(name).name: data for name, data in packed_files(fetched(EDITOR, cache), EDITOR_FILES).items()}
+    site["editor.packed"] = compressed(page_archive(editor))
+    for kind in ("js", "css"):
+        hashes = [_content_hash(data) for name, data in editor.items() if name.endswith(f".{kind}")]
+        site["index.html"] = site["index.html"].replace(_EDITOR_HASHES[kind], " ".join(hashes).encode())
     samples, index = rendered()
     site |= {"sounds.packed": compressed(samples), "sounds.json": msgspec.json.encode(index)}
-    site["notices.txt"] = _notices(wheel).encode()
+    site["music.packed"] = compressed(rendered_music())
+    site["notices.txt"] = _notices(wheel, editor["LICENSE"].decode()).encode()
     version = _version(site)
     for name in _STAMPED:
         site[name] = site[name].replace(_STAMP, version.encode())
@@ -58,18 +69,23 @@ def built_site(cache: Path) -> dict[str, bytes]:
     return site
 
 
-def _compiled(runtime: dict[str, bytes], wheel: Path, cache: Path) -> tuple[dict[str, bytes], dict[str, bytes]]:
-    """The standard library, and the game with msgspec: compiled modules and other files by name."""
+def _compiled(runtime: dict[str, bytes], wheel: Path, cache: Path) -> tuple[dict[str, bytes], ...]:
+    """The standard library, the game with msgspec, and what grades: compiled modules and other files by name."""
     library = needed(zip_contents(runtime[_LIBRARY]))
     extension = {name: data for name, data in zip_contents(wheel.read_bytes()).items() if name.endswith((".py", ".so"))}
-    done = compiled(
-        {f"{_LIBRARY}/{name}": data for name, data in library.items()} | browser_sources() | extension, runtime, cache
-    )
-    inside = f"{_LIBRARY}/"
+    sources = {f"{_LIBRARY}/{name}": data for name, data in library.items()} | browser_sources() | grading_sources()
+    done = compiled(sources | extension, runtime, cache)
+    inside, grading = f"{_LIBRARY}/", "tools/"
     return (
         {name.removeprefix(inside): data for name, data in done.items() if name.startswith(inside)},
-        {name: data for name, data in done.items() if not name.startswith(inside)},
+        {name: data for name, data in done.items() if not name.startswith((inside, grading))},
+        {name: data for name, data in done.items() if name.startswith(grading)},
     )
+
+
+def _content_hash(data: bytes) -> str:
+    """A hash as a content security policy has it."""
+    return f"'sha256-{base64.b64encode(hashlib.sha256(data).digest()).decode()}'"
 
 
 def _without_packages(lock: bytes) -> bytes:
@@ -96,7 +112,7 @@ def _version(site: dict[str, bytes]) -> str:
     return digest.hexdigest()[:16]
 
 
-def _notices(wheel: Path) -> str:
+def _notices(wheel: Path, editor_licence: str) -> str:
     """The licences of what is served beside the project's own files."""
     with zipfile.ZipFile(wheel) as packed:
         name = next(name for name in packed.namelist() if name.endswith("licenses/LICENSE"))
@@ -108,6 +124,7 @@ def _notices(wheel: Path) -> str:
         + "\nIts licence: https://www.mozilla.org/MPL/2.0/",
         _PYTHON,
         _about(MSGSPEC, "in program.packed, compiled") + f"\n\n{msgspec_licence}",
+        _about(EDITOR, "in editor.packed, unchanged") + f"\n\n{editor_licence}",
         python.read_text(encoding="utf-8") if python.is_file() else "",
     ]
     return "\n\n".join(parts).rstrip() + "\n"

@@ -35,6 +35,7 @@ class Games(NamedTuple):
             another at any time; -1 where it was, and the flights of other games do not allow for it yet.
         known: (G,), one of the values in `physics.batch.games`.
         free: (G,), ticks in which no ball touches anything; 0 where nothing is known.
+        played: (G,), ticks of the present call that are done.
         dropped: (G,), balls that used up MAX_IMPACTS since this was set to 0.
         freed: (G,), balls moved out of material since this was set to 0.
     """
@@ -53,6 +54,7 @@ class Games(NamedTuple):
     steered: Integers
     known: Integers
     free: Integers
+    played: Integers
     dropped: Integers
     freed: Integers
 
@@ -82,6 +84,7 @@ def arrays_of(arenas: Sequence[Arena]) -> Games:
         np.zeros(len(arenas), np.int64),
         np.zeros(len(arenas), np.int64),
         np.zeros(len(arenas), np.int64),
+        np.zeros(len(arenas), np.int64),
     )
 
 
@@ -90,7 +93,7 @@ def no_games() -> Games:
     real, integer = np.empty((0, 0)), np.empty(0, np.int64)
     plane, row = np.empty((0, 0), np.complex128), np.empty(0)
     layers = np.empty((0, 0, 0), np.int8)
-    return Games(plane, plane, real, real, real, layers, row, row, row, integer, row, *[integer] * 5)
+    return Games(plane, plane, real, real, real, layers, row, row, row, integer, row, *[integer] * 6)
 
 
 def arena_of(games: Games, rings: Sequence[Ring], game: int) -> Arena:

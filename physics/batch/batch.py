@@ -1,8 +1,9 @@
 """Many games of one shape, advanced together."""
 
+import functools
 import math
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor
+from concurrent.futures import ThreadPoolExecutor, wait
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -56,10 +57,11 @@ class Batch:
             raise ValueError("arenas must be at least one, not none")
         for g, arena in enumerate(arenas):
             _check_shape(f"arenas[{g}]", arena, arenas[0])
-        self._rings = arenas[0].rings
+        self._model = arenas[0]
         check_subnormals()
         self._compiled = compiled()
         self._games = arrays_of(arenas)
+        self._rows: list[Rows] = []  # those that no thread is filling
 
     def __len__(self) -> int:
         """How many games there are."""
@@ -107,41 +109,84 @@ class Batch:
             games.free[:] = 0
             np.minimum(games.known, CLEAR, out=games.known)
         bounds = [len(self) * part // parts for part in range(parts + 1)]
-        if parts == 1:
-            hits = self._part(steered, 0, len(self), ticks)
-        else:
-            with ThreadPoolExecutor(parts) as pool:
-                jobs = [pool.submit(self._part, steered, bounds[k], bounds[k + 1], ticks) for k in range(parts)]
-                hits = np.concatenate([job.result() for job in jobs])
-        distance = np.sqrt(games.positions.real**2 + games.positions.imag**2)
-        lost = distance - games.ball_radii > self._ground_radius
+        lost = np.empty(games.positions.shape, np.bool_)
+        jobs = [_pool(parts - 1).submit(self._part, steered, bounds[k], bounds[k + 1], ticks, lost) for k in range(1, parts)]
+        try:
+            hits = self._part(steered, 0, bounds[1], ticks, lost)
+        finally:
+            wait(jobs)
+        if jobs:
+            hits = np.concatenate([hits, *[job.result() for job in jobs]])
         return Steps(hits, lost, games.dropped.copy(), games.freed.copy())
 
     def arena(self, game: int) -> Arena:
         """One game as the arena that `physics.advance` takes."""
-        return arena_of(self._games, self._rings, game)
+        return arena_of(self._games, self._model.rings, game)
 
     def put(self, game: int, arena: Arena) -> None:
         """Replace one game: a lost ball comes back, bricks are laid anew. ValueError where the arena has another shape."""
-        _check_shape("arena", arena, self.arena(game))
+        _check_shape("arena", arena, self._model)
         mine, new = self._games, arrays_of([arena])
         mine.positions[game], mine.velocities[game], mine.ball_radii[game] = new.positions, new.velocities, new.ball_radii
         mine.phases[game], mine.spins[game], mine.layers[game] = new.phases, new.spins, new.layers
         mine.known[game], mine.free[game] = UNKNOWN, 0
 
-    def _part(self, spins: Floats | None, first: int, last: int, ticks: int) -> npt.NDArray[Any]:
-        """The hits of some of the games, these advanced."""
+    def serve(
+        self,
+        games: Integers,
+        positions: Complexes,
+        velocities: Complexes,
+        layers: Layers | None = None,
+    ) -> None:
+        """Put the balls of some games elsewhere, at once: `put` for many, where rings and spins are left as they are.
+
+        games: (n,), their numbers, int64. positions, velocities: (n, balls), world units (per second), complex128, as `Ball`
+        takes them. layers: (rings, slots of the fullest ring), int8, what is laid in each of these games, as one of those in
+        `layers`; None to leave their bricks. Raises ValueError, naming the argument; then nothing is changed.
+        """
+        mine = self._games
+        shape = (len(games), mine.positions.shape[1])
+        _check_array("games", games, np.dtype(np.int64), (len(games),))
+        if not ((games >= 0) & (games < len(self))).all():
+            raise ValueError(f"games must be from 0 to {len(self) - 1}, not {games.min()} to {games.max()}")
+        for name, array in (("positions", positions), ("velocities", velocities)):
+            _check_array(name, array, np.dtype(np.complex128), shape)
+        if not (np.abs(positions) <= LARGEST).all():
+            raise ValueError(f"positions must be finite and at most {LARGEST:g} from the origin")
+        size = np.abs(velocities)
+        if not ((size == 0.0) | ((size >= SMALLEST) & (size <= LARGEST))).all():
+            raise ValueError(f"velocities must be 0 or from {SMALLEST:g} to {LARGEST:g} long")
+        if layers is not None:
+            _check_array("layers", layers, np.dtype(np.int8), mine.layers.shape[1:])
+            if (layers < PERMANENT).any():
+                raise ValueError(f"layers must be from {PERMANENT} up, not {layers.min()}")
+            mine.layers[games] = layers
+        mine.positions[games], mine.velocities[games] = positions, velocities
+        mine.known[games], mine.free[games] = UNKNOWN, 0
+
+    def _part(self, spins: Floats | None, first: int, last: int, ticks: int, lost: npt.NDArray[np.bool_]) -> npt.NDArray[Any]:
+        """The hits of some of the games, these advanced. lost: written."""
         check_subnormals()
         games = self._games
         if spins is not None:
             self._compiled.steer(games, spins, first, last)
-        rows = new_rows(_ROWS + 2 * MAX_IMPACTS * games.positions.shape[1])
-        game, tick = first, 0
+        rows = self._rows.pop() if self._rows else new_rows(_ROWS + 2 * MAX_IMPACTS * games.positions.shape[1])
+        rows.now[0] = 0
+        game = -1
         while True:
-            game, tick = self._compiled.play(games, game, last, tick, ticks, self._dt, self._speed, rows)
+            game = self._compiled.step(games, first, last, game, ticks, self._dt, self._speed, self._ground_radius, rows, lost)
             if game == last:
-                return rows.hits[: rows.now[0]].copy()
+                break
             rows = Rows(np.concatenate([rows.hits, np.empty_like(rows.hits)]), rows.now)
+        hits: npt.NDArray[Any] = rows.hits[: rows.now[0]].copy()
+        self._rows.append(rows)
+        return hits
+
+
+@functools.cache
+def _pool(threads: int) -> ThreadPoolExecutor:
+    """Threads that wait for the parts of a step: to start them for every step would cost as much as a short one."""
+    return ThreadPoolExecutor(threads, "physics.batch")
 
 
 def _seen(array: npt.NDArray[Any]) -> npt.NDArray[Any]:
@@ -166,13 +211,18 @@ def _whole(name: str, value: int, least: int) -> None:
 
 def _checked_spins(spins: Floats, shape: tuple[int, ...]) -> Floats:
     """Spins as they are stored: those below SMALLEST are 0."""
-    if not isinstance(spins, np.ndarray) or spins.dtype != np.float64 or spins.shape != shape:
-        said = f"{spins.dtype} of shape {spins.shape}" if isinstance(spins, np.ndarray) else type(spins).__name__
-        raise ValueError(f"spins must be a float64 array of shape {shape}, not {said}")
+    _check_array("spins", spins, np.dtype(np.float64), shape)
     if not (np.abs(spins) <= LARGEST).all():
         game, ring = np.argwhere(~(np.abs(spins) <= LARGEST))[0]
         raise ValueError(f"spins must be finite and at most {LARGEST:g}, not {spins[game, ring]} at game {game}, ring {ring}")
     return np.ascontiguousarray(np.where(np.abs(spins) >= SMALLEST, spins, 0.0))
+
+
+def _check_array(name: str, array: npt.NDArray[Any], dtype: np.dtype[Any], shape: tuple[int, ...]) -> None:
+    """Refuse what is no array of this type and shape."""
+    if not isinstance(array, np.ndarray) or array.dtype != dtype or array.shape != shape:
+        said = f"{array.dtype} of shape {array.shape}" if isinstance(array, np.ndarray) else type(array).__name__
+        raise ValueError(f"{name} must be a {dtype} array of shape {shape}, not {said}")
 
 
 def _check_shape(name: str, arena: Arena, model: Arena) -> None:
@@ -186,11 +236,16 @@ def _check_shape(name: str, arena: Arena, model: Arena) -> None:
             raise ValueError(f"{name}.rings[{k}] must be the first arena's but for phase and spin, not {ring}")
         if arena is not model and layers is model.layers[k]:
             continue
-        if len(layers) != ring.count:
-            raise ValueError(f"{name}.layers[{k}] must have {ring.count} entries, not {len(layers)}")
-        for left in layers:
-            if not (isinstance(left, int) and PERMANENT <= left <= MOST_LAYERS):
-                raise ValueError(f"{name}.layers[{k}] must be whole numbers from {PERMANENT} to {MOST_LAYERS}, not {left}")
+        _check_row(f"{name}.layers[{k}]", layers, ring)
+
+
+def _check_row(name: str, row: Sequence[int], ring: Ring) -> None:
+    """Refuse what are no layers of a ring."""
+    if len(row) != ring.count:
+        raise ValueError(f"{name} must have {ring.count} entries, not {len(row)}")
+    for left in row:
+        if not (isinstance(left, int) and PERMANENT <= left <= MOST_LAYERS):
+            raise ValueError(f"{name} must be whole numbers from {PERMANENT} to {MOST_LAYERS}, not {left}")
 
 
 def _fixed(ring: Ring) -> tuple[float, ...]:

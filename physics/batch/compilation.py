@@ -32,13 +32,13 @@ class Compiled(NamedTuple):
 
     Attributes:
         steer: `physics.batch.games.steer`.
-        play: `physics.batch.games.play`.
+        step: `physics.batch.games.step`.
         seconds: that compiling took, or loading.
         cached: whether it was loaded from disk.
     """
 
     steer: Callable[..., None]
-    play: Callable[..., tuple[int, int, int]]
+    step: Callable[..., int]
     seconds: float
     cached: bool
 
@@ -121,32 +121,32 @@ def _compiled() -> Compiled:
     start = time.perf_counter()
     _register()
     key = sources_hash()
-    to_steer, to_play, room_for = loop.steer, loop.play, loop.workspace
+    to_steer, to_step, to_play = loop.steer, loop.step, loop.play
 
     @numba.njit(cache=True, nogil=True)  # type: ignore[untyped-decorator, unused-ignore]
     def steer(games, spins, first, last):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
         _ = key
         to_steer(games, spins, first, last)
 
-    @numba.njit(cache=True, nogil=True)  # type: ignore[untyped-decorator, unused-ignore]
-    def play(games, first, last, tick, ticks, dt, speed, rows):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+    @numba.njit(cache=True, nogil=True, error_model="numpy")  # type: ignore[untyped-decorator, unused-ignore]
+    def step(games, first, last, begun, ticks, dt, speed, ground_radius, rows, lost):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
         _ = key
-        return to_play(games, first, last, tick, ticks, dt, speed, rows, room_for(games))
+        return to_step(games, first, last, begun, ticks, dt, speed, ground_radius, rows, lost)
 
-    @numba.njit(cache=True, nogil=True, no_cpython_wrapper=True)  # type: ignore[untyped-decorator, unused-ignore]
+    @numba.njit(cache=True, nogil=True, error_model="numpy", no_cpython_wrapper=True)  # type: ignore[untyped-decorator, unused-ignore]
     def play_one_tick(games, g, dt, speed, rows, room):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
         _ = key
-        rows.now[0] = 0
-        to_play(games, g, g + 1, 0, 1, dt, speed, rows, room)
+        rows.now[0], games.played[g] = 0, 0
+        to_play(games, g, g + 1, 1, dt, speed, rows, room)
 
     games = numba.typeof(no_games())
     integer, real, rows = numba.int64, numba.float64, numba.typeof(new_rows(0))
     steer.compile((games, real[:, ::1], integer, integer))
-    play.compile((games, integer, integer, integer, integer, real, real, rows))
+    step.compile((games, integer, integer, integer, integer, real, real, real, rows, numba.boolean[:, ::1]))
     play_one_tick.compile((games, integer, real, real, rows, _workspace_type()))
     _register_tick(play_one_tick)
-    cached = all([sum(loop.stats.cache_hits.values()) > 0 for loop in (steer, play, play_one_tick)])
-    return Compiled(steer, play, time.perf_counter() - start, cached)
+    cached = all([sum(function.stats.cache_hits.values()) > 0 for function in (steer, step, play_one_tick)])
+    return Compiled(steer, step, time.perf_counter() - start, cached)
 
 
 def _register() -> None:
@@ -174,7 +174,7 @@ def _register() -> None:
 
     @overload(add_hit)
     def _add_hit(hits, hit):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
-        return lambda hits, hit: write_hit(hits, hit)
+        return lambda hits, hit: write_hit(hits, hit)  # noqa: PLW0108  # the names and annotations must be the function's
 
 
 def _register_tick(compiled_tick: Any) -> None:

@@ -7,10 +7,14 @@ the free flight (`known`, `free`). `tests/physics/test_batch.py` compares them w
 """
 
 import math
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
-from physics.batch.arrays import Floats, Games, Integers, Layers
+import numpy as np
+import numpy.typing as npt
+
+from physics.batch.arrays import Complexes, Floats, Games
 from physics.batch.hits import Rows
+from physics.broad_phase import has_left
 from physics.escape import freed
 from physics.free_flight import clear_time, may_be_steered
 from physics.shapes import Ball, Ring
@@ -23,6 +27,8 @@ _WHOLE_TURN = int(math.tau * ANGLE_GRID)
 """In lines of the angle grid."""
 _MARGIN = 1e-6
 """Ticks. How much longer than whole ticks the look-ahead is, so that no rounding takes a tick from it."""
+
+_AT_ONCE = 4
 
 UNKNOWN, CLEAR, ENDING = 0, 1, 2
 """What `Games.known` says of a game.
@@ -74,24 +80,104 @@ def steer(games: Games, spins: Floats, first: int, last: int) -> None:
                 games.spins[g, k] = spin
 
 
-def play(  # in pieces that are given the games it takes half as long again: their arrays are counted in and out
-    games: Games, first: int, last: int, tick: int, ticks: int, dt: float, speed: float, rows: Rows, room: Workspace
-) -> tuple[int, int]:
-    """Advance the games from `first` to below `last` to tick number `ticks`, the first of them from tick number `tick`.
+def step(
+    games: Games,
+    first: int,
+    last: int,
+    begun: int,
+    ticks: int,
+    dt: float,
+    speed: float,
+    ground_radius: float,
+    rows: Rows,
+    lost: npt.NDArray[np.bool_],
+) -> int:
+    """Advance the games from `first` to below `last` by some ticks.
 
-    Hits are added to the rows. Returns the game and tick to go on with, once there are more rows; the game is `last` when all
-    is done.
+    begun: -1; or, in a further call for the same ticks, the game that the one before returned, since its rows were full. `last`
+    is returned when all is done. rows: hits are added. lost: (games, balls), written: which are outside of the ground.
+    """
+    if begun < 0:
+        _fly_freely(games, first, last, ticks, dt)
+    game = play(games, max(begun, first), last, ticks, dt, speed, rows, workspace(games))
+    if game == last:
+        _find_lost(games, first, last, ground_radius, lost)
+    return game
+
+
+def _fly_freely(games: Games, first: int, last: int, ticks: int, dt: float) -> None:
+    """Advance the games from `first` to below `last` in which no ball touches anything in `ticks`; the others not at all.
+
+    One sum of a ball must wait for the one before it: those of four balls are found in the time of one.
+    """
+    positions, velocities, radii = games.positions.ravel(), games.velocities.ravel(), games.ball_radii.ravel()  # views
+    phases, spins, free, played = games.phases, games.spins, games.free, games.played
+    count, waiting = games.positions.shape[1], 0
+    a = b = c = d = 0  # four balls, numbered through all games
+    for g in range(first, last):
+        if free[g] < ticks:
+            played[g] = 0
+            continue
+        played[g] = ticks
+        free[g] -= ticks
+        for k in range(spins.shape[1]):
+            if spins[g, k] != 0.0:
+                phases[g, k] = turned(phases[g, k], spins[g, k], ticks, dt)
+        for i in range(count):
+            a, b, c, d = b, c, d, g * count + i
+            waiting += 1
+            if waiting == _AT_ONCE:
+                _fly_four(positions, velocities, radii, a, b, c, d, ticks, dt)
+                waiting = 0
+    for n in (d, c, b):
+        if waiting > 0:
+            one = Ball(positions[n], velocities[n], radii[n])
+            for _ in range(ticks):
+                one = one.moved(dt)
+            positions[n] = one.position
+            waiting -= 1
+
+
+def _fly_four(
+    positions: Complexes, velocities: Complexes, radii: Floats, a: int, b: int, c: int, d: int, ticks: int, dt: float
+) -> None:
+    """Move four balls, given their numbers."""
+    at, v, r = positions, velocities, radii
+    one, two, three, four = Ball(at[a], v[a], r[a]), Ball(at[b], v[b], r[b]), Ball(at[c], v[c], r[c]), Ball(at[d], v[d], r[d])
+    for _ in range(ticks):
+        one, two, three, four = one.moved(dt), two.moved(dt), three.moved(dt), four.moved(dt)
+    at[a], at[b], at[c], at[d] = one.position, two.position, three.position, four.position
+
+
+def _find_lost(games: Games, first: int, last: int, ground_radius: float, lost: npt.NDArray[np.bool_]) -> None:
+    """Write which balls of the games from `first` to below `last` are outside of the ground."""
+    positions, radii = games.positions, games.ball_radii
+    for g in range(first, last):
+        for i in range(positions.shape[1]):
+            lost[g, i] = has_left(positions[g, i], radii[g, i], ground_radius)
+
+
+def play(  # noqa: C901, PLR0912  # given to functions, the arrays of the games are counted in and out: twice as slow
+    games: Games, first: int, last: int, ticks: int, dt: float, speed: float, rows: Rows, room: Workspace
+) -> int:
+    """Advance the games from `first` to below `last` until each has `ticks` in `games.played`.
+
+    Hits are added to the rows. Returns the game to go on with, once there are more rows; `last` when all is done.
     """
     known, free, positions, velocities, radii = games.known, games.free, games.positions, games.velocities, games.ball_radii
     phases, spins, all_layers, steered = games.phases, games.spins, games.layers, games.steered
-    balls, rings, courses, now = room.balls, room.rings, room.courses, rows.now
+    balls, rings, courses, now, played = room.balls, room.rings, room.courses, rows.now, games.played
     most = len(rows.hits) - 2 * MAX_IMPACTS * len(balls)
     for g in range(first, last):
+        tick = played[g]
         while tick < ticks:
             number = min(free[g], ticks - tick)
             if number > 0:
                 for i in range(len(balls)):
-                    positions[g, i] = _flown_freely(positions[g, i], velocities[g, i], number, dt)
+                    ball = Ball(positions[g, i], velocities[g, i], radii[g, i])
+                    for _ in range(number):
+                        ball = ball.moved(dt)
+                    positions[g, i] = ball.position
                 for k in range(len(rings)):
                     if spins[g, k] != 0.0:
                         phases[g, k] = turned(phases[g, k], spins[g, k], number, dt)
@@ -99,12 +185,13 @@ def play(  # in pieces that are given the games it takes half as long again: the
                 tick += number
                 continue
             if now[0] > most:
-                return g, tick
+                played[g] = tick
+                return g
             for i in range(len(balls)):
                 balls[i] = Ball(positions[g, i], velocities[g, i], radii[g, i])
             for k in range(len(rings)):
                 rings[k] = with_turn(rings[k], phases[g, k], spins[g, k])
-            layers = all_layers[g]
+            layers: Any = all_layers[g]
             moved = 0
             if known[g] != ENDING:
                 moved = _free(balls, rings, layers) if known[g] == UNKNOWN else 0
@@ -127,22 +214,14 @@ def play(  # in pieces that are given the games it takes half as long again: the
                 positions[g, i], velocities[g, i] = balls[i].position, balls[i].velocity
             known[g], free[g] = CLEAR, 0
             tick += 1
-        tick = 0
-    return last, 0
+        played[g] = ticks
+    return last
 
 
 def play_one_tick(games: Games, g: int, dt: float, speed: float, rows: Rows, room: Workspace) -> None:
-    """One tick of one game, its hits in the rows from the first on. Other compiled loops call by it what is compiled already."""
-    rows.now[0] = 0
-    play(games, g, g + 1, 0, 1, dt, speed, rows, room)
-
-
-def _flown_freely(position: complex, velocity: complex, ticks: int, dt: float) -> complex:
-    """Where a ball is after some ticks in which it touches nothing."""
-    ball = Ball(position, velocity, 1.0)  # its radius does not matter
-    for _ in range(ticks):
-        ball = ball.moved(dt)
-    return ball.position
+    """One tick of one game, its hits in the rows from the first on. By it other compiled loops call what is compiled."""
+    rows.now[0], games.played[g] = 0, 0
+    play(games, g, g + 1, 1, dt, speed, rows, room)
 
 
 def turned(phase: float, spin: float, ticks: int, dt: float) -> float:
@@ -159,9 +238,7 @@ def startable(ring: Ring) -> Ring:
     return ring if ring.spin != 0.0 else with_turn(ring, ring.phase, _STARTED)
 
 
-def _looked_ahead(
-    balls: list[Ball], rings: list[Ring], layers: Layers, steered: Integers, dt: float
-) -> tuple[int, int]:
+def _looked_ahead(balls: list[Ball], rings: list[Ring], layers: Any, steered: Any, dt: float) -> tuple[int, int]:
     """How many ticks are free of any touch, and what is known then. No ball overlaps anything."""
     horizon = (LOOK_AHEAD + _MARGIN) * dt
     seconds = horizon
@@ -170,7 +247,7 @@ def _looked_ahead(
     return int(seconds / dt), CLEAR if seconds == horizon else ENDING
 
 
-def _free(balls: list[Ball], rings: list[Ring], layers: Layers) -> int:
+def _free(balls: list[Ball], rings: list[Ring], layers: Any) -> int:
     """Move the balls that overlap material out of it, in place; how many there were."""
     number = 0
     for i in range(len(balls)):

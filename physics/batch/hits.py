@@ -38,6 +38,10 @@ class Rows(NamedTuple):
     hits: npt.NDArray[Any]
     now: npt.NDArray[np.int64]
 
+    def append(self, hit: Hit) -> None:
+        """Fill the next row: so the physics, not compiled, adds its hits."""
+        write_hit(self, hit)
+
 
 def new_rows(number: int) -> Rows:
     """So many empty rows."""

@@ -74,7 +74,7 @@ def play(many, steps, chance, played):
 def thrown(many, distance, outward):
     """Put every ball in play on the x axis."""
     many._games.positions[:COUNT], many._games.velocities[:COUNT] = distance, outward
-    many._games.known[:COUNT] = 0
+    many._games.known[:COUNT], many._games.free[:COUNT] = 0, 0
     many._episodes["phase"], many._episodes["ended"] = Phase.PLAYING, 0
 
 

@@ -14,9 +14,10 @@ from tests.support import source_oracle
 from tools.vectors.commands import app
 from tools.vectors.files import COLUMNS, FORMAT, csv_text, json_text
 from tools.vectors.inputs.angles import angle_plans
+from tools.vectors.inputs.chosen import ChosenInput
 from tools.vectors.inputs.detection import detection_plans
 from tools.vectors.inputs.response import response_plans
-from tools.vectors.vector import is_stable
+from tools.vectors.vector import is_stable, vector_of
 
 
 def point(numbers):
@@ -42,6 +43,16 @@ ORACLE = {
     "to_polar": lambda a: source_oracle.to_polar(point(a)),
 }
 """The slides' pseudocode, transcribed a second time for the tests of the physics, in floats."""
+
+
+def test_the_arithmetic_of_floats_has_the_same_results(published):
+    """Where no mpmath is: the same answers within the tolerance, the same refinements, the same divisions by zero."""
+    for exact in published:
+        chosen = ChosenInput(exact.function, exact.trap, exact.arguments)
+        found = vector_of(chosen, exact.number, exact=False)
+        assert (found.defined, list(found.also)) == (exact.defined, list(exact.also)), exact
+        kind = SIGNATURES[exact.function].result
+        assert not exact.defined or agrees(kind, found.expected, exact.expected, exact.tolerance), exact
 
 
 @pytest.mark.parametrize("seed", [0, 1])

@@ -4,6 +4,8 @@ import pygame
 import pytest
 
 from game.drawing.text import Type
+from game.input.actions import Action
+from game.input.signals import Released
 from game.lab.kit.picture import Toggle
 from game.lab.registry import scenes
 from game.lab.session import session
@@ -11,12 +13,12 @@ from game.lab.session.share import parsed
 from game.lab.window.controls import Controlled
 from game.lab.window.layout import layout_of
 from game.lab.window.screen import SHOWN, Lab
-from game.lab.window.side import Side
+from game.lab.window.side import LabSide
 from game.lab.window.words import small_print_height
-from game.screens.toolkit.caption import Caption
 from game.screens.toolkit.drop_down import OptionList
 from game.screens.toolkit.form import spot_at
 from game.screens.toolkit.items import ButtonItem, Switch
+from game.screens.toolkit.label import LabelItem
 from tests.support.dummy_window import FRAME, shared
 from tests.support.lab_desk import SIZE, LabDesk
 
@@ -104,6 +106,7 @@ def test_the_list_of_scenes_is_used_by_keys_and_by_mouse():
     assert laid.body.contains(spot_at(laid, desk.screen._focus).box)
     desk.press(pygame.K_l, pygame.K_DOWN, pygame.K_ESCAPE)
     assert desk.session.scene.name == "free-run"
+    assert desk.side._focus is None
     desk.click_on("free-run")
     desk.type("cc")
     desk.press(pygame.K_RETURN)
@@ -143,6 +146,7 @@ def test_all_controls_are_used_by_keys_alone(desk):
     """Tab goes through them and around; arrows step a slider, with Shift by ten; Enter types, presses, opens; Esc ends."""
     spots = [spot for spot in desk.side._laid(SIZE).spots if spot.item.focusable]
     desk.press(pygame.K_RETURN)
+    desk.press(pygame.K_TAB, mod=pygame.KMOD_LALT)
     assert desk.side._focus is None, "the keys are the scene's at first"
     seen = []
     for _ in spots:
@@ -160,6 +164,8 @@ def test_all_controls_are_used_by_keys_alone(desk):
     assert desk.values.number("r") == 1.45
     desk.press(pygame.K_RETURN)
     desk.type("2")
+    desk.press(pygame.K_TAB, mod=pygame.KMOD_LALT)
+    assert desk.values.number("r") == 1.45
     desk.press(pygame.K_TAB)
     desk.type("9")
     desk.press(pygame.K_RETURN)
@@ -197,26 +203,58 @@ def test_a_held_arrow_moves_a_slider_on(desk):
 @pytest.mark.usefixtures("unseen")
 def test_a_gamepad_uses_the_controls(desk):
     """The pad's cross moves the focus and steps, again and again while it is held; A accepts, B gives the keys back."""
-    down, up, right = (getattr(pygame, f"CONTROLLER_BUTTON_DPAD_{name}") for name in ("DOWN", "UP", "RIGHT"))
-    for button in (down, down, down):
-        desk.pad(button)
-    desk.pad(right, pygame.CONTROLLERBUTTONDOWN)
+    desk.pad(Action.DOWN, Action.DOWN, Action.DOWN)
+    desk.press(pygame.K_LEFT, mod=pygame.KMOD_LSHIFT)
+    desk.pad(Action.RIGHT)
+    assert desk.values.point("ball").real == 9.31
+    desk.pad(Action.RIGHT, held=True)
     for _ in range(20):
         desk.wait_once(0.1)
     moved = desk.values.point("ball")
-    assert moved.real > 9.45
-    desk.pad(right, pygame.CONTROLLERBUTTONUP)
+    assert moved.real > 9.35
+    desk.screen.answer(Released(Action.RIGHT, desk.side._held[0].position), SIZE)
     desk.wait_once(1.0)
     assert desk.values.point("ball") == moved
-    for button in (up, up, up):
-        desk.pad(button)
+    desk.pad(Action.SERVE)
+    assert desk.side._typing is None, "nothing can be typed with it"
+    desk.pad(Action.UP, Action.UP, Action.UP)
     assert spot_at(desk.side._laid(SIZE), desk.side._focus).item.label == "Colours"
     theme = desk.shared.theme
-    desk.pad(pygame.CONTROLLER_BUTTON_A)
+    desk.pad(Action.SERVE)
     assert desk.shared.theme is not theme
-    desk.pad(pygame.CONTROLLER_BUTTON_B)
+    desk.pad(Action.TIP)
+    assert spot_at(desk.side._laid(SIZE), desk.side._focus).item.label == "Help"
+    desk.pad(Action.BACK)
     assert isinstance(desk.screen, Lab)
     assert desk.side._focus is None
+
+
+@pytest.mark.usefixtures("unseen")
+def test_a_gamepad_gives_commands(desk, run):
+    """Left and right step, held they repeat; A runs and pauses, shoulders turn to another scene, View helps, B leaves."""
+    desk.screen._session = session.toggled(run)
+    desk.pad(Action.RIGHT, Action.RIGHT, Action.LEFT)
+    assert desk.session.tick == 1
+    desk.pad(Action.RIGHT, held=True)
+    for _ in range(20):
+        desk.wait_once(0.1)
+    assert desk.session.tick > 10
+    desk.pad(Action.SERVE)
+    assert desk.session.playing
+    desk.pad(Action.STEP)
+    first = desk.session.scene.name
+    desk.pad(Action.STEP, Action.STEP_BACK)
+    assert desk.session.scene.name == first
+    desk.pad(Action.HELP)
+    assert desk.screen._help
+    desk.pad(Action.BACK)
+    assert not desk.screen._help
+    desk.screen.present()
+    scale = desk.screen._scale
+    desk.pad(Action.UP)
+    assert desk.screen._scale == scale + 1
+    desk.pad(Action.BACK)
+    assert desk.screen is None
 
 
 def test_buttons_do_what_their_keys_do_and_say_which(desk):
@@ -266,6 +304,9 @@ def test_what_does_not_fit_scrolls():
     assert moved[1] == spots[1]
     desk.wheel((100, 300), -1)
     assert desk.spot("r_g").box == moved[0]
+    while desk.side._focus is None or desk.spot("r_g")[2:4] != desk.side._focus:
+        desk.press(pygame.K_TAB)
+    assert desk.side._scroll == 0.0, "what the first number means is seen, too"
     desk.shared.settings = desk.shared.settings._replace(text_size=200)
     desk.press(pygame.K_LEFTBRACKET)
     desk.wheel(spots[0].center, -1)
@@ -287,7 +328,7 @@ def test_the_controls_fit_their_side(size, text):
     app.settings = app.settings._replace(text_size=round(100 * text))
     smallest = 0.95 if text == 1.0 else 0.57
     shown = [Controlled(session.fresh(scene, None), SHOWN, frozenset()) for scene in scenes()]
-    side = Side(app, None, None, layout, shown[0])
+    side = LabSide(app, None, None, layout, shown[0])
     assert side.unit(size) == pytest.approx(0.87 * text * layout.unit)
     for seen in shown:
         side.show(layout, seen)
@@ -305,9 +346,9 @@ def test_the_controls_fit_their_side(size, text):
 def said(item, height):
     """What an item says, in letters of which size, and how much of its width is taken otherwise, in units."""
     match item:
-        case Caption() if height > 1.5:
+        case LabelItem() if height > 1.5:
             return max(item.text, item.note, key=len), 1.1, 0.0
-        case Caption():
+        case LabelItem():
             return item.text + item.note, 1.1 * (0.95 if item.note else 1.0), 0.7 if item.note else 0.0
         case ButtonItem():
             return item.label, 1.15, 0.6

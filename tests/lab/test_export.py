@@ -16,13 +16,13 @@ from game.lab.export.files import file_of
 from game.lab.export.slide import SLIDE_SIZE, SlideStyle, slide_of
 from game.lab.export.svg import svg_of
 from game.lab.registry import scenes
+from game.lab.session.pan_zoom import PanZoom
 from game.lab.session.reveal import Reveal
 from game.lab.session.session import opened
 from game.lab.session.share import parsed
 from game.lab.typeset.mathtext import set_line
 from game.lab.typeset.tex import has_symbols, tex_line
 from game.lab.window import saving
-from game.lab.window.pan_zoom import PanZoom
 from game.lab.window.screen import SHOWN
 from game.lab.window.view import letters_for
 from game.levels import load_file

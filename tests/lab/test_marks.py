@@ -13,7 +13,7 @@ from game.drawing.camera import Camera
 from game.drawing.palette import DARK, LIGHT, contrast
 from game.drawing.text import Type
 from game.lab.drawing import strokes
-from game.lab.drawing.canvas import PaneCanvas, camera_for
+from game.lab.drawing.canvas import PaneCanvas
 from game.lab.drawing.colours import role_colour, text_colour
 from game.lab.drawing.labels import placed_labels
 from game.lab.drawing.painting import draw_marks
@@ -36,6 +36,7 @@ from game.lab.kit.picture import (
 )
 from game.lab.kit.scene import ViewBox
 from game.lab.kit.second_engine import EngineContact
+from game.lab.session.pan_zoom import camera_for
 from physics import Ball, Ring, contact
 from tests.support.strategies import balls, balls_beside_an_end, reals, rings
 from tools.crosscheck.second_engine import Pymunk
@@ -217,10 +218,17 @@ def test_a_sector_is_coloured_between_its_ends_and_faces_only(canvas):
         assert colour_there == (colour if (radius, angle) in inside else canvas.theme.ground)
 
 
+class Quarters:
+    """Above 0 at the lower left and the upper right, below 0 at the upper left, 0 at the lower right."""
+
+    def at(self, p):
+        """The number at a position."""
+        return {(False, False): 1.0, (False, True): -1.0, (True, False): 0.0, (True, True): 1.0}[p.real > 1.0, p.imag > 1.0]
+
+
 def test_a_field_is_coloured_by_its_sign(canvas):
-    """Cells above 0, below 0 and without a number have three colours, and the first row is the lowest."""
-    values = np.kron([[1.0, -1.0], [np.nan, 1.0]], np.ones((9, 9)))  # left column from below, then right column
-    draw_marks(canvas, [Field(-1 - 1j, 3 + 3j, values, 1.0)])
+    """Positions above 0, below 0 and of 0 have three colours; it covers what it says."""
+    draw_marks(canvas, [Field(-1 - 1j, 3 + 3j, Quarters(), 1.0)])
 
     def at(point):
         pixel = canvas.camera.project(point)

@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from game.lab.kit.scene import ViewBox
-from game.lab.window.pan_zoom import PanZoom
+from game.lab.session.pan_zoom import PanZoom
 from tests.support.strategies import points, reals
 
 BOX = ViewBox(1 + 2j, 4 + 3j)

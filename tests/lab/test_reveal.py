@@ -15,10 +15,11 @@ from game.lab.kit.scene import picture_of, started
 from game.lab.registry import chapters, scene_named, scenes
 from game.lab.session import reveal
 from game.lab.session.checks import lines
+from game.lab.session.pan_zoom import PanZoom
+from game.lab.session.presenting import TEXT_SCALES
 from game.lab.session.reveal import Reveal
 from game.lab.window.dragging import drag_at
-from game.lab.window.layout import TEXT_SCALES, layout_of
-from game.lab.window.pan_zoom import PanZoom
+from game.lab.window.layout import layout_of
 from game.lab.window.screen import SHOWN
 from game.lab.window.view import letters_for, pane_canvas, pane_views
 from game.lab.window.words import TextSheet

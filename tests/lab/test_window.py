@@ -14,11 +14,12 @@ from game.lab.kit.scene import Motion, picture_of
 from game.lab.registry import scenes
 from game.lab.session import session
 from game.lab.session.checks import lines
+from game.lab.session.commands import Command
+from game.lab.session.pan_zoom import PanZoom
 from game.lab.session.share import SharedScene, parsed
 from game.lab.window import saving, screen
-from game.lab.window.commands import KEYS, Command, command_of
+from game.lab.window.commands import KEYS, MORE_HELP, command_of
 from game.lab.window.layout import layout_of
-from game.lab.window.pan_zoom import PanZoom
 from game.lab.window.screen import Lab
 from game.lab.window.words import TextSheet, draw_head, draw_words
 from game.screens.play import PlayScreen
@@ -142,6 +143,13 @@ def test_help_opens_and_any_key_closes_it(desk):
     desk.press(pygame.K_ESCAPE)
     assert desk.screen is not None
     assert not desk.screen._help
+
+
+def test_every_line_of_the_help_fits_its_column():
+    """What a key does ends before the next column, or before the panel's edge."""
+    type_, unit = Type(), 40.0
+    for _, meaning in (*MORE_HELP, *[("", key.meaning) for key in KEYS]):
+        assert type_.rendered(meaning, unit, (0, 0, 0)).get_width() < 16.6 * unit, meaning
 
 
 @pytest.mark.usefixtures("unseen")

@@ -58,7 +58,7 @@ def games_of_one_shape(case, chance):
         edge = max(ring.outer_radius for ring in arena.rings)
         for i, ball in enumerate(arena.balls):
             arena = served(arena, i, ball.radius, case.speed, chance)
-            if chance.random() < 0.3:
+            if chance.random() < 0.4:
                 position = complex(chance.uniform(-edge, edge), chance.uniform(-edge, edge))
                 balls = (*arena.balls[:i], arena.balls[i]._replace(position=position), *arena.balls[i + 1 :])
                 arena = arena._replace(balls=balls)
@@ -76,12 +76,12 @@ def steered(arena, spins):
     return arena._replace(rings=tuple(rings)) if changed else arena
 
 
-def random_spins(batch, case, chance):
+def random_spins(batch, case, chance, often):
     """The spins of a tick: once in a while a ring that turns is steered, also faster than the ball, or stopped."""
     spins = batch.spins.copy()
     for g in range(len(batch)):
         for k, ring in enumerate(case.arena.rings):
-            if ring.spin != 0.0 and chance.random() < 0.1:
+            if ring.spin != 0.0 and chance.random() < often:
                 spins[g, k] = (
                     chance.choice((0.0, 1.5, *[0.99] * 6)) * chance.uniform(-1.0, 1.0) * case.speed / ring.outer_radius
                 )
@@ -125,8 +125,9 @@ def test_a_batch_has_the_bits_of_the_scalar_engine_at_every_tick():
         edge = max(ring.outer_radius for ring in case.arena.rings) + 2.0 * case.arena.balls[0].radius
         batch = Batch(arenas, dt=TICK, speed=case.speed, ground_radius=edge)
         flights = [None] * GAMES
-        for _ in range(TICKS):
-            steps, done = compared(batch, arenas, flights, random_spins(batch, case, chance), case.speed)
+        for tick in range(TICKS):  # in the first quarter rings keep their spin, whose flights are followed to the very touch
+            spins = random_spins(batch, case, chance, 0.0 if tick < TICKS // 4 else 0.1)
+            steps, done = compared(batch, arenas, flights, spins, case.speed)
             played.add(steps)
             arenas, flights = [step.arena for step in steps], [step.flight for step in steps]
             for g, i in np.argwhere(done.lost).tolist():
@@ -231,6 +232,49 @@ def test_a_wrong_argument_of_a_step_is_named_and_changes_nothing(argument, named
     before = [batch.arena(g) for g in range(2)]
     with pytest.raises(ValueError, match=named):
         batch.step(**argument)
+    assert [batch.arena(g) for g in range(2)] == before
+
+
+def test_many_lost_balls_are_served_at_once():
+    """`serve` leaves the games as `put` would, one by one; the games go on alike."""
+    chance = Random("serve")
+    arenas = [wall_of_bricks(chance) for _ in range(6)]
+    at_once, one_by_one = [Batch(arenas, dt=TICK, speed=8.0) for _ in range(2)]
+    full = at_once.layers[0].copy()
+    for batch in (at_once, one_by_one):
+        batch.step(ticks=400)
+    balls = {4: Ball(7j, 8 + 0j, 0.25), 1: Ball(-7j, -8j, 0.25)}
+    for game, ball in balls.items():
+        one_by_one.put(game, Arena((ball,), one_by_one.arena(game).rings, arenas[0].layers))
+    positions, velocities = ([[getattr(ball, name)] for ball in balls.values()] for name in ("position", "velocity"))
+    at_once.serve(np.array([*balls]), np.array(positions), np.array(velocities), full)
+    assert [at_once.arena(g) for g in range(6)] == [one_by_one.arena(g) for g in range(6)]
+    assert at_once.step(ticks=400).hits.tolist() == one_by_one.step(ticks=400).hits.tolist()
+
+
+@pytest.mark.parametrize(
+    ("argument", "named"),
+    [
+        ({"games": np.array([2])}, "games must be from 0 to 1, not 2 to 2"),
+        ({"games": [0]}, r"games must be a int64 array of shape \(1,\), not list"),
+        ({"positions": np.array([[complex(math.nan, 0.0)]])}, "positions must be finite"),
+        (
+            {"positions": np.array([7j])},
+            r"positions must be .* of shape \(1, 1\), not complex128 of shape \(1,\)",
+        ),
+        ({"velocities": np.array([[1e-40 + 0j]])}, "velocities must be 0 or from 1e-35 to 1e\\+35 long"),
+        ({"layers": np.zeros((5, 16), np.int64)}, "layers must be a int8 array"),
+        ({"layers": np.full((5, 16), -2, np.int8)}, "layers must be from -1 up, not -2"),
+    ],
+)
+def test_a_wrong_argument_of_serve_is_named_and_changes_nothing(argument, named):
+    """ValueError; the games stay as they are."""
+    chance = Random("wrong serve")
+    batch = Batch([wall_of_bricks(chance), wall_of_bricks(chance)], dt=TICK, speed=8.0)
+    before = [batch.arena(g) for g in range(2)]
+    right = {"games": np.array([0]), "positions": np.array([[7j]]), "velocities": np.array([[8 + 0j]])}
+    with pytest.raises(ValueError, match=named):
+        batch.serve(**(right | argument))
     assert [batch.arena(g) for g in range(2)] == before
 
 

@@ -48,11 +48,29 @@ def test_nothing_is_touched_while_it_is_clear(ball, ring, horizon, data):
         phase += turning.spin * clear / 4.0
 
 
+@settings(max_examples=300)
+@given(balls(), rings(), st.floats(0.001, 3.0), st.data())
+def test_a_ring_that_keeps_its_spin_is_clear_until_the_very_touch(ball, ring, horizon, data):
+    """Nothing is touched before; and where the time ends early, something is touched then, to within the margin."""
+    alive = data.draw(st.lists(st.integers(0, 1), min_size=ring.count, max_size=ring.count))
+    clear = clear_time(ball, [ring], [alive], horizon, [0])
+    assert 0.0 <= clear <= horizon
+    if not any(alive):
+        assert clear == horizon
+        return
+    for k in range(60):
+        if clear > 0.0:
+            assert gap(ball, ring, k / 60.0 * clear, slots_of(alive)) > 0.0
+    if clear < horizon and abs(ring.spin) * horizon <= 1000.0:
+        assert gap(ball, ring, clear, slots_of(alive)) < 1e-6 * (ring.outer_radius + abs(ball.velocity) * horizon)
+
+
 @given(balls(), rings(), st.floats(0.001, 3.0))
 def test_a_ball_that_touches_has_no_time(ball, ring, horizon):
     """Nor has one that overlaps, anywhere in the material."""
     if gap(ball, ring, 0.0, range(ring.count)) <= 0.0:
         assert clear_time(ball, [ring], [(1,) * ring.count], horizon) == 0.0
+        assert clear_time(ball, [ring], [(1,) * ring.count], horizon, [0]) == 0.0
 
 
 @pytest.mark.parametrize("spin", [0.0, 0.5, -0.5])

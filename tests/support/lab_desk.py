@@ -5,6 +5,8 @@ from typing import NamedTuple
 import pygame
 
 from game.app import frame
+from game.input.actions import Action
+from game.input.signals import Pressed, Released, pad_position
 from game.lab.session import session
 from game.lab.session.share import parsed
 from game.lab.window.layout import layout_of, pane_areas
@@ -108,8 +110,10 @@ class LabDesk(Desk):
         """Click in the middle of the control that says something."""
         self.click(self.spot(label).box.center)
 
-    def pad(self, button, *kinds):
-        """Press and release a gamepad's button, or only one of both."""
-        for kind in kinds or (pygame.CONTROLLERBUTTONDOWN, pygame.CONTROLLERBUTTONUP):
-            pygame.event.post(pygame.Event(kind, button=button, instance_id=0))
-        self.wait(FRAME)
+    def pad(self, *actions, held=False):
+        """Press a gamepad's buttons that mean some actions, and release them unless they are held."""
+        for action in actions:
+            position = pad_position(0, list(Action).index(action))
+            for signal in (Pressed(action, position), Released(action, position))[: 1 if held else 2]:
+                if self.screen is not None:
+                    self.screen = self.screen.answer(signal, self.size)

@@ -67,6 +67,8 @@ class WebPage:
         """Leave whatever is open."""
         if self.title() == "Polar Breakout":
             return
+        if self.tab.query_selector("#item-close"):
+            self.use("close")
         self.tab.locator("#picture").focus()
         if not self.title():
             self.tab.keyboard.press("p")

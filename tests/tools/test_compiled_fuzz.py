@@ -111,8 +111,10 @@ def fault_of(arena, step, speed):
     room, after = room_for([arena], np.zeros(1, np.uint64)), arrays_of([step.arena])
     found = rows([step])
     for n, row in enumerate(found):
-        room.hits[n] = row
-    return Fault(tick_fault(room.before, after, 0, room.hits, len(found), TICK, speed, step.freed, step.dropped, room.work))
+        room.rows.hits[n] = row
+    return Fault(
+        tick_fault(room.before, after, 0, room.rows.hits, len(found), TICK, speed, step.freed, step.dropped, room.work)
+    )
 
 
 def with_ball(step, **fields):

@@ -8,16 +8,14 @@ from pathlib import Path
 import pygame
 import pytest
 
-from game.drawing.ground.colours import around_colours, ground_colours
-from game.drawing.palette import DARK, LIGHT
 from game.input.actions import Action
 from game.input.keys import BINDINGS
 from game.picture.display_list import DisplayList, Primitive, primitives
-from game.picture.ground import around_colour, ground_colour
 from game.system.errors import EnvironmentMissingError
 from game.web import packages
 from game.web.client.keys import BUTTONS, BY_CODE, BY_KEY
 from game.web.client.page import Page
+from tools.grade.page import PageGrader
 
 PAD_BUTTONS = ("A", "B", "X", "Y", "LEFTSHOULDER", "RIGHTSHOULDER", "", "", "BACK", "START", "", "")
 PAD_BUTTONS += ("DPAD_UP", "DPAD_DOWN", "DPAD_LEFT", "DPAD_RIGHT")
@@ -55,14 +53,6 @@ def test_keys_mean_what_they_mean_on_the_desktop():
     buttons = {button: one.action for one in BINDINGS for button in one.buttons}
     expected = [buttons.get(getattr(pygame, f"CONTROLLER_BUTTON_{name}", -1)) for name in PAD_BUTTONS]
     assert list(BUTTONS) == expected
-
-
-@pytest.mark.parametrize("theme", [DARK, LIGHT])
-@pytest.mark.parametrize("share", [0.0, 0.4, 0.97, 1.0])
-def test_the_ground_has_the_desktops_colours(theme, share):
-    """To one step of a channel, within the rim and beyond it."""
-    assert ground_colour(theme, share) == pytest.approx(ground_colours(theme, [share])[0].tolist(), abs=1.0)
-    assert around_colour(theme, 1.0 + share) == pytest.approx(around_colours(theme, [1.0 + share])[0].tolist(), abs=1.5)
 
 
 def page_playing():
@@ -108,6 +98,21 @@ def test_the_backdrop_is_sent_only_when_it_changes():
     assert not frame(page, seconds=0.01).get("backdrop")
     resized = json.loads(page.frame('{"seconds": 0.0, "width": 900, "height": 800}'))
     assert resized["backdrop"]
+
+
+def test_a_function_that_is_given_up_is_not_asked_again():
+    """A worker that had to be ended: the request comes again without the function, and the text does not run in the page."""
+    page = Page(b'{"rate": 1, "sounds": []}', "", calm=True)
+    frame(page, {"type": "link", "fragment": "functions"}, {"type": "code", "text": "def on_left(a, b):\n    return a > b\n"})
+    first = frame(page, {"type": "choose", "id": "grade"})["grading"]
+    second = frame(page, {"type": "graded", "number": first["number"], "function": "on_left", "call": 7})["grading"]
+    assert second["given_up"] == {"on_left": 7}
+    reply = PageGrader().grade(json.dumps(second), lambda *_call: None)
+    menu = frame(page, {"type": "graded", "number": second["number"], "reply": reply})["menu"]
+    words = " ".join([*menu["lines"], *[item["label"] for item in menu["items"]]])
+    assert "no answer to on_left(a=" in words
+    assert "not used in the lab and in the game" in words
+    assert next(item for item in menu["items"] if item["id"] == "fly")["disabled"]
 
 
 def test_without_npm_one_line_says_what_is_needed(monkeypatch, tmp_path):

@@ -5,9 +5,9 @@ import json
 import msgspec
 import pytest
 
+from game.lab.registry import scenes
 from game.lab.session import session as sessions
 from game.lab.session.share import parsed
-from game.web.client.lab import shown_scenes
 from game.web.client.messages import FrameRequest, LinkOpened, PointerChange
 from game.web.client.page import Page
 
@@ -17,7 +17,7 @@ TICK = 30
 
 def lines():
     """A line for every scene; for one that runs, at a tick."""
-    fresh = [sessions.fresh(scene, None) for scene in shown_scenes()]
+    fresh = [sessions.fresh(scene, None) for scene in scenes()]
     return [f"{session.scene.name}?tick={TICK}" if session.runs else session.scene.name for session in fresh]
 
 
@@ -65,6 +65,45 @@ def page_here(size, line):
 def handle_pixel(page, size):
     """Where the first handle of a page's scene is, to a whole pixel."""
     screen = page._screen
-    seen = screen._panes(size)[0]
+    seen = screen._panes(screen._layout(size))[0]
     pixel = seen.camera.project(screen.session.scene.handles[0].position(screen.session.given))
     return complex(round(pixel.real), round(pixel.imag))
+
+
+def test_a_scene_is_revealed_step_by_step_and_presented(page):
+    """The step is in the address; to guess first begins again; in a lecture room the controls make room for the picture."""
+    page.go("lab/case-2?step=4")
+    page.wait(lambda: page.standing().get("line", "").endswith("step=4"), page.standing)
+    assert page.tab.evaluate("location.hash").endswith("step=4")
+    page.tab.check("#item-predict")
+    page.frames(2)
+    assert page.standing()["line"].endswith("step=1")
+    narrow = page.tab.locator("#picture").bounding_box()["width"]
+    page.tab.locator("#picture").focus()
+    page.tab.keyboard.press("p")
+    page.wait(lambda: not page.title())
+    assert page.tab.locator("#picture").bounding_box()["width"] > narrow
+    for _ in range(3):
+        page.tab.keyboard.press("Space")
+    page.wait(lambda: page.standing()["line"].endswith("step=4"), page.standing)
+    page.use("present")
+    page.wait(lambda: page.title().startswith("Narrow phase, case 2"))
+
+
+def test_the_course_asks_and_sees_a_goal_reached(page):
+    """A question is answered; the exercise after it is solved by typed values, and is done after a reload."""
+    page.go("lab/polar")
+    page.use("course")
+    page.use("answer:1")
+    assert "Right." in page.tab.inner_text("#menu")
+    page.use("next")
+    assert "2 of 23" in page.tab.inner_text("#menu")
+    for item, value in (("value:ball.x", "7.8"), ("value:ball.y", "0")):
+        page.tab.fill(f"[id='item-{item}']", value)
+        page.tab.keyboard.press("Tab")
+    page.wait(lambda: "Reached!" in page.tab.inner_text("#menu"), lambda: page.tab.inner_text("#menu"))
+    page.ask("save")
+    page.open()
+    page.go("lab/polar")
+    page.use("course")
+    assert "3 of 23" in page.tab.inner_text("#menu")

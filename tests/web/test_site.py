@@ -12,7 +12,7 @@ import pytest
 from game.system.errors import EnvironmentMissingError
 from game.web import compiled as compiling
 from game.web.archives import compressed, page_archive, zip_archive, zip_contents
-from game.web.bundle import browser_sources
+from game.web.bundle import browser_sources, grading_sources
 from game.web.compiled import compiled
 from game.web.samples import differences
 from game.web.server import served
@@ -25,6 +25,13 @@ def test_the_sources_hold_what_the_page_imports_and_nothing_that_needs_pygame():
     assert {"game/web/client/page.py", "game/lab/scenes/runs/nudge.py", "game/languages/de.mo"} <= names.keys()
     assert any([name.startswith("game/levels/classic/1-") for name in names])
     assert not [name for name in names if name.startswith(("game/app.py", "game/drawing/painter", "physics/batch"))]
+
+
+def test_the_worker_that_grades_needs_modules_of_the_tools_alone():
+    """Whatever else it imports is in the page's archive."""
+    names = grading_sources()
+    assert "tools/grade/page.py" in names
+    assert all([name.startswith("tools/") for name in names])
 
 
 def test_archives_hold_the_files_and_are_the_same_whatever_the_order():

@@ -12,7 +12,7 @@ from rich.table import Table
 
 from game.student.engine_functions import EngineFunctions
 from game.student.functions_file import FunctionsFile
-from game.student.program import Reply
+from game.student.reply import Reply
 from game.student.signatures import SIGNATURES, Result, agrees, answer
 from game.student.slides import SlideFunctions
 from game.system.errors import CheckFailedError

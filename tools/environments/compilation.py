@@ -16,7 +16,7 @@ from game.rules.serving import served_ball, swung_aim
 from game.rules.steering import keyed_spin, spin_to_pointer
 from physics.batch.arrays import no_games
 from physics.batch.compilation import sources_hash, with_progress
-from physics.batch.hits import HIT
+from physics.batch.hits import new_rows
 from tools import environments
 from tools.environments import observation, ticks
 from tools.environments.numbers import EPISODE, LevelNumbers
@@ -62,10 +62,10 @@ def _compiled_loops() -> CompiledLoops:
     key = "".join([sources_hash(package) for package in (physics, game.rules, environments)])
     to_step, to_begin, to_write, to_paint = ticks.step, ticks.begin, observation.write_row, observation.paint
 
-    @numba.njit(cache=True, nogil=True)  # type: ignore[untyped-decorator, unused-ignore]
-    def step(numbers, games, episodes, turns, pointers, rewards, ended, states, hits, first):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+    @numba.njit(cache=True, nogil=True, error_model="numpy")  # type: ignore[untyped-decorator, unused-ignore]
+    def step(numbers, games, episodes, actions, pointers, rewards, ended, states, rows, first):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
         _ = key
-        return to_step(numbers, games, episodes, turns, pointers, rewards, ended, states, hits, first)
+        return to_step(numbers, games, episodes, actions, pointers, rewards, ended, states, rows, first)
 
     @numba.njit(cache=True, nogil=True)  # type: ignore[untyped-decorator, unused-ignore]
     def begin(numbers, games, episodes, states, mask):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
@@ -90,11 +90,11 @@ def _compiled_loops() -> CompiledLoops:
         LevelNumbers(0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0.0, 0, 0.0, 0.0, 0.0),
         no_games(),
         np.empty(0, EPISODE),
-        np.empty(0, HIT),
+        new_rows(0),
     )
-    numbers, games, episodes, hits = (numba.typeof(example) for example in examples)
+    numbers, games, episodes, rows = (numba.typeof(example) for example in examples)
     integers, real, small, states = numba.int64[::1], numba.float64, numba.uint8, numba.float32[:, ::1]
-    step.compile((numbers, games, episodes, integers, integers, real[::1], numba.boolean[:, ::1], states, hits, numba.int64))
+    step.compile((numbers, games, episodes, integers, integers, real[::1], numba.boolean[:, ::1], states, rows, numba.int64))
     begin.compile((numbers, games, episodes, states, numba.boolean[::1]))
     write_states.compile((numbers, games, episodes, states))
     cells = observation.Cells(np.empty(0, np.complex128), np.empty(0), np.empty(0, np.int64), np.empty(0))

@@ -15,7 +15,7 @@ from game.rules.chance import chance_number
 from game.system.errors import BadInputError
 from physics.batch.arrays import Games, arena_of, arrays_of
 from physics.batch.compilation import check_subnormals
-from physics.batch.hits import HIT
+from physics.batch.hits import new_rows
 from physics.shapes import Ball
 from physics.tolerances import MAX_IMPACTS
 from tools.environments.compilation import compiled_loops
@@ -30,9 +30,8 @@ _PIXELS = 84
 _RING_ROWS, _RING_COLUMNS = 48, 96
 PICTURE_SHAPES = {"rings": (_RING_ROWS, _RING_COLUMNS), "pixels": (_PIXELS, _PIXELS)}
 """Rows and columns of the observations that are pictures: distance from the centre and angle, or the ground from above."""
-_TURNS = np.array([0, 1, -1])
-"""The controls of the discrete actions."""
-DISCRETE_ACTIONS = len(_TURNS)
+DISCRETE_ACTIONS = 3
+"""To rest, to turn counter-clockwise, clockwise."""
 
 
 class Options(NamedTuple):
@@ -86,11 +85,11 @@ class ManyEnvironments:
         self._numbers = _numbers(self.level, options, resets=resets)
         columns = numbers_of_state(self._start) if options.observation == "state" else 0
         self._states = np.zeros((count, columns), np.float32)
-        self._hits = np.empty(2 * MAX_IMPACTS, HIT)
+        self._rows = new_rows(2 * MAX_IMPACTS)
         self._cells = _cells(self._start, self.level.ground_radius, options.observation)
         self._histories = {index: History() for index in recorded}
         self._begun = False
-        self._no_pointers = np.full(count, -1, np.int64)
+        self._no_pointers, self._no_turns = np.full(count, -1, np.int64), np.zeros(count, np.int64)
 
     @property
     def begun(self) -> bool:
@@ -130,7 +129,7 @@ class ManyEnvironments:
 
     def step(self, actions: npt.NDArray[Any]) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.bool_]]:
         """Take one action in every environment: the points scored, and (2, environments) which are over and which cut off."""
-        turns, pointers = self._controls(actions)
+        discrete, pointers = self._controls(actions)
         rewards, ended = np.empty(len(self)), np.empty((2, len(self)), np.bool_)
         fresh = [index for index in self._histories if self._episodes["ended"][index]]
         number = 0
@@ -139,12 +138,12 @@ class ManyEnvironments:
                 self._numbers,
                 self._games,
                 self._episodes,
-                turns,
+                discrete,
                 pointers,
                 rewards,
                 ended,
                 self._states,
-                self._hits,
+                self._rows,
                 number,
             )
             if number < len(self):
@@ -216,20 +215,21 @@ class ManyEnvironments:
         self._histories[index].save(path, self.level, self.game(index))
 
     def _controls(self, actions: npt.NDArray[Any]) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.int64]]:
-        """The turns and pointers of actions; ValueError for what is none."""
+        """The discrete actions and the pointers of actions; ValueError for what is none."""
         if self.options.actions == "discrete":
             if not isinstance(actions, np.ndarray) or actions.dtype.kind not in "iu" or actions.shape != (len(self),):
                 raise ValueError(f"actions must be whole numbers of shape {(len(self),)}, not {_said(actions)}")
-            if not ((actions >= 0) & (actions < len(_TURNS))).all():
-                raise ValueError(f"actions must be from 0 to {len(_TURNS) - 1}, not {actions.min()} to {actions.max()}")
-            return _TURNS[actions], self._no_pointers
+            discrete = np.ascontiguousarray(actions, np.int64)
+            if discrete.view(np.uint64).max() >= DISCRETE_ACTIONS:  # what is below 0 is large then
+                raise ValueError(f"actions must be from 0 to {DISCRETE_ACTIONS - 1}, not {actions.min()} to {actions.max()}")
+            return discrete, self._no_pointers
         if not isinstance(actions, np.ndarray) or actions.dtype.kind != "f" or actions.shape != (len(self), 2):
             raise ValueError(f"actions must be floats of shape {(len(self), 2)}, not {_said(actions)}")
         if not np.isfinite(actions).all():
             raise ValueError("actions must be finite")
         angles = np.arctan2(actions[:, 1], actions[:, 0]).astype(np.float64) / math.tau
         pointers = np.floor(angles * POINTER_STEPS).astype(np.int64) % POINTER_STEPS
-        return np.zeros(len(self), np.int64), np.where((actions == 0.0).all(axis=1), -1, pointers)
+        return self._no_turns, np.where((actions == 0.0).all(axis=1), -1, pointers)
 
     def _pictures(self, cells: Cells, only: npt.NDArray[np.int64]) -> npt.NDArray[np.uint8]:
         """Pictures of some games."""

@@ -9,7 +9,6 @@ import numpy.typing as npt
 from game.rules import LIVES, PADDLES, Phase
 from physics.batch.arrays import Floats, Games, Integers
 from physics.shapes import PERMANENT
-from physics.trig import direction
 from tools.environments.numbers import LevelNumbers
 
 FIXED_NUMBERS = 9
@@ -64,8 +63,7 @@ def write_rest(games: Games, e: Any, states: npt.NDArray[np.float32], g: int) ->
     n = FIXED_NUMBERS
     for k in range(PADDLES + 1, games.spins.shape[1]):
         if games.spins[g, k] != 0.0:
-            d = direction(games.phases[g, k])
-            states[g, n], states[g, n + 1] = d.real, d.imag
+            states[g, n], states[g, n + 1] = cosine_and_sine(games.phases[g, k])
             n += 2
     if e.changed != 0:
         e.changed = 0
@@ -79,18 +77,34 @@ def fixed_numbers(
     numbers: LevelNumbers, e: Any, position: complex, velocity: complex, phase: float, spin: float
 ) -> tuple[float, float, float, float, float, float, float, float, float]:
     """The first FIXED_NUMBERS of a state. phase, spin: of the paddles."""
-    near, pace, d = numbers.near, numbers.pace, direction(phase)
+    near, pace = numbers.near, numbers.pace
+    cosine, sine = cosine_and_sine(phase)
     return (
         _within(position.real * near),
         _within(position.imag * near),
         _within(velocity.real * pace),
         _within(velocity.imag * pace),
-        d.real,
-        d.imag,
+        cosine,
+        sine,
         spin * numbers.turn,
         1.0 if e.phase == _PLAYING else 0.0,
         e.lives * (1.0 / LIVES),
     )
+
+
+def cosine_and_sine(angle: float) -> tuple[float, float]:
+    """Cosine and sine, off by less than 4e-8: as precise as the observations' floats. angle: radians, in [0, 2 pi].
+
+    Without a branch on the quadrant, which the processor would guess wrong in most games: a third of `physics.direction`.
+    """
+    quarters = math.floor(angle * (2.0 / math.pi) + 0.5)
+    rest = angle - quarters * (math.pi / 2.0)
+    s = rest * rest
+    cosine = 1.0 + s * (-1 / 2 + s * (1 / 24 + s * (-1 / 720 + s * (1 / 40320))))
+    sine = rest + rest * s * (-1 / 6 + s * (1 / 120 + s * (-1 / 5040 + s * (1 / 362880))))
+    odd, backward, below = quarters & 1, (quarters + 1) & 2, quarters & 2
+    x, y = (sine, cosine) if odd else (cosine, sine)
+    return -x if backward else x, -y if below else y
 
 
 def _within(number: float) -> float:

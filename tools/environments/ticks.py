@@ -16,10 +16,12 @@ from game.rules.scoring import POINTS_PER_LIFE, layer_points
 from game.rules.serving import served_ball, swung_aim
 from game.rules.steering import keyed_spin, spin_to_pointer
 from physics.batch.arrays import Floats, Games, Integers
-from physics.batch.games import play_one_tick, ring_of, startable, turned, with_turn
+from physics.batch.games import UNKNOWN, play_one_tick, ring_of, startable, with_turn, workspace
+from physics.batch.hits import Rows
 from physics.broad_phase import has_left
 from physics.free_flight import may_be_steered
 from physics.shapes import PERMANENT, Ball, Ring
+from physics.vectors import dot
 from tools.environments.numbers import LevelNumbers
 from tools.environments.observation import FIXED_NUMBERS, fixed_numbers, write_rest
 
@@ -35,23 +37,23 @@ def step(  # noqa: C901, PLR0912, PLR0915  # in pieces that are given the arrays
     numbers: LevelNumbers,
     games: Games,
     episodes: Any,
-    turns: Integers,
+    actions: Integers,
     pointers: Integers,
     rewards: Floats,
     ended: npt.NDArray[np.bool_],
     states: npt.NDArray[np.float32],
-    hits: npt.NDArray[Any],
+    rows: Rows,
     first: int,
 ) -> int:
     """One action of every environment from `first` on; the number to go on with, where a chance must be drawn first.
 
     games: one more than there are environments; the last is as every episode begins.
-    turns, pointers: as in `game.rules.Controls`; a pointer of -1 is none.
+    actions: 0 to rest, 1 to turn counter-clockwise, 2 clockwise. pointers: as in `game.rules.Controls`; -1 is none.
     rewards: (environments,), written: the points scored. ended: (2, environments), written: won or over, and cut off.
-    states: rows of `observation.write_row`, written, unless they have no columns. hits: room for those of one tick.
+    states: rows of `observation.write_row`, written, unless they have no columns. rows: room for the hits of one tick.
     """
     positions, velocities, phases, spins = games.positions, games.velocities, games.phases, games.spins
-    known, seconds, model = games.known, games.seconds, ring_of(games, 0, PADDLES)
+    known, free, model, room = games.known, games.free, ring_of(games, 0, PADDLES), workspace(games)
     turning = 0
     for k in range(PADDLES + 1, spins.shape[1]):
         turning += 1 if spins[len(episodes), k] != 0.0 else 0
@@ -63,27 +65,27 @@ def step(  # noqa: C901, PLR0912, PLR0915  # in pieces that are given the arrays
                     begin(numbers, games, episodes, g)
                 e.before, e.played = e.score, numbers.frame_skip
             else:
-                _act(numbers, e, turns[g], pointers[g])
+                _act(numbers, e, (actions[g] & 1) - (actions[g] >> 1), pointers[g])
         while e.ended == 0 and e.played < numbers.frame_skip:
             if e.waiting == 0:
                 paddles = with_turn(model, phases[g, PADDLES], spins[g, PADDLES])
                 ball = Ball(positions[g, 0], velocities[g, 0], numbers.ball_radius)
                 spin = _steered_spin(numbers, e, paddles)
                 if spin != paddles.spin:
-                    started = startable(paddles, 1)
-                    if known[g] != 0 and not may_be_steered(started, with_turn(paddles, paddles.phase, spin), (ball,)):
-                        known[g] = 0
+                    if not may_be_steered(startable(paddles), with_turn(paddles, paddles.phase, spin), (ball,)):
+                        known[g], free[g] = UNKNOWN, 0
                     spins[g, PADDLES] = spin
                 e.tick += 1
                 e.phase_tick += 1
-                if e.phase == _PLAYING and (known[g] == 0 or not seconds[g] >= TICK):
-                    _credit(e, hits, play_one_tick(games, g, TICK, numbers.speed, hits))
+                if e.phase == _PLAYING and free[g] == 0:
+                    play_one_tick(games, g, TICK, numbers.speed, rows, room)
+                    _credit(e, rows)
                 else:
                     for k in range(spins.shape[1]):
                         if spins[g, k] != 0.0:
-                            phases[g, k] = turned(phases[g, k], spins[g, k], 1, TICK)
+                            phases[g, k] = with_turn(model, phases[g, k], spins[g, k]).turned(TICK).phase
                     if e.phase == _PLAYING:
-                        seconds[g] -= TICK
+                        free[g] -= 1
                         positions[g, 0] = ball.moved(TICK).position
                     else:
                         ball = _serving(numbers, e, with_turn(paddles, phases[g, PADDLES], spin))
@@ -161,10 +163,10 @@ def _serving(numbers: LevelNumbers, e: Any, paddles: Ring) -> Ball:
     return ball
 
 
-def _credit(e: Any, hits: npt.NDArray[Any], count: int) -> None:
+def _credit(e: Any, rows: Rows) -> None:
     """Score the hits of a tick."""
-    for n in range(count):
-        ring, layers = hits[n]["ring"], hits[n]["layers"]
+    for n in range(rows.now[0]):
+        ring, layers = rows.hits[n]["ring"], rows.hits[n]["layers"]
         if ring == PADDLES:
             e.combo, e.idle = 0, e.idle + 1
         elif layers == PERMANENT:
@@ -181,7 +183,7 @@ def _nudge(games: Games, e: Any, g: int) -> None:
     """Turn the ball by the chance that was drawn."""
     ball = nudged_ball(Ball(games.positions[g, 0], games.velocities[g, 0], games.ball_radii[g, 0]), e.chance)
     games.velocities[g, 0] = ball.velocity
-    games.known[g] = 0
+    games.known[g], games.free[g] = UNKNOWN, 0
     e.draws, e.idle, e.waiting, e.drawn = e.draws + 1, IDLE_AFTER_NUDGE, 0, 0
 
 
@@ -190,7 +192,9 @@ def _end(numbers: LevelNumbers, e: Any, position: complex) -> None:
     if e.left == 0:
         e.score += POINTS_PER_LIFE * e.lives
         e.phase, e.phase_tick, e.ended = _WON, 0, 1
-    elif has_left(position, numbers.ball_radius, numbers.ground_radius):
+    elif dot(position, position) > numbers.ground_radius * numbers.ground_radius and has_left(  # the root is seldom needed
+        position, numbers.ball_radius, numbers.ground_radius
+    ):
         e.lives, e.combo, e.idle, e.phase_tick = e.lives - 1, 0, 0, 0
         e.ended = 1 if e.lives == 0 else 0
         e.phase = _OVER if e.lives == 0 else _SERVING
@@ -199,6 +203,6 @@ def _end(numbers: LevelNumbers, e: Any, position: complex) -> None:
 def _hold(numbers: LevelNumbers, games: Games, e: Any, g: int) -> None:
     """A new ball on its paddle, to be served after a number of ticks that the game's seed and its lives decide."""
     e.serve_at = np.int64(mixed(np.uint64(e.seed) * _FIRST + np.uint64(e.lives) * _STEP) >> np.uint64(1)) % _LONGEST_WAIT
-    games.known[g], games.seconds[g] = 0, 0.0
+    games.known[g], games.free[g] = UNKNOWN, 0
     ball = served_ball(ring_of(games, g, PADDLES), numbers.ball_radius, numbers.speed, swung_aim(e.phase_tick))
     games.positions[g, 0], games.velocities[g, 0] = ball.position, ball.velocity

@@ -4,7 +4,7 @@ from collections import Counter
 from collections.abc import Sequence
 from typing import NamedTuple
 
-from game.student.program import Reply, Student
+from game.student.reply import AskedFunctions, Reply
 from game.student.signatures import SIGNATURES, agrees
 from game.system.errors import BadInputError
 from tools.grade.scheme import Scheme
@@ -102,7 +102,13 @@ class Grade(NamedTuple):
         return bool(self.graded) and all([found.right for found in self.graded])
 
 
-def grade(student: Student, vectors: Sequence[ConformanceVector], scheme: Scheme, seed: int = 0) -> Grade:
+def grade(
+    student: AskedFunctions,
+    vectors: Sequence[ConformanceVector],
+    scheme: Scheme,
+    seed: int = 0,
+    most_endings: int = MOST_ENDINGS,
+) -> Grade:
     """Ask about every vector, function by function. What the scheme does not count is asked, too, at a weight of 0.
 
     BadInputError is raised for a program that does not survive a first question, about a function that nobody has.
@@ -112,7 +118,7 @@ def grade(student: Student, vectors: Sequence[ConformanceVector], scheme: Scheme
         raise BadInputError(f"the program answers no question: {reply.problem}")
     functions = []
     for name in SIGNATURES:
-        checked = _checked(student, [vector for vector in vectors if vector.function == name], scheme)
+        checked = _checked(student, [vector for vector in vectors if vector.function == name], scheme, most_endings)
         defined = checked is not None
         required = scheme.functions is not None
         weight = scheme.weight(name) if scheme.counts(name) and (defined or required) else 0.0
@@ -120,14 +126,16 @@ def grade(student: Student, vectors: Sequence[ConformanceVector], scheme: Scheme
     return Grade(tuple(functions), seed, scheme.title)
 
 
-def _checked(student: Student, vectors: Sequence[ConformanceVector], scheme: Scheme) -> list[CheckedVector] | None:
+def _checked(
+    student: AskedFunctions, vectors: Sequence[ConformanceVector], scheme: Scheme, most_endings: int
+) -> list[CheckedVector] | None:
     """The answers to all vectors of a function; None where the program does not have it."""
     checked, endings = [], 0
     for vector in vectors:
-        if endings < MOST_ENDINGS:
+        if endings < most_endings:
             reply = student.ask(vector.function, vector.arguments)
         else:
-            reply = Reply(problem=f"not asked: the program had ended or hung {MOST_ENDINGS} times in this function")
+            reply = Reply(problem=f"not asked: the program had ended or hung {most_endings} times in this function")
         if not reply.defined:
             return None
         endings += reply.ended

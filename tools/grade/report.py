@@ -6,6 +6,7 @@ from game.student.signatures import OUTCOMES, SIGNATURES
 from tools.grade.findings import FunctionFindings
 from tools.grade.grading import CheckedVector, FunctionGrade, Grade
 from tools.vectors.beyond import TOPICS
+from tools.vectors.vector import ConformanceVector
 
 _SLIDES = {
     2: "Collision detection: broad phase",
@@ -47,9 +48,9 @@ def floored(score: float) -> str:
     return f"{tenths // 10}.{tenths % 10}"
 
 
-def call_text(checked: CheckedVector) -> str:
+def call_text(vector: ConformanceVector) -> str:
     """The call of a vector, with the names of its arguments."""
-    vector, signature = checked.vector, SIGNATURES[checked.vector.function]
+    signature = SIGNATURES[vector.function]
     rest, parts = list(vector.arguments), []
     for name in signature.parameters:
         if name == "positions":
@@ -75,6 +76,12 @@ def answer_text(checked: CheckedVector) -> str:
     return checked.reply.problem or result_text(checked.reply.result)
 
 
+def wrong_traps(found: FunctionGrade) -> str:
+    """The traps that a function falls into, and how often."""
+    wrong = [f"{trap} ({count - right} of {count})" for trap, (right, count) in found.traps.items() if right < count]
+    return ", ".join(wrong)
+
+
 def _function_lines(found: FunctionGrade, findings: FunctionFindings) -> Iterator[str]:
     """A function's counts; what is wrong with it."""
     if not found.defined:
@@ -86,10 +93,9 @@ def _function_lines(found: FunctionGrade, findings: FunctionFindings) -> Iterato
     yield f"  {found.name:<24}{passed:>4} of {len(found.counted):<5}{word}{note}"
     if found.right:
         return
-    wrong = [f"{trap} ({count - right} of {count})" for trap, (right, count) in found.traps.items() if right < count]
-    yield f"    wrong at: {', '.join(wrong)}"
+    yield f"    wrong at: {wrong_traps(found)}"
     if findings.simplest is not None:
-        yield f"    simplest: {call_text(findings.simplest)}"
+        yield f"    simplest: {call_text(findings.simplest.vector)}"
         yield f"      expected {result_text(findings.simplest.vector.expected)}, got {answer_text(findings.simplest)}"
     if findings.lab_line is not None:
         yield f"      python -m game lab '{findings.lab_line}'"

@@ -47,7 +47,7 @@ def _record(found: FunctionGrade, findings: FunctionFindings) -> dict[str, objec
         record["simplest"] = {
             "id": smallest.vector.name,
             "trap": smallest.vector.trap,
-            "call": call_text(smallest),
+            "call": call_text(smallest.vector),
             "arguments": list(smallest.vector.arguments),
             "expected": smallest.vector.expected,
             "got": answer_text(smallest),
@@ -78,5 +78,7 @@ def _failure_text(found: FunctionGrade, findings: FunctionFindings, trap: str) -
     lines = [f"score {floored(100.0 * found.score)} %"]
     smallest = next((checked for checked in found.wrong if checked.vector.trap == trap), None)
     if smallest is not None:
-        lines += [f"{call_text(smallest)}: expected {result_text(smallest.vector.expected)}, got {answer_text(smallest)}"]
+        lines += [
+            f"{call_text(smallest.vector)}: expected {result_text(smallest.vector.expected)}, got {answer_text(smallest)}"
+        ]
     return "\n".join([*lines, *[f"{mistake.name}: {mistake.hint}" for mistake in findings.mistakes]])

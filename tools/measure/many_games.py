@@ -10,13 +10,14 @@ from rich.console import Console
 
 from physics import Arena
 from physics.batch import Batch, compiled
+from physics.batch.arrays import Integers
 from physics.batch.compilation import check_numba
 from tools.measure.contenders import Play
 from tools.measure.standard_arena import BALL_RADIUS, CHECK_EVERY, GROUND, SPEED, TICK, arena, served
 
 _FEW = 256
-_LARGE = 4096
-"""Games that are worth being shared by threads."""
+_USUAL, _LARGE = 4096, 16_384
+"""Games, and so many that a short step of them is worth being shared by threads."""
 
 
 def missing() -> str | None:
@@ -38,7 +39,10 @@ class ManyGames:
         self._arena, self._chance = state, Random(1)
         start = [state._replace(balls=(served(self._chance),)) for _ in range(games)]
         self._batch = Batch(start, dt=TICK, speed=SPEED, ground_radius=GROUND)
+        self._layers = self._batch.layers[0].copy()
         self.name, self.games = f"physics.batch, {sum([ring.count for ring in state.rings[1:]]):,} bricks", games
+        if games != _USUAL:
+            self.name += f", {games:,} games"
         self._threads, self._is_large = os.cpu_count() or 1, games >= _LARGE
         self._ticks = self._hits = self._looks = self._near = 0
 
@@ -57,12 +61,17 @@ class ManyGames:
             steps = self._batch.step(ticks=min(CHECK_EVERY, ticks - first), threads=threads)
             start = clock()
             self._count(len(steps.hits))
-            for game in np.flatnonzero(steps.lost[:, 0]).tolist():
-                rings = self._batch.arena(game).rings
-                self._batch.put(game, Arena((served(self._chance),), rings, self._arena.layers))
+            self._serve(np.flatnonzero(steps.lost[:, 0]))
             aside += clock() - start
         self._ticks += ticks
         return aside
+
+    def _serve(self, games: Integers) -> None:
+        """Bring lost balls back, and lay the bricks of their games anew."""
+        balls = [served(self._chance) for _ in games]
+        if len(balls) > 0:
+            positions, velocities = np.array([[ball.position] for ball in balls]), np.array([[ball.velocity] for ball in balls])
+            self._batch.serve(games, positions, velocities, self._layers)
 
     def state(self) -> str:
         """How realistic it was: the share of balls in reach of a ring, and the hits."""

@@ -38,8 +38,12 @@ _SETTLING, _SECONDS = 2.0, 10.0
 """Seconds before frames are counted, and in which they are."""
 _WATCH = """() => {
   const seen = window.inputDelays = { frame: 0, pressed: -1, sent: false, frames: [], milliseconds: [], began: 0 };
-  const count = () => { seen.frame += 1; requestAnimationFrame(count); };
-  requestAnimationFrame(count);
+  const next = window.requestAnimationFrame;
+  let last = 0;
+  window.requestAnimationFrame = callback => next(now => {
+    if (now !== last) [last, seen.frame] = [now, seen.frame + 1];
+    callback(now);
+  });
   const post = Worker.prototype.postMessage;
   Worker.prototype.postMessage = function (message, ...rest) {
     if (seen.pressed >= 0 && message.kind === "frame" && message.request.includes('"type":"key"')) seen.sent = true;

@@ -1,11 +1,9 @@
-"""The vectors themselves: inputs with results from 50-digit arithmetic."""
+"""The vectors themselves: inputs with results from 50-digit arithmetic, or where no mpmath is from that of floats."""
 
 from collections.abc import Iterator, Mapping
 from functools import cache
 from random import Random
 from typing import Any, NamedTuple
-
-import mpmath
 
 from game.student.signatures import SIGNATURES, Result, agrees, answer
 from game.student.slides import SlideFunctions
@@ -48,27 +46,30 @@ class ConformanceVector(NamedTuple):
         return f"{self.function}-{self.number}"
 
 
-def vectors(seed: int) -> list[ConformanceVector]:
-    """All vectors of a seed, in the order of the slides. Seed 0 is the published set."""
+def vectors(seed: int, *, exact: bool = True) -> list[ConformanceVector]:
+    """All vectors of a seed, in the order of the slides. Seed 0 is the published set.
+
+    exact: whether the results are of 50 digits, which needs mpmath; those of floats are the same within the tolerance.
+    """
     numbers = dict.fromkeys(SIGNATURES, 0)
     by_function: dict[str, list[ConformanceVector]] = {name: [] for name in SIGNATURES}
     for chosen in _inputs(Random(seed)):
         numbers[chosen.function] += 1
-        by_function[chosen.function].append(vector_of(chosen, numbers[chosen.function]))
+        by_function[chosen.function].append(vector_of(chosen, numbers[chosen.function], exact=exact))
     return [vector for name in SIGNATURES for vector in by_function[name]]
 
 
-def vector_of(chosen: ChosenInput, number: int) -> ConformanceVector:
-    """The vector of an input."""
-    exact = _exact()
+def vector_of(chosen: ChosenInput, number: int, *, exact: bool = True) -> ConformanceVector:
+    """The vector of an input. exact: as of `vectors`."""
+    functions, of_library = (_exact(), _context().mpf) if exact else (_of_floats(), float)
     also: dict[str, Result] = {}
     try:
-        expected, defined = answer(exact[""], chosen.function, chosen.arguments, _context().mpf), True
+        expected, defined = answer(functions[""], chosen.function, chosen.arguments, of_library), True
     except ZeroDivisionError:
         return ConformanceVector(chosen.function, number, chosen.trap, chosen.arguments, None, False, also, TOLERANCE)
     tolerance = TOLERANCE * size(expected)
     for topic in alternatives(chosen.function):
-        other = answer(exact[topic], chosen.function, chosen.arguments, _context().mpf)
+        other = answer(functions[topic], chosen.function, chosen.arguments, of_library)
         if not agrees(SIGNATURES[chosen.function].result, other, expected, tolerance):
             also[topic] = other
     return ConformanceVector(chosen.function, number, chosen.trap, chosen.arguments, expected, defined, also, tolerance)
@@ -131,6 +132,8 @@ def is_stable(function: str, arguments: tuple[float, ...]) -> bool:
 @cache
 def _context() -> Any:
     """Arithmetic with DIGITS decimal digits, whatever else uses the library."""
+    import mpmath  # noqa: PLC0415  # a browser has none
+
     context = mpmath.MPContext()
     context.dps = DIGITS
     return context
@@ -139,8 +142,16 @@ def _context() -> Any:
 @cache
 def _exact() -> Mapping[str, SlideFunctions]:
     """The source's functions in that arithmetic, under "", and those of every topic."""
-    context = _context()
+    return _functions(_context(), _context().mpc)
+
+
+@cache
+def _of_floats() -> Mapping[str, SlideFunctions]:
+    """The same functions in the arithmetic of floats."""
+    return _functions()
+
+
+def _functions(*library: Any) -> Mapping[str, SlideFunctions]:
+    """The source's functions, under "", and those of every topic. library: as of `SlideFunctions`."""
     topics = {name: topic for function in SIGNATURES for name, topic in alternatives(function).items()}
-    return {"": SlideFunctions(context, context.mpc)} | {
-        name: topic.functions(context, context.mpc) for name, topic in topics.items()
-    }
+    return {"": SlideFunctions(*library)} | {name: topic.functions(*library) for name, topic in topics.items()}

@@ -12,7 +12,8 @@ import pygame
 
 from game.drawing.canvas import Canvas
 from game.drawing.flat.ring import RingKey, RingPicture, least_lane, ring_key, shift_of
-from game.drawing.ground.picture import Ground, draw_pattern, ground_picture
+from game.drawing.ground.measures import Ground
+from game.drawing.ground.picture import draw_pattern, ground_picture
 from game.drawing.slots.contents import ContentKind, Contents, SlotContent
 from game.rules import PADDLES
 from game.scene import Scene
@@ -102,5 +103,6 @@ class FlatPicture:
 
 def _lanes(scene: Scene) -> list[float]:
     """For every ring the distance to the next one outwards, or to the rim, world units."""
-    edges = sorted([*[ring.inner_radius for ring in scene.rings], scene.ground_radius])
+    end = max(scene.ground_radius, *[ring.outer_radius for ring in scene.rings])  # the editor draws rings beyond the rim, too
+    edges = sorted([*[ring.inner_radius for ring in scene.rings], end])
     return [edges[bisect_right(edges, ring.radius)] - ring.outer_radius for ring in scene.rings]

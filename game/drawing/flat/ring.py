@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from game.drawing.camera import Camera
 from game.drawing.canvas import Canvas
 from game.drawing.flat.sector_colours import PolarPixels, Shadow, paint_light, paint_parts, paint_shadow
-from game.drawing.ground.colours import ground_colours
+from game.drawing.ground.shades import ground_colours
 from game.drawing.palette import Theme
 from game.drawing.raster.annulus import Floats, annulus_pixels
 from game.drawing.raster.pixels import packed, pixels_of

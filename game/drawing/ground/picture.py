@@ -13,8 +13,9 @@ from numpy.typing import NDArray
 
 from game.drawing.camera import Camera
 from game.drawing.canvas import Canvas
-from game.drawing.ground.colours import Disc, discs_around, discs_of_ground, ground_colours
-from game.drawing.ground.patterns import PLAIN, marks
+from game.drawing.ground.colours import Disc, discs_around, discs_of_ground
+from game.drawing.ground.measures import EDGE_SHADE, THICKNESS, Ground, rim_width, track_width
+from game.drawing.ground.shades import coloured_marks, ground_colours
 from game.drawing.palette import Colour, Theme, mixed
 from game.drawing.raster.annulus import Floats, columns_between
 from game.drawing.raster.pixels import packed, pairs, pixels_of, unpacked
@@ -22,32 +23,11 @@ from game.drawing.raster.quads import QuadRaster, fine_pixels
 
 _FRINGE = 3.0
 """Pixels on both sides of a line that are looked at."""
-_RIM, _LEAST_RIM = 0.07, 2.0
-"""Width of the rim: world units, and pixels."""
-_THICKNESS = 0.03
-"""Of the disc that the ground is, in shares of its radius."""
-_EDGE_SHADE = 0.6
-"""The side of the disc has this share of the way from the rim's colour to the background's."""
 _EDGE_PIECES, _EDGE_FINER = 180, 2
 """Quadrilaterals that the disc's side is cut into, and rows and columns of their drawing per pixel."""
 _DISC_CORNERS = 128
 _MARKS_FINER, _MANY_PIXELS = 2, 5_000_000
 """Rows and columns per pixel of the drawing of the marks on the ground; on surfaces with so many pixels one is fine enough."""
-_TRACK, _TRACK_PIXELS = 0.03, 1.0
-"""The paddles' track is so many world units wide, and so many pixels more."""
-
-
-class Ground(NamedTuple):
-    """What the ground is.
-
-    radius: world units.
-    track: radius of the circle that the paddles run on; None for none.
-    pattern: its name.
-    """
-
-    radius: float
-    track: float | None = None
-    pattern: str = PLAIN
 
 
 class _CircleLine(NamedTuple):
@@ -81,11 +61,11 @@ def ground_picture(canvas: Canvas, ground: Ground) -> pygame.Surface:
     """A picture of the ground without its pattern, as large as a canvas: from every azimuth the same."""
     camera, theme, radius = canvas.camera, canvas.theme, ground.radius
     picture = _smooth_picture(canvas, radius)
-    rim = max(_LEAST_RIM / camera.scale, _RIM)
+    rim = rim_width(camera)
     _draw_edge(picture, camera, radius + rim, theme)
     _draw_line(picture, camera, theme, ground, _CircleLine(radius, rim, theme.rim, edge=True))
     if ground.track is not None:
-        width = _TRACK + _TRACK_PIXELS / camera.scale
+        width = track_width(camera)
         track = _CircleLine(ground.track - width / 2.0, width, theme.ground_line, edge=False)
         _draw_line(picture, camera, theme, ground, track)
     return picture
@@ -93,16 +73,11 @@ def ground_picture(canvas: Canvas, ground: Ground) -> pygame.Surface:
 
 def draw_pattern(canvas: Canvas, ground: Ground) -> None:
     """The ground's pattern and the marks at its rim, over its picture."""
-    drawn, theme = marks(ground.pattern), canvas.theme
-    corners = drawn.corners * ground.radius
-    colours = ground_colours(theme, np.abs(drawn.corners.mean(axis=1)).astype(np.float32))
-    strength = drawn.strength.astype(np.float32)[:, None]
-    colours += (np.array(theme.ground_line, dtype=np.float32) - np.array(theme.ground, dtype=np.float32)) * strength
+    corners, colours = coloured_marks(ground.pattern, canvas.theme)
     raster = QuadRaster()
-    shades = packed(raster.canvas, np.clip(colours, 0.0, 255.0))
     finer = _MARKS_FINER if canvas.size[0] * canvas.size[1] < _MANY_PIXELS else 1
-    pixels = canvas.camera.projected(corners * canvas.camera.turning, 0.0)
-    raster.draw(canvas.surface, fine_pixels(pixels, finer), shades, finer)
+    pixels = canvas.camera.projected(corners * (ground.radius * canvas.camera.turning), 0.0)
+    raster.draw(canvas.surface, fine_pixels(pixels, finer), packed(raster.canvas, colours), finer)
 
 
 def _smooth_picture(canvas: Canvas, radius: float) -> pygame.Surface:
@@ -128,9 +103,9 @@ def _draw_edge(picture: pygame.Surface, camera: Camera, radius: float, theme: Th
     """The side of the disc that the ground is, where it is turned to the eye."""
     around = np.exp(1j * np.linspace(0.0, math.tau, _EDGE_PIECES + 1))
     shown = camera.nearer(around[:-1] * radius, around[:-1]) > 0.0
-    top, bottom = (camera.projected(around * radius, height * radius) for height in (0.0, -_THICKNESS))
+    top, bottom = (camera.projected(around * radius, height * radius) for height in (0.0, -THICKNESS))
     strips = np.stack([top[:-1], top[1:], bottom[1:], bottom[:-1]], axis=1)[shown]
-    colour = np.array(mixed(theme.rim, theme.background, _EDGE_SHADE), dtype=np.float32)
+    colour = np.array(mixed(theme.rim, theme.background, EDGE_SHADE), dtype=np.float32)
     raster = QuadRaster()
     colours = packed(raster.canvas, np.repeat(colour[None], len(strips), axis=0))
     raster.draw(picture, fine_pixels(strips, _EDGE_FINER), colours, _EDGE_FINER)

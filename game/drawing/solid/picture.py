@@ -12,7 +12,8 @@ import numpy as np
 import pygame
 
 from game.drawing.canvas import Canvas
-from game.drawing.ground.picture import Ground, draw_pattern, ground_picture
+from game.drawing.ground.measures import Ground
+from game.drawing.ground.picture import draw_pattern, ground_picture
 from game.drawing.palette import Theme, mixed
 from game.drawing.raster.pixels import packed
 from game.drawing.raster.quads import FinePixels, QuadRaster, fill_quads

@@ -2,6 +2,7 @@
 
 from collections.abc import Callable
 from dataclasses import replace
+from typing import NamedTuple
 
 import pygame
 
@@ -10,6 +11,7 @@ from game.editor import cursor
 from game.editor import session as editing
 from game.editor.document import saved_text
 from game.editor.file_watch import WatchedFile
+from game.editor.history import EditHistory
 from game.editor.session import EditorSession
 from game.editor.window.arena import draw_arena, draw_outlines, slot_at
 from game.editor.window.commands import (
@@ -46,6 +48,13 @@ _TYPED = "0123456789.-"
 _LONGEST_NUMBER = 12
 
 
+class BrushDrag(NamedTuple):
+    """What the mouse or the cursor paints until the button or the key is let go. before: the history when it began."""
+
+    layers: int
+    before: EditHistory
+
+
 class Editor:
     """Edits one level file.
 
@@ -58,13 +67,13 @@ class Editor:
         """Open with a session on a file. back: the screen that it leads back to."""
         self._state, self.session, self._file, self._back = state, session, file, back
         self._painter = Painter()
-        self._drawn: Level = session.document.level  # the last one that could be drawn
+        self._drawn: Level | None = None  # the last one that could be drawn
         self._hand = Hand.KEYS
         self._in_panel = False
         self._target = Target(TargetKind.NUMBER)
         self._typed: str | None = None
         self._pixel: complex | None = None  # of the mouse
-        self._painting: int | None = None  # layers that the drag puts: of the mouse, or of the cursor while a key is down
+        self._drag: BrushDrag | None = None  # of the mouse, or of the cursor while a key is down
         self._held: tuple[Pressed, int, Repeat] | None = None  # the direction that is held down, and the steps it takes
         self._since_look = 0.0
         self.discarded = False  # whether the player has chosen to lose what is not saved
@@ -74,7 +83,7 @@ class Editor:
         if event.type == pygame.KEYDOWN:
             return self._key(event)
         if event.type == pygame.KEYUP and event.key in (*PAINTING_KEYS, *ERASING_KEYS):
-            self._painting = None
+            self._drag = None
         if event.type == pygame.MOUSEWHEEL:
             return self._wheel(event, size)
         if event.type not in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION):
@@ -82,18 +91,18 @@ class Editor:
         x, y = event.pos
         self._pixel, self._hand = complex(x * pixels_per_point.real, y * pixels_per_point.imag), Hand.MOUSE
         if event.type == pygame.MOUSEBUTTONUP:
-            self._painting = None
+            self._drag = None
         elif event.type == pygame.MOUSEBUTTONDOWN and event.button in (1, 3):
             return self._pressed(self._pixel, event.button, editor_layout(size, self.session))
-        elif event.type == pygame.MOUSEMOTION and self._painting is not None:
-            self._stroke(self._hovered(editor_layout(size, self.session)), begins=False)
+        elif event.type == pygame.MOUSEMOTION and self._drag is not None:
+            self._stroke(self._hovered(editor_layout(size, self.session)))
         return self
 
     def answer(self, signal: Signal, _size: tuple[int, int]) -> Screen | None:
         """React to a gamepad, or to a key that was let go."""
         self._held = _still_held(self._held, signal)
         if isinstance(signal, FocusLost):
-            self._painting = None
+            self._drag = None
         return self if pad_of(signal) is None else self._pad(signal)
 
     def _pad(self, signal: Signal) -> Screen | None:
@@ -108,7 +117,7 @@ class Editor:
             case Pressed(Action.GIVE_UP) if not self._in_panel:
                 self._draw_at_cursor(0)
             case Released(Action.SERVE | Action.CONFIRM | Action.GIVE_UP):
-                self._painting = None
+                self._drag = None
             case Pressed(Action.TIP):
                 self._in_panel = not self._in_panel
             case Pressed(Action.STEP | Action.STEP_BACK as action):
@@ -142,7 +151,8 @@ class Editor:
             draw_arena(canvas, self._painter, self.session.document.level)
             self._drawn = self.session.document.level
         except ValueError:  # sizes that the physics does not take; the problem is written below
-            draw_arena(canvas, self._painter, self._drawn)
+            if self._drawn is not None:
+                draw_arena(canvas, self._painter, self._drawn)
         by_mouse = self._hand is Hand.MOUSE
         at = self._hovered(seen) if by_mouse else (self.session.ring, self.session.slot)
         in_panel = self._in_panel and not by_mouse
@@ -214,8 +224,7 @@ class Editor:
             return
         along = action in (Action.LEFT, Action.RIGHT)
         self.session = (cursor.moved_along if along else cursor.moved_across)(self.session, sign)
-        if self._painting is not None:
-            self._stroke((self.session.ring, self.session.slot), begins=False)
+        self._stroke((self.session.ring, self.session.slot))
 
     def _go_in_panel(self, sign: int, steps: int, *, across: bool) -> None:
         """Choose another target, or change the one that is chosen."""
@@ -252,8 +261,8 @@ class Editor:
 
     def _draw_at_cursor(self, layers: int) -> None:
         """Begin a stroke at the cursor; it goes on while the key is held and the cursor moves."""
-        self._painting = layers
-        self._stroke((self.session.ring, self.session.slot), begins=True)
+        self._drag = BrushDrag(layers, self.session.history)
+        self._stroke((self.session.ring, self.session.slot))
 
     def _type(self, event: pygame.Event) -> bool:
         """Enter a number; whether the key was for that."""
@@ -315,14 +324,14 @@ class Editor:
         hovered = self._hovered(seen)
         if hovered is not None:
             self._in_panel = False
-        self._painting = 0 if button == 3 else self.session.brush
-        self._stroke(hovered, begins=True)
+        self._drag = BrushDrag(0 if button == 3 else self.session.brush, self.session.history)
+        self._stroke(hovered)
         return self
 
-    def _stroke(self, at: tuple[int, int] | None, *, begins: bool) -> None:
-        """Paint a slot of a ring and its images."""
-        if at is not None and self._painting is not None:
-            self.session = editing.stroked(self.session, *at, layers=self._painting, begins=begins)
+    def _stroke(self, at: tuple[int, int] | None) -> None:
+        """Paint a slot of a ring and its images, while something is dragged."""
+        if at is not None and self._drag is not None:
+            self.session = editing.stroked(self.session, *at, layers=self._drag.layers, before=self._drag.before)
 
     def _hovered(self, seen: EditorLayout) -> tuple[int, int] | None:
         """Ring and slot under the pointer."""
@@ -332,7 +341,7 @@ class Editor:
 
     def _command(self, name: str | None) -> Screen | None:
         """Do what a button or a key says."""
-        self._painting = self._held = None
+        self._drag = self._held = None
         change = CHANGES.get(name or "")
         if change is not None:
             self.session = change(self.session)

@@ -4,11 +4,11 @@ from pathlib import Path
 
 import msgspec
 
-from game.kept.folder import data_folder
 from game.kept.kept_file import KeptFile
 
 VERSION = 1
-_NAME = "lab-progress.json"
+NAME = "lab-progress.json"
+"""Of the file."""
 
 
 class CourseProgress(msgspec.Struct, frozen=True):
@@ -21,12 +21,6 @@ class CourseProgress(msgspec.Struct, frozen=True):
 def course_progress(path: Path | None) -> KeptFile[CourseProgress]:
     """This session's hold on a file of progress; None keeps it in memory alone."""
     return KeptFile(path, CourseProgress, VERSION)
-
-
-def progress_path() -> Path | None:
-    """Where the progress is kept; None where the system knows no folder of the user's."""
-    folder = data_folder()
-    return None if folder is None else folder / _NAME
 
 
 def keep_done(file: KeptFile[CourseProgress], done: frozenset[str]) -> None:

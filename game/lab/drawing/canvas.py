@@ -8,7 +8,6 @@ from game.drawing.camera import Camera
 from game.drawing.palette import Theme
 from game.drawing.text import Type
 from game.lab.kit.picture import Toggle
-from game.lab.kit.scene import ViewBox
 
 
 class PaneCanvas(NamedTuple):
@@ -36,12 +35,16 @@ class PaneCanvas(NamedTuple):
         return self.area if self.focus is None else self.focus
 
     @property
+    def corner(self) -> complex:
+        """The upper left corner of the area, pixels."""
+        return complex(*self.area.topleft)
+
+    @property
+    def extent(self) -> complex:
+        """Width and height of the area, pixels."""
+        return complex(*self.area.size)
+
+    @property
     def size(self) -> float:
         """Size of words in the world, pixels."""
         return self.unit * self.letters
-
-
-def camera_for(box: ViewBox, area: pygame.Rect) -> Camera:
-    """The camera that shows a part of the world in the middle of an area, as large as fits."""
-    scale = max(min(area.width / (2.0 * box.half.real), area.height / (2.0 * box.half.imag)), 1e-3)
-    return Camera(complex(*area.center) - box.centre.conjugate() * scale, scale)

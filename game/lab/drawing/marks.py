@@ -2,8 +2,10 @@
 
 import math
 from collections.abc import Sequence
+from functools import lru_cache
+from typing import NamedTuple
 
-from game.drawing.palette import Colour, mixed
+from game.drawing.palette import Colour, Theme, mixed
 from game.lab.drawing.colours import role_colour
 from game.lab.drawing.seen import SeenPane, arc_pixels, is_near
 from game.lab.drawing.shapes import ColourGrid, FilledPolygon, PixelShape, Polyline, Round
@@ -16,6 +18,7 @@ from game.lab.kit.picture import (
     Circle,
     Disc,
     Field,
+    FieldValues,
     Line,
     Mark,
     PointMark,
@@ -37,8 +40,10 @@ _LARGE = 8e3
 """Pixels: of a circle with a larger radius only the part in sight is drawn, as an arc."""
 _LARGEST = 1e6
 """Pixels: a filled circle of a larger radius is not drawn."""
-_MOST_CELLS = 16384
-"""Pixels: a field drawn wider or higher is left out."""
+_CELL, _LEAST_CELL = 0.55, 5.0
+"""Width of a field's cells in units, and at least, pixels."""
+_SHADES, _FULL = 64, 0.8
+"""Shades of a field's two colours; opacity of the full ones."""
 
 
 def shapes_of(canvas: SeenPane, marks: Sequence[Mark]) -> list[PixelShape]:
@@ -148,15 +153,43 @@ def _arrow(canvas: SeenPane, mark: Arrow, colour: Colour) -> list[PixelShape]:
 
 
 def _field(canvas: SeenPane, mark: Field) -> list[PixelShape]:
-    """Cells in two colours, fading to the ground's where the number is 0."""
-    import numpy as np  # noqa: PLC0415  # a browser has none, and no scene with a field
+    """The cells in sight, in two colours that fade to the ground's where the number is 0."""
+    camera, cell = canvas.camera, max(canvas.unit * _CELL, _LEAST_CELL) / canvas.camera.scale
+    lower_left = camera.unproject(complex(canvas.corner.real, canvas.corner.imag + canvas.extent.imag))
+    upper_right = camera.unproject(complex(canvas.corner.real + canvas.extent.real, canvas.corner.imag))
+    left, right = (_cells_between(one.real, mark.lower.real, mark.upper.real, cell) for one in (lower_left, upper_right))
+    low, high = (_cells_between(one.imag, mark.lower.imag, mark.upper.imag, cell) for one in (lower_left, upper_right))
+    columns, rows = right - left + 1, high - low + 1
+    positions = _Cells(mark.lower + complex(left, low) * cell, cell, columns, rows)
+    colours = _field_colours(mark.values, mark.span, positions, canvas.theme)
+    size = (max(round(columns * cell * camera.scale), 1), max(round(rows * cell * camera.scale), 1))
+    return [ColourGrid(camera.project(positions.lower + 1j * rows * cell), size, columns, colours)]
 
-    theme = canvas.theme
-    share = np.nan_to_num(np.clip(mark.values / mark.span, -1.0, 1.0))[:, ::-1, None]
-    ground = np.array(theme.ground, dtype=np.float64)
-    above, below = (np.array(colour, dtype=np.float64) for colour in (theme.layers[0], theme.danger))
-    rgb = ground + (above - ground) * np.clip(share, 0.0, 1.0) * 0.8 + (below - ground) * np.clip(-share, 0.0, 1.0) * 0.8
-    upper_left = canvas.camera.project(complex(mark.lower.real, mark.upper.imag))
-    lower_right = canvas.camera.project(complex(mark.upper.real, mark.lower.imag))
-    size = (max(round(lower_right.real - upper_left.real), 1), max(round(lower_right.imag - upper_left.imag), 1))
-    return [ColourGrid(upper_left, size, rgb.astype(np.uint8))] if max(size) < _MOST_CELLS else []
+
+class _Cells(NamedTuple):
+    """Cells of a field in sight. lower: the lower left corner; cell: the width of each; world units."""
+
+    lower: complex
+    cell: float
+    columns: int
+    rows: int
+
+
+def _cells_between(at: float, low: float, high: float, cell: float) -> int:
+    """The number of cells from the lower border of a field to a coordinate within it."""
+    return math.floor((min(max(at, low), high) - low) / cell)
+
+
+@lru_cache(maxsize=8)
+def _field_colours(values: FieldValues, span: float, cells: _Cells, theme: Theme) -> tuple[Colour, ...]:
+    """The colour of every cell, row by row from the top. Cached: it takes some time, and stays while nothing moves."""
+    lower, cell, columns, rows = cells
+    above = [mixed(theme.ground, theme.layers[0], _FULL * k / _SHADES) for k in range(_SHADES + 1)]
+    below = [mixed(theme.ground, theme.danger, _FULL * k / _SHADES) for k in range(_SHADES + 1)]
+    first = lower + complex(0.5, rows - 0.5) * cell
+    colours = []
+    for row in range(rows):
+        for column in range(columns):
+            share = values.at(first + complex(column, -row) * cell) * _SHADES / span
+            colours.append(above[min(round(share), _SHADES)] if share >= 0.0 else below[min(round(-share), _SHADES)])
+    return tuple(colours)

@@ -1,5 +1,6 @@
 """Shapes and labels onto a surface."""
 
+import itertools
 import math
 from collections.abc import Sequence
 
@@ -50,9 +51,14 @@ def paint_shapes(surface: pygame.Surface, shapes: Sequence[PixelShape]) -> None:
                     pygame.draw.aalines(surface, colour, True, corners)
             case Round():
                 _paint_round(surface, shape)
-            case ColourGrid(corner, size, colours):
-                cells = pygame.surfarray.make_surface(colours)
-                surface.blit(pygame.transform.smoothscale(cells, size), rounded(corner))
+            case ColourGrid(corner, size):
+                surface.blit(pygame.transform.smoothscale(cells_picture(shape), size), rounded(corner))
+
+
+def cells_picture(shape: ColourGrid) -> pygame.Surface:
+    """The cells of a field, a pixel each."""
+    rows = len(shape.colours) // shape.columns
+    return pygame.image.frombytes(bytes(itertools.chain.from_iterable(shape.colours)), (shape.columns, rows), "RGB")
 
 
 def paint_labels(surface: pygame.Surface, type_: Type, labels: Sequence[PlacedLabel]) -> None:

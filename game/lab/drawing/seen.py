@@ -15,7 +15,19 @@ _MOST_CHORDS = 720
 
 
 class SeenPane(Protocol):
-    """What the shapes of a pane depend on. unit: pixels, the measure of lines and points. shown: the toggles that are on."""
+    """What the shapes of a pane depend on.
+
+    corner, extent: of its part of the surface, pixels. unit: pixels, the measure of lines and points. shown: the toggles that
+    are on.
+    """
+
+    @property
+    def corner(self) -> complex:
+        """The upper left one."""
+
+    @property
+    def extent(self) -> complex:
+        """Width and height."""
 
     @property
     def camera(self) -> Camera:

@@ -4,10 +4,8 @@ from typing import TYPE_CHECKING, NamedTuple
 
 from game.drawing.palette import Colour
 
-if TYPE_CHECKING:  # a browser has neither; its painter gets no grid, and places words itself
-    import numpy as np
+if TYPE_CHECKING:  # a browser has none, and places words itself
     import pygame
-    from numpy.typing import NDArray
 
 
 class Polyline(NamedTuple):
@@ -37,11 +35,15 @@ class Round(NamedTuple):
 
 
 class ColourGrid(NamedTuple):
-    """Cells of a field, to be stretched over a box. colours: [column, row from the top, red-green-blue]."""
+    """Cells of a field, to be stretched over a box.
+
+    corner: its upper left one. size: pixels. colours: row by row from the top.
+    """
 
     corner: complex
     size: tuple[int, int]
-    colours: "NDArray[np.uint8]"
+    columns: int
+    colours: tuple[Colour, ...]
 
 
 class PlacedLabel(NamedTuple):

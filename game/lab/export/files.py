@@ -10,10 +10,9 @@ from game.lab.drawing.formula_type import FormulaType
 from game.lab.export.gif import Frame, can_animate, gif_of
 from game.lab.export.slide import Slide, SlideStyle, painted, slide_of
 from game.lab.export.svg import svg_of
-from game.lab.kit.picture import Picture
-from game.lab.session.reveal import Reveal, shown_picture
+from game.lab.session.pan_zoom import PanZoom
+from game.lab.session.reveal import Reveal, shown_picture, step_name
 from game.lab.session.session import Session, at_tick
-from game.lab.window.pan_zoom import PanZoom
 from game.system.errors import EnvironmentMissingError
 
 FileKind = Literal["png", "svg", "gif"]
@@ -39,14 +38,6 @@ def file_of(kind: FileKind, style: SlideStyle, session: Session, reveal: Reveal,
     if kind == "png":
         return png_of(painted(slide, style.letters))
     return svg_of(slide, _sets(style)).encode()
-
-
-def step_name(reveal: Reveal, picture: Picture) -> str:
-    """Which step of a reveal is shown; empty for the whole picture."""
-    if reveal.seen is None or not picture.steps:
-        return ""
-    shown = reveal.shown(picture)
-    return f"{shown} of {len(picture.steps)}: {picture.steps[shown - 1].name}"
 
 
 def png_of(surface: pygame.Surface) -> bytes:

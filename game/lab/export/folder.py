@@ -9,10 +9,10 @@ import pygame
 from game.drawing.text import Type
 from game.lab.export.files import FileKind, file_of
 from game.lab.export.slide import SlideStyle
+from game.lab.session.pan_zoom import PanZoom
 from game.lab.session.reveal import WHOLE, Reveal
 from game.lab.session.session import Session, opened
 from game.lab.session.share import SharedScene
-from game.lab.window.pan_zoom import PanZoom
 from game.lab.window.screen import SHOWN
 from game.lab.window.view import letters_for
 from game.settings.values import THEMES

@@ -11,8 +11,9 @@ from game.lab.drawing.painting import paint_labels, paint_shapes
 from game.lab.drawing.shapes import PixelShape, PlacedLabel
 from game.lab.kit.picture import Picture, Toggle
 from game.lab.kit.scene import LabScene
-from game.lab.window.layout import DEFAULT_SCALE, TEXT_SCALES, layout_of
-from game.lab.window.pan_zoom import PanZoom
+from game.lab.session.pan_zoom import PanZoom
+from game.lab.session.presenting import DEFAULT_SCALE, TEXT_SCALES
+from game.lab.window.layout import layout_of
 from game.lab.window.presented import PresentedWords, paint_presented, presented_words
 from game.lab.window.view import Letters, pane_canvas, pane_views
 from game.lab.window.words import TextSheet

@@ -9,7 +9,7 @@ import pygame
 
 from game.drawing.palette import Colour
 from game.lab.drawing.formula_type import EM
-from game.lab.drawing.painting import PLATE_OPACITY
+from game.lab.drawing.painting import PLATE_OPACITY, cells_picture
 from game.lab.drawing.shapes import ColourGrid, FilledPolygon, PixelShape, PlacedLabel, Polyline, Round
 from game.lab.export.slide import Slide, SlidePane
 from game.lab.typeset.mathtext import outline, set_line
@@ -67,7 +67,7 @@ def _shape(shape: PixelShape) -> str:
 def _grid(shape: ColourGrid) -> str:
     """Cells as an embedded picture."""
     file = io.BytesIO()
-    pygame.image.save(pygame.surfarray.make_surface(shape.colours), file, "cells.png")
+    pygame.image.save(cells_picture(shape), file, "cells.png")
     data = base64.b64encode(file.getvalue()).decode("ascii")
     x, y, (width, height) = shape.corner.real, shape.corner.imag, shape.size
     box = f'x="{x:.1f}" y="{y:.1f}" width="{width}" height="{height}"'

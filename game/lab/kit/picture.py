@@ -6,13 +6,9 @@ None is always on.
 
 from collections.abc import Sequence
 from enum import Enum
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple, Protocol
 
 from game.lab.kit.cited_line import CitedLine
-
-if TYPE_CHECKING:  # a browser has no numpy, and no scene with a field
-    import numpy as np
-    from numpy.typing import NDArray
 
 
 class Toggle(Enum):
@@ -155,17 +151,26 @@ class Words(NamedTuple):
     toggle: Toggle | None = None
 
 
-class Field(NamedTuple):
-    """Signed numbers on a grid of cells, in one colour above 0 and another below.
+class FieldValues(Protocol):
+    """A signed number at every position. Two that answer the same are equal, so that what is made of one can be cached."""
 
-    lower, upper: the lower left and the upper right corner of the grid.
-    values: [column, row] from the lower left; NaN where there is none.
+    def __hash__(self) -> int:
+        """Of two that are equal the same."""
+
+    def at(self, p: complex) -> float:
+        """The number."""
+
+
+class Field(NamedTuple):
+    """A signed number at every position, in one colour above 0 and another below.
+
+    lower, upper: the lower left and the upper right corner of what it covers.
     span: this number and its negative have the full colours.
     """
 
     lower: complex
     upper: complex
-    values: "NDArray[np.float64]"
+    values: FieldValues
     span: float
     toggle: Toggle | None = None
 

@@ -1,11 +1,10 @@
 """Every scene's own claims, at its defaults, at its presets, and after random drags."""
 
 import cmath
+import math
 import random
 from collections.abc import Iterator
 from typing import NamedTuple
-
-import numpy as np
 
 from game.lab.kit.handles import dragged
 from game.lab.kit.parameters import Count, Given, Parameter, Point, clamped, defaults
@@ -100,9 +99,9 @@ def _some_value(parameter: Parameter, chance: random.Random) -> complex:
 
 
 def _is_finite(value: object) -> bool:
-    """Whether every number in a nested value is finite; cells of a field may be empty."""
+    """Whether every number in a nested value is finite; of a field those at its corners."""
     if isinstance(value, float | complex):
         return cmath.isfinite(value)
     if isinstance(value, Field):
-        return not np.isinf(value.values).any()
+        return all([math.isfinite(value.values.at(corner)) for corner in (value.lower, value.upper)])
     return not isinstance(value, tuple) or all(map(_is_finite, value))

@@ -69,6 +69,20 @@ def prediction(reveal: Reveal, picture: Picture) -> Prediction | None:
     return picture.steps[reveal.shown(picture)].prediction
 
 
+def step_name(reveal: Reveal, picture: Picture) -> str:
+    """Which step of a reveal is shown; empty for the whole picture."""
+    if reveal.seen is None or not picture.steps:
+        return ""
+    shown = reveal.shown(picture)
+    return f"{shown} of {len(picture.steps)}: {picture.steps[shown - 1].name}"
+
+
+def step_words(reveal: Reveal, picture: Picture) -> str:
+    """Which step of a reveal is shown, and what is asked for before the next one."""
+    asked, name = prediction(reveal, picture), step_name(reveal, picture)
+    return name if asked is None else f"{name}.   Now drag your {asked.asked}"
+
+
 def guess_tip(reveal: Reveal, asked: Prediction) -> complex:
     """Where the drawn answer is; before it was touched, at a place that tells nothing."""
     if reveal.guess is not None:

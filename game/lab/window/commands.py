@@ -1,45 +1,12 @@
 """What keys and buttons of the lab ask for: one table binds them, and the help reads it."""
 
-from enum import Enum
 from typing import NamedTuple
 
 import pygame
 
+from game.input.actions import Action
 from game.lab.kit.picture import Toggle
-
-
-class Command(Enum):
-    """What can be asked for by a key alone. The value is the button's text."""
-
-    PLAY = "Play"
-    REVEAL = "Reveal"
-    UNDO_STEP = "Step back"
-    PAGE_DOWN = "Page down"
-    PAGE_UP = "Page up"
-    PREDICT = "Predict"
-    COURSE = "Course"
-    PRESENT = "Present"
-    LARGER = "Larger text"
-    SMALLER = "Smaller text"
-    CONTROLS = "Controls"
-    SAVE_LEVEL = "Save level"
-    SAVE_PNG = "PNG"
-    SAVE_SVG = "SVG"
-    SAVE_GIF = "GIF"
-    FORWARD = "Step"
-    BACK = "Back"
-    RESTART = "Restart"
-    SLOWER = "-"
-    FASTER = "+"
-    DEFAULTS = "Defaults"
-    COPY = "Copy line"
-    SAVE = "Save case"
-    WHOLE = "Whole scene"
-    THEME = "Colours"
-    HELP = "Help"
-    PREVIOUS = "<"
-    NEXT = ">"
-    LEAVE = "Leave"
+from game.lab.session.commands import Command
 
 
 class KeyBinding(NamedTuple):
@@ -69,7 +36,7 @@ KEYS = (
     KeyBinding((pygame.K_d,), Command.DEFAULTS, "the scene's defaults"),
     KeyBinding((pygame.K_LEFTBRACKET,), Command.PREVIOUS, "the scene before; the task before, in the course"),
     KeyBinding((pygame.K_RIGHTBRACKET,), Command.NEXT, "the scene after; the task after, in the course"),
-    KeyBinding((pygame.K_TAB,), Command.CONTROLS, "the next control; arrows and Enter use it, Esc ends"),
+    KeyBinding((pygame.K_TAB,), Command.CONTROLS, "the next control, for arrows and Enter"),
     KeyBinding((pygame.K_w,), Command.SAVE_LEVEL, "save an arena of your own as a level"),
     KeyBinding((pygame.K_HOME,), Command.WHOLE, "show the whole scene again"),
     KeyBinding((pygame.K_c,), Command.COPY, "copy the share line"),
@@ -85,6 +52,22 @@ KEYS = (
     KeyBinding((pygame.K_ESCAPE,), Command.LEAVE, "leave the lab"),
 )
 
+PAD_COMMANDS = {
+    Action.SERVE: Command.PLAY,
+    Action.CONFIRM: Command.PLAY,
+    Action.GIVE_UP: Command.UNDO_STEP,
+    Action.LEFT: Command.BACK,
+    Action.RIGHT: Command.FORWARD,
+    Action.UP: Command.LARGER,
+    Action.DOWN: Command.SMALLER,
+    Action.STEP_BACK: Command.PREVIOUS,
+    Action.STEP: Command.NEXT,
+    Action.HELP: Command.HELP,
+    Action.BACK: Command.LEAVE,
+    Action.PAUSE: Command.LEAVE,
+}
+"""What a gamepad's buttons ask for, unless the controls have its cross."""
+
 TOGGLE_KEYS = {pygame.K_1 + number: toggle for number, toggle in enumerate(Toggle)}
 
 BOUND = frozenset([*TOGGLE_KEYS, *[key for one in KEYS for key in one.keys]])
@@ -97,6 +80,7 @@ MORE_HELP = (
     ("1 to 7", "show or hide what is listed at the right"),
     ("1 to 3", "answer the question of the course"),
     ("F11", "full screen"),
+    ("Gamepad", "A next step, Y next control, B back"),
 )
 
 

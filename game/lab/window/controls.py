@@ -9,12 +9,13 @@ from game.input.key_names import code_names
 from game.lab.kit.parameters import Parameter, Point, plain, snapped, step_of, written
 from game.lab.kit.picture import Toggle
 from game.lab.registry import chapters
+from game.lab.session.commands import Command
 from game.lab.session.session import PACES, Session
-from game.lab.window.commands import KEYS, TOGGLE_KEYS, Command
+from game.lab.window.commands import KEYS, TOGGLE_KEYS
 from game.screens.base import Screen
-from game.screens.toolkit.caption import Caption
 from game.screens.toolkit.drop_down import DropDown, Option, Options
 from game.screens.toolkit.items import ButtonItem, Item, Space, Switch
+from game.screens.toolkit.label import LabelItem
 from game.screens.toolkit.layout import Column, Row
 from game.screens.toolkit.slider import FieldSlider
 from game.screens.toolkit.text_field import TextField
@@ -38,7 +39,7 @@ class ValueRequested(NamedTuple):
     value: complex
 
 
-class Refused(NamedTuple):
+class NumberRefused(NamedTuple):
     """What was typed is no number. note: a sentence that says so."""
 
     note: str
@@ -56,7 +57,7 @@ class PresetChosen(NamedTuple):
     line: str
 
 
-Request = ValueRequested | Refused | SceneChosen | PresetChosen | Toggle | Command
+Request = ValueRequested | NumberRefused | SceneChosen | PresetChosen | Toggle | Command
 
 
 class Component(NamedTuple):
@@ -158,7 +159,7 @@ def _parameter(parameter: Parameter, seen: Controlled, do: Reactions) -> list[Ro
     value = f"{parameter.label} = {written(parameter, seen.session.given.values[parameter.name])}"
     count = 2 if isinstance(parameter, Point) else 1
     sliders: list[Row] = [(_slider(Component(parameter, coordinate), seen, do),) for coordinate in range(count)]
-    return [(Caption(value, parameter.meaning),), *sliders]
+    return [(LabelItem(value, parameter.meaning),), *sliders]
 
 
 def _slider(component: Component, seen: Controlled, do: Reactions) -> FieldSlider:
@@ -191,7 +192,7 @@ def _time(session: Session, do: Reactions, *, narrow: bool) -> list[Row]:
     steps = (_button(Command.BACK, do), play, _button(Command.FORWARD, do), _button(Command.RESTART, do))
     pace = PACES[session.pace]
     clock = f"tick {session.tick} of {session.last}, {'real' if pace == 1.0 else f'1/{round(1 / pace)}'} time"
-    middle = Caption(clock, centred=True, width_share=_LIST_SHARE)
+    middle = LabelItem(clock, centred=True, share=_LIST_SHARE)
     return [*_rows(steps, 2 if narrow else 4), (_button(Command.SLOWER, do), middle, _button(Command.FASTER, do))]
 
 

@@ -20,9 +20,6 @@ _LINE = 1.25
 """Height of a line of text, in units."""
 _SIDE = 20.0
 """Width of the side, in units."""
-TEXT_SCALES = (1.5, 2.0, 2.75, 3.0)
-"""Sizes of the text in a lecture room, in that of the window's; the third is that of 24 points on a slide."""
-DEFAULT_SCALE = TEXT_SCALES.index(2.75)
 _MOST_PEN = 1.6
 """Lines and points grow with the text up to this."""
 _PRESENTED_HEAD, _PRESENTED_WORDS = 1.6, 3.8

@@ -9,10 +9,10 @@ from game.lab.export.files import FileKind, file_of
 from game.lab.export.slide import SlideStyle
 from game.lab.kit.arena_level import ARENA, saved_arena
 from game.lab.session.cases import case_file, save_case
+from game.lab.session.commands import Command
+from game.lab.session.pan_zoom import PanZoom
 from game.lab.session.reveal import Reveal
 from game.lab.session.session import Session
-from game.lab.window.commands import Command
-from game.lab.window.pan_zoom import PanZoom
 from game.own_levels import own_levels_folder
 from game.system.errors import BadInputError, EnvironmentMissingError
 from game.system.files import write_new

@@ -2,12 +2,11 @@
 
 import pygame
 
-from game.input.devices import as_key
 from game.input.keys import code_among, position_in
 from game.input.repeat import Repeat
-from game.input.signals import KeyboardState, Signal
-from game.lab.course.progress import course_progress, progress_path
-from game.lab.export.files import step_name
+from game.input.signals import Pressed, Signal, is_still_down, pad_of
+from game.lab.course.progress import course_progress
+from game.lab.course.progress_path import progress_path
 from game.lab.export.slide import SLIDE_SIZE, SlideStyle
 from game.lab.kit.handles import Handle, dragged
 from game.lab.kit.parameters import Clamped, clamped
@@ -15,19 +14,21 @@ from game.lab.kit.picture import Picture, Toggle
 from game.lab.registry import scenes
 from game.lab.session import reveal as reveals
 from game.lab.session import session as sessions
+from game.lab.session.commands import Command
+from game.lab.session.pan_zoom import PanZoom
+from game.lab.session.presenting import DEFAULT_SCALE, TEXT_SCALES
 from game.lab.session.session import Session
 from game.lab.session.share import SharedScene, parsed, preset, share_line
+from game.lab.session.stepping import SESSION_CHANGES, STEPS, Following, stepped_by
 from game.lab.window import saving
-from game.lab.window.commands import BOUND, TOGGLE_KEYS, Command, command_of
-from game.lab.window.controls import Controlled, PresetChosen, Refused, Request, SceneChosen, ValueRequested
+from game.lab.window.commands import BOUND, PAD_COMMANDS, TOGGLE_KEYS, command_of
+from game.lab.window.controls import Controlled, NumberRefused, PresetChosen, Request, SceneChosen, ValueRequested
 from game.lab.window.dragging import Drag, PaneView, drag_at
 from game.lab.window.help import draw_help
-from game.lab.window.layout import DEFAULT_SCALE, TEXT_SCALES, WindowLayout, layout_of
+from game.lab.window.layout import WindowLayout, layout_of
 from game.lab.window.lesson import Lesson
-from game.lab.window.pan_zoom import PanZoom
 from game.lab.window.presented import paint_presented, presented_words
-from game.lab.window.side import Side
-from game.lab.window.stepping import SESSION_CHANGES, STEPS, Following, stepped_by
+from game.lab.window.side import MODIFIERS, LabSide
 from game.lab.window.view import draw_all_handles, draw_halo, draw_panes, letters_for, pane_views
 from game.lab.window.words import TextSheet, draw_head, draw_notice, draw_small_print, draw_words
 from game.lab.yours.pane import with_yours
@@ -37,8 +38,6 @@ from game.screens.base import Screen
 SHOWN = frozenset(Toggle) - {Toggle.PYMUNK}
 """What is shown at first."""
 _NOTICE_SECONDS = 5.0
-_MODIFIERS = pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META
-"""Keys pressed together with one of these belong to the desktop."""
 _REPEATED = frozenset({Command.FORWARD, Command.BACK})
 """Commands that a held key gives again and again: single steps."""
 
@@ -67,7 +66,7 @@ class Lab:
         self._scale: int | None = None  # of TEXT_SCALES, while presenting
         self._pan_zoom = PanZoom.whole(session.scene, session.given)
         self._drawn: tuple[Session, Picture] | None = None
-        self._side: Side | None = None
+        self._side: LabSide | None = None
         self._drag: Drag | None = None
         self._repeat: tuple[Repeat, Command] | None = None
         self._pointer = -1 - 1j  # pixels
@@ -100,28 +99,29 @@ class Lab:
         return found if self._lesson is None else self._lesson.lowered(found, self._shared.type)
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
-        """Let go of a repeating key that is up; everything else is heard as an event of the window."""
-        if isinstance(signal, KeyboardState):
-            if self._repeat is not None and self._repeat[0].position not in signal.down:
-                self._repeat = None
+        """React to a gamepad, and let go of what is up again; keyboard and mouse are heard as events of the window."""
+        if self._repeat is not None and not is_still_down(self._repeat[0].position, signal):
+            self._repeat = None
+        if pad_of(signal) is None:
             return self._controls(size).answer(signal, size)
-        return self
+        if self._help:
+            self._help = not isinstance(signal, Pressed)
+            return self
+        taken, following = (False, self) if self.presents else self._controls(size).hear_pad(signal, size)
+        if taken or not isinstance(signal, Pressed) or signal.action not in PAD_COMMANDS:
+            return following
+        return self._asked(PAD_COMMANDS[signal.action], signal.position)
 
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> Screen | None:
         """React to an event of the window."""
         self._pixels_per_point = pixels_per_point
-        event = as_key(event) or event
-        if event.type == pygame.WINDOWFOCUSLOST:
-            self._repeat = None
         if self._help:
             self._help = event.type not in (pygame.KEYDOWN, pygame.MOUSEBUTTONDOWN)
             return self
         if event.type == pygame.KEYDOWN:
             return self._key(event, size)
-        following: Screen | None = self
-        taken = False
-        if not self.presents and self._drag is None:
-            taken, following = self._controls(size).hear(event, size, pixels_per_point)
+        elsewhere = self.presents or self._drag is not None
+        taken, following = (False, self) if elsewhere else self._controls(size).hear(event, size, pixels_per_point)
         if not taken:
             self._mouse(event, size)
         return following
@@ -192,8 +192,7 @@ class Lab:
 
     def _step_name(self) -> str:
         """Which step of a reveal is shown."""
-        asked, name = reveals.prediction(self._reveal, self._picture()), step_name(self._reveal, self._picture())
-        return name if asked is None else f"{name}.   Now drag your {asked.asked}"
+        return reveals.step_words(self._reveal, self._picture())
 
     def _key(self, event: pygame.Event, size: tuple[int, int]) -> Screen | None:
         """React to a key, unless it is for the controls."""
@@ -202,13 +201,17 @@ class Lab:
             if taken:
                 return following
         key = code_among(event, BOUND)
-        toggle, command = TOGGLE_KEYS.get(key), command_of(key)
-        request = toggle or command
-        if request is None or event.mod & _MODIFIERS:
+        toggle = TOGGLE_KEYS.get(key)
+        request = toggle or command_of(key)
+        if request is None or event.mod & MODIFIERS:
             return self
         if toggle is not None and self._lesson is not None and self._lesson.answer(list(Toggle).index(toggle)):
             return self
-        self._repeat = None if command is None or command not in _REPEATED else (Repeat(position_in(event)), command)
+        return self._asked(request, position_in(event))
+
+    def _asked(self, request: Command | Toggle, position: int) -> Screen | None:
+        """Do what a key or a button asks for that went down; as long as it is, again and again where that is wanted."""
+        self._repeat = (Repeat(position), request) if isinstance(request, Command) and request in _REPEATED else None
         return self._do(request)
 
     def _mouse(self, event: pygame.Event, size: tuple[int, int]) -> None:
@@ -257,7 +260,7 @@ class Lab:
                 self._shown = self._shown ^ {request}
             case ValueRequested(name, value):
                 self._session = sessions.changed(self._session, clamped(scene.parameters, given, {name: value}))
-            case Refused(note):
+            case NumberRefused(note):
                 self._session = self._session._replace(notes=(note,))
             case SceneChosen(name):
                 self._open(name)
@@ -370,12 +373,12 @@ class Lab:
         """What is shown of the picture."""
         return reveals.shown_picture(self._reveal, self._picture())
 
-    def _controls(self, size: tuple[int, int]) -> Side:
+    def _controls(self, size: tuple[int, int]) -> LabSide:
         """The controls of the scene as it stands."""
         seen = Controlled(self._session, self._shown, self._picture().toggles)
         layout = layout_of(size, text=self._shared.text_scale)
         if self._side is None:
-            self._side = Side(self._shared, self, self._do, layout, seen)
+            self._side = LabSide(self._shared, self, self._do, layout, seen)
         self._side.show(layout, seen)
         return self._side
 

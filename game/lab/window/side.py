@@ -10,15 +10,15 @@ import pygame
 
 from game.input.events import translated
 from game.input.keys import Action, position_in
-from game.input.signals import Clicked, FocusLost, Moved, Pressed, Zoomed
+from game.input.signals import Clicked, Moved, Pressed, Released, Signal, Zoomed
 from game.lab.kit.parameters import defaults
 from game.lab.session.share import SharedScene, share_line
 from game.lab.window.controls import (
     Component,
     Controlled,
+    NumberRefused,
     PresetChosen,
     Reactions,
-    Refused,
     Request,
     SceneChosen,
     Typing,
@@ -48,10 +48,14 @@ _LONGEST = 32
 _STRIDE = 10
 """Steps that an arrow key moves a slider by with Shift."""
 _ARROWS = {pygame.K_LEFT: Action.LEFT, pygame.K_RIGHT: Action.RIGHT, pygame.K_UP: Action.UP, pygame.K_DOWN: Action.DOWN}
+MODIFIERS = pygame.KMOD_CTRL | pygame.KMOD_ALT | pygame.KMOD_META
+"""Keys pressed together with one of these belong to the desktop."""
+_ENTERING = (pygame.K_TAB, pygame.K_UP, pygame.K_DOWN)
+"""They give the keys to the controls."""
 _ENTER = (pygame.K_RETURN, pygame.K_KP_ENTER)
 
 
-class Side(Form):
+class LabSide(Form):
     """The controls of the scene that is shown."""
 
     def __init__(
@@ -93,15 +97,13 @@ class Side(Form):
         self._typing, self._focus, self._has_keys, self._held = None, None, False, None
 
     def hear_key(self, event: pygame.Event, size: tuple[int, int]) -> tuple[bool, Screen | None]:
-        """Whether a key that went down is for the controls, and the screen to go on with."""
+        """Whether a key that went down is for the controls, and the screen to go on with. Alt with Tab is the desktop's."""
         if self._typing is not None:
-            return True, self._typed(self._typing, event, size)
-        if event.key == pygame.K_TAB:
+            return True, self._screen if event.mod & pygame.KMOD_ALT else self._typed(self._typing, event, size)
+        if event.mod & MODIFIERS or not (self._has_keys or event.key in _ENTERING):
+            return False, self._screen
+        if event.key == pygame.K_TAB or not self._has_keys:
             self._tab(-1 if event.mod & pygame.KMOD_SHIFT else 1, size)
-        elif not self._has_keys:
-            if event.key not in (pygame.K_UP, pygame.K_DOWN):
-                return False, self._screen
-            self._tab(1, size)
         elif event.key == pygame.K_ESCAPE:
             self.release()
         elif event.key in _ARROWS:
@@ -113,6 +115,31 @@ class Side(Form):
             return False, self._screen
         return True, self._screen
 
+    def hear_pad(self, signal: Signal, size: tuple[int, int]) -> tuple[bool, Screen | None]:
+        """Whether what a gamepad did is for the controls, and the screen to go on with. Nothing can be typed with it."""
+        spot = spot_at(self._laid(size), self._focus)
+        match signal:
+            case Pressed(Action.TIP):
+                self._typing = None
+                self._tab(1, size)
+            case Pressed(Action.UP | Action.DOWN) if not self._has_keys:
+                self._tab(1, size)
+            case Pressed() if not self._has_keys:
+                return False, self._screen
+            case Pressed(Action.BACK):
+                self.release()
+            case Pressed(Action.LEFT | Action.RIGHT | Action.UP | Action.DOWN):
+                self._stride, self._typing = 1, None
+                return True, self.answer(signal, size)
+            case Pressed(Action.SERVE | Action.CONFIRM):
+                is_number = spot is not None and isinstance(spot.item, FieldSlider)
+                return True, self._screen if is_number else self.answer(signal, size)
+            case Released():
+                return True, self.answer(signal, size)
+            case _:
+                return False, self._screen
+        return True, self._screen
+
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> tuple[bool, Screen | None]:
         """Whether another event is for the controls, and the screen to go on with."""
         if event.type == pygame.TEXTINPUT and self._typing is not None:
@@ -120,8 +147,6 @@ class Side(Form):
             return True, self._screen
         if event.type == pygame.MOUSEBUTTONUP:
             self._is_pressed = False
-        if event.type == pygame.KEYUP and self._held is not None and self._held[0].position == position_in(event):
-            self._held = None
         signal = translated(event, pixels_per_point)
         match signal:
             case Moved(pixel, held):
@@ -136,8 +161,6 @@ class Side(Form):
                     self.release()
             case Zoomed():
                 taken = self._is_inside(self._pointer)
-            case FocusLost():
-                taken, self._held = False, None
             case _:
                 taken = False
         return taken, self.answer(signal, size) if taken and signal is not None else self._screen
@@ -244,7 +267,7 @@ class Side(Form):
         try:
             number = float(text)
         except ValueError:
-            return self._ask(Refused(f"{typing.component.parameter.label}: {text!r} is not a number"))
+            return self._ask(NumberRefused(f"{typing.component.parameter.label}: {text!r} is not a number"))
         return self._ask(typing.component.requested(self._seen.session, number))
 
     def _small_print_height(self) -> float:

@@ -12,10 +12,10 @@ from game.lab.kit.handles import Handle
 from game.lab.kit.parameters import Given
 from game.lab.kit.picture import Picture, Toggle
 from game.lab.kit.scene import LabScene
+from game.lab.session.pan_zoom import PanZoom
 from game.lab.session.reveal import WHOLE, Reveal, guess_handle
 from game.lab.window.dragging import PaneView, draw_handles
 from game.lab.window.layout import WindowLayout, focus_areas, pane_areas
-from game.lab.window.pan_zoom import PanZoom
 from game.lab.window.pane_lines import draw_pane_lines
 from game.lab.window.presented import WordLetters
 from game.lab.window.words import TextSheet

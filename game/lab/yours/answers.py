@@ -5,9 +5,9 @@ from enum import Enum
 from typing import NamedTuple
 
 from game.lab.yours.calls import OwnCall
+from game.student.answering import AnsweringFunctions
 from game.student.engine_functions import EngineFunctions
-from game.student.functions_file import FunctionsFile
-from game.student.program import Reply
+from game.student.reply import Reply
 from game.student.signatures import SIGNATURES, Result, agrees, answer
 from game.student.slides import SlideFunctions
 
@@ -38,7 +38,7 @@ class OwnAnswer(NamedTuple):
     problem: str | None = None
 
 
-def own_answers(functions: FunctionsFile, calls: Sequence[OwnCall]) -> list[OwnAnswer]:
+def own_answers(functions: AnsweringFunctions, calls: Sequence[OwnCall]) -> list[OwnAnswer]:
     """The answers to those of the calls whose functions the file defines. While it answers nothing, there are none."""
     asked = [call for call in calls if call.function in functions.own]
     replies = functions.calls([(call.function, call.arguments) for call in asked])

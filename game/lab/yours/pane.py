@@ -5,7 +5,7 @@ from game.lab.kit.picture import Arrow, Mark, Pane, Picture, PointMark, Role, St
 from game.lab.kit.scene import LabScene
 from game.lab.yours.answers import AnswerVerdict, OwnAnswer, own_answers
 from game.lab.yours.calls import calls_of
-from game.student.functions_file import FunctionsFile
+from game.student.answering import AnsweringFunctions
 from game.student.signatures import SIGNATURES, is_number
 
 _ROLES = {
@@ -22,7 +22,7 @@ _BODIES = frozenset({Role.BALL, Role.SECTOR, Role.OTHER, Role.PLAIN, Role.FAINT}
 """Roles of the marks that are there before anything is answered."""
 
 
-def with_yours(picture: Picture, scene: LabScene, given: Given, functions: FunctionsFile | None) -> Picture:
+def with_yours(picture: Picture, scene: LabScene, given: Given, functions: AnsweringFunctions | None) -> Picture:
     """The picture, and a pane with the answers of the player's functions; the picture itself where the scene asks for none."""
     calls = () if functions is None else calls_of(scene.name, given)
     if functions is None or not calls:

@@ -14,23 +14,30 @@ from game.screens.gallery.sample import FRAME, sample_state
 from game.screens.gallery.screens import every_screen
 from game.screens.menus.level_select import LevelSelect
 from game.settings.values import Settings
+from game.system.errors import BadInputError
 from game.system.files import write_whole
 from game.system.quiet_stderr import quiet_libraries
+from game.system.wording import quoted
 
 
 def save_pictures(folder: Path, size: tuple[int, int], settings: Settings, only: str = "") -> Iterator[Path]:
-    """Draw the screens into PNG files, one after the other: their paths. size: pixels. only: a part of the names wanted."""
+    """Draw the screens into PNG files, one after the other: their paths.
+
+    size: pixels. only: a part of the names wanted; BadInputError if no name has it.
+    """
+    wanted = [(name, opened) for name, opened in every_screen() if only in name]
+    if not wanted:
+        raise BadInputError(f"--only {quoted(only)}: no screen has that in its name")
     with quiet_libraries():
         pygame.display.init()
     try:
-        for name, opened in every_screen():
-            if only in name:
-                with TemporaryDirectory() as kept:
-                    state = sample_state(Path(kept), settings)
-                    surface = _drawn(opened(state), size)
-                    if state.toast is not None:
-                        toast.draw(state.words(state.canvas(surface)), state.toast)
-                    yield _saved(folder / f"{name}.png", surface)
+        for name, opened in wanted:
+            with TemporaryDirectory() as kept:
+                state = sample_state(Path(kept), settings)
+                surface = _drawn(opened(state), size)
+                if state.toast is not None:
+                    toast.draw(state.words(state.canvas(surface)), state.toast)
+                yield _saved(folder / f"{name}.png", surface)
     finally:
         pygame.quit()
 

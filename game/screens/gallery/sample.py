@@ -12,7 +12,7 @@ from game.kept.games import KeptGame
 from game.kept.progress import Best
 from game.kept.scores import Score
 from game.kept.store import Kept
-from game.level_format.specs import DROP_KINDS, DropSpec
+from game.level_format.specs import DROP_KINDS, DropSpec, RingSpec
 from game.levels import Level, built_in
 from game.replays.file import Recorder
 from game.replays.playback import Playback
@@ -33,6 +33,8 @@ SIZE = (1280, 800)
 _PLAY_SECONDS, _WATCH_TICKS = 8.0, 1500
 _SERVED_SECONDS, _COUNTED_SECONDS = 3.0, 5.0
 """From serve to serve of a player who does nothing else, and from the end of a game until its results have counted up."""
+_LOST_SECONDS, _SMALL_PADDLE = 6.0, 2.0
+"""For which a ball stays in play that no paddle meets; and half the angle of such paddles, degrees."""
 _LEVEL = 3
 """Index of the level that most games show."""
 
@@ -93,21 +95,26 @@ def with_power_ups(state: AppState) -> Screen:
 
 def last_life(state: AppState) -> Screen:
     """A player who does nothing but serve, on the last life."""
-    play = begun(state, 0.5)
-    screen: Screen = play
+    screen: Screen = PlayScreen(state, _hard_levels(state))
     for _ in range(2):
         screen.answer(Pressed(Action.SERVE), SIZE)
-        screen = later(screen, 4.0)
+        screen = later(screen, _LOST_SECONDS)
     return screen
+
+
+def _hard_levels(state: AppState) -> tuple[Level, ...]:
+    """The level that most games show, with paddles that meet no ball."""
+    level = state.catalogue[_LEVEL]
+    paddles = msgspec.structs.replace(level.paddles, half_angle=_SMALL_PADDLE)
+    return (msgspec.structs.replace(level, paddles=paddles, drops=DropSpec(0.0)),)
 
 
 def cleared(state: AppState, *, is_last: bool) -> Screen:
     """What is shown after a level that the first hit clears, or after the game where it is the last one."""
     games, level = state.kept.games, state.catalogue[_LEVEL]
-    (wall, *_), paddles = level.rings, msgspec.structs.replace(level.paddles, half_angle=50.0)
-    brick = msgspec.structs.replace(wall, radius=3.0, count=1, half_angle=170.0, layers=1, spin=0.0)
-    drops, wide = DropSpec(0.0), msgspec.structs.replace(level, rings=[brick], paddles=paddles)
-    levels = (msgspec.structs.replace(wide, drops=drops), *state.catalogue[_LEVEL + 1 :])
+    brick = RingSpec(radius=3.0, half_width=0.3, half_angle=170.0, count=1, layers=1)
+    one_brick = msgspec.structs.replace(level, rings=[brick], drops=DropSpec(0.0))
+    levels = (one_brick, *state.catalogue[_LEVEL + 1 :])
     state.recorder = games
     return _ended(state, levels[:1] if is_last else levels)
 
@@ -115,7 +122,7 @@ def cleared(state: AppState, *, is_last: bool) -> Screen:
 def lost(state: AppState) -> Screen:
     """What is shown after a game of a player who does nothing but serve."""
     state.recorder = state.kept.games
-    return _ended(state, state.catalogue[_LEVEL : _LEVEL + 1])
+    return _ended(state, _hard_levels(state))
 
 
 def _ended(state: AppState, levels: tuple[Level, ...]) -> Screen:

@@ -8,7 +8,7 @@ from game.drawing.canvas import Canvas
 from game.drawing.raster.primitives import draw_box
 from game.input.keys import Action
 from game.input.repeat import Repeat
-from game.input.signals import PAD_POSITIONS, Clicked, KeyboardState, Moved, Pressed, Released, Signal, Zoomed
+from game.input.signals import Clicked, KeyboardState, Moved, Pressed, Released, Signal, Zoomed, is_still_down
 from game.screens.base import Screen
 from game.screens.toolkit import layout
 from game.screens.toolkit.focus import Focus, first_focus, moved_focus
@@ -237,10 +237,8 @@ def _held_after(held: tuple[Pressed, Repeat] | None, signal: Signal) -> tuple[Pr
     match signal:
         case Pressed(Action.UP | Action.DOWN | Action.LEFT | Action.RIGHT):
             return signal, Repeat(signal.position)
-        case KeyboardState(down):
-            return held if held is not None and (held[0].position in down or held[0].position >= PAD_POSITIONS) else None
-        case Released(_, position):
-            return None if held is not None and held[0].position == position else held
+        case KeyboardState() | Released():
+            return held if held is not None and is_still_down(held[0].position, signal) else None
         case Moved():
             return held
         case _:

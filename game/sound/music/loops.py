@@ -5,6 +5,7 @@ What rings on beyond the end of a loop begins it: so it has no seam. All loops h
 
 import math
 from collections.abc import Callable, Iterator
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -31,6 +32,14 @@ _ATTACK, _RELEASE = 0.9, 1.6
 """Seconds in which a note of the pad comes and goes."""
 
 
+class Placement(NamedTuple):
+    """Where a note, or an echo of it, is in a loop. second: when it begins. left, right: gains of the ears."""
+
+    second: float
+    left: float
+    right: float
+
+
 def length(rate: int) -> int:
     """Samples of a loop at a number of samples per second."""
     return round(BARS * BEATS_PER_BAR * 60.0 / BEATS_PER_MINUTE * rate)
@@ -38,22 +47,38 @@ def length(rate: int) -> int:
 
 def composed(layer: Layer, rate: int) -> Iterator[Loop | None]:
     """The loop of a layer, last; before it None after every note, so that the work can be spread over many frames."""
+    for loop in mixed(layer, rate):
+        yield None if loop is None else loop * np.float32(gain_of(layer, loop))
+
+
+def mixed(layer: Layer, rate: int) -> Iterator[Loop | None]:
+    """As `composed`, but as loud as the notes are by themselves."""
     loop = np.zeros((2, length(rate)), dtype=np.float32)
-    per_beat = 60.0 / BEATS_PER_MINUTE
     for note in notes(layer):
-        wave = _VOICES[layer](note, note.beats * per_beat, rate)
-        for later, share in ((0.0, 1.0), *(_ECHOES if layer in {Layer.ARPEGGIO, Layer.MELODY} else ())):
-            side = note.side if later == 0.0 else -note.side
-            left, right = panned(side)
-            gain = np.float32(note.loudness * share)
-            _add(loop[0], wave, round((note.beat + later) * per_beat * rate), gain * np.float32(left))
-            _add(loop[1], wave, round((note.beat + later) * per_beat * rate), gain * np.float32(right))
+        wave = waveform_of(layer, note, rate)
+        for placed in placements(layer, note):
+            start = round(placed.second * rate)
+            _add(loop[0], wave, start, np.float32(placed.left))
+            _add(loop[1], wave, start, np.float32(placed.right))
         yield None
     loop -= loop.mean(axis=1, keepdims=True)
-    yield loop * np.float32(_gain(layer, loop))
+    yield loop
 
 
-def _gain(layer: Layer, loop: Loop) -> float:
+def waveform_of(layer: Layer, note: ScoreNote, rate: int) -> Waveform:
+    """What a note sounds like; of its values, pitch and length matter."""
+    return _VOICES[layer](note, note.beats * 60.0 / BEATS_PER_MINUTE, rate)
+
+
+def placements(layer: Layer, note: ScoreNote) -> Iterator[Placement]:
+    """Where a note is to be heard, and its echoes."""
+    for later, share in ((0.0, 1.0), *(_ECHOES if layer in {Layer.ARPEGGIO, Layer.MELODY} else ())):
+        left, right = panned(note.side if later == 0.0 else -note.side)
+        gain = note.loudness * share
+        yield Placement((note.beat + later) * 60.0 / BEATS_PER_MINUTE, gain * left, gain * right)
+
+
+def gain_of(layer: Layer, loop: Loop) -> float:
     """What a loop is multiplied by to have its level, and to stay within its share of PEAK."""
     rms = math.sqrt(float(np.mean(np.square(loop, dtype=np.float64))))
     peak = float(np.abs(loop).max())

@@ -12,6 +12,7 @@ from game.picture.display_list import DisplayList
 from game.screens.demo import Demo
 from game.screens.difficulty_names import DIFFICULTIES, difficulty_name
 from game.settings.values import LOUDEST, SPEEDS, Settings
+from game.web.client.functions.text import FunctionsText
 from game.web.client.messages import PageItem, PageMenu
 from game.web.client.state import PageScreen, PageState, Pictures
 
@@ -27,7 +28,7 @@ _HELP = (
     "P or Escape: pause. 1 and 2: the view from above, the view in 3D; drag with the right button to turn it.",
     "M: sound. T: dark or light colours. O: settings. L: the lab.",
     "A gamepad's left stick points the paddles, A serves, Y changes the view.",
-    "Drop a replay (.polar) or a level file (.toml) on this page to open it.",
+    "Drop a replay (.polar), a level (.toml) or functions of your own (.py) on this page to open them.",
 )
 
 
@@ -132,6 +133,7 @@ class Screens(NamedTuple):
     game: Callable[[tuple[Level, ...]], PageScreen]
     replay: Callable[[str, bytes], PageScreen]
     lab: Callable[[str], PageScreen]
+    flight: Callable[[FunctionsText], PageScreen]
 
 
 def title(state: PageState, screens: Screens) -> MenuScreen:
@@ -278,6 +280,7 @@ def settings_menu(state: PageState, back: Callable[[], PageScreen], under: PageS
         languages = ((SYSTEM, tr("as the system")), *[(language.code, language.name) for language in LANGUAGES])
         colours = (("dark", tr("Dark")), ("light", tr("Light")), ("contrast", tr("High contrast")))
         volume = PageItem("volume", tr("Volume"), "number", str(held.volume), low=0.0, high=LOUDEST, step=10.0)
+        music = PageItem("music", tr("Music"), "number", str(held.music), low=0.0, high=LOUDEST, step=10.0)
         speed = PageItem(
             "speed", tr("Speed of the game, %"), "number", str(held.speed), low=SPEEDS[0], high=SPEEDS[1], step=5.0
         )
@@ -292,6 +295,7 @@ def settings_menu(state: PageState, back: Callable[[], PageScreen], under: PageS
             ),
             switch("sound", tr("Sound")),
             Opened(volume, changes(lambda value: held._replace(volume=_whole(value, 0, LOUDEST, held.volume)))),
+            Opened(music, changes(lambda value: held._replace(music=_whole(value, 0, LOUDEST, held.music)))),
             Opened(speed, changes(lambda value: held._replace(speed=_whole(value, *SPEEDS, held.speed)))),
             switch("reduced_motion", tr("Reduced motion")),
             switch("effects", tr("Effects")),

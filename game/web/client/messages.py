@@ -2,6 +2,8 @@
 
 import msgspec
 
+from game.web.client.functions.grading import GradingRequest
+
 
 class KeyChange(msgspec.Struct, tag="key"):
     """A key went down or up. code: where it is; key: what is written on it, both as the browser names them."""
@@ -61,7 +63,26 @@ class LinkOpened(msgspec.Struct, tag="link"):
     fragment: str
 
 
-PageSignal = KeyChange | PointerChange | WheelTurn | PadState | WentAway | Chosen | FileGiven | LinkOpened
+class CodeTyped(msgspec.Struct, tag="code"):
+    """The text in the editor is another one."""
+
+    text: str
+
+
+class Graded(msgspec.Struct, tag="graded"):
+    """What became of a `GradingRequest`.
+
+    number: of the request. reply: a `GradingReply` in JSON; "" where the worker had to be ended. function, call: what it did
+    not answer then: the number of its call, from 1 on; "" and 1 for the text itself, "" and 0 where the worker has failed.
+    """
+
+    number: int
+    reply: str = ""
+    function: str = ""
+    call: int = 0
+
+
+PageSignal = KeyChange | PointerChange | WheelTurn | PadState | WentAway | Chosen | FileGiven | LinkOpened | CodeTyped | Graded
 
 
 class FrameRequest(msgspec.Struct):
@@ -77,8 +98,8 @@ class FrameRequest(msgspec.Struct):
 class PageItem(msgspec.Struct, frozen=True):
     """A control of the page.
 
-    kind: "button", "choice", "switch", "number" or "text". value: of all but a button. options: of a choice: values and words.
-    hint: what it does. disabled: whether it can be used. low, high, step: of a number.
+    kind: "button", "choice", "switch", "number", "text", or "words", which are only read. value: of all but a button and words.
+    options: of a choice: values and words. hint: what it does. disabled: whether it can be used. low, high, step: of a number.
     """
 
     id: str
@@ -94,12 +115,16 @@ class PageItem(msgspec.Struct, frozen=True):
 
 
 class PageMenu(msgspec.Struct, frozen=True):
-    """A panel with controls. lines: of text above them. side: beside the picture, which stays in use; else over it."""
+    """A panel with controls.
+
+    lines: of text above them. side: beside the picture, which stays in use; else over it. editor: whether the editor is above.
+    """
 
     title: str
     lines: tuple[str, ...] = ()
     items: tuple[PageItem, ...] = ()
     side: bool = False
+    editor: bool = False
 
 
 class Download(msgspec.Struct, frozen=True):
@@ -117,7 +142,9 @@ class FrameReply(msgspec.Struct, omit_defaults=True):
     menu_closed: whether there is no menu any more. sounds: number of the sound, gains of the left and the right ear.
     said: a sentence for a screen reader. described: what the picture shows. fragment: of the page's address.
     keep: whether what is stored has changed. download: a file for the player. told: a line to show for a moment.
-    language: code of the texts'.
+    language: code of the texts'. code: a text for the editor, in place of what it holds. grading: a text to be graded.
+    music: gains of its layers, when they have changed. limit: seconds within which the next reply has to come, 0 for any: so
+    long as the player's own functions may hang.
     """
 
     backdrop: bool = False
@@ -136,3 +163,7 @@ class FrameReply(msgspec.Struct, omit_defaults=True):
     download: Download | None = None
     told: str = ""
     language: str = ""
+    code: str | None = None
+    grading: GradingRequest | None = None
+    music: tuple[float, ...] | None = None
+    limit: float = 0.0

@@ -18,15 +18,21 @@ from game.replays.state_hash import state_hash
 from game.rules import paddle_ring
 from game.settings.file import SettingsFile
 from game.settings.values import Settings
+from game.sound.music.mood import SILENT
+from game.student.own_physics import OwnPhysics
 from game.system.errors import BadInputError
 from game.web.client.devices import PageDevices
-from game.web.client.lab import LabOnPage
+from game.web.client.functions.panel import OwnFunctionsPanel
+from game.web.client.functions.text import FunctionsText
+from game.web.client.lab.screen import LabOnPage
 from game.web.client.menus import Screens, title
 from game.web.client.messages import (
     Chosen,
+    CodeTyped,
     FileGiven,
     FrameReply,
     FrameRequest,
+    Graded,
     LinkOpened,
     PageSignal,
     PointerChange,
@@ -37,8 +43,12 @@ from game.web.client.sounds import Sounds
 from game.web.client.state import PageScreen, PageState, Pictures
 from game.web.client.watching import ReplayOnPage, verdict
 
-_REPLAY, _LEVEL = ".polar", ".toml"
+_REPLAY, _LEVEL, _FUNCTIONS = ".polar", ".toml", ".py"
 _MOST_DIGITS = 5
+_LIMIT = 8.0
+"""Seconds for a frame in which the player's own functions may be asked: a loop in Python ends long before by itself."""
+_FIRST_SCENE = "case-1"
+"""Beside the editor: the scene of the simplest function with a picture."""
 
 
 class Page:
@@ -58,14 +68,16 @@ class Page:
         choose(settings.language)
         chance = random.SystemRandom()
         self._state = PageState(Sounds(sounds), stored, Kept(stored), settings_file, settings, lambda: chance.getrandbits(32))
+        self._state.functions = OwnFunctionsPanel(stored)
         self._state.choose_difficulty(self._state.kept.progress.value.last_difficulty)
-        self._screens = Screens(self._title, self._game, self._replay, self._lab)
+        self._screens = Screens(self._title, self._game, self._replay, self._lab, self._flight)
         self._screen: PageScreen = self._title()
         self._devices = PageDevices()
         self._pictures = Pictures(DisplayList(), DisplayList())
         self._shown: FrameReply = FrameReply()
         self._shown_backdrop: object = None
         self._size = (1, 1)
+        self._music = SILENT
         if stored is None:
             self._state.told.append("nothing can be stored here: scores and replays last until the page is closed")
         gc.collect()
@@ -89,6 +101,7 @@ class Page:
         for signal in asked.signals:
             self._hear(signal, size)
         self._screen = self._screen.advance(asked.seconds, size)
+        self._music = self._state.music.advance(asked.seconds, self._state.settings)
         self._pictures.frame = DisplayList()
         self._screen.draw(self._pictures, size)
         return msgspec.json.encode(self._reply(size)).decode()
@@ -104,8 +117,9 @@ class Page:
         """How the game or the lab's scene stands, for tests: in JSON. {} where there is neither."""
         screen = self._screen
         if isinstance(screen, LabOnPage):
-            session = screen.session
-            return msgspec.json.encode({"line": session.line, "hash": hash_of_session(session)}).decode()
+            return msgspec.json.encode(
+                {"line": screen.line, "hash": hash_of_session(screen.session), "panes": screen.panes}
+            ).decode()
         if not isinstance(screen, GameOnPage):
             return "{}"
         game = screen.game
@@ -126,6 +140,12 @@ class Page:
         match message:
             case Chosen(id=item, value=value):
                 self._screen = self._screen.choose(item, value)
+            case CodeTyped(text=text):
+                self._state.functions.typed(text)
+            case Graded():
+                line = self._state.functions.graded(message)
+                if line and isinstance(self._screen, LabOnPage):
+                    self._screen.open(line)
             case FileGiven(name=name, data=data):
                 self._open_file(name, data)
             case LinkOpened(fragment=fragment):
@@ -137,7 +157,7 @@ class Page:
                     self._screen = self._screen.answer(signal, size)
 
     def _open_file(self, name: str, data: bytes) -> None:
-        """A replay is shown, a level is played; anything else is refused in one line."""
+        """A replay is shown, a level is played, functions are edited; anything else is refused in one line."""
         try:
             if name.lower().endswith(_REPLAY):
                 self._screen = self._replay(name, data)
@@ -145,13 +165,17 @@ class Page:
                 level = parse(data, name)
                 self._state.own[name] = level
                 self._screen = self._game((level,))
+            elif name.lower().endswith(_FUNCTIONS):
+                self._edit(_text(name, data))
             else:
-                self._state.told.append(f"{name}: expected a replay ({_REPLAY}) or a level ({_LEVEL})")
+                self._state.told.append(
+                    f"{name}: expected a replay ({_REPLAY}), a level ({_LEVEL}) or functions ({_FUNCTIONS})"
+                )
         except BadInputError as error:
             self._state.told.append(str(error))
 
     def _open_link(self, fragment: str) -> None:
-        """What the address names: level/3, classic/3, or lab/ and a share line. Anything else is refused in one line."""
+        """What the address names: level/3, classic/3, lab/ and a share line, or functions. The rest is refused in one line."""
         kind, _, rest = fragment.partition("/")
         if not fragment or fragment == self._screen.fragment:
             return
@@ -162,8 +186,10 @@ class Page:
                 self._screen = self._game(levels[number - 1 :])
             elif kind == "lab":
                 self._screen = self._lab(rest)
+            elif fragment == "functions":
+                self._edit(None)
             else:
-                self._state.told.append(f"#{fragment[:80]}: expected #level/NUMBER, #classic/NUMBER or #lab/SCENE")
+                self._state.told.append(f"#{fragment[:80]}: expected #level/NUMBER, #classic/NUMBER, #lab/SCENE or #functions")
         except BadInputError as error:
             self._state.told.append(str(error))
 
@@ -188,10 +214,17 @@ class Page:
             keep=state.changed,
             download=state.download,
             told=" ".join(state.told),
+            music=self._music if self._music != before.music else None,
+            limit=0.0 if state.functions.running is None else _LIMIT,
+            code=state.functions.fresh,
+            grading=state.functions.request,
             language=current() if current() != before.language else "",
         )
         self._size, self._shown_backdrop = size, self._pictures.backdrop
-        self._shown = FrameReply(colours=colours, menu=menu, toolbar=toolbar, fragment=screen.fragment, language=current())
+        self._shown = FrameReply(
+            colours=colours, menu=menu, toolbar=toolbar, fragment=screen.fragment, language=current(), music=self._music
+        )
+        state.functions.fresh = state.functions.request = None
         state.started, state.said, state.told, state.changed, state.download = [], [], [], False, None
         return reply
 
@@ -207,9 +240,27 @@ class Page:
         """A recorded game; BadInputError for a broken one."""
         return ReplayOnPage(self._state, self._screens, name, data, decoded(data, name))
 
+    def _flight(self, functions: FunctionsText) -> PageScreen:
+        """A new game of all levels on the player's own functions."""
+        return GameOnPage(self._state, self._screens, self._state.levels, OwnPhysics(functions))
+
+    def _edit(self, text: str | None) -> None:
+        """The lab with the editor open. text: for the editor; None for what it holds."""
+        if not isinstance(self._screen, LabOnPage):
+            self._screen = self._lab(_FIRST_SCENE)
+        self._state.functions.open(text)
+
     def _lab(self, line: str) -> PageScreen:
         """The lab. line: a share line, "" for the first scene."""
         return LabOnPage(self._state, self._screens, line)
+
+
+def _text(name: str, data: bytes) -> str:
+    """The text of a file; BadInputError for what is none."""
+    try:
+        return data.decode()
+    except UnicodeDecodeError:
+        raise BadInputError(f"{name}: expected text in UTF-8") from None
 
 
 def _colours(theme: Theme) -> dict[str, str]:

@@ -7,6 +7,7 @@ import msgspec
 from game import effects
 from game.autopilot import Autopilot
 from game.drawing.camera import Layout, unit_of
+from game.drawing.palette import Colour
 from game.effects import EffectKind, Effects
 from game.effects.hit_stop import hit_stop_seconds
 from game.effects.slow_motion import pace
@@ -18,11 +19,14 @@ from game.kept.progress import RANKS, Best
 from game.kept.scores import LONGEST_NAME, Score
 from game.language import tr
 from game.levels import Level, built_in, classic, number_of
-from game.overlay.notice_words import Notice, notice, ready
+from game.overlay.notice_words import Notice, notice, ready, to_newcomer
 from game.overlay.readings import readings
+from game.picture.display_list import DisplayList
 from game.picture.figures import add_figures, add_notice
 from game.rules import TICK, EventKind, Game, Phase, new_game, tick
 from game.scene import scene_at, still
+from game.sound.music.mood import mood_of
+from game.student.own_physics import OwnPhysics
 from game.web.client.menus import MenuScreen, Opened, Screens, help_menu, settings_menu
 from game.web.client.messages import PageItem, PageMenu
 from game.web.client.state import PageScreen, PageState, Pictures
@@ -33,7 +37,9 @@ _OFFER_TICKS = round(20.0 / TICK)
 """Without a paddle's touch, until the player may give up the ball."""
 _END_TICKS, _CLEARED_TICKS = 200, 150
 """From the end of the game, and of a level, to the results: nobody who is still playing chooses an entry by accident."""
-_SERVE_KEY = "Space"
+_SERVE_KEY, _TURN_KEYS = "Space", ("←", "→")
+_NOTE, _NOTE_LETTER, _NOTE_UP, _NOTE_UP_NARROW = 0.9, 0.57, 0.8, 3.9
+"""The line about the physics, in units: size of its letters, width of one in shares of that, height over the lower edge."""
 
 
 class GameOnPage:
@@ -41,8 +47,11 @@ class GameOnPage:
 
     menu: PageMenu | None = None
 
-    def __init__(self, state: PageState, screens: Screens, levels: tuple[Level, ...]) -> None:
-        """Start a new game at the first of the levels."""
+    def __init__(
+        self, state: PageState, screens: Screens, levels: tuple[Level, ...], physics: OwnPhysics | None = None
+    ) -> None:
+        """Start a new game at the first of the levels. physics: that it is flown on; None for the game's own."""
+        self._physics = physics
         self._state, self._screens, self._levels = state, screens, levels
         self._ticked = still(new_game(levels, state.seed(), state.ruleset))
         self._effects = Effects()
@@ -51,7 +60,7 @@ class GameOnPage:
         self._ready = 0.0  # seconds until play goes on after a pause
         self._stop = 0.0  # seconds of hit-stop left
         self._pilot: Autopilot | None = None
-        self._counts = True  # until the autopilot has played
+        self._counts = physics is None  # and until the autopilot has played
         self._untouched = 0  # ticks with a ball in play since a paddle touched it
         self._told = -1  # number of the level whose results were shown last
         self._start = 0  # tick at which the level began
@@ -74,6 +83,8 @@ class GameOnPage:
     @property
     def fragment(self) -> str:
         """The level, where it comes with the game."""
+        if self._physics is not None:
+            return "functions"
         number, _ = number_of(self.game.level, self.game.levels)
         if self.game.level in classic():
             return f"classic/{number}"
@@ -145,6 +156,7 @@ class GameOnPage:
         self._speed = min(self._speed, state.settings.speed)
         self._due = due(self._due.rest, (seconds - stopped) * slowed * state.settings.speed / 100.0)
         seen = self._layout(size)
+        state.music.follow(mood_of(self.game))
         for _ in range(self._due.ticks):
             self._tick(seen)
             if EffectKind.HIT_STOP in state.settings.shown and (stop := hit_stop_seconds(self._ticked)):
@@ -163,10 +175,12 @@ class GameOnPage:
         told = self._notice()
         if told is not None:
             add_notice(out.frame, told, seen, state.theme, unit)
+        if self._physics is not None:
+            _add_note(out.frame, self._physics.note, size, state.theme.accent, unit)
 
     def restarted(self) -> "GameOnPage":
         """The same levels from their first serve."""
-        return GameOnPage(self._state, self._screens, self._levels)
+        return GameOnPage(self._state, self._screens, self._levels, self._physics)
 
     def _notice(self) -> Notice | None:
         """What to tell the player."""
@@ -175,6 +189,8 @@ class GameOnPage:
         if self.game.phase in (Phase.OVER, Phase.WON):
             return None
         told = notice(self.game, _SERVE_KEY)
+        if told is not None and not self._state.kept.progress.value.bests:
+            told = to_newcomer(told, *_TURN_KEYS)
         if told is None and self._pilot is None and self._untouched >= _OFFER_TICKS:
             return Notice(tr("Out of reach?"), tr("{key}: give up this ball; it costs a life").format(key="G"))
         return told
@@ -189,7 +205,7 @@ class GameOnPage:
         else:
             controls = self._hands.controls(seen.camera, game)
         self._hands = self._hands.after_tick()
-        self._ticked = tick(game, controls)
+        self._ticked = tick(game, controls) if self._physics is None else tick(game, controls, self._physics.advance)
         events = self._ticked.events
         touched = self.game.phase != Phase.PLAYING or any(
             [event.kind in {EventKind.PADDLE_HIT, EventKind.SERVED} for event in events]
@@ -327,3 +343,10 @@ class GameOnPage:
     def _layout(self, size: tuple[int, int]) -> Layout:
         """Where everything is."""
         return self._state.layout(size, self.game.level.ground_radius)
+
+
+def _add_note(out: DisplayList, note: str, size: tuple[int, int], colour: Colour, unit: float) -> None:
+    """Add the line about the physics at the lower edge, on a narrow canvas above the figures; smaller if it would not fit."""
+    letters = unit * min(_NOTE, size[0] / (unit * _NOTE_LETTER * (len(note) + 4)))
+    up = _NOTE_UP if size[0] > size[1] else _NOTE_UP_NARROW
+    out.text(note, letters, complex(size[0] / 2.0, size[1] - up * unit), colour)

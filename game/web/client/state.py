@@ -21,7 +21,9 @@ from game.scene import Scene
 from game.screens.difficulty_names import SOURCE, ruleset_of
 from game.settings.file import SettingsFile
 from game.settings.values import Settings
+from game.web.client.functions.panel import OwnFunctionsPanel
 from game.web.client.messages import Download, PageItem, PageMenu
+from game.web.client.music import MusicOnPage
 from game.web.client.sounds import Sounds
 
 _SMALLEST = 12.0
@@ -75,7 +77,7 @@ class PageState:
     levels: of the campaign. own: the player's, by the names of their files.
     density: pixels of the canvas per CSS pixel.
     told: lines for the player to read for a moment. said: for a screen reader. started: sounds to be played now.
-    changed: whether what is stored has changed. download: a file for the player.
+    functions: the player's own, in the editor. changed: whether what is stored has changed. download: a file for the player.
     """
 
     sounds: Sounds
@@ -94,6 +96,8 @@ class PageState:
     said: list[str] = field(default_factory=list)
     started: list[tuple[int, float, float]] = field(default_factory=list)
     changed: bool = False
+    music: MusicOnPage = field(default_factory=MusicOnPage)
+    functions: OwnFunctionsPanel = field(default_factory=OwnFunctionsPanel)
     download: Download | None = None
     problems: set[str] = field(default_factory=set)
 

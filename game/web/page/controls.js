@@ -12,6 +12,7 @@ function control(item, use) {
   if (item.kind === "button") {
     return made("button", { type: "button", id: name, disabled: item.disabled, onclick: () => use(item.id, ""), ...hint }, item.label);
   }
+  if (item.kind === "words") return made("p", { id: name }, item.label);
   if (item.kind === "choice") {
     const options = item.options.map(([value, words]) => made("option", { value, selected: value === item.value }, words));
     const select = made("select", { id: name, onchange: () => use(item.id, select.value) }, ...options);
@@ -51,8 +52,9 @@ export class Controls {
     this.menu.replaceChildren(title, ...lines, items);
     this.menu.dataset.title = menu.title;
     this.menu.classList.toggle("side", menu.side);
+    document.body.classList.toggle("coding", menu.editor);
     this.menu.hidden = false;
-    if (same) this.menu.scrollTop = position;
+    this.menu.scrollTop = same ? position : 0;
     const again = same && held ? document.getElementById(held) : null;
     if (again && this.menu.contains(again)) again.focus({ preventScroll: true });
     else if (!menu.side) this.#controls()[0]?.focus({ preventScroll: true });
@@ -60,6 +62,7 @@ export class Controls {
 
   close() {
     this.menu.hidden = true;
+    document.body.classList.remove("coding");
     this.menu.replaceChildren();
     this.canvas.focus({ preventScroll: true });
   }

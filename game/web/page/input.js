@@ -35,7 +35,7 @@ export class Input {
 
   #key(event, down) {
     const inControl = CONTROLS.has(event.target.tagName);
-    if (event.ctrlKey || event.metaKey || event.altKey || event.repeat || TYPED.has(event.target.tagName)) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || event.repeat || TYPED.has(event.target.tagName) || event.target.isContentEditable) return;
     if (inControl && (event.key === " " || event.key === "Enter")) return;
     if (SCROLLING.has(event.key) && !inControl) event.preventDefault();
     this.add({ type: "key", code: event.code, key: event.key, down });

@@ -1,6 +1,8 @@
 // The page: asks Python in the worker for a frame, paints the one before, and hands on what the player did.
 
 import { Controls } from "./controls.js";
+import { Editor } from "./editor.js";
+import { Grader } from "./grader.js";
 import { Input } from "./input.js";
 import { paint } from "./painter.js";
 import { Speaker } from "./speaker.js";
@@ -10,10 +12,12 @@ const LARGEST_FILE = 16 * 1024 * 1024;
 const element = (id) => document.getElementById(id);
 const canvas = element("picture"), context = canvas.getContext("2d", { alpha: false });
 const speaker = new Speaker(), input = new Input(canvas);
-const controls = new Controls(element("menu"), element("toolbar"), canvas, (id, value) => input.add({ type: "choose", id, value }));
+const controls = new Controls(element("menu"), element("toolbar"), canvas, choose);
+const editor = new Editor(element("code"), { typed: (text) => input.add({ type: "code", text }), grade: () => choose("grade", ""), left: () => element("item-grade")?.focus() });
 const backdrop = document.createElement("canvas"), backdropContext = backdrop.getContext("2d", { alpha: false });
 const questions = new Map();
-let worker = null, latest = null, waiting = false, sentAt = 0, background = "#000", toldUntil = 0, asked = 0;
+const HUNG = "Your own functions gave no answer, so the page was opened again without them.";
+let limit = 0, worker = null, grader = null, latest = null, waiting = false, sentAt = 0, background = "#000", toldUntil = 0, asked = 0;
 
 function say(words) {
   element("loading").textContent = words;
@@ -32,6 +36,12 @@ function tell(words) {
   toldUntil = performance.now() + 1000 * TOLD_SECONDS;
 }
 
+/** A control was used. */
+function choose(id, value) {
+  editor.flush();
+  input.add({ type: "choose", id, value });
+}
+
 /** Ask the game's Python something, for tests; its answer. */
 function ask(what, argument) {
   return new Promise((done) => {
@@ -46,11 +56,12 @@ function density() {
 }
 
 function fitted() {
-  const side = element("menu").classList.contains("side") && !element("menu").hidden ? element("menu").getBoundingClientRect() : null;
   const full = { width: innerWidth, height: innerHeight };
-  if (side) {
-    if (side.width < innerWidth) full.width = Math.max(innerWidth - side.width, 200);
-    else full.height = Math.max(innerHeight - side.height, 200);
+  for (const side of [element("menu"), element("code")]) {
+    if (side.hidden || !(side === element("code") || side.classList.contains("side"))) continue;
+    const { left, top, width } = side.getBoundingClientRect();
+    if (width < innerWidth) full.width = Math.max(Math.min(full.width, left), 200);
+    else full.height = Math.max(Math.min(full.height, top), 200);
   }
   canvas.style.width = `${full.width}px`;
   canvas.style.height = `${full.height}px`;
@@ -90,13 +101,25 @@ function heed(reply) {
   if (reply.toolbar) controls.showToolbar(reply.toolbar);
   if (reply.menu) controls.show(reply.menu);
   if (reply.menu_closed) controls.close();
+  if (reply.menu || reply.menu_closed) {
+    if (reply.menu?.editor) edit(reply.code ?? null);
+    else editor.hide();
+  } else if (typeof reply.code === "string") edit(reply.code);
+  if (reply.grading) grader.grade(reply.grading);
   document.body.classList.toggle("playing", element("menu").hidden || element("menu").classList.contains("side"));
   if (reply.sounds) speaker.play(reply.sounds);
+  limit = reply.limit ?? 0;
+  if (reply.music) speaker.follow(reply.music);
   if (reply.said) element("said").textContent = reply.said;
   if (reply.described && canvas.getAttribute("aria-label") !== reply.described) canvas.setAttribute("aria-label", reply.described);
   if (reply.fragment !== undefined && reply.fragment !== null) replaceFragment(reply.fragment);
   if (reply.told) tell(reply.told);
   if (reply.download) download(reply.download);
+}
+
+function edit(code) {
+  editor.show(code);
+  grader.prepare();
 }
 
 function replaceFragment(fragment) {
@@ -142,12 +165,22 @@ function turn(now) {
     latest = null;
   }
   if (!waiting) turn.size = request(now);
+  else if (limit && now - sentAt > 1000 * limit) openAgain(HUNG);
+}
+
+/** Nothing else ends a loop within a function written in C. What is stored is there again, and the address says the rest. */
+function openAgain(words) {
+  worker.terminate();
+  history.replaceState({ told: words }, "");
+  location.reload();
 }
 
 function heard({ data }) {
   if (data.kind === "ready") {
     element("loading").hidden = true;
     element("progress").hidden = true;
+    if (history.state?.told) tell(history.state.told);
+    history.replaceState(null, "");
     openFragment();
     requestAnimationFrame(turn);
   } else if (data.kind === "progress") {
@@ -180,6 +213,7 @@ function start() {
   worker.onerror = (event) => fail(`The game cannot be started: ${event.message ?? "its worker is missing"}`);
   worker.onmessage = heard;
   const base = new URL("./", location.href).href;
+  grader = new Grader({ base }, (signal) => input.add(signal));
   worker.postMessage({ kind: "start", base, calm: matchMedia("(prefers-reduced-motion: reduce)").matches, languages: navigator.languages.join(",") });
   for (const name of ["pointerdown", "keydown"]) addEventListener(name, () => speaker.wake());
   addEventListener("hashchange", openFragment);
@@ -190,5 +224,5 @@ function start() {
   });
 }
 
-window.polarBreakout = { ask, give, input, frames: 0, firstFrame: 0 };
+window.polarBreakout = { ask, give, input, speaker, frames: 0, firstFrame: 0 };
 start();

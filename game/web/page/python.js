@@ -88,6 +88,11 @@ function writeFiles(files, packed) {
   }
 }
 
+/** More of the game's files, from an archive of that name. */
+export async function addFiles(python, name) {
+  writeFiles(python.FS, await bytes(download(name)));
+}
+
 /** Start the runtime. snapshot: of its memory, null for none. */
 async function runtime(make, program, snapshot) {
   const memory = snapshot ? snapshot.length - new Uint32Array(snapshot.buffer, 0, SNAPSHOT_HEADER_WORDS)[1] : 0;

@@ -1,16 +1,21 @@
 // The game's Python, in a thread of its own: CPython on WebAssembly, the project's modules, what is stored.
 
-import { startedPython } from "./python.js";
+import { addFiles, startedPython } from "./python.js";
 import { discardSnapshots, storeSnapshot } from "./snapshot.js";
 
 const KEPT = "/kept";
 const SNAPSHOT_DELAY = 3000; // milliseconds from the start until its memory is stored
 let page = null, python = null, stored = false, storing = Promise.resolve(null);
 
-async function start({ base, calm, languages }) {
+async function start({ base, calm, languages, grades }) {
   performance.mark("worker began");
   const [started, sounds] = await Promise.all([startedPython(), fetch(`${base}sounds.json`).then((answer) => answer.arrayBuffer())]);
   python = started.python;
+  if (grades) {
+    await addFiles(python, "grading");
+    page = python.runPython("from tools.grade.page import PageGrader; PageGrader()");
+    return;
+  }
   stored = await opened();
   python.globals.set("index", python.toPy(new Uint8Array(sounds)));
   python.globals.set("languages", languages);
@@ -67,6 +72,7 @@ function frame(request) {
 }
 
 const ASKED = {
+  grade: (request) => page.grade(request, (name, call) => self.postMessage({ kind: "asking", name, call })),
   probe: () => page.probe(),
   verify: (data) => {
     const given = python.toPy(data);

@@ -27,6 +27,7 @@ from game.picture.display_list import DisplayList
 from game.picture.moving.drops import add_chip
 from game.picture.moving.gauges import CHIP_ROOM, ICONS, RADIUS, SPAN
 from game.rules import ActivePower, Drop, HeldBall, PowerUp, Ruleset, new_game
+from game.rules.drops import DROP_RADIUS
 from game.scene import scene_at, still
 from game.unlocks import BALLS, TRAILS
 from physics import Ball
@@ -87,13 +88,14 @@ def test_chips_stand_out_from_the_ground(theme):
 
 @VIEWS
 def test_a_drop_is_where_the_rules_say(view):
-    """Its chip is around its position, and between two ticks on its way there."""
+    """Its chip covers the ground around its position at that tick, or before it; tipped, it floats above."""
     game = game_of()
     drop = Drop(PowerUp.WIDE, 5.0 + 3.0j, 2.0 + 0j)
     with_drop = game._replace(drops=(drop,))
     bare, camera = painted(scene_of(game), view)
     picture, _ = painted(scene_of(with_drop), view)
-    assert changed(bare, picture, camera, drop.position, 12.0) > 150
+    area = math.pi * (DROP_RADIUS * game.level.ground_radius * camera.scale_at(drop.position)) ** 2
+    assert changed(bare, picture, camera, drop.position, 12.0) > 0.3 * area
     assert changed(bare, picture, camera, -drop.position, 12.0) == 0
     (early,) = scene_of(with_drop, 0.0).drops
     assert early.position == pytest.approx(drop.position - drop.velocity / 240.0)

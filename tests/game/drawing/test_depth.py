@@ -12,8 +12,9 @@ import pygame
 import pytest
 
 from game.drawing import palettes
-from game.drawing.ground.colours import discs_of_ground, ground_colours
+from game.drawing.ground.colours import discs_of_ground, ground_shade
 from game.drawing.ground.patterns import NAMES, marks
+from game.drawing.ground.shades import ground_colours
 from game.drawing.painter import Painter
 from game.drawing.palette import DARK, LIGHT, luminance, without_depth
 from game.effects import NOTHING, Light, LightSource
@@ -58,6 +59,13 @@ def test_light_falls_from_the_centre(theme):
 
 
 @THEMES
+@pytest.mark.parametrize("share", [0.0, 0.4003, 0.9701, 1.0, 1.02])
+def test_many_pixels_of_the_ground_have_the_colour_of_each(theme, share):
+    """To a tenth of a step of a channel, also between the distances that colours are computed for."""
+    assert ground_colours(theme, np.float32([share]))[0] == pytest.approx(ground_shade(theme, share), abs=0.1)
+
+
+@THEMES
 def test_the_ground_is_lighter_in_the_middle_and_smooth(theme):
     """Its discs show its colours to a step of 255, and neighbouring ones differ by a step; the middle is the lightest."""
     discs = discs_of_ground(theme)
@@ -74,11 +82,11 @@ def test_the_ground_is_lighter_in_the_middle_and_smooth(theme):
 def test_a_pattern_stays_on_the_ground_and_faint(name):
     """Every mark lies within the rim, and no mark is as strong as what the ball can meet."""
     drawn = marks(name)
-    assert np.abs(drawn.corners).max() < 1.0
-    assert len(drawn.strength) == len(drawn.corners)
-    inner = np.abs(drawn.corners).max(axis=1) < 0.95
-    assert (drawn.strength[inner] <= 1.0).all()
-    assert inner.any() == (name != "plain")
+    outermost = [max(map(abs, mark.corners)) for mark in drawn]
+    assert max(outermost) < 1.0
+    inner = [mark for mark, far in zip(drawn, outermost, strict=True) if far < 0.95]
+    assert all([mark.strength <= 1.0 for mark in inner])
+    assert bool(inner) == (name != "plain")
 
 
 def test_a_pattern_turns_with_the_arena():

@@ -94,6 +94,16 @@ def test_light_is_brightest_in_its_middle_and_ends_at_its_edge(wide, takes):
     assert (np.diff(np.abs(change[100 : 100 + wide, 100, 1])) <= 0.0).all()
 
 
+def test_light_beyond_the_edge_is_cut_off():
+    """What is seen of it looks as it does in the middle of a surface, to a few steps; one that is not seen changes nothing."""
+    whole, cut, unseen = DisplayList(), DisplayList(), DisplayList()
+    whole.glow(100 + 100j, (90.0, 60.0), (200, 100, 0), 0.5)
+    cut.glow(30 + 190j, (90.0, 60.0), (200, 100, 0), 0.5)
+    unseen.glow(500 + 100j, (90.0, 60.0), (200, 100, 0), 0.5)
+    assert np.abs(painted(cut)[:120, 130:] - painted(whole)[70:190, 40:110]).max() <= 4.0
+    assert painted(unseen).max() == 0.0
+
+
 def test_a_sprite_is_its_polygons_about_a_pixel():
     """Anywhere it looks the same, and it covers what its polygons cover."""
     chip, out = DisplayList(), DisplayList()

@@ -3,9 +3,11 @@
 import numpy as np
 import pytest
 
-from game.drawing.ground.colours import ground_colours
+from game.drawing.ground.shades import ground_colours
+from game.drawing.light_colour import light_colour
 from game.drawing.palette import DARK, HIGH_CONTRAST, LIGHT, contrast, layer_colour, luminance, mixed
 from game.drawing.palettes import NAMES, themed
+from game.effects import Light, LightSource
 
 THEMES = pytest.mark.parametrize(
     "theme",
@@ -94,3 +96,12 @@ def test_mixing_ends_at_both_colours():
     assert mixed((1, 2, 3), (201, 102, 53), 0.0) == (1, 2, 3)
     assert mixed((1, 2, 3), (201, 102, 53), 1.0) == (201, 102, 53)
     assert mixed((0, 0, 0), (200, 100, 50), 0.5) == (100, 50, 25)
+
+
+@THEMES
+def test_light_is_never_like_smoke(theme):
+    """The light of every layer has a tenth of the highest luminance, and a contrast of 3 to the ground."""
+    for layer in range(1, 10):
+        colour = light_colour(Light(LightSource.BRICK, 0j, 0.3, 1.0, 80, layer), theme)
+        assert luminance(colour) > 0.1
+        assert contrast(colour, theme.ground) >= 3.0

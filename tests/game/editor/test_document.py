@@ -77,19 +77,33 @@ def test_undo_and_redo_return_the_same_texts():
 
 
 def test_a_drag_is_undone_as_a_whole():
-    session = editor.stroked(editor.begun(TEXT, TEXT), 0, 0, layers=5, begins=True)
-    for slot in range(1, 6):
-        session = editor.stroked(session, 0, slot, layers=5, begins=False)
+    """And nothing but the drag, even if it begins where its bricks are already."""
+    filled = editor.stroked(editor.begun(TEXT, TEXT), 0, 0, layers=5)
+    session = filled
+    for slot in range(6):
+        session = editor.stroked(session, 0, slot, layers=5, before=filled.history)
     assert session.document.level.rings[0].slots()[:7] == (5, 5, 5, 5, 5, 5, 2)
-    assert editor.undone(session).document.text == TEXT
+    assert editor.undone(session).document == filled.document
 
 
 def test_another_number_of_slots_keeps_the_pattern_and_the_gaps_share():
-    session = editor.stroked(editor.begun(TEXT, TEXT), 0, 0, layers=0, begins=True)
+    text = TEXT.replace("[[rings]]", "[[rings]]\ntint = [0, 8, 3]", 1)
+    session = editor.stroked(editor.begun(text, text), 0, 0, layers=0)
     row = next(row for row in editor.rows(session) if row.name == "count")
     doubled = editor.entered(session, row, 24).document
     assert doubled.level.rings[0].slots() == (0, 0, *[2] * 22)
+    assert doubled.level.rings[0].tints() == (0, 0, 8, 8, 3, 3) * 4
     assert doubled.level.rings[0].half_angle == 6.5
+
+
+def test_a_ring_of_as_many_slots_as_there_may_be_can_be_painted_and_copied():
+    """The list of its layers takes more than the 1,000 characters that a line may have."""
+    session = editor.begun(TEXT, TEXT)
+    row = next(row for row in editor.rows(session) if row.name == "count")
+    session = editor.with_ring_copied(editor.stroked(editor.entered(session, row, 2000), 0, 5, layers=0))
+    assert not session.message
+    assert [ring.slots()[4:7] for ring in session.document.level.rings] == [(2, 0, 2)] * 2
+    assert editor.begun(session.document.text, "").document.level == session.document.level
 
 
 def test_the_last_ring_stays():

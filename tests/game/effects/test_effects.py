@@ -16,9 +16,10 @@ from game.effects.shakes import SHAKE_TICKS, Shake
 from game.effects.streaks import BUMP_TICKS, ENDED_TICKS, NO_STREAK
 from game.effects.waves import WaveTone
 from game.levels import classic
-from game.rules import BEST_COMBO, PADDLES, Controls, Event, EventKind, Phase, PowerUp, Ruleset, new_game, tick
+from game.rules import BEST_COMBO, PADDLES, Controls, Drop, Event, EventKind, Phase, PowerUp, Ruleset, new_game, tick
 from game.rules.crumbling import CRUMBLING_TICKS
-from physics import PERMANENT, Hit, contact
+from game.rules.powers import MOST_LIVES
+from physics import PERMANENT, Hit, contact, direction
 
 
 def played(count, shown=ALL, level=0, seed=5):
@@ -313,3 +314,14 @@ def test_a_won_game_has_more_fireworks():
             seen += any(burst.age == 0 for burst in fading.bursts)
         assert seen == times
         assert fading.bursts == ()
+
+
+@pytest.mark.parametrize(("lives", "words"), [(3, ["one life more"]), (MOST_LIVES, [])])
+def test_a_caught_life_is_told_once_and_only_if_there_is_one(lives, words):
+    """Who has all lives that one may have is told nothing."""
+    game = tick(new_game(classic(), 1, Ruleset()), Controls(serve=True)).game._replace(lives=lives)
+    outward = direction(game.arena.rings[PADDLES].angle(0))
+    drop = Drop(PowerUp.LIFE, outward * game.arena.rings[PADDLES].inner_radius, outward)
+    done = tick(game._replace(drops=(drop,)), Controls())
+    assert happened(done, EventKind.DROP_CAUGHT)
+    assert [pop.text for pop in effects.after(NOTHING, done).pops] == words

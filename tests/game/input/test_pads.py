@@ -159,7 +159,7 @@ def test_a_second_gamepad_is_the_second_players(desk, pad):
 
 
 def test_a_gamepad_leaves_the_lab(desk, pad):
-    """Where a screen hears events themselves, B is Esc, and the directional pad is the arrow keys: they go to the controls."""
+    """Its cross gives the keys to the lab's controls, B takes them back, and again B leaves the lab."""
     under = desk.screen
     desk.screen = Lab(desk.shared, session.fresh(scenes()[0], None), under)
     desk.wait(FRAME)

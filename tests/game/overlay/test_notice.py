@@ -8,7 +8,7 @@ import numpy as np
 import pygame
 import pytest
 
-from game.drawing.camera import Camera
+from game.drawing.camera import Camera, layout
 from game.drawing.canvas import Canvas
 from game.drawing.palette import DARK
 from game.drawing.text import Type
@@ -17,6 +17,8 @@ from game.language import CODES, choose, tr
 from game.levels import campaign
 from game.overlay import notice as plate
 from game.overlay.notice_words import Notice, notice, to_newcomer
+from game.picture.display_list import DisplayList
+from game.picture.figures import add_notice
 from game.rules import Controls, Phase, Ruleset, new_game, tick
 from game.scene import scene_at, still
 
@@ -52,3 +54,16 @@ def test_the_plate_stays_above_the_wall_and_between_the_figures(language, text_s
     assert np.ptp(across) < SIZE[0] * 2 / 3
     assert down.max() < SIZE[1] / 4
     assert np.ptp(down) > SIZE[1] / 12
+
+
+def test_a_browser_says_it_too():
+    """What the level is about stands between its name and the hint, on the same plate."""
+    out, told = (
+        DisplayList(),
+        Notice("Name", "Hint", "What it is about, in so many words that no line has room for all of them.\nSteer"),
+    )
+    add_notice(out, told, layout(SIZE, 10.0), DARK, 20.0)
+    name, *about, hint = out.texts
+    assert (name, hint, about[-1]) == ("Name", "Hint", "Steer")
+    assert " ".join(about[:-1]) == told.about.splitlines()[0]
+    assert len(about) > 2

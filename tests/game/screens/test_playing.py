@@ -228,7 +228,7 @@ def test_losing_every_ball_ends_the_game(playing, ticks):
 
 
 def test_switches_work_on_every_screen(desk):
-    """M, T and E switch sound, colours and effects on the title, in a game and in its pause menu."""
+    """M, T and E switch sound, colours and effects on the title, in a game and in its pause menu; T has three colours."""
     for opens in (None, pygame.K_RETURN, pygame.K_p):
         if opens is not None:
             desk.press(opens)
@@ -236,7 +236,7 @@ def test_switches_work_on_every_screen(desk):
         chosen = desk.shared.settings
         assert (chosen.sound, chosen.theme, chosen.effects) == (False, LIGHT, False)
         assert desk.shared.theme is LIGHT
-        desk.press(pygame.K_m, pygame.K_t, pygame.K_e)
+        desk.press(pygame.K_m, pygame.K_t, pygame.K_t, pygame.K_e)
         chosen = desk.shared.settings
         assert (chosen.sound, chosen.theme, chosen.effects) == (True, DARK, True)
 

@@ -23,12 +23,13 @@ from game.replays.verify import verified
 from game.rules import Phase, Ruleset, new_game, paddle_rings, tick
 from game.screens import ghost, play_buttons
 from game.screens.editors import OpenEditors
+from game.screens.gallery.sample import sample_state
 from game.screens.menus.credits import Credits
 from game.screens.menus.endless import seed_of
 from game.screens.menus.help import Help
 from game.screens.menus.high_scores import HighScores
 from game.screens.menus.key_capture import KeyCapture
-from game.screens.menus.level_select import LevelSelect
+from game.screens.menus.level_select import LevelSelect, next_level
 from game.screens.menus.replays import Replays
 from game.screens.menus.results import Results
 from game.screens.menus.settings_panel import SettingsPanel
@@ -421,3 +422,12 @@ def test_endless_levels_of_a_number_have_a_table_of_their_own(desk, tmp_path):
     assert objection(entry, tmp_path / "replays") is None
     assert Kept(tmp_path).progress.value.bests == []
     assert [seed_of(text) for text in ("007", "abc")] == [7, int.from_bytes(b"abc", "little")]
+
+
+def test_the_title_shows_the_level_that_play_begins(tmp_path):
+    """The autopilot plays what the player has reached, by the rules of the campaign."""
+    state = sample_state(tmp_path)
+    shown = Title(state)._demo._ticked.game
+    assert 0 < next_level(state) < len(state.catalogue)
+    assert shown.level == state.catalogue[next_level(state)]
+    assert shown.ruleset.arcade

@@ -4,7 +4,7 @@ import functools
 import time
 from collections.abc import Callable, Sequence
 from inspect import isfunction
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 import numpy.typing as npt
@@ -14,7 +14,7 @@ import physics.batch
 from physics import Arena, Ball
 from physics.batch.arrays import Floats, Games, Integers, arena_of, arrays_of
 from physics.batch.compilation import check_subnormals, sources_hash, with_progress
-from physics.batch.hits import HIT
+from physics.batch.hits import Rows, new_rows
 from physics.tolerances import MAX_IMPACTS
 from tools import fuzz
 from tools.fuzz import oracle
@@ -50,7 +50,7 @@ class _Room(NamedTuple):
     work: Slots
     spins: Floats
     counters: npt.NDArray[np.uint64]
-    hits: npt.NDArray[Any]
+    rows: Rows
     tally: Integers
 
 
@@ -76,12 +76,12 @@ def _compiled() -> CompiledFuzzer:
     to_play = play.play_checked
 
     @numba.njit(cache=True, nogil=True)  # type: ignore[untyped-decorator, unused-ignore]
-    def played(games, before, full, work, spins, counters, hits, tally, first, last, ticks, dt, speed, edge):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+    def played(games, before, full, work, spins, counters, rows, tally, first, last, ticks, dt, speed, edge):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
         _ = key
-        return to_play(games, before, full, work, spins, counters, hits, tally, first, last, ticks, dt, speed, edge)
+        return to_play(games, before, full, work, spins, counters, rows, tally, first, last, ticks, dt, speed, edge)
 
     integer, real = numba.int64, numba.float64
-    room = [numba.typeof(array) for array in room_for([Arena((), (), ())], np.empty(1, np.uint64))]
+    room = [numba.typeof(part) for part in room_for([Arena((), (), ())], np.empty(1, np.uint64))]
     played.compile((*room, integer, integer, integer, real, real, real))
     return CompiledFuzzer(played, time.perf_counter() - start, sum(played.stats.cache_hits.values()) > 0)
 
@@ -92,8 +92,8 @@ def room_for(arenas: Sequence[Arena], counters: npt.NDArray[np.uint64]) -> _Room
     full = games.layers[0].copy()
     start = games.positions[0], games.velocities[0], games.phases[0], games.spins[0], full
     before = Before(*[array.copy() for array in start])
-    hits = np.empty(2 * MAX_IMPACTS * len(arenas[0].balls), HIT)
-    return _Room(games, before, full, full.copy(), games.spins.copy(), counters, hits, np.zeros(4, np.int64))
+    rows = new_rows(2 * MAX_IMPACTS * len(arenas[0].balls))
+    return _Room(games, before, full, full.copy(), games.spins.copy(), counters, rows, np.zeros(4, np.int64))
 
 
 def play_compiled(seed: int, index: int) -> Tally:
@@ -131,7 +131,9 @@ def _case(seed: int, index: int) -> tuple[_Room, float, float]:
     """The arrays of a case, the balls' speed, and how far from the centre a ball is lost."""
     arena, speed, _ = random_case(seed, index)
     counters = np.random.SeedSequence([seed, index]).generate_state(GAMES, np.uint64).astype(np.uint64)
-    return room_for([arena] * GAMES, counters), speed, max([ring.radius + ring.half_width for ring in arena.rings])
+    room = room_for([arena] * GAMES, counters)
+    room.games.steered[:] = index % 2
+    return room, speed, max([ring.radius + ring.half_width for ring in arena.rings])
 
 
 def _start(room: _Room, arena: Arena, game: int) -> Arena:

@@ -1,13 +1,13 @@
 """The loop of the compiled fuzzer: games of one arena that are played and checked, tick by tick. Compiled as a whole."""
 
 import math
-from typing import Any
 
 import numpy as np
 import numpy.typing as npt
 
 from physics.batch.arrays import Floats, Games, Integers
-from physics.batch.games import play_one_tick, ring_of, steer
+from physics.batch.games import UNKNOWN, play_one_tick, ring_of, steer, workspace
+from physics.batch.hits import Rows
 from tools.fuzz.compiled.checks import Before, Slots, gap_beside, tick_fault
 
 _STEP = np.uint64(0x9E3779B97F4A7C15)
@@ -15,8 +15,8 @@ _FIRST, _SECOND = np.uint64(0xBF58476D1CE4E5B9), np.uint64(0x94D049BB133111EB)
 """Of SplitMix64 (Steele, Lea, Flood 2014)."""
 _ROOM = 1e-6
 _TRIES = 30
-_CALM = 8
-"""A ring that turns is steered in one tick of so many."""
+_CALM, _STEADY = 8, 160
+"""A ring that turns is steered in one tick of so many; where the free flights do not allow for that, seldom."""
 
 
 def play_checked(
@@ -26,7 +26,7 @@ def play_checked(
     work: Slots,
     spins: Floats,
     counters: npt.NDArray[np.uint64],
-    hits: npt.NDArray[Any],
+    rows: Rows,
     tally: Integers,
     first: int,
     last: int,
@@ -39,22 +39,23 @@ def play_checked(
 
     Without a fault -1, -1, 0. What happens in a game does not depend on the others.
     before: room; after a fault the tick's start. full: (rings, slots), the layers with which a game begins. work: room.
-    spins: (games, rings), room. counters: (games,), the seeds of their chance. hits: room for those of a tick.
+    spins: (games, rings), room. counters: (games,), the seeds of their chance. rows: room for the hits of a tick.
     tally: (4,), added to: ball-steps, hits, dropped balls, freed. edge: world units, where a ball is lost.
     """
-    counter = np.empty(1, np.uint64)
+    counter, room = np.empty(1, np.uint64), workspace(games)
     for g in range(first, last):
         counter[0] = counters[g]
         _begin(games, full, counter, speed, edge, g)
         for tick in range(ticks):
             _remember(games, before, g)
             games.dropped[g], games.freed[g] = 0, 0
-            count = play_one_tick(games, g, dt, speed, hits)
+            play_one_tick(games, g, dt, speed, rows, room)
+            count = rows.now[0]
             tally[0] += games.positions.shape[1]
             tally[1] += count
             tally[2] += games.dropped[g]
             tally[3] += games.freed[g]
-            fault = tick_fault(before, games, g, hits, count, dt, speed, games.freed[g], games.dropped[g], work)
+            fault = tick_fault(before, games, g, rows.hits, count, dt, speed, games.freed[g], games.dropped[g], work)
             if fault != 0:
                 return g, tick, fault
             _go_on(games, spins, counter, speed, edge, g)
@@ -64,6 +65,7 @@ def play_checked(
 def _begin(games: Games, full: Slots, counter: npt.NDArray[np.uint64], speed: float, edge: float, g: int) -> None:
     """Lay the bricks anew, turn every ring by chance, and serve every ball."""
     for k in range(games.phases.shape[1]):
+        games.steered[k] = max(games.steered[k], 0)  # this game's flights know of no steering yet
         games.phases[g, k] = (
             ring_of(games, g, k).turned(chance(counter) * 2.0 * math.pi / max(abs(games.spins[g, k]), 1e-3)).phase
         )
@@ -82,7 +84,8 @@ def _go_on(games: Games, spins: Floats, counter: npt.NDArray[np.uint64], speed: 
     another = False
     for k in range(games.spins.shape[1]):
         spins[g, k] = games.spins[g, k]
-        if spins[g, k] != 0.0 and chance(counter) * _CALM * games.spins.shape[1] < 1.0:
+        calm = _CALM if games.steered[k] > 0 else _STEADY
+        if spins[g, k] != 0.0 and chance(counter) * calm * games.spins.shape[1] < 1.0:
             spins[g, k] = (2.0 * chance(counter) - 1.0) * 0.99 * speed / (games.ring_radii[k] + games.half_widths[k])
             another = True
     if another:
@@ -102,7 +105,7 @@ def _serve(games: Games, counter: npt.NDArray[np.uint64], speed: float, edge: fl
             position = there
             break
     games.positions[g, i], games.velocities[g, i] = position, speed * _unit(counter)
-    games.known[g] = 0
+    games.known[g], games.free[g] = UNKNOWN, 0
 
 
 def _remember(games: Games, before: Before, g: int) -> None:

@@ -35,6 +35,7 @@ from physics import (
     narrow_phase_case_1,
     to_cartesian,
 )
+from physics.narrow_phase import contact_above
 
 _SAMPLES = 200
 
@@ -109,7 +110,7 @@ def _disagrees(case: _FaceCase) -> bool:
 def _cited(case: _FaceCase) -> CitedLine:
     """The line that gives the sign; inside the material, the line that compares the depths."""
     if case.inside:
-        return code_line(contact, "if face.gap > -ball.radius or ring.half_angle == math.pi:")
+        return code_line(contact_above, "if face.gap > -ball.radius or ring.half_angle == math.pi:")
     if case.applies:
         return code_line(narrow_phase_case_1, "return -n if length(p) < radius else n")
     return code_line(contact, "if not is_over(ring, theta, angle):")

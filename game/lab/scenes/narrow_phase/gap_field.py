@@ -1,7 +1,7 @@
 """The gap between a ball and a sector, and the normal, at every position of the ball."""
 
 import math
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 from game.lab import source
 from game.lab.kit import handles
@@ -27,14 +27,9 @@ from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import Ball, Contact, Feature, Ring, contact, length, narrow_phase_case_2, to_cartesian
 from physics.narrow_phase import end_contact, face_contact
 
-if TYPE_CHECKING:  # numpy is loaded by the functions that need it: a browser has none, and leaves this scene out
-    import numpy as np
-    from numpy.typing import NDArray
-
 _BOX = ViewBox(1.5 + 1.6j, 10.2 + 6.2j)
 _HALF, _NORMALS_HALF = 26 + 14j, 15 + 8j
 """Half of what the field covers, and of what the drawn normals do, around the view's centre."""
-_CELLS = (260, 140)
 _BAND, _SPAN = 1.0, 7.0
 _SPACING, _ARROW = 1.7, 0.65
 _SAMPLES = 32
@@ -50,6 +45,50 @@ class _BallAndSector(NamedTuple):
     found: Contact
 
 
+class _Outline(NamedTuple):
+    """A sector, seen from its middle angle: its distances, computed independently of the code that the scene shows.
+
+    turn: that takes its middle to the x axis. end: unit, along its upper end; 0 for a closed ring.
+    """
+
+    turn: complex
+    end: complex
+    radius: float
+    half_width: float
+
+    @classmethod
+    def of(cls, ring: Ring) -> "_Outline":
+        """Of a ring's first sector."""
+        end = 0j if ring.half_angle >= math.pi else to_cartesian(1.0, ring.half_angle)
+        return cls(to_cartesian(1.0, -ring.phase), end, ring.radius, ring.half_width)
+
+    def distance(self, p: complex) -> float:
+        """Of a point, below 0 inside."""
+        turned = self.turn * p
+        x, y = turned.real, abs(turned.imag)
+        face = abs(math.hypot(x, y) - self.radius) - self.half_width
+        if self.end == 0.0:
+            return face
+        along, beside = self.end.real * x + self.end.imag * y, self.end.real * y - self.end.imag * x
+        inner, outer = self.radius - self.half_width, self.radius + self.half_width
+        far = math.hypot(along - min(max(along, inner), outer), beside)
+        if math.atan2(y, x) > math.atan2(self.end.imag, self.end.real):
+            return far
+        return face if face > 0.0 else max(face, -far)
+
+
+class _BandedGap(NamedTuple):
+    """The gap of a ball anywhere, every other band of it fainter."""
+
+    outline: _Outline
+    ball_radius: float
+
+    def at(self, p: complex) -> float:
+        """With the ball's centre at a point."""
+        gap = self.outline.distance(p) - self.ball_radius
+        return gap if math.floor(gap / _BAND) % 2 == 0 else 0.7 * gap
+
+
 def _ball_and_sector(given: Given) -> _BallAndSector:
     """The ball and the sector that the values make."""
     ring = Ring(given.number("radius"), given.number("half_width"), given.angle("half_angle"), 1, given.angle("angle"))
@@ -59,14 +98,8 @@ def _ball_and_sector(given: Given) -> _BallAndSector:
 
 def _picture(given: Given) -> Picture:
     """Bands of equal gap, normals on a coarse grid, the borders between faces, ends and corners, and the ball."""
-    import numpy as np  # noqa: PLC0415  # see above
-
     ball, ring, found = _ball_and_sector(given)
-    columns, rows = _CELLS
-    x = np.linspace(-_HALF.real, _HALF.real, columns) + _BOX.centre.real
-    y = np.linspace(-_HALF.imag, _HALF.imag, rows) + _BOX.centre.imag
-    gaps = _gaps(x[:, None], y[None, :], ring) - ball.radius
-    bands = gaps * np.where(np.floor(gaps / _BAND) % 2.0 == 0.0, 1.0, 0.7)
+    bands = _BandedGap(_Outline.of(ring), ball.radius)
     field: list[Mark] = [Field(_BOX.centre - _HALF, _BOX.centre + _HALF, bands, _SPAN, Toggle.BANDS), *_sides(ring)]
     p, q = ball.position, found.point
     closest, drawn_gap, normal, *touch = contact_marks(ball, found)
@@ -99,21 +132,6 @@ def _picture(given: Given) -> Picture:
         ),
     )
     return in_steps(steps, _cited(found), _note(ball, ring))
-
-
-def _gaps(x: "NDArray[np.float64]", y: "NDArray[np.float64]", ring: Ring) -> "NDArray[np.float64]":
-    """Distances of points from a sector, below 0 inside, computed independently of the code that the scene shows."""
-    import numpy as np  # noqa: PLC0415  # see above
-
-    turn = to_cartesian(1.0, -ring.phase)
-    x, y = turn.real * x - turn.imag * y, np.abs(turn.real * y + turn.imag * x)
-    face = np.abs(np.hypot(x, y) - ring.radius) - ring.half_width
-    if ring.half_angle >= math.pi:
-        return face
-    end = to_cartesian(1.0, ring.half_angle)
-    along, beside = end.real * x + end.imag * y, end.real * y - end.imag * x
-    far = np.hypot(along - np.clip(along, ring.inner_radius, ring.outer_radius), beside)
-    return np.where(np.arctan2(y, x) > ring.half_angle, far, np.where(face > 0.0, face, np.maximum(face, -far)))
 
 
 def _sides(ring: Ring) -> list[Mark]:
@@ -183,14 +201,7 @@ def _normals(ball_radius: float, ring: Ring) -> list[Mark]:
 
 def _is_inside(p: complex, ring: Ring) -> bool:
     """Whether a point lies in the material."""
-    return _distance(p, ring) < 0.0
-
-
-def _distance(p: complex, ring: Ring) -> float:
-    """Of one point from a sector, below 0 inside."""
-    import numpy as np  # noqa: PLC0415  # see above
-
-    return float(_gaps(np.array(p.real), np.array(p.imag), ring))
+    return _Outline.of(ring).distance(p) < 0.0
 
 
 def _cited(found: Contact) -> CitedLine:
@@ -219,7 +230,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
     """The gap is a distance: by its definition, by its slope, and on the line to q."""
     ball, ring, found = _ball_and_sector(given)
     p, r = ball.position, ball.radius
-    there = _distance(p, ring)
+    there = _Outline.of(ring).distance(p)
     other = p + to_cartesian(0.3 + 0.5 * r, 7.0 * (p.real + p.imag))
     gap = contact(Ball(other, 0j, r), ring, 0).gap
     half_way = contact(Ball((p + found.point) / 2.0, 0j, r), ring, 0).gap

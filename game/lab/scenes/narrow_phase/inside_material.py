@@ -38,7 +38,7 @@ from physics import (
     length,
     min_difference,
 )
-from physics.narrow_phase import face_contact
+from physics.narrow_phase import contact_above, face_contact
 from physics.tolerances import OVERLAP
 
 _SAMPLES = 200
@@ -136,7 +136,7 @@ def _cited(start: _BallInside) -> CitedLine:
     """The source's line where it is wrong, else the line of the physics."""
     if start.inside and start.found.feature is Feature.END:
         return source_line("Broad phase", "if min_difference(θ, θ_p) ≤ φ_p: return narrow_phase_case_1(p, r_p)")
-    return code_line(contact, "if face.gap > -ball.radius or ring.half_angle == math.pi:")
+    return code_line(contact_above, "if face.gap > -ball.radius or ring.half_angle == math.pi:")
 
 
 def _note(start: _BallInside) -> str:

@@ -1,12 +1,9 @@
 """Which part of the world a pane shows: moved by dragging, zoomed about the pointer, and back to the whole."""
 
 from collections.abc import Sequence
-from typing import NamedTuple
-
-import pygame
+from typing import NamedTuple, Protocol
 
 from game.drawing.camera import Camera
-from game.lab.drawing.canvas import camera_for
 from game.lab.kit.parameters import Given
 from game.lab.kit.scene import LabScene, ViewBox
 
@@ -19,13 +16,29 @@ _FARTHEST = 50.0
 """World units that the middle of what is shown may be away from the view box's."""
 
 
+class Area(Protocol):
+    """A rectangle of pixels, such as pygame's."""
+
+    @property
+    def width(self) -> float:
+        """Pixels."""
+
+    @property
+    def height(self) -> float:
+        """Pixels."""
+
+    @property
+    def center(self) -> tuple[float, float]:
+        """Its middle, x and y."""
+
+
 class PanZoom(NamedTuple):
     """How what is shown differs from the scene's view box. pan: its middle from the box's, world units."""
 
     pan: complex = 0j
     zoom: float = 1.0
 
-    def camera(self, box: ViewBox, area: pygame.Rect) -> Camera:
+    def camera(self, box: ViewBox, area: Area) -> Camera:
         """The camera for an area."""
         return camera_for(ViewBox(box.centre + self.pan, box.half / self.zoom), area)
 
@@ -49,7 +62,7 @@ class PanZoom(NamedTuple):
         """After the world was dragged by so many pixels."""
         return self._panned_to(self.pan - pixels.conjugate() / camera.scale)
 
-    def zoomed(self, box: ViewBox, area: pygame.Rect, pixel: complex, steps: float) -> "PanZoom":
+    def zoomed(self, box: ViewBox, area: Area, pixel: complex, steps: float) -> "PanZoom":
         """After some steps of the wheel; what is under the pixel stays there."""
         zoom = min(max(self.zoom * _STEP ** min(max(steps, -20.0), 20.0), _LEAST), _MOST)
         nearer = PanZoom(self.pan, zoom)
@@ -59,3 +72,9 @@ class PanZoom(NamedTuple):
     def _panned_to(self, pan: complex) -> "PanZoom":
         """With another pan, at most as far as the farthest."""
         return PanZoom(pan if abs(pan) <= _FARTHEST else pan / abs(pan) * _FARTHEST, self.zoom)
+
+
+def camera_for(box: ViewBox, area: Area) -> Camera:
+    """The camera that shows a part of the world in the middle of an area, as large as fits."""
+    scale = max(min(area.width / (2.0 * box.half.real), area.height / (2.0 * box.half.imag)), 1e-3)
+    return Camera(complex(*area.center) - box.centre.conjugate() * scale, scale)

@@ -6,9 +6,9 @@ from typing import NamedTuple
 
 from game.lab.kit.picture import Picture
 from game.lab.session import session as sessions
+from game.lab.session.commands import Command
 from game.lab.session.reveal import Reveal, begun, next_step, previous_step, whole
 from game.lab.session.session import Session
-from game.lab.window.commands import Command
 
 SESSION_CHANGES: dict[Command, Callable[[Session], Session]] = {
     Command.FORWARD: lambda session: sessions.moved(session, 1),

@@ -1,4 +1,4 @@
-"""A line that is only read: of what the items below it are, or between buttons."""
+"""A line that is only read: it says what the items below it are, or stands between buttons."""
 
 from dataclasses import dataclass
 
@@ -16,18 +16,13 @@ _SMALLER = 0.9
 
 
 @dataclass(frozen=True)
-class Caption(Item):
+class LabelItem(Item):
     """Words, and a note behind them in the second colour. centred: the words, which have no note then."""
 
     text: str
     note: str = ""
     centred: bool = False
-    width_share: float = 1.0
-
-    @property
-    def share(self) -> float:
-        """Its part of the row's width."""
-        return self.width_share
+    share: float = 1.0
 
     def height(self, type_: Type, unit: float, width: float) -> float:
         """One line; two where the note has no room beside the words."""

@@ -1,0 +1,37 @@
+"""What can be asked of the lab by a key or a button alone."""
+
+from enum import Enum
+
+
+class Command(Enum):
+    """What can be asked for by a key alone. The value is the button's text."""
+
+    PLAY = "Play"
+    REVEAL = "Reveal"
+    UNDO_STEP = "Step back"
+    PAGE_DOWN = "Page down"
+    PAGE_UP = "Page up"
+    PREDICT = "Predict"
+    COURSE = "Course"
+    PRESENT = "Present"
+    LARGER = "Larger text"
+    SMALLER = "Smaller text"
+    CONTROLS = "Controls"
+    SAVE_LEVEL = "Save level"
+    SAVE_PNG = "PNG"
+    SAVE_SVG = "SVG"
+    SAVE_GIF = "GIF"
+    FORWARD = "Step"
+    BACK = "Back"
+    RESTART = "Restart"
+    SLOWER = "-"
+    FASTER = "+"
+    DEFAULTS = "Defaults"
+    COPY = "Copy line"
+    SAVE = "Save case"
+    WHOLE = "Whole scene"
+    THEME = "Colours"
+    HELP = "Help"
+    PREVIOUS = "<"
+    NEXT = ">"
+    LEAVE = "Leave"

@@ -1,0 +1,62 @@
+"""What the game and the lab ask of a player's own functions, wherever they run: in a child process, or in a browser."""
+
+from collections.abc import Sequence
+from typing import Protocol
+
+from game.language import tr
+from game.student.reply import Reply
+
+_LISTED = 4
+"""Functions that are named; of more, the number."""
+
+
+class AnsweringFunctions(Protocol):
+    """The functions of a file. Nothing of it raises: `problem` tells.
+
+    Attributes:
+        own: names of the source's functions that the file defines, and "advance" where it has one; empty where none answers.
+        problem: what is wrong, in one line that names the file's line where there is one; "" where nothing is.
+    """
+
+    own: frozenset[str]
+    problem: str
+
+    @property
+    def name(self) -> str:
+        """The file's name."""
+
+    @property
+    def note(self) -> str:
+        """One line that says whose functions answer."""
+
+    def refresh(self) -> str:
+        """What has become of the file since the last call, in a few words; "" for nothing."""
+
+    def ask(self, name: str, arguments: Sequence[object]) -> object:
+        """The result of one question; None where there is none, and then nothing answers until the file is another one."""
+
+    def calls(self, calls: Sequence[tuple[str, Sequence[float]]]) -> list[Reply]:
+        """The answers to calls of the source's functions, each with its flat list of numbers; one that fails has a problem."""
+
+    def reject(self, problem: str) -> None:
+        """Let nothing of the file answer until it is another one. problem: why, without the file's name."""
+
+
+def note_of(name: str, own: frozenset[str], problem: str, *, answers: bool) -> str:
+    """One line that says whose functions answer. name: of the file. own, problem: as of `AnsweringFunctions`.
+
+    answers: whether any version of the file does.
+    """
+    if problem and not answers:
+        return tr("{problem}; the slides' own functions answer until it is saved again").format(problem=problem)
+    if problem:
+        return tr("{problem}; the version before goes on").format(problem=problem)
+    if len(own) > _LISTED:
+        return tr("Your {count} functions, from {file}; the rest is the slides'").format(file=name, count=len(own))
+    names = ", ".join(sorted(own)) or tr("nothing yet")
+    return tr("Yours, from {file}: {functions}; the rest is the slides'").format(file=name, functions=names)
+
+
+def placed_problem(name: str, problem: str) -> str:
+    """A problem after the name of the file: NAME, line 3: ... or NAME: ..."""
+    return f"{name}, {problem}" if problem.startswith("line ") else f"{name}: {problem}"
