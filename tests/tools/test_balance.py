@@ -55,13 +55,15 @@ def test_the_campaign_was_measured_as_it_is_now():
 
 
 def test_the_page_of_the_campaign_says_what_was_measured():
-    """A row for each level: lives lost and seconds of the three players, and the average player's longest wait; the chapters."""
+    """A row each level: lives lost and seconds of the three players, and the average player's longest wait; the chapters."""
     page = (ROOT / "docs" / "campaign.md").read_text(encoding="utf-8").splitlines()
     games = json.loads((ROOT / "tests" / "reference" / "balance.json").read_text())
     players = [skill._asdict() for skill in parsed_skills("150/2,220/5,300/10")]
     for number, level in enumerate(campaign(), 1):
         own = [[game for game in games if game["level"] == level.name and game["skill"] == skill] for skill in players]
-        cells = [f"{mean([game['lost'] for game in some]):.1f}, {mean([game['seconds'] for game in some]):.0f} s" for some in own]
+        cells = [
+            f"{mean([game['lost'] for game in some]):.1f}, {mean([game['seconds'] for game in some]):.0f} s" for some in own
+        ]
         wait = max([game["longest_gap"] for game in measured()[level.name]])
         assert f"| {number} {level.name} | {' | '.join(cells)} | {wait:.1f} s |" in page
         first = (number - 1) // 4 * 4 + 1
