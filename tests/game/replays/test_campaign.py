@@ -1,8 +1,7 @@
 """Every level of the campaign can be won at normal difficulty, by the autopilot and by a simulated human (220 ms, 5 degrees).
 
 The replays were recorded by playing each level alone: the autopilot with seeds 0, 1, 2 and so on until it had won, the human
-first with the seeds of the measured games, the shortest first, which keeps the files small. A level that is changed needs
-new ones.
+with the seeds of the measured games, the shortest first, which keeps the files small. A level that is changed needs new ones.
 """
 
 import pytest
