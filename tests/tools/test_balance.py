@@ -61,7 +61,9 @@ def test_the_page_of_the_campaign_says_what_was_measured():
     players = [skill._asdict() for skill in parsed_skills("150/2,220/5,300/10")]
     for number, level in enumerate(campaign(), 1):
         own = [[game for game in games if game["level"] == level.name and game["skill"] == skill] for skill in players]
-        cells = [f"{mean([game['lost'] for game in some]):.1f}, {mean([game['seconds'] for game in some]):.0f} s" for some in own]
+        cells = [
+            f"{mean([game['lost'] for game in some]):.1f}, {mean([game['seconds'] for game in some]):.0f} s" for some in own
+        ]
         wait = max([game["longest_gap"] for game in measured()[level.name]])
         assert f"| {number} {level.name} | {' | '.join(cells)} | {wait:.1f} s |" in page
         first = (number - 1) // 4 * 4 + 1
