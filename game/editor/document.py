@@ -83,18 +83,22 @@ def painted_slots(document: Document, ring: int, after: list[int]) -> Document:
 
 
 def with_count(document: Document, ring: int, count: int) -> Document:
-    """The document with another number of slots in a ring: bricks keep their share of the turn, stacks are sampled anew."""
+    """The document with another number of slots in a ring.
+
+    Bricks keep their share of the turn; every slot takes the layers and the tint of where it begins.
+    """
     spec = document.level.rings[ring]
     if count < 1:
         raise BadInputError(f"rings[{ring}].count: must be at least 1")
-    slots = spec.slots()
-    sampled = [slots[min(slot * spec.count // count, spec.count - 1)] for slot in range(count)]
+    sampled, slots = [slot * spec.count // count for slot in range(count)], spec.slots()
     toml = _tables(document.text)
     table: Any = toml["rings"][ring]
     _put(table, "count", count)
     _put(table, "half_angle", _rounded(spec.half_angle * spec.count / count))
     if isinstance(spec.layers, list):
-        _put(table, "layers", sampled)
+        _put(table, "layers", [slots[slot] for slot in sampled])
+    if isinstance(spec.tint, list):
+        _put(table, "tint", [spec.tint_at(slot) for slot in sampled])
     return opened(tomlkit.dumps(toml))
 
 

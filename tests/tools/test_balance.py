@@ -55,7 +55,7 @@ def test_the_campaign_was_measured_as_it_is_now():
 
 
 def test_the_page_of_the_campaign_says_what_was_measured():
-    """A row for each level: lives lost and seconds of the three players, and the average player's longest wait; the chapters."""
+    """A row each level: lives lost and seconds of the three players, and the average player's longest wait; the chapters."""
     page = (ROOT / "docs" / "campaign.md").read_text(encoding="utf-8").splitlines()
     games = json.loads((ROOT / "tests" / "reference" / "balance.json").read_text())
     players = [skill._asdict() for skill in parsed_skills("150/2,220/5,300/10")]

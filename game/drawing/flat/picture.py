@@ -103,5 +103,6 @@ class FlatPicture:
 
 def _lanes(scene: Scene) -> list[float]:
     """For every ring the distance to the next one outwards, or to the rim, world units."""
-    edges = sorted([*[ring.inner_radius for ring in scene.rings], scene.ground_radius])
+    end = max(scene.ground_radius, *[ring.outer_radius for ring in scene.rings])  # the editor draws rings beyond the rim, too
+    edges = sorted([*[ring.inner_radius for ring in scene.rings], end])
     return [edges[bisect_right(edges, ring.radius)] - ring.outer_radius for ring in scene.rings]

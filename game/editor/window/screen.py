@@ -67,7 +67,7 @@ class Editor:
         """Open with a session on a file. back: the screen that it leads back to."""
         self._state, self.session, self._file, self._back = state, session, file, back
         self._painter = Painter()
-        self._drawn: Level = session.document.level  # the last one that could be drawn
+        self._drawn: Level | None = None  # the last one that could be drawn
         self._hand = Hand.KEYS
         self._in_panel = False
         self._target = Target(TargetKind.NUMBER)
@@ -151,7 +151,8 @@ class Editor:
             draw_arena(canvas, self._painter, self.session.document.level)
             self._drawn = self.session.document.level
         except ValueError:  # sizes that the physics does not take; the problem is written below
-            draw_arena(canvas, self._painter, self._drawn)
+            if self._drawn is not None:
+                draw_arena(canvas, self._painter, self._drawn)
         by_mouse = self._hand is Hand.MOUSE
         at = self._hovered(seen) if by_mouse else (self.session.ring, self.session.slot)
         in_panel = self._in_panel and not by_mouse

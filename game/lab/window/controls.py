@@ -192,7 +192,7 @@ def _time(session: Session, do: Reactions, *, narrow: bool) -> list[Row]:
     steps = (_button(Command.BACK, do), play, _button(Command.FORWARD, do), _button(Command.RESTART, do))
     pace = PACES[session.pace]
     clock = f"tick {session.tick} of {session.last}, {'real' if pace == 1.0 else f'1/{round(1 / pace)}'} time"
-    middle = LabelItem(clock, centred=True, width_share=_LIST_SHARE)
+    middle = LabelItem(clock, centred=True, share=_LIST_SHARE)
     return [*_rows(steps, 2 if narrow else 4), (_button(Command.SLOWER, do), middle, _button(Command.FASTER, do))]
 
 

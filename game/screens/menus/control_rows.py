@@ -41,9 +41,7 @@ def _keys(state: AppState, panel: Screen, action: Action, name: str) -> Row:
     wanted = [*[Wanted(action, name, slot, of_pad=False) for slot in range(_SLOTS)], Wanted(action, name, 0, of_pad=True)]
     tip = tr("Enter: choose another. The same key once more takes it away.")
     shown = zip([*keys, pad], wanted, strict=True)
-    cells = [
-        ButtonItem(words, _capture(state, panel, one), tip=tip, centred=True, width_share=_KEY_SHARE) for words, one in shown
-    ]
+    cells = [ButtonItem(words, _capture(state, panel, one), tip=tip, centred=True, share=_KEY_SHARE) for words, one in shown]
     return tuple(cells)
 
 

@@ -63,7 +63,7 @@ def _game() -> tuple[Row, ...]:
         tr("Every step of a brick is one layer, and takes one hit. Steel never breaks."),
         tr("Bricks in a row, without a paddle between them, multiply the points: up to eight times."),
     )
-    beside = TextItem("\n".join(words), 1.15, width_share=1.25)
+    beside = TextItem("\n".join(words), 1.15, share=1.25)
     return (
         (Drawing(12.5, pictures.draw_arena, most=1.0), beside),
         (TextItem(""),),
@@ -113,6 +113,6 @@ def _controls() -> tuple[Row, ...]:
     )
     rows: list[Row] = []
     for name, how in ways:
-        row: tuple[Item, ...] = (TextItem(name, 1.2, width_share=0.35), TextItem(how, 1.1))
+        row: tuple[Item, ...] = (TextItem(name, 1.2, share=0.35), TextItem(how, 1.1))
         rows += [row, (Item(),)]
     return tuple(rows)

@@ -24,7 +24,7 @@ def power_rows() -> tuple[Row, ...]:
     cells = [_cell(kind) for kind in PowerUp]
     rows: list[Row] = [
         (*left, *right)
-        for left, right in zip(cells[::2], [*cells[1::2], (TextItem("", width_share=_SIGN), TextItem(""))], strict=False)
+        for left, right in zip(cells[::2], [*cells[1::2], (TextItem("", share=_SIGN), TextItem(""))], strict=False)
     ]
     caught = tr("A broken brick may leave one. It drifts outward; catch it with a paddle before it leaves the circle.")
     harmful = tr("Signs with prickles are better not caught.")
@@ -46,7 +46,7 @@ def _cell(kind: PowerUp) -> tuple[Item, Item]:
         add_chip(sign, kind, pixel, radius, canvas.theme)
         _painter.paint(canvas.surface, canvas.type, sign)
 
-    return Drawing(_ROW, paint, width_share=_SIGN), TextItem(words, 1.0, faint=kind in HARMFUL)
+    return Drawing(_ROW, paint, share=_SIGN), TextItem(words, 1.0, faint=kind in HARMFUL)
 
 
 def _first_upper(words: str) -> str:

@@ -39,12 +39,7 @@ class DropDown(LineItem):
     label: str
     opened: Callable[[], Screen | None]
     tip: str = ""
-    width_share: float = 1.0
-
-    @property
-    def share(self) -> float:
-        """Its part of the row's width."""
-        return self.width_share
+    share: float = 1.0
 
     def draw(self, canvas: Canvas, box: pygame.Rect, *, focused: bool) -> None:
         """Its name, and an arrow head downwards."""

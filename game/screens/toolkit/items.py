@@ -39,20 +39,20 @@ _LINE_WIDTH = 0.05
 
 
 class Item:
-    """One thing on a panel; of itself it is empty room that cannot be used."""
+    """One thing on a panel; of itself it is empty room that cannot be used.
+
+    tip: what is said about it when it has the focus. key: what uses it from anywhere on the panel.
+    share: its part of the row's width, in comparison with the other items of the row.
+    """
 
     tip: str = ""
     key: Action | None = None
+    share: float = 1.0
 
     @property
     def focusable(self) -> bool:
         """Whether it can be used."""
         return False
-
-    @property
-    def share(self) -> float:
-        """Its part of the row's width, in comparison with the other items of the row."""
-        return 1.0
 
     def height(self, _type: Type, _unit: float, _width: float) -> float:
         """How high it is, units. unit, width: pixels."""
@@ -100,12 +100,7 @@ class TextItem(Item):
     size: float = 1.05
     faint: bool = False
     centred: bool = False
-    width_share: float = 1.0
-
-    @property
-    def share(self) -> float:
-        """Its part of the row's width."""
-        return self.width_share
+    share: float = 1.0
 
     def height(self, type_: Type, unit: float, width: float) -> float:
         """As many lines as the words take."""
@@ -157,17 +152,12 @@ class ButtonItem(Item):
     note: str = ""
     centred: bool = False
     large: bool = False
-    width_share: float = 1.0
+    share: float = 1.0
 
     @property
     def focusable(self) -> bool:
         """It is used."""
         return True
-
-    @property
-    def share(self) -> float:
-        """Its part of the row's width."""
-        return self.width_share
 
     def height(self, _type: Type, _unit: float, _width: float) -> float:
         """One line."""
@@ -359,13 +349,8 @@ class Drawing(Item):
 
     tall: float
     paint: Callable[[Canvas, pygame.Rect], None]
-    width_share: float = 1.0
+    share: float = 1.0
     most: float = math.inf
-
-    @property
-    def share(self) -> float:
-        """Its part of the row's width."""
-        return self.width_share
 
     def height(self, _type: Type, unit: float, width: float) -> float:
         """As it was given."""

@@ -22,12 +22,7 @@ class LabelItem(Item):
     text: str
     note: str = ""
     centred: bool = False
-    width_share: float = 1.0
-
-    @property
-    def share(self) -> float:
-        """Its part of the row's width."""
-        return self.width_share
+    share: float = 1.0
 
     def height(self, type_: Type, unit: float, width: float) -> float:
         """One line; two where the note has no room beside the words."""

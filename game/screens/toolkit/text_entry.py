@@ -39,7 +39,7 @@ class TextEntry(Panel):
         for line in self._lines:
             letters = [ButtonItem(letter, self._typed(letter), centred=True) for letter in line]
             keys.append((*letters, *[Item()] * (len(self._lines[0]) - len(line))))
-        space = ButtonItem(tr("Space"), self._typed(" "), centred=True, width_share=2.0)
+        space = ButtonItem(tr("Space"), self._typed(" "), centred=True, share=2.0)
         erase = ButtonItem(tr("Erase"), self._erase, centred=True)
         keys.append((space, erase))
         done = ButtonItem(tr("Done"), lambda: self._done(self.text.strip()), centred=True, large=True)

@@ -87,10 +87,12 @@ def test_a_drag_is_undone_as_a_whole():
 
 
 def test_another_number_of_slots_keeps_the_pattern_and_the_gaps_share():
-    session = editor.stroked(editor.begun(TEXT, TEXT), 0, 0, layers=0)
+    text = TEXT.replace("[[rings]]", "[[rings]]\ntint = [0, 8, 3]", 1)
+    session = editor.stroked(editor.begun(text, text), 0, 0, layers=0)
     row = next(row for row in editor.rows(session) if row.name == "count")
     doubled = editor.entered(session, row, 24).document
     assert doubled.level.rings[0].slots() == (0, 0, *[2] * 22)
+    assert doubled.level.rings[0].tints() == (0, 0, 8, 8, 3, 3) * 4
     assert doubled.level.rings[0].half_angle == 6.5
 
 

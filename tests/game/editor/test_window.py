@@ -66,6 +66,29 @@ def test_the_mouse_paints_takes_away_and_repeats(editor):
     assert editor.session.document.level.rings[0].slots() == (5, 1, 1, 1) * 3
 
 
+@pytest.mark.parametrize(
+    ("before", "after"),
+    [
+        ("half_angle = 13.0", "half_angle = 170.0"),  # more than the physics takes
+        ("radius = 9.2", "radius = 12.0"),
+        ("radius = 4.0", "radius = 14.0"),
+    ],
+)
+def test_a_file_that_cannot_be_played_is_opened_and_drawn(tmp_path, before, after):
+    """Bricks that overlap, paddles beyond the rim, a ring beyond it: the problem is shown, and can be mended."""
+    assert before in NEW
+    pygame.font.init()
+    (tmp_path / "mine.toml").write_text(NEW.replace(before, after))
+    file = WatchedFile(tmp_path / "mine.toml")
+    editor = Editor(AppState(classic(), 0, 0, Title), editing_session(file), file)
+    surface = pygame.Surface(SIZE)
+    editor.draw(surface)
+    assert editor.session.document.problem
+    for _ in range(2):
+        editor.draw(surface)
+        click(editor, (600, 400))
+
+
 def test_a_number_is_typed_and_wheeled_and_stepped(editor):
     row, box = editor_layout(SIZE, editor.session).rows[0]
     assert row.name == "radius"
