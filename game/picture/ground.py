@@ -13,7 +13,8 @@ from game.picture.display_list import DisplayList
 
 _STOPS = 24
 _AROUND = tuple([cmath.rect(1.0, math.tau * k / 72) for k in range(72)])
-_RINGS_ASLANT = 14
+_RINGS_ASLANT = 24
+"""Discs of one colour each that the ground aslant is made of, and what is around it."""
 
 
 def add_ground(out: DisplayList, camera: Camera, theme: Theme, ground: Ground) -> None:
@@ -40,7 +41,7 @@ def _add_aslant(out: DisplayList, camera: Camera, theme: Theme, ground: Ground) 
     """Add the ground as a plate seen aslant: discs from the largest to the smallest, each in one colour."""
     outer = ground.radius + rim_width(camera)
     for k in range(_RINGS_ASLANT):
-        share = FARTHEST - (FARTHEST - 1.0) * k / _RINGS_ASLANT
+        share = 1.0 + (FARTHEST - 1.0) * (1.0 - k / _RINGS_ASLANT) ** 2
         out.polygon(_circle(camera, ground.radius * share), rounded(around_shade(theme, share)))
     below = [camera.project(point * outer, -THICKNESS * outer) for point in _AROUND]
     out.polygon(below, mixed(theme.rim, theme.background, EDGE_SHADE))

@@ -206,7 +206,7 @@ def _shades(colour: Colour) -> tuple[Colour, ...]:
 
 
 def _add_shadows(out: DisplayList, scene: Scene, camera: Camera, eye: _Eye, theme: Theme, contents: Contents) -> None:
-    """Add the shadows on the ground: of every block its foot, moved down the light."""
+    """Add the shadows on the ground: what the foot of every block passes over as it is moved down the light."""
     down_light = -LIGHT * camera.turning * SHADOW_SLANT * eye.sine * LAYER_HEIGHT * scene.ground_radius
     for k, ring in enumerate(scene.rings):
         outline = _outline(slot_shape(ring, scene.tallest[k], 0.0), 0.0)
@@ -214,4 +214,18 @@ def _add_shadows(out: DisplayList, scene: Scene, camera: Camera, eye: _Eye, them
             if content.kind not in (ContentKind.EMPTY, ContentKind.GHOST):
                 turn = cmath.rect(1.0, ring.angle(slot)) * camera.turning
                 moved = down_light * height(content)
-                out.polygon(eye.pixels([point * turn + moved for point in outline], 0.0), _BLACK, theme.shadow)
+                out.polygon(eye.pixels(swept([point * turn for point in outline], moved), 0.0), _BLACK, theme.shadow)
+
+
+def swept(outline: list[complex], moved: complex) -> list[complex]:
+    """The outline of what a foot passes over as it is moved: the sides that face that direction are at its end.
+
+    outline: its corners, clockwise in the world. Where it is concave, the block itself covers what is left out.
+    """
+    ahead = [((outline[k] - outline[k - 1]) * 1j * moved.conjugate()).real > 0.0 for k in range(len(outline))]
+    found = []
+    for k, point in enumerate(outline):
+        before, after = ahead[k], ahead[(k + 1) % len(outline)]
+        here, there = point, point + moved
+        found += [there if before else here] if before == after else [there, here] if before else [here, there]
+    return found

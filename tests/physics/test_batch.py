@@ -58,7 +58,7 @@ def games_of_one_shape(case, chance):
         edge = max(ring.outer_radius for ring in arena.rings)
         for i, ball in enumerate(arena.balls):
             arena = served(arena, i, ball.radius, case.speed, chance)
-            if chance.random() < 0.3:
+            if chance.random() < 0.4:
                 position = complex(chance.uniform(-edge, edge), chance.uniform(-edge, edge))
                 balls = (*arena.balls[:i], arena.balls[i]._replace(position=position), *arena.balls[i + 1 :])
                 arena = arena._replace(balls=balls)
@@ -125,8 +125,8 @@ def test_a_batch_has_the_bits_of_the_scalar_engine_at_every_tick():
         edge = max(ring.outer_radius for ring in case.arena.rings) + 2.0 * case.arena.balls[0].radius
         batch = Batch(arenas, dt=TICK, speed=case.speed, ground_radius=edge)
         flights = [None] * GAMES
-        for tick in range(TICKS):  # in the first half rings keep their spin, whose flights are followed to the very touch
-            spins = random_spins(batch, case, chance, 0.0 if tick < TICKS // 2 else 0.1)
+        for tick in range(TICKS):  # in the first quarter rings keep their spin, whose flights are followed to the very touch
+            spins = random_spins(batch, case, chance, 0.0 if tick < TICKS // 4 else 0.1)
             steps, done = compared(batch, arenas, flights, spins, case.speed)
             played.add(steps)
             arenas, flights = [step.arena for step in steps], [step.flight for step in steps]

@@ -16,8 +16,8 @@ from tools.measure.contenders import Play
 from tools.measure.standard_arena import BALL_RADIUS, CHECK_EVERY, GROUND, SPEED, TICK, arena, served
 
 _FEW = 256
-_LARGE = 4096
-"""Games that are worth being shared by threads."""
+_USUAL, _LARGE = 4096, 16_384
+"""Games, and so many that a short step of them is worth being shared by threads."""
 
 
 def missing() -> str | None:
@@ -41,6 +41,8 @@ class ManyGames:
         self._batch = Batch(start, dt=TICK, speed=SPEED, ground_radius=GROUND)
         self._layers = self._batch.layers[0].copy()
         self.name, self.games = f"physics.batch, {sum([ring.count for ring in state.rings[1:]]):,} bricks", games
+        if games != _USUAL:
+            self.name += f", {games:,} games"
         self._threads, self._is_large = os.cpu_count() or 1, games >= _LARGE
         self._ticks = self._hits = self._looks = self._near = 0
 

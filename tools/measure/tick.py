@@ -39,6 +39,8 @@ app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_mar
 _WARM_UP = 1000
 _QUICK_ROUNDS, _QUICK_TICKS = 3, 400
 _FLOOR_GAMES = 4096
+_BATCHES = (16, 4096), (4, 4096), (4, 1024), (4000, 1024), (16, 16_384)
+"""Bricks a row, games: few and many bricks with as many games; the last are shared by threads, too."""
 _MOST_BYTES = 2**20
 
 
@@ -125,7 +127,7 @@ def _batches(console: Console, wanted: bool | None) -> "list[ManyGames]":  # noq
     if lacking is not None:
         console.print(f"without the batch: {lacking}")
         return []
-    many = [ManyGames(console, arena(per_row), games) for per_row, games in ((16, 4096), (4, 4096), (4000, 1024))]
+    many = [ManyGames(console, arena(per_row), games) for per_row, games in _BATCHES]
     console.print(many[0].compiled)
     return many
 

@@ -1,6 +1,7 @@
 """The tail behind each ball: where it has just been."""
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
+from functools import lru_cache
 
 from game.drawing.palette import Colour, mixed
 from game.picture.display_list import DisplayList
@@ -31,31 +32,20 @@ def add_trails(out: DisplayList, scene: Scene, view: ArenaView) -> None:
 
 def _comet(out: DisplayList, view: ArenaView, pixels: list[complex], width: float, hottest: Colour) -> None:
     """A tail from its thin end on, wider towards the ball. pixels: of the trail; width: half the tail's at the ball, pixels."""
-    count = len(pixels) + 1
-    out.band(
-        [(pixel, max(_LEAST_RADIUS, width * k / count), _fading(view, hottest, k / count)) for k, pixel in enumerate(pixels, 1)]
-    )
+    out.band(_growing(pixels, width, _shades(view.theme.ground, hottest, len(pixels))))
 
 
 def _spectrum(out: DisplayList, view: ArenaView, pixels: list[complex], width: float, _hottest: Colour) -> None:
     """A tail in the colours of a stack's layers."""
     count, colours = len(pixels) + 1, view.theme.layers
-    out.band(
-        [
-            (
-                pixel,
-                max(_LEAST_RADIUS, width * k / count),
-                _fading(view, colours[min(int(7.0 * k / count), 6)], 0.4 + 0.6 * k / count),
-            )
-            for k, pixel in enumerate(pixels, 1)
-        ]
-    )
+    shades = [_fading(view, colours[min(int(7.0 * k / count), 6)], 0.4 + 0.6 * k / count) for k in range(1, count)]
+    out.band(_growing(pixels, width, shades))
 
 
 def _ribbon(out: DisplayList, view: ArenaView, pixels: list[complex], width: float, hottest: Colour) -> None:
     """A band of one width."""
-    half, count = max(_RIBBON * width, _LEAST_RADIUS), len(pixels) + 1
-    out.band([(pixel, half, _fading(view, hottest, k / count)) for k, pixel in enumerate(pixels, 1)])
+    half, shades = max(_RIBBON * width, _LEAST_RADIUS), _shades(view.theme.ground, hottest, len(pixels))
+    out.band([(pixel, half, shade) for pixel, shade in zip(pixels, shades, strict=True)])
 
 
 def _beads(out: DisplayList, view: ArenaView, pixels: list[complex], width: float, hottest: Colour) -> None:
@@ -86,6 +76,20 @@ def _sparse(pixels: list[complex]) -> list[tuple[float, complex]]:
     """Every third position of a trail, the ball's last, with its share of the way to the ball."""
     count = len(pixels) + 1
     return [(k * _BEADS_EVERY / count, pixel) for k, pixel in enumerate(pixels[::-_BEADS_EVERY][::-1], 1)]
+
+
+def _growing(pixels: list[complex], width: float, shades: Sequence[Colour]) -> list[tuple[complex, float, Colour]]:
+    """The points of a band that grows wider towards the ball."""
+    step = width / (len(pixels) + 1)
+    return [
+        (pixel, max(_LEAST_RADIUS, step * k), shade) for k, (pixel, shade) in enumerate(zip(pixels, shades, strict=True), 1)
+    ]
+
+
+@lru_cache(maxsize=256)
+def _shades(ground: Colour, hottest: Colour, count: int) -> tuple[Colour, ...]:
+    """The colours of so many points of a tail, which brightens towards the ball."""
+    return tuple([mixed(ground, hottest, _STRENGTH * k / (count + 1)) for k in range(1, count + 1)])
 
 
 def _fading(view: ArenaView, colour: Colour, share: float) -> Colour:
