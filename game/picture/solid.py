@@ -214,10 +214,10 @@ def _add_shadows(out: DisplayList, scene: Scene, camera: Camera, eye: _Eye, them
             if content.kind not in (ContentKind.EMPTY, ContentKind.GHOST):
                 turn = cmath.rect(1.0, ring.angle(slot)) * camera.turning
                 moved = down_light * height(content)
-                out.polygon(eye.pixels(_swept([point * turn for point in outline], moved), 0.0), _BLACK, theme.shadow)
+                out.polygon(eye.pixels(swept([point * turn for point in outline], moved), 0.0), _BLACK, theme.shadow)
 
 
-def _swept(outline: list[complex], moved: complex) -> list[complex]:
+def swept(outline: list[complex], moved: complex) -> list[complex]:
     """The outline of what a foot passes over as it is moved: the sides that face that direction are at its end.
 
     outline: its corners, clockwise in the world. Where it is concave, the block itself covers what is left out.

@@ -5,7 +5,7 @@ import math
 from game.rules.crumbling import crumbled
 from game.rules.drops import drifted
 from game.rules.meeting import met
-from game.rules.nudging import nudged
+from game.rules.nudging import IDLE_CONTACTS, nudged
 from game.rules.pierce import is_piercing, pierced, with_bricks, without_bricks
 from game.rules.powers import one_tick_later, with_caught
 from game.rules.regrow import regrown, reversed_rings
@@ -14,6 +14,7 @@ from game.rules.serving import before_serve
 from game.rules.shape import shaped
 from game.rules.speed import with_speed_now
 from game.rules.state import (
+    PADDLES,
     POINTER_STEPS,
     TICK,
     Advance,
@@ -32,7 +33,7 @@ from game.rules.state import (
 from game.rules.turn import paddle_hits_answered, released
 from game.rules.versus import with_lost_ball
 from game.rules.wells import pulled
-from physics import Arena, has_left
+from physics import Arena, Ball, Outcome, broad_phase_outcome
 
 
 def played(game: Game, moving: Arena, controls: Controls, advance: Advance) -> Ticked:
@@ -50,7 +51,8 @@ def played(game: Game, moving: Arena, controls: Controls, advance: Advance) -> T
     if arcade:
         game = _by_arcade_rules(game, controls, Ticked(game, (), step, flown, speed), events)
         game = with_extra_lives(game, score, events)
-    game = nudged(game, events)
+    if game.idle >= IDLE_CONTACTS:
+        game = nudged(game, events)
     if (step.hits or arcade) and not any([layers > 0 for ring in wall_layers(game) for layers in ring]):
         game = _level_cleared(game, events)
     else:
@@ -91,8 +93,8 @@ def _level_cleared(game: Game, events: list[Event]) -> Game:
 
 def _without_lost_balls(game: Game, events: list[Event], *, give_up: bool) -> Game:
     """The game without the balls that left the ground or are given up: the last costs a life, the last life the game."""
-    balls, edge = game.arena.balls, game.level.ground_radius
-    kept = [ball for ball in balls if not has_left(ball.position, ball.radius, edge)]  # the source's outcome "game over"
+    balls = game.arena.balls
+    kept = [ball for ball in balls if _outcome(game, ball) is not Outcome.GAME_OVER]
     if len(kept) == len(balls) and not give_up:
         return game
     staying = () if give_up else tuple(kept)
@@ -109,3 +111,9 @@ def _without_lost_balls(game: Game, events: list[Event], *, give_up: bool) -> Ga
         events.append(Event(EventKind.GAME_OVER))
         return in_phase(game._replace(drops=()), Phase.OVER)
     return before_serve(game)
+
+
+def _outcome(game: Game, ball: Ball) -> Outcome:
+    """The source's broad phase: whether a ball has left the ground, and if not, what it may touch where it is."""
+    rings = game.arena.rings
+    return broad_phase_outcome(ball.position, ball.radius, game.level.ground_radius, rings[PADDLES], rings[PADDLES + 1 :])

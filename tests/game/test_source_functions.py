@@ -11,6 +11,7 @@ from game.levels import classic
 from game.replays.state_hash import state_hash
 from game.rules import new_game, tick
 from physics import source_mode
+from physics.narrow_phase import contact_above
 
 SWEPT = [
     "normalize_angle",
@@ -81,7 +82,7 @@ def test_every_function_is_accounted_for():
 
 STAND_INS = {
     "physics.time_of_impact.nearest_slot": lambda ring, _: ring.count - 1,
-    "physics.time_of_impact.contact": lambda ball, ring, slot: physics.contact(ball, ring, slot)._replace(normal=-1j),
+    "physics.time_of_impact.contact_above": lambda *given: contact_above(*given)._replace(normal=-1j),
     "physics.step.in_band": lambda *_: False,
     "physics.narrow_phase.min_difference": lambda *_: 0.0,
     "physics.narrow_phase.narrow_phase_case_1": lambda *_: 1 + 0j,

@@ -1,6 +1,7 @@
 """Lists of primitives on a surface: shapes cover what they say, and lists are read as they were written."""
 
 import cmath
+import itertools
 import math
 import os
 
@@ -13,6 +14,7 @@ import pytest
 from game.drawing.display_list_painter import DisplayListPainter
 from game.drawing.text import Type
 from game.picture.display_list import DisplayList, Primitive, packed, primitives, unpacked
+from game.picture.solid import swept
 
 SIDE, FINER = 200, 8
 MIDDLE = 100.3 + 100.7j
@@ -161,3 +163,12 @@ def test_what_only_a_canvas_paints_is_refused():
     out.gradient(0j, 1.0, [(0.0, GREY), (1.0, WHITE)])
     with pytest.raises(ValueError, match="does not paint GRADIENT"):
         painted(out)
+
+
+def test_a_shadow_is_what_a_foot_passes_over():
+    """A square of side 1 that is moved by (2, 1) passes over its own area and over those of the two sides that lead."""
+    square = [0j, 1j, 1 + 1j, 1 + 0j]
+    outline = swept(square, 2 + 1j)
+    area = sum([(one.conjugate() * other).imag for one, other in itertools.pairwise([*outline, outline[0]])]) / 2.0
+    assert area == pytest.approx(-(1.0 + 2.0 + 1.0))
+    assert swept(square, 0j) == square
