@@ -187,7 +187,7 @@ def web() -> None:
     node = shutil.which("node") or "node"  # npm's own
     for script in sorted((ROOT / "game" / "web" / "page").glob("*.js")):
         subprocess.run([node, "--check", script], check=True)
-    run(HERE, "python", "-m", "pytest", "-q", "-n", "2", "--dist", "loadfile", "tests/web", BROWSER_TESTS="1")
+    run(HERE, "python", "-m", "pytest", "-q", "tests/web", BROWSER_TESTS="1")
 
 
 def lacks(step: str, *programs: str) -> bool:
