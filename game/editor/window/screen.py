@@ -28,12 +28,13 @@ from game.editor.window.commands import (
 )
 from game.editor.window.help import EditorHelp, Hand, hint
 from game.editor.window.layout import BRUSHES, BUTTONS, EditorLayout, editor_layout
+from game.editor.window.number_entry import typed_after
 from game.editor.window.panel import PanelState, draw_panel, stepper_at
 from game.editor.window.play_test import PlayTest
 from game.editor.window.targets import Target, TargetKind, beside, target_below
 from game.input.keys import Action, position_in
 from game.input.repeat import Repeat
-from game.input.signals import PAD_POSITIONS, FocusLost, KeyboardState, Pressed, Released, Signal, pad_of
+from game.input.signals import FocusLost, Pressed, Released, Signal, is_still_down, pad_of
 from game.language import tr
 from game.levels import Level
 from game.screens.app_state import AppState
@@ -44,8 +45,6 @@ from game.system.files import write_text
 
 _LOOK_SECONDS = 0.5
 """From one look at the file to the next."""
-_TYPED = "0123456789.-"
-_LONGEST_NUMBER = 12
 
 
 class BrushDrag(NamedTuple):
@@ -100,7 +99,8 @@ class Editor:
 
     def answer(self, signal: Signal, _size: tuple[int, int]) -> Screen | None:
         """React to a gamepad, or to a key that was let go."""
-        self._held = _still_held(self._held, signal)
+        if self._held is not None and not is_still_down(self._held[0].position, signal):
+            self._held = None
         if isinstance(signal, FocusLost):
             self._drag = None
         return self if pad_of(signal) is None else self._pad(signal)
@@ -184,7 +184,7 @@ class Editor:
 
     def _key(self, event: pygame.Event) -> Screen | None:
         """A key went down."""
-        if self._typed is not None and self._type(event):
+        if self._type(event):
             return self
         self._hand = Hand.KEYS
         if event.mod & (pygame.KMOD_CTRL | pygame.KMOD_META):
@@ -265,29 +265,14 @@ class Editor:
         self._stroke((self.session.ring, self.session.slot))
 
     def _type(self, event: pygame.Event) -> bool:
-        """Enter a number; whether the key was for that."""
-        typed, unicode = self._typed or "", getattr(event, "unicode", "")
-        if event.key in (pygame.K_RETURN, pygame.K_KP_ENTER):
-            self._enter(typed)
-        elif event.key == pygame.K_ESCAPE:
-            self._typed = None
-        elif event.key == pygame.K_BACKSPACE:
-            self._typed = typed[:-1]
-        elif unicode and unicode in _TYPED:
-            self._typed = (typed + unicode)[:_LONGEST_NUMBER]
-        else:
-            self._typed = None
+        """Go on with the number that is typed, if one is; whether the key was for that."""
+        if self._typed is None:
             return False
-        return True
-
-    def _enter(self, typed: str) -> None:
-        """Take over a number that was typed."""
-        self._typed = None
-        try:
-            value = float(typed)
-        except ValueError:
-            return
-        self.session = editing.entered(self.session, editing.rows(self.session)[self._target.number], value)
+        typing = typed_after(self._typed, event)
+        self._typed = typing.text
+        if typing.value is not None:
+            self.session = editing.entered(self.session, editing.rows(self.session)[self._target.number], typing.value)
+        return typing.used
 
     def _wheel(self, event: pygame.Event, size: tuple[int, int]) -> Screen | None:
         """The wheel changes the number under the pointer, else the brush."""
@@ -380,22 +365,6 @@ class Editor:
             Entry(tr("Leave without saving"), discarded),
         )
         return Menu(self._state, self, tr("Unsaved changes"), (self._file.path.name,), entries, back=lambda: self)
-
-
-def _still_held(held: tuple[Pressed, int, Repeat] | None, signal: Signal) -> tuple[Pressed, int, Repeat] | None:
-    """The direction that is held down after a signal."""
-    if held is None:
-        return None
-    position = held[0].position
-    match signal:
-        case KeyboardState(down):
-            return held if position in down or position >= PAD_POSITIONS else None
-        case Released():
-            return None if signal.position == position else held
-        case FocusLost():
-            return None
-        case _:
-            return held
 
 
 def _index_at(boxes: list[pygame.Rect], pixel: complex) -> int | None:
