@@ -14,7 +14,6 @@ from game.input.repeat import FIRST, NEXT
 from game.levels import load_file
 from tests.support.dummy_window import FRAME, Desk, shared
 from tests.support.pad_desk import PadDesk
-from tests.support.virtual_pad import library
 
 UP, DOWN, LEFT, RIGHT = pygame.K_UP, pygame.K_DOWN, pygame.K_LEFT, pygame.K_RIGHT
 SPACE, TAB = pygame.K_SPACE, pygame.K_TAB
@@ -39,8 +38,6 @@ def keys(tmp_path):
 @pytest.fixture
 def pad(tmp_path):
     """The editor, used with a gamepad."""
-    if library() is None:
-        pytest.skip("no SDL library to plug a virtual gamepad into")
     desk = opened(PadDesk, tmp_path)
     yield desk
     desk.close()
