@@ -59,6 +59,15 @@ class WebPage:
         self.tab.click(f"[id='item-{item}']")
         self.frames(2)
 
+    def begin_with(self, script, text):
+        """Serve one of the page's scripts with some text before it. script: the end of its address."""
+
+        def answered(route):
+            answer = route.fetch()
+            route.fulfill(response=answer, body=f"{text}\n{answer.text()}")
+
+        self.tab.route(f"**/{script}", answered)
+
     def title(self):
         """The heading of the menu that is open; "" for none."""
         return self.tab.inner_text("#menu-title") if self.tab.is_visible("#menu") else ""

@@ -26,15 +26,7 @@ def test_a_phone_plays_by_touch(open_page):
 
 def test_without_storage_it_plays_on_and_says_so(open_page):
     """IndexedDB is gone from the worker."""
-
-    def forbid(page):
-        def without(route):
-            answer = route.fetch()
-            route.fulfill(response=answer, body=f"{GONE}\n{answer.text()}")
-
-        page.tab.route("**/worker.js", without)
-
-    with open_page(forbid) as page:
+    with open_page(lambda page: page.begin_with("worker.js", GONE)) as page:
         page.wait(lambda: "nothing can be stored" in page.told(), page.told)
         page.use("play")
         page.wait(lambda: page.standing().get("phase") == "SERVING")

@@ -78,15 +78,7 @@ def test_a_new_version_of_the_site_replaces_the_snapshot(open_page, site, monkey
 @pytest.mark.parametrize("hindered", [NO_ROOM, FORBIDDEN], ids=["full", "forbidden"])
 def test_without_room_or_leave_to_store_it_every_visit_is_a_first_one(open_page, hindered):
     """No error, no word: what the player has lost is a second."""
-
-    def hinder(page):
-        def without(route):
-            answer = route.fetch()
-            route.fulfill(response=answer, body=f"{hindered}\n{answer.text()}")
-
-        page.tab.route("**/snapshot.js", without)
-
-    with open_page(hinder) as page:
+    with open_page(lambda page: page.begin_with("snapshot.js", hindered)) as page:
         assert page.ask("snapshot") is False
         assert IMPORTED in started(page)[0]
 
