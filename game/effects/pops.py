@@ -10,7 +10,7 @@ POP_TICKS, PLATED_TICKS = 190, 240
 _WORDS = {
     EventKind.NUDGED: tr_noop("nudged"),
     EventKind.BALL_LOST: tr_noop("lost"),
-    EventKind.LIFE_GAINED: tr_noop("one life more"),
+    EventKind.LIFE_GAINED: tr_noop("extra life"),
     EventKind.SHIELD_HIT: tr_noop("saved"),
     EventKind.SPEED_UP: tr_noop("faster"),
     EventKind.CORE_BROKEN: tr_noop("the wall falls"),
@@ -23,9 +23,9 @@ POWER_NAMES = {
     PowerUp.SLOW: tr_noop("slow ball"),
     PowerUp.FAST: tr_noop("fast ball"),
     PowerUp.STICKY: tr_noop("sticky paddles"),
-    PowerUp.LIFE: tr_noop("one life more"),
+    PowerUp.LIFE: tr_noop("extra life"),
     PowerUp.SHIELD: tr_noop("shield"),
-    PowerUp.PIERCE: tr_noop("ball through bricks"),
+    PowerUp.PIERCE: tr_noop("piercing ball"),
 }
 """What power-ups are called."""
 _GOOD = frozenset({EventKind.LEVEL_CLEARED, EventKind.LIFE_GAINED, EventKind.CORE_BROKEN, EventKind.DROP_CAUGHT})
