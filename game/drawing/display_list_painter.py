@@ -14,7 +14,7 @@ import pygame
 from game.drawing.palette import Colour
 from game.drawing.raster.pixels import pairs
 from game.drawing.raster.primitives import HALF_PIXEL, draw_box, draw_circle, draw_dot
-from game.drawing.text import Type
+from game.drawing.text import Type, blit_faded
 from game.picture.display_list import DisplayList, Primitive, primitives, unpacked
 
 _BEND = 0.02
@@ -54,9 +54,11 @@ class DisplayListPainter:
             match code:
                 case Primitive.TEXT:
                     index, size, x, y, across, _bold = own
-                    letters.write(surface, picture.texts[int(index)], size, colour, complex(x, y), _ANCHORS[across])
+                    text, anchor = picture.texts[int(index)], _ANCHORS[across]
+                    letters.write(surface, text, size, colour, complex(x, y), anchor, opacity=opacity)
                 case Primitive.PLATE:
-                    _paint_plate(surface, letters.rendered(picture.texts[int(own[0])], own[1], colour), own, colour)
+                    words = letters.rendered(picture.texts[int(own[0])], own[1], colour)
+                    _paint_plate(surface, words, own, colour, opacity)
                 case Primitive.GLOW:
                     self._paint_light(surface, colour, opacity, own)
                 case Primitive.SPRITE:
@@ -177,11 +179,17 @@ _SHAPES: dict[int, Callable[[pygame.Surface, Colour, "array[float]"], None]] = {
 """What paints the primitives that consist of their own numbers alone."""
 
 
-def _paint_plate(surface: pygame.Surface, words: pygame.Surface, own: "array[float]", colour: Colour) -> None:
+def _paint_plate(surface: pygame.Surface, words: pygame.Surface, own: "array[float]", colour: Colour, opacity: float) -> None:
     """A plate behind words."""
     _index, _size, x, y, across, down, edge, edge_colour = own
-    plate = words.get_rect(center=(round(x), round(y))).inflate(round(2.0 * across), round(2.0 * down))
-    draw_box(surface, plate, plate.height / 2.0, colour, unpacked(edge_colour), edge)
+    box = words.get_rect(center=(round(x), round(y))).inflate(round(2.0 * across), round(2.0 * down))
+    if opacity >= 1.0:
+        draw_box(surface, box, box.height / 2.0, colour, unpacked(edge_colour), edge)
+        return
+    plate = pygame.Surface(box.size, pygame.SRCALPHA)
+    plate.fill((*unpacked(edge_colour), 0))
+    draw_box(plate, plate.get_rect(), box.height / 2.0, colour, unpacked(edge_colour), edge)
+    blit_faded(surface, plate, box, opacity)
 
 
 def _sprite(reach: float, numbers: "array[float]") -> pygame.Surface:

@@ -17,7 +17,7 @@ from game.effects import Streak
 from game.effects.streaks import BUMP_TICKS, ENDED_TICKS
 from game.input.key_names import key_name
 from game.input.keys import Action
-from game.language import ntr, tr
+from game.language import grouped, ntr, tr
 from game.overlay.readings import PlayerReadings, Readings
 from game.rules import BEST_COMBO, LIVES
 
@@ -73,7 +73,7 @@ def _draw_score(canvas: Canvas, shown: Readings, layout: Layout) -> None:
     theme, unit, width = canvas.theme, canvas.unit, layout.size[0]
     left, right, top = unit * _EDGE, width - unit * _EDGE, unit * _EDGE
     box = canvas.write(tr("SCORE"), _CAPTION, theme.faint, complex(left, top))
-    box = canvas.write(f"{shown.score:,}", _FIGURE, theme.text, complex(left, box.bottom + unit * 0.1))
+    box = canvas.write(grouped(shown.score), _FIGURE, theme.text, complex(left, box.bottom + unit * 0.1))
     corner = complex(box.left, box.bottom + unit * 0.3) if layout.beside else complex(box.right + unit, box.top)
     _draw_combo(canvas, shown, corner, layout)
     box = canvas.write(tr("LIVES"), _CAPTION, theme.faint, complex(right, top), "topright")
@@ -112,7 +112,7 @@ def _draw_player(canvas: Canvas, shown: Readings, player: PlayerReadings, colour
     draw_box(canvas.surface, sign, sign.height / 2.0, colour)
     pixel = complex(sign.right + unit * _SWATCH_GAP, sign.centery)
     name = canvas.write(player.name.upper(), _CAPTION, theme.accent if player.leads else theme.faint, pixel, "midleft")
-    score = canvas.write(f"{player.score:,}", _FIGURE, theme.text, corner + 1j * unit * _PLAYER_SCORE)
+    score = canvas.write(grouped(player.score), _FIGURE, theme.text, corner + 1j * unit * _PLAYER_SCORE)
     _draw_lives(canvas, corner + 1j * unit * _PLAYER_LIVES, player.lives, 1.0)
     if player.leads:
         beyond = corner + 1j * unit * (_PLAYER_HEIGHT + 0.7 if upper else -0.7)
@@ -180,7 +180,7 @@ def _draw_combo(canvas: Canvas, shown: Readings, corner: complex, layout: Layout
     colour = mixed(theme.faint if streak.ended else theme.accent, theme.background, fade)
     bump = 0.0 if streak.ended else _BUMP * max(1.0 - streak.age / BUMP_TICKS, 0.0) ** 2
     size = stepped((_COMBO + _COMBO_PER_BRICK * best) * (1.0 + bump))
-    canvas.write(tr("combo x{count}").format(count=streak.bricks), size, colour, corner + 1j * unit * _COMBO_HEIGHT, "midleft")
+    canvas.write(tr("combo ×{count}").format(count=streak.bricks), size, colour, corner + 1j * unit * _COMBO_HEIGHT, "midleft")
     radius = unit * _COMBO_DOT
     for index in range(BEST_COMBO):
         pixel = corner + complex(radius + index * unit * _COMBO_DOT_PITCH, unit * _COMBO_DOTS)

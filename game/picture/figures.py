@@ -4,7 +4,7 @@ from textwrap import wrap
 
 from game.drawing.camera import Layout
 from game.drawing.palette import Colour, Theme
-from game.language import ntr, tr
+from game.language import grouped, ntr, tr
 from game.overlay.notice_words import Notice
 from game.overlay.readings import Readings
 from game.picture.display_list import DisplayList
@@ -50,9 +50,9 @@ def add_figures(out: DisplayList, shown: Readings, layout: Layout, theme: Theme,
 def _add_left(out: DisplayList, shown: Readings, corner: complex, theme: Theme, unit: float) -> None:
     """Add the score, and the bricks in a row."""
     out.text(tr("SCORE"), unit * _CAPTION, corner + 0.5j * unit, theme.faint, 0.0)
-    out.text(f"{shown.score:,}", unit * _FIGURE, corner + 2.1j * unit, theme.text, 0.0, bold=1.0)
+    out.text(grouped(shown.score), unit * _FIGURE, corner + 2.1j * unit, theme.text, 0.0, bold=1.0)
     if shown.combo > 1:
-        words = tr("combo x{count}").format(count=shown.combo)
+        words = tr("combo ×{count}").format(count=shown.combo)
         out.text(words, unit * (1.1 + 0.06 * min(shown.combo, 8)), corner + 4.1j * unit, theme.accent, 0.0, bold=1.0)
 
 

@@ -185,9 +185,7 @@ class PlayScreen:
         game = self._ticked.game
         number, _ = number_of(game.level, game.levels)
         if self.endless is not None:
-            return tr("{name}, of the levels with the number {seed}").format(
-                name=level_name(game.level.name), seed=self.endless
-            )
+            return tr("{name}, levels from number {seed}").format(name=level_name(game.level.name), seed=self.endless)
         return tr("Level {number}: {name}").format(number=number, name=level_name(game.level.name))
 
     def restarted(self) -> Screen:
@@ -279,12 +277,12 @@ def _draw_note(canvas: Canvas, note: str) -> None:
 def _pause_menu(state: AppState, play: PlayScreen) -> Menu:
     """What to do with a game that was interrupted."""
     entries = (
-        Entry(tr("Go on"), lambda: play, Action.PAUSE),
+        Entry(tr("Continue"), lambda: play, Action.PAUSE),
         Entry(tr("Restart"), lambda: _restart_menu(state, play), Action.RESTART),
         Entry(tr("How to play"), lambda: Help(state, menu), Action.HELP),
         Entry(tr("Settings"), lambda: SettingsPanel(state, menu), Action.SETTINGS),
         Entry(tr("All levels"), state.levels),
-        Entry(tr("Title"), lambda: state.open_title(state)),
+        Entry(tr("Main menu"), lambda: state.open_title(state)),
         Entry(tr("Quit"), lambda: None),
     )
     menu = Menu(state, play, tr("Paused"), (play.standing,), entries, back=lambda: play)
@@ -294,7 +292,7 @@ def _pause_menu(state: AppState, play: PlayScreen) -> Menu:
 def _restart_menu(state: AppState, play: PlayScreen) -> Menu:
     """The question before a game is thrown away; the safe answer is selected."""
     entries = (
-        Entry(tr("Go on"), lambda: play, Action.PAUSE),
+        Entry(tr("Continue"), lambda: play, Action.PAUSE),
         Entry(tr("This level again"), play.again, Action.RESTART),
         Entry(tr("From the first level"), play.restarted),
     )

@@ -18,11 +18,11 @@ def players_choice(state: AppState) -> ChoiceItem:
 
     first, second = players_keys()
     tips = (
-        tr("Scores and ranks are for one player."),
-        tr("One has {first}, mouse or gamepad, the other {second} or a second gamepad; both steer all paddles.").format(
+        tr("Scores and ranks count for a single player only."),
+        tr("One uses {first}, mouse or gamepad, the other {second} or a second gamepad; both steer all paddles.").format(
             first=first, second=second
         ),
-        tr("The lower paddle has {first}, mouse or gamepad, the upper one {second} or a second gamepad.").format(
+        tr("The lower player uses {first}, mouse or gamepad, the upper one {second} or a second gamepad.").format(
             first=first, second=second
         ),
     )

@@ -26,8 +26,8 @@ def power_rows() -> tuple[Row, ...]:
         (*left, *right)
         for left, right in zip(cells[::2], [*cells[1::2], (TextItem("", share=_SIGN), TextItem(""))], strict=False)
     ]
-    caught = tr("A broken brick may leave one. It drifts outward; catch it with a paddle before it leaves the circle.")
-    harmful = tr("Signs with prickles are better not caught.")
+    caught = tr("A broken brick may release a power-up. It drifts outward: catch it with a paddle before it leaves the circle.")
+    harmful = tr("Let the spiky ones go.")
     return ((TextItem(f"{caught} {harmful}", 1.1),), (TextItem("", 0.4),), *rows)
 
 
@@ -57,8 +57,8 @@ def _first_upper(words: str) -> str:
 def _meanings() -> dict[PowerUp, str]:
     """What those do whose names do not say it."""
     return {
-        PowerUp.MULTI_BALL: tr("two more balls; a life is lost with the last."),
-        PowerUp.STICKY: tr("a paddle holds the ball; serve lets it go."),
-        PowerUp.SHIELD: tr("a ring at the rim returns one ball."),
-        PowerUp.PIERCE: tr("it breaks them and flies on."),
+        PowerUp.MULTI_BALL: tr("two more balls; only losing the last one costs a life."),
+        PowerUp.STICKY: tr("a paddle holds the ball until you serve."),
+        PowerUp.SHIELD: tr("a ring at the rim sends one ball back."),
+        PowerUp.PIERCE: tr("it breaks bricks and flies on."),
     }

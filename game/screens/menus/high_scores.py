@@ -1,7 +1,7 @@
 """The table of high scores, a part for every difficulty; a line leads to its replay."""
 
 from game.kept.scores import ENDLESS, Score
-from game.language import tr
+from game.language import grouped, tr
 from game.level_names import level_name
 from game.overlay.toast import Toast
 from game.screens.app_state import AppState
@@ -33,11 +33,13 @@ class HighScores(Panel):
     def content(self) -> Content:
         """The table of one difficulty."""
         table = self.state.kept.scores.value.table(_TABLES[self._tab])
-        heads = ("#", "", tr("Name"), tr("Score"), "", tr("Until"), tr("Date"))
+        heads = ("#", "", tr("Name"), tr("Score"), "", tr("Reached"), tr("Date"))
         rows: list[tuple[Item, ...]] = [(Cells(self._cells(heads), faint=True),)] if table else []
         rows += [(self._line(number, score),) for number, score in enumerate(table, 1)]
         if not table:
-            rows.append((TextItem(tr("Nobody yet: the first game that ends with points stands here."), 1.1, faint=True),))
+            rows.append(
+                (TextItem(tr("Nobody yet: the first game that ends with points will be listed here."), 1.1, faint=True),)
+            )
         names = (*[difficulty_name(name) for name in DIFFICULTIES], tr("Endless"))
         footer = back_row(tr("Back"), self.back)
         if self._entries:
@@ -58,7 +60,7 @@ class HighScores(Panel):
         name = score.name or "-"
         if score.speed < 100:
             name = tr("{name} ({speed} %)").format(name=name, speed=score.speed)
-        words = (str(number), "", name, f"{score.score:,}", "", until, score.date)
+        words = (str(number), "", name, grouped(score.score), "", until, score.date)
         tip = tr("Watch this game.") if score.replay else tr("No replay of this game was kept.")
         if self.has_large_text:
             tip = f"{until}, {score.date}. {tip}"

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from game.input.actions import Action
 from game.input.signals import Pressed, Signal
 from game.kept.progress import RANKS
-from game.language import LANGUAGES, SYSTEM, tr
+from game.language import LANGUAGES, SYSTEM, grouped, tr
 from game.levels import Level, classic
 from game.picture.display_list import DisplayList
 from game.screens.demo import Demo
@@ -141,7 +141,7 @@ def title(state: PageState, screens: Screens) -> MenuScreen:
 
     def contents(_menu: MenuScreen) -> tuple[Iterable[str], Iterable[Opened]]:
         index = next_level(state)
-        playing = tr("Play") if index == 0 else tr("Go on: {level}").format(level=state.levels[index].name)
+        playing = tr("Play") if index == 0 else tr("Continue: {level}").format(level=state.levels[index].name)
         return (), (
             Opened(PageItem("play", playing), lambda _: screens.game(state.levels[index:])),
             Opened(PageItem("levels", tr("Levels")), lambda _: levels_menu(state, screens)),
@@ -176,8 +176,8 @@ def levels_menu(state: PageState, screens: Screens) -> MenuScreen:
         for index, level in enumerate(state.levels):
             best = progress.best(level.name, state.difficulty)
             is_open = progress.is_open(index, names)
-            done = "" if best is None else f"  {RANKS[best.rank]}  {best.score:,}"
-            hint = level.description if is_open else tr("Finish {level} to open this one.").format(level=names[index - 1])
+            done = "" if best is None else f"  {RANKS[best.rank]}  {grouped(best.score)}"
+            hint = level.description if is_open else tr("Finish {level} to unlock this level.").format(level=names[index - 1])
             label = f"{index + 1}  {tr(level.name)}{done}"
             items.append(
                 Opened(
@@ -213,7 +213,7 @@ def scores_menu(state: PageState, screens: Screens) -> MenuScreen:
         for difficulty in DIFFICULTIES:
             table = state.kept.scores.value.table(difficulty)
             lines += [difficulty_name(difficulty)] if table else []
-            lines += [f"{place}.  {score.score:,}  {score.name}  {score.last}" for place, score in enumerate(table, 1)]
+            lines += [f"{place}.  {grouped(score.score)}  {score.name}  {score.last}" for place, score in enumerate(table, 1)]
         return lines or [tr("No scores yet.")], ()
 
     return MenuScreen(state, tr("High scores"), contents, screens.title)
@@ -226,13 +226,15 @@ def replays_menu(state: PageState, screens: Screens) -> MenuScreen:
         games = state.kept.games.listed()
         items = [
             Opened(
-                PageItem(f"replay-{game.file}", f"{game.title or game.date}  {game.first}  {game.score:,}"),
+                PageItem(f"replay-{game.file}", f"{game.title or game.date}  {game.first}  {grouped(game.score)}"),
                 _watches(state, screens, game.file),
             )
             for game in games
         ]
         lines = (
-            [] if items else [tr("None yet: every game longer than five seconds is kept. A file can be dropped on this page.")]
+            []
+            if items
+            else [tr("None yet: games of five seconds or more are kept when they end. A file can be dropped on this page.")]
         )
         return lines, items
 
@@ -277,13 +279,11 @@ def settings_menu(state: PageState, back: Callable[[], PageScreen], under: PageS
             item = PageItem(name, label, "switch", str(on))
             return Opened(item, changes(lambda value: Settings(**{**held._asdict(), name: value == "True"})))
 
-        languages = ((SYSTEM, tr("as the system")), *[(language.code, language.name) for language in LANGUAGES])
+        languages = ((SYSTEM, tr("system language")), *[(language.code, language.name) for language in LANGUAGES])
         colours = (("dark", tr("Dark")), ("light", tr("Light")), ("contrast", tr("High contrast")))
         volume = PageItem("volume", tr("Volume"), "number", str(held.volume), low=0.0, high=LOUDEST, step=10.0)
         music = PageItem("music", tr("Music"), "number", str(held.music), low=0.0, high=LOUDEST, step=10.0)
-        speed = PageItem(
-            "speed", tr("Speed of the game, %"), "number", str(held.speed), low=SPEEDS[0], high=SPEEDS[1], step=5.0
-        )
+        speed = PageItem("speed", tr("Game speed, %"), "number", str(held.speed), low=SPEEDS[0], high=SPEEDS[1], step=5.0)
         return (), (
             Opened(
                 PageItem("colours", tr("Colours"), "choice", held.colours, colours),

@@ -17,7 +17,7 @@ from game.input.hands import Hands
 from game.input.signals import FocusLost, Pressed, Signal
 from game.kept.progress import RANKS, Best
 from game.kept.scores import LONGEST_NAME, Score
-from game.language import tr
+from game.language import grouped, tr
 from game.levels import Level, built_in, classic, number_of
 from game.overlay.notice_words import Notice, notice, ready, to_newcomer
 from game.overlay.readings import readings
@@ -251,7 +251,7 @@ class GameOnPage:
         lines = (
             tr("Rank {rank}").format(rank=RANKS[int(result.rank)]),
             tr("{score} points, {lost} balls lost, best combo {combo}").format(
-                score=f"{result.score:,}", lost=result.balls_lost, combo=result.best_combo
+                score=grouped(result.score), lost=result.balls_lost, combo=result.best_combo
             ),
         )
 
@@ -269,7 +269,7 @@ class GameOnPage:
         last = state.kept.game_done() if self._counts else None
         state.changed = True
         state.tell_problems()
-        lines = [tr("Score {score}").format(score=f"{game.score:,}")]
+        lines = [tr("Score {score}").format(score=grouped(game.score))]
         items: list[Opened] = []
         ranked = self._counts and all([level in built_in() for level in self._levels])
         if ranked and state.kept.scores.value.qualifies(game.score, state.difficulty):
@@ -310,7 +310,7 @@ class GameOnPage:
 
     def _leaving(self) -> tuple[Opened, ...]:
         """Where else to go."""
-        return (Opened(PageItem("title", tr("Title")), lambda _value: self._screens.title()),)
+        return (Opened(PageItem("title", tr("Main menu")), lambda _value: self._screens.title()),)
 
     def _paused(self) -> PageScreen:
         """The menu of a game that was interrupted."""
@@ -324,7 +324,7 @@ class GameOnPage:
 
             pilot = PageItem("autopilot", tr("Let the program play"), "switch", str(self._pilot is not None))
             return (self.described,), (
-                Opened(PageItem("go-on", tr("Go on")), lambda _: self),
+                Opened(PageItem("go-on", tr("Continue")), lambda _: self),
                 Opened(PageItem("restart", tr("From the first level")), lambda _: self.restarted()),
                 Opened(PageItem("help", tr("How to play")), lambda _: help_menu(self._state, lambda: menu, self)),
                 Opened(PageItem("settings", tr("Settings")), lambda _: settings_menu(self._state, lambda: menu, self)),
