@@ -23,6 +23,18 @@ Every primitive is its code, its colour (0xRRGGBB, exact in a 32-bit float), its
                                                           picture that is often the same
 
 x to the right, y down, pixels; angles in radians, clockwise, from the right.
+
+What stands on the ground aslant is in world units, x to the right, y up, and its angles are counter-clockwise: the painter
+projects it, as `game.drawing.camera.Camera` says, so that a list stays the same while the camera moves and rings turn.
+
+    CAMERA    x y scale azimuth tilt closeness, then      through what the following is seen, until the next CAMERA; the
+              light_x light_y dimmest brightest           direction towards the light, and which shares of its colour a side
+                                                          shows that is turned from it, and towards it
+    SLOT      angle                                       the prisms that follow are turned by it about the arena's centre
+    PRISM     bottom top n, then n times x y              its top in the colour, its sides that face the eye in the colour's
+                                                          shades; clockwise. The same bottom and top: a top alone
+    SHADOWS   x y n m, then n times x y, then             the shadows of m prisms of one outline: what it passes over when it
+              m times angle height                        is turned by the angle and moved by x, y times the height
 """
 
 import math
@@ -30,6 +42,7 @@ from array import array
 from collections.abc import Iterable, Iterator, Sequence
 from enum import IntEnum
 
+from game.drawing.camera import Camera
 from game.drawing.palette import Colour
 
 
@@ -51,6 +64,10 @@ class Primitive(IntEnum):
     BAND = 13
     PLATE = 14
     SPRITE = 15
+    CAMERA = 16
+    SLOT = 17
+    PRISM = 18
+    SHADOWS = 19
 
 
 _LENGTHS = {
@@ -62,6 +79,8 @@ _LENGTHS = {
     Primitive.CLIP.value: 4,
     Primitive.TURN.value: 3,
     Primitive.PLATE.value: 8,
+    Primitive.CAMERA.value: 10,
+    Primitive.SLOT.value: 1,
 }
 """Numbers of the primitives that always have as many."""
 _COUNTED = {
@@ -71,6 +90,7 @@ _COUNTED = {
     Primitive.STRIP.value: (0, 4),
     Primitive.BAND.value: (0, 4),
     Primitive.SPRITE.value: (3, 1),
+    Primitive.PRISM.value: (2, 2),
 }
 """Of the others the position of the count among their numbers, and how many follow it for each."""
 
@@ -192,6 +212,29 @@ class DisplayList:
         self.numbers.extend((Primitive.SPRITE, 0.0, 1.0, pixel.real, pixel.imag, reach, len(polygons.numbers)))
         self.numbers.extend(polygons.numbers)
 
+    def camera(self, camera: Camera, light: complex, shares: tuple[float, float]) -> None:
+        """Through what prisms and shadows are seen. light: unit; shares: of the dimmest and the brightest side."""
+        centre, *rest = camera
+        self.numbers.extend((Primitive.CAMERA, 0.0, 1.0, centre.real, centre.imag, *rest, light.real, light.imag, *shares))
+
+    def slot(self, angle: float) -> None:
+        """Where the prisms that follow stand."""
+        self.numbers.extend((Primitive.SLOT, 0.0, 1.0, angle))
+
+    def prism(self, outline: Sequence[complex], bottom: float, top: float, colour: Colour) -> None:
+        """A prism. outline: clockwise, world units, in a slot at angle 0; colour: of its top."""
+        self.numbers.extend((Primitive.PRISM, packed(colour), 1.0, bottom, top, len(outline)))
+        self._add(outline)
+
+    def shadows(
+        self, outline: Sequence[complex], moved: complex, standing: Sequence[tuple[float, float]], opacity: float
+    ) -> None:
+        """The shadows of prisms. outline: of their feet; moved: by a height of 1; standing: angles and heights."""
+        start = (Primitive.SHADOWS, 0.0, opacity, moved.real, moved.imag, len(outline), len(standing))
+        self.numbers.extend(start)
+        self._add(outline)
+        self.numbers.extend([number for each in standing for number in each])
+
     def extend(self, other: "DisplayList") -> None:
         """Add a picture without texts."""
         self.numbers.extend(other.numbers)
@@ -210,6 +253,8 @@ def primitives(numbers: "array[float]") -> Iterator[tuple[int, int, float, "arra
             behind = own + _LENGTHS[code]
         elif code == Primitive.CELLS:
             behind = own + 6 + int(numbers[own + 4] * numbers[own + 5])
+        elif code == Primitive.SHADOWS:
+            behind = own + 4 + 2 * int(numbers[own + 2] + numbers[own + 3])
         else:
             index, each = _COUNTED[code]
             behind = own + index + 1 + each * int(numbers[own + index])

@@ -8,8 +8,9 @@ export class Input {
   #signals = [];
   #pad = "";
 
-  constructor(canvas) {
-    this.canvas = canvas;
+  /** hurry: called when something was pressed, let go or chosen. */
+  constructor(canvas, hurry) {
+    Object.assign(this, { canvas, hurry });
     addEventListener("keydown", (event) => this.#key(event, true));
     addEventListener("keyup", (event) => this.#key(event, false));
     for (const [name, phase] of [["pointerdown", "down"], ["pointermove", "move"], ["pointerup", "up"], ["pointercancel", "cancel"]]) {
@@ -23,6 +24,7 @@ export class Input {
 
   add(signal) {
     this.#signals.push(signal);
+    if (signal.phase !== "move" && signal.type !== "wheel") this.hurry();
   }
 
   /** What happened since the last call. */
@@ -68,7 +70,7 @@ export class Input {
     if (!pad) return;
     const state = { type: "pad", buttons: pad.buttons.map((button) => button.value), axes: [...pad.axes] };
     const text = JSON.stringify(state);
-    if (text !== this.#pad) this.add(state);
+    if (text !== this.#pad) this.#signals.push(state);
     this.#pad = text;
   }
 }

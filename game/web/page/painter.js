@@ -1,25 +1,19 @@
 // Paints flat lists of primitives on a canvas. game/picture/display_list.py documents every primitive.
 
+import { Blocks } from "./blocks.js";
+import { colour } from "./colours.js";
+
 const DISC = 1, CIRCLE = 2, SECTOR = 3, POLYGON = 4, LINE = 5, TEXT = 6, GLOW = 7, GRADIENT = 8, CELLS = 9, CLIP = 10, TURN = 11,
-  STRIP = 12, BAND = 13, PLATE = 14, SPRITE = 15;
+  STRIP = 12, BAND = 13, PLATE = 14, SPRITE = 15, CAMERA = 16, SLOT = 17, PRISM = 18, SHADOWS = 19;
 const WHOLE = Math.PI * 0.999;
 const FONT = "system-ui, sans-serif";
 const BEND = 0.02, OVERLAP = 0.6;
 // Of a light: shares of its radius, and how much of it is left there, as a colour's alpha.
 const LIGHT = [[0, "ff"], [0.2, "d7"], [0.4, "80"], [0.6, "33"], [0.8, "0c"], [1, "00"]];
-const styles = new Map();
+const blocks = new Blocks();
 
 function font(size, bold) {
   return `${bold ? "600 " : ""}${size}px ${FONT}`;
-}
-
-function colour(packed) {
-  let style = styles.get(packed);
-  if (style === undefined) {
-    style = "#" + packed.toString(16).padStart(6, "0");
-    styles.set(packed, style);
-  }
-  return style;
 }
 
 /** Paint a list. numbers: a Float32Array; texts: those that it refers to. */
@@ -31,9 +25,10 @@ export function paint(context, numbers, texts) {
 
 function shapes(context, numbers, texts) {
   let at = 0;
-  let turned = false, clipped = false;
+  let turned = false, clipped = false, code = 0;
   while (at < numbers.length) {
-    const code = numbers[at], style = numbers[at + 1];
+    const before = code, style = numbers[at + 1];
+    code = numbers[at];
     context.globalAlpha = numbers[at + 2];
     at += 3;
     switch (code) {
@@ -155,6 +150,24 @@ function shapes(context, numbers, texts) {
         at += 4 + count;
         break;
       }
+      case CAMERA:
+        blocks.look(numbers, at);
+        at += 10;
+        break;
+      case SLOT:
+        blocks.stand(numbers[at]);
+        at += 1;
+        break;
+      case PRISM:
+        blocks.prism(context, numbers, at, style);
+        at += 3 + 2 * numbers[at + 2];
+        break;
+      case SHADOWS: // where those of several rings follow each other, none is darker for lying in two
+        context.fillStyle = colour(style);
+        if (before !== SHADOWS) context.beginPath();
+        at = blocks.shadows(context, numbers, at);
+        if (numbers[at] !== SHADOWS) context.fill();
+        break;
       default:
         throw new Error(`primitive ${code} at ${at - 3}`);
     }
