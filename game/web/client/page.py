@@ -35,6 +35,7 @@ from game.web.client.messages import (
     Graded,
     LinkOpened,
     PageSignal,
+    PageWords,
     PointerChange,
     WheelTurn,
 )
@@ -198,6 +199,7 @@ class Page:
         state, screen, before = self._state, self._screen, self._shown
         menu, toolbar, colours = screen.menu, screen.toolbar, _colours(state.theme)
         resized = size != self._size
+        words = screen.words if isinstance(screen, LabOnPage) else PageWords()
         new_backdrop = self._pictures.backdrop is not self._shown_backdrop or resized
         reply = FrameReply(
             backdrop=new_backdrop,
@@ -218,11 +220,18 @@ class Page:
             limit=0.0 if state.functions.running is None else _LIMIT,
             code=state.functions.fresh,
             grading=state.functions.request,
+            words=words if words != before.words else None,
             language=current() if current() != before.language else "",
         )
         self._size, self._shown_backdrop = size, self._pictures.backdrop
         self._shown = FrameReply(
-            colours=colours, menu=menu, toolbar=toolbar, fragment=screen.fragment, language=current(), music=self._music
+            colours=colours,
+            menu=menu,
+            toolbar=toolbar,
+            fragment=screen.fragment,
+            language=current(),
+            music=self._music,
+            words=words,
         )
         state.functions.fresh = state.functions.request = None
         state.started, state.said, state.told, state.changed, state.download = [], [], [], False, None

@@ -7,6 +7,7 @@ const SCROLLING = new Set(["ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight", " 
 export class Input {
   #signals = [];
   #pad = "";
+  #held = new Set();
 
   /** hurry: called when something was pressed, let go or chosen. */
   constructor(canvas, hurry) {
@@ -22,7 +23,14 @@ export class Input {
     document.addEventListener("visibilitychange", () => document.hidden && this.add({ type: "away" }));
   }
 
+  /** Whether a pointer is down on the picture. */
+  get holds() {
+    return this.#held.size > 0;
+  }
+
   add(signal) {
+    if (signal.phase === "down") this.#held.add(signal.id);
+    else if (signal.type === "pointer" && signal.phase !== "move") this.#held.delete(signal.id);
     this.#signals.push(signal);
     if (signal.phase !== "move" && signal.type !== "wheel") this.hurry();
   }

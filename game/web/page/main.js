@@ -6,6 +6,7 @@ import { Grader } from "./grader.js";
 import { Input } from "./input.js";
 import { paint } from "./painter.js";
 import { Speaker } from "./speaker.js";
+import { Words } from "./words.js";
 
 const TOLD_SECONDS = 7;
 const LARGEST_FILE = 16 * 1024 * 1024;
@@ -15,6 +16,7 @@ const speaker = new Speaker(), input = new Input(canvas, hurry);
 const controls = new Controls(element("menu"), element("toolbar"), canvas, choose);
 const editor = new Editor(element("code"), { typed: (text) => input.add({ type: "code", text }), grade: () => choose("grade", ""), left: () => element("item-grade")?.focus() });
 const backdrop = document.createElement("canvas"), backdropContext = backdrop.getContext("2d", { alpha: false });
+const words = new Words(element("step"), element("words"));
 const questions = new Map();
 const HUNG = "Your own functions gave no answer, so the page was opened again without them.";
 let limit = 0, worker = null, grader = null, background = "#000", toldUntil = 0, asked = 0;
@@ -56,7 +58,9 @@ function density() {
   return Math.min(devicePixelRatio || 1, 2);
 }
 
+/** Lay out the picture beside the controls and between the words; its size in pixels. It stays while something is dragged. */
 function fitted() {
+  if (input.holds && turn.size) return turn.size;
   const full = { width: innerWidth, height: innerHeight };
   for (const side of [element("menu"), element("code")]) {
     if (side.hidden || !(side === element("code") || side.classList.contains("side"))) continue;
@@ -64,9 +68,15 @@ function fitted() {
     if (width < innerWidth) full.width = Math.max(Math.min(full.width, left), 200);
     else full.height = Math.max(Math.min(full.height, top), 200);
   }
+  const { step, section } = words;
+  step.style.width = section.style.width = `${full.width}px`;
+  const top = step.hidden ? 0 : step.offsetHeight;
+  section.style.bottom = `${innerHeight - full.height}px`;
+  const height = Math.max(full.height - top - (section.hidden ? 0 : section.offsetHeight), 100);
+  canvas.style.top = `${top}px`;
   canvas.style.width = `${full.width}px`;
-  canvas.style.height = `${full.height}px`;
-  return [Math.round(full.width * density()), Math.round(full.height * density())];
+  canvas.style.height = `${height}px`;
+  return [Math.round(full.width * density()), Math.round(height * density())];
 }
 
 /** Ask for a picture of a moment, milliseconds, with all that the player did until now. */
@@ -113,6 +123,7 @@ function heed(reply) {
     if (reply.menu?.editor) edit(reply.code ?? null);
     else editor.hide();
   } else if (typeof reply.code === "string") edit(reply.code);
+  if (reply.words) words.show(reply.words);
   if (reply.grading) grader.grade(reply.grading);
   if (reply.menu || reply.menu_closed || reply.code !== undefined) size = null;
   document.body.classList.toggle("playing", element("menu").hidden || element("menu").classList.contains("side"));

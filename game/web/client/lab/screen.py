@@ -23,9 +23,9 @@ from game.web.client.functions.panel import CASE
 from game.web.client.functions.text import FunctionsText
 from game.web.client.lab.course import LessonOnPage
 from game.web.client.lab.items import presenting_items, scene_items, step_items, with_value
-from game.web.client.lab.view import Heading, LabLayout, add_rows, handle_at, layout_of
+from game.web.client.lab.view import LabLayout, handle_at, layout_of, words_of
 from game.web.client.menus import Screens
-from game.web.client.messages import PageItem, PageMenu, PointerChange, WheelTurn
+from game.web.client.messages import PageItem, PageMenu, PageWords, PointerChange, WheelTurn
 from game.web.client.state import PageScreen, PageState, Pictures
 
 _CATCH, _FINGER = 1.2, 2.2
@@ -113,9 +113,14 @@ class LabOnPage:
 
     @property
     def described(self) -> str:
-        """The title, the step, and the formula with its numbers."""
-        seen, step = self._seen, reveals.step_words(self._reveal, self._picture)
-        return ". ".join([part for part in (self._session.scene.title, step, *seen.formula, seen.note) if part])
+        """The title, and the step; the formulas are read as the words that they are."""
+        step = reveals.step_words(self._reveal, self._picture)
+        return ". ".join([part for part in (self._session.scene.title, step) if part])
+
+    @property
+    def words(self) -> PageWords:
+        """The words around the picture."""
+        return words_of(self._session.scene.title, self._seen, self._reveal, self._picture, self._scale)
 
     @property
     def menu(self) -> PageMenu | None:
@@ -191,14 +196,13 @@ class LabOnPage:
         return self
 
     def draw(self, out: Pictures, size: tuple[int, int]) -> None:
-        """The panes with their handles, and the words."""
+        """The panes with their handles."""
         picture, layout = self._seen, self._layout(size)
         out.backdrop = self._empty
         for pane, seen in zip(picture.panes, self._panes(layout), strict=True):
-            add_pane(out.frame, pane, seen)
-            if pane.has_handles:
-                add_handles(out.frame, self._handles(), self._session.given, self._hovered, seen)
-        add_rows(out.frame, layout)
+            handles, given = self._handles() if pane.has_handles else (), self._session.given
+            add_pane(out.frame, pane, seen, [seen.camera.project(one.position(given)) for one in handles])
+            add_handles(out.frame, handles, given, self._hovered, seen)
 
     @property
     def _picture(self) -> Picture:
@@ -318,10 +322,7 @@ class LabOnPage:
 
     def _layout(self, size: tuple[int, int]) -> LabLayout:
         """Where everything is."""
-        state, title = self._state, self._session.scene.title
-        step = reveals.step_words(self._reveal, self._picture)
-        heading = None if self._scale is None else Heading(self._scale, title, step)
-        return layout_of(size, state.density, self._seen, state.theme, heading)
+        return layout_of(size, self._state.density, len(self._picture.panes), self._scale)
 
     def _panes(self, layout: LabLayout) -> list[SeenLabPane]:
         """Through what each pane is seen."""
