@@ -42,12 +42,14 @@ class Item:
     """One thing on a panel; of itself it is empty room that cannot be used.
 
     tip: what is said about it when it has the focus. key: what uses it from anywhere on the panel.
-    share: its part of the row's width, in comparison with the other items of the row.
+    share: its part of the row's width, in comparison with the other items of the row. is_typed: whether to accept it begins to
+    type a number.
     """
 
     tip: str = ""
     key: Action | None = None
     share: float = 1.0
+    is_typed = False
 
     @property
     def focusable(self) -> bool:
@@ -72,6 +74,10 @@ class Item:
     def grip(self, _pixel: complex, _box: pygame.Rect, _unit: float) -> complex | None:
         """From the middle of what is dragged to the pixel that was pressed, pixels; None where nothing can be dragged."""
         return None
+
+    def held_sign(self, _pixel: complex, _box: pygame.Rect, _unit: float) -> int:
+        """Direction in which the mouse that is held at a pixel steps it again and again: -1, +1, or 0 for none."""
+        return 0
 
     def pointed(self, panel: Screen, _pixel: complex, _box: pygame.Rect, _unit: float, *, clicked: bool) -> Screen | None:
         """The screen to go on with after a click, or a drag with the button held."""
