@@ -28,7 +28,9 @@ def described(before: Level, after: Level) -> str:
     """What turns one level into another, in the player's language."""
     rings, wells = len(after.rings) - len(before.rings), len(after.wells) - len(before.wells)
     if abs(rings) + abs(wells) == 1:
-        return {(1, 0): tr("copy ring"), (-1, 0): tr("remove ring"), (0, 1): tr("add well"), (0, -1): tr("remove well")}[rings, wells]
+        return {(1, 0): tr("copy ring"), (-1, 0): tr("remove ring"), (0, 1): tr("add well"), (0, -1): tr("remove well")}[
+            rings, wells
+        ]
     changed = _changed(msgspec.to_builtins(before), msgspec.to_builtins(after))
     keys = {path[:3] for path in changed}
     painted = {path for path in keys if path[0] == "rings" and path[-1] in ("layers", "tint")}

@@ -11,7 +11,7 @@ from typing import Any, NamedTuple
 import msgspec
 import tomlkit
 from tomlkit.exceptions import TOMLKitError
-from tomlkit.items import AoT, Item, Table
+from tomlkit.items import AoT, Item
 
 from game.levels import Level, RingSpec, WellSpec, checked, draft
 from game.system.errors import BadInputError

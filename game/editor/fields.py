@@ -29,7 +29,7 @@ class Part(Enum):
     BRICKS = tr_noop("Bricks")
     RING = tr_noop("Ring")
     WELLS = tr_noop("Wells")
-    PLAY = tr_noop("Play")
+    PADDLES = tr_noop("Paddles")
     DROPS = tr_noop("Drops")
     LEVEL = tr_noop("Level")
 
@@ -53,10 +53,12 @@ class Field(NamedTuple):
             return self.table, index, self.key
         return (self.table, self.key) if self.table else (self.key,)
 
-    def tip(self, index: int = 0) -> str:
-        """What it means, its key and its range."""
+    def tip(self, path: Path) -> str:
+        """What it means, its key and its range. path: of the value in the level."""
         limits = range_of(self.table, self.key)
-        key = named(self.path(index)) + ("" if limits is None else tr(": {low:g} to {high:g}").format(low=limits[0], high=limits[1]))
+        key = named(path) + (
+            "" if limits is None else tr(": {low} to {high}").format(low=f"{limits[0]:.10g}", high=f"{limits[1]:.10g}")
+        )
         return f"{tr(self.meaning)} ({key})" if self.meaning else key
 
 
@@ -103,13 +105,13 @@ CHAPTER = Field("", "chapter", tr_noop("Chapter"), tr_noop("Levels of one chapte
 GROUND_RADIUS = Field("", "ground_radius", tr_noop("Ground radius"), tr_noop("A ball that leaves this circle is lost."), 0.1)
 PALETTE = Field("look", "palette", tr_noop("Palette"), tr_noop("The colours of the arena."))
 GROUND = Field("look", "ground", tr_noop("Ground"), tr_noop("The pattern of the ground."))
-LAYERS = Field("rings", "layers", tr_noop("Layers"), tr_noop("Of the stacks that are painted: 0 is a gap, ∞ never breaks."))
+LAYERS = Field("rings", "layers", tr_noop("Layers"), tr_noop("Of the stacks that are painted: 0 is a gap, - never breaks."))
 TINT = Field("rings", "tint", tr_noop("Colour"), tr_noop("How many of the palette's colours the lowest layer skips."))
 PART_FIELDS = {
     Part.BRICKS: (LAYERS, TINT),
     Part.RING: RING_FIELDS,
     Part.WELLS: WELL_FIELDS,
-    Part.PLAY: (*BALL_FIELDS, *PADDLE_FIELDS),
+    Part.PADDLES: (*BALL_FIELDS, *PADDLE_FIELDS),
     Part.DROPS: (CHANCE, KINDS),
     Part.LEVEL: (NAME, DESCRIPTION, CHAPTER, GROUND_RADIUS, PALETTE, GROUND),
 }
@@ -150,11 +152,22 @@ def is_whole(table: str, key: str) -> bool:
 
 
 @cache
+def is_optional(table: str, key: str) -> bool:
+    """Whether a file may leave a key out."""
+    return not _field_of(table, key).required
+
+
+@cache
 def _type_of(table: str, key: str) -> inspect.Type:
     """What the format says about a key's values; of several kinds the first."""
-    struct = inspect.type_info(TABLES[table])
-    assert isinstance(struct, inspect.StructType)
-    kind = next(field.type for field in struct.fields if field.name == key)
+    kind = _field_of(table, key).type
     while isinstance(kind, inspect.Metadata | inspect.UnionType):
         kind = kind.type if isinstance(kind, inspect.Metadata) else kind.types[0]
     return kind
+
+
+def _field_of(table: str, key: str) -> inspect.Field:
+    """What the format says about a key."""
+    struct = inspect.type_info(TABLES[table])
+    assert isinstance(struct, inspect.StructType)
+    return next(field for field in struct.fields if field.name == key)

@@ -149,7 +149,10 @@ class Heading(Item):
 
 @dataclass(frozen=True)
 class ButtonItem(Item):
-    """Leads somewhere. chosen: makes the screen to go on with; note: words at its right end; centred: the label."""
+    """Leads somewhere. chosen: makes the screen to go on with; note: words at its right end; centred: the label.
+
+    framed: it has a frame without the focus as well, as one has whose label is centred.
+    """
 
     label: str
     chosen: Callable[[], Screen | None]
@@ -159,6 +162,7 @@ class ButtonItem(Item):
     centred: bool = False
     large: bool = False
     share: float = 1.0
+    framed: bool = False
 
     @property
     def focusable(self) -> bool:
@@ -172,7 +176,7 @@ class ButtonItem(Item):
     def draw(self, canvas: Canvas, box: pygame.Rect, *, focused: bool) -> None:
         """The label in a frame when it is focused."""
         theme, unit = canvas.theme, canvas.unit
-        draw_focus(canvas, box, focused=focused, resting=self.centred)
+        draw_focus(canvas, box, focused=focused, resting=self.centred or self.framed)
         size = _LABEL * (1.3 if self.large else 1.0)
         colour = theme.accent if focused else theme.text
         if self.centred:
