@@ -2,6 +2,7 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import partial
 from importlib.resources import files
 
 from game.editor.command import NEW
@@ -54,10 +55,10 @@ def every_screen() -> Iterator[tuple[str, Opener]]:
 def _editors() -> Iterator[tuple[str, Opener]]:
     """The editor: every part of its controls, what is wrong with a level, its help."""
     for part in Part:
-        yield f"editor-{part.name.lower()}", lambda state, part=part: _editor(state, part=part)
-    yield "editor-problem", lambda state: _editor(state, NEW.replace(*_UNSOUND))
+        yield f"editor-{part.name.lower()}", partial(_editor, part=part)
+    yield "editor-problem", partial(_editor, text=NEW.replace(*_UNSOUND))
     for index in range(3):
-        yield f"editor-help-{index + 1}", lambda state, index=index: _editor_help(state, index)
+        yield f"editor-help-{index + 1}", partial(_editor_help, index=index)
 
 
 def _around_the_game() -> Iterator[tuple[str, Opener]]:
