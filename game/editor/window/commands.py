@@ -115,7 +115,13 @@ CONTROL_KEYS = {
     pygame.K_v: "paste",
 }
 """Keys that give a command together with Ctrl."""
-COMMAND_ACTIONS = {Action.PAUSE: "test", Action.HELP: "help", Action.BACK: "leave"}
+COMMAND_ACTIONS = {
+    Action.PAUSE: "test",
+    Action.HELP: "help",
+    Action.ZOOM_OUT: "undo",
+    Action.ZOOM_IN: "redo",
+    Action.BACK: "leave",
+}
 """Commands that a gamepad gives."""
 DIRECTIONS = {
     pygame.K_LEFT: Action.LEFT,

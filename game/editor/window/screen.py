@@ -1,7 +1,6 @@
 """The editor as a screen of the game's loop: events to commands of the session, and one picture."""
 
 from collections.abc import Callable
-from dataclasses import replace
 
 import pygame
 
@@ -133,7 +132,7 @@ class Editor:
                 side.release()
             case Pressed(Action.STEP_BACK | Action.STEP as action) if side.has_keys:
                 side.turn(1 if action is Action.STEP else -1)
-            case Pressed(action) if action in (Action.PAUSE, Action.HELP):
+            case Pressed(action) if action in COMMAND_ACTIONS and action is not Action.BACK:
                 return self._command(COMMAND_ACTIONS[action])
             case _:
                 taken, following = side.hear_pad(signal, size)
@@ -226,11 +225,9 @@ class Editor:
             return self._command("redo" if again else CONTROL_KEYS.get(key))
         layers = layers_of(event)
         if layers is not None:
-            self._put(editing.brushed(self.session, layers))
-            side.open_part(Part.BRICKS)
+            self._paint_with(editing.brushed(self.session, layers))
         elif key == COLOUR_KEY:
-            self._put(recoloured(self.session, -1 if event.mod & pygame.KMOD_SHIFT else 1))
-            side.open_part(Part.BRICKS)
+            self._paint_with(recoloured(self.session, -1 if event.mod & pygame.KMOD_SHIFT else 1))
         elif key in COMMAND_KEYS:
             return self._command(COMMAND_KEYS[key])
         else:
@@ -271,11 +268,19 @@ class Editor:
             self.session = editing.stepped(self.session, _ANGLE if along else _DISTANCE, sign * steps)
 
     def _scroll(self, sign: int) -> None:
-        """Another brush, or where wells are edited another well."""
+        """Another brush, or where rings or wells are edited another one of these."""
         if self._part is Part.WELLS:
             self.session = chosen_well(self.session, sign)
+        elif self._part is Part.RING:
+            self.session = cursor.moved_across(self.session, sign)
         else:
-            self._put(relayered(self.session, sign))
+            self._paint_with(relayered(self.session, sign))
+
+    def _paint_with(self, session: EditorSession) -> None:
+        """Go on with another brush, which is seen."""
+        self.session = session
+        if self._side is not None:
+            self._side.open_part(Part.BRICKS)
 
     def _begin(self, stack: Stack) -> None:
         """Begin a stroke at the cursor, which goes on while the key is held and the cursor moves; or add or remove a well."""
@@ -343,7 +348,7 @@ class Editor:
         if self.session.document.problem:
             self.session = self.session._replace(message=self.session.document.problem)
             return self
-        return PlayTest(replace(self._state, recorder=None), self, self.session.document.level)
+        return PlayTest(self._state, self, self.session.document.level)
 
     def _leaving(self) -> Screen:
         """The question before changes are lost."""

@@ -107,17 +107,17 @@ def test_a_level_with_a_problem_is_neither_saved_nor_played(editor, tmp_path):
 
 
 def test_a_play_test_comes_back_to_the_editor(editor):
+    """By Esc at once, by the pause's only way out, and from the results; nothing of it is kept."""
     playing = key(editor, pygame.K_F5)
     assert isinstance(playing, PlayTest)
     playing.advance(0.1, SIZE)
     playing.draw(pygame.Surface(SIZE, 0, 32))
-    menu = playing.answer(Pressed(Action.BACK), SIZE)
-    for _ in range(12):
-        if menu is editor:
-            break
-        menu = menu.answer(Pressed(Action.UP), SIZE)
-        menu = menu.answer(Pressed(Action.CONFIRM), SIZE)
-    assert menu is editor
+    assert playing.answer(Pressed(Action.BACK), SIZE) is editor
+    assert playing.answer(Pressed(Action.PAUSE), SIZE) is playing
+    assert [entry.label for entry in playing._inner._entries][-1] == "Back to the editor"
+    playing.answer(Pressed(Action.UP), SIZE)
+    assert playing.answer(Pressed(Action.CONFIRM), SIZE) is editor
+    assert playing._inner._state.kept.progress is not editor._state.kept.progress
 
 
 def test_unsaved_changes_are_asked_about_and_kept_where_nobody_could_be_asked(editor, tmp_path, capsys):
