@@ -26,15 +26,20 @@ def redo_words(history: EditHistory) -> str:
 
 def described(before: Level, after: Level) -> str:
     """What turns one level into another, in the player's language."""
-    rings, wells = len(after.rings) - len(before.rings), len(after.wells) - len(before.wells)
-    if abs(rings) + abs(wells) == 1:
-        return {(1, 0): tr("copy ring"), (-1, 0): tr("remove ring"), (0, 1): tr("add well"), (0, -1): tr("remove well")}[
-            rings, wells
-        ]
+    more = (
+        (_has_one_more(after.rings, before.rings), tr("add ring")),
+        (_has_one_more(after.wells, before.wells), tr("add well")),
+    )
+    fewer = (
+        (_has_one_more(before.rings, after.rings), tr("remove ring")),
+        (_has_one_more(before.wells, after.wells), tr("remove well")),
+    )
+    if words := next((words for holds, words in (*more, *fewer) if holds), ""):
+        return words
     changed = _changed(msgspec.to_builtins(before), msgspec.to_builtins(after))
     keys = {path[:3] for path in changed}
     painted = {path for path in keys if path[0] == "rings" and path[-1] in ("layers", "tint")}
-    if keys == painted and rings == 0:
+    if keys and keys == painted:
         return _painted_words(before, after)
     if len({path[:2] for path in keys}) == 1 and {path[-1] for path in keys} == {"distance", "angle"}:
         return tr("move well")
@@ -43,6 +48,11 @@ def described(before: Level, after: Level) -> str:
     if len(keys) == 1:
         return _value_words(next(iter(keys)), changed)
     return ntr("{count} change", "{count} changes", len(keys)).format(count=len(keys)) if keys else tr("notes in the file")
+
+
+def _has_one_more(longer: list[Any], shorter: list[Any]) -> bool:
+    """Whether a list is another one with one thing more."""
+    return len(longer) == len(shorter) + 1 and any([longer[:at] + longer[at + 1 :] == shorter for at in range(len(longer))])
 
 
 def _painted_words(before: Level, after: Level) -> str:

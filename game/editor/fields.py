@@ -105,8 +105,12 @@ CHAPTER = Field("", "chapter", tr_noop("Chapter"), tr_noop("Levels of one chapte
 GROUND_RADIUS = Field("", "ground_radius", tr_noop("Ground radius"), tr_noop("A ball that leaves this circle is lost."), 0.1)
 PALETTE = Field("look", "palette", tr_noop("Palette"), tr_noop("The colours of the arena."))
 GROUND = Field("look", "ground", tr_noop("Ground"), tr_noop("The pattern of the ground."))
-LAYERS = Field("rings", "layers", tr_noop("Layers"), tr_noop("Of the stacks that are painted: 0 is a gap, - never breaks."))
-TINT = Field("rings", "tint", tr_noop("Colour"), tr_noop("How many of the palette's colours the lowest layer skips."))
+LAYERS = Field(
+    "rings", "layers", tr_noop("Layers"), tr_noop("1 to 9 layers; 0 is a gap, - never breaks, = leaves the layers as they are.")
+)
+TINT = Field(
+    "rings", "tint", tr_noop("Colour"), tr_noop("How many of the palette's colours the lowest layer skips; = leaves it.")
+)
 PART_FIELDS = {
     Part.BRICKS: (LAYERS, TINT),
     Part.RING: RING_FIELDS,

@@ -28,7 +28,7 @@ class EditHistory(NamedTuple):
             return self
         if stepped is None or stepped != self.stepped or not self.past:
             return EditHistory(document, (*self.past, self.present)[-_LONGEST:], (), stepped)
-        if document.text == self.past[-1].text:
+        if document.level == self.past[-1].level:
             return EditHistory(self.past[-1], self.past[:-1])
         return EditHistory(document, self.past, (), stepped)
 

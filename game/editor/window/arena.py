@@ -52,17 +52,15 @@ def draw_wells(canvas: Canvas, session: EditorSession, pointed: int | None, colo
     for index, well in enumerate(session.document.level.wells):
         chosen, middle = index == session.well, position_of(well)
         shown, width = (colour, _SLOT_WIDTH) if chosen or index == pointed else (canvas.theme.faint, _CHOSEN_WIDTH)
-        _draw_circle(canvas, well.reach, shown, width, middle)
-        pixel = canvas.camera.project(middle)
-        draw_circle(canvas.surface, pixel, canvas.unit * _HANDLE, max(canvas.unit * width, 1.0), shown)
+        for radius in (well.reach, canvas.unit * _HANDLE / canvas.camera.scale):
+            _draw_circle(canvas, radius, shown, width, middle)
 
 
 def _draw_circle(canvas: Canvas, radius: float, colour: Colour, width: float, middle: complex = 0j) -> None:
-    """A circle. radius, middle: world units."""
-    pixels = [_pixel(canvas.camera, radius, angle * _ARC_DEGREES, middle) for angle in range(round(360.0 / _ARC_DEGREES))]
-    pygame.draw.aalines(canvas.surface, colour, closed=True, points=pixels)
-    if canvas.unit * width >= 2.0:
-        pygame.draw.lines(canvas.surface, colour, True, pixels, round(canvas.unit * width))
+    """A circle. radius, middle: world units; width: of the line, units of text."""
+    line = max(canvas.unit * width, 1.0)
+    pixels = canvas.camera.scale * radius + line / 2.0
+    draw_circle(canvas.surface, canvas.camera.project(middle), max(pixels, 1.0), line, colour)
 
 
 def _draw_slot(canvas: Canvas, ring: RingSpec, slot: int, width: float, colour: Colour) -> None:
@@ -77,8 +75,8 @@ def _draw_slot(canvas: Canvas, ring: RingSpec, slot: int, width: float, colour: 
     pygame.draw.lines(canvas.surface, colour, True, [*outer, *inner], line)
 
 
-def _pixel(camera: Camera, radius: float, degrees: float, middle: complex = 0j) -> tuple[float, float]:
-    """The pixel of a point in polar coordinates about a middle."""
+def _pixel(camera: Camera, radius: float, degrees: float) -> tuple[float, float]:
+    """The pixel of a point in polar coordinates."""
     angle = math.radians(degrees)
-    pixel = camera.project(middle + complex(radius * math.cos(angle), radius * math.sin(angle)))
+    pixel = camera.project(complex(radius * math.cos(angle), radius * math.sin(angle)))
     return pixel.real, pixel.imag

@@ -20,7 +20,10 @@ TINTS = (None, *range(9))
 
 
 class Command(NamedTuple):
-    """Something that a button or a key does. label: what the button says; key: what does the same; tip: a sentence."""
+    """Something that a button or a key does.
+
+    label: what the button says, nothing where it says more. key: what does the same. tip: a sentence.
+    """
 
     label: str
     key: str
@@ -36,8 +39,8 @@ COMMANDS = {
     "remove": Command(tr_noop("Remove ring"), "Del"),
     "add-well": Command(tr_noop("Add well"), "Ins", tr_noop("A gravity well like the chosen one, further around.")),
     "remove-well": Command(tr_noop("Remove well"), "Del"),
-    "undo": Command(tr_noop("Undo"), "Ctrl+Z"),
-    "redo": Command(tr_noop("Redo"), "Ctrl+Y"),
+    "undo": Command("", "Ctrl+Z"),
+    "redo": Command("", "Ctrl+Y"),
     "test": Command(tr_noop("Play-test"), "F5", tr_noop("Plays the level; Esc there comes back.")),
     "save": Command(tr_noop("Save"), "Ctrl+S", tr_noop("Comments in the file stay.")),
     "help": Command(tr_noop("Help"), "F1", tr_noop("Every key and button.")),
@@ -112,7 +115,13 @@ CONTROL_KEYS = {
     pygame.K_v: "paste",
 }
 """Keys that give a command together with Ctrl."""
-COMMAND_ACTIONS = {Action.PAUSE: "test", Action.HELP: "help", Action.BACK: "leave"}
+COMMAND_ACTIONS = {
+    Action.PAUSE: "test",
+    Action.HELP: "help",
+    Action.ZOOM_OUT: "undo",
+    Action.ZOOM_IN: "redo",
+    Action.BACK: "leave",
+}
 """Commands that a gamepad gives."""
 DIRECTIONS = {
     pygame.K_LEFT: Action.LEFT,

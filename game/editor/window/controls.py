@@ -100,8 +100,6 @@ def _bricks(seen: Controlled, do: Reactions) -> tuple[Row, ...]:
     def fold_chosen(index: int) -> None:
         do.put(session._replace(symmetry=session.symmetry._replace(fold=FOLDS[index])))
 
-    brush_tip = tr("1 to 9 layers; 0 is a gap, - never breaks, = leaves the layers as they are.")
-    tint_tip = tr("How many of the palette's colours the lowest layer skips; = leaves the colours as they are.")
     fold_tip = tr("A stroke is repeated so often around the ring.")
     mirror = Switch(
         tr("Mirror"),
@@ -110,16 +108,22 @@ def _bricks(seen: Controlled, do: Reactions) -> tuple[Row, ...]:
         _tip("M", tr("A stroke is repeated at the other side of the vertical middle.")),
     )
     return (
-        (LabelItem(tr("Layers")),),
+        (LabelItem(tr(fields.LAYERS.label)),),
         (
             ChipsItem(
-                layers, LAYERS.index(brush.layers), lambda index: do.put(editing.brushed(session, LAYERS[index])), brush_tip
+                layers,
+                LAYERS.index(brush.layers),
+                lambda index: do.put(editing.brushed(session, LAYERS[index])),
+                tr(fields.LAYERS.meaning),
             ),
         ),
-        (LabelItem(tr("Colour")),),
+        (LabelItem(tr(fields.TINT.label)),),
         (
             ChipsItem(
-                tints, TINTS.index(brush.tint), lambda index: do.put(editing.tinted(session, TINTS[index])), _tip("T", tint_tip)
+                tints,
+                TINTS.index(brush.tint),
+                lambda index: do.put(editing.tinted(session, TINTS[index])),
+                _tip("T", tr(fields.TINT.meaning)),
             ),
         ),
         (LabelItem(tr("Around the ring")),),
@@ -170,18 +174,17 @@ def _drops(seen: Controlled, do: Reactions) -> tuple[Row, ...]:
     for kind in DROP_KINDS:
         words = tr(POWER_NAMES[PowerUp[kind.upper()]])
         tip = fields.KINDS.tip(fields.KINDS.path())
-        turned = partial(do.put, _with_kind_turned(session, kind))
+        turned = partial(_turn_kind, kind, session, do)
         switches.append((Switch(words[:1].upper() + words[1:], kind in kinds, turned, tip),))
     return (*_field_rows((fields.CHANCE,), seen, do), *switches)
 
 
-def _with_kind_turned(session: EditorSession, kind: DropKind) -> EditorSession:
-    """The session with one power-up switched on or off."""
+def _turn_kind(kind: DropKind, session: EditorSession, do: Reactions) -> None:
+    """Switch one power-up on or off."""
     kinds = value_of(session, fields.KINDS)
     after: list[str] = [other for other in DROP_KINDS if (other in kinds) != (other == kind)]
-    if not after:
-        return session._replace(message=tr("At least one power-up; where there shall be none, let the chance be 0."))
-    return editing.entered(session, fields.KINDS, after)
+    none = session._replace(message=tr("At least one power-up; where there shall be none, let the chance be 0."))
+    do.put(editing.entered(session, fields.KINDS, after) if after else none)
 
 
 def _level(seen: Controlled, do: Reactions) -> tuple[Row, ...]:

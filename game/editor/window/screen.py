@@ -1,11 +1,9 @@
 """The editor as a screen of the game's loop: events to commands of the session, and one picture."""
 
 from collections.abc import Callable
-from dataclasses import replace
 
 import pygame
 
-from game.drawing.painter import Painter
 from game.editor import cursor
 from game.editor import session as editing
 from game.editor.changes import redo_words, undo_words
@@ -14,7 +12,6 @@ from game.editor.fields import WELL_FIELDS, Part
 from game.editor.file_watch import WatchedFile
 from game.editor.session import EditorSession
 from game.editor.wells import chosen_well
-from game.editor.window.arena import draw_arena, draw_outlines, draw_ring, draw_wells
 from game.editor.window.commands import (
     CHANGES,
     COLOUR_KEY,
@@ -31,17 +28,16 @@ from game.editor.window.commands import (
     recoloured,
     relayered,
 )
-from game.editor.window.foot import cursor_words, draw_foot
-from game.editor.window.help import EditorHelp, Hand, hint
+from game.editor.window.help import EditorHelp, Hand
 from game.editor.window.layout import EditorLayout, editor_layout
+from game.editor.window.picture import EditorPicture, Shown
 from game.editor.window.play_test import PlayTest
-from game.editor.window.pointing import ERASER, Drag, dragged, pressed, slot_at, well_near
+from game.editor.window.pointing import ERASER, Drag, dragged, pressed, slot_at
 from game.editor.window.side import EditorSide
 from game.input.keys import Action, code_among, position_in
 from game.input.repeat import Repeat
 from game.input.signals import FocusLost, Pressed, Released, Signal, is_still_down, pad_of
 from game.language import tr
-from game.levels import Level
 from game.overlay.toast import Toast
 from game.screens.app_state import AppState
 from game.screens.base import Screen
@@ -68,8 +64,7 @@ class Editor:
     ) -> None:
         """Open with a session on a file. back: the screen that it leads back to."""
         self._state, self.session, self._file, self._back = state, session, file, back
-        self._painter = Painter()
-        self._drawn: Level | None = None  # the last one that could be drawn
+        self._picture = EditorPicture()
         self._hand = Hand.KEYS
         self._side: EditorSide | None = None
         self._pixel: complex | None = None  # of the mouse
@@ -137,7 +132,7 @@ class Editor:
                 side.release()
             case Pressed(Action.STEP_BACK | Action.STEP as action) if side.has_keys:
                 side.turn(1 if action is Action.STEP else -1)
-            case Pressed(action) if action in (Action.PAUSE, Action.HELP):
+            case Pressed(action) if action in COMMAND_ACTIONS and action is not Action.BACK:
                 return self._command(COMMAND_ACTIONS[action])
             case _:
                 taken, following = side.hear_pad(signal, size)
@@ -178,20 +173,11 @@ class Editor:
     def draw(self, surface: pygame.Surface) -> None:
         """The arena, the lines below it, and the controls."""
         size = surface.get_size()
-        side, seen = self.side(size), self.layout(size)
-        canvas = self._state.canvas(surface, seen.camera)._replace(unit=seen.unit)
-        surface.fill(canvas.theme.background)
-        try:
-            draw_arena(canvas, self._painter, self.session.document.level)
-            self._drawn = self.session.document.level
-        except ValueError:  # sizes that the physics does not take; the problem is written below
-            if self._drawn is not None:
-                draw_arena(canvas, self._painter, self._drawn)
+        side = self.side(size)
+        tip, file = side.tip(size), self._file.path.name
+        shown = Shown(self.session, self.layout(size), side.part, self._hand, self._point(size), side.has_keys, tip, file)
+        self._picture.draw(surface, self._state, shown)
         side.draw(surface)
-        surface.set_clip(pygame.Rect(0, 0, seen.side.left, size[1]))
-        at = self._draw_marks(size, surface)
-        self._draw_foot(size, surface, cursor_words(self.session, self._side_part, at))
-        surface.set_clip(None)
 
     def save(self) -> bool:
         """Write the file; whether that was possible. What is wrong is shown."""
@@ -207,39 +193,9 @@ class Editor:
         return True
 
     @property
-    def _side_part(self) -> Part:
+    def _part(self) -> Part:
         """The part of the controls that is shown."""
         return Part.BRICKS if self._side is None else self._side.part
-
-    def _draw_marks(self, size: tuple[int, int], surface: pygame.Surface) -> tuple[int, int] | None:
-        """What the cursor or the mouse is on; ring and slot of it."""
-        seen, by_mouse, level = self.layout(size), self._hand is Hand.MOUSE, self.session.document.level
-        canvas = self._state.canvas(surface, seen.camera)._replace(unit=seen.unit)
-        point = self._point(size)
-        at: tuple[int, int] | None = (self.session.ring, self.session.slot)
-        if by_mouse:
-            at = None if point is None else slot_at(level, point)
-        active = by_mouse or not self.side(size).has_keys
-        colour = canvas.theme.accent if active else canvas.theme.faint
-        if self._side_part is Part.WELLS:
-            draw_wells(canvas, self.session, well_near(level, point) if by_mouse and point is not None else None, colour)
-        elif self._side_part is Part.RING and by_mouse:
-            if at is not None:
-                draw_ring(canvas, level.rings[at[0]], canvas.theme.text)
-            draw_ring(canvas, level.rings[self.session.ring], colour, 2.0)
-        else:
-            draw_outlines(canvas, self.session, at, colour)
-        return at
-
-    def _draw_foot(self, size: tuple[int, int], surface: pygame.Surface, words: str) -> None:
-        """The lines below the arena."""
-        seen, side, session = self.layout(size), self.side(size), self.session
-        theme = self._state.theme
-        wrong = session.message or session.file_error or session.document.problem
-        tip = side.tip(size) or hint(self._hand, self._side_part, in_panel=side.has_keys)
-        status = "   ·   ".join([part for part in (self._file.path.name, words) if part])
-        canvas = self._state.canvas(surface)._replace(unit=seen.unit)
-        draw_foot(canvas, seen.foot, [(status, theme.faint), (wrong, theme.danger), (tip, theme.text)])
 
     def _look(self) -> None:
         """Take over what another program wrote into the file."""
@@ -269,11 +225,9 @@ class Editor:
             return self._command("redo" if again else CONTROL_KEYS.get(key))
         layers = layers_of(event)
         if layers is not None:
-            self._put(editing.brushed(self.session, layers))
-            side.open_part(Part.BRICKS)
+            self._paint_with(editing.brushed(self.session, layers))
         elif key == COLOUR_KEY:
-            self._put(recoloured(self.session, -1 if event.mod & pygame.KMOD_SHIFT else 1))
-            side.open_part(Part.BRICKS)
+            self._paint_with(recoloured(self.session, -1 if event.mod & pygame.KMOD_SHIFT else 1))
         elif key in COMMAND_KEYS:
             return self._command(COMMAND_KEYS[key])
         else:
@@ -305,7 +259,7 @@ class Editor:
         """Move the cursor, or the chosen gravity well. steps: at once, of a well; 0 for another well."""
         sign = 1 if action in (Action.RIGHT, Action.UP) else -1
         along = action in (Action.LEFT, Action.RIGHT)
-        if self._side_part is not Part.WELLS:
+        if self._part is not Part.WELLS:
             self.session = (cursor.moved_along if along else cursor.moved_across)(self.session, sign)
             self._stroke()
         elif steps == 0:
@@ -314,15 +268,23 @@ class Editor:
             self.session = editing.stepped(self.session, _ANGLE if along else _DISTANCE, sign * steps)
 
     def _scroll(self, sign: int) -> None:
-        """Another brush, or where wells are edited another well."""
-        if self._side_part is Part.WELLS:
+        """Another brush, or where rings or wells are edited another one of these."""
+        if self._part is Part.WELLS:
             self.session = chosen_well(self.session, sign)
+        elif self._part is Part.RING:
+            self.session = cursor.moved_across(self.session, sign)
         else:
-            self._put(relayered(self.session, sign))
+            self._paint_with(relayered(self.session, sign))
+
+    def _paint_with(self, session: EditorSession) -> None:
+        """Go on with another brush, which is seen."""
+        self.session = session
+        if self._side is not None:
+            self._side.open_part(Part.BRICKS)
 
     def _begin(self, stack: Stack) -> None:
         """Begin a stroke at the cursor, which goes on while the key is held and the cursor moves; or add or remove a well."""
-        if self._side_part is Part.WELLS:
+        if self._part is Part.WELLS:
             self._command("remove-well" if stack is ERASER else "add-well")
             return
         if self._side is not None:
@@ -359,7 +321,7 @@ class Editor:
     def _command(self, name: str | None) -> Screen | None:
         """Do what a button or a key says."""
         self._drag = self._held = None
-        name = OF_WELLS.get(name or "", name) if self._side_part is Part.WELLS else name
+        name = OF_WELLS.get(name or "", name) if self._part is Part.WELLS else name
         if name in ("undo", "redo"):
             told = undo_words(self.session.history) if name == "undo" else redo_words(self.session.history)
             words = tr("Undone: {change}") if name == "undo" else tr("Done again: {change}")
@@ -386,7 +348,7 @@ class Editor:
         if self.session.document.problem:
             self.session = self.session._replace(message=self.session.document.problem)
             return self
-        return PlayTest(replace(self._state, recorder=None), self, self.session.document.level)
+        return PlayTest(self._state, self, self.session.document.level)
 
     def _leaving(self) -> Screen:
         """The question before changes are lost."""

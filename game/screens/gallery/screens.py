@@ -56,7 +56,7 @@ def _editors() -> Iterator[tuple[str, Opener]]:
     """The editor: every part of its controls, what is wrong with a level, its help."""
     for part in Part:
         yield f"editor-{part.name.lower()}", partial(_editor, part=part)
-    yield "editor-problem", lambda state: _editor(state, NEW.replace(*_UNSOUND))
+    yield "editor-problem", partial(_editor, text=NEW.replace(*_UNSOUND))
     for index in range(3):
         yield f"editor-help-{index + 1}", partial(_editor_help, index=index)
 

@@ -17,6 +17,8 @@ from game.screens.toolkit.text_field import TextField, draw_field
 TEXT_KEYS = ("ABCDEFGHIJ", "KLMNOPQRST", "UVWXYZ-_.!", "0123456789")
 NUMBER_KEYS = ("123", "456", "789", "-0.")
 """Letters of the small keyboard, row by row: for a text, and for a number."""
+_OTHER_SIGNS = str.maketrans("-_.!", ",;:?")
+"""The signs that stand beside small letters."""
 _FEW_LETTERS = 6
 _NAVIGATION = frozenset(
     {pygame.K_UP, pygame.K_DOWN, pygame.K_LEFT, pygame.K_RIGHT, pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_ESCAPE}
@@ -43,7 +45,7 @@ class TextEntry(Panel):
         """
         super().__init__(state, under)
         self._title, self._longest, self._done, self._letters = title, longest, done, letters
-        self._small = False  # whether the small keyboard has small letters
+        self._small = False  # whether the small keyboard has small letters, and the other signs
         self.field = TextField.all_of(text[:longest])
         if letters == TEXT_KEYS:
             self.field = self.field.moved(longest)
@@ -77,7 +79,7 @@ class TextEntry(Panel):
     def _lines(self) -> tuple[str, ...]:
         """The letters, fewer beside each other where the player wants large texts."""
         letters = "".join(self._letters)
-        letters = letters.lower() if self._small else letters
+        letters = letters.lower().translate(_OTHER_SIGNS) if self._small else letters
         wide = min(len(self._letters[0]), _FEW_LETTERS) if self.has_large_text else len(self._letters[0])
         return tuple([letters[start : start + wide] for start in range(0, len(letters), wide)])
 

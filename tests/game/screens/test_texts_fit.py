@@ -10,6 +10,7 @@ import pygame
 import pytest
 
 from game.drawing.text import Type
+from game.editor.window import picture
 from game.language import CODES
 from game.overlay.captions import Caption
 from game.rules import EventKind
@@ -22,7 +23,7 @@ from game.screens.toolkit.panel import Panel
 SMALLEST = (800, 600)
 GAMES = {name for name, _ in [*screens._games(), *screens._results_of_games()]}
 """Screens that take a game to be played; what is written in a game is looked at below."""
-NO_PANELS = {"title", "replay", "editor", "editor-problem"}
+NO_PANELS = {"title", "replay"}
 PANELS = {name: opened for name, opened in screens.every_screen() if name not in GAMES | NO_PANELS}
 
 
@@ -40,6 +41,7 @@ def written(monkeypatch):
         return box
 
     monkeypatch.setattr(Type, "write", write)
+    monkeypatch.setattr(picture, "draw_arena", lambda *_: None)
     monkeypatch.setattr(Panel, "draw_behind", lambda _self, surface: surface.fill((0, 0, 0)))
     return lines
 
