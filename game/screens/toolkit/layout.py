@@ -32,6 +32,8 @@ _SCREEN_MARGIN = 0.6
 BAR = 0.45
 """Width of the scroll bar."""
 _BAR_ROOM = 1.1
+FROM_TOP = 99.0
+"""For `Content.tall`: the plate's upper edge is as high as it can be, whatever its parts need."""
 COLUMN_MARGIN = 0.9
 """From the edges of an area to the rows in it."""
 _TIGHTEST, _LEAST_SEEN = 0.75, 0.22
