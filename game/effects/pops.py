@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from game.language import tr, tr_noop
+from game.language import grouped, tr, tr_noop
 from game.rules import BEST_COMBO, HARMFUL, Event, EventKind, PowerUp, Ticked
 
 POP_TICKS, PLATED_TICKS = 190, 240
@@ -90,7 +90,7 @@ def _text(event: Event) -> str:
     if event.kind in {EventKind.BRICK_HIT, EventKind.BUMPER_HIT}:
         return f"+{event.points}"
     if event.kind == EventKind.LEVEL_CLEARED:
-        return tr("+{points} bonus").format(points=event.points)
+        return tr("+{points} bonus").format(points=grouped(event.points))
     if event.kind == EventKind.DROP_CAUGHT and event.power is not None:
         return "" if event.power == PowerUp.LIFE else tr(POWER_NAMES[event.power])  # a life says it itself, if there is one
     return tr(_WORDS[event.kind]) if event.kind in _WORDS else ""

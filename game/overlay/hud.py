@@ -3,11 +3,13 @@
 Of two who play against each other, each has the left corner of the own half; the level is in the upper right corner then.
 """
 
+import cmath
 import math
+from functools import lru_cache
 
 import pygame
 
-from game.drawing.camera import Layout
+from game.drawing.camera import Camera, Layout
 from game.drawing.canvas import Canvas
 from game.drawing.letter_sizes import stepped
 from game.drawing.palette import Colour, Theme, mixed
@@ -43,6 +45,8 @@ _LIFE, _LIFE_PITCH, _LIFE_LINE = 0.42, 1.134, 0.08
 _LIVES_BELOW_CAPTION = 0.75
 _WITH_GAUGES = 1.08
 """Radius of the arena with what lasts shown beyond its rim, in ground radii."""
+_BESIDE, _RIM_PIXELS = 1.2, 160
+"""What is at most so far above or below a line is beside it; and pixels of the rim that are looked at in 3D."""
 _SWATCH, _SWATCH_GAP = (1.5, 0.42), 0.5
 """The sign in the colour of a player's paddle, and from it to the player's name."""
 _PLAYER_SCORE, _PLAYER_LIVES, _PLAYER_HEIGHT = 1.1, 3.9, 4.4
@@ -74,7 +78,11 @@ def _draw_score(canvas: Canvas, shown: Readings, layout: Layout) -> None:
     left, right, top = unit * _EDGE, width - unit * _EDGE, unit * _EDGE
     box = canvas.write(tr("SCORE"), _CAPTION, theme.faint, complex(left, top))
     box = canvas.write(grouped(shown.score), _FIGURE, theme.text, complex(left, box.bottom + unit * 0.1))
-    corner = complex(box.left, box.bottom + unit * 0.3) if layout.beside else complex(box.right + unit, box.top)
+    corner = complex(box.right + unit, box.top)
+    if layout.beside:
+        below, aside = complex(box.left, box.bottom + unit * 0.3), complex(box.right + unit, top - unit * 0.4)
+        wanted = min(_COMBO_WIDTH * unit, _combo_room(canvas, layout, aside))
+        corner = below if _combo_room(canvas, layout, below) >= wanted else aside
     _draw_combo(canvas, shown, corner, layout)
     box = canvas.write(tr("LIVES"), _CAPTION, theme.faint, complex(right, top), "topright")
     pixel = complex(right, box.bottom + unit * _LIVES_BELOW_CAPTION)
@@ -163,9 +171,35 @@ def _draw_foot(canvas: Canvas, shown: Readings, corner: complex) -> None:
 
 def _room(layout: Layout, pixel: complex) -> float:
     """How far a line may go from a pixel towards the arena until it meets it, pixels; at least a sixth of the surface."""
-    middle, radius = layout.camera.centre, layout.ground_radius * layout.camera.scale * _WITH_GAUGES
-    half = math.sqrt(max(radius**2 - (pixel.imag - middle.imag) ** 2, 0.0))
-    return max(abs(middle.real - pixel.real) - half, layout.size[0] / 6.0)
+    return max(_free(layout, pixel), layout.size[0] / 6.0)
+
+
+def _free(layout: Layout, pixel: complex) -> float:
+    """How far a line may go from a pixel towards the arena until it meets it, pixels; less than 0 within it."""
+    camera, radius = layout.camera, layout.ground_radius * _WITH_GAUGES
+    middle = camera.centre
+    if camera.flat:
+        half = math.sqrt(max((radius * camera.scale) ** 2 - (pixel.imag - middle.imag) ** 2, 0.0))
+        return abs(middle.real - pixel.real) - half
+    near = [abs(rim.real - pixel.real) for rim in _rim(camera._replace(azimuth=0.0), radius) if _is_beside(rim, pixel, layout)]
+    return min(near, default=abs(middle.real - pixel.real))
+
+
+def _is_beside(rim: complex, pixel: complex, layout: Layout) -> bool:
+    """Whether a pixel of the rim is about as high as another, on the same side of the arena's middle."""
+    middle = layout.camera.centre.real
+    return abs(rim.imag - pixel.imag) < _BESIDE * layout.unit and (rim.real - middle) * (pixel.real - middle) >= 0.0
+
+
+@lru_cache(maxsize=8)
+def _rim(camera: Camera, radius: float) -> list[complex]:
+    """Pixels around the arena. radius: world units."""
+    return camera.pixels([cmath.rect(radius, math.tau * k / _RIM_PIXELS) for k in range(_RIM_PIXELS)])
+
+
+def _combo_room(canvas: Canvas, layout: Layout, corner: complex) -> float:
+    """How wide the combo may be, pixels, so that neither words nor dots meet the arena. corner: upper left, pixels."""
+    return min([_free(layout, corner + 1j * canvas.unit * down) for down in (_COMBO_HEIGHT, _COMBO_DOTS)])
 
 
 def _draw_combo(canvas: Canvas, shown: Readings, corner: complex, layout: Layout) -> None:

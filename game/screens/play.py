@@ -7,7 +7,7 @@ from game.autopilot import Autopilot
 from game.drawing import contact_normals
 from game.drawing.camera import Camera, Layout, layout, unit_of
 from game.drawing.canvas import Canvas
-from game.effects import EffectKind, Effects
+from game.effects import EffectKind
 from game.effects.hit_stop import hit_stop_seconds
 from game.effects.slow_motion import pace
 from game.fixed_step import Due, due
@@ -62,7 +62,7 @@ class PlayScreen:
         """Start a new game at the first of the levels. endless: the seed that they were made from; None for others."""
         self._state, self._levels, self.endless = state, levels, endless
         self._ticked = still(new_game(levels, state.next_seed() if endless is None else endless, state.game_rules))
-        self._effects = Effects()
+        self._effects = effects.at_start(state.settings.shown)
         self._normals: tuple[NormalPair, ...] = ()
         self._hands = Hands()
         self._second = Hands()  # of the second player; empty where there is one

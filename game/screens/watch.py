@@ -164,7 +164,8 @@ class Watch:
         """Show the moment after the given number of ticks, limited to those there are."""
         tick = min(max(tick, 0), self._frames.ticks)
         start = max(tick - LONGEST, 0)
-        self._effects, self._normals = Effects(), ()
+        self._effects = Effects() if start else effects.at_start(self._state.settings.shown)
+        self._normals = ()
         self._at, self._number = float(start), start
         self._shown = self._tick_from(start)
         self._run_to(float(tick))

@@ -10,12 +10,9 @@ from game.screens.menus import help_pictures as pictures
 from game.screens.menus.help_powers import power_rows
 from game.screens.toolkit.focus import Focus
 from game.screens.toolkit.items import Cells, Drawing, Item, TextItem
-from game.screens.toolkit.layout import Content, Row
+from game.screens.toolkit.layout import FROM_TOP, Content, Row
 from game.screens.toolkit.menu import back_row
 from game.screens.toolkit.panel import Panel
-
-_TALL = 24.0
-"""Height of the tallest part, units of text."""
 
 
 class Help(Panel):
@@ -35,7 +32,7 @@ class Help(Panel):
             return Content(self._title, self._key_rows(self._keys), footer, width=40.0)
         parts = (_game, _aiming, power_rows, _controls, lambda: self._key_rows(play_help()))
         names = (tr("The game"), tr("Aiming"), tr("Power-ups"), tr("Controls"), tr("Keys"))
-        return Content(tr("How to play"), parts[self._tab](), footer, names, self._tab, 44.0, tall=_TALL)
+        return Content(tr("How to play"), parts[self._tab](), footer, names, self._tab, 44.0, tall=FROM_TOP)
 
     def first(self) -> Focus | None:
         """The button that closes it."""

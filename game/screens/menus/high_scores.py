@@ -10,7 +10,7 @@ from game.screens.difficulty_names import DIFFICULTIES, difficulty_name
 from game.screens.menus.replay_file import opened_replay
 from game.screens.toolkit.focus import Focus
 from game.screens.toolkit.items import ButtonItem, Cells, Item, TextItem
-from game.screens.toolkit.layout import Content
+from game.screens.toolkit.layout import FROM_TOP, Content
 from game.screens.toolkit.menu import Entry, back_row
 from game.screens.toolkit.panel import Panel
 
@@ -44,7 +44,7 @@ class HighScores(Panel):
         footer = back_row(tr("Back"), self.back)
         if self._entries:
             footer = (tuple([ButtonItem(one.label, one.chosen, centred=True) for one in self._entries]),)
-        return Content(tr("High scores"), tuple(rows), footer, names, self._tab, 42.0, tall=20.0)
+        return Content(tr("High scores"), tuple(rows), footer, names, self._tab, 42.0, tall=FROM_TOP)
 
     def back(self) -> Screen | None:
         """After a game to the title, else to the screen below."""

@@ -8,7 +8,7 @@ from game import effects
 from game.autopilot import Autopilot
 from game.drawing.camera import Layout, unit_of
 from game.drawing.palette import Colour
-from game.effects import EffectKind, Effects
+from game.effects import EffectKind
 from game.effects.hit_stop import hit_stop_seconds
 from game.effects.slow_motion import pace
 from game.fixed_step import Due, due
@@ -54,7 +54,7 @@ class GameOnPage:
         self._physics = physics
         self._state, self._screens, self._levels = state, screens, levels
         self._ticked = still(new_game(levels, state.seed(), state.ruleset))
-        self._effects = Effects()
+        self._effects = effects.at_start(state.settings.shown)
         self._hands = Hands()
         self._due = Due(0, 0.0)
         self._ready = 0.0  # seconds until play goes on after a pause

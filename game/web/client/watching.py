@@ -129,7 +129,8 @@ class ReplayOnPage:
     def _seek(self, number: int) -> None:
         """At a tick, with no effect to be seen."""
         number = min(max(number, 0), self._frames.ticks)
-        self._at, self._effects = float(number), Effects()
+        self._at = float(number)
+        self._effects = Effects() if number else effects.at_start(self._state.settings.shown)
         self._ticked = self._frames.ticked(number - 1) if number else still(self._frames.game(0))
 
 

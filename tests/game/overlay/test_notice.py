@@ -53,6 +53,7 @@ def test_the_plate_stays_above_the_wall_and_between_the_figures(language, text_s
     across, down = np.nonzero(pygame.surfarray.array3d(surface).any(axis=2))
     assert np.ptp(across) < SIZE[0] * 2 / 3
     assert down.max() < SIZE[1] / 4
+    assert down.max() < 300.0 - 28.0 * max([ring.radius + ring.half_width for ring in campaign()[0].rings])
     assert np.ptp(down) > SIZE[1] / 12
 
 
