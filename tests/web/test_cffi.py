@@ -26,7 +26,7 @@ print(json.dumps([repr(contact), repr(engine.shapes(ring, (1,))), repr(positions
 def answers():
     """What pymunk answers with cffi, and without."""
     commands = [[sys.executable, "-c", ASKED, *argument] for argument in ([], ["without"])]
-    children = [subprocess.Popen(command, stdout=subprocess.PIPE, text=True) for command in commands]  # noqa: S603  # ours
+    children = [subprocess.Popen(command, stdout=subprocess.PIPE, text=True) for command in commands]
     try:
         return [json.loads(child.communicate(timeout=60)[0]) for child in children]
     finally:
