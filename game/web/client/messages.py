@@ -158,8 +158,9 @@ class FrameReply(msgspec.Struct, omit_defaults=True):
     said: a sentence for a screen reader. described: what the picture shows. fragment: of the page's address.
     keep: whether what is stored has changed. download: a file for the player. told: a line to show for a moment.
     language: code of the texts'. code: a text for the editor, in place of what it holds. grading: a text to be graded.
-    words: around the picture, when they have changed. music: gains of its layers, when they have changed. limit: seconds within
-    which the next reply has to come, 0 for any: so long as the player's own functions may hang.
+    second_engine: whether it is to be loaded. words: around the picture, when they have changed. music: gains of its layers,
+    when they have changed. limit: seconds within which the next reply has to come, 0 for any: so long as the player's own
+    functions may hang.
     """
 
     backdrop: bool = False
@@ -183,3 +184,4 @@ class FrameReply(msgspec.Struct, omit_defaults=True):
     music: tuple[float, ...] | None = None
     limit: float = 0.0
     words: PageWords | None = None
+    second_engine: bool = False

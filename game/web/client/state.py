@@ -11,6 +11,7 @@ from game.drawing.palette import Theme
 from game.input.signals import Signal
 from game.input.view import FLAT, Viewpoint
 from game.kept.store import Kept
+from game.lab.kit.second_engine import Engine
 from game.language import choose
 from game.levels import Level, campaign
 from game.picture.arena import ArenaPicture
@@ -77,6 +78,7 @@ class PageState:
     levels: of the campaign. own: the player's, by the names of their files.
     density: pixels of the canvas per CSS pixel.
     told: lines for the player to read for a moment. said: for a screen reader. started: sounds to be played now.
+    engine: the lab's second one, once it was loaded; asks_engine: whether it is to be loaded now.
     functions: the player's own, in the editor. changed: whether what is stored has changed. download: a file for the player.
     """
 
@@ -99,6 +101,8 @@ class PageState:
     music: MusicOnPage = field(default_factory=MusicOnPage)
     functions: OwnFunctionsPanel = field(default_factory=OwnFunctionsPanel)
     download: Download | None = None
+    engine: Engine | None = None
+    asks_engine: bool = False
     problems: set[str] = field(default_factory=set)
 
     @property

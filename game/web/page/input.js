@@ -23,14 +23,13 @@ export class Input {
     document.addEventListener("visibilitychange", () => document.hidden && this.add({ type: "away" }));
   }
 
-  /** Whether a pointer is down on the picture. */
+  /** Whether a pointer is down on the picture, or was until what it did is taken. */
   get holds() {
     return this.#held.size > 0;
   }
 
   add(signal) {
     if (signal.phase === "down") this.#held.add(signal.id);
-    else if (signal.type === "pointer" && signal.phase !== "move") this.#held.delete(signal.id);
     this.#signals.push(signal);
     if (signal.phase !== "move" && signal.type !== "wheel") this.hurry();
   }
@@ -39,6 +38,7 @@ export class Input {
   taken() {
     this.#poll();
     const taken = this.#signals;
+    for (const { type, phase, id } of taken) if (type === "pointer" && phase !== "down" && phase !== "move") this.#held.delete(id);
     this.#signals = [];
     return taken;
   }
