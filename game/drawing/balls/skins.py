@@ -82,7 +82,7 @@ def _between(first: Colour, second: Colour, share: Floats) -> Floats:
 
 def _step(away: Floats, edge: float) -> Floats:
     """0 within an edge and 1 beyond, smooth over a tenth of the radius."""
-    return np.clip((away - edge) / 0.1 + 0.5, 0.0, 1.0)
+    return np.asarray(np.clip((away - edge) / 0.1 + 0.5, 0.0, 1.0))
 
 
 def _strong(theme: Theme) -> Colour:
