@@ -79,8 +79,8 @@ def add_words(
 ) -> None:
     """Add words with a seam around them."""
     for offset in (-1.2, 1.2, -1.2j, 1.2j):
-        out.text(words, size, pixel + offset, seam, across)
-    out.text(words, size, pixel, colour, across)
+        out.text(words, size, pixel + offset, seam, across, bold=0.0)
+    out.text(words, size, pixel, colour, across, bold=0.0)
 
 
 def _add_shape(out: DisplayList, shape: PixelShape) -> None:

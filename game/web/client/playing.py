@@ -22,7 +22,8 @@ from game.levels import Level, built_in, classic, number_of
 from game.overlay.notice_words import Notice, notice, ready, to_newcomer
 from game.overlay.readings import readings
 from game.picture.display_list import DisplayList
-from game.picture.figures import add_figures, add_notice
+from game.picture.figures import Corners, add_figures
+from game.picture.notice import add_notice
 from game.rules import TICK, EventKind, Game, Phase, new_game, tick
 from game.scene import scene_at, still
 from game.sound.music.mood import mood_of
@@ -170,11 +171,12 @@ class GameOnPage:
         scene = scene_at(self._ticked, self._due.alpha, self._effects)
         state.draw_scene(out, scene, seen.camera, size)
         badge = "" if self._pilot is None else tr("autopilot")
-        shown = readings(self.game, badge=badge)
-        add_figures(out.frame, shown, seen, state.theme, unit)
+        shown = readings(self.game, self._effects.streak, badge=badge)
+        add_figures(out.frame, shown, Corners(seen, state.theme, unit))
         told = self._notice()
         if told is not None:
-            add_notice(out.frame, told, seen, state.theme, unit)
+            balls = tuple([seen.camera.project(ball.position, ball.radius) for ball in scene.balls])
+            add_notice(out.frame, told, seen, state.theme, unit, balls)
         if self._physics is not None:
             _add_note(out.frame, self._physics.note, size, state.theme.accent, unit)
 
@@ -349,4 +351,4 @@ def _add_note(out: DisplayList, note: str, size: tuple[int, int], colour: Colour
     """Add the line about the physics at the lower edge, on a narrow canvas above the figures; smaller if it would not fit."""
     letters = unit * min(_NOTE, size[0] / (unit * _NOTE_LETTER * (len(note) + 4)))
     up = _NOTE_UP if size[0] > size[1] else _NOTE_UP_NARROW
-    out.text(note, letters, complex(size[0] / 2.0, size[1] - up * unit), colour)
+    out.text(note, letters, complex(size[0] / 2.0, size[1] - up * unit), colour, bold=0.0)

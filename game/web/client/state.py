@@ -26,8 +26,8 @@ from game.web.client.messages import Download, PageItem, PageMenu
 from game.web.client.music import MusicOnPage
 from game.web.client.sounds import Sounds
 
-_SMALLEST = 12.0
-"""CSS pixels of text, at least."""
+_SMALLEST = 16.0
+"""CSS pixels of the unit of text, at least."""
 
 
 class PageScreen(Protocol):
@@ -133,7 +133,7 @@ class PageState:
 
     def draw_scene(self, out: Pictures, scene: Scene, camera: Camera, size: tuple[int, int]) -> None:
         """Show a scene."""
-        seen = ArenaView(camera, self.theme, unit_of(size), size)
+        seen = ArenaView(camera, self.theme, self.text_unit(size), size)
         out.backdrop = self.arena.backdrop(scene, seen)
         out.frame = self.arena.frame(scene, seen)
 

@@ -102,7 +102,7 @@ def layout_of(
 def add_rows(out: DisplayList, layout: LabLayout) -> None:
     """Add the words."""
     for row in layout.rows:
-        out.text(row.text, layout.unit, complex(_EDGE * layout.unit, row.middle), row.colour, 0.0)
+        out.text(row.text, layout.unit, complex(_EDGE * layout.unit, row.middle), row.colour, 0.0, bold=0.0)
 
 
 def handle_at(handles: Sequence[Handle], given: Given, point: complex, reach: float) -> Handle | None:

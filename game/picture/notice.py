@@ -1,0 +1,98 @@
+"""The words that say what to do now, on a plate where they hide neither bricks nor the ball; for pygame and for a browser."""
+
+from functools import lru_cache
+from typing import NamedTuple
+
+from game.drawing.camera import Layout
+from game.drawing.letter_sizes import LINE, width
+from game.drawing.palette import Theme
+from game.overlay.notice_words import Notice
+from game.picture.display_list import DisplayList
+
+# Lengths are in units of text.
+_TITLE, _ABOUT, _HINT = 1.5, 0.95, 1.0
+"""Sizes of letters."""
+_GAP, _LINE_GAP = 0.25, 0.1
+"""Between title, what the level is about, and hint; and between the lines of what it is about."""
+_MARGIN = complex(0.8, 0.5)
+"""From the words to the plate's edges, across and down."""
+_WIDEST, _HIGHEST = (0.52, 0.9), 0.19
+"""Shares of the surface's width and height for the words, which are smaller where they need more: the figures are beside them,
+or above them on a narrow surface, and the wall is below."""
+_ABOUT_WIDE = 0.44, 0.8
+"""Share of the surface's width in which what the level is about is broken into lines; on a narrow one."""
+_SHRINK, _LEAST = 0.94, 4.0
+"""Letters are tried so much smaller, and at last of so many pixels."""
+_CORNER, _EDGE_LINE = 0.6, 0.06
+"""Radius of the plate's corners, and width of its edge."""
+_TOP, _NARROW_TOP = 0.6, 0.115
+"""From the surface's upper edge to the plate: where the figures stand beside the arena; and where they are above it, in
+shares of the height."""
+_ROOM = 2.0
+"""From the plate to a ball that it would hide in a moment."""
+
+
+class _Line(NamedTuple):
+    """A line of words. size: of its letters; middle: of its height below the first line's top; both in units of text."""
+
+    words: str
+    size: float
+    middle: float
+    faint: bool = False
+
+
+def add_notice(
+    out: DisplayList, notice: Notice, layout: Layout, theme: Theme, unit: float, balls: tuple[complex, ...] = ()
+) -> None:
+    """Add the words at the upper edge of the arena, at the lower one while a ball is at the upper. balls: their pixels."""
+    surface = layout.size
+    unit, lines, size = _fitting(notice, surface, unit, narrow=not layout.beside)
+    plate, edge = size + 2.0 * _MARGIN * unit, unit * _TOP if layout.beside else _NARROW_TOP * surface[1]
+    corner, room = complex((surface[0] - plate.real) / 2.0, edge), _ROOM * unit
+    if any(
+        [abs(ball.real - surface[0] / 2.0) < plate.real / 2.0 + room and ball.imag < edge + plate.imag + room for ball in balls]
+    ):
+        corner = complex(corner.real, surface[1] - edge - plate.imag)
+    out.box(corner, plate, unit * _CORNER, theme.panel, (max(unit * _EDGE_LINE, 1.0), theme.panel_edge))
+    for line in lines:
+        pixel = complex(surface[0] / 2.0, corner.imag + unit * (_MARGIN.imag + line.middle))
+        out.text(line.words, unit * line.size, pixel, theme.faint if line.faint else theme.text, room=size.real)
+
+
+@lru_cache(maxsize=8)
+def _fitting(
+    notice: Notice, surface: tuple[int, int], unit: float, *, narrow: bool
+) -> tuple[float, tuple[_Line, ...], complex]:
+    """A unit of text in which the words fit, their lines, and how wide and how high they are together, pixels."""
+    while True:
+        lines, size = _lines(notice, _ABOUT_WIDE[narrow] * surface[0] / unit)
+        fits = unit * size.real <= _WIDEST[narrow] * surface[0] and unit * size.imag <= _HIGHEST * surface[1]
+        if fits or unit <= _LEAST:
+            return unit, lines, size * unit
+        unit *= _SHRINK
+
+
+def _lines(notice: Notice, wide: float) -> tuple[tuple[_Line, ...], complex]:
+    """The lines, and how wide and how high they are together. wide: of what the level is about; in units of text."""
+    texts = [(notice.title, _TITLE, 0.0)]
+    for paragraph in notice.about.splitlines():
+        for index, words in enumerate(_wrapped(paragraph, wide / _ABOUT)):
+            texts.append((words, _ABOUT, _LINE_GAP if index else _GAP))
+    if notice.hint:
+        texts.append((notice.hint, _HINT, _GAP))
+    lines, height = list[_Line](), 0.0
+    for words, size, gap in texts:
+        height += gap + size * LINE
+        lines.append(_Line(words, size, height - size * LINE / 2.0, faint=words == notice.hint))
+    return tuple(lines), complex(max([width(words) * size for words, size, _ in texts]), height)
+
+
+def _wrapped(paragraph: str, wide: float) -> list[str]:
+    """The words in lines no wider than that, in shares of their letters' size, as far as words allow."""
+    lines = list[str]()
+    for word in paragraph.split():
+        if lines and width(f"{lines[-1]} {word}") <= wide:
+            lines[-1] += f" {word}"
+        else:
+            lines.append(word)
+    return lines
