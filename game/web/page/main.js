@@ -11,7 +11,7 @@ const TOLD_SECONDS = 7;
 const LARGEST_FILE = 16 * 1024 * 1024;
 const element = (id) => document.getElementById(id);
 const canvas = element("picture"), context = canvas.getContext("2d", { alpha: false });
-const speaker = new Speaker(), input = new Input(canvas, hurry);
+const speaker = new Speaker(), input = new Input(canvas, hurry, (button) => controls.steer(button));
 const controls = new Controls(element("menu"), element("toolbar"), canvas, choose);
 const editor = new Editor(element("code"), { typed: (text) => input.add({ type: "code", text }), grade: () => choose("grade", ""), left: () => element("item-grade")?.focus() });
 const backdrop = document.createElement("canvas"), backdropContext = backdrop.getContext("2d", { alpha: false });
@@ -56,13 +56,14 @@ function density() {
   return Math.min(devicePixelRatio || 1, 2);
 }
 
+/** Pixels of the canvas: it fills what panels beside the picture leave. */
 function fitted() {
-  const full = { width: innerWidth, height: innerHeight };
+  const area = document.querySelector("main").getBoundingClientRect(), full = { width: area.width, height: area.height };
   for (const side of [element("menu"), element("code")]) {
     if (side.hidden || !(side === element("code") || side.classList.contains("side"))) continue;
     const { left, top, width } = side.getBoundingClientRect();
-    if (width < innerWidth) full.width = Math.max(Math.min(full.width, left), 200);
-    else full.height = Math.max(Math.min(full.height, top), 200);
+    if (width < area.width) full.width = Math.max(Math.min(full.width, left - area.left), 200);
+    else full.height = Math.max(Math.min(full.height, top - area.top), 200);
   }
   canvas.style.width = `${full.width}px`;
   canvas.style.height = `${full.height}px`;
@@ -124,6 +125,7 @@ function heed(reply) {
   if (reply.fragment !== undefined && reply.fragment !== null) replaceFragment(reply.fragment);
   if (reply.told) tell(reply.told);
   if (reply.download) download(reply.download);
+  if (reply.full_screen) fillScreen();
 }
 
 function edit(code) {
@@ -144,6 +146,12 @@ function openFragment() {
     return;
   }
   if (fragment) input.add({ type: "link", fragment });
+}
+
+function fillScreen() {
+  const done = document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen?.();
+  if (done) done.catch(() => tell("the browser lets this page not fill the screen"));
+  else tell("this browser has no full screen for pages");
 }
 
 function download({ name, data }) {
@@ -223,7 +231,7 @@ function start() {
   worker.onmessage = heard;
   const base = new URL("./", location.href).href;
   grader = new Grader({ base }, (signal) => input.add(signal));
-  worker.postMessage({ kind: "start", base, calm: matchMedia("(prefers-reduced-motion: reduce)").matches, languages: navigator.languages.join(",") });
+  worker.postMessage({ kind: "start", base, calm: matchMedia("(prefers-reduced-motion: reduce)").matches, languages: navigator.languages.join(","), touch: matchMedia("(pointer: coarse)").matches });
   for (const name of ["pointerdown", "keydown"]) addEventListener(name, () => speaker.wake());
   addEventListener("resize", () => (size = null));
   addEventListener("hashchange", openFragment);
