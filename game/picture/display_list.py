@@ -201,11 +201,18 @@ class DisplayList:
         self.numbers.extend((Primitive.BAND, 0.0, 1.0, len(flat) // 4, *flat))
 
     def plate(
-        self, words: str, size: float, pixel: complex, colour: Colour, margin: tuple[float, float], edge: tuple[float, Colour]
+        self,
+        words: str,
+        size: float,
+        pixel: complex,
+        colour: Colour,
+        margin: tuple[float, float],
+        edge: tuple[float, Colour],
+        opacity: float = 1.0,
     ) -> None:
         """A plate behind words. size, pixel: of the words; margin: across and down; edge: its width and colour."""
         index = len(self.texts)
-        self.numbers.extend((Primitive.PLATE, packed(colour), 1.0, index, size, pixel.real, pixel.imag, *margin))
+        self.numbers.extend((Primitive.PLATE, packed(colour), opacity, index, size, pixel.real, pixel.imag, *margin))
         self.numbers.extend((edge[0], packed(edge[1])))
         self.texts.append(words)
 

@@ -3,16 +3,18 @@
 Of two who play against each other, each has the left corner of the own half; the level is in the upper right corner then.
 """
 
+import cmath
 import math
+from functools import lru_cache
 from typing import NamedTuple
 
-from game.drawing.camera import Layout
+from game.drawing.camera import Camera, Layout
 from game.drawing.letter_sizes import LINE, stepped, width
 from game.drawing.palette import Colour, Theme, mixed
 from game.drawing.palettes import themed
 from game.effects import Streak
 from game.effects.streaks import BUMP_TICKS, ENDED_TICKS
-from game.language import ntr, tr
+from game.language import grouped, ntr, tr
 from game.overlay.readings import PlayerReadings, Readings
 from game.picture.display_list import DisplayList
 from game.rules import BEST_COMBO, LIVES
@@ -39,6 +41,8 @@ _LIFE, _LIFE_PITCH, _LIFE_LINE = 0.42, 1.134, 0.08
 _LIVES_BELOW_CAPTION = 0.75
 _WITH_GAUGES = 1.08
 """Radius of the arena with what lasts shown beyond its rim, in ground radii."""
+_BESIDE, _RIM_PIXELS = 1.2, 160
+"""What is at most so far above or below a line is beside it; and pixels of the rim that are looked at in 3D."""
 _SWATCH, _SWATCH_GAP = complex(1.5, 0.42), 0.5
 """The sign in the colour of a player's paddle, and from it to the player's name."""
 _PLAYER_SCORE, _PLAYER_LIVES, _PLAYER_HEIGHT = 1.1, 3.9, 4.4
@@ -83,13 +87,17 @@ def paddle_colours(theme: Theme, palette: str) -> tuple[Colour, Colour]:
 def _add_score(out: DisplayList, shown: Readings, corners: Corners) -> None:
     """Add the score with the combo in the upper left corner, the lives in the upper right one."""
     layout, theme, unit, _ = corners
-    corner, score = complex(1.0, 1.0) * unit * _EDGE, f"{shown.score:,}"
+    corner, score = complex(1.0, 1.0) * unit * _EDGE, grouped(shown.score)
     below = unit * (_CAPTION * LINE + _BELOW_CAPTION)
     out.text(tr("SCORE"), unit * _CAPTION, corner + 0.5j * unit * _CAPTION * LINE, theme.faint, 0.0)
     out.text(score, unit * _FIGURE, corner + 1j * (below + unit * _FIGURE * LINE / 2.0), theme.text, 0.0)
-    under = complex(0.0, below + unit * (_FIGURE * LINE + _COMBO_BELOW))
-    beside = complex(unit * (_FIGURE * width(score) + 1.0), below)
-    _add_combo(out, shown, corner + (under if layout.beside else beside), corners)
+    right_of_score = unit * (_FIGURE * width(score) + 1.0)
+    combo = corner + complex(right_of_score, below)
+    if layout.beside:
+        under, aside = corner + 1j * (below + unit * (_FIGURE * LINE + _COMBO_BELOW)), corner + right_of_score - 0.4j * unit
+        wanted = min(_COMBO_WIDTH * unit, _combo_room(layout, aside, unit))
+        combo = under if _combo_room(layout, under, unit) >= wanted else aside
+    _add_combo(out, shown, combo, corners)
     right = complex(layout.size[0] - corner.real, corner.imag)
     out.text(tr("LIVES"), unit * _CAPTION, right + 0.5j * unit * _CAPTION * LINE, theme.faint, 1.0)
     _add_lives(out, right + 1j * unit * (_CAPTION * LINE + _LIVES_BELOW_CAPTION), shown.lives, -1.0, corners)
@@ -101,7 +109,7 @@ def _add_player(out: DisplayList, shown: Readings, player: PlayerReadings, colou
     colour: of the player's paddle.
     """
     layout, theme, unit, _ = corners
-    upper, corner, score = player is shown.players[-1], complex(1.0, 1.0) * layout.unit * _EDGE, f"{player.score:,}"
+    upper, corner, score = player is shown.players[-1], complex(1.0, 1.0) * layout.unit * _EDGE, grouped(player.score)
     if not upper:
         corner = complex(corner.real, layout.size[1] - corner.imag - unit * _PLAYER_HEIGHT)
     middle, sign = corner + 1j * unit * _PLAYER_NAME, unit * _SWATCH
@@ -159,9 +167,35 @@ def _add_foot(out: DisplayList, shown: Readings, corners: Corners) -> None:
 
 def _room(layout: Layout, pixel: complex) -> float:
     """How far a line may go from a pixel towards the arena until it meets it, pixels; at least a sixth of the surface."""
-    middle, radius = layout.camera.centre, layout.ground_radius * layout.camera.scale * _WITH_GAUGES
-    half = math.sqrt(max(radius**2 - (pixel.imag - middle.imag) ** 2, 0.0))
-    return max(abs(middle.real - pixel.real) - half, layout.size[0] / 6.0)
+    return max(_free(layout, pixel), layout.size[0] / 6.0)
+
+
+def _free(layout: Layout, pixel: complex) -> float:
+    """How far a line may go from a pixel towards the arena until it meets it, pixels; less than 0 within it."""
+    camera, radius = layout.camera, layout.ground_radius * _WITH_GAUGES
+    middle = camera.centre
+    if camera.flat:
+        half = math.sqrt(max((radius * camera.scale) ** 2 - (pixel.imag - middle.imag) ** 2, 0.0))
+        return abs(middle.real - pixel.real) - half
+    near = [abs(rim.real - pixel.real) for rim in _rim(camera._replace(azimuth=0.0), radius) if _is_beside(rim, pixel, layout)]
+    return min(near, default=abs(middle.real - pixel.real))
+
+
+def _is_beside(rim: complex, pixel: complex, layout: Layout) -> bool:
+    """Whether a pixel of the rim is about as high as another, on the same side of the arena's middle."""
+    middle = layout.camera.centre.real
+    return abs(rim.imag - pixel.imag) < _BESIDE * layout.unit and (rim.real - middle) * (pixel.real - middle) >= 0.0
+
+
+@lru_cache(maxsize=8)
+def _rim(camera: Camera, radius: float) -> list[complex]:
+    """Pixels around the arena. radius: world units."""
+    return camera.pixels([cmath.rect(radius, math.tau * k / _RIM_PIXELS) for k in range(_RIM_PIXELS)])
+
+
+def _combo_room(layout: Layout, corner: complex, unit: float) -> float:
+    """How wide the combo may be, pixels, so that neither words nor dots meet the arena. corner: upper left, pixels."""
+    return min([_free(layout, corner + 1j * unit * down) for down in (_COMBO_HEIGHT, _COMBO_DOTS)])
 
 
 def _add_combo(out: DisplayList, shown: Readings, corner: complex, corners: Corners) -> None:
@@ -176,7 +210,7 @@ def _add_combo(out: DisplayList, shown: Readings, corner: complex, corners: Corn
     colour = mixed(theme.faint if streak.ended else theme.accent, theme.background, fade)
     bump = 0.0 if streak.ended else _BUMP * max(1.0 - streak.age / BUMP_TICKS, 0.0) ** 2
     size = stepped((_COMBO + _COMBO_PER_BRICK * best) * (1.0 + bump))
-    words = tr("combo x{count}").format(count=streak.bricks)
+    words = tr("combo ×{count}").format(count=streak.bricks)
     out.text(words, unit * size, corner + 1j * unit * _COMBO_HEIGHT, colour, 0.0)
     for index in range(BEST_COMBO):
         pixel = corner + unit * complex(_COMBO_DOT + index * _COMBO_DOT_PITCH, _COMBO_DOTS)

@@ -14,8 +14,8 @@ def effect_names() -> dict[EffectKind, tuple[str, str]]:
         EffectKind.SPARKS: (tr("Sparks"), tr("Steel and paddles give off sparks; a lost ball bursts.")),
         EffectKind.RECOIL: (tr("Paddle recoil"), tr("A struck paddle gives way and springs back.")),
         EffectKind.FALLING: (tr("Falling stacks"), tr("In 3D, the rest of a stack comes down and bounces.")),
-        EffectKind.POINTS: (tr("Points"), tr("Points rise where they are made, larger the longer the row.")),
-        EffectKind.COMBO: (tr("Combo counter"), tr("The counter of bricks in a row springs with every brick.")),
+        EffectKind.POINTS: (tr("Points"), tr("Points rise where you make them, larger with every brick in a row.")),
+        EffectKind.COMBO: (tr("Combo counter"), tr("The counter of bricks in a row jumps with every brick.")),
         EffectKind.WAVES: (tr("Waves"), tr("Circles run over the ground when a level begins or ends, or a ball is lost.")),
         EffectKind.SHAKE: (tr("Shake"), tr("Great moments shake the arena.")),
         EffectKind.DEPTH: (tr("Light and shadow"), tr("The arena has depth: bricks throw shadows, the rim glows.")),
@@ -23,5 +23,5 @@ def effect_names() -> dict[EffectKind, tuple[str, str]]:
         EffectKind.SWIRL: (tr("Swirls"), tr("Gravity wells turn, power-ups float.")),
         EffectKind.ENTRY: (tr("Entry"), tr("The wall is built up when a level begins.")),
         EffectKind.SLOW_MOTION: (tr("Slow motion"), tr("Time slows down before the last brick breaks.")),
-        EffectKind.HIT_STOP: (tr("Hit-stop"), tr("On great moments the game holds its breath for a tenth of a second.")),
+        EffectKind.HIT_STOP: (tr("Hit-stop"), tr("At great moments the game holds its breath for a tenth of a second.")),
     }

@@ -216,7 +216,9 @@ def test_a_gamepad_uses_the_controls(desk):
     desk.wait_once(1.0)
     assert desk.values.point("ball") == moved
     desk.pad(Action.SERVE)
-    assert desk.side._typing is None, "nothing can be typed with it"
+    desk.choose("7")
+    desk.choose("Done")
+    assert desk.values.point("ball").real == 7.0
     desk.pad(Action.UP, Action.UP, Action.UP)
     assert spot_at(desk.side._laid(SIZE), desk.side._focus).item.label == "Colours"
     theme = desk.shared.theme

@@ -28,12 +28,13 @@ from game.lab.window.help import draw_help
 from game.lab.window.layout import WindowLayout, layout_of
 from game.lab.window.lesson import Lesson
 from game.lab.window.presented import paint_presented, presented_words
-from game.lab.window.side import MODIFIERS, LabSide
+from game.lab.window.side import LabSide
 from game.lab.window.view import draw_all_handles, draw_halo, draw_panes, letters_for, pane_views
 from game.lab.window.words import TextSheet, draw_head, draw_notice, draw_small_print, draw_words
 from game.lab.yours.pane import with_yours
 from game.screens.app_state import AppState
 from game.screens.base import Screen
+from game.screens.toolkit.side import MODIFIERS
 
 SHOWN = frozenset(Toggle) - {Toggle.PYMUNK}
 """What is shown at first."""

@@ -15,8 +15,8 @@ from game.screens.toolkit.text_entry import TextEntry
 def endless_menu(state: AppState, under: Screen) -> Menu:
     """The choice of levels made from a seed."""
     day = dt.datetime.now(tz=dt.UTC).date()
-    same = tr("The same for everyone on {day}.").format(day=day)
-    lines = (tr("Levels made from a number: the same number is the same levels for everyone."),)
+    same = tr("Everyone gets the same levels on {day}.").format(day=day)
+    lines = (tr("Levels made from a number: the same number gives everyone the same levels."),)
     entries = (
         Entry(
             tr("Today's levels"),
@@ -24,7 +24,7 @@ def endless_menu(state: AppState, under: Screen) -> Menu:
             tip=same,
         ),
         Entry(tr("New levels"), lambda: begun(state, new_seed())),
-        Entry(tr("Levels of a number"), lambda: _seed_entry(state, menu)),
+        Entry(tr("Levels from a number"), lambda: _seed_entry(state, menu)),
         Entry(tr("Back"), lambda: under),
     )
     menu = Menu(state, under, tr("Endless"), lines, entries, back=lambda: under)
@@ -42,4 +42,4 @@ def _seed_entry(state: AppState, menu: Screen) -> Screen:
     def done(text: str) -> Screen:
         return begun(state, seed_of(text)) if text else menu
 
-    return TextEntry(state, menu, tr("Number of the levels"), "", LONGEST_SEED, done)
+    return TextEntry(state, menu, tr("Number of these levels"), "", LONGEST_SEED, done)

@@ -67,7 +67,7 @@ def _picture(state: AppState, _panel: Screen) -> tuple[Row, ...]:
         (colours,),
         (screen,),
         (_switch(state, tr("Reduced motion"), "reduced_motion", motion),),
-        (_switch(state, tr("Ghost"), "ghost", tr("Pale outlines show your best run of the level beside you.")),),
+        (_switch(state, tr("Ghost"), "ghost", tr("Pale outlines replay your best run of the level while you play.")),),
         (_unlockable(state, tr("Ball"), "ball", BALLS, ball_names()),),
         (_unlockable(state, tr("Trail"), "trail", TRAILS, trail_names()),),
     )
@@ -79,9 +79,9 @@ def _unlockable(state: AppState, label: str, field: str, conditions: dict[str, C
     earned = unlocked(conditions, feats(state.kept.progress.value))
     open_ones = [name for name in conditions if name in earned or name == now]
     following = next((name for name in conditions if name not in earned), None)
-    tip = tr("All are yours.") if following is None else f"{names[following]}: {conditions[following].text}"
+    tip = tr("All of them are unlocked.") if following is None else f"{names[following]}: {conditions[following].text}"
     if len(open_ones) == 1:
-        return TextItem(tr("{what}: {name}. To earn: {how}").format(what=label, name=names[now], how=tip))
+        return TextItem(tr("{what}: {name}. To unlock: {how}").format(what=label, name=names[now], how=tip))
 
     def choose(index: int) -> None:
         state.change(Settings(**{**state.settings._asdict(), field: open_ones[index]}))
@@ -91,7 +91,7 @@ def _unlockable(state: AppState, label: str, field: str, conditions: dict[str, C
 
 def _effects(state: AppState, _panel: Screen) -> tuple[Row, ...]:
     """One switch for all, and one for each, in two columns where there is room."""
-    tip = tr("All that is listed below, but for the trail; {key} turns them off and on at any time.").format(
+    tip = tr("Everything listed below except the trail; {key} turns it off and on at any time.").format(
         key=key_name(Action.EFFECTS)
     )
     items = [_effect(state, kind, *words) for kind, words in effect_names().items()]
@@ -105,9 +105,9 @@ def _effect(state: AppState, kind: EffectKind, label: str, tip: str) -> Switch:
     settings, why = state.settings, ""
     on = kind not in settings.off
     if on and not settings.effects and kind not in PLAIN:
-        why = tr("Off now: effects are.")
+        why = tr("Off now, since effects are off.")
     elif on and settings.reduced_motion and kind in MOVING:
-        why = tr("Off now: reduced motion.")
+        why = tr("Off now, since motion is reduced.")
     words = (tr("off"), tr("on"))
     return Switch(label, on, lambda: state.change(state.settings.toggled(kind)), f"{tip} {why}".strip(), words, bool(why))
 
@@ -128,7 +128,7 @@ def _sound(state: AppState, _panel: Screen) -> tuple[Row, ...]:
         state.change(state.settings._replace(volume=round(level * LOUDEST)))
 
     volume, music = state.settings.volume, state.settings.music
-    music_tip = tr("Beside all other sounds; it grows with every brick in a row and with the last bricks of a level.")
+    music_tip = tr("The music's volume; more instruments join with every brick in a row and with a level's last bricks.")
     tip = tr("Left and right change it; so do {less} and {more} at any time.").format(
         less=key_name(Action.LESS), more=key_name(Action.MORE)
     )
@@ -144,5 +144,5 @@ PARTS = (
     SettingsPart(lambda: tr("Effects"), _effects),
     SettingsPart(lambda: tr("Sound"), _sound),
     SettingsPart(lambda: tr("Keys"), control_rows),
-    SettingsPart(lambda: tr("Access"), access_rows),
+    SettingsPart(lambda: tr("Accessibility"), access_rows),
 )

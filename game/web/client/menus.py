@@ -6,11 +6,11 @@ from typing import NamedTuple
 
 from game.generated import daily_seed
 from game.input.actions import Action
-from game.input.players import Players
+from game.input.players import Players, players_words
 from game.input.signals import Pressed, Signal
 from game.kept.progress import RANKS
 from game.kept.scores import ENDLESS
-from game.language import tr
+from game.language import grouped, tr
 from game.level_names import level_name
 from game.levels import Level, classic
 from game.picture.display_list import DisplayList
@@ -145,7 +145,7 @@ def title(state: PageState, screens: Screens) -> MenuScreen:
 
     def contents(_menu: MenuScreen) -> tuple[Iterable[str], Iterable[Opened]]:
         index = next_level(state)
-        playing = tr("Play") if index == 0 else tr("Go on: {level}").format(level=level_name(state.levels[index].name))
+        playing = tr("Play") if index == 0 else tr("Continue: {level}").format(level=level_name(state.levels[index].name))
         return (), (
             Opened(PageItem("play", playing), lambda _: screens.game(state.levels[index:])),
             Opened(PageItem("levels", tr("Levels")), lambda _: levels_menu(state, screens)),
@@ -184,9 +184,9 @@ def levels_menu(state: PageState, screens: Screens) -> MenuScreen:
         for index, level in enumerate(state.levels):
             best = progress.best(level.name, state.difficulty)
             is_open = progress.is_open(index, names)
-            done = "" if best is None else f"  {RANKS[best.rank]}  {best.score:,}"
+            done = "" if best is None else f"  {RANKS[best.rank]}  {grouped(best.score)}"
             before = level_name(names[index - 1])
-            hint = tr(level.description) if is_open else tr("Finish {level} to open this one.").format(level=before)
+            hint = tr(level.description) if is_open else tr("Finish {level} to unlock this level.").format(level=before)
             label = f"{index + 1}  {level_name(level.name)}{done}"
             items.append(
                 Opened(
@@ -208,26 +208,14 @@ def levels_menu(state: PageState, screens: Screens) -> MenuScreen:
 
 def players_choice(state: PageState, menu: MenuScreen) -> Opened:
     """The choice of how many play on this machine."""
-    first, second = PLAYERS_KEYS
-    tips = {
-        Players.ONE: tr("Scores and ranks are for one player."),
-        Players.TOGETHER: tr(
-            "One has {first}, mouse or gamepad, the other {second} or a second gamepad; both steer all paddles."
-        ),
-        Players.VERSUS: tr("The lower paddle has {first}, mouse or gamepad, the upper one {second} or a second gamepad."),
-    }
-    names = {
-        Players.ONE: tr("One"),
-        Players.TOGETHER: tr("Two together"),
-        Players.VERSUS: tr("Two against each other"),
-    }
 
     def chosen(value: str) -> PageScreen:
         state.players = next((players for players in Players if players.name == value), state.players)
         return menu
 
-    options = tuple([(players.name, name) for players, name in names.items()])
-    tip = tips[state.players].format(first=first, second=second)
+    words = players_words(*PLAYERS_KEYS)
+    options = tuple([(players.name, words[players][0]) for players in Players])
+    tip = words[state.players][1]
     return Opened(PageItem("players", tr("Players"), "choice", state.players.name, options, hint=tip), chosen)
 
 
@@ -236,12 +224,12 @@ def endless_menu(state: PageState, screens: Screens) -> MenuScreen:
 
     def contents(_menu: MenuScreen) -> tuple[Iterable[str], Iterable[Opened]]:
         day = dt.datetime.now(tz=dt.UTC).date()
-        same = tr("The same for everyone on {day}.").format(day=day)
-        return (tr("Levels made from a number: the same number is the same levels for everyone."),), (
+        same = tr("Everyone gets the same levels on {day}.").format(day=day)
+        return (tr("Levels made from a number: the same number gives everyone the same levels."),), (
             Opened(PageItem("today", tr("Today's levels"), hint=same), lambda _: screens.endless(daily_seed(day))),
             Opened(PageItem("new", tr("New levels")), lambda _: screens.endless(new_seed())),
             Opened(
-                PageItem("number", tr("Levels of a number"), "text", "", high=LONGEST_SEED),
+                PageItem("number", tr("Levels from a number"), "text", "", high=LONGEST_SEED),
                 lambda value: screens.endless(seed_of(value)),
             ),
         )
@@ -268,7 +256,8 @@ def scores_menu(state: PageState, screens: Screens) -> MenuScreen:
             table = state.kept.scores.value.table(name)
             lines += [tr("Endless") if name == ENDLESS else difficulty_name(name)] if table else []
             lines += [
-                f"{place}.  {score.score:,}  {score.name}  {level_name(score.last)}" for place, score in enumerate(table, 1)
+                f"{place}.  {grouped(score.score)}  {score.name}  {level_name(score.last)}"
+                for place, score in enumerate(table, 1)
             ]
         return lines or [tr("No scores yet.")], ()
 
@@ -282,13 +271,15 @@ def replays_menu(state: PageState, screens: Screens) -> MenuScreen:
         games = state.kept.games.listed()
         items = [
             Opened(
-                PageItem(f"replay-{game.file}", f"{game.title or game.date}  {level_name(game.first)}  {game.score:,}"),
+                PageItem(f"replay-{game.file}", f"{game.title or game.date}  {level_name(game.first)}  {grouped(game.score)}"),
                 _watches(state, screens, game.file),
             )
             for game in games
         ]
         lines = (
-            [] if items else [tr("None yet: every game longer than five seconds is kept. A file can be dropped on this page.")]
+            []
+            if items
+            else [tr("None yet: games of five seconds or more are kept when they end. A file can be dropped on this page.")]
         )
         return lines, items
 

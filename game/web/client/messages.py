@@ -131,6 +131,21 @@ class PageMenu(msgspec.Struct, frozen=True):
     editor: bool = False
 
 
+class PageWords(msgspec.Struct, frozen=True):
+    """The words around a scene of the lab; without a scene there are none.
+
+    scene: its title. step: what stands above the picture. formula, note: HTML with formulas in MathML. cited: the line that
+    decides. scale: size of the words, in that of the page's text beside the controls.
+    """
+
+    scene: str = ""
+    step: str = ""
+    formula: tuple[str, ...] = ()
+    cited: str = ""
+    note: str = ""
+    scale: float = 1.0
+
+
 class Download(msgspec.Struct, frozen=True):
     """A file for the player."""
 
@@ -147,8 +162,9 @@ class FrameReply(msgspec.Struct, omit_defaults=True):
     said: a sentence for a screen reader. described: what the picture shows. fragment: of the page's address.
     keep: whether what is stored has changed. download: a file for the player. told: a line to show for a moment.
     language: code of the texts'. code: a text for the editor, in place of what it holds. grading: a text to be graded.
-    full_screen: whether the page is to fill the screen, or does so no more. music: gains of its layers, when they have changed.
-    limit: seconds within which the next reply has to come, 0 for any: so long as the player's own functions may hang.
+    full_screen: whether the page is to fill the screen, or does so no more. second_engine: whether it is to be loaded.
+    words: around the picture, when they have changed. music: gains of its layers, when they have changed. limit: seconds within
+    which the next reply has to come, 0 for any: so long as the player's own functions may hang.
     """
 
     backdrop: bool = False
@@ -172,3 +188,5 @@ class FrameReply(msgspec.Struct, omit_defaults=True):
     grading: GradingRequest | None = None
     music: tuple[float, ...] | None = None
     limit: float = 0.0
+    words: PageWords | None = None
+    second_engine: bool = False

@@ -10,6 +10,7 @@ import msgspec
 from game.drawing.palette import Theme
 from game.generated import sequence
 from game.kept.store import Kept
+from game.lab.kit.second_engine import Engine
 from game.lab.session.session import state_hash as hash_of_session
 from game.language import choose, current, system_prefers
 from game.levels import Level, classic, parse
@@ -37,6 +38,7 @@ from game.web.client.messages import (
     Graded,
     LinkOpened,
     PageSignal,
+    PageWords,
     PointerChange,
     WheelTurn,
 )
@@ -117,12 +119,23 @@ class Page:
         except BadInputError as error:
             return str(error)
 
+    def second_engine(self, engine: Engine) -> None:
+        """The lab's second engine was loaded."""
+        self._state.engine = engine
+        if isinstance(self._screen, LabOnPage):
+            self._screen.use_engine(engine)
+
     def probe(self) -> str:
         """How the game or the lab's scene stands, for tests: in JSON. {} where there is neither."""
         screen = self._screen
         if isinstance(screen, LabOnPage):
             return msgspec.json.encode(
-                {"line": screen.line, "hash": hash_of_session(screen.session), "panes": screen.panes}
+                {
+                    "line": screen.line,
+                    "hash": hash_of_session(screen.session),
+                    "panes": screen.panes,
+                    "engine": "" if self._state.engine is None else self._state.engine.name,
+                }
             ).decode()
         if not isinstance(screen, GameOnPage):
             return "{}"
@@ -208,6 +221,7 @@ class Page:
         state, screen, before = self._state, self._screen, self._shown
         menu, toolbar, colours = screen.menu, screen.toolbar, _colours(state.theme)
         resized = size != self._size
+        words = screen.words if isinstance(screen, LabOnPage) else PageWords()
         new_backdrop = self._pictures.backdrop is not self._shown_backdrop or resized
         reply = FrameReply(
             backdrop=new_backdrop,
@@ -229,13 +243,22 @@ class Page:
             limit=0.0 if state.functions.running is None else _LIMIT,
             code=state.functions.fresh,
             grading=state.functions.request,
+            second_engine=state.asks_engine,
+            words=words if words != before.words else None,
             language=current() if current() != before.language else "",
         )
         self._size, self._shown_backdrop = size, self._pictures.backdrop
         self._shown = FrameReply(
-            colours=colours, menu=menu, toolbar=toolbar, fragment=screen.fragment, language=current(), music=self._music
+            colours=colours,
+            menu=menu,
+            toolbar=toolbar,
+            fragment=screen.fragment,
+            language=current(),
+            music=self._music,
+            words=words,
         )
         state.functions.fresh = state.functions.request = None
+        state.asks_engine = False
         state.started, state.said, state.told, state.changed, state.download = [], [], [], False, None
         state.full_screen = False
         return reply

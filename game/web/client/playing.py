@@ -4,7 +4,7 @@ from game import effects
 from game.autopilot import Autopilot
 from game.drawing.camera import Layout, unit_of
 from game.drawing.palette import Colour
-from game.effects import EffectKind, Effects
+from game.effects import EffectKind
 from game.effects.hit_stop import hit_stop_seconds
 from game.effects.slow_motion import pace
 from game.fixed_step import Due, due
@@ -18,7 +18,7 @@ from game.overlay.notice_words import Notice, by_touch, notice, ready, to_newcom
 from game.overlay.readings import readings
 from game.picture.display_list import DisplayList
 from game.picture.figures import Corners, add_figures
-from game.picture.notice import add_notice
+from game.picture.notice import add_notice, around
 from game.rules import TICK, EventKind, Game, Phase, new_game, tick
 from game.scene import scene_at, still
 from game.settings import aids
@@ -62,7 +62,7 @@ class GameOnPage:
         self._physics, self._players = physics, state.players
         self._state, self._screens, self._levels, self.endless = state, screens, levels, endless
         self._ticked = still(new_game(levels, state.seed() if endless is None else endless, state.game_rules))
-        self._effects = Effects()
+        self._effects = effects.at_start(state.settings.shown)
         self._hands = Hands()
         self._second = Hands()  # of the second player; empty where there is one
         self._due = Due(0, 0.0)
@@ -193,8 +193,7 @@ class GameOnPage:
         add_figures(out.frame, shown, Corners(seen, state.theme, unit))
         told = self._notice()
         if told is not None:
-            balls = tuple([seen.camera.project(ball.position, ball.radius) for ball in scene.balls])
-            add_notice(out.frame, told, seen, state.theme, unit, balls)
+            add_notice(out.frame, told, seen, state.theme, unit, around(scene, seen.camera))
         if self._physics is not None:
             _add_note(out.frame, self._physics.note, size, state.theme.accent, unit)
 
@@ -280,7 +279,7 @@ class GameOnPage:
 
             pilot = PageItem("autopilot", tr("Let the program play"), "switch", str(self._pilot is not None))
             return (self.described,), (
-                Opened(PageItem("go-on", tr("Go on")), lambda _: self),
+                Opened(PageItem("go-on", tr("Continue")), lambda _: self),
                 Opened(PageItem("restart", tr("From the first level")), lambda _: self.restarted()),
                 Opened(PageItem("help", tr("How to play")), lambda _: help_menu(self._state, lambda: menu, self)),
                 Opened(PageItem("settings", tr("Settings")), lambda _: settings_menu(self._state, lambda: menu, self)),

@@ -8,7 +8,7 @@ import msgspec
 
 from game.kept.progress import RANKS, Best
 from game.kept.scores import ENDLESS, LONGEST_NAME, Score
-from game.language import tr
+from game.language import grouped, tr
 from game.level_names import level_name
 from game.levels import Level, built_in
 from game.overlay.readings import player_name
@@ -71,7 +71,7 @@ def level_results(state: PageState, screens: Screens, play: Played) -> PageScree
     game = play.game
     result = game.results[-1]
     points = tr("{score} points, {lost} balls lost, best combo {combo}")
-    lines = [points.format(score=f"{result.score:,}", lost=result.balls_lost, combo=result.best_combo)]
+    lines = [points.format(score=grouped(result.score), lost=result.balls_lost, combo=result.best_combo)]
     if not game.sides:
         lines.insert(0, tr("Rank {rank}").format(rank=RANKS[int(result.rank)]))
     elif (ahead := winner(game)) is not None:
@@ -87,9 +87,9 @@ def game_results(state: PageState, screens: Screens, play: Played, record: Count
     last = state.kept.game_done() if record.counts else None
     state.changed = True
     state.tell_problems()
-    lines = [tr("Score {score}").format(score=f"{game.score:,}")]
+    lines = [tr("Score {score}").format(score=grouped(game.score))]
     if game.sides:
-        lines = [f"{player_name(index)}: {side.score:,}" for index, side in enumerate(game.sides)]
+        lines = [f"{player_name(index)}: {grouped(side.score)}" for index, side in enumerate(game.sides)]
     items: list[Opened] = []
     table = ENDLESS if record.endless else state.difficulty
     if record.ranked and state.kept.scores.value.qualifies(game.score, table):
@@ -123,5 +123,5 @@ def leaving(state: PageState, screens: Screens) -> tuple[Opened, ...]:
     """Where else to go from a game."""
     return (
         Opened(PageItem("levels", tr("All levels")), lambda _value: levels_menu(state, screens)),
-        Opened(PageItem("title", tr("Title")), lambda _value: screens.title()),
+        Opened(PageItem("title", tr("Main menu")), lambda _value: screens.title()),
     )

@@ -19,19 +19,19 @@ def settings_menu(state: PageState, back: Callable[[], PageScreen], under: PageS
 
     def contents(menu: MenuScreen) -> tuple[Iterable[str], Iterable[Opened]]:
         held, part = state.settings, _Part(state, menu)
-        languages = ((SYSTEM, tr("as the system")), *[(language.code, language.name) for language in LANGUAGES])
+        languages = ((SYSTEM, tr("system language")), *[(language.code, language.name) for language in LANGUAGES])
         colours = (("dark", tr("Dark")), ("light", tr("Light")), ("contrast", tr("High contrast")))
         visions = tuple([(vision, tr(VISION_NAMES[vision])) for vision in VISIONS])
         return (), (
             part.choice("colours", tr("Colours"), colours),
-            part.choice("vision", tr("Colours that you see"), visions),
+            part.choice("vision", tr("Colour vision"), visions),
             part.choice("language", tr("Language"), languages),
-            part.number("text_size", f"{tr('Size of text')}, %", TEXT_SIZES, 25.0),
+            part.number("text_size", f"{tr('Text size')}, %", TEXT_SIZES, 25.0),
             Opened(PageItem("full-screen", tr("Full screen")), lambda _value: _full_screen(state, menu)),
             part.switch("sound", tr("Sound")),
             part.number("volume", tr("Volume"), (0, LOUDEST), 10.0),
             part.number("music", tr("Music"), (0, LOUDEST), 10.0),
-            part.number("speed", tr("Speed of the game, %"), SPEEDS, 5.0),
+            part.number("speed", tr("Game speed, %"), SPEEDS, 5.0),
             part.switch("one_button", tr("One button: the paddles turn by themselves, any press reverses them")),
             part.switch("reduced_motion", tr("Reduced motion")),
             part.choice("trail", tr("Trail"), _trails(state), _next_trail(state)),
@@ -105,7 +105,7 @@ def _next_trail(state: PageState) -> str:
     """How to earn the next one."""
     earned = unlocked(TRAILS, feats(state.kept.progress.value))
     following = next((name for name in TRAILS if name not in earned), None)
-    return tr("All are yours.") if following is None else f"{trail_names()[following]}: {TRAILS[following].text}"
+    return tr("All of them are unlocked.") if following is None else f"{trail_names()[following]}: {TRAILS[following].text}"
 
 
 def _full_screen(state: PageState, menu: MenuScreen) -> PageScreen:

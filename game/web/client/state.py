@@ -12,6 +12,7 @@ from game.input.players import Players
 from game.input.signals import Signal
 from game.input.view import FLAT, Viewpoint
 from game.kept.store import Kept
+from game.lab.kit.second_engine import Engine
 from game.language import choose
 from game.levels import Level, campaign
 from game.picture.arena import ArenaPicture
@@ -78,6 +79,7 @@ class PageState:
     players: how many steer the paddles of new games. levels: of the campaign. own: the player's, by the names of their files.
     density: pixels of the canvas per CSS pixel.
     told: lines for the player to read for a moment. said: for a screen reader. started: sounds to be played now.
+    engine: the lab's second one, once it was loaded; asks_engine: whether it is to be loaded now.
     functions: the player's own, in the editor. changed: whether what is stored has changed. download: a file for the player.
     full_screen: whether the page is to fill the screen, or not to do so any more. touched: whether it is played by touch.
     """
@@ -104,6 +106,8 @@ class PageState:
     download: Download | None = None
     full_screen: bool = False
     touched: bool = False
+    engine: Engine | None = None
+    asks_engine: bool = False
     problems: set[str] = field(default_factory=set)
 
     @property

@@ -8,7 +8,8 @@ const SCROLLING = new Set(["ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight", " 
 export class Input {
   #signals = [];
   #pads = []; // what every gamepad said last
-  #held = []; // which of its buttons are down
+  #pressed = []; // which of its buttons are down
+  #held = new Set();
 
   /** hurry: called when something was pressed, let go or chosen. steer: called with the number of a gamepad's button that went down. */
   constructor(canvas, hurry, steer) {
@@ -24,7 +25,13 @@ export class Input {
     document.addEventListener("visibilitychange", () => document.hidden && this.add({ type: "away" }));
   }
 
+  /** Whether a pointer is down on the picture, or was until what it did is taken. */
+  get holds() {
+    return this.#held.size > 0;
+  }
+
   add(signal) {
+    if (signal.phase === "down") this.#held.add(signal.id);
     this.#signals.push(signal);
     if (signal.phase !== "move" && signal.type !== "wheel") this.hurry();
   }
@@ -33,6 +40,7 @@ export class Input {
   taken() {
     this.#poll();
     const taken = this.#signals;
+    for (const { type, phase, id } of taken) if (type === "pointer" && phase !== "down" && phase !== "move") this.#held.delete(id);
     this.#signals = [];
     return taken;
   }
@@ -75,9 +83,9 @@ export class Input {
       if (text === this.#pads[number]) return;
       this.#pads[number] = text;
       this.#signals.push(state);
-      const held = state.buttons.map((value) => value > 0.5), before = this.#held[number] ?? [];
-      this.#held[number] = held;
-      held.forEach((down, button) => down && !before[button] && this.steer(button));
+      const pressed = state.buttons.map((value) => value > 0.5), before = this.#pressed[number] ?? [];
+      this.#pressed[number] = pressed;
+      pressed.forEach((down, button) => down && !before[button] && this.steer(button));
     });
   }
 }

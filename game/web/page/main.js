@@ -6,6 +6,7 @@ import { Grader } from "./grader.js";
 import { Input } from "./input.js";
 import { paint } from "./painter.js";
 import { Speaker } from "./speaker.js";
+import { Words } from "./words.js";
 
 const TOLD_SECONDS = 7;
 const LARGEST_FILE = 16 * 1024 * 1024;
@@ -15,6 +16,7 @@ const speaker = new Speaker(), input = new Input(canvas, hurry, (button) => cont
 const controls = new Controls(element("menu"), element("toolbar"), canvas, choose);
 const editor = new Editor(element("code"), { typed: (text) => input.add({ type: "code", text }), grade: () => choose("grade", ""), left: () => element("item-grade")?.focus() });
 const backdrop = document.createElement("canvas"), backdropContext = backdrop.getContext("2d", { alpha: false });
+const words = new Words(element("step"), element("words"));
 const questions = new Map();
 const HUNG = "Your own functions gave no answer, so the page was opened again without them.";
 let limit = 0, worker = null, grader = null, background = "#000", toldUntil = 0, asked = 0;
@@ -56,7 +58,7 @@ function density() {
   return Math.min(devicePixelRatio || 1, 2);
 }
 
-/** Pixels of the canvas: it fills what panels beside the picture leave. */
+/** Lay out the picture beside the controls and between the words; its size in pixels. */
 function fitted() {
   const area = document.querySelector("main").getBoundingClientRect(), full = { width: area.width, height: area.height };
   for (const side of [element("menu"), element("code")]) {
@@ -65,19 +67,25 @@ function fitted() {
     if (width < area.width) full.width = Math.max(Math.min(full.width, left - area.left), 200);
     else full.height = Math.max(Math.min(full.height, top - area.top), 200);
   }
+  const { step, section } = words;
+  step.style.width = section.style.width = `${full.width}px`;
+  const top = step.hidden ? 0 : step.offsetHeight;
+  section.style.bottom = `${area.height - full.height}px`;
+  const height = Math.max(full.height - top - (section.hidden ? 0 : section.offsetHeight), 100);
+  canvas.style.top = `${top}px`;
   canvas.style.width = `${full.width}px`;
-  canvas.style.height = `${full.height}px`;
-  return [Math.round(full.width * density()), Math.round(full.height * density())];
+  canvas.style.height = `${height}px`;
+  return [Math.round(full.width * density()), Math.round(height * density())];
 }
 
 /** Ask for a picture of a moment, milliseconds, with all that the player did until now. */
 function request(now) {
-  size ??= fitted();
-  const seconds = sentAt ? Math.max(now - sentAt, 0) / 1000 : 0, [width, height] = size;
+  if (!size && !(input.holds && request.size)) size = fitted(); // it stays while something is dragged
+  const seconds = sentAt ? Math.max(now - sentAt, 0) / 1000 : 0, [width, height] = size ?? request.size;
   sentAt = Math.max(now, sentAt);
   [waiting, late] = [true, false];
   worker.postMessage({ kind: "frame", request: JSON.stringify({ seconds, width, height, density: density(), signals: input.taken() }) });
-  request.size = size;
+  request.size = [width, height];
 }
 
 /** A key or a button: its picture is asked for at once, without waiting for the browser's next frame. */
@@ -114,8 +122,9 @@ function heed(reply) {
     if (reply.menu?.editor) edit(reply.code ?? null);
     else editor.hide();
   } else if (typeof reply.code === "string") edit(reply.code);
+  if (reply.words) words.show(reply.words);
   if (reply.grading) grader.grade(reply.grading);
-  if (reply.menu || reply.menu_closed || reply.code !== undefined) size = null;
+  if (reply.menu || reply.menu_closed || reply.words || reply.code !== undefined) size = null;
   document.body.classList.toggle("playing", element("menu").hidden || element("menu").classList.contains("side"));
   if (reply.sounds) speaker.play(reply.sounds);
   limit = reply.limit ?? 0;

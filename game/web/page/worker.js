@@ -69,6 +69,23 @@ function frame(request) {
   }
   self.postMessage({ kind: "frame", reply }, transfers);
   if (reply.keep) save();
+  if (reply.second_engine) loadEngine();
+}
+
+/** What the lab's second opinion needs; the page's Python gets it when it is there. */
+async function loadEngine() {
+  try {
+    await addFiles(python, "pymunk");
+    const engine = python.runPython(`
+from game.web.cffi.backend import load_library
+load_library("pymunk", "_chipmunk")
+from tools.crosscheck.second_engine import Pymunk
+Pymunk()
+`);
+    page.second_engine(engine);
+  } catch (error) {
+    self.postMessage({ kind: "told", words: `pymunk cannot be loaded: ${error.message ?? error}` });
+  }
 }
 
 const ASKED = {

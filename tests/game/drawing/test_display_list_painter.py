@@ -129,6 +129,26 @@ def test_a_plate_is_around_its_words():
     assert tuple(painted(out)[100, 100]) == GREY
 
 
+def test_words_and_their_plate_fade_together():
+    """Half as opaque, both are half way from what is below; and the next ones, opaque again, are as if nothing had faded."""
+    painter, letters, pictures = DisplayListPainter(), Type(), []
+    for opacity in (1.0, 0.5, 1.0):
+        picture = DisplayList()
+        picture.plate("Wide", 60.0, MIDDLE, GREY, (10.0, 4.0), (2.0, GREY), opacity)
+        picture.text("Wide", 60.0, MIDDLE, WHITE, opacity=opacity)
+        surface = pygame.Surface((SIDE, SIDE), 0, 32)
+        painter.paint(surface, letters, picture)
+        pictures.append(pygame.surfarray.array3d(surface).astype(np.float64))
+    opaque, faded, again = pictures
+    assert np.array_equal(opaque, again)
+    plate = (opaque == GREY[0]).all(axis=2)
+    assert plate.sum() > 500
+    assert np.abs(faded[plate] - GREY[0] / 2.0).max() <= 2.0
+    words = (opaque > 250.0).all(axis=2)
+    assert words.sum() > 20
+    assert np.abs(faded[words] - (255.0 + GREY[0] / 2.0) / 2.0).max() <= 5.0
+
+
 def test_a_list_is_read_as_it_was_written():
     """Every method adds the one primitive that its name says, with as many numbers as are read."""
     out = DisplayList()

@@ -19,7 +19,7 @@ from game.levels import campaign
 from game.overlay import notice as plate
 from game.overlay.notice_words import Notice, notice, to_newcomer
 from game.picture.display_list import DisplayList, primitives
-from game.picture.notice import add_notice
+from game.picture.notice import Around, add_notice
 from game.rules import Controls, Phase, Ruleset, new_game, tick
 from game.scene import scene_at, still
 
@@ -55,6 +55,7 @@ def test_the_plate_stays_above_the_wall_and_between_the_figures(language, text_s
     across, down = np.nonzero(pygame.surfarray.array3d(surface).any(axis=2))
     assert np.ptp(across) < SIZE[0] * 2 / 3
     assert down.max() < SIZE[1] / 4
+    assert down.max() < 300.0 - 28.0 * max([ring.radius + ring.half_width for ring in campaign()[0].rings])
     assert np.ptp(down) > SIZE[1] / 12
 
 
@@ -64,7 +65,7 @@ def test_all_words_are_said_in_their_order():
         DisplayList(),
         Notice("Name", "Hint", "What it is about, in so many words that no line has room for all of them.\nSteer"),
     )
-    add_notice(out, told, layout(SIZE, 10.0), DARK, 20.0)
+    add_notice(out, told, layout(SIZE, 10.0), DARK, 20.0, Around(150.0))
     name, *about, hint = out.texts
     assert (name, hint, about[-1]) == ("Name", "Hint", "Steer")
     assert " ".join(about[:-1]) == told.about.splitlines()[0]
@@ -76,7 +77,7 @@ def test_the_plate_leaves_a_ball_alone():
     tops = []
     for balls in ((), (400 + 40j,), (400 + 560j,)):
         out = DisplayList()
-        add_notice(out, Notice("Name", "Hint"), layout(SIZE, 10.0), DARK, 20.0, balls)
+        add_notice(out, Notice("Name", "Hint"), layout(SIZE, 10.0), DARK, 20.0, Around(150.0, balls))
         tops.append(next(primitives(out.numbers))[3][1])
     assert tops[0] == tops[2] < SIZE[1] / 4 < tops[1]
 

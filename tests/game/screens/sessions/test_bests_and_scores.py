@@ -91,7 +91,7 @@ def test_a_game_on_a_level_of_ones_own_makes_no_high_score(desk):
 def test_endless_levels_of_a_number_have_a_table_of_their_own(desk, tmp_path):
     """The number is entered with the small keyboard; its levels are those of anybody else; the score's replay proves it."""
     desk.choose("Endless")
-    desk.choose("Levels of a number")
+    desk.choose("Levels from a number")
     for digit in "42":
         desk.click_on(digit)
     desk.choose("Done")
