@@ -55,8 +55,10 @@ class DisplayListPainter:
                 continue
             match code:
                 case Primitive.TEXT:
-                    index, size, x, y, across, _bold = own
+                    index, size, x, y, across, _bold, room = own
                     text, anchor = picture.texts[int(index)], _ANCHORS[across]
+                    if room and (wide := letters.rendered(text, size, colour).get_width()) > room:
+                        size *= room / wide
                     letters.write(surface, text, size, colour, complex(x, y), anchor, opacity=opacity)
                 case Primitive.PLATE:
                     words = letters.rendered(picture.texts[int(own[0])], own[1], colour)
@@ -174,12 +176,20 @@ def _paint_piece(
         pygame.draw.aaline(surface, colour, (one.real - 0.5, one.imag - 0.5), (other.real - 0.5, other.imag - 0.5))
 
 
+def _paint_box(surface: pygame.Surface, colour: Colour, own: "array[float]") -> None:
+    """A rectangle with round corners."""
+    x, y, width, height, radius, edge, edge_colour = own
+    box = pygame.Rect(round(x), round(y), max(round(width), 2), max(round(height), 2))
+    draw_box(surface, box, radius, colour, unpacked(edge_colour) if edge else None, edge)
+
+
 _SHAPES: dict[int, Callable[[pygame.Surface, Colour, "array[float]"], None]] = {
     Primitive.DISC.value: _paint_disc,
     Primitive.CIRCLE.value: _paint_circle,
     Primitive.POLYGON.value: _paint_polygon,
     Primitive.STRIP.value: _paint_strip,
     Primitive.BAND.value: _paint_band,
+    Primitive.BOX.value: _paint_box,
 }
 """What paints the primitives that consist of their own numbers alone."""
 
