@@ -30,7 +30,19 @@ GAMES = {name for name, _ in [*screens._games(), *screens._results_of_games()]}
 """Screens that take a game to be played; what is written in a game is looked at below."""
 NO_PANELS = {"title", "replay"}
 LEAST_CONTRAST = 4.5
-NAMES = {"ADA", "Ada", "Grace", "Emmy", "Sofia", "Hypatia", "The one with the long rally", "Python"} | {
+NAMES = {
+    "Ctrl+",
+    "Orbit",
+    "my-level.toml",
+    "ADA",
+    "Ada",
+    "Grace",
+    "Emmy",
+    "Sofia",
+    "Hypatia",
+    "The one with the long rally",
+    "Python",
+} | {
     "(Language)",
     *[one.name for one in languages.LANGUAGES],
 }
