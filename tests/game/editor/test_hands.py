@@ -97,7 +97,9 @@ def test_keys_paint_erase_copy_and_paste(keys):
     keys.press(pygame.K_z, pygame.K_z, mod=CTRL)
     assert keys.shared.toast.text == "Undone: paint 3 bricks"
     assert keys.screen.session.document == before
-    keys.press(pygame.K_y, pygame.K_y, mod=CTRL)
+    russian = {"key": 0x43D, "scancode": pygame.KSCAN_Y, "mod": CTRL, "unicode": "\u043d"}
+    pygame.event.post(pygame.Event(pygame.KEYDOWN, **russian))
+    keys.press(pygame.K_y, mod=CTRL)
     keys.press(LEFT, LEFT, LEFT, pygame.K_INSERT)
     keys.press(pygame.K_0, pygame.K_f, RIGHT)
     keys.press(pygame.K_PAGEDOWN, LEFT)
@@ -185,7 +187,7 @@ def test_the_mouse_alone_makes_a_level(keys, tmp_path):
     heads = parts.item.boxes(parts.box, desk.form.unit((800, 600)))
     desk.click(heads[1].center)
     before = slots(desk)
-    drag(desk, 4 + 0j, 5 + 0j)
+    drag(desk, 4.2 + 0j, 5.2 + 0j)
     assert (level(desk).rings[0].radius, slots(desk)) == (5.0, before)
     item = next(spot for spot in desk.form._laid((800, 600)).spots if getattr(spot.item, "label", "") == "Spin")
     field = item.item.field_box(item.box, desk.form.unit((800, 600)))
@@ -202,7 +204,7 @@ def test_the_mouse_alone_makes_a_level(keys, tmp_path):
     desk.click(heads[2].center)
     let_go(desk)
     drag(desk, 2j, 3j)
-    drag(desk, 3j, 1 + 3j)
+    drag(desk, 3.1j, 1 + 3.1j)
     drag(desk, -2 + 0j, -2 + 0j)
     drag(desk, -2 + 0j, -2 + 0j, button=3)
     (well,) = level(desk).wells
@@ -285,3 +287,21 @@ def test_a_number_that_the_file_leaves_out_is_usual_again_when_its_field_is_empt
     keys.type("x")
     keys.press(ENTER)
     assert keys.screen.session.message == "x: not a number"
+
+
+def test_a_finger_enters_a_number_on_a_panel(keys):
+    """What SDL makes of a finger is a mouse's event that says so; with a mouse the same field is typed into."""
+    keys.form.open_part(Part.RING)
+    box = keys.box("Spin")
+    field = next(spot for spot in keys.form._laid((800, 600)).spots if spot.box == box).item.field_box(
+        box, keys.form.unit((0, 0))
+    )
+    for kind in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP):
+        pygame.event.post(pygame.Event(kind, pos=field.center, button=1, touch=True))
+    keys.wait(FRAME)
+    assert isinstance(keys.screen, TextEntry)
+    keys.choose("5")
+    keys.choose("Done")
+    assert level(keys).rings[0].spin == 5.0
+    keys.click(field.center)
+    assert keys.form.is_typed_into
