@@ -289,19 +289,40 @@ def test_a_number_that_the_file_leaves_out_is_usual_again_when_its_field_is_empt
     assert keys.screen.session.message == "x: not a number"
 
 
-def test_a_finger_enters_a_number_on_a_panel(keys):
-    """What SDL makes of a finger is a mouse's event that says so; with a mouse the same field is typed into."""
+def finger(desk, kind, pixel):
+    """One event of a finger, and what SDL makes of it for those who know mice only."""
+    (x, y), mouse = pixel, {pygame.FINGERDOWN: pygame.MOUSEBUTTONDOWN, pygame.FINGERUP: pygame.MOUSEBUTTONUP}
+    held = {"rel": (0, 0), "buttons": (1, 0, 0), "button": 1, "pos": pixel, "touch": True}
+    pygame.event.post(pygame.Event(mouse.get(kind, pygame.MOUSEMOTION), **held))
+    pygame.event.post(pygame.Event(kind, touch_id=3, finger_id=0, x=x / 800, y=y / 600, dx=0.0, dy=0.0))
+    desk.wait(FRAME)
+
+
+def test_a_finger_alone_paints_scrolls_and_enters_numbers(keys):
+    """In the arena it is a mouse; a control is used where the finger is lifted again, and a drag scrolls and uses nothing."""
+    start, end = (to_pixel(keys, 4 * direction) for direction in (1 + 0j, 0.87 + 0.5j))
+    keys.press(pygame.K_5)
+    for kind, pixel in ((pygame.FINGERDOWN, start), (pygame.FINGERMOTION, end), (pygame.FINGERUP, end)):
+        finger(keys, kind, pixel)
+    assert slots(keys)[:3] == (5, 5, 1)
+    keys.shared.change(keys.shared.settings._replace(text_size=150))
     keys.form.open_part(Part.RING)
     box = keys.box("Spin")
     field = next(spot for spot in keys.form._laid((800, 600)).spots if spot.box == box).item.field_box(
         box, keys.form.unit((0, 0))
     )
-    for kind in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP):
-        pygame.event.post(pygame.Event(kind, pos=field.center, button=1, touch=True))
-    keys.wait(FRAME)
+    before = keys.screen.session
+    above = (field.centerx, field.centery - 90)
+    for kind, pixel in ((pygame.FINGERDOWN, field.center), (pygame.FINGERMOTION, above), (pygame.FINGERUP, above)):
+        finger(keys, kind, pixel)
+    assert keys.screen.session == before
+    assert keys.form._scroll > 0.0
+    keys.form._scroll = 0.0
+    for kind in (pygame.FINGERDOWN, pygame.FINGERUP):
+        finger(keys, kind, field.center)
     assert isinstance(keys.screen, TextEntry)
     keys.choose("5")
     keys.choose("Done")
     assert level(keys).rings[0].spin == 5.0
     keys.click(field.center)
-    assert keys.form.is_typed_into
+    assert keys.form.is_typed_into, "with a mouse there is a keyboard"
