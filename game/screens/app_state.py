@@ -80,7 +80,7 @@ class AppState:
     recorder: Recorder | None = None
     autopilot: bool = False
     settings: Settings = field(default_factory=Settings)
-    home: str = tr_noop("Title")
+    home: str = tr_noop("Main menu")
     open_levels: "Callable[[AppState], Screen] | None" = None
     own_levels: Callable[[], OwnLevels] = lambda: OwnLevels((), (), ())
     open_editor: "Callable[[AppState, Callable[[], Screen | None], Path | None], Screen] | None" = None

@@ -99,7 +99,8 @@ class Space(Item):
 class TextItem(Item):
     """Words in as many lines as they need; a line break begins a paragraph.
 
-    size: of the letters. faint: in the second colour. centred: the lines, else they begin at the left.
+    size: of the letters. faint: in the second colour. centred: the lines, else they begin at the left. midway: they stand in
+    the middle of the row's height, else at its top.
     """
 
     text: str
@@ -107,6 +108,7 @@ class TextItem(Item):
     faint: bool = False
     centred: bool = False
     share: float = 1.0
+    midway: bool = False
 
     def height(self, type_: Type, unit: float, width: float) -> float:
         """As many lines as the words take."""
@@ -116,9 +118,10 @@ class TextItem(Item):
         """The lines, one below the other."""
         colour = canvas.theme.faint if self.faint else canvas.theme.text
         anchor, x = ("midtop", box.centerx) if self.centred else ("topleft", box.left)
-        for index, line in enumerate(self._lines(canvas.type, canvas.unit, box.width)):
-            pixel = complex(x, box.top + canvas.unit * self.size * _LINE * index)
-            write_fitting(canvas, line, self.size, colour, pixel, anchor, box.width)
+        lines, pitch = self._lines(canvas.type, canvas.unit, box.width), canvas.unit * self.size * _LINE
+        top = box.centery - pitch * len(lines) / 2.0 if self.midway else float(box.top)
+        for index, line in enumerate(lines):
+            write_fitting(canvas, line, self.size, colour, complex(x, top + pitch * index), anchor, box.width)
 
     def _lines(self, type_: Type, unit: float, width: float) -> list[str]:
         """The lines, an empty one between two paragraphs."""

@@ -34,6 +34,8 @@ BAR = 0.45
 _BAR_ROOM = 1.1
 _MOST_STEADY = 0.5
 """Head and foot of a column that stay where they are have their heights up to this share of the area's; beyond, the least."""
+FROM_TOP = 99.0
+"""For `Content.tall`: the plate's upper edge is as high as it can be, whatever its parts need."""
 COLUMN_MARGIN = 0.9
 """From the edges of an area to the rows in it."""
 _TIGHTEST, _LEAST_SEEN = 0.75, 0.22
