@@ -33,6 +33,10 @@ LEAST_CONTRAST = 4.5
 NAMES = {
     "Ctrl+",
     "Orbit",
+    "Gravity",
+    "My level",
+    "must fit below",
+    "Three orbits around a nucleus; a well in every one.",
     "my-level.toml",
     "ADA",
     "Ada",
@@ -63,7 +67,9 @@ def written(monkeypatch):
         box = plain(self, nowhere, text, size, colour, *arguments, **keywords)
         seen = box.clip(surface.get_clip())
         if text.strip() and seen.height > box.height * 0.9 and surface.get_size() == SMALLEST:
-            lines.append((text, seen, contrast(colour, pygame.transform.average_color(surface, seen)[:3])))
+            lines.append(
+                (text, seen, contrast(colour, pygame.transform.average_color(surface, seen.inflate(0, -seen.height // 2))[:3]))
+            )
         return plain(self, surface, text, size, colour, *arguments, **keywords)
 
     monkeypatch.setattr(Type, "write", write)
