@@ -101,8 +101,8 @@ def _compiled_loops() -> CompiledLoops:
     paint.compile((games, numba.typeof(cells), integers, small[:, ::1]))
     loops = (step, begin, write_states, paint)
     cached = all([sum(loop.stats.cache_hits.values()) > 0 for loop in loops])
-    # Called as functions, which they are, they look at the types of their arguments once; numba's dispatcher would do it before,
-    # in the way of Python: a call with these many arrays takes 6 µs through it and 2 without.
+    # The compiled functions themselves, which check their arguments' types. numba's dispatcher would first look for the version
+    # that is compiled for these types, of which there is one: a call takes 6 µs through it, 2 without.
     ready = [loop.overloads[loop.signatures[0]].entry_point for loop in loops]
     return CompiledLoops(*ready, time.perf_counter() - start, cached)
 

@@ -23,8 +23,8 @@ class PolarBreakoutVectorEnv(gymnasium.vector.VectorEnv[Array, Array, Array]):
 
     autoreset_mode: NEXT_STEP, SAME_STEP (then `final_obs` and `final_info` are in the info), or DISABLED (then `reset` takes
     `options={"reset_mask": mask}`). recorded: the environments whose games `record` can write. copy: whether observations of
-    the kind "state" are new arrays; else the next step writes over them, where they have changed: they must not be written to. The other arguments are those of
-    `tools.environments.many.Options`.
+    the kind "state" are new arrays; else the next step writes over them, where they have changed, and nobody else may. The
+    other arguments are those of `tools.environments.many.Options`.
     """
 
     def __init__(
