@@ -33,7 +33,7 @@ from game.screens.base import Screen
 from game.screens.menus.help import Help
 from game.screens.menus.settings_panel import SettingsPanel
 from game.screens.play_record import PlayRecord
-from game.screens.play_results import game_results, level_results
+from game.screens.play_results import game_results, level_results, ways_out
 from game.screens.toolkit.menu import Entry, Menu
 from game.second_opinion import NormalPair
 from game.settings import aids
@@ -152,7 +152,7 @@ class PlayScreen:
         play_buttons.draw(canvas, seen, self._hovered)
         told = self._notice()
         if told is not None:
-            notice.draw(words, told, scene)
+            notice.draw(words, told, scene, seen)
         captions.draw(words, self._captions, seen)
         if state.physics.note:
             _draw_note(canvas, tr(state.physics.note))
@@ -281,9 +281,8 @@ def _pause_menu(state: AppState, play: PlayScreen) -> Menu:
         Entry(tr("Restart"), lambda: _restart_menu(state, play), Action.RESTART),
         Entry(tr("How to play"), lambda: Help(state, menu), Action.HELP),
         Entry(tr("Settings"), lambda: SettingsPanel(state, menu), Action.SETTINGS),
-        Entry(tr("All levels"), state.levels),
-        Entry(tr("Main menu"), lambda: state.open_title(state)),
-        Entry(tr("Quit"), lambda: None),
+        *ways_out(state),
+        *((Entry(tr("Quit"), lambda: None),) if state.open_levels is not None else ()),
     )
     menu = Menu(state, play, tr("Paused"), (play.standing,), entries, back=lambda: play)
     return menu

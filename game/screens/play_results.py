@@ -50,7 +50,7 @@ def level_results(state: AppState, play: Played, game: Game, record: PlayRecord)
     following = level_name(game.levels[game.number + 1].name)
     entries = (
         Entry(tr("Next: {level}").format(level=following), play.went_on),
-        Entry(tr("All levels"), state.levels),
+        *ways_out(state)[:1],
     )
     figures = (
         Figure(tr("Points"), result.score, best=_is_better(before, result.score)),
@@ -126,7 +126,13 @@ def _after_game(state: AppState, play: Played, game: Game) -> tuple[Entry, ...]:
     begin = (first,) if game.phase == Phase.WON else (again, first) if game.number else (again,)
     if play.endless is not None:
         begin = (Entry(tr("The same levels again"), play.restarted),)
-    return (*begin, Entry(tr("All levels"), state.levels), Entry(tr("Main menu"), lambda: state.open_title(state)))
+    return (*begin, *ways_out(state))
+
+
+def ways_out(state: AppState) -> tuple[Entry, ...]:
+    """Where one can go from a game: to the choice of levels, where there is one, and to the title."""
+    levels = (Entry(tr("All levels"), state.levels),) if state.open_levels is not None else ()
+    return (*levels, Entry(tr(state.home), lambda: state.open_title(state)))
 
 
 def _name_entry(state: AppState, play: Played, score: Score, entries: tuple[Entry, ...]) -> Callable[[], Screen]:

@@ -42,12 +42,14 @@ class Item:
     """One thing on a panel; of itself it is empty room that cannot be used.
 
     tip: what is said about it when it has the focus. key: what uses it from anywhere on the panel.
-    share: its part of the row's width, in comparison with the other items of the row.
+    share: its part of the row's width, in comparison with the other items of the row. is_typed: whether to accept it begins to
+    type a number.
     """
 
     tip: str = ""
     key: Action | None = None
     share: float = 1.0
+    is_typed = False
 
     @property
     def focusable(self) -> bool:
@@ -72,6 +74,10 @@ class Item:
     def grip(self, _pixel: complex, _box: pygame.Rect, _unit: float) -> complex | None:
         """From the middle of what is dragged to the pixel that was pressed, pixels; None where nothing can be dragged."""
         return None
+
+    def held_sign(self, _pixel: complex, _box: pygame.Rect, _unit: float) -> int:
+        """Direction in which the mouse that is held at a pixel steps it again and again: -1, +1, or 0 for none."""
+        return 0
 
     def pointed(self, panel: Screen, _pixel: complex, _box: pygame.Rect, _unit: float, *, clicked: bool) -> Screen | None:
         """The screen to go on with after a click, or a drag with the button held."""
@@ -146,7 +152,10 @@ class Heading(Item):
 
 @dataclass(frozen=True)
 class ButtonItem(Item):
-    """Leads somewhere. chosen: makes the screen to go on with; note: words at its right end; centred: the label."""
+    """Leads somewhere. chosen: makes the screen to go on with; note: words at its right end; centred: the label.
+
+    framed: it has a frame without the focus as well, as one has whose label is centred.
+    """
 
     label: str
     chosen: Callable[[], Screen | None]
@@ -156,6 +165,7 @@ class ButtonItem(Item):
     centred: bool = False
     large: bool = False
     share: float = 1.0
+    framed: bool = False
 
     @property
     def focusable(self) -> bool:
@@ -169,7 +179,7 @@ class ButtonItem(Item):
     def draw(self, canvas: Canvas, box: pygame.Rect, *, focused: bool) -> None:
         """The label in a frame when it is focused."""
         theme, unit = canvas.theme, canvas.unit
-        draw_focus(canvas, box, focused=focused, resting=self.centred)
+        draw_focus(canvas, box, focused=focused, resting=self.centred or self.framed)
         size = _LABEL * (1.3 if self.large else 1.0)
         colour = theme.accent if focused else theme.text
         if self.centred:

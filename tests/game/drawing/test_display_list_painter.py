@@ -1,7 +1,6 @@
 """Lists of primitives on a surface: shapes cover what they say, and lists are read as they were written."""
 
 import cmath
-import itertools
 import math
 import os
 
@@ -11,10 +10,10 @@ import numpy as np
 import pygame
 import pytest
 
+from game.drawing.camera import Camera
 from game.drawing.display_list_painter import DisplayListPainter
 from game.drawing.text import Type
 from game.picture.display_list import DisplayList, Primitive, packed, primitives, unpacked
-from game.picture.solid import swept
 
 SIDE, FINER = 200, 8
 MIDDLE = 100.3 + 100.7j
@@ -170,10 +169,16 @@ def test_a_list_is_read_as_it_was_written():
     out.band([(0j, 1.0, GREY), (1 + 0j, 1.0, WHITE)])
     out.plate("x", 9.0, 0j, GREY, (1.0, 1.0), (1.0, WHITE))
     out.sprite(0j, 1.0, chip)
+    out.camera(Camera(0j, 1.0), 1j, (0.4, 0.8))
+    out.slot(1.0)
+    out.prism((0j, 1j, 1 + 0j), 0.0, 1.0, GREY)
+    out.shadows((0j, 1j, 1 + 0j), 1 + 0j, [(0.0, 1.0), (1.0, 2.0)], 0.5)
+    out.box(0j, 4 + 2j, 1.0, GREY, (1.0, WHITE))
     found = list(primitives(out.numbers))
     assert [code for code, *_ in found] == list(Primitive)
     assert unpacked(found[0][1]) == (255, 254, 253)
-    assert found[-1][3][4:] == chip.numbers
+    assert found[Primitive.SPRITE - 1][3][4:] == chip.numbers
+    assert list(found[Primitive.SHADOWS - 1][3][-4:]) == [0.0, 1.0, 1.0, 2.0]
     assert packed(GREY) == found[1][1]
 
 
@@ -183,12 +188,3 @@ def test_what_only_a_canvas_paints_is_refused():
     out.gradient(0j, 1.0, [(0.0, GREY), (1.0, WHITE)])
     with pytest.raises(ValueError, match="does not paint GRADIENT"):
         painted(out)
-
-
-def test_a_shadow_is_what_a_foot_passes_over():
-    """A square of side 1 that is moved by (2, 1) passes over its own area and over those of the two sides that lead."""
-    square = [0j, 1j, 1 + 1j, 1 + 0j]
-    outline = swept(square, 2 + 1j)
-    area = sum([(one.conjugate() * other).imag for one, other in itertools.pairwise([*outline, outline[0]])]) / 2.0
-    assert area == pytest.approx(-(1.0 + 2.0 + 1.0))
-    assert swept(square, 0j) == square

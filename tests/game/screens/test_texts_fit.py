@@ -14,6 +14,7 @@ import pytest
 from game import language as languages
 from game.drawing.palette import contrast
 from game.drawing.text import Type
+from game.editor.window import picture
 from game.language import CODES
 from game.overlay.captions import Caption
 from game.rules import EventKind
@@ -27,7 +28,7 @@ from game.settings.values import THEMES
 SMALLEST = (800, 600)
 GAMES = {name for name, _ in [*screens._games(), *screens._results_of_games()]}
 """Screens that take a game to be played; what is written in a game is looked at below."""
-NO_PANELS = {"title", "replay", "editor", "editor-problem"}
+NO_PANELS = {"title", "replay"}
 LEAST_CONTRAST = 4.5
 NAMES = {"ADA", "Ada", "Grace", "Emmy", "Sofia", "Hypatia", "The one with the long rally", "Python"} | {
     "(Language)",
@@ -54,6 +55,7 @@ def written(monkeypatch):
         return plain(self, surface, text, size, colour, *arguments, **keywords)
 
     monkeypatch.setattr(Type, "write", write)
+    monkeypatch.setattr(picture, "draw_arena", lambda *_: None)
     monkeypatch.setattr(Panel, "draw_behind", lambda _self, surface: surface.fill((0, 0, 0)))
     return lines
 

@@ -2,7 +2,6 @@
 
 import pygame
 
-from game.editor.window.layout import editor_layout
 from game.editor.window.screen import Editor
 from game.kept.store import Kept
 from game.levels import classic
@@ -68,14 +67,13 @@ def test_by_mouse_alone(desk, tmp_path):
     desk.click_on("Levels")
     desk.click_on("Make a new level")
     assert isinstance(desk.screen, Editor)
-    buttons = editor_layout(desk.window.size, desk.screen.session).buttons
-    desk.click(next(box.center for button, box in buttons if button.name == "leave"))
+    desk.click_on("Leave")
     desk.click_on("Save and leave")
     assert isinstance(desk.screen, LevelSelect)
     desk.click_on("My level")
     desk.click_on("Edit")
     assert isinstance(desk.screen, Editor)
-    desk.click(next(box.center for button, box in buttons if button.name == "leave"))
+    desk.click_on("Leave")
     desk.click_on(classic()[0].name)
     assert isinstance(desk.screen, PlayScreen)
 
