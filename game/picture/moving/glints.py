@@ -16,8 +16,10 @@ _WIDTH = 0.8
 """Width of the light in shares of the paddle's."""
 _SHRINKING = 0.45
 """Share of its reach that a light loses by its end."""
-_STEPS = 8
+_STEPS = 12
 """Pieces on either side."""
+_WHITE = (255, 255, 255)
+"""In every theme: half way to it a paddle's colour is a lighter one of the same hue."""
 
 
 def add_glints(out: DisplayList, scene: Scene, view: ArenaView) -> None:
@@ -31,7 +33,7 @@ def _add_glint(out: DisplayList, flash: Flash, scene: Scene, view: ArenaView) ->
     """Add one light: a band that is thin and has the paddle's own colour at its ends."""
     ring, theme, camera = scene.rings[flash.ring], view.theme, view.camera
     if flash.ring == PADDLES:
-        paddle, light = theme.paddle_top, theme.flash
+        paddle, light = theme.paddle_top, _WHITE
     else:  # the second player's paddle is as bright as a flash
         paddle, light = theme.text, theme.accent
     pushed = sum([recoil.out for recoil in scene.recoils if flash.ring == PADDLES and recoil.slot == flash.slot])
