@@ -16,7 +16,7 @@ _WIDTH = 0.8
 """Width of the light in shares of the paddle's."""
 _SHRINKING = 0.45
 """Share of its reach that a light loses by its end."""
-_STEPS = 12
+_STEPS = 8
 """Pieces on either side."""
 _WHITE = (255, 255, 255)
 """In every theme: half way to it a paddle's colour is a lighter one of the same hue."""
@@ -42,10 +42,10 @@ def _add_glint(out: DisplayList, flash: Flash, scene: Scene, view: ArenaView) ->
     reach = _REACH * scene.ground_radius * (1.0 - _SHRINKING * flash.age) / radius
     end = ring.half_angle - _WIDTH * ring.half_width / radius
     middle, points = ring.angle(flash.slot), []
+    widest = _WIDTH * ring.half_width * camera.scale_at(cmath.rect(radius, middle + flash.offset), height)
     for step in range(-_STEPS, _STEPS + 1):
         share = step / _STEPS
         offset = min(max(flash.offset + share * reach, -end), end)
         point, near = cmath.rect(radius, middle + offset), 1.0 - share * share
-        half = _WIDTH * ring.half_width * near * camera.scale_at(point, height)
-        points.append((camera.project(point, height), max(half, 0.5), mixed(paddle, light, left * near)))
+        points.append((camera.project(point, height), max(widest * near, 0.5), mixed(paddle, light, left * near)))
     out.band(points)
