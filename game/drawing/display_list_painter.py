@@ -222,13 +222,17 @@ def _paint_plate(surface: pygame.Surface, words: pygame.Surface, own: "array[flo
     """A plate behind words."""
     _index, _size, x, y, across, down, edge, edge_colour = own
     box = words.get_rect(center=(round(x), round(y))).inflate(round(2.0 * across), round(2.0 * down))
-    if opacity >= 1.0:
-        draw_box(surface, box, box.height / 2.0, colour, unpacked(edge_colour), edge)
-        return
-    plate = pygame.Surface(box.size, pygame.SRCALPHA)
-    plate.fill((*unpacked(edge_colour), 0))
-    draw_box(plate, plate.get_rect(), box.height / 2.0, colour, unpacked(edge_colour), edge)
+    plate = _plate(box.size, colour, unpacked(edge_colour), edge)
     blit_faded(surface, plate, box, opacity)
+
+
+@lru_cache(maxsize=64)
+def _plate(size: tuple[int, int], colour: Colour, edge_colour: Colour, edge: float) -> pygame.Surface:
+    """A plate with round ends on a transparent surface. size, edge: pixels."""
+    plate = pygame.Surface(size, pygame.SRCALPHA)
+    plate.fill((*edge_colour, 0))
+    draw_box(plate, plate.get_rect(), size[1] / 2.0, colour, edge_colour, edge)
+    return plate
 
 
 def _sprite(reach: float, numbers: "array[float]") -> pygame.Surface:
