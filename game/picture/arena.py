@@ -12,6 +12,7 @@ from game.picture.display_list import DisplayList
 from game.picture.ground import add_ground
 from game.picture.moving.balls import add_ball
 from game.picture.moving.bursts import add_bursts
+from game.picture.moving.glints import add_glints
 from game.picture.moving.layers import add_in_air, add_on_ground
 from game.picture.moving.words import add_words
 from game.picture.slots import add_shadow, add_slot
@@ -68,6 +69,7 @@ class ArenaPicture:
         else:
             add_on_ground(out, scene, view)
             self._blocks.add(out, scene, camera, theme, contents)
+        add_glints(out, scene, view)
         add_bursts(out, scene, view)
         for ball in scene.balls if camera.flat else ():
             add_ball(out, ball, camera, theme)
