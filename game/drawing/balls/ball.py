@@ -67,10 +67,10 @@ class BallPictures:
         """All balls of a scene, from back to front. blocks: what may hide them."""
         camera = canvas.camera
         for ball in sorted(scene.balls, key=lambda ball: -(ball.position * camera.turning).imag):
-            self._draw_ball(canvas, ball, blocks)
+            self.draw_ball(canvas, ball, blocks)
 
-    def _draw_ball(self, canvas: Canvas, ball: Ball, blocks: ProjectedBlocks | None) -> None:
-        """One ball."""
+    def draw_ball(self, canvas: Canvas, ball: Ball, blocks: ProjectedBlocks | None = None) -> None:
+        """One ball. blocks: what may hide it."""
         camera = canvas.camera
         centre, radius = _on_screen(ball, camera)
         left, top = math.floor(centre.real), math.floor(centre.imag)

@@ -251,13 +251,11 @@ def _name_choice(
     """One of the format's names."""
     known: list[str] = list(names)
     words, index = tuple([tr(name) for name in names.values()]), known.index(value_of(seen.session, field))
-    return ChoiceItem(
-        tr(field.label),
-        words,
-        index,
-        lambda other: do.put(editing.entered(seen.session, field, known[other])),
-        field.tip(field.path()),
-    )
+
+    def choose(other: int) -> None:
+        do.put(editing.entered(seen.session, field, known[other], field.path()))
+
+    return ChoiceItem(tr(field.label), words, index, choose, field.tip(field.path()))
 
 
 def _buttons(names: tuple[str, ...], do: Reactions) -> list[Row]:

@@ -28,7 +28,7 @@ from game.editor.window.commands import (
     recoloured,
     relayered,
 )
-from game.editor.window.help import EditorHelp, Hand
+from game.editor.window.help import Hand, editor_help
 from game.editor.window.layout import EditorLayout, editor_layout
 from game.editor.window.picture import EditorPicture, Shown
 from game.editor.window.play_test import PlayTest
@@ -332,7 +332,7 @@ class Editor:
         elif name == "save":
             self.save()
         elif name == "help":
-            return EditorHelp(self._state, self)
+            return editor_help(self._state, self)
         elif name == "test":
             return self._play_test()
         elif name == "leave":

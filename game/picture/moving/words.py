@@ -13,8 +13,8 @@ _RISE = 0.9
 """World units that words rise in their life."""
 _SPRING, _CALM = 0.9, 24.0
 """Share by which new words are larger than at rest, and how fast that dies away, per life."""
-_SMALLEST, _LARGEST, _BAD_NEWS, _PLATED = 0.9, 1.7, 1.3, 1.2
-"""Sizes of words at rest, in units: for a single brick, for a brick of the best combo, for bad news, and on a plate."""
+_SMALLEST, _LARGEST, _PLATED = 0.9, 1.7, 1.2
+"""Sizes of words at rest, in units: for a single brick, for a brick of the best combo, and on a plate."""
 _SEAM = 0.07
 """Width of the seam around words, in units; at least a pixel."""
 _MARGIN, _LETTER = complex(1.0, 1.0), 0.26
@@ -58,7 +58,7 @@ def _pixel(pop: Pop, view: ArenaView) -> complex:
 
 
 def _size(pop: Pop) -> float:
-    """Size of the words in units: they spring up, larger the more they mean, and settle."""
-    at_rest = _BAD_NEWS if pop.bad else _PLATED if pop.plate else _SMALLEST + (_LARGEST - _SMALLEST) * pop.weight
+    """Size of the words in units: they spring up and settle; points are larger the more they mean."""
+    at_rest = _PLATED if pop.plate else _SMALLEST + (_LARGEST - _SMALLEST) * pop.weight
     spring = 1.0 + _SPRING * math.exp(-pop.age * _CALM) * math.sin(min(pop.age * _CALM, math.pi))
     return stepped(at_rest * spring)

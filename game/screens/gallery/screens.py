@@ -8,7 +8,7 @@ from importlib.resources import files
 from game.editor.command import NEW
 from game.editor.fields import Part
 from game.editor.session import brushed, stroked, tinted
-from game.editor.window.help import EditorHelp
+from game.editor.window.help import editor_help
 from game.editor.window.screen import Editor
 from game.input.keys import Action
 from game.input.players import Players
@@ -176,6 +176,6 @@ def _editor(state: AppState, text: str = "", part: Part = Part.BRICKS) -> Screen
 
 def _editor_help(state: AppState, index: int) -> Screen:
     """A part of the editor's help."""
-    panel = EditorHelp(state, _editor(state))
+    panel = editor_help(state, _editor(state))
     panel.open_tab(index)
     return panel

@@ -11,6 +11,7 @@ from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.earned import feats
 from game.screens.menus.access_rows import access_rows
+from game.screens.menus.ball_preview import ball_preview
 from game.screens.menus.control_rows import WIDE_TEXT, control_rows
 from game.screens.toolkit.items import ChoiceItem, Heading, Item, Switch, TextItem
 from game.screens.toolkit.layout import Row
@@ -70,6 +71,7 @@ def _picture(state: AppState, _panel: Screen) -> tuple[Row, ...]:
         (_switch(state, tr("Ghost"), "ghost", tr("Pale outlines replay your best run of the level while you play.")),),
         (_unlockable(state, tr("Ball"), "ball", BALLS, ball_names()),),
         (_unlockable(state, tr("Trail"), "trail", TRAILS, trail_names()),),
+        (ball_preview(),),
     )
 
 

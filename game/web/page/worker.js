@@ -98,6 +98,7 @@ const ASKED = {
     return found;
   },
   save: () => save().then(() => stored),
+  random: () => python.runPython("import random; random.random()"),
   memory: () => python._module.HEAPU8.length,
   snapshot: () => storing,
   timeline: () => performance.getEntriesByType("mark").map(({ name, startTime }) => [name, performance.timeOrigin + startTime]),

@@ -6,11 +6,12 @@ import pytest
 from game.editor.command import NEW, editing_session
 from game.editor.fields import Part
 from game.editor.file_watch import WatchedFile
-from game.editor.window.help import EditorHelp, hint
+from game.editor.window.help import hint
 from game.editor.window.play_test import PlayTest
 from game.editor.window.screen import Editor
 from game.input.repeat import FIRST, NEXT
 from game.levels import load_file
+from game.screens.toolkit.key_help import KeyHelp
 from game.screens.toolkit.text_entry import TextEntry
 from tests.support.dummy_window import FRAME, Desk, shared
 from tests.support.pad_desk import PadDesk
@@ -151,7 +152,7 @@ def test_keys_alone_make_a_level(keys, tmp_path):
     keys.press(TAB)
     keys.press(pygame.K_z, mod=CTRL)
     keys.choose("Help")
-    assert isinstance(keys.screen, EditorHelp)
+    assert isinstance(keys.screen, KeyHelp)
     keys.press(ESCAPE)
     keys.press(pygame.K_s, mod=CTRL)
     assert not (tmp_path / "mine.toml").exists(), "a bumper's bricks never break"
@@ -258,7 +259,7 @@ def test_a_gamepad_alone_makes_a_level(pad, tmp_path):
     assert isinstance(pad.screen, PlayTest)
     pad.screen = pad.screen._editor
     pad.press(pygame.K_h)
-    assert isinstance(pad.screen, EditorHelp)
+    assert isinstance(pad.screen, KeyHelp)
     pad.press(ESCAPE, ESCAPE)
     pad.pad.press(pygame.CONTROLLER_BUTTON_DPAD_LEFT)
     pad.wait(2 * FRAME)
