@@ -1,6 +1,5 @@
 """Simulated humans: they play by the rules, and a better one loses less."""
 
-import json
 from statistics import mean
 
 import pytest
