@@ -16,7 +16,7 @@ from game.drawing.palette import Colour
 from game.drawing.raster.annulus import Floats
 from game.drawing.raster.pixels import pairs
 from game.drawing.raster.primitives import HALF_PIXEL, draw_box, draw_circle, draw_dot
-from game.drawing.text import Type
+from game.drawing.text import Type, blit_faded
 from game.picture.display_list import DisplayList, Primitive, primitives, unpacked
 
 _BEND = 0.02
@@ -55,10 +55,14 @@ class DisplayListPainter:
                 continue
             match code:
                 case Primitive.TEXT:
-                    index, size, x, y, across, _bold = own
-                    letters.write(surface, picture.texts[int(index)], size, colour, complex(x, y), _ANCHORS[across])
+                    index, size, x, y, across, _bold, room = own
+                    text, anchor = picture.texts[int(index)], _ANCHORS[across]
+                    if room and (wide := letters.rendered(text, size, colour).get_width()) > room:
+                        size *= room / wide
+                    letters.write(surface, text, size, colour, complex(x, y), anchor, opacity=opacity)
                 case Primitive.PLATE:
-                    _paint_plate(surface, letters.rendered(picture.texts[int(own[0])], own[1], colour), own, colour)
+                    words = letters.rendered(picture.texts[int(own[0])], own[1], colour)
+                    _paint_plate(surface, words, own, colour, opacity)
                 case Primitive.GLOW:
                     self._paint_light(surface, colour, opacity, own)
                 case Primitive.SPRITE:
@@ -207,21 +211,39 @@ def _paint_piece(
         pygame.draw.aaline(surface, colour, (one.real - 0.5, one.imag - 0.5), (other.real - 0.5, other.imag - 0.5))
 
 
+def _paint_box(surface: pygame.Surface, colour: Colour, own: "array[float]") -> None:
+    """A rectangle with round corners."""
+    x, y, width, height, radius, edge, edge_colour = own
+    box = pygame.Rect(round(x), round(y), max(round(width), 2), max(round(height), 2))
+    draw_box(surface, box, radius, colour, unpacked(edge_colour) if edge else None, edge)
+
+
 _SHAPES: dict[int, Callable[[pygame.Surface, Colour, "array[float]"], None]] = {
     Primitive.DISC.value: _paint_disc,
     Primitive.CIRCLE.value: _paint_circle,
     Primitive.POLYGON.value: _paint_polygon,
     Primitive.STRIP.value: _paint_strip,
     Primitive.BAND.value: _paint_band,
+    Primitive.BOX.value: _paint_box,
 }
 """What paints the primitives that consist of their own numbers alone."""
 
 
-def _paint_plate(surface: pygame.Surface, words: pygame.Surface, own: "array[float]", colour: Colour) -> None:
+def _paint_plate(surface: pygame.Surface, words: pygame.Surface, own: "array[float]", colour: Colour, opacity: float) -> None:
     """A plate behind words."""
     _index, _size, x, y, across, down, edge, edge_colour = own
-    plate = words.get_rect(center=(round(x), round(y))).inflate(round(2.0 * across), round(2.0 * down))
-    draw_box(surface, plate, plate.height / 2.0, colour, unpacked(edge_colour), edge)
+    box = words.get_rect(center=(round(x), round(y))).inflate(round(2.0 * across), round(2.0 * down))
+    plate = _plate(box.size, colour, unpacked(edge_colour), edge)
+    blit_faded(surface, plate, box, opacity)
+
+
+@lru_cache(maxsize=64)
+def _plate(size: tuple[int, int], colour: Colour, edge_colour: Colour, edge: float) -> pygame.Surface:
+    """A plate with round ends on a transparent surface. size, edge: pixels."""
+    plate = pygame.Surface(size, pygame.SRCALPHA)
+    plate.fill((*edge_colour, 0))
+    draw_box(plate, plate.get_rect(), size[1] / 2.0, colour, edge_colour, edge)
+    return plate
 
 
 def _sprite(reach: float, numbers: "array[float]") -> pygame.Surface:

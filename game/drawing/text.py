@@ -38,6 +38,7 @@ class Type:
         font = self._font(pixels)
         gap = round(spacing * _font_pixels(pixels))
         large = _spaced(font, text, colour, gap) if gap else font.render(text, True, colour)
+        large = _levelled(large, font.get_linesize(), _above(font, text))
         line = pygame.transform.smoothscale(large, (_scaled(large.get_width(), pixels), _scaled(large.get_height(), pixels)))
         self._lines[key] = line
         if len(self._lines) > _MOST_LINES:
@@ -53,15 +54,18 @@ class Type:
         pixel: complex,
         anchor: str = "topleft",
         spacing: float = 0.0,
+        opacity: float = 1.0,
     ) -> pygame.Rect:
         """Draw a line of text and return its box, pixels.
 
         size: of the letters, pixels. pixel: where the box's point named by `anchor` is, as in pygame.Rect. spacing: between
-        letters, as a share of their size.
+        letters, as a share of their size. opacity: 0 to 1.
         """
         line = self.rendered(text, size, colour, spacing)
         box = line.get_rect(**{anchor: (round(pixel.real), round(pixel.imag))})
-        surface.blit(line, box)
+        if anchor.startswith("top"):
+            box.top -= _above(self._font(_pixels(size)), text) // _FINER
+        blit_faded(surface, line, box, opacity)
         return box
 
     def wrapped(self, text: str, size: float, width: float) -> list[str]:
@@ -100,14 +104,47 @@ class Type:
 def _spaced(font: pygame.font.Font, text: str, colour: Colour, gap: int) -> pygame.Surface:
     """A line in which all gaps between letters are the same, for large words. gap: pixels of the font."""
     letters = [font.render(letter, True, colour) for letter in text]
-    inked = [letter.subsurface(_ink(letter)) for letter in letters]
-    line = pygame.Surface((sum([letter.get_width() + gap for letter in inked]) - gap, letters[0].get_height()), pygame.SRCALPHA)
+    inked, lower = [letter.subsurface(_ink(letter)) for letter in letters], [_above(font, letter) for letter in text]
+    height = font.render(text, True, colour).get_height()
+    line = pygame.Surface((sum([letter.get_width() + gap for letter in inked]) - gap, height), pygame.SRCALPHA)
     line.fill((*colour, 0))
     left = 0
-    for letter in inked:
-        line.blit(letter, (left, 0))
+    for letter, above in zip(inked, lower, strict=True):
+        line.blit(letter, (left, max(lower) - above))
         left += letter.get_width() + gap
     return line
+
+
+def blit_faded(surface: pygame.Surface, picture: pygame.Surface, box: pygame.Rect, opacity: float) -> None:
+    """Draw a picture that may be cached, more or less transparent. opacity: 0 to 1."""
+    if opacity >= 1.0:
+        surface.blit(picture, box)
+        return
+    picture.set_alpha(round(255.0 * opacity))
+    surface.blit(picture, box)
+    picture.set_alpha(255)
+
+
+def _levelled(line: pygame.Surface, height: int, above: int) -> pygame.Surface:
+    """The line with so much room below that its letters are as far from its middle as those of a line without accents.
+
+    height: of a line without accents; above: how far the letters are lower, as `_above` says; pixels.
+    """
+    missing = height + 2 * above - line.get_height()
+    if not above or missing <= 0:
+        return line
+    level = pygame.Surface((line.get_width(), line.get_height() + missing), pygame.SRCALPHA)
+    level.fill((*line.get_at((0, 0))[:3], 0))
+    level.blit(line, (0, 0), special_flags=pygame.BLEND_RGBA_MAX)
+    return level
+
+
+def _above(font: pygame.font.Font, text: str) -> int:
+    """How far accents on capitals reach beyond the top of a font's lines, which moves the letters down. Pixels."""
+    if text.isascii():
+        return 0
+    highest = max([metrics[3] for metrics in font.metrics(text) if metrics is not None], default=0)
+    return max(highest - font.get_ascent(), 0)
 
 
 def _pixels(size: float) -> int:

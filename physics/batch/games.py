@@ -3,7 +3,7 @@
 The state of all games is arrays. `play` does for each game what `physics.advance` does in a sequence of ticks, by the same
 functions. Three pieces of `advance` cannot be compiled as they stand, since they build and compare tuples whose length is
 known at run time only, and are written here on arrays and lists: flying freely, moving balls out of material, and remembering
-the free flight (`known`, `free`). `tests/physics/test_batch.py` compares them with `advance` at every tick.
+the free flight (`known`, `free`). `tests/physics/batch/test_batch.py` compares them with `advance` at every tick.
 """
 
 import math

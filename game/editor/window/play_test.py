@@ -4,7 +4,10 @@ from dataclasses import replace
 
 import pygame
 
-from game.input.signals import Signal
+from game.input.keys import Action
+from game.input.signals import Pressed, Signal
+from game.kept.store import Kept
+from game.language import tr_noop
 from game.levels import Level
 from game.screens.app_state import AppState
 from game.screens.base import Screen
@@ -12,16 +15,19 @@ from game.screens.play import PlayScreen
 
 
 class PlayTest:
-    """Plays one level; wherever the game would go on to the title or out, the editor comes back."""
+    """Plays one level; wherever the game would go on to the title or out, the editor comes back. Nothing of it is kept."""
 
     def __init__(self, state: AppState, editor: Screen, level: Level) -> None:
         """Start at the first serve."""
-        self._editor = editor
-        own = replace(state, open_title=lambda _: editor, open_levels=None)
+        self._editor, kept = editor, Kept(None)
+        own = replace(state, open_title=lambda _: editor, open_levels=None, home=tr_noop("Back to the editor"))
+        own = replace(own, recorder=None, kept=kept, told=set(kept.problems))
         self._inner: Screen = PlayScreen(own, (level,))
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
-        """Let the game answer."""
+        """Let the game answer; Esc leads back from it, not to a pause."""
+        if isinstance(self._inner, PlayScreen) and isinstance(signal, Pressed) and signal.action is Action.BACK:
+            return self._editor
         return self._followed(self._inner.answer(signal, size))
 
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:

@@ -12,6 +12,7 @@ from typing import NamedTuple
 _TOKEN = re.compile(
     r"(?P<space>\s+)"
     r"|(?P<number>\d+(?:\.\d+)?(?:e[+-]\d+)?°?)"
+    r"|(?P<unit>[a-z]{2,}/s(?![A-Za-z])|(?<=\d )s(?![A-Za-z_'²]))"
     r"|(?P<code>[A-Za-z]{2,}(?:_[A-Za-z0-9]+)+)(?=\()"
     r"|(?P<symbol>Δ?(?:[A-Za-z](?![A-Za-z])|[\u03b1-\u03c9])'*(?:_[A-Za-z0-9\u03b1-\u03c9]+)?)"
     r"|(?P<word>[A-Za-z]+(?:-[A-Za-z]+)*(?:'s)?)"
@@ -123,6 +124,8 @@ def _tex(kind: str, text: str, before: Sequence[_Token]) -> str:
             return _symbol(text, last[0] if last else "")
         case "code":
             return rf"\mathrm{{{text.replace('_', chr(92) + '_')}}}"
+        case "unit":
+            return rf"\mathrm{{{text}}}"
         case "word":
             return rf"\{text}" if text in _FUNCTIONS else rf"\mathrm{{{text.translate(_PRINTED)}}}"
         case "other":
@@ -262,6 +265,6 @@ def _spacing(text: str, before: _Token | None, after: _Token | None) -> str:
         return r"\quad "
     if before.text in _RELATIONS or after.text in _RELATIONS:
         return ""
-    if {"word", "code"} & {before.kind, after.kind} or before.text in {":", ";"}:
+    if {"word", "code", "unit"} & {before.kind, after.kind} or before.text in {":", ";"}:
         return r"\ "
     return r"\,"

@@ -14,7 +14,7 @@ _VEIL = 165
 """How much the screen below is covered by the background's colour, of 255."""
 _FOCUS_CORNER, _FOCUS_EDGE = 0.5, 0.1
 """Of the box around the item that has the focus: radius of its corners, width of its edge; units of text."""
-_FOCUS_TINT, _TINT, _RESTING_EDGE = 0.38, 0.14, 0.06
+_FOCUS_TINT, _TINT, _RESTING_EDGE = 0.24, 0.12, 0.06
 """Share of the edge's colour in the box with the focus and in one without it, and the edge of the latter, units of text."""
 LABEL, _ITEM_MARGIN = 1.15, 0.7
 """Size of the letters of what an item is called, and from them to the item's edge, units of text."""
