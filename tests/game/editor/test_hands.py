@@ -139,7 +139,7 @@ def test_keys_alone_make_a_level(keys, tmp_path):
     keys.focus("Palette")
     keys.press(RIGHT)
     open_part(keys, Part.DROPS)
-    keys.choose("One life more")
+    keys.choose("Extra life")
     open_part(keys, Part.WELLS)
     keys.choose("Add well")
     keys.press(ESCAPE, RIGHT)
