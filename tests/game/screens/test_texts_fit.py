@@ -32,13 +32,11 @@ GAMES = {name for name, _ in [*screens._games(), *screens._results_of_games()]}
 NO_PANELS = {"title", "replay"}
 LEAST_CONTRAST = 4.5
 PLAYERS = {"ADA", "Ada", "Grace", "Emmy", "Sofia", "Hypatia", "The one with the long rally"}
+EDITED = {"Orbit", "Gravity", "Three orbits", "My level", "my-level.toml", "must fit below"}
 NAMES = {
     *PLAYERS,
+    *EDITED,
     "Python",
-    "Orbit",
-    "Gravity",
-    "Three orbits",
-    "my-level.toml",
     "(Language)",
     *[one.name for one in languages.LANGUAGES],
 }
