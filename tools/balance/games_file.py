@@ -59,9 +59,9 @@ def saved_games(path: Path) -> Known:
         raise BadInputError(f"{quoted_path(path)}: not a file of games; {quoted_message(str(error))}") from None
     known: Known = {}
     for line in lines:
-        fields = msgspec.structs.asdict(line)
         skill = None if line.skill is None else Skill(line.skill.reaction, line.skill.noise)
-        known[fields.pop("level_hash"), skill, line.seed] = Trial(**{**fields, "skill": skill})
+        values = [skill if field == "skill" else getattr(line, field) for field in Trial._fields]
+        known[line.level_hash, skill, line.seed] = Trial(*values)
     return known
 
 

@@ -57,8 +57,8 @@ class PolarBreakoutEnv(gymnasium.Env[npt.NDArray[Any], Any]):
         """Take an action for `frame_skip` ticks."""
         if not self._environments.begun or self._environments.episodes["ended"][0]:
             raise ResetNeeded("the episode is over, or none has begun: call reset")
-        reward, (over, cut_off) = self._environments.step(np.asarray(action)[np.newaxis])
-        return self._seen(), float(reward[0]), bool(over[0]), bool(cut_off[0]), self._info()
+        done = self._environments.step(np.asarray(action)[np.newaxis])
+        return self._seen(), float(done.rewards[0]), bool(done.over[0]), bool(done.cut_off[0]), self._info()
 
     def render(self) -> npt.NDArray[np.uint8] | None:
         """The picture, where `render_mode` is "rgb_array"."""

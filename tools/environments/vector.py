@@ -23,8 +23,8 @@ class PolarBreakoutVectorEnv(gymnasium.vector.VectorEnv[Array, Array, Array]):
 
     autoreset_mode: NEXT_STEP, SAME_STEP (then `final_obs` and `final_info` are in the info), or DISABLED (then `reset` takes
     `options={"reset_mask": mask}`). recorded: the environments whose games `record` can write. copy: whether observations of
-    the kind "state" are new arrays; else the next step writes over them. The other arguments are those of
-    `tools.environments.many.Options`.
+    the kind "state" are new arrays; else the next step writes over them, where they have changed, and nobody else may. The
+    other arguments are those of `tools.environments.many.Options`.
     """
 
     def __init__(
@@ -56,6 +56,9 @@ class PolarBreakoutVectorEnv(gymnasium.vector.VectorEnv[Array, Array, Array]):
         self.action_space = batch_space(self.single_action_space, num_envs)
         self.observation_space = batch_space(self.single_observation_space, num_envs)
         self._all = np.ones(num_envs, np.bool_)
+        everywhere = np.ones(num_envs, np.bool_)
+        everywhere.flags.writeable = False
+        self._everywhere = {f"_{name}": everywhere for name in _INFO}
 
     def reset(
         self, *, seed: int | Sequence[int | None] | None = None, options: dict[str, Any] | None = None
@@ -84,14 +87,17 @@ class PolarBreakoutVectorEnv(gymnasium.vector.VectorEnv[Array, Array, Array]):
         environments = self._environments
         if not environments.begun or (self._mode is AutoresetMode.DISABLED and environments.episodes["ended"].any()):
             raise ResetNeeded("an episode is over, or none has begun: call reset")
-        rewards, (over, cut_off) = environments.step(actions)
+        rewards, over, cut_off, *counts = environments.step(actions)
         info: dict[str, Any] = {}
         if self._mode is AutoresetMode.SAME_STEP:
             ended = over | cut_off
             if ended.any():
                 info = self._final(ended)
                 environments.begin(ended)
-        return self._observations(), rewards, over, cut_off, {**info, **self._info(self._all)}
+                counts = [environments.episodes[name].copy() for name in ("score", "lives", "tick")]
+        info |= zip(_INFO, counts, strict=True)
+        info |= self._everywhere
+        return self._observations(), rewards, over, cut_off, info
 
     def render(self) -> tuple[npt.NDArray[np.uint8], ...] | None:
         """A picture for each environment, where `render_mode` is "rgb_array"."""

@@ -134,8 +134,8 @@ class PageMenu(msgspec.Struct, frozen=True):
 class PageWords(msgspec.Struct, frozen=True):
     """The words around a scene of the lab; without a scene there are none.
 
-    scene: its title. step: what stands above the picture. formula, note: HTML with formulas in MathML. cited: the line that
-    decides. scale: size of the words, in that of the page's text beside the controls.
+    scene: its title. step: what stands above the picture. cited: the line that decides. scale: size of the words, in that of
+    the page's text beside the controls. step, formula, note: HTML with formulas in MathML.
     """
 
     scene: str = ""

@@ -59,6 +59,7 @@ function hinted(own, hint) {
 
 export class Controls {
   #shape = "";
+  #wanted = "";
   #lines = [];
   #items = [];
 
@@ -89,7 +90,8 @@ export class Controls {
     document.body.classList.toggle("coding", menu.editor);
     this.menu.hidden = false;
     this.menu.scrollTop = same ? position : 0;
-    const again = same && held ? document.getElementById(held) : null;
+    const wanted = held || this.#wanted, again = same && wanted ? document.getElementById(wanted) : null;
+    this.#wanted = again?.disabled ? wanted : ""; // a control that cannot be used for a while has the keyboard again afterwards
     if (again && this.menu.contains(again)) again.focus({ preventScroll: true });
     else if (!menu.side) this.#controls()[0]?.focus({ preventScroll: true });
   }

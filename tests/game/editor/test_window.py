@@ -93,6 +93,10 @@ def test_what_another_program_writes_is_taken_over_and_an_error_keeps_the_last_g
     assert editor.session.document.text == NEW
     key(editor, pygame.K_s, mod=pygame.KMOD_CTRL)
     assert not editor.session.file_error
+    for text in ("name = ", NEW):
+        path.write_text(text)
+        editor.advance(1.0, SIZE)
+        assert bool(editor.session.file_error) == (text != NEW)
 
 
 def test_a_level_with_a_problem_is_neither_saved_nor_played(editor, tmp_path):

@@ -30,7 +30,23 @@ GAMES = {name for name, _ in [*screens._games(), *screens._results_of_games()]}
 """Screens that take a game to be played; what is written in a game is looked at below."""
 NO_PANELS = {"title", "replay"}
 LEAST_CONTRAST = 4.5
-NAMES = {"ADA", "Ada", "Grace", "Emmy", "Sofia", "Hypatia", "The one with the long rally", "Python"} | {
+NAMES = {
+    "Ctrl+",
+    "Orbit",
+    "Gravity",
+    "My level",
+    "must fit below",
+    "Three orbits around a nucleus; a well in every one.",
+    "my-level.toml",
+    "ADA",
+    "Ada",
+    "Grace",
+    "Emmy",
+    "Sofia",
+    "Hypatia",
+    "The one with the long rally",
+    "Python",
+} | {
     "(Language)",
     *[one.name for one in languages.LANGUAGES],
 }
@@ -51,7 +67,9 @@ def written(monkeypatch):
         box = plain(self, nowhere, text, size, colour, *arguments, **keywords)
         seen = box.clip(surface.get_clip())
         if text.strip() and seen.height > box.height * 0.9 and surface.get_size() == SMALLEST:
-            lines.append((text, seen, contrast(colour, pygame.transform.average_color(surface, seen)[:3])))
+            lines.append(
+                (text, seen, contrast(colour, pygame.transform.average_color(surface, seen.inflate(0, -seen.height // 2))[:3]))
+            )
         return plain(self, surface, text, size, colour, *arguments, **keywords)
 
     monkeypatch.setattr(Type, "write", write)
