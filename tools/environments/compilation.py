@@ -104,7 +104,7 @@ def _compiled_loops() -> CompiledLoops:
     # The compiled functions themselves, which check their arguments' types. numba's dispatcher would first look for the version
     # that is compiled for these types, of which there is one: a call takes 6 µs through it, 2 without.
     ready = [loop.overloads[loop.signatures[0]].entry_point for loop in loops]
-    return CompiledLoops(*ready, time.perf_counter() - start, cached)
+    return CompiledLoops(*ready, seconds=time.perf_counter() - start, cached=cached)
 
 
 def _register() -> None:
