@@ -46,9 +46,8 @@ class KeyHelp(Panel):
         ]
         if self._words.note:
             rows += [(Item(),), (TextItem(self._words.note, 1.0, faint=True),)]
-        return Content(
-            self._words.title, tuple(rows), back_row(self._words.back, self.back), names, self._tab, 46.0, tall=FROM_TOP
-        )
+        footer, tall = back_row(self._words.back, self.back), FROM_TOP if names else 0.0
+        return Content(self._words.title, tuple(rows), footer, names, self._tab, 46.0, tall=tall)
 
     def first(self) -> Focus | None:
         """The button that closes it."""
