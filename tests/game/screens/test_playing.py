@@ -186,13 +186,13 @@ def test_nothing_moves_while_the_player_is_in_another_window(desk, monkeypatch):
     monkeypatch.setattr(desk.screen, "advance", lambda time, size: seconds.append(time) or real(time, size))
     events = iter([pygame.WINDOWFOCUSLOST, None, None, pygame.WINDOWFOCUSGAINED, None, pygame.QUIT])
 
-    class Clock:
-        def tick(self, rate):
+    class Pace:
+        def wait(self, rate):
             rates.append(rate)
             if (kind := next(events, None)) is not None:
                 pygame.event.post(pygame.Event(kind))
 
-    monkeypatch.setattr(app.pygame.time, "Clock", Clock)
+    monkeypatch.setattr(app, "FramePace", Pace)
     app.run(desk.window, desk.shared, desk.screen)
     assert [time == 0.0 for time in seconds] == [False, False, True, True, True, False]
     assert rates[:6] == [30, 10, 10, 10, 30, 30]
