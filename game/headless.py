@@ -47,12 +47,13 @@ def result_line(game: Game, physics: str = "swept") -> str:
     """The one line that says how a game stands.
 
     level: its number among those that come with the game, as the window shows it. layers: still to be broken in it.
-    physics: name of what flew the balls, as `--physics` takes it.
+    physics: name of what flew the balls, as `--physics` takes it. Of two players against each other each has a score and lives.
     """
     number, _ = number_of(game.level, game.levels)
+    sides = [f"player_{k}_score={side.score} player_{k}_lives={side.lives} " for k, side in enumerate(game.sides, 1)]
     return (
         f"ticks={game.tick} seed={game.seed} physics={physics} level={number} phase={game.phase.name.lower()} "
-        f"score={game.score} lives={game.lives} layers={layers_left(game)} hash={state_hash(game)}"
+        f"score={game.score} lives={game.lives} {''.join(sides)}layers={layers_left(game)} hash={state_hash(game)}"
     )
 
 

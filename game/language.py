@@ -25,6 +25,10 @@ CODES = tuple([language.code for language in LANGUAGES])
 SYSTEM = "system"
 """A player's choice to read what the system prefers."""
 
+_THOUSANDS = {"en": ",", "de": ".", "cs": "\N{NO-BREAK SPACE}"}
+_POINT = {"en": ".", "de": ",", "cs": ","}
+"""What separates thousands, and what begins the fraction, by language."""
+
 
 class _Reader:
     """Who reads. preferred: the codes of the languages that the system prefers. catalogue: the translations in use."""
@@ -51,6 +55,16 @@ def ntr(one: str, many: str, count: int) -> str:
 def tr_noop(message: str) -> str:
     """The text itself: marks one that is shown through `tr(variable)` later."""
     return message
+
+
+def grouped(number: int) -> str:
+    """A number with its thousands apart, as they are written in the player's language."""
+    return f"{number:,}".replace(",", _THOUSANDS[current()])
+
+
+def decimal(number: float, digits: int) -> str:
+    """A number with so many digits behind the point, which is the one of the player's language."""
+    return f"{number:.{digits}f}".replace(".", _POINT[current()])
 
 
 def system_prefers(locales: Iterable[str]) -> None:

@@ -3,7 +3,7 @@
 from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
-from game.language import ntr, tr
+from game.language import grouped, ntr, tr
 from game.rules import Rank
 
 PLAIN_BALL, PLAIN_TRAIL = "pearl", "comet"
@@ -61,7 +61,7 @@ def _levels_said(count: int) -> str:
 
 
 def _points_said(count: int) -> str:
-    return tr("Make {count:,} points in all levels together").format(count=count)
+    return tr("Make {count} points in all levels together").format(count=grouped(count))
 
 
 def _good_said(count: int) -> str:

@@ -8,6 +8,7 @@ import sys
 import pytest
 
 from tests.support.children import Children, Terminal, eventually
+from tests.support.paths import ROOT
 
 pytestmark = pytest.mark.skipif(sys.platform == "win32", reason="Windows has neither process groups nor terminals of this kind")
 
@@ -25,6 +26,27 @@ def test_a_child_and_its_own_children_are_killed():
         assert told.readline() == "alive\n"
         started.end()
         assert child.returncode is not None
+        assert told.read() == ""
+
+
+_STARTER = """
+import sys, time
+from tests.support.children import Children
+
+Children().start([sys.executable, "-c", sys.argv[1]])
+time.sleep(1000)
+"""
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells a child that its parent has ended")
+def test_a_child_does_not_outlive_a_killed_pytest(children):
+    """Nobody is left to call `end` when the process that started the child is killed."""
+    reading, writing = os.pipe()
+    starter = children.start([sys.executable, "-c", _STARTER, _GRANDCHILD], stdout=writing, cwd=ROOT)
+    os.close(writing)
+    with os.fdopen(reading, encoding="utf-8") as told:
+        assert told.readline() == "alive\n"
+        os.kill(starter.pid, signal.SIGKILL)
         assert told.read() == ""
 
 

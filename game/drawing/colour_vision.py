@@ -130,7 +130,7 @@ _LIGHT = {
 VISIONS = ("full", *_DARK)
 """What a player may see: all colours, or all but those of one kind of cone."""
 VISION_NAMES = {
-    "full": tr_noop("all"),
+    "full": tr_noop("normal"),
     "protanopia": tr_noop("no red (protanopia)"),
     "deuteranopia": tr_noop("no green (deuteranopia)"),
     "tritanopia": tr_noop("no blue (tritanopia)"),

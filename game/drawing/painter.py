@@ -14,6 +14,7 @@ from game.drawing.palettes import themed
 from game.drawing.slots.contents import slot_contents
 from game.drawing.solid.picture import SolidPicture
 from game.picture.display_list import DisplayList
+from game.picture.moving.glints import add_glints
 from game.picture.moving.layers import add_in_air, add_on_ground
 from game.picture.moving.words import add_words
 from game.picture.view import ArenaView
@@ -45,6 +46,7 @@ class Painter:
         """The arena from straight above: waves and trail are drawn over the rings, as nothing has height here."""
         self._flat.draw(canvas, scene, slot_contents(scene))
         self._paint_list(canvas.moved, scene, add_on_ground)
+        self._paint_list(canvas.moved, scene, add_glints)
         debris.draw(canvas.moved, scene)
         self._balls.draw(canvas, scene)
 
@@ -53,6 +55,7 @@ class Painter:
         self._solid.draw_ground(canvas, scene)
         self._paint_list(canvas.moved, scene, add_on_ground)
         blocks = self._solid.draw_blocks(canvas, scene, slot_contents(scene))
+        self._paint_list(canvas.moved, scene, add_glints)
         debris.draw(canvas.moved, scene)
         self._balls.draw(canvas, scene, blocks)
 

@@ -31,7 +31,7 @@ _PALETTES: dict[str, tuple[_ArenaColours, _ArenaColours]] = {
         ),
         _ArenaColours(
             "e7dbd9 fcf5f3 f0e3e0 ac6c55 725504 076767 018f8f ac6621",
-            "f4500a d35002 b54d04 9b4702 814101 6b3903 543102 3e2600 080501",
+            "e95b09 dd4409 ce2e08 bc1a08 a80807 900610 760518 5c0412 0d0304",
         ),
     ),
     "ocean": (
@@ -81,7 +81,7 @@ _PALETTES: dict[str, tuple[_ArenaColours, _ArenaColours]] = {
         ),
         _ArenaColours(
             "e2ddd7 f9f6f2 ebe5de 937848 695803 056484 008ab6 967102",
-            "d9692f c35e04 a65804 8c5102 754903 603f00 4d3400 392800 080501",
+            "c8760a c25f0a b94909 ad3509 9e2408 8b1607 740d06 5c0705 0d0303",
         ),
     ),
     "dusk": (

@@ -1,6 +1,6 @@
 """The cursor: the slot that is painted without a pointer. It goes along and across rings; bricks are copied from there."""
 
-from game.editor.document import painted_slots
+from game.editor.document import stacks, with_stacks
 from game.editor.session import EditorSession, after, chosen_ring
 from game.levels import RingSpec
 from game.system.errors import BadInputError
@@ -20,13 +20,13 @@ def moved_across(session: EditorSession, steps: int) -> EditorSession:
 
 
 def with_brush_of_slot(session: EditorSession) -> EditorSession:
-    """The session with what stands under the cursor as the brush."""
-    return session._replace(brush=session.document.level.rings[session.ring].slots()[session.slot], message="")
+    """The session with what stands under the cursor as the brush, layers and colour."""
+    return session._replace(brush=stacks(session.document.level.rings[session.ring])[session.slot], message="")
 
 
 def with_bricks_copied(session: EditorSession) -> EditorSession:
     """The session that remembers the bricks of the chosen ring, from the cursor on."""
-    slots = session.document.level.rings[session.ring].slots()
+    slots = stacks(session.document.level.rings[session.ring])
     return session._replace(copied=slots[session.slot :] + slots[: session.slot], message="")
 
 
@@ -41,7 +41,7 @@ def with_bricks_pasted(session: EditorSession) -> EditorSession:
     taken = [session.copied[slot * len(session.copied) // count] for slot in range(count)]
     turned = [taken[(slot - session.slot) % count] for slot in range(count)]
     try:
-        return after(session, painted_slots(session.document, session.ring, turned))
+        return after(session, with_stacks(session.document, session.ring, turned))
     except BadInputError as error:
         return session._replace(message=str(error))
 

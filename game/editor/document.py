@@ -5,14 +5,15 @@ refused (BadInputError). A change that only breaks a rule of a possible arena gi
 from one level to the next such states cannot be avoided.
 """
 
-from collections.abc import Collection
+from collections.abc import Collection, Sequence
 from typing import Any, NamedTuple
 
+import msgspec
 import tomlkit
 from tomlkit.exceptions import TOMLKitError
-from tomlkit.items import AoT, Item, Table
+from tomlkit.items import AoT, Item
 
-from game.levels import Level, RingSpec, checked, draft
+from game.levels import Level, RingSpec, WellSpec, checked, draft
 from game.system.errors import BadInputError
 from game.system.wording import quoted_message
 
@@ -24,6 +25,19 @@ _LONGEST_ROW = 60
 
 Path = tuple[str | int, ...]
 """Keys that lead to a value: ("rings", 0, "radius")."""
+Value = float | str | list[int] | list[str] | None
+"""What a key has; None: it is left out, so that the format's default holds."""
+
+
+class Stack(NamedTuple):
+    """What a brush puts into a slot. layers: 1 to 9; 0 is a gap, -1 never breaks; None leaves them. tint: None leaves it."""
+
+    layers: int | None
+    tint: int | None = None
+
+    def over(self, old: "Stack") -> "Stack":
+        """What a slot has after it was put over what was there."""
+        return Stack(old.layers if self.layers is None else self.layers, old.tint if self.tint is None else self.tint)
 
 
 class Document(NamedTuple):
@@ -57,29 +71,44 @@ def value_at(document: Document, path: Path) -> Any:
     return value
 
 
-def with_value(document: Document, path: Path, value: float | str | list[int]) -> Document:
+def with_value(document: Document, path: Path, value: Value) -> Document:
     """The document with one value changed, or added where the default held. path: of a table's key, not of a whole table."""
-    toml = _tables(document.text)
-    table: Any = toml
-    for key in path[:-1]:
-        table = table[key]
-    key = path[-1]
-    _put(table, str(key), _rounded(value))
-    return opened(tomlkit.dumps(toml))
+    return with_values(document, {path: value})
 
 
-def painted(document: Document, ring: int, slots: Collection[int], layers: int) -> Document:
-    """The document with stacks of a ring set. layers: 1 to 9; 0 takes the brick away; -1 is unbreakable."""
-    before = document.level.rings[ring].slots()
-    return painted_slots(document, ring, [layers if slot in slots else old for slot, old in enumerate(before)])
+def with_values(document: Document, values: dict[Path, Value]) -> Document:
+    """The document with several values changed at once. values: by path."""
+    toml, new = _tables(document.text), set()
+    for path, value in values.items():
+        table: Any = toml
+        for key in path[:-1]:
+            if key not in table and isinstance(key, str):
+                table[key] = tomlkit.table()
+                new.add(f"[{key}]")
+            table = table[key]
+        _put(table, str(path[-1]), _rounded(value))
+    text = tomlkit.dumps(toml)
+    for head in sorted(new):
+        text = _set_apart(text, head)
+    return opened(text)
 
 
-def painted_slots(document: Document, ring: int, after: list[int]) -> Document:
-    """The document with all stacks of a ring set, each as for `painted`."""
-    if after == list(document.level.rings[ring].slots()):
-        return document
-    same = after[0] if len(set(after)) == 1 else None
-    return with_value(document, ("rings", ring, "layers"), after if same is None else same)
+def painted(document: Document, ring: int, slots: Collection[int], stack: Stack) -> Document:
+    """The document with stacks of a ring set."""
+    before = stacks(document.level.rings[ring])
+    return with_stacks(document, ring, [stack.over(old) if slot in slots else old for slot, old in enumerate(before)])
+
+
+def with_stacks(document: Document, ring: int, after: Sequence[Stack]) -> Document:
+    """The document with all stacks of a ring set; what is the same all around is written as one number."""
+    spec = document.level.rings[ring]
+    values: dict[Path, Value] = {}
+    layers, tints = [stack.layers or 0 for stack in after], [stack.tint or 0 for stack in after]
+    if layers != list(spec.slots()):
+        values["rings", ring, "layers"] = layers[0] if len(set(layers)) == 1 else layers
+    if tints != [stack.tint for stack in stacks(spec)]:
+        values["rings", ring, "tint"] = _shortest_tint(tints)
+    return with_values(document, values) if values else document
 
 
 def with_count(document: Document, ring: int, count: int) -> Document:
@@ -91,40 +120,65 @@ def with_count(document: Document, ring: int, count: int) -> Document:
     if count < 1:
         raise BadInputError(f"rings[{ring}].count: must be at least 1")
     sampled, slots = [slot * spec.count // count for slot in range(count)], spec.slots()
-    toml = _tables(document.text)
-    table: Any = toml["rings"][ring]
-    _put(table, "count", count)
-    _put(table, "half_angle", _rounded(spec.half_angle * spec.count / count))
+    path: Path = ("rings", ring)
+    values: dict[Path, Value] = {(*path, "count"): count, (*path, "half_angle"): spec.half_angle * spec.count / count}
     if isinstance(spec.layers, list):
-        _put(table, "layers", [slots[slot] for slot in sampled])
+        values[*path, "layers"] = [slots[slot] for slot in sampled]
     if isinstance(spec.tint, list):
-        _put(table, "tint", [spec.tint_at(slot) for slot in sampled])
-    return opened(tomlkit.dumps(toml))
+        values[*path, "tint"] = [spec.tint_at(slot) for slot in sampled]
+    return with_values(document, values)
 
 
-def ring_added(document: Document, like: int, radius: float) -> Document:
-    """The document with a copy of a ring at another radius, as its last ring. radius: world units."""
-    toml = _tables(document.text)
-    rings = toml["rings"]
-    if not isinstance(rings, AoT):
-        raise BadInputError("rings: written in one line; write each ring as a table, [[rings]]")
-    table = tomlkit.table()
-    spec = document.level.rings[like]
-    for key in RingSpec.__struct_fields__:
-        value = getattr(spec, key)
-        if value != _default(key):
-            table.add(key, _item(_rounded(radius) if key == "radius" else value))
-    rings.append(table)
-    return opened(_with_blank_line(tomlkit.dumps(toml)))
+def stacks(ring: RingSpec) -> tuple[Stack, ...]:
+    """What stands in every slot of a ring."""
+    return tuple([Stack(layers, ring.tint_at(slot)) for slot, layers in enumerate(ring.slots())])
+
+
+def ring_added(document: Document, ring: RingSpec) -> Document:
+    """The document with another ring, as its last one."""
+    return _added(document, "rings", ring)
+
+
+def well_added(document: Document, well: WellSpec) -> Document:
+    """The document with another gravity well, as its last one."""
+    return _added(document, "wells", well)
 
 
 def ring_removed(document: Document, ring: int) -> Document:
     """The document without one of its rings; BadInputError for the last one."""
-    toml = _tables(document.text)
-    rings: Any = toml["rings"]
-    if len(rings) == 1:
+    if len(document.level.rings) == 1:
         raise BadInputError("rings: a level has at least one ring")
-    del rings[ring]
+    return _removed(document, "rings", ring)
+
+
+def well_removed(document: Document, well: int) -> Document:
+    """The document without one of its gravity wells."""
+    return _removed(document, "wells", well)
+
+
+def _added(document: Document, name: str, spec: RingSpec | WellSpec) -> Document:
+    """The document with another table of a kind, without the keys that are at their defaults."""
+    toml, table = _tables(document.text), tomlkit.table()
+    for field in msgspec.structs.fields(spec):
+        value = getattr(spec, field.name)
+        if value != field.default:
+            table.add(field.name, _item(_rounded(value)))
+    if name not in toml:
+        toml.append(name, tomlkit.aot())
+    tables = toml[name]
+    if not isinstance(tables, AoT):
+        raise BadInputError(f"{name}: written in one line; write each as a table, [[{name}]]")
+    tables.append(table)
+    return opened(_set_apart(tomlkit.dumps(toml), f"[[{name}]]"))
+
+
+def _removed(document: Document, name: str, index: int) -> Document:
+    """The document without one table of a kind."""
+    toml = _tables(document.text)
+    tables: Any = toml[name]
+    del tables[index]
+    if not tables:
+        del toml[name]
     return opened(tomlkit.dumps(toml))
 
 
@@ -143,16 +197,20 @@ def _tables(text: str) -> tomlkit.TOMLDocument:
         raise BadInputError(f"this file cannot be edited here; {quoted_message(str(error))}") from None
 
 
-def _put(table: Table, key: str, value: float | str | list[int]) -> None:
-    """Set a key of a table; the comment behind its old value stays."""
+def _put(table: Any, key: str, value: Value) -> None:
+    """Set a key of a table, or take it out; the comment behind its old value stays."""
     old = table.get(key)
+    if value is None:
+        if old is not None:
+            del table[key]
+        return
     item = _item(value)
     if isinstance(old, Item):
         item.trivia.comment, item.trivia.comment_ws = old.trivia.comment, old.trivia.comment_ws
     table[key] = item
 
 
-def _item(value: float | str | list[int]) -> Item:
+def _item(value: float | str | list[int] | list[str]) -> Item:
     """A value as TOML writes it; a long list in several lines."""
     if not isinstance(value, list) or len(value) <= _LONGEST_ROW:
         return tomlkit.item(value)
@@ -160,19 +218,23 @@ def _item(value: float | str | list[int]) -> Item:
     return tomlkit.array("[\n    " + ",\n    ".join(rows) + ",\n]")
 
 
+def _shortest_tint(tints: list[int]) -> int | list[int]:
+    """Tints of all slots as a file says them: the shortest list that gives them when it is repeated around the ring."""
+    count = len(tints)
+    length = next(size for size in range(1, count + 1) if tints == tints[:size] * (count // size))
+    return tints[0] if length == 1 else tints[:length]
+
+
 def _rounded(value: Any) -> Any:
     """A float without the digits that a binary fraction leaves behind it: 2.4, not 2.4000000000000004; else the value."""
     return round(value, _DECIMALS) if isinstance(value, float) else value
 
 
-def _default(key: str) -> Any:
-    """The format's default of a key of a ring; None where there is none."""
-    fields, defaults = RingSpec.__struct_fields__, RingSpec.__struct_defaults__
-    optional = dict(zip(fields[len(fields) - len(defaults) :], defaults, strict=True))
-    return optional.get(key)
-
-
-def _with_blank_line(text: str) -> str:
-    """The text with an empty line before its last table."""
-    head, mark, tail = text.rpartition("[[rings]]")
-    return f"{head.rstrip()}\n\n{mark}{tail}"
+def _set_apart(text: str, head: str) -> str:
+    """The text with an empty line before and after the last table that has a head."""
+    lines = text.rstrip().split("\n")
+    at = max([index for index, line in enumerate(lines) if line.strip() == head])
+    before, table = lines[:at], lines[at:]
+    end = next((index for index, line in enumerate(table[1:], 1) if line.startswith(("[", "#"))), len(table))
+    parts = (before, table[:end], table[end:])
+    return "\n\n".join(["\n".join(part).strip("\n") for part in parts if part]) + "\n"

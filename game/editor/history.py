@@ -2,7 +2,7 @@
 
 from typing import NamedTuple
 
-from game.editor.document import Document
+from game.editor.document import Document, Path
 
 _LONGEST = 500
 """Changes that can be undone."""
@@ -11,18 +11,26 @@ _LONGEST = 500
 class EditHistory(NamedTuple):
     """The document being edited, with those that undo and redo lead to.
 
-    past, future: the nearest of them last.
+    past, future: the nearest of them last. stepped: the number that the last change was a step of; None for another change.
     """
 
     present: Document
     past: tuple[Document, ...] = ()
     future: tuple[Document, ...] = ()
+    stepped: Path | None = None
 
-    def changed(self, document: Document) -> "EditHistory":
-        """The history after a change; one that changes no letter leaves it as it is."""
+    def changed(self, document: Document, stepped: Path | None = None) -> "EditHistory":
+        """The history after a change; one that changes no letter leaves it as it is.
+
+        stepped: the number that it is a step of. Steps of the same number, one after the other, are undone as a whole.
+        """
         if document.text == self.present.text:
             return self
-        return EditHistory(document, (*self.past, self.present)[-_LONGEST:])
+        if stepped is None or stepped != self.stepped or not self.past:
+            return EditHistory(document, (*self.past, self.present)[-_LONGEST:], (), stepped)
+        if document.level == self.past[-1].level:
+            return EditHistory(self.past[-1], self.past[:-1])
+        return EditHistory(document, self.past, (), stepped)
 
     def undone(self) -> "EditHistory":
         """The history one change back; itself where there is none."""

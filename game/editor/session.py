@@ -1,10 +1,15 @@
 """What the editor knows: the documents, the chosen ring, the brush. Pure; the window draws it and sends it commands."""
 
-from typing import NamedTuple
+import math
+from typing import Any, NamedTuple
+
+import msgspec
 
 from game.editor.document import (
     Document,
     Path,
+    Stack,
+    Value,
     opened,
     painted,
     ring_added,
@@ -13,49 +18,41 @@ from game.editor.document import (
     with_count,
     with_value,
 )
+from game.editor.fields import Field, is_whole, range_of
 from game.editor.history import EditHistory
 from game.editor.symmetry import Symmetry, images
+from game.rules.speed import USUAL_TOP
 from game.system.errors import BadInputError
 from physics import PERMANENT
 
 _APART = 0.05
 """World units of ground radius 10 that a new ring leaves to its neighbour; a ball need not fit between."""
-
-
-class Row(NamedTuple):
-    """A number that the editor shows and changes.
-
-    name: as in the file.
-    path: of the value in the level.
-    step: that one press of a key changes it by.
-    """
-
-    name: str
-    path: Path
-    step: float
+BRUSH = Stack(1)
+"""The brush that the editor begins with."""
 
 
 class EditorSession(NamedTuple):
     """The state of the editor.
 
     history: of documents.
-    ring: index of the chosen ring.
-    brush: layers that a stroke puts: 1 to 9, 0 for a gap, -1 for an unbreakable stack.
-    symmetry: of a stroke.
+    ring: index of the chosen ring. slot: of it: the cursor. well: index of the chosen gravity well.
+    brush: what a stroke puts. symmetry: of a stroke.
     message: what the last command could not do; empty where it could.
     saved: the text that the file has.
-    slot: of the chosen ring: the cursor.
-    copied: layers of the slots of a ring, from the cursor on; empty before the first copy.
+    file_error: why what another program has written into the file could not be taken over; empty where it could.
+    copied: what the slots of a ring have, from the cursor on; empty before the first copy.
     """
 
     history: EditHistory
-    ring: int
-    brush: int
-    symmetry: Symmetry
-    message: str
     saved: str
+    ring: int = 0
     slot: int = 0
-    copied: tuple[int, ...] = ()
+    well: int = 0
+    brush: Stack = BRUSH
+    symmetry: Symmetry = Symmetry()
+    message: str = ""
+    file_error: str = ""
+    copied: tuple[Stack, ...] = ()
 
     @property
     def document(self) -> Document:
@@ -70,72 +67,57 @@ class EditorSession(NamedTuple):
 
 def begun(text: str, saved: str) -> EditorSession:
     """The editor with a level file's text. saved: what the file has, empty for a new one. BadInputError as `opened`."""
-    return EditorSession(EditHistory(opened(text)), 0, 1, Symmetry(), "", saved)
-
-
-def rows(session: EditorSession) -> tuple[Row, ...]:
-    """The numbers of the chosen ring, then those of the arena."""
-    ring = ("rings", session.ring)
-    own = [
-        Row(name, (*ring, name), step)
-        for name, step in (
-            ("radius", 0.1),
-            ("half_width", 0.05),
-            ("count", 1.0),
-            ("half_angle", 0.5),
-            ("phase", 1.0),
-            ("spin", 1.0),
-            ("friction", 0.1),
-        )
-    ]
-    arena = [
-        Row(f"{table}.{name}", (table, name), step)
-        for table, name, step in (
-            ("ball", "radius", 0.01),
-            ("ball", "speed", 0.25),
-            ("paddles", "count", 1.0),
-            ("paddles", "half_angle", 1.0),
-            ("paddles", "half_width", 0.05),
-            ("paddles", "radius", 0.1),
-            ("paddles", "top_speed", 1.0),
-            ("paddles", "acceleration", 50.0),
-            ("paddles", "friction", 0.1),
-        )
-    ]
-    return tuple(own + arena)
+    return EditorSession(EditHistory(opened(text)), saved)
 
 
 def stroked(
-    session: EditorSession, ring: int, slot: int, *, layers: int | None = None, before: EditHistory | None = None
+    session: EditorSession, ring: int, slot: int, *, stack: Stack | None = None, before: EditHistory | None = None
 ) -> EditorSession:
     """The session after a stroke on a slot and its images.
 
-    layers: to put there, the brush's where None. before: the history when the drag began that the stroke belongs to, so that
+    stack: to put there, the brush where None. before: the history when the drag began that the stroke belongs to, so that
     undo takes back the drag as a whole, and nothing else; None for a stroke of its own.
     """
-    put = session.brush if layers is None else layers
     slots = images(session.document.level.rings[ring], slot, session.symmetry)
     try:
-        document = painted(session.document, ring, slots, put)
+        document = painted(session.document, ring, slots, session.brush if stack is None else stack)
     except BadInputError as error:
         return session._replace(message=str(error))
     history = (before or session.history).changed(document)
     return session._replace(history=history, ring=ring, slot=slot, message="")
 
 
-def stepped(session: EditorSession, row: Row, steps: float) -> EditorSession:
-    """The session after a number was changed by some steps. What the format refuses stays as it was, with a message."""
-    value = value_at(session.document, row.path) + steps * row.step
-    return entered(session, row, value)
+def value_of(session: EditorSession, field: Field) -> Any:
+    """The value of a key, of the chosen ring or well where it is one of those. None: the file leaves it out."""
+    return value_at(session.document, path_of(session, field))
 
 
-def entered(session: EditorSession, row: Row, value: float) -> EditorSession:
-    """The session with a number set. What the format refuses stays as it was, with a message."""
+def path_of(session: EditorSession, field: Field) -> Path:
+    """The path of a key, of the chosen ring or well where it is one of those."""
+    return field.path(session.well if field.table == "wells" else session.ring)
+
+
+def stepped(session: EditorSession, field: Field, steps: float) -> EditorSession:
+    """The session after a number was changed by some steps, as far as the format lets it."""
+    value = value_of(session, field)
+    if value is None:
+        value = USUAL_TOP * session.document.level.ball.speed
+    low, high = range_of(field.table, field.key) or (-math.inf, math.inf)
+    return entered(session, field, min(max(value + steps * field.step, low), high), path_of(session, field))
+
+
+def entered(session: EditorSession, field: Field, value: Value, step: Path | None = None) -> EditorSession:
+    """The session with a key set, or left out of the file with None. What the format refuses stays, with a message.
+
+    step: the path of the number that this is a step of, as in `EditHistory.changed`.
+    """
+    path = path_of(session, field)
+    if isinstance(value, float) and is_whole(field.table, field.key):
+        value = round(value) if math.isfinite(value) else value
     try:
-        if row.path[-1] == "count" and row.path[0] == "rings":
-            return after(session, with_count(session.document, session.ring, round(value)))
-        whole = isinstance(value_at(session.document, row.path), int)
-        return after(session, with_value(session.document, row.path, round(value) if whole else float(value)))
+        if field.table == "rings" and field.key == "count" and isinstance(value, int):
+            return after(session, with_count(session.document, session.ring, value), step)
+        return after(session, with_value(session.document, path, value), step)
     except BadInputError as error:
         return session._replace(message=str(error))
 
@@ -146,8 +128,9 @@ def with_ring_copied(session: EditorSession) -> EditorSession:
     outermost = max(rings, key=lambda ring: ring.radius + ring.half_width)
     apart = _APART * session.document.level.ground_radius / 10.0
     radius = outermost.radius + outermost.half_width + apart + rings[session.ring].half_width
+    copy = msgspec.structs.replace(rings[session.ring], radius=radius)
     try:
-        return _within(after(session, ring_added(session.document, session.ring, radius))._replace(ring=len(rings)))
+        return _within(after(session, ring_added(session.document, copy))._replace(ring=len(rings)))
     except BadInputError as error:
         return session._replace(message=str(error))
 
@@ -166,17 +149,36 @@ def filled(session: EditorSession) -> EditorSession:
     return after(session, painted(session.document, session.ring, range(count), session.brush))
 
 
-def brushed(session: EditorSession, layers: int) -> EditorSession:
-    """The session with another brush. layers: -1 to 9."""
-    return session._replace(brush=min(max(layers, PERMANENT), 9), message="")
+def brushed(session: EditorSession, layers: int | None) -> EditorSession:
+    """The session with a brush of other layers, as in `Stack`; -1 to 9."""
+    return _with_brush(session, session.brush._replace(layers=None if layers is None else min(max(layers, PERMANENT), 9)))
+
+
+def tinted(session: EditorSession, tint: int | None) -> EditorSession:
+    """The session with a brush of another colour, as in `Stack`."""
+    return _with_brush(session, session.brush._replace(tint=tint))
+
+
+def _with_brush(session: EditorSession, brush: Stack) -> EditorSession:
+    """The session with another brush; one that would change nothing paints a layer."""
+    return session._replace(brush=BRUSH if brush == Stack(None) else brush, message="")
 
 
 def chosen_ring(session: EditorSession, offset: int) -> EditorSession:
     """The session with another ring chosen: the offset counts from the chosen one outward, round at the end."""
+    outward = rings_outward(session)
+    return with_ring(session, outward[(outward.index(session.ring) + offset) % len(outward)])
+
+
+def with_ring(session: EditorSession, ring: int) -> EditorSession:
+    """The session with another ring chosen. ring: its index."""
+    return _within(session._replace(ring=ring, message=""))
+
+
+def rings_outward(session: EditorSession) -> list[int]:
+    """Indices of the rings, the innermost first."""
     rings = session.document.level.rings
-    outward = sorted(range(len(rings)), key=lambda index: rings[index].radius)
-    position = (outward.index(session.ring) + offset) % len(rings)
-    return _within(session._replace(ring=outward[position], message=""))
+    return sorted(range(len(rings)), key=lambda index: rings[index].radius)
 
 
 def undone(session: EditorSession) -> EditorSession:
@@ -194,17 +196,17 @@ def reloaded(session: EditorSession, text: str) -> EditorSession:
     try:
         document = opened(text)
     except BadInputError as error:
-        return session._replace(message=str(error), saved=text)
-    return after(session, document)._replace(saved=text)
+        return session._replace(file_error=str(error), saved=text)
+    return after(session, document)._replace(saved=text, file_error="")
 
 
-def after(session: EditorSession, document: Document) -> EditorSession:
-    """The session after a change that can be undone."""
-    return _within(session._replace(history=session.history.changed(document), message=""))
+def after(session: EditorSession, document: Document, step: Path | None = None) -> EditorSession:
+    """The session after a change that can be undone. step: as in `EditHistory.changed`."""
+    return _within(session._replace(history=session.history.changed(document, step), message=""))
 
 
 def _within(session: EditorSession) -> EditorSession:
-    """The session with a ring chosen, and a slot of it, that there are."""
-    rings = session.document.level.rings
-    ring = min(session.ring, len(rings) - 1)
-    return session._replace(ring=ring, slot=session.slot % rings[ring].count)
+    """The session with a ring chosen, a slot of it and a well, that there are."""
+    level = session.document.level
+    ring, well = min(session.ring, len(level.rings) - 1), min(session.well, max(len(level.wells) - 1, 0))
+    return session._replace(ring=ring, slot=session.slot % level.rings[ring].count, well=well)

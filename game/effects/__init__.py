@@ -45,6 +45,7 @@ __all__ = [
     "Wave",
     "after",
     "after_all",
+    "at_start",
 ]
 
 LONGEST = 240
@@ -79,6 +80,11 @@ class Effects(NamedTuple):
 
 NOTHING = Effects()
 _STEADY: Shown = frozenset({EffectKind.SWIRL, EffectKind.LIGHTS})
+
+
+def at_start(shown: Shown) -> Effects:
+    """The effects before a game's first tick: where the wall is built up, nothing of it stands. shown: as in `after`."""
+    return Effects(entry=0 if EffectKind.ENTRY in shown else None, steady=shown & _STEADY)
 
 
 def after(effects: Effects, ticked: Ticked, shown: Shown = ALL) -> Effects:

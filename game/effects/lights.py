@@ -1,9 +1,10 @@
 """Light that a hit throws on the arena around it, for a moment."""
 
+import cmath
 from enum import Enum, auto
 from typing import NamedTuple
 
-from game.rules import BEST_COMBO, PADDLES, Event, EventKind, PowerUp, Ticked
+from game.rules import BEST_COMBO, PADDLES, Event, EventKind, Game, Phase, PowerUp, Ticked, layers_left
 
 
 class LightSource(Enum):
@@ -61,13 +62,31 @@ _LIGHTS = {
 """The lights of events but for bricks, whose light depends on more."""
 
 
+_LAST = Light(LightSource.GOOD, 0j, 0.24, 0.7, 150)
+_LAST_EVERY = 180
+"""The light that shows where a level's last brick is, and ticks from one to the next."""
+
+
 def after_tick(lights: tuple[Light, ...], ticked: Ticked) -> tuple[Light, ...]:
     """The lights a tick later."""
+    if ticked.game.tick % _LAST_EVERY == 0 and (last := _last_brick(ticked.game)) is not None:
+        lights = (*lights, _LAST._replace(position=last))[-MOST:]
     if lights:
         older = [light._replace(age=light.age + 1) for light in lights]
         lights = tuple([light for light in older if light.age < light.ticks])
     new = [light for event in ticked.events if (light := _light(event, ticked)) is not None]
     return (*[light for light in lights if not _covered(light, new, ticked)], *new)[-MOST:] if new else lights
+
+
+def _last_brick(game: Game) -> complex | None:
+    """Where the last layer of a level is; None while there are more, and outside of play."""
+    if game.phase != Phase.PLAYING or layers_left(game) != 1:
+        return None
+    for k in range(PADDLES + 1, len(game.level.rings) + 1):
+        if 1 in game.arena.layers[k]:
+            ring = game.arena.rings[k]
+            return cmath.rect(ring.radius, ring.angle(game.arena.layers[k].index(1)))
+    return None
 
 
 def _covered(light: Light, new: list[Light], ticked: Ticked) -> bool:

@@ -2,14 +2,15 @@
 
 from typing import NamedTuple
 
-from game.language import tr, tr_noop
+from game.language import grouped, tr, tr_noop
 from game.rules import BEST_COMBO, HARMFUL, Event, EventKind, PowerUp, Ticked
 
-POP_TICKS = 190
+POP_TICKS, PLATED_TICKS = 190, 240
+"""How long words are seen: points, and the others, which have to be read."""
 _WORDS = {
     EventKind.NUDGED: tr_noop("nudged"),
     EventKind.BALL_LOST: tr_noop("lost"),
-    EventKind.LIFE_GAINED: tr_noop("one life more"),
+    EventKind.LIFE_GAINED: tr_noop("extra life"),
     EventKind.SHIELD_HIT: tr_noop("saved"),
     EventKind.SPEED_UP: tr_noop("faster"),
     EventKind.CORE_BROKEN: tr_noop("the wall falls"),
@@ -22,18 +23,19 @@ POWER_NAMES = {
     PowerUp.SLOW: tr_noop("slow ball"),
     PowerUp.FAST: tr_noop("fast ball"),
     PowerUp.STICKY: tr_noop("sticky paddles"),
-    PowerUp.LIFE: tr_noop("one life more"),
+    PowerUp.LIFE: tr_noop("extra life"),
     PowerUp.SHIELD: tr_noop("shield"),
-    PowerUp.PIERCE: tr_noop("ball through bricks"),
+    PowerUp.PIERCE: tr_noop("piercing ball"),
 }
 """What power-ups are called."""
 _GOOD = frozenset({EventKind.LEVEL_CLEARED, EventKind.LIFE_GAINED, EventKind.CORE_BROKEN, EventKind.DROP_CAUGHT})
 """Good news beside bricks."""
-_PLATED = _GOOD | {EventKind.SPEED_UP}
-"""Words that stand on a plate: in the middle of the arena there may be bricks."""
+_POINTS = frozenset({EventKind.BRICK_HIT, EventKind.BUMPER_HIT})
+"""Points have no plate: they are many, and a plate would hide bricks."""
+_BY_PADDLE = frozenset({EventKind.DROP_CAUGHT, EventKind.LIFE_GAINED, EventKind.SPEED_UP})
 _BAD = frozenset({EventKind.BALL_LOST})
-_BESIDE = 0.82
-"""Words about what a paddle caught are at this share of its distance from the centre."""
+_BEYOND = 1.07
+"""Words about what a paddle caught or did are at this share of its distance: beyond it, where they hide no ball."""
 _CLOSEST = 1.8
 """World units between the positions of two pops that can be read together."""
 
@@ -60,10 +62,10 @@ class Pop(NamedTuple):
 def after_tick(pops: tuple[Pop, ...], ticked: Ticked) -> tuple[Pop, ...]:
     """The words a tick later."""
     if pops:
-        risen = [pop._replace(age=pop.age + 1.0 / POP_TICKS) for pop in pops]
+        risen = [pop._replace(age=pop.age + 1.0 / (PLATED_TICKS if pop.plate else POP_TICKS)) for pop in pops]
         pops = tuple([pop for pop in risen if pop.age < 1.0])
     new = [
-        Pop(_position(event), text, _is_bad(event), 0.0, _weight(event, ticked.game.combo), event.kind in _PLATED)
+        Pop(_position(event, ticked), text, _is_bad(event), 0.0, _weight(event, ticked.game.combo), event.kind not in _POINTS)
         for event in ticked.events
         if (text := _text(event))
     ]
@@ -75,18 +77,20 @@ def _covered(pop: Pop, new: list[Pop]) -> bool:
     return not pop.bad and any([abs(other.position - pop.position) < _CLOSEST for other in new])
 
 
-def _position(event: Event) -> complex:
-    """Where the words of an event belong: those of what a paddle caught beside it, so that it is not hidden."""
-    caught = event.kind in {EventKind.DROP_CAUGHT, EventKind.LIFE_GAINED}
-    return event.position * _BESIDE if caught else event.position
+def _position(event: Event, ticked: Ticked) -> complex:
+    """Where the words of an event belong: those of what a paddle caught or did beyond it, so that nothing is hidden."""
+    position = event.position
+    if event.kind == EventKind.SPEED_UP:
+        position = next((other.position for other in ticked.events if other.kind == EventKind.PADDLE_HIT), position)
+    return position * _BEYOND if event.kind in _BY_PADDLE else position
 
 
 def _text(event: Event) -> str:
     """The words for an event, in the player's language; none for most."""
-    if event.kind in {EventKind.BRICK_HIT, EventKind.BUMPER_HIT}:
+    if event.kind in _POINTS:
         return f"+{event.points}"
     if event.kind == EventKind.LEVEL_CLEARED:
-        return tr("+{points} bonus").format(points=event.points)
+        return tr("+{points} bonus").format(points=grouped(event.points))
     if event.kind == EventKind.DROP_CAUGHT and event.power is not None:
         return "" if event.power == PowerUp.LIFE else tr(POWER_NAMES[event.power])  # a life says it itself, if there is one
     return tr(_WORDS[event.kind]) if event.kind in _WORDS else ""

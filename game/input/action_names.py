@@ -20,7 +20,7 @@ def action_groups() -> tuple[tuple[str, dict[Action, str]], ...]:
                 Action.UP: tr("Up"),
                 Action.DOWN: tr("Down"),
                 Action.SERVE: tr("Serve, go on"),
-                Action.CONFIRM: tr("Accept"),
+                Action.CONFIRM: tr("Confirm"),
                 Action.BACK: tr("Back"),
                 Action.PAUSE: tr("Pause"),
                 Action.RESTART: tr("Restart"),
@@ -46,7 +46,7 @@ def action_groups() -> tuple[tuple[str, dict[Action, str]], ...]:
                 Action.EFFECTS: tr("Effects on or off"),
                 Action.MUTE: tr("Sound on or off"),
                 Action.MORE: tr("Louder, faster replay"),
-                Action.LESS: tr("Softer, slower replay"),
+                Action.LESS: tr("Quieter, slower replay"),
             },
         ),
         (

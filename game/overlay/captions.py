@@ -27,13 +27,13 @@ _WORDS = {
     EventKind.DROP_CAUGHT: tr_noop("power-up caught"),
     EventKind.DROP_LOST: tr_noop("power-up missed"),
     EventKind.POWER_ENDED: tr_noop("power-up ended"),
-    EventKind.LIFE_GAINED: tr_noop("one life more"),
+    EventKind.LIFE_GAINED: tr_noop("extra life"),
     EventKind.BALL_CAUGHT: tr_noop("ball sticks to the paddle"),
     EventKind.SPEED_UP: tr_noop("balls faster"),
     EventKind.SHIELD_HIT: tr_noop("shield used up"),
     EventKind.BUMPER_HIT: tr_noop("bumper struck"),
     EventKind.BRICK_CRUMBLED: tr_noop("brick crumbled"),
-    EventKind.BRICK_REGROWN: tr_noop("brick grown again"),
+    EventKind.BRICK_REGROWN: tr_noop("brick grew back"),
     EventKind.CORE_BROKEN: tr_noop("core broken"),
 }
 """What sounds say, but for those that say only what is seen where one looks: paddles' hits, nudges, balls that meet."""

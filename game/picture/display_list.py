@@ -7,7 +7,10 @@ Every primitive is its code, its colour (0xRRGGBB, exact in a 32-bit float), its
     SECTOR    x y inner outer angle half_inner half_outer an annular sector; a half angle of pi or more is a whole ring
     POLYGON   n, then n times x y                         filled
     LINE      width dash n, then n times x y              dash: length of dashes and gaps, 0 for a solid line
-    TEXT      index size x y across bold                  index of the text; across: 0 begins at x, 1 ends there; y: middle
+    TEXT      index size x y across bold room             index of the text; across: 0 begins at x, 1 ends there; y: middle;
+                                                          bold: 1, letters as the desktop's: bold, and lower than their size
+                                                          says; room: smaller where it would be wider, 0 for any width;
+                                                          on a canvas it may be runs of letters (game/lab/typeset/runs.py)
     GLOW      x y across down takes                       half axes of an ellipse of light that fades to its edge; takes: 0, it
                                                           is added; 1, its colour takes the others away
     GRADIENT  x y radius n, then n times share colour     a disc; colours by the share of the radius
@@ -21,8 +24,25 @@ Every primitive is its code, its colour (0xRRGGBB, exact in a 32-bit float), its
                                                           there, wider and higher by twice across and down; edge: its width
     SPRITE    x y reach n, then n numbers                 polygons about a point, no farther away than reach on both axes: a
                                                           picture that is often the same
+    TEXTURE   number columns n, then n colours            a square picture that the painter keeps by its number, row by row from
+                                                          the top
+    TEXTURED  x y radius number                           a disc filled with a texture, smoothed
+    BOX       x y width height corner edge edge_colour    a rectangle with round corners of a radius; edge: its width, within
+                                                          the rectangle, 0 for none
 
 x to the right, y down, pixels; angles in radians, clockwise, from the right.
+
+What stands on the ground aslant is in world units, x to the right, y up, and its angles are counter-clockwise: the painter
+projects it, as `game.drawing.camera.Camera` says, so that a list stays the same while the camera moves and rings turn.
+
+    CAMERA    x y scale azimuth tilt closeness, then      through what the following is seen, until the next CAMERA; the
+              light_x light_y dimmest brightest           direction towards the light, and which shares of its colour a side
+                                                          shows that is turned from it, and towards it
+    SLOT      angle                                       the prisms that follow are turned by it about the arena's centre
+    PRISM     bottom top n, then n times x y              its top in the colour, its sides that face the eye in the colour's
+                                                          shades; clockwise. The same bottom and top: a top alone
+    SHADOWS   x y n m, then n times x y, then             the shadows of m prisms of one outline: what it passes over when it
+              m times angle height                        is turned by the angle and moved by x, y times the height
 """
 
 import math
@@ -30,6 +50,7 @@ from array import array
 from collections.abc import Iterable, Iterator, Sequence
 from enum import IntEnum
 
+from game.drawing.camera import Camera
 from game.drawing.palette import Colour
 
 
@@ -51,17 +72,28 @@ class Primitive(IntEnum):
     BAND = 13
     PLATE = 14
     SPRITE = 15
+    CAMERA = 16
+    SLOT = 17
+    PRISM = 18
+    SHADOWS = 19
+    BOX = 20
+    TEXTURE = 21
+    TEXTURED = 22
 
 
 _LENGTHS = {
     Primitive.DISC.value: 3,
     Primitive.CIRCLE.value: 4,
     Primitive.SECTOR.value: 7,
-    Primitive.TEXT.value: 6,
+    Primitive.TEXT.value: 7,
     Primitive.GLOW.value: 5,
     Primitive.CLIP.value: 4,
     Primitive.TURN.value: 3,
     Primitive.PLATE.value: 8,
+    Primitive.CAMERA.value: 10,
+    Primitive.SLOT.value: 1,
+    Primitive.BOX.value: 7,
+    Primitive.TEXTURED.value: 4,
 }
 """Numbers of the primitives that always have as many."""
 _COUNTED = {
@@ -71,6 +103,8 @@ _COUNTED = {
     Primitive.STRIP.value: (0, 4),
     Primitive.BAND.value: (0, 4),
     Primitive.SPRITE.value: (3, 1),
+    Primitive.PRISM.value: (2, 2),
+    Primitive.TEXTURE.value: (2, 1),
 }
 """Of the others the position of the count among their numbers, and how many follow it for each."""
 
@@ -127,12 +161,15 @@ class DisplayList:
         colour: Colour,
         across: float = 0.5,
         opacity: float = 1.0,
-        bold: float = 0.0,
+        bold: float = 1.0,
+        room: float = 0.0,
     ) -> None:
-        """Words. pixel: of the middle of their height; across: where along them it is, 0 at their begin to 1 at their end."""
-        self.numbers.extend(
-            (Primitive.TEXT, packed(colour), opacity, len(self.texts), size, pixel.real, pixel.imag, across, bold)
-        )
+        """Words. pixel: of the middle of their height; across: where along them it is, 0 at their begin to 1 at their end.
+
+        bold: whether in the desktop's letters. room: pixels that they are at most wide, in smaller letters; 0 for any width.
+        """
+        own = len(self.texts), size, pixel.real, pixel.imag, across, bold, room
+        self.numbers.extend((Primitive.TEXT, packed(colour), opacity, *own))
         self.texts.append(words)
 
     def glow(
@@ -172,11 +209,18 @@ class DisplayList:
         self.numbers.extend((Primitive.BAND, 0.0, 1.0, len(flat) // 4, *flat))
 
     def plate(
-        self, words: str, size: float, pixel: complex, colour: Colour, margin: tuple[float, float], edge: tuple[float, Colour]
+        self,
+        words: str,
+        size: float,
+        pixel: complex,
+        colour: Colour,
+        margin: tuple[float, float],
+        edge: tuple[float, Colour],
+        opacity: float = 1.0,
     ) -> None:
         """A plate behind words. size, pixel: of the words; margin: across and down; edge: its width and colour."""
         index = len(self.texts)
-        self.numbers.extend((Primitive.PLATE, packed(colour), 1.0, index, size, pixel.real, pixel.imag, *margin))
+        self.numbers.extend((Primitive.PLATE, packed(colour), opacity, index, size, pixel.real, pixel.imag, *margin))
         self.numbers.extend((edge[0], packed(edge[1])))
         self.texts.append(words)
 
@@ -184,6 +228,45 @@ class DisplayList:
         """Polygons about a pixel. reach: how far from it they go at most, across and down."""
         self.numbers.extend((Primitive.SPRITE, 0.0, 1.0, pixel.real, pixel.imag, reach, len(polygons.numbers)))
         self.numbers.extend(polygons.numbers)
+
+    def box(
+        self, corner: complex, size: complex, radius: float, colour: Colour, edge: tuple[float, Colour] | None = None
+    ) -> None:
+        """A rectangle with round corners. corner: upper left; size: width and height; edge: its width and its colour."""
+        line, line_colour = (0.0, colour) if edge is None else edge
+        own = corner.real, corner.imag, size.real, size.imag, radius, line, packed(line_colour)
+        self.numbers.extend((Primitive.BOX, packed(colour), 1.0, *own))
+
+    def texture(self, number: int, columns: int, colours: Sequence[Colour]) -> None:
+        """A square picture that the painter keeps. colours: row by row from the top."""
+        self.numbers.extend((Primitive.TEXTURE, 0.0, 1.0, number, columns, len(colours), *map(packed, colours)))
+
+    def textured(self, centre: complex, radius: float, number: int) -> None:
+        """A disc filled with a texture."""
+        self.numbers.extend((Primitive.TEXTURED, 0.0, 1.0, centre.real, centre.imag, radius, number))
+
+    def camera(self, camera: Camera, light: complex, shares: tuple[float, float]) -> None:
+        """Through what prisms and shadows are seen. light: unit; shares: of the dimmest and the brightest side."""
+        centre, *rest = camera
+        self.numbers.extend((Primitive.CAMERA, 0.0, 1.0, centre.real, centre.imag, *rest, light.real, light.imag, *shares))
+
+    def slot(self, angle: float) -> None:
+        """Where the prisms that follow stand."""
+        self.numbers.extend((Primitive.SLOT, 0.0, 1.0, angle))
+
+    def prism(self, outline: Sequence[complex], bottom: float, top: float, colour: Colour) -> None:
+        """A prism. outline: clockwise, world units, in a slot at angle 0; colour: of its top."""
+        self.numbers.extend((Primitive.PRISM, packed(colour), 1.0, bottom, top, len(outline)))
+        self._add(outline)
+
+    def shadows(
+        self, outline: Sequence[complex], moved: complex, standing: Sequence[tuple[float, float]], opacity: float
+    ) -> None:
+        """The shadows of prisms. outline: of their feet; moved: by a height of 1; standing: angles and heights."""
+        start = (Primitive.SHADOWS, 0.0, opacity, moved.real, moved.imag, len(outline), len(standing))
+        self.numbers.extend(start)
+        self._add(outline)
+        self.numbers.extend([number for each in standing for number in each])
 
     def extend(self, other: "DisplayList") -> None:
         """Add a picture without texts."""
@@ -203,6 +286,8 @@ def primitives(numbers: "array[float]") -> Iterator[tuple[int, int, float, "arra
             behind = own + _LENGTHS[code]
         elif code == Primitive.CELLS:
             behind = own + 6 + int(numbers[own + 4] * numbers[own + 5])
+        elif code == Primitive.SHADOWS:
+            behind = own + 4 + 2 * int(numbers[own + 2] + numbers[own + 3])
         else:
             index, each = _COUNTED[code]
             behind = own + index + 1 + each * int(numbers[own + index])

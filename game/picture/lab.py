@@ -1,26 +1,32 @@
 """A scene of the lab as a list of primitives: the same shapes that the desktop paints, with their words."""
 
+import textwrap
+from collections.abc import Sequence
 from typing import NamedTuple
 
 from game.drawing.camera import Camera
-from game.drawing.palette import Colour, Theme, mixed
+from game.drawing.palette import Theme, mixed
+from game.lab.drawing.colours import text_colour
+from game.lab.drawing.label_boxes import BoxedLabel, LabelBox, boxed_label, boxed_labels
 from game.lab.drawing.marks import shapes_of
 from game.lab.drawing.shapes import ColourGrid, FilledPolygon, PixelShape, Polyline, Round
-from game.lab.drawing.wanted_labels import WantedLabel, wanted_label
+from game.lab.drawing.wanted_labels import WantedLabel
 from game.lab.kit.handles import Handle
 from game.lab.kit.parameters import Given
 from game.lab.kit.picture import Pane, Toggle
+from game.lab.typeset.runs import runs
 from game.picture.display_list import DisplayList
 
 _LETTERS = 0.95
 """Size of words in the world, in units."""
 _HANDLE, _HANDLE_LINE = 0.42, 0.14
 """Radius of a handle's ring and width of its line, in units."""
-_WIDTH = 0.56
-"""Width of a letter in shares of its size, roughly."""
-_ACROSS = {"midleft": 0.0, "bottomleft": 0.0, "midright": 1.0}
-_DOWN = {"midtop": 0.6, "midbottom": -0.6, "bottomleft": -0.5}
-"""Where words lie beside a pixel, by the point of their box that is there; in shares of their size."""
+_WIDTH, _HEIGHT = 0.58, 1.3
+"""Width of a letter and height of a line in shares of their size, roughly: a list of primitives does not measure."""
+_SEAM = (-1.2, 1.2, -1.2j, 1.2j)
+"""Around words, pixels."""
+_LINES_EDGE, _LINES_HEIGHT = 0.6, 1.25
+"""Of a pane's own lines: from the words to its edge in units, height of a line in sizes of the letters."""
 
 
 class SeenLabPane(NamedTuple):
@@ -38,25 +44,35 @@ class SeenLabPane(NamedTuple):
         """Size of words, pixels."""
         return self.unit * _LETTERS
 
+    @property
+    def words_area(self) -> LabelBox:
+        """All of the pane."""
+        corner, extent = self.corner, self.extent
+        return LabelBox(round(corner.real), round(corner.imag), round(extent.real), round(extent.imag))
 
-def add_pane(out: DisplayList, pane: Pane, seen: SeenLabPane) -> None:
-    """Add a pane: its ground, its marks from back to front, then its words, so that no mark covers them."""
+    def measured(self, text: str) -> tuple[int, int]:
+        """Width and height of a line of words, pixels, roughly."""
+        return round(len(text) * self.size * _WIDTH), round(self.size * _HEIGHT)
+
+    def wrapped(self, text: str, width: float) -> list[str]:
+        """A text in lines that are no wider, pixels."""
+        return textwrap.wrap(text, max(int(width / (self.size * _WIDTH)), 8))
+
+
+def add_pane(out: DisplayList, pane: Pane, seen: SeenLabPane, handles: Sequence[complex] = ()) -> None:
+    """Add a pane: its ground, its marks from back to front, then its words, so that no mark covers them.
+
+    handles: pixels that words leave free if there is room elsewhere.
+    """
     corner, extent, theme = seen.corner, seen.extent, seen.theme
     box = (corner, corner + extent.real, corner + extent, corner + 1j * extent.imag)
     out.clip(corner, extent)
     out.polygon(box, theme.ground)
     for shape in shapes_of(seen, pane.marks):
         _add_shape(out, shape)
-    for mark in pane.marks:
-        if mark.toggle is None or mark.toggle in seen.shown:
-            label = wanted_label(seen, mark)
-            if label is not None:
-                _add_label(out, label, seen)
-    if pane.title:
-        add_words(out, pane.title, seen.size, corner + complex(extent.real / 2.0, seen.unit), theme.text, theme.ground)
-    for number, (text, role_text) in enumerate((line, theme.text) for line, _role in pane.lines):
-        pixel = corner + complex(seen.unit * 0.6, extent.imag - (len(pane.lines) - number - 0.5) * 1.25 * seen.size)
-        add_words(out, text, seen.size, pixel, role_text, theme.ground, 0.0)
+    for label in boxed_labels(seen, pane.marks, pane.title, handles):
+        _add_label(out, label, seen)
+    _add_lines(out, pane, seen)
     out.clip(0j, 0j)
 
 
@@ -70,17 +86,9 @@ def add_handles(out: DisplayList, handles: tuple[Handle, ...], given: Given, hov
         out.circle(pixel, seen.unit * _HANDLE, width, colour)
     if hovered is not None:
         pixel = seen.camera.project(hovered.position(given)) + 1.5j * seen.unit
-        add_words(out, hovered.label, seen.size, pixel, seen.theme.accent, seen.theme.ground)
+        for label in boxed_label(seen, WantedLabel(pixel, hovered.label, seen.theme.accent)):
+            _add_label(out, label, seen)
     out.clip(0j, 0j)
-
-
-def add_words(
-    out: DisplayList, words: str, size: float, pixel: complex, colour: Colour, seam: Colour, across: float = 0.5
-) -> None:
-    """Add words with a seam around them."""
-    for offset in (-1.2, 1.2, -1.2j, 1.2j):
-        out.text(words, size, pixel + offset, seam, across)
-    out.text(words, size, pixel, colour, across)
 
 
 def _add_shape(out: DisplayList, shape: PixelShape) -> None:
@@ -99,13 +107,25 @@ def _add_shape(out: DisplayList, shape: PixelShape) -> None:
             out.cells(corner, complex(*size), columns, colours)
 
 
-def _add_label(out: DisplayList, label: WantedLabel, seen: SeenLabPane) -> None:
-    """Add a label, moved into the pane where it stands out of it."""
-    across, size = _ACROSS.get(label.anchor, 0.5), seen.size
-    pixel = label.pixel + 1j * _DOWN.get(label.anchor, 0.0) * size
-    width, low, high = len(label.text) * size * _WIDTH, seen.corner.real + 4.0, seen.corner.real + seen.extent.real - 4.0
-    x = min(max(pixel.real, low + width * across), max(high - width * (1.0 - across), low + width * across))
-    top, bottom = seen.corner.imag + 0.7 * size, seen.corner.imag + seen.extent.imag - 0.7 * size
-    if top - 4.0 * size < pixel.imag < bottom + 4.0 * size:
-        y = min(max(pixel.imag, top), bottom)
-        add_words(out, label.text, size, complex(x, y), label.colour, seen.theme.ground, across)
+def _add_label(out: DisplayList, label: BoxedLabel, seen: SeenLabPane) -> None:
+    """Add a label in the middle of its box, with a seam around it."""
+    left, top, width, height = label.box
+    pixel = complex(left + width / 2.0, top + height / 2.0)
+    for offset in _SEAM:
+        out.text(runs(label.text), seen.size, pixel + offset, seen.theme.ground, bold=0.0)
+    out.text(runs(label.text), seen.size, pixel, label.colour, bold=0.0)
+
+
+def _add_lines(out: DisplayList, pane: Pane, seen: SeenLabPane) -> None:
+    """Add a pane's own lines at its lower edge, on a plate."""
+    corner, extent, theme, size = seen.corner, seen.extent, seen.theme, seen.size
+    edge = seen.unit * _LINES_EDGE
+    lines = [(part, role) for text, role in pane.lines for part in seen.wrapped(text, extent.real - 2.0 * edge)]
+    if not lines:
+        return
+    height = _LINES_HEIGHT * size * len(lines) + edge
+    top = corner + 1j * (extent.imag - height)
+    out.polygon((top, top + extent.real, corner + extent, corner + 1j * extent.imag), theme.panel)
+    for number, (text, role) in enumerate(lines):
+        pixel = top + complex(edge, edge / 2.0 + (number + 0.5) * _LINES_HEIGHT * size)
+        out.text(text, size, pixel, text_colour(theme, role), 0.0, bold=0.0)

@@ -8,7 +8,7 @@ from physics.vectors import unit
 
 HITS_PER_STEP = 6
 """Hits of a paddle after which the balls get faster by the level's growth."""
-_TOP = 1.4
+USUAL_TOP = 1.4
 """Times `ball.speed`: where the growth ends, unless the level says."""
 _SLOW, _FAST, _BURST = 0.75, 1.25, 1.2
 """Factors of a slow and a fast ball, and after a bumper."""
@@ -27,7 +27,7 @@ def speed_now(game: Game) -> float:
     spec, handicap = game.level.ball, game.ruleset.handicap
     if not game.ruleset.arcade:
         return spec.speed
-    top = spec.top_speed if spec.top_speed is not None else _TOP * spec.speed
+    top = spec.top_speed if spec.top_speed is not None else USUAL_TOP * spec.speed
     speed = min(spec.speed * (1.0 + spec.growth * (game.paddle_hits // HITS_PER_STEP)), top) * handicap.ball_speed
     for power in game.powers:
         if power.kind == PowerUp.SLOW:

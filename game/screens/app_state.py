@@ -19,7 +19,7 @@ from game.input.players import Players
 from game.input.rebinding import bindings, checked
 from game.input.view import FLAT, Viewpoint
 from game.kept.store import Kept
-from game.language import choose
+from game.language import choose, tr_noop
 from game.levels import Level
 from game.overlay.toast import Toast
 from game.own_levels import OwnLevels
@@ -50,7 +50,8 @@ class AppState:
 
     catalogue: levels that the title offers; chosen: index of one of them.
     seed: of the session, of which every new game's is made. games: how many have begun.
-    open_title: makes the title's screen; open_levels: the choice of levels over it, None where there is none.
+    open_title: makes the title's screen; home: what that is called where one can go to it. open_levels: makes the choice of
+    levels over it; None where there is none.
     own_levels: reads the player's; open_editor: makes the editor's screen for one of their files, None for a new one, with a
     function that leads back; None where there is no editor.
     kept: scores, progress and finished games.
@@ -79,6 +80,7 @@ class AppState:
     recorder: Recorder | None = None
     autopilot: bool = False
     settings: Settings = field(default_factory=Settings)
+    home: str = tr_noop("Main menu")
     open_levels: "Callable[[AppState], Screen] | None" = None
     own_levels: Callable[[], OwnLevels] = lambda: OwnLevels((), (), ())
     open_editor: "Callable[[AppState, Callable[[], Screen | None], Path | None], Screen] | None" = None

@@ -7,7 +7,7 @@ from game.autopilot import Autopilot
 from game.drawing import contact_normals
 from game.drawing.camera import Camera, Layout, layout, unit_of
 from game.drawing.canvas import Canvas
-from game.effects import EffectKind, Effects
+from game.effects import EffectKind
 from game.effects.hit_stop import hit_stop_seconds
 from game.effects.slow_motion import pace
 from game.fixed_step import Due, due
@@ -33,7 +33,7 @@ from game.screens.base import Screen
 from game.screens.menus.help import Help
 from game.screens.menus.settings_panel import SettingsPanel
 from game.screens.play_record import PlayRecord
-from game.screens.play_results import game_results, level_results
+from game.screens.play_results import game_results, level_results, ways_out
 from game.screens.toolkit.menu import Entry, Menu
 from game.second_opinion import NormalPair
 from game.settings import aids
@@ -62,7 +62,7 @@ class PlayScreen:
         """Start a new game at the first of the levels. endless: the seed that they were made from; None for others."""
         self._state, self._levels, self.endless = state, levels, endless
         self._ticked = still(new_game(levels, state.next_seed() if endless is None else endless, state.game_rules))
-        self._effects = Effects()
+        self._effects = effects.at_start(state.settings.shown)
         self._normals: tuple[NormalPair, ...] = ()
         self._hands = Hands()
         self._second = Hands()  # of the second player; empty where there is one
@@ -152,7 +152,7 @@ class PlayScreen:
         play_buttons.draw(canvas, seen, self._hovered)
         told = self._notice()
         if told is not None:
-            notice.draw(words, told, scene)
+            notice.draw(words, told, scene, seen)
         captions.draw(words, self._captions, seen)
         if state.physics.note:
             _draw_note(canvas, tr(state.physics.note))
@@ -185,9 +185,7 @@ class PlayScreen:
         game = self._ticked.game
         number, _ = number_of(game.level, game.levels)
         if self.endless is not None:
-            return tr("{name}, of the levels with the number {seed}").format(
-                name=level_name(game.level.name), seed=self.endless
-            )
+            return tr("{name}, levels from number {seed}").format(name=level_name(game.level.name), seed=self.endless)
         return tr("Level {number}: {name}").format(number=number, name=level_name(game.level.name))
 
     def restarted(self) -> Screen:
@@ -279,13 +277,12 @@ def _draw_note(canvas: Canvas, note: str) -> None:
 def _pause_menu(state: AppState, play: PlayScreen) -> Menu:
     """What to do with a game that was interrupted."""
     entries = (
-        Entry(tr("Go on"), lambda: play, Action.PAUSE),
+        Entry(tr("Continue"), lambda: play, Action.PAUSE),
         Entry(tr("Restart"), lambda: _restart_menu(state, play), Action.RESTART),
         Entry(tr("How to play"), lambda: Help(state, menu), Action.HELP),
         Entry(tr("Settings"), lambda: SettingsPanel(state, menu), Action.SETTINGS),
-        Entry(tr("All levels"), state.levels),
-        Entry(tr("Title"), lambda: state.open_title(state)),
-        Entry(tr("Quit"), lambda: None),
+        *ways_out(state),
+        *((Entry(tr("Quit"), lambda: None),) if state.open_levels is not None else ()),
     )
     menu = Menu(state, play, tr("Paused"), (play.standing,), entries, back=lambda: play)
     return menu
@@ -294,7 +291,7 @@ def _pause_menu(state: AppState, play: PlayScreen) -> Menu:
 def _restart_menu(state: AppState, play: PlayScreen) -> Menu:
     """The question before a game is thrown away; the safe answer is selected."""
     entries = (
-        Entry(tr("Go on"), lambda: play, Action.PAUSE),
+        Entry(tr("Continue"), lambda: play, Action.PAUSE),
         Entry(tr("This level again"), play.again, Action.RESTART),
         Entry(tr("From the first level"), play.restarted),
     )

@@ -8,7 +8,7 @@ import msgspec
 
 from game.kept.progress import RANKS, Best
 from game.kept.scores import LONGEST_NAME, Score
-from game.language import ntr, tr
+from game.language import decimal, grouped, ntr, tr
 from game.level_names import level_name
 from game.overlay.readings import player_name
 from game.rules import Game, Phase, winner
@@ -40,7 +40,7 @@ class Played(Screen, Protocol):
 def clock(ticks: int) -> str:
     """Ticks as minutes, seconds and tenths."""
     tenths = ticks * 10 // 240
-    return f"{tenths // 600}:{tenths // 10 % 60:02}.{tenths % 10}"
+    return f"{tenths // 600}:{decimal(tenths % 600 / 10.0, 1).zfill(4)}"
 
 
 def level_results(state: AppState, play: Played, game: Game, record: PlayRecord) -> Results:
@@ -50,7 +50,7 @@ def level_results(state: AppState, play: Played, game: Game, record: PlayRecord)
     following = level_name(game.levels[game.number + 1].name)
     entries = (
         Entry(tr("Next: {level}").format(level=following), play.went_on),
-        Entry(tr("All levels"), state.levels),
+        *ways_out(state)[:1],
     )
     figures = (
         Figure(tr("Points"), result.score, best=_is_better(before, result.score)),
@@ -64,7 +64,7 @@ def level_results(state: AppState, play: Played, game: Game, record: PlayRecord)
     if (ahead := winner(game)) is not None:
         line = tr("{level}. {player} is ahead.").format(level=line, player=player_name(ahead))
     if record.earned:
-        line = tr("{level}. Yours from now on, in the settings: {things}").format(level=line, things=", ".join(record.earned))
+        line = tr("{level}. Unlocked in the settings: {things}").format(level=line, things=", ".join(record.earned))
     return Results(state, play, tr("Level cleared"), line, figures, entries, rank, back=play.went_on)
 
 
@@ -86,13 +86,13 @@ def game_results(state: AppState, play: Played, game: Game, record: PlayRecord) 
     line = (
         tr("Every level is cleared.")
         if won
-        else tr("The last ball is gone in {level}.").format(level=level_name(game.level.name))
+        else tr("The last ball was lost in {level}.").format(level=level_name(game.level.name))
     )
     if game.sides and not won:
         loser = player_name([side.lives for side in game.sides].index(0))
-        line = tr("{player} has lost the last ball in {level}.").format(player=loser, level=level_name(game.level.name))
+        line = tr("{player} lost the last ball in {level}.").format(player=loser, level=level_name(game.level.name))
     if play.endless is not None:
-        line = tr("{line} Number of these levels: {seed}").format(line=line, seed=play.endless)
+        line = tr("{line} These levels have the number {seed}.").format(line=line, seed=play.endless)
     entries = _after_game(state, play, game)
     menu = Results(state, play, title, line, figures, entries, back=lambda: state.open_title(state))
     if not record.ranked or not state.kept.scores.value.qualifies(game.score, record.table):
@@ -116,7 +116,7 @@ def _scores(game: Game) -> tuple[Figure, ...]:
 def _with_lives(lives: int) -> Callable[[int], str]:
     """What says a player's points, with the lives that are left."""
     left = ntr("{count} life", "{count} lives", lives).format(count=lives)
-    return lambda points: f"{points:,}  ({left})"
+    return lambda points: f"{grouped(points)}  ({left})"
 
 
 def _after_game(state: AppState, play: Played, game: Game) -> tuple[Entry, ...]:
@@ -126,14 +126,20 @@ def _after_game(state: AppState, play: Played, game: Game) -> tuple[Entry, ...]:
     begin = (first,) if game.phase == Phase.WON else (again, first) if game.number else (again,)
     if play.endless is not None:
         begin = (Entry(tr("The same levels again"), play.restarted),)
-    return (*begin, Entry(tr("All levels"), state.levels), Entry(tr("Title"), lambda: state.open_title(state)))
+    return (*begin, *ways_out(state))
+
+
+def ways_out(state: AppState) -> tuple[Entry, ...]:
+    """Where one can go from a game: to the choice of levels, where there is one, and to the title."""
+    levels = (Entry(tr("All levels"), state.levels),) if state.open_levels is not None else ()
+    return (*levels, Entry(tr(state.home), lambda: state.open_title(state)))
 
 
 def _name_entry(state: AppState, play: Played, score: Score, entries: tuple[Entry, ...]) -> Callable[[], Screen]:
     """Opens the entry of the name; then the table with the new line, and from there on as after any game."""
 
     def opened() -> Screen:
-        title = tr("A high score: {score}").format(score=f"{score.score:,}")
+        title = tr("A high score: {score}").format(score=grouped(score.score))
         return TextEntry(state, play, title, state.kept.scores.value.last_name, LONGEST_NAME, done)
 
     def done(name: str) -> Screen:

@@ -15,7 +15,7 @@ from game.fixed_step import LONGEST_FRAME
 from game.input.key_names import key_name, watch_help
 from game.input.keys import Action
 from game.input.signals import Clicked, FocusLost, Moved, Pressed, Signal
-from game.language import tr
+from game.language import decimal, tr
 from game.overlay import hud
 from game.overlay.readings import readings
 from game.overlay.toast import draw_bar
@@ -164,7 +164,8 @@ class Watch:
         """Show the moment after the given number of ticks, limited to those there are."""
         tick = min(max(tick, 0), self._frames.ticks)
         start = max(tick - LONGEST, 0)
-        self._effects, self._normals = Effects(), ()
+        self._effects = Effects() if start else effects.at_start(self._state.settings.shown)
+        self._normals = ()
         self._at, self._number = float(start), start
         self._shown = self._tick_from(start)
         self._run_to(float(tick))
@@ -226,7 +227,9 @@ class Watch:
         y = bar.bottom + unit * (_KEYS_TOP + 0.5 * _TEXT) if self._has_large_text else bar.centery
         left, right = complex(unit * _EDGE, y), complex(canvas.size[0] - unit * _EDGE, y)
         played = canvas.write(tr("playing") if self._playing else tr("stopped"), _TEXT, theme.text, left, "midleft")
-        seconds = f"{self._at * TICK:.1f} / {self._frames.ticks * TICK:.1f} s    {_speed_text(SPEEDS[self._speed])}"
+        seconds = (
+            f"{decimal(self._at * TICK, 1)} / {decimal(self._frames.ticks * TICK, 1)} s    {_speed_text(SPEEDS[self._speed])}"
+        )
         speed = canvas.write(seconds, _TEXT, theme.text, right, "midright")
         if self._has_large_text:
             keys, room = complex(played.right + unit, y), speed.left - played.right - 2.0 * unit
@@ -238,7 +241,7 @@ class Watch:
 
 def _speed_text(speed: float) -> str:
     """A speed, slow ones as a fraction."""
-    return f"{speed:g}x" if speed >= 1.0 else f"1/{1.0 / speed:g}x"
+    return f"{speed:g}×" if speed >= 1.0 else f"1/{1.0 / speed:g}×"
 
 
 def _help_key() -> str:
@@ -255,4 +258,5 @@ def _keys_help() -> str:
         (tr("speed"), (Action.LESS, Action.MORE)),
         (tr("help"), (Action.HELP,)),
     )
-    return "    ".join([f"{' '.join([key_name(action) for action in actions])}: {words}" for words, actions in told])
+    pairs = [f"{' / '.join([key_name(action) for action in actions])}: {words}" for words, actions in told]
+    return "   ·   ".join(pairs)

@@ -14,6 +14,8 @@ _STARTS = ("game.web.client.page", "game.lab.scenes", "game.languages")
 _PACKAGES = ("game", "physics")
 _GRADING = ("tools.grade.page",)
 """What the worker that grades imports besides."""
+_ENGINE = ("game.web.cffi.backend", "tools.crosscheck.second_engine")
+"""What the lab's second opinion imports besides."""
 
 
 def browser_sources() -> dict[str, bytes]:
@@ -24,7 +26,17 @@ def browser_sources() -> dict[str, bytes]:
 
 def grading_sources() -> dict[str, bytes]:
     """Every module that the worker that grades needs besides."""
-    present, wanted = _modules(_STARTS, _PACKAGES), _modules(_GRADING, (*_PACKAGES, "tools"))
+    return _besides(_GRADING)
+
+
+def engine_sources() -> dict[str, bytes]:
+    """Every module that the lab's second opinion needs besides, without pymunk."""
+    return _besides(_ENGINE)
+
+
+def _besides(starts: tuple[str, ...]) -> dict[str, bytes]:
+    """The modules that some need, without those that the browser's start has."""
+    present, wanted = _modules(_STARTS, _PACKAGES), _modules(starts, (*_PACKAGES, "tools"))
     return {name: data for name, data in wanted.items() if name not in present}
 
 

@@ -1,7 +1,7 @@
 """The third-party files that the page needs: fetched once by the package clients, held to recorded hashes, then cached.
 
-Nothing of them is part of this project. The runtime is CPython compiled to WebAssembly, from npm; msgspec's wheel for it is
-from the package index.
+Nothing of them is part of this project. The runtime is CPython compiled to WebAssembly, from npm; msgspec's and pymunk's
+wheels for it are from the package index.
 """
 
 import hashlib
@@ -74,6 +74,17 @@ MSGSPEC = Package(
     "pip",
     ("--platform", "pyemscripten_2026_0_wasm32", "--python-version", "314", "--only-binary=:all:"),
 )
+PYMUNK = Package(
+    "pymunk",
+    "7.3.1",
+    "pymunk-7.3.1-cp314-cp314-pyemscripten_2026_0_wasm32.whl",
+    "dedd9ea9aba1e916bfbee7bf7450c5e04fe387fcd21bfecc8cd4b3c6f9c96bb3",
+    "MIT",
+    "https://github.com/viblo/pymunk",
+    "pip",
+    MSGSPEC.options,
+)
+"""The lab's second opinion. It needs cffi, of which there is no wheel for the browser: game/web/cffi takes its place."""
 
 
 def cache_folder() -> Path:

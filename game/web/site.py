@@ -7,7 +7,6 @@ import base64
 import hashlib
 import json
 import sysconfig
-import zipfile
 from importlib.resources import files
 from pathlib import Path
 
@@ -18,16 +17,27 @@ from game.system.errors import BadInputError, EnvironmentMissingError
 from game.system.files import write_whole
 from game.system.wording import quoted_path
 from game.web.archives import compressed, page_archive, zip_archive, zip_contents
-from game.web.bundle import browser_sources, grading_sources
+from game.web.bundle import browser_sources, engine_sources, grading_sources
 from game.web.compiled import compiled
 from game.web.music import rendered_music
-from game.web.packages import EDITOR, EDITOR_FILES, MSGSPEC, RUNTIME, RUNTIME_FILES, Package, fetched, packed_files
+from game.web.packages import EDITOR, EDITOR_FILES, MSGSPEC, PYMUNK, RUNTIME, RUNTIME_FILES, Package, fetched, packed_files
 from game.web.samples import rendered
-from game.web.standard_library import needed
+from game.web.standard_library import needed, needed_by_engine
 
 _COMPRESSED = ("pyodide.asm.wasm", "pyodide.asm.mjs")
 """Files of the runtime that are served compressed, else as they are; the page unpacks them."""
 _LIBRARY, _LOCK = "python_stdlib.zip", "pyodide-lock.json"
+_LEFT_OUT = (
+    "tests/",
+    "examples/",
+    "_extension_build.py",
+    "pygame_util",
+    "pyglet_util",
+    "pyglet15_util",
+    "matplotlib_util",
+    "/util.py",
+)
+"""Of the wheels: nothing imports these."""
 _STAMPED = ("offline.js", "snapshot.js")
 _PAGE = files("game") / "web" / "page"
 _EDITOR_HASHES = {"js": b"HASHES-OF-THE-EDITOR", "css": b"HASHES-OF-ITS-STYLES"}
@@ -44,15 +54,14 @@ def built_site(cache: Path) -> dict[str, bytes]:
     if not _PAGE.is_dir():
         raise EnvironmentMissingError("the page is not part of this application; install the package polar-breakout instead")
     site = {entry.name: entry.read_bytes() for entry in _PAGE.iterdir() if entry.is_file()}
-    runtime, wheel = packed_files(fetched(RUNTIME, cache), RUNTIME_FILES), fetched(MSGSPEC, cache)
+    runtime = packed_files(fetched(RUNTIME, cache), RUNTIME_FILES)
+    wheel, engine = fetched(MSGSPEC, cache), fetched(PYMUNK, cache)
     site |= {f"runtime/{name}.packed": compressed(runtime[name]) for name in _COMPRESSED}
     site |= {"runtime/pyodide.mjs": runtime["pyodide.mjs"], f"runtime/{_LOCK}": _without_packages(runtime[_LOCK])}
-    library, program, grading = _compiled(runtime, wheel, cache)
-    site |= {
-        f"runtime/{_LIBRARY}.packed": compressed(zip_archive(library)),
-        "program.packed": compressed(page_archive(program)),
-        "grading.packed": compressed(page_archive(grading)),
-    }
+    library, *archives = _compiled(runtime, (wheel, engine), cache)
+    site[f"runtime/{_LIBRARY}.packed"] = compressed(zip_archive(library))
+    for name, archive in zip(("program", "grading", "pymunk"), archives, strict=True):
+        site[f"{name}.packed"] = compressed(page_archive(archive))
     editor = {Path(name).name: data for name, data in packed_files(fetched(EDITOR, cache), EDITOR_FILES).items()}
     site["editor.packed"] = compressed(page_archive(editor))
     for kind in ("js", "css"):
@@ -61,7 +70,7 @@ def built_site(cache: Path) -> dict[str, bytes]:
     samples, index = rendered()
     site |= {"sounds.packed": compressed(samples), "sounds.json": msgspec.json.encode(index)}
     site["music.packed"] = compressed(rendered_music())
-    site["notices.txt"] = _notices(wheel, editor["LICENSE"].decode()).encode()
+    site["notices.txt"] = _notices(wheel, engine, editor["LICENSE"].decode()).encode()
     version = _version(site)
     for name in _STAMPED:
         site[name] = site[name].replace(_STAMP, version.encode())
@@ -69,18 +78,32 @@ def built_site(cache: Path) -> dict[str, bytes]:
     return site
 
 
-def _compiled(runtime: dict[str, bytes], wheel: Path, cache: Path) -> tuple[dict[str, bytes], ...]:
-    """The standard library, the game with msgspec, and what grades: compiled modules and other files by name."""
-    library = needed(zip_contents(runtime[_LIBRARY]))
-    extension = {name: data for name, data in zip_contents(wheel.read_bytes()).items() if name.endswith((".py", ".so"))}
-    sources = {f"{_LIBRARY}/{name}": data for name, data in library.items()} | browser_sources() | grading_sources()
-    done = compiled(sources | extension, runtime, cache)
-    inside, grading = f"{_LIBRARY}/", "tools/"
-    return (
-        {name.removeprefix(inside): data for name, data in done.items() if name.startswith(inside)},
-        {name: data for name, data in done.items() if not name.startswith((inside, grading))},
-        {name: data for name, data in done.items() if name.startswith(grading)},
-    )
+def _compiled(runtime: dict[str, bytes], wheels: tuple[Path, Path], cache: Path) -> list[dict[str, bytes]]:
+    """The standard library, the game with msgspec, what grades, and pymunk with what asks it: compiled modules and other files.
+
+    wheels: of msgspec and of pymunk.
+    """
+    every = zip_contents(runtime[_LIBRARY])
+    msgspec_files, pymunk_files = (_modules_of(wheel) for wheel in wheels)
+    parts = [
+        {f"{_LIBRARY}/{name}": data for name, data in needed(every).items()},
+        browser_sources() | msgspec_files,
+        grading_sources(),
+        engine_sources() | needed_by_engine(every) | pymunk_files,
+    ]
+    done = compiled({name: data for part in parts for name, data in part.items()}, runtime, cache)
+    named = [{name if name in done else f"{name}c" for name in part} for part in parts]
+    return [{name.removeprefix(f"{_LIBRARY}/"): done[name] for name in sorted(names)} for names in named]
+
+
+def _modules_of(wheel: Path) -> dict[str, bytes]:
+    """The modules and libraries of a wheel, without its tests and what it has for windows."""
+    files = zip_contents(wheel.read_bytes())
+    return {
+        name: data
+        for name, data in files.items()
+        if name.endswith((".py", ".so")) and not any([part in name for part in _LEFT_OUT])
+    }
 
 
 def _content_hash(data: bytes) -> str:
@@ -112,22 +135,26 @@ def _version(site: dict[str, bytes]) -> str:
     return digest.hexdigest()[:16]
 
 
-def _notices(wheel: Path, editor_licence: str) -> str:
-    """The licences of what is served beside the project's own files."""
-    with zipfile.ZipFile(wheel) as packed:
-        name = next(name for name in packed.namelist() if name.endswith("licenses/LICENSE"))
-        msgspec_licence = packed.read(name).decode()
+def _notices(wheel: Path, engine: Path, editor_licence: str) -> str:
+    """The licences of what is served beside the project's own files. wheel: of msgspec. engine: of pymunk."""
     python = Path(sysconfig.get_path("stdlib"), "LICENSE.txt")
     parts = [
         f"The polar breakout {VERSION} is under the MIT licence.\n\nIt is served together with these files:",
         _about(RUNTIME, "runtime/pyodide*, unchanged but for the list of packages, which is empty")
         + "\nIts licence: https://www.mozilla.org/MPL/2.0/",
         _PYTHON,
-        _about(MSGSPEC, "in program.packed, compiled") + f"\n\n{msgspec_licence}",
+        _about(MSGSPEC, "in program.packed, compiled") + f"\n\n{_licence_in(wheel)}",
+        _about(PYMUNK, "in pymunk.packed, compiled; with Munk2D, a version of Chipmunk2D") + f"\n\n{_licence_in(engine)}",
         _about(EDITOR, "in editor.packed, unchanged") + f"\n\n{editor_licence}",
         python.read_text(encoding="utf-8") if python.is_file() else "",
     ]
     return "\n\n".join(parts).rstrip() + "\n"
+
+
+def _licence_in(wheel: Path) -> str:
+    """The licence in a wheel."""
+    files = zip_contents(wheel.read_bytes())
+    return next(data.decode() for name, data in files.items() if "/licenses/LICENSE" in name)
 
 
 def _about(package: Package, where: str) -> str:

@@ -5,7 +5,7 @@ import pytest
 from game.headless import autopilot_game, result_line
 from game.levels import classic, parse
 from game.overlay.readings import readings
-from game.rules import new_game
+from game.rules import Ruleset, new_game
 from tests.support.level_text import GOOD
 
 
@@ -31,3 +31,16 @@ def test_the_line_says_what_repeats_the_game():
     """Seed and physics are in the line."""
     said = values(result_line(new_game(classic(), 77), "source"))
     assert (said["seed"], said["physics"]) == ("77", "source")
+
+
+def test_the_line_tells_two_players_apart():
+    """Each player's score and lives; the game's own are the sum of the scores and the lives of whoever has fewer."""
+    game = autopilot_game(classic(), 3, 4000, ruleset=Ruleset(versus=True))
+    game = game._replace(sides=(game.sides[0]._replace(lives=2), game.sides[1]))
+    said = values(result_line(game))
+    assert [(said[f"player_{k}_score"], said[f"player_{k}_lives"]) for k in (1, 2)] == [
+        (str(game.sides[0].score), "2"),
+        (str(game.sides[1].score), "3"),
+    ]
+    assert game.sides[0].score != game.sides[1].score
+    assert not any([word.startswith("player_") for word in values(result_line(new_game(classic(), 1)))])

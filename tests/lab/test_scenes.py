@@ -20,7 +20,8 @@ from game.lab.kit.cited_line import code_line
 from game.lab.kit.differences import DIFFERENCES
 from game.lab.kit.handles import dragged
 from game.lab.kit.parameters import Point, defaults
-from game.lab.kit.scene import Claim, LabScene, picture_of, started
+from game.lab.kit.picture import Toggle
+from game.lab.kit.scene import Claim, EngineUse, LabScene, picture_of, started
 from game.lab.registry import scenes
 from game.lab.session.checks import after_drags, failures, lines, report
 from tests.support.lab_scenes import counting_scene, state_at
@@ -88,7 +89,11 @@ def test_the_claims_hold_after_a_thousand_drags(scene):
 
 @SCENES
 def test_pymunk_may_be_asked_anywhere(scene):
-    """With the second engine in the picture, every claim holds after forty random drags."""
+    """With the second engine in the picture, every claim holds after forty random drags; scenes say truly that they have it."""
+    given, before = lines(scene, Pymunk())[0], lines(scene)[0]
+    pictures = [picture_of(scene, one, started(scene, one)) for one in (given, before)]
+    expected = EngineUse.ALWAYS if pictures[0].formula != pictures[1].formula else EngineUse.NONE
+    assert scene.engine_use is (EngineUse.TOGGLE if Toggle.PYMUNK in pictures[0].toggles else expected)
     for given in after_drags(scene, 40, 2, Pymunk()):
         assert failures(scene, given) == ()
 

@@ -22,6 +22,7 @@ from physics import (
     signed_difference,
     to_cartesian,
 )
+from physics.narrow_phase import end_angle
 from tests.support.strategies import angles, balls, reals, rings, velocities
 
 
@@ -114,9 +115,10 @@ def test_turning_everything_turns_the_contact(case, turn):
 def test_a_mirrored_arena_has_the_mirrored_contact_to_the_bit(case):
     """Ball and ring mirrored about the x axis: same gap, same feature, conjugate normal and point. Not one bit more."""
     ball, ring, slot = case
-    # On the negative x axis, pi and -pi are one angle, which no mirror tells apart; halfway between two ends, the
-    # clockwise one is taken.
-    assume(ball.position.imag != 0.0 and ring.phase != math.pi)
+    # On the negative x axis, pi and -pi are one angle, which no mirror tells apart; neither may a ball, a ring or an end
+    # lie there. Halfway between two ends, the clockwise one is taken.
+    ends = {end_angle(ring.angle(slot), ring.half_angle, side) for side in (1, -1)}
+    assume(ball.position.imag != 0.0 and math.pi not in ends | {ring.phase})
     assume(min_difference(angle_of(ball.position), ring.angle(slot)) not in {0.0, math.pi})
     here = contact(ball, ring, slot)
     mirrored = Ring(*ring[:4], -ring.phase, -ring.spin)

@@ -1,6 +1,7 @@
 """Child processes of a test: each leads a process group of its own, which is ended with the test."""
 
 import contextlib
+import ctypes
 import os
 import re
 import signal
@@ -10,6 +11,11 @@ import time
 
 GIVE_UP = 600.0
 """Seconds after which `eventually` calls a condition false: far beyond what a busy machine needs, so only a fault meets it."""
+
+
+_LIBC = ctypes.CDLL(None) if sys.platform == "linux" else None
+_PR_SET_PDEATHSIG = 1
+"""Linux's prctl: the signal that a process gets when its parent ends."""
 
 
 class Children:
@@ -22,10 +28,11 @@ class Children:
         """A new child; the options are those of `subprocess.Popen`. On Windows only the child itself is ended.
 
         Its signals are what they are for a program started at a terminal. A shell's background commands ignore Ctrl-C,
-        those of nohup a closed terminal, and without this the child would, too.
+        those of nohup a closed terminal, and without this the child would, too. On Linux it is killed, too, when this
+        process ends before it has called `end`: a killed pytest leaves no game and no X server behind.
         """
         if sys.platform != "win32":
-            options |= {"start_new_session": True, "preexec_fn": _default_signals}
+            options |= {"start_new_session": True, "preexec_fn": _prepare}
         child = subprocess.Popen(command, **options)
         self._started.append(child)
         return child
@@ -44,8 +51,10 @@ class Children:
             child.wait()
 
 
-def _default_signals():
-    """Nothing is ignored."""
+def _prepare():
+    """In the child, before its program begins: it ignores no signal, and does not outlive this process."""
+    if _LIBC is not None:
+        _LIBC.prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
     for number in (signal.SIGHUP, signal.SIGINT, signal.SIGQUIT, signal.SIGTERM):
         signal.signal(number, signal.SIG_DFL)
 

@@ -8,6 +8,7 @@ os.environ["SDL_AUDIODRIVER"] = "dummy"
 import pygame
 
 from game.app import frame
+from game.editor.window.screen import Editor
 from game.input.keys import position_of
 from game.input.signals import KeyboardState
 from game.levels import classic
@@ -62,17 +63,23 @@ class Desk:
         pygame.event.post(pygame.Event(pygame.MOUSEBUTTONDOWN, pos=place, button=1))
         self.wait(FRAME)
 
+    @property
+    def form(self):
+        """The items in use: those of a panel, or beside the editor's arena."""
+        size = self.window.get_surface().get_size()
+        return self.screen.side(size) if isinstance(self.screen, Editor) else self.screen
+
     def box(self, label):
         """Where the item of a panel is that says something."""
         size = self.window.get_surface().get_size()
-        spots = self.screen._laid(size).spots
+        spots = self.form._laid(size).spots
         return next(spot.box for spot in spots if label in _words(spot.item))
 
     def click_on(self, label):
         """Click on the item of a panel that says something; the wheel brings it into view."""
         size = self.window.get_surface().get_size()
         for _ in range(60):
-            laid = self.screen._laid(size)
+            laid = self.form._laid(size)
             spot = next(spot for spot in laid.spots if label in _words(spot.item))
             if not spot.in_body or laid.body.collidepoint(spot.box.center):
                 break
@@ -89,10 +96,10 @@ class Desk:
 
     def focus(self, label):
         """Go to the item of a panel that says something, with arrow keys alone."""
-        laid = self.screen._laid(self.window.get_surface().get_size())
+        laid = self.form._laid(self.window.get_surface().get_size())
         wanted = next(spot for spot in laid.spots if label in _words(spot.item))
         for _ in range(100):
-            focus = self.screen._settled(laid)
+            focus = self.form._settled(laid)
             if focus == (wanted.row, wanted.column):
                 return
             sideways = pygame.K_LEFT if focus.column > wanted.column else pygame.K_RIGHT

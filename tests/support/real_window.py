@@ -210,7 +210,7 @@ class Mouse:
         elif "buttons" in seen:
             self._click_on(lambda seen: seen["buttons"][0])
         else:
-            self.choose("leave")
+            self.choose("Leave")
 
     def pause(self):
         """The button beside the arena."""

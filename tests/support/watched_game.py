@@ -18,7 +18,6 @@ import sys
 
 from game import app
 from game.__main__ import main
-from game.editor.window.layout import editor_layout
 from game.editor.window.screen import Editor
 from game.kept import games as kept_games
 from game.rules import TICK
@@ -97,8 +96,7 @@ def _described(screen, size):
     if isinstance(screen, Panel):
         return _panel(screen, size)
     if isinstance(screen, Editor):
-        boxes = editor_layout(size, screen.session).buttons
-        return {"items": {command.name: [*box.center, 0, 0, False, ""] for command, box in boxes}}
+        return {"items": _panel(screen.side(size), size)["items"]}
     if isinstance(screen, PlayScreen):
         boxes = play_buttons.button_boxes(screen._layout(size))
         seen = {"phase": screen._ticked.game.phase.name, "steers": _steers(screen), "is_kept": _is_kept(screen)}

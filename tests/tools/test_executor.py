@@ -6,6 +6,7 @@ import os
 import signal
 import sys
 import threading
+import time
 from contextlib import closing
 
 import pytest
@@ -43,6 +44,17 @@ def dies_once(path):
     return path.name
 
 
+def opens_or_waits(paths):
+    """A job that creates its own file, and then waits for another one's, a minute at most; whether that came."""
+    own, awaited = paths
+    own.touch()
+    for _ in range(6000):
+        if awaited.exists():
+            return True
+        time.sleep(0.01)
+    return False
+
+
 @pytest.fixture(autouse=True)
 def _nothing_is_left():
     """After every test."""
@@ -61,6 +73,12 @@ def test_jobs_may_go_on_for_ever():
     with closing(results(squared, itertools.count(), 2)) as answers:
         assert list(itertools.islice(answers, 9)) == [k * k for k in range(9)]
         assert len(multiprocessing.active_children()) == 2
+
+
+def test_the_last_job_is_not_left_behind_a_long_one(tmp_path):
+    """The first of three jobs ends only when the third has begun: the process that has done the second one takes it."""
+    first, third = tmp_path / "first", tmp_path / "third"
+    assert list(results(opens_or_waits, [(first, third), (first, first), (third, third)], 2)) == [True, True, True]
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no SIGKILL to send")

@@ -76,7 +76,7 @@ def codes(numbers):
 
 
 def test_both_views_are_lists_of_the_documented_primitives():
-    """The flat view has sectors, the solid one polygons alone; texts are referred to."""
+    """The flat view has sectors, the solid one prisms; texts are referred to."""
     page = page_playing()
     flat, reply = codes(page.numbers), frame(page)
     assert Primitive.SECTOR in flat
@@ -86,7 +86,8 @@ def test_both_views_are_lists_of_the_documented_primitives():
         frame(page, seconds=0.1)
     solid = codes(page.numbers)
     assert Primitive.SECTOR not in solid
-    assert solid.count(Primitive.POLYGON) > 100
+    assert solid.count(Primitive.PRISM) > 50
+    assert solid.index(Primitive.CAMERA) < solid.index(Primitive.SHADOWS) < solid.index(Primitive.PRISM)
 
 
 def test_the_backdrop_is_sent_only_when_it_changes():

@@ -16,6 +16,25 @@ from tests.support.paths import GOLDEN, ROOT
 
 TOLERANCE = (1.5, 25.0)
 """Of a picture's mean difference and of its worst block's, of 255: the desktop's shadows are softer."""
+SENT = """() => new Promise(done => {
+  const post = Worker.prototype.postMessage, next = window.requestAnimationFrame;
+  let within = false;
+  window.requestAnimationFrame = callback => next(now => {
+    within = true;
+    callback(now);
+    within = false;
+  });
+  Worker.prototype.postMessage = function (message, ...rest) {
+    if (message.request?.includes('"type":"key"')) {
+      [Worker.prototype.postMessage, window.requestAnimationFrame] = [post, next];
+      done(within);
+    }
+    return post.call(this, message, ...rest);
+  };
+  next(() => next(() => document.getElementById("picture").dispatchEvent(
+    new KeyboardEvent("keydown", { code: "ArrowLeft", key: "ArrowLeft", bubbles: true }))));
+})"""
+"""Whether a key was sent by what the browser calls at its frames."""
 SMALL = b"""
 name = "Small"
 description = "A few bricks."
@@ -58,6 +77,12 @@ def test_a_key_moves_the_paddles(page):
     page.tab.keyboard.down("ArrowLeft")
     page.wait(lambda: (page.standing()["paddle"] - moved["paddle"]) * (moved["paddle"] - before["paddle"]) < 0.0)
     page.tab.keyboard.up("ArrowLeft")
+
+
+def test_a_key_is_sent_without_waiting_for_the_browsers_next_frame(page):
+    """The request with it leaves at once, or with the reply to the one before; its picture is painted when it is there."""
+    page.go("classic/1")
+    assert page.tab.evaluate(SENT) is False
 
 
 def test_the_mouse_serves_and_the_nearest_paddle_follows_it(page):

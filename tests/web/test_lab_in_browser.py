@@ -5,11 +5,14 @@ import json
 import msgspec
 import pytest
 
+from game.lab.kit.scene import EngineUse
 from game.lab.registry import scenes
 from game.lab.session import session as sessions
 from game.lab.session.share import parsed
+from game.lab.typeset.mathml import mathml_line
 from game.web.client.messages import FrameRequest, LinkOpened, PointerChange
 from game.web.client.page import Page
+from tools.crosscheck.second_engine import Pymunk
 
 TICK = 30
 """Of the running scenes: late enough for something to have happened."""
@@ -23,11 +26,16 @@ def lines():
 
 @pytest.mark.parametrize("line", lines())
 def test_a_scene_is_the_desktops(page, line):
-    """The same values, the same state hash."""
+    """The same values, the same state hash; so it is where pymunk flies, too, which is loaded then."""
     page.go(f"lab/{line}")
-    expected = sessions.opened(parsed(line))
+    scene = parsed(line).scene
+    expected = sessions.opened(parsed(line, Pymunk() if scene.engine_use is EngineUse.ALWAYS else None))
     page.wait(lambda: page.standing().get("line") == expected.line, page.standing)
+    if expected.given.engine is not None:
+        page.wait(lambda: page.standing()["engine"] == "pymunk", page.told)
     assert page.standing()["hash"] == sessions.state_hash(expected)
+    formulas = [row.inner_html() for row in page.tab.query_selector_all("#words > div > p")]
+    assert formulas[0].count("<math>") == mathml_line(expected.picture.formula[0]).count("<math>")
 
 
 @pytest.mark.parametrize("line", lines())

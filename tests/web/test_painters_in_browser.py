@@ -2,11 +2,14 @@
 
 import base64
 import io
+import math
 
 import numpy as np
 import pygame
 import pytest
 
+from game.drawing.balls.ball import BallPictures
+from game.drawing.camera import Camera
 from game.drawing.display_list_painter import DisplayListPainter
 from game.drawing.text import Type
 from game.effects import NOTHING, Light, Wave
@@ -15,10 +18,11 @@ from game.effects.waves import WaveTone
 from game.input.view import FLAT, SOLID
 from game.levels import classic
 from game.picture.display_list import DisplayList
+from game.picture.moving.balls import BallTextures, add_ball
 from game.picture.moving.layers import add_in_air, add_on_ground
 from game.rules import ActivePower, Drop, PowerUp, Ruleset, new_game
 from game.scene import Aim, Well, scene_at, still
-from game.unlocks import PLAIN_TRAIL, TRAILS
+from game.unlocks import BALLS, PLAIN_TRAIL, TRAILS
 from physics import Ball
 from tests.support.pictures import DARK, LIGHT, camera_of, canvas_of
 
@@ -34,6 +38,19 @@ PAINT = """async ([numbers, ground, width, height]) => {
   paint(context, new Float32Array(numbers), []);
   return canvas.toDataURL();
 }"""
+COUNT = """async ([numbers, width, height]) => {
+  const { paint } = await import("./painter.js");
+  const canvas = Object.assign(document.createElement("canvas"), { width, height }), context = canvas.getContext("2d");
+  paint(context, new Float32Array(numbers), []);
+  const { data } = context.getImageData(0, 0, width, height), alphas = {}, colours = {};
+  for (let k = 0; k < data.length; k += 4) {
+    if (data[k + 3]) alphas[data[k + 3]] = (alphas[data[k + 3]] ?? 0) + 1;
+    if (data[k + 3] === 255) colours[data.subarray(k, k + 3)] = (colours[data.subarray(k, k + 3)] ?? 0) + 1;
+  }
+  return [alphas, colours];
+}"""
+"""What is painted on a transparent canvas: how many pixels have each opacity, and how many of the opaque ones each colour."""
+SQUARE = (-0.5 - 0.5j, -0.5 + 0.5j, 0.5 + 0.5j, 0.5 - 0.5j)
 
 
 def everything_that_moves():
@@ -80,3 +97,57 @@ def test_both_painters_show_the_same(page, view, theme, trail):
     apart = np.abs(blocks(canvas.surface) - blocks(on_page))
     assert apart.mean() < TOLERANCE[0]
     assert apart.max() < TOLERANCE[1]
+
+
+def counted(page, picture):
+    """What the page paints of a list on a canvas of 400 by 400 pixels."""
+    return page.tab.evaluate(COUNT, [picture.numbers.tolist(), 400, 400])
+
+
+def test_a_shadow_is_what_a_foot_passes_over_and_none_is_darker_for_lying_in_two(page):
+    """A square of side 1 that is moved by (2, 1) passes over its own area and over those of the two sides that lead."""
+    camera, picture = Camera(200 + 200j, 40.0), DisplayList()
+    picture.camera(camera, 1 + 0j, (0.4, 0.8))
+    for foot in (SQUARE, [corner - 3.0 for corner in SQUARE], SQUARE):
+        picture.shadows(foot, 1.0 + 0.5j, [(0.0, 2.0)], 0.5)
+    alphas, _colours = counted(page, picture)
+    assert alphas.keys() <= {str(alpha) for alpha in range(129)}
+    assert alphas["128"] == pytest.approx(2.0 * (1.0 + 2.0 + 1.0) * camera.scale**2, rel=0.05)
+
+
+@pytest.mark.parametrize(("light", "share"), [(1j, 0.4), (-1j, 0.8)], ids=["away from the light", "towards it"])
+def test_a_prism_is_projected_as_by_the_camera_and_its_sides_are_shaded_by_the_light(page, light, share):
+    """A cube seen from the side and above: its top, and the one side that faces the eye, in the colour's shade."""
+    camera, picture = Camera(200 + 200j, 100.0, tilt=math.radians(60.0)), DisplayList()
+    picture.camera(camera, light, (0.4, 0.8))
+    picture.slot(math.pi / 2.0)
+    picture.prism(SQUARE, 0.0, 1.0, (200, 100, 50))
+    _alphas, colours = counted(page, picture)
+    size = camera.scale**2
+    side = ",".join([str(round(part * share)) for part in (200, 100, 50)])
+    assert colours["200,100,50"] == pytest.approx(size * math.cos(camera.tilt), rel=0.03)
+    assert colours[side] == pytest.approx(size * math.sin(camera.tilt), rel=0.03)
+
+
+@pytest.mark.parametrize("skin", BALLS)
+@pytest.mark.parametrize("view", [FLAT, SOLID], ids=["flat", "solid"])
+def test_balls_have_the_desktops_skins(page, view, skin):
+    """A texture that fills discs looks as what the desktop shades pixel by pixel, for a far ball and for a near one.
+
+    Their edges differ: one picture of the desktop serves positions and radii that differ by less than a quarter of a pixel.
+    """
+    game = new_game(classic(), 1, Ruleset())
+    scene = scene_at(still(game), 1.0, NOTHING)._replace(balls=(Ball(-3.0 + 2.0j, 1j, 0.6), Ball(3.0 - 4.0j, 1j, 0.6)))
+    canvas = canvas_of(scene, SIZE, camera=camera_of(view, scene, SIZE))._replace(ball=skin)
+    canvas.surface.fill(DARK.ground)
+    BallPictures().draw(canvas, scene)
+    picture = DisplayList()
+    texture = BallTextures().texture(picture, canvas.camera, DARK, skin)
+    for ball in scene.balls:
+        add_ball(picture, ball, canvas.camera, texture)
+    ground = "#{:02x}{:02x}{:02x}".format(*DARK.ground)
+    shown = page.tab.evaluate(PAINT, [picture.numbers.tolist(), ground, *SIZE])
+    on_page = pygame.image.load(io.BytesIO(base64.b64decode(shown.split(",")[1])), "shown.png")
+    apart = np.abs(blocks(canvas.surface) - blocks(on_page))
+    assert apart.max() < 30.0
+    assert apart.sum() < 0.1 * np.abs(blocks(canvas.surface) - DARK.ground).sum()

@@ -1,9 +1,11 @@
-"""One simulated human in one level, with as many lives as it takes."""
+"""One player in one level, with as many lives as it takes: a simulated human, or the autopilot."""
 
+import math
 from collections.abc import Iterator
-from statistics import mean, median
+from statistics import mean, median, stdev
 from typing import NamedTuple
 
+from game.autopilot import Autopilot
 from game.levels import Level
 from game.rules import TICK, Controls, EventKind, Game, Phase, Ruleset, Ticked, new_game, tick
 from tools.balance.human import Human, Skill
@@ -19,7 +21,7 @@ _GIVE_UP = 30.0
 class Trial(NamedTuple):
     """How a player did in a level.
 
-    level: its name. skill: the player's. seed: of the game and of the player.
+    level: its name. skill: of the human, None for the autopilot. seed: of the game and of the human.
     cleared: whether within the time given. seconds: it took.
     lost: lives. given_up: of these, balls out of reach that were given up.
     longest_gap: seconds between two bricks with a ball in play, the longest.
@@ -27,7 +29,7 @@ class Trial(NamedTuple):
     """
 
     level: str
-    skill: Skill
+    skill: Skill | None
     seed: int
     cleared: bool
     seconds: float
@@ -38,10 +40,10 @@ class Trial(NamedTuple):
 
 
 class Job(NamedTuple):
-    """A game to be played."""
+    """A game to be played; `skill` as in `Trial`."""
 
     level: Level
-    skill: Skill
+    skill: Skill | None
     seed: int
     ruleset: Ruleset = NORMAL_RULES
 
@@ -49,12 +51,13 @@ class Job(NamedTuple):
 class Summary(NamedTuple):
     """Means over the games of one player in one level; the gap and the score are medians.
 
-    games: how many. cleared: share of them. The rest as in `Trial`.
+    games: how many. cleared: share of them. error: the standard error of `lost`, 0 for a single game. The rest as in `Trial`.
     """
 
     games: int
     cleared: float
     lost: float
+    error: float
     seconds: float
     longest_gap: float
     given_up: float
@@ -72,6 +75,7 @@ def summary(trials: list[Trial]) -> Summary:
         len(trials),
         mean([trial.cleared for trial in trials]),
         mean([trial.lost for trial in trials]),
+        standard_error([trial.lost for trial in trials]),
         mean([trial.seconds for trial in trials]),
         median([trial.longest_gap for trial in trials]),
         mean([trial.given_up for trial in trials]),
@@ -79,8 +83,13 @@ def summary(trials: list[Trial]) -> Summary:
     )
 
 
-def trial(level: Level, skill: Skill, seed: int, ruleset: Ruleset = NORMAL_RULES) -> Trial:
-    """The level played by a simulated human of some skill."""
+def standard_error(numbers: list[int]) -> float:
+    """How far the mean of numbers is from what the mean of infinitely many would be, typically; 0 for a single one."""
+    return stdev(numbers) / math.sqrt(len(numbers)) if len(numbers) > 1 else 0.0
+
+
+def trial(level: Level, skill: Skill | None, seed: int, ruleset: Ruleset = NORMAL_RULES) -> Trial:
+    """The level played by a simulated human of some skill, or by the autopilot."""
     lost = given_up = gap = longest = bonus = 0
     last: Game | None = None
     for controls, done in _ticks(level, skill, seed, ruleset):
@@ -98,12 +107,13 @@ def trial(level: Level, skill: Skill, seed: int, ruleset: Ruleset = NORMAL_RULES
     return Trial(level.name, skill, seed, cleared, last.tick * TICK, lost, given_up, longest * TICK, last.score - bonus)
 
 
-def _ticks(level: Level, skill: Skill, seed: int, ruleset: Ruleset) -> Iterator[tuple[Controls, Ticked]]:
+def _ticks(level: Level, skill: Skill | None, seed: int, ruleset: Ruleset) -> Iterator[tuple[Controls, Ticked]]:
     """The player's controls and what they led to, until the level is cleared or given up."""
     game = new_game((level,), seed, ruleset)._replace(lives=_MANY_LIVES)
-    human, untouched = Human(skill, seed), 0
+    player = Autopilot() if skill is None else Human(skill, seed)
+    untouched = 0
     while game.phase in {Phase.SERVING, Phase.PLAYING} and game.tick * TICK < _LONGEST:
-        controls = human.controls(game)._replace(give_up=untouched * TICK >= _GIVE_UP)
+        controls = player.controls(game)._replace(give_up=untouched * TICK >= _GIVE_UP)
         done = tick(game, controls)
         touched = any([event.kind == EventKind.PADDLE_HIT for event in done.events])
         untouched = 0 if touched or done.game.phase != Phase.PLAYING else untouched + 1

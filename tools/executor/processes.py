@@ -21,8 +21,6 @@ from tools.executor.lost import Lost, raised
 Job = TypeVar("Job")
 Result = TypeVar("Result")
 
-_AHEAD = 2
-"""Jobs that a process is given at a time, so that it need not wait for the next."""
 _WINDOW = 64
 """Jobs for each process that may be done before the oldest one is."""
 _ATTEMPTS = 2
@@ -40,7 +38,10 @@ class _Given(NamedTuple):
 
 
 class _Helper:
-    """One process, the jobs it has, and when it began with the oldest."""
+    """One process, the job it has, and since when.
+
+    It has one at a time: a second one would wait behind a long one while another process had nothing to do.
+    """
 
     def __init__(self, function: Callable[[Any], object]) -> None:
         """Start it."""
@@ -50,14 +51,12 @@ class _Helper:
         with interrupts_blocked():
             self.process.start()
         theirs.close()
-        self.jobs: deque[_Given] = deque()
+        self.job: _Given | None = None
         self.since = 0.0
 
     def give(self, given: _Given, now: float) -> None:
         """Hand over a job; that the process is dead is noticed when its answer is wanted."""
-        if not self.jobs:
-            self.since = now
-        self.jobs.append(given)
+        self.job, self.since = given, now
         with suppress(OSError):
             self.pipe.send(given.job)
 
@@ -84,7 +83,7 @@ class _Crew:
         """The result of a job, in a tuple of one, once it is there; None when there are no more jobs."""
         while number not in self._done:
             self._hand_out(number)
-            if not any([helper.jobs for helper in self._helpers]):
+            if all([helper.job is None for helper in self._helpers]):
                 return None
             wait([helper.pipe for helper in self._helpers], timeout=_LOOK)
             for helper in list(self._helpers):
@@ -100,18 +99,17 @@ class _Crew:
         self._helpers.clear()
 
     def _hand_out(self, wanted: int) -> None:
-        """Give every process as much as it may have, the oldest jobs first. wanted: the number of the next result."""
-        for ahead in range(_AHEAD):
-            for place in range(self._workers):
-                if place < len(self._helpers) and len(self._helpers[place].jobs) > ahead:
-                    continue
-                given = self._next(wanted)
-                if given is None:
-                    return
-                if place >= len(self._helpers):
-                    with deferred():  # or one might be started and not be known of
-                        self._helpers.append(_Helper(self._function))
-                self._helpers[min(place, len(self._helpers) - 1)].give(given, self.clock())
+        """Give every process a job, the oldest first. wanted: the number of the next result."""
+        for place in range(self._workers):
+            if place < len(self._helpers) and self._helpers[place].job is not None:
+                continue
+            given = self._next(wanted)
+            if given is None:
+                return
+            if place >= len(self._helpers):
+                with deferred():  # or one might be started and not be known of
+                    self._helpers.append(_Helper(self._function))
+            self._helpers[min(place, len(self._helpers) - 1)].give(given, self.clock())
 
     def _next(self, wanted: int) -> _Given | None:
         """The next job to be given to a process; None where there is none, or too many are done before their turn."""
@@ -125,34 +123,30 @@ class _Crew:
         return None
 
     def _look_at(self, helper: _Helper) -> None:
-        """Take what a process answers; if it is dead or too slow, end it, and have its jobs done again."""
-        while helper.jobs and helper.pipe.poll():
+        """Take what a process answers; if it is dead or too slow, end it, and have its job done again, or lost."""
+        given = helper.job
+        if given is None:
+            if not helper.process.is_alive():
+                self._bury(helper)
+        elif helper.pipe.poll():
             try:
-                answer = helper.pipe.recv()
+                self._done[given.number] = helper.pipe.recv()
+                helper.job = None
             except (EOFError, OSError):
                 helper.process.join()
-                self._bury(helper, _death(helper.process.exitcode))
-                return
-            self._done[helper.jobs.popleft().number] = answer
-            helper.since = self.clock()
-        if helper.jobs and self._limit is not None and self.clock() - helper.since > self._limit:
-            slow = helper.jobs.popleft()
-            self._done[slow.number] = Lost(f"no answer within {self._limit:g} s")
-            self._bury(helper, "")
-        elif not helper.jobs and not helper.process.is_alive():
-            self._bury(helper, "")
+                if given.deaths + 1 >= _ATTEMPTS:
+                    self._done[given.number] = Lost(_death(helper.process.exitcode))
+                else:
+                    self._again.append(given._replace(deaths=given.deaths + 1))
+                self._bury(helper)
+        elif self._limit is not None and self.clock() - helper.since > self._limit:
+            self._done[given.number] = Lost(f"no answer within {self._limit:g} s")
+            self._bury(helper)
 
-    def _bury(self, helper: _Helper, why: str) -> None:
-        """A process is gone: its first job is what it died of, where `why` says how; the others are only to be done again."""
+    def _bury(self, helper: _Helper) -> None:
+        """A process is gone, or is to go."""
         self._helpers.remove(helper)
         helper.end()
-        if why and helper.jobs:
-            fatal = helper.jobs.popleft()
-            if fatal.deaths + 1 >= _ATTEMPTS:
-                self._done[fatal.number] = Lost(why)
-            else:
-                helper.jobs.appendleft(fatal._replace(deaths=fatal.deaths + 1))
-        self._again.extend(helper.jobs)
 
 
 def process_results(

@@ -16,12 +16,12 @@ from game.system.errors import BadInputError
 from game.system.files import check_target, check_working_directory, write_whole
 from game.system.output import say, tell
 from game.system.wording import quoted
-from tools.balance.commands import parsed_skills
+from tools.balance.players import AUTOPILOT, parsed_skills
 from tools.executor import Where, results, sure
 from tools.executor.options import ClusterOption, WorkersOption, where
 from tools.sweep.journal import Journal, add
 from tools.sweep.plan import Axes, Plan, grid, sample
-from tools.sweep.play import AUTOPILOT, Row, played
+from tools.sweep.play import Row, played
 from tools.sweep.table import PointSummary, check_table, summaries, write_table
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
@@ -117,9 +117,8 @@ def _swept(plan: Plan, out: Path, plot: Path | None, place: Where, *, resume: bo
 
 def _players(text: str) -> list[str]:
     """The players that an option names; BadInputError for what is none."""
-    names = text.split(",")
-    parsed_skills(",".join([name for name in names if name != AUTOPILOT]) or "0/0")
-    return names
+    parsed_skills(text)
+    return text.split(",")
 
 
 def _factors(option: str, text: str) -> list[float]:

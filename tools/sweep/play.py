@@ -4,11 +4,9 @@ from typing import NamedTuple, Protocol
 
 from game.autopilot import Autopilot
 from game.rules import TICK, Controls, EventKind, Game, Phase, new_game, tick
-from tools.balance.commands import parsed_skills
 from tools.balance.human import Human
+from tools.balance.players import parsed_skills
 from tools.sweep.plan import SweepJob
-
-AUTOPILOT = "autopilot"
 
 
 class SweepPlayer(Protocol):
@@ -78,4 +76,5 @@ def played(job: SweepJob) -> Row:
 
 def player(name: str, seed: int) -> SweepPlayer:
     """The player of a name."""
-    return Autopilot() if name == AUTOPILOT else Human(parsed_skills(name)[0], seed)
+    skill = parsed_skills(name)[0]
+    return Autopilot() if skill is None else Human(skill, seed)

@@ -8,7 +8,7 @@ import cmath
 import math
 from typing import NamedTuple
 
-from game.drawing.palette import Colour, Theme, luminance, mixed
+from game.drawing.palette import Colour, Theme, luminance
 from game.rules import HARMFUL, PowerUp
 
 _EDGE = 0.12
@@ -97,22 +97,31 @@ _COLOURS: dict[PowerUp, Colour] = {
     PowerUp.SHIELD: (96, 226, 226),
     PowerUp.PIERCE: (255, 244, 176),
 }
-_DARKER = 0.42
-"""On light grounds a chip's colour is this share of the way to black."""
+_COLOURS_ON_LIGHT: dict[PowerUp, Colour] = {
+    PowerUp.MULTI_BALL: (188, 112, 0),
+    PowerUp.WIDE: (0, 138, 66),
+    PowerUp.NARROW: (214, 32, 40),
+    PowerUp.SLOW: (0, 108, 224),
+    PowerUp.FAST: (224, 78, 0),
+    PowerUp.STICKY: (124, 62, 222),
+    PowerUp.LIFE: (222, 26, 122),
+    PowerUp.SHIELD: (0, 134, 156),
+    PowerUp.PIERCE: (112, 88, 20),
+}
+"""The same hues, as bright as a contrast of 3 to a light ground allows."""
 _INK: Colour = (14, 16, 26)
 _PAPER: Colour = (255, 255, 255)
 
 
 def power_colour(kind: PowerUp, theme: Theme) -> Colour:
     """The colour of a power-up's chip, in contrast to the ground."""
-    own = _COLOURS[kind]
-    return own if luminance(theme.ground) < 0.5 else mixed(own, (0, 0, 0), _DARKER)
+    return (_COLOURS if luminance(theme.ground) < 0.5 else _COLOURS_ON_LIGHT)[kind]
 
 
 def chip(kind: PowerUp, theme: Theme) -> tuple[SignShape, ...]:
     """A power-up's chip with its sign, from the back to the front."""
     colour = power_colour(kind, theme)
-    ink = _INK if luminance(colour) > 0.25 else _PAPER
+    ink = _INK if luminance(colour) > 0.3 else _PAPER
     edge = _star() if kind in HARMFUL else _disc(0j, 1.0, 64)
     shapes = [SignShape(edge, ink), SignShape(_scaled(edge, 1.0 - _EDGE), colour)]
     share = _SHAPE * (0.88 if kind in HARMFUL else 1.0)

@@ -6,7 +6,8 @@ from typing import NamedTuple
 import numpy as np
 import pygame
 
-from game.drawing.balls.skins import surface_colours
+from game.array_maths import ARRAYS
+from game.drawing.balls.shading import shaded
 from game.drawing.camera import Camera
 from game.drawing.canvas import Canvas
 from game.drawing.light import ScreenLight, ball_light
@@ -19,32 +20,28 @@ from physics import Ball
 
 _OFFSETS = 4
 """Positions within a pixel, across and down each, that a ball has a picture for."""
-_SIZES = 4
-"""Radii within a pixel that a ball has a picture for."""
+_SIZES, _LARGE_SIZES, _LARGE = 4, 2, 12.0
+"""Radii within a pixel that a ball has a picture for; and those that a large one has, with a radius of so many pixels."""
 _MOST_PICTURES = 512
 """Pictures cached: of every radius from the arena's far side to the near one, at every position within a pixel."""
 _MARGIN = 2.0
 """Blocks this many pixels around a ball are looked at, for they may hide it."""
 _FINER = 4
 """Rows and columns per pixel of the drawing that tells how much of a pixel is hidden."""
-_DARK = (20, 30, 70)
-"""The side turned from the light is this colour's, by the share that follows; the highlight is white."""
-_DARK_SHARE = 0.55
-_WHITE = np.array((255.0, 255.0, 255.0))
 
 
 class _BallLook(NamedTuple):
     """What a ball's picture depends on.
 
     theme, light: as everywhere. skin: its name.
-    size: radius, in steps of which there are _SIZES per pixel.
+    radius: pixels.
     across, down: offset of the centre within its pixel, in steps of which there are _OFFSETS per pixel.
     """
 
     theme: Theme
     light: ScreenLight
     skin: str
-    size: int
+    radius: float
     across: int
     down: int
 
@@ -60,15 +57,15 @@ class BallPictures:
         """All balls of a scene, from back to front. blocks: what may hide them."""
         camera = canvas.camera
         for ball in sorted(scene.balls, key=lambda ball: -(ball.position * camera.turning).imag):
-            self._draw_ball(canvas, ball, blocks)
+            self.draw_ball(canvas, ball, blocks)
 
-    def _draw_ball(self, canvas: Canvas, ball: Ball, blocks: ProjectedBlocks | None) -> None:
-        """One ball."""
+    def draw_ball(self, canvas: Canvas, ball: Ball, blocks: ProjectedBlocks | None = None) -> None:
+        """One ball. blocks: what may hide it."""
         camera = canvas.camera
         centre, radius = _on_screen(ball, camera)
         left, top = math.floor(centre.real), math.floor(centre.imag)
         across, down = int((centre.real - left) * _OFFSETS), int((centre.imag - top) * _OFFSETS)
-        picture = self._picture(_BallLook(canvas.theme, ball_light(camera), canvas.ball, round(radius * _SIZES), across, down))
+        picture = self._picture(_BallLook(canvas.theme, ball_light(camera), canvas.ball, _stepped(radius), across, down))
         corner = complex(left - picture.get_width() // 2, top - picture.get_height() // 2)
         if blocks is not None:
             hidden = occluding_quads(blocks, camera, ball.position, centre, radius + _MARGIN)
@@ -90,27 +87,24 @@ def _on_screen(ball: Ball, camera: Camera) -> tuple[complex, float]:
     return camera.project(ball.position, ball.radius), ball.radius * camera.scale_at(ball.position, ball.radius)
 
 
+def _stepped(radius: float) -> float:
+    """The radius that a ball's picture has, pixels: the same picture serves radii that look the same."""
+    steps = _SIZES if radius < _LARGE else _LARGE_SIZES
+    return round(radius * steps) / steps
+
+
 def _ball_picture(look: _BallLook) -> pygame.Surface:
     """A shaded ball on a transparent square with an odd side, its centre in the middle pixel."""
-    theme, light, radius = look.theme, look.light, look.size / _SIZES
+    theme, light, radius = look.theme, look.light, look.radius
     reach = math.ceil(radius) + 2
     side = 2 * reach + 1
-    pixels = np.arange(side, dtype=np.float64) + 0.5 - reach
-    right = (pixels - (look.across + 0.5) / _OFFSETS)[:, None] / max(radius, 0.5)
-    up = ((look.down + 0.5) / _OFFSETS - pixels)[None, :] / max(radius, 0.5)
-    distance = np.hypot(right, up)
-    out = np.sqrt(np.maximum(1.0 - distance * distance, 0.0))
-    facing = right * light.right + up * light.up + out * light.out
-    own, gloss = surface_colours(look.skin, theme, right, up)
-    shade = np.clip(0.5 + 0.6 * facing, 0.0, 1.0)[:, :, None] ** 1.3
-    shine = np.clip(2.0 * out * facing - light.out, 0.0, 1.0)[:, :, None] ** 24.0
-    dark = own + (np.array(_DARK, dtype=np.float64) - own) * _DARK_SHARE
-    rgb = dark + (own - dark) * shade
-    rgb += (_WHITE - rgb) * gloss * shine
+    pixels = np.arange(side, dtype=np.float32) + np.float32(0.5 - reach)
+    right = (pixels - np.float32((look.across + 0.5) / _OFFSETS))[:, None] / np.float32(max(radius, 0.5))
+    up = (np.float32((look.down + 0.5) / _OFFSETS) - pixels)[None, :] / np.float32(max(radius, 0.5))
     picture = pygame.Surface((side, side), pygame.SRCALPHA)
-    pygame.surfarray.pixels3d(picture)[:] = rgb.astype(np.uint8)
-    cover = np.clip((1.0 - distance) * radius + 0.5, 0.0, 1.0)
-    pygame.surfarray.pixels_alpha(picture)[:] = (cover * 255.0).astype(np.uint8)
+    pygame.surfarray.pixels3d(picture)[:] = np.stack(shaded(ARRAYS, look.skin, theme, light, right, up), axis=2)
+    cover = np.clip((1.0 - np.hypot(right, up)) * radius + 0.5, 0.0, 1.0)
+    pygame.surfarray.pixels_alpha(picture)[:] = cover * 255.0
     return picture
 
 

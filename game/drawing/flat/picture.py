@@ -1,43 +1,39 @@
 """The ground and all rings from straight above.
 
-What rests is drawn once: the ground with the rings that do not turn. When a brick there changes, only the rings are drawn
-again. What turns is drawn afresh in every frame.
+The ground with the wall's rings on it is a backdrop that outlives a frame: of a ring that turns, or whose bricks change, only
+the pixels are drawn again that look different. The paddles are drawn over it in every frame.
 """
 
-from bisect import bisect_right
-from collections import OrderedDict
+import math
 from typing import NamedTuple
 
 import pygame
 
 from game.drawing.canvas import Canvas
-from game.drawing.flat.ring import RingKey, RingPicture, least_lane, ring_key, shift_of
+from game.drawing.flat.band_pixels import BandKey, BandPixels, band_pixels
+from game.drawing.flat.ring import BackdropRing, draw_over
+from game.drawing.flat.slot_atlas import AtlasKey, SlotAtlas, atlas_key
 from game.drawing.ground.measures import Ground
 from game.drawing.ground.picture import draw_pattern, ground_picture
-from game.drawing.slots.contents import ContentKind, Contents, SlotContent
+from game.drawing.slots.contents import Contents
 from game.rules import PADDLES
 from game.scene import Scene
 
-_MOST_RINGS = 96
-"""Pictures of rings cached; more than one arena may be on the screen."""
 _RECOIL = (0.01, 0.035)
 """How far paddles recoil at most, inwards and outwards, in shares of their radius; beyond that a recoil is cut off."""
-_EMPTY = SlotContent(ContentKind.EMPTY)
 
 
-class _RestingPicture(NamedTuple):
-    """The ground with the rings that do not turn, and what it shows.
+class _Backdrop(NamedTuple):
+    """The ground with the wall's rings.
 
-    key: surface, camera, theme, ground and rings.
-    contents: of these rings.
-    ground: without them.
-    picture: with them; both are as large as the surface.
+    key: what it depends on, but for the rings' angles and contents.
+    picture: as large as the surface.
+    rings: of the wall, by their indices.
     """
 
     key: tuple[object, ...]
-    contents: Contents
-    ground: pygame.Surface
     picture: pygame.Surface
+    rings: dict[int, BackdropRing]
 
 
 class FlatPicture:
@@ -45,64 +41,61 @@ class FlatPicture:
 
     def __init__(self) -> None:
         """Start with nothing cached."""
-        self._resting: _RestingPicture | None = None
-        self._rings: OrderedDict[RingKey, RingPicture] = OrderedDict()
+        self._backdrop: _Backdrop | None = None
+        self._paddles: dict[tuple[int, float], SlotAtlas] = {}  # by their rings' indices and their half angles
+        self._bands: dict[BandKey, BandPixels] = {}  # of paddles
 
     def draw(self, canvas: Canvas, scene: Scene, contents: Contents) -> None:
         """Cover a 32-bit surface. contents: of all slots, per ring. The canvas' offset leaves the arena on the surface."""
-        self._draw_resting(canvas, scene, contents)
-        for k, ring in enumerate(scene.rings):
-            if k == scene.second_paddle or (k != PADDLES and ring.spin):
-                self._ring(canvas, scene, k).draw(canvas.surface, ring.phase, contents[k], shift=shift_of(canvas))
-        self._draw_paddles(canvas, scene, contents[PADDLES])
+        backdrop = self._backdrop_of(canvas, scene)
+        for k, ring in backdrop.rings.items():
+            ring.draw(backdrop.picture, scene.rings[k].phase, contents[k])
+        canvas.cover(backdrop.picture)
+        if scene.second_paddle is not None:
+            self._draw_paddles(canvas, scene, scene.second_paddle, contents, {})
+        self._draw_paddles(canvas, scene, PADDLES, contents, {recoil.slot: recoil.out for recoil in scene.recoils})
 
-    def _draw_resting(self, canvas: Canvas, scene: Scene, contents: Contents) -> None:
-        """The ground and the rings at rest, from memory as far as they are the same."""
-        resting = [k for k, ring in enumerate(scene.rings) if k not in (PADDLES, scene.second_paddle) and not ring.spin]
-        now = tuple([contents[k] for k in resting])
-        rings = tuple([(k, scene.rings[k]) for k in resting])
+    def _backdrop_of(self, canvas: Canvas, scene: Scene) -> _Backdrop:
+        """The backdrop, from memory if it is the same but for the rings' angles and contents."""
         ground = Ground(scene.ground_radius, scene.rings[PADDLES].radius, scene.ground)
-        key = (canvas.size, canvas.camera, canvas.theme, ground, rings)
-        cached = self._resting
-        if cached is None or cached.key != key:
-            self._rings.clear()
-            empty = ground_picture(canvas, ground)
-            draw_pattern(canvas._replace(surface=empty), ground)
-            cached = _RestingPicture(key, ((),) * len(resting), empty, empty.copy())
-        before = dict(zip(resting, cached.contents, strict=True))
-        if cached.contents != now and min(_lanes(scene)) < least_lane(canvas.camera.scale):
-            before = dict.fromkeys(resting, ())  # the borders of rings that are so close overlap, and the last one drawn wins
-        for k, shown in before.items():
-            if shown != contents[k]:
-                self._ring(canvas, scene, k).draw(cached.picture, scene.rings[k].phase, contents[k], cached.ground, shown)
-        self._resting = cached._replace(contents=now)
-        canvas.cover(cached.picture)
+        wall = {k: ring[:4] for k, ring in enumerate(scene.rings) if k not in (PADDLES, scene.second_paddle)}
+        key = (canvas.size, canvas.camera, canvas.theme, ground, scene.tallest, wall)
+        if self._backdrop is None or self._backdrop.key != key:
+            self._paddles.clear()
+            self._bands.clear()
+            picture = ground_picture(canvas, ground)
+            draw_pattern(canvas._replace(surface=picture), ground)
+            rings = {k: BackdropRing(SlotAtlas(_atlas_key(canvas, scene, k)), picture) for k in wall}
+            self._backdrop = _Backdrop(key, picture, rings)
+        return self._backdrop
 
-    def _draw_paddles(self, canvas: Canvas, scene: Scene, contents: tuple[SlotContent, ...]) -> None:
-        """The paddles in their slots, and over them those that were struck."""
-        paddles, shift = scene.rings[PADDLES], shift_of(canvas)
-        picture = self._ring(canvas, scene, PADDLES)
-        out = {recoil.slot: recoil.out for recoil in scene.recoils}
-        still = tuple([_EMPTY if slot in out else content for slot, content in enumerate(contents)])
-        picture.draw(canvas.surface, paddles.phase, still, shift=shift)
-        if out:
-            picture.draw_moved(canvas.surface, paddles.phase, contents, out, shift)
+    def _draw_paddles(self, canvas: Canvas, scene: Scene, k: int, contents: Contents, out: dict[int, float]) -> None:
+        """Draw a ring of paddles over the backdrop. out: those that were struck, and how far they are out of their slots."""
+        atlas = self._atlas_of_paddles(canvas, scene, k)
+        band = self._band(atlas.wide_band if out else atlas.band)
+        draw_over(canvas, band, atlas, atlas.columns(canvas.surface, scene.rings[k].phase, contents[k], out))
 
-    def _ring(self, canvas: Canvas, scene: Scene, k: int) -> RingPicture:
-        """The picture of one ring."""
+    def _atlas_of_paddles(self, canvas: Canvas, scene: Scene, k: int) -> SlotAtlas:
+        """The pictures of a ring of paddles."""
         ring = scene.rings[k]
-        room = (_RECOIL[0] * ring.radius, _RECOIL[1] * ring.radius) if k == PADDLES else (0.0, 0.0)
-        key = ring_key(canvas, ring, scene.tallest[k], scene.ground_radius, _lanes(scene)[k], room)
-        picture = self._rings.get(key)
-        if picture is None:
-            picture = self._rings[key] = RingPicture(key)
-            if len(self._rings) > _MOST_RINGS:
-                self._rings.popitem(last=False)
-        return picture
+        key = k, ring.half_angle
+        if key not in self._paddles:
+            room = _RECOIL[0] * ring.radius, _RECOIL[1] * ring.radius
+            atlas = SlotAtlas(_atlas_key(canvas, scene, k)._replace(lane=(0.0, math.inf), room=room))
+            self._band(atlas.wide_band)  # found before it is needed, for that takes long
+            self._paddles[key] = atlas
+        return self._paddles[key]
+
+    def _band(self, key: BandKey) -> BandPixels:
+        """The pixels of a band; paddles that grow or shrink have the same."""
+        if key not in self._bands:
+            self._bands[key] = band_pixels(key)
+        return self._bands[key]
 
 
-def _lanes(scene: Scene) -> list[float]:
-    """For every ring the distance to the next one outwards, or to the rim, world units."""
-    end = max(scene.ground_radius, *[ring.outer_radius for ring in scene.rings])  # the editor draws rings beyond the rim, too
-    edges = sorted([*[ring.inner_radius for ring in scene.rings], end])
-    return [edges[bisect_right(edges, ring.radius)] - ring.outer_radius for ring in scene.rings]
+def _atlas_key(canvas: Canvas, scene: Scene, k: int) -> AtlasKey:
+    """The key of the pictures of a ring's slots, which goes as far as to the next rings on both sides."""
+    ring, rim = scene.rings[k], max(scene.ground_radius, *[ring.outer_radius for ring in scene.rings])
+    inwards = max([other.outer_radius for other in scene.rings if other.outer_radius < ring.radius], default=0.0)
+    outwards = min([other.inner_radius for other in scene.rings if other.inner_radius > ring.radius], default=rim)
+    return atlas_key(canvas, ring, scene.tallest[k], scene.ground_radius, (inwards, outwards))

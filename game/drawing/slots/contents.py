@@ -59,7 +59,7 @@ _PADDLE_KINDS = (
     (ContentKind.SECOND_PADDLE, ContentKind.STICKY_SECOND_PADDLE),
 )
 """Of each player: without and with glue."""
-_EMPTY, _PADDLE, _STEEL = SlotContent(ContentKind.EMPTY), SlotContent(ContentKind.PADDLE), SlotContent(ContentKind.STEEL)
+_EMPTY, _STEEL = SlotContent(ContentKind.EMPTY), SlotContent(ContentKind.STEEL)
 
 
 def slot_contents(scene: Scene) -> Contents:
@@ -74,7 +74,7 @@ def slot_contents(scene: Scene) -> Contents:
 def resting_contents(layers: tuple[tuple[int, ...], ...], tints: tuple[tuple[int, ...], ...] = ()) -> Contents:
     """What stands in the slots while nothing glows. layers: per ring and slot, as in `physics.Arena`; tints: as in `Scene`."""
     wall = [_tinted(_resting(ring), _tints_of(k, tints)) for k, ring in enumerate(layers[PADDLES + 1 :], PADDLES + 1)]
-    return (paddle_contents(len(layers[PADDLES]), []), *wall)
+    return (_paddles(len(layers[PADDLES]), _PADDLE_KINDS[0][0]), *wall)
 
 
 def _ring_contents(scene: Scene, k: int, flashes: list[Flash]) -> tuple[SlotContent, ...]:
@@ -83,7 +83,7 @@ def _ring_contents(scene: Scene, k: int, flashes: list[Flash]) -> tuple[SlotCont
     if k in (PADDLES, scene.second_paddle):
         player = int(k != PADDLES)
         sticky = any([power.kind == PowerUp.STICKY and power.player == player for power in scene.powers])
-        return _renamed(paddle_contents(len(layers), flashes), ContentKind.PADDLE, _PADDLE_KINDS[player][sticky])
+        return _paddles(len(layers), _PADDLE_KINDS[player][sticky])
     contents = wall_contents(layers, flashes)
     if scene.entry is not None:
         contents = _entering(scene, k, contents, scene.entry)
@@ -129,12 +129,10 @@ def _renamed(contents: tuple[SlotContent, ...], before: ContentKind, after: Cont
     return tuple([content._replace(kind=after) if content.kind is before else content for content in contents])
 
 
-def paddle_contents(count: int, flashes: list[Flash]) -> tuple[SlotContent, ...]:
-    """The contents of the paddles' ring. flashes: of this ring."""
-    contents = [_PADDLE] * count
-    for flash in flashes:
-        contents[flash.slot] = _PADDLE._replace(glow=_glow(flash))
-    return tuple(contents)
+@lru_cache(maxsize=16)
+def _paddles(count: int, kind: ContentKind) -> tuple[SlotContent, ...]:
+    """The contents of the paddles' ring. They do not glow as a whole: `game.picture.moving.glints` lights what was hit."""
+    return (SlotContent(kind),) * count
 
 
 def wall_contents(layers: tuple[int, ...], flashes: list[Flash]) -> tuple[SlotContent, ...]:

@@ -8,52 +8,57 @@ from game.drawing.camera import Camera
 from game.drawing.canvas import Canvas
 from game.drawing.painter import Painter
 from game.drawing.palette import Colour
+from game.drawing.raster.primitives import draw_circle
 from game.editor.session import EditorSession
 from game.editor.symmetry import images
+from game.editor.wells import position_of
 from game.effects import NOTHING
 from game.levels import Level, RingSpec
-from game.rules import new_game
+from game.rules import Ruleset, new_game
 from game.scene import scene_at, still
 
 _ARC_DEGREES = 3.0
 """An arc is drawn as a line with a corner at least so often."""
-_CHOSEN_WIDTH, _SLOT_WIDTH, _CURSOR_WIDTH = 0.12, 0.2, 0.4
+_PLAIN_WIDTH, _SLOT_WIDTH, _CURSOR_WIDTH = 0.12, 0.16, 0.26
 """Of outlines, in units of text."""
-
-
-def slot_at(level: Level, point: complex) -> tuple[int, int] | None:
-    """Ring and slot whose part of the turn a point of the world is in; None where there is no ring."""
-    distance, angle = abs(point), math.degrees(math.atan2(point.imag, point.real))
-    for index, ring in enumerate(level.rings):
-        if abs(distance - ring.radius) <= ring.half_width:
-            return index, round((angle - ring.phase) * ring.count / 360.0) % ring.count
-    return None
+_HANDLE = 0.6
+"""Radius of a circle around a gravity well's middle, in units of text."""
 
 
 def draw_arena(canvas: Canvas, painter: Painter, level: Level) -> None:
     """The level before its first serve. Raises ValueError for a level that the physics does not take."""
-    scene = scene_at(still(new_game((level,), 0)), 1.0, NOTHING)._replace(aim=None)
+    scene = scene_at(still(new_game((level,), 0, Ruleset())), 1.0, NOTHING)._replace(aim=None)
     painter.paint(canvas, scene)
 
 
-def draw_outlines(canvas: Canvas, session: EditorSession, at: tuple[int, int] | None, colour: Colour) -> None:
-    """The chosen ring's edges, and in a colour the slots that a stroke would paint. at: ring and slot of it; None for none."""
-    rings = session.document.level.rings
-    chosen = rings[session.ring]
-    for radius in (chosen.radius - chosen.half_width, chosen.radius + chosen.half_width):
-        _draw_circle(canvas, radius, canvas.theme.faint, _CHOSEN_WIDTH)
-    if at is not None:
-        ring, middle = at
-        for slot in images(rings[ring], middle, session.symmetry):
-            _draw_slot(canvas, rings[ring], slot, _CURSOR_WIDTH if slot == middle else _SLOT_WIDTH, colour)
+def draw_outlines(canvas: Canvas, session: EditorSession, at: tuple[int, int], colour: Colour) -> None:
+    """The slots that a stroke would paint. at: ring and slot of it."""
+    number, middle = at
+    ring = session.document.level.rings[number]
+    for slot in images(ring, middle, session.symmetry):
+        _draw_slot(canvas, ring, slot, _CURSOR_WIDTH if slot == middle else _SLOT_WIDTH, colour)
 
 
-def _draw_circle(canvas: Canvas, radius: float, colour: Colour, width: float) -> None:
-    """A circle about the centre. radius: world units."""
-    pixels = [_pixel(canvas.camera, radius, angle * _ARC_DEGREES) for angle in range(round(360.0 / _ARC_DEGREES))]
-    pygame.draw.aalines(canvas.surface, colour, closed=True, points=pixels)
-    if canvas.unit * width >= 2.0:
-        pygame.draw.lines(canvas.surface, colour, True, pixels, round(canvas.unit * width))
+def draw_ring(canvas: Canvas, ring: RingSpec, colour: Colour, width: float) -> None:
+    """A ring's edges. width: of the line, units of text."""
+    for radius in (ring.radius - ring.half_width, ring.radius + ring.half_width):
+        _draw_circle(canvas, radius, colour, width)
+
+
+def draw_wells(canvas: Canvas, session: EditorSession, pointed: int | None, colour: Colour) -> None:
+    """Where all gravity wells end, the chosen one's in a colour. pointed: index of the one that the mouse is on."""
+    for index, well in enumerate(session.document.level.wells):
+        chosen, middle = index == session.well, position_of(well)
+        shown, width = (colour, _SLOT_WIDTH) if chosen or index == pointed else (canvas.theme.faint, _PLAIN_WIDTH)
+        for radius in (well.reach, canvas.unit * _HANDLE / canvas.camera.scale):
+            _draw_circle(canvas, radius, shown, width, middle)
+
+
+def _draw_circle(canvas: Canvas, radius: float, colour: Colour, width: float, middle: complex = 0j) -> None:
+    """A circle. radius, middle: world units; width: of the line, units of text."""
+    line = max(canvas.unit * width, 1.0)
+    pixels = canvas.camera.scale * radius + line / 2.0
+    draw_circle(canvas.surface, canvas.camera.project(middle), max(pixels, 1.0), line, colour)
 
 
 def _draw_slot(canvas: Canvas, ring: RingSpec, slot: int, width: float, colour: Colour) -> None:
@@ -64,6 +69,7 @@ def _draw_slot(canvas: Canvas, ring: RingSpec, slot: int, width: float, colour: 
     outer = [_pixel(canvas.camera, ring.radius + ring.half_width, angle) for angle in angles]
     inner = [_pixel(canvas.camera, ring.radius - ring.half_width, angle) for angle in reversed(angles)]
     line = max(round(canvas.unit * width), 1)
+    pygame.draw.lines(canvas.surface, canvas.theme.background, True, [*outer, *inner], line + 2 * max(round(line / 2), 1))
     pygame.draw.lines(canvas.surface, colour, True, [*outer, *inner], line)
 
 

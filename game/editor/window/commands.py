@@ -1,17 +1,51 @@
 """The editor's commands: what each changes, and the keys and the gamepad's buttons that give it."""
 
 from collections.abc import Callable
+from typing import NamedTuple
 
 import pygame
 
-from game.editor import cursor
+from game.editor import cursor, wells
 from game.editor import session as editing
 from game.editor.session import EditorSession
 from game.editor.symmetry import FOLDS
 from game.input.keys import Action
+from game.language import tr_noop
 from physics import PERMANENT
 
 _ASCII = 128
+LAYERS = (None, *range(1, 10), 0, PERMANENT)
+TINTS = (None, *range(9))
+"""Layers and colours of the brush to choose from; the first of each leaves what is there."""
+
+
+class Command(NamedTuple):
+    """Something that a button or a key does.
+
+    label: what the button says, nothing where it says more. key: what does the same. tip: a sentence.
+    """
+
+    label: str
+    key: str
+    tip: str = ""
+
+
+COMMANDS = {
+    "fill": Command(tr_noop("Fill ring"), "F", tr_noop("Puts the brush into every slot of the chosen ring.")),
+    "take": Command(tr_noop("Take brush"), "P", tr_noop("The brush becomes what is under the cursor.")),
+    "copy": Command(tr_noop("Copy bricks"), tr_noop("Ctrl+C"), tr_noop("Remembers the ring's bricks, from the cursor on.")),
+    "paste": Command(tr_noop("Paste bricks"), tr_noop("Ctrl+V"), tr_noop("Puts them on the chosen ring, from the cursor on.")),
+    "add": Command(tr_noop("Copy ring"), "Ins", tr_noop("Another ring like this one, outside of all others.")),
+    "remove": Command(tr_noop("Remove ring"), "Del"),
+    "add-well": Command(tr_noop("Add well"), "Ins", tr_noop("A gravity well like the chosen one, further around.")),
+    "remove-well": Command(tr_noop("Remove well"), "Del"),
+    "undo": Command("", tr_noop("Ctrl+Z")),
+    "redo": Command("", tr_noop("Ctrl+Y")),
+    "test": Command(tr_noop("Play-test"), "F5", tr_noop("Plays the level; Esc there comes back.")),
+    "save": Command(tr_noop("Save"), tr_noop("Ctrl+S"), tr_noop("Comments in the file stay.")),
+    "help": Command(tr_noop("Help"), "F1", tr_noop("Every key and button.")),
+    "leave": Command(tr_noop("Leave"), "Esc", tr_noop("Asks first where changes are not saved.")),
+}
 
 
 def _mirrored(session: EditorSession) -> EditorSession:
@@ -19,15 +53,20 @@ def _mirrored(session: EditorSession) -> EditorSession:
     return session._replace(symmetry=session.symmetry._replace(mirrored=not session.symmetry.mirrored))
 
 
-def folded(session: EditorSession, steps: int = 1) -> EditorSession:
-    """The session with the next number of rotations, or the one before."""
-    fold = next_of(FOLDS, session.symmetry.fold, steps)
+def _folded(session: EditorSession) -> EditorSession:
+    """The session with the next number of rotations."""
+    fold = FOLDS[(FOLDS.index(session.symmetry.fold) + 1) % len(FOLDS)]
     return session._replace(symmetry=session.symmetry._replace(fold=fold))
 
 
-def next_of(choices: tuple[int, ...], present: int, steps: int) -> int:
-    """The choice some steps further, round at the end."""
-    return choices[(choices.index(present) + steps) % len(choices)]
+def relayered(session: EditorSession, steps: int) -> EditorSession:
+    """The session with other layers of the brush, so many further, round at the end."""
+    return editing.brushed(session, LAYERS[(LAYERS.index(session.brush.layers) + steps) % len(LAYERS)])
+
+
+def recoloured(session: EditorSession, steps: int) -> EditorSession:
+    """The session with another colour of the brush, so many further, round at the end."""
+    return editing.tinted(session, TINTS[(TINTS.index(session.brush.tint) + steps) % len(TINTS)])
 
 
 def layers_of(event: pygame.Event) -> int | None:
@@ -45,10 +84,12 @@ CHANGES: dict[str, Callable[[EditorSession], EditorSession]] = {
     "undo": editing.undone,
     "redo": editing.redone,
     "mirror": _mirrored,
-    "fold": folded,
+    "fold": _folded,
     "copy": cursor.with_bricks_copied,
     "paste": cursor.with_bricks_pasted,
     "take": cursor.with_brush_of_slot,
+    "add-well": wells.with_well_added,
+    "remove-well": wells.with_well_removed,
 }
 COMMAND_KEYS = {
     pygame.K_INSERT: "add",
@@ -63,9 +104,24 @@ COMMAND_KEYS = {
     pygame.K_h: "help",
     pygame.K_ESCAPE: "leave",
 }
-CONTROL_KEYS = {pygame.K_z: "undo", pygame.K_s: "save", pygame.K_c: "copy", pygame.K_v: "paste"}
+OF_WELLS = {"add": "add-well", "remove": "remove-well"}
+"""What commands for rings mean where gravity wells are edited."""
+COLOUR_KEY = pygame.K_t
+CONTROL_KEYS = {
+    pygame.K_z: "undo",
+    pygame.K_y: "redo",
+    pygame.K_s: "save",
+    pygame.K_c: "copy",
+    pygame.K_v: "paste",
+}
 """Keys that give a command together with Ctrl."""
-COMMAND_ACTIONS = {Action.PAUSE: "test", Action.HELP: "help", Action.BACK: "leave"}
+COMMAND_ACTIONS = {
+    Action.PAUSE: "test",
+    Action.HELP: "help",
+    Action.ZOOM_OUT: "undo",
+    Action.ZOOM_IN: "redo",
+    Action.BACK: "leave",
+}
 """Commands that a gamepad gives."""
 DIRECTIONS = {
     pygame.K_LEFT: Action.LEFT,
@@ -73,5 +129,9 @@ DIRECTIONS = {
     pygame.K_UP: Action.UP,
     pygame.K_DOWN: Action.DOWN,
 }
+PAGES = {pygame.K_PAGEUP: -1, pygame.K_PAGEDOWN: 1}
+"""Keys that turn to another part of the panel; in the arena, the first one goes outward."""
 PAINTING_KEYS = (pygame.K_SPACE, pygame.K_RETURN, pygame.K_KP_ENTER)
 ERASING_KEYS = (pygame.K_BACKSPACE,)
+KNOWN_KEYS = frozenset({*COMMAND_KEYS, *CONTROL_KEYS, COLOUR_KEY})
+"""Letters that are found by their positions on layouts without them."""

@@ -1,42 +1,44 @@
 """The editor as a screen of the game's loop: events to commands of the session, and one picture."""
 
 from collections.abc import Callable
-from dataclasses import replace
-from typing import NamedTuple
 
 import pygame
 
-from game.drawing.painter import Painter
 from game.editor import cursor
 from game.editor import session as editing
-from game.editor.document import saved_text
+from game.editor.changes import redo_words, undo_words
+from game.editor.document import Stack, saved_text
+from game.editor.fields import WELL_FIELDS, Part
 from game.editor.file_watch import WatchedFile
-from game.editor.history import EditHistory
 from game.editor.session import EditorSession
-from game.editor.window.arena import draw_arena, draw_outlines, slot_at
+from game.editor.wells import chosen_well
 from game.editor.window.commands import (
     CHANGES,
+    COLOUR_KEY,
     COMMAND_ACTIONS,
     COMMAND_KEYS,
     CONTROL_KEYS,
     DIRECTIONS,
     ERASING_KEYS,
+    KNOWN_KEYS,
+    OF_WELLS,
+    PAGES,
     PAINTING_KEYS,
-    folded,
     layers_of,
-    next_of,
+    recoloured,
+    relayered,
 )
-from game.editor.window.help import EditorHelp, Hand, hint
-from game.editor.window.layout import BRUSHES, BUTTONS, EditorLayout, editor_layout
-from game.editor.window.number_entry import typed_after
-from game.editor.window.panel import PanelState, draw_panel, stepper_at
+from game.editor.window.help import Hand, editor_help
+from game.editor.window.layout import EditorLayout, editor_layout
+from game.editor.window.picture import EditorPicture, Shown
 from game.editor.window.play_test import PlayTest
-from game.editor.window.targets import Target, TargetKind, beside, target_below
-from game.input.keys import Action, position_in
+from game.editor.window.pointing import ERASER, Drag, dragged, pressed, slot_at
+from game.editor.window.side import EditorSide
+from game.input.keys import Action, code_among, position_in
 from game.input.repeat import Repeat
-from game.input.signals import FocusLost, Pressed, Released, Signal, is_still_down, pad_of
+from game.input.signals import Clicked, FocusLost, Moved, Pressed, Released, Signal, is_still_down, pad_of
 from game.language import tr
-from game.levels import Level
+from game.overlay.toast import Toast
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.toolkit.menu import Entry, Menu
@@ -45,19 +47,16 @@ from game.system.files import write_text
 
 _LOOK_SECONDS = 0.5
 """From one look at the file to the next."""
-
-
-class BrushDrag(NamedTuple):
-    """What the mouse or the cursor paints until the button or the key is let go. before: the history when it began."""
-
-    layers: int
-    before: EditHistory
+_STRIDE = 10
+"""Steps that an arrow key takes with Shift."""
+_DISTANCE, _ANGLE = WELL_FIELDS[:2]
 
 
 class Editor:
     """Edits one level file.
 
-    Keys and gamepad act on the cursor in the arena, or on what they have chosen in the panel beside it.
+    Keys and gamepad act on the cursor in the arena, or on the controls beside it. What the cursor and the mouse do there
+    follows from the part of the controls that is shown.
     """
 
     def __init__(
@@ -65,77 +64,108 @@ class Editor:
     ) -> None:
         """Open with a session on a file. back: the screen that it leads back to."""
         self._state, self.session, self._file, self._back = state, session, file, back
-        self._painter = Painter()
-        self._drawn: Level | None = None  # the last one that could be drawn
+        self._picture = EditorPicture()
         self._hand = Hand.KEYS
-        self._in_panel = False
-        self._target = Target(TargetKind.NUMBER)
-        self._typed: str | None = None
+        self._side: EditorSide | None = None
         self._pixel: complex | None = None  # of the mouse
-        self._drag: BrushDrag | None = None  # of the mouse, or of the cursor while a key is down
+        self._drag: Drag | None = None  # of the mouse, or of the cursor while a key is down
         self._held: tuple[Pressed, int, Repeat] | None = None  # the direction that is held down, and the steps it takes
         self._since_look = 0.0
         self.discarded = False  # whether the player has chosen to lose what is not saved
 
+    @property
+    def looks(self) -> tuple[object, ...]:
+        """All that its picture depends on."""
+        side = () if self._side is None else self._side.looks_now
+        return self._state.appearance, self.session, self._hand, self._pixel, self._drag is not None, side
+
+    def layout(self, size: tuple[int, int]) -> EditorLayout:
+        """How a window of that size is divided."""
+        return editor_layout(size, self.session.document.level.ground_radius, self._state.text_scale)
+
+    def side(self, size: tuple[int, int]) -> EditorSide:
+        """The controls of the level as it stands."""
+        shown = self.layout(size), self.session
+        if self._side is None:
+            self._side = EditorSide(self._state, self, self._put, self._command, shown)
+        self._side.show(*shown)
+        return self._side
+
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> Screen | None:
-        """React to a window's event. What gamepads do comes as signals, to `answer`."""
+        """React to a window's event. What gamepads and fingers do comes as signals, to `answer`."""
         if event.type == pygame.KEYDOWN:
-            return self._key(event)
+            return self._key(event, size)
         if event.type == pygame.KEYUP and event.key in (*PAINTING_KEYS, *ERASING_KEYS):
             self._drag = None
-        if event.type == pygame.MOUSEWHEEL:
-            return self._wheel(event, size)
-        if event.type not in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION):
-            return self
-        x, y = event.pos
-        self._pixel, self._hand = complex(x * pixels_per_point.real, y * pixels_per_point.imag), Hand.MOUSE
+        is_mouse = event.type in (pygame.MOUSEBUTTONDOWN, pygame.MOUSEBUTTONUP, pygame.MOUSEMOTION)
+        if is_mouse:
+            x, y = event.pos
+            self._pixel, self._hand = complex(x * pixels_per_point.real, y * pixels_per_point.imag), Hand.MOUSE
+        taken, following = (False, self) if self._drag is not None else self.side(size).hear(event, size, pixels_per_point)
+        if taken:
+            return following
         if event.type == pygame.MOUSEBUTTONUP:
             self._drag = None
         elif event.type == pygame.MOUSEBUTTONDOWN and event.button in (1, 3):
-            return self._pressed(self._pixel, event.button, editor_layout(size, self.session))
-        elif event.type == pygame.MOUSEMOTION and self._drag is not None:
-            self._stroke(self._hovered(editor_layout(size, self.session)))
+            self._press(event.button, size)
+        elif event.type == pygame.MOUSEMOTION and self._drag is not None and self._pixel is not None:
+            self.session = dragged(self.session, self._drag, self.layout(size).camera.unproject(self._pixel))
+        elif event.type == pygame.MOUSEWHEEL and self._point(size) is not None and event.precise_y:
+            self._scroll(1 if event.precise_y > 0.0 else -1)
         return self
 
-    def answer(self, signal: Signal, _size: tuple[int, int]) -> Screen | None:
-        """React to a gamepad, or to a key that was let go."""
+    def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
+        """React to a gamepad, to fingers on the controls, or to a key that was let go. In the arena a finger is a mouse."""
         if self._held is not None and not is_still_down(self._held[0].position, signal):
             self._held = None
         if isinstance(signal, FocusLost):
             self._drag = None
-        return self if pad_of(signal) is None else self._pad(signal)
+        if isinstance(signal, Moved | Clicked):
+            return self if self._drag is not None else self.side(size).hear_finger(signal, size)
+        return self.side(size).answer(signal, size) if pad_of(signal) is None else self._pad(signal, size)
 
-    def _pad(self, signal: Signal) -> Screen | None:
+    def _pad(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
         """A gamepad's button or stick."""
-        self._hand = Hand.PAD
+        self._hand, side = Hand.PAD, self.side(size)
         match signal:
-            case Pressed(Action.LEFT | Action.RIGHT | Action.UP | Action.DOWN):
-                self._typed, self._held = None, (signal, 1, Repeat(signal.position))
-                self._go(signal.action, 1)
-            case Pressed(Action.SERVE | Action.CONFIRM) if not (self._in_panel and self._target.kind is TargetKind.NUMBER):
-                return self._accept()
-            case Pressed(Action.GIVE_UP) if not self._in_panel:
-                self._draw_at_cursor(0)
-            case Released(Action.SERVE | Action.CONFIRM | Action.GIVE_UP):
+            case Released(Action.SERVE | Action.GIVE_UP):
                 self._drag = None
-            case Pressed(Action.TIP):
-                self._in_panel = not self._in_panel
-            case Pressed(Action.STEP | Action.STEP_BACK as action):
-                self._shoulder(1 if action is Action.STEP else -1)
-            case Pressed(Action.BACK) if self._in_panel:
-                self._in_panel = False
-            case Pressed(action):
-                return self._command(COMMAND_ACTIONS.get(action))
+            case Pressed(Action.TIP) if side.has_keys:
+                side.release()
+            case Pressed(Action.STEP_BACK | Action.STEP as action) if side.has_keys:
+                side.turn(1 if action is Action.STEP else -1)
+            case Pressed(action) if action in COMMAND_ACTIONS and action is not Action.BACK:
+                return self._command(COMMAND_ACTIONS[action])
+            case _:
+                taken, following = side.hear_pad(signal, size)
+                return following if taken else self._pad_in_arena(signal)
         return self
 
-    def advance(self, seconds: float, _size: tuple[int, int]) -> Screen | None:
-        """A direction that is held down acts again and again; look at the file now and then."""
+    def _pad_in_arena(self, signal: Signal) -> Screen | None:
+        """A gamepad's button or stick that is not for the controls."""
+        match signal:
+            case Pressed(Action.LEFT | Action.RIGHT | Action.UP | Action.DOWN as action):
+                self._hold(signal, 1)
+                self._go(action, 1)
+            case Pressed(Action.SERVE | Action.CONFIRM):
+                self._begin(self.session.brush)
+            case Pressed(Action.GIVE_UP):
+                self._begin(ERASER)
+            case Pressed(Action.STEP_BACK | Action.STEP as action):
+                self._scroll(1 if action is Action.STEP else -1)
+            case Pressed(action) if action in COMMAND_ACTIONS:
+                return self._command(COMMAND_ACTIONS[action])
+        return self
+
+    def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
+        """A direction that is held down goes on; look at the file now and then."""
+        self.side(size).advance(seconds, size)
         if self._held is not None:
-            pressed, steps, repeat = self._held
+            signal, steps, repeat = self._held
             repeat, acts = repeat.later(seconds)
-            self._held = pressed, steps, repeat
+            self._held = signal, steps, repeat
             if acts:
-                self._go(pressed.action, steps)
+                self._go(signal.action, steps)
         self._since_look += seconds
         if self._since_look >= _LOOK_SECONDS:
             self._since_look = 0.0
@@ -143,22 +173,13 @@ class Editor:
         return self
 
     def draw(self, surface: pygame.Surface) -> None:
-        """The arena and the panel."""
-        seen = editor_layout(surface.get_size(), self.session)
-        canvas = self._state.canvas(surface, seen.camera)._replace(unit=seen.unit)
-        surface.fill(canvas.theme.background)
-        try:
-            draw_arena(canvas, self._painter, self.session.document.level)
-            self._drawn = self.session.document.level
-        except ValueError:  # sizes that the physics does not take; the problem is written below
-            if self._drawn is not None:
-                draw_arena(canvas, self._painter, self._drawn)
-        by_mouse = self._hand is Hand.MOUSE
-        at = self._hovered(seen) if by_mouse else (self.session.ring, self.session.slot)
-        in_panel = self._in_panel and not by_mouse
-        draw_outlines(canvas, self.session, at, canvas.theme.faint if in_panel else canvas.theme.accent)
-        panel = PanelState(self._target, in_panel, self._typed, hint(self._hand, in_panel=self._in_panel))
-        draw_panel(canvas, seen, self.session, panel, str(self._file.path.name))
+        """The arena, the lines below it, and the controls."""
+        size = surface.get_size()
+        side = self.side(size)
+        tip, file = side.tip(size), self._file.path.name
+        shown = Shown(self.session, self.layout(size), side.part, self._hand, self._point(size), side.has_keys, tip, file)
+        self._picture.draw(surface, self._state, shown)
+        side.draw(surface)
 
     def save(self) -> bool:
         """Write the file; whether that was possible. What is wrong is shown."""
@@ -169,183 +190,167 @@ class Editor:
             self.session = self.session._replace(message=str(error))
             return False
         self._file.written(text)
-        self.session = self.session._replace(saved=text, message="")
+        self.session = self.session._replace(saved=text, message="", file_error="")
+        self._tell(tr("Saved: {file}").format(file=self._file.path.name))
         return True
+
+    @property
+    def _part(self) -> Part:
+        """The part of the controls that is shown."""
+        return Part.BRICKS if self._side is None else self._side.part
 
     def _look(self) -> None:
         """Take over what another program wrote into the file."""
         try:
             text = self._file.news()
         except BadInputError as error:
-            self.session = self.session._replace(message=str(error))
+            self.session = self.session._replace(file_error=str(error))
             return
         if text is not None:
             self.session = editing.reloaded(self.session, text)
+            if not self.session.file_error:
+                self._tell(tr("Taken over from the file"))
 
-    def _key(self, event: pygame.Event) -> Screen | None:
-        """A key went down."""
-        if self._type(event):
-            return self
+    def _key(self, event: pygame.Event, size: tuple[int, int]) -> Screen | None:
+        """A key went down: it is for the controls, a command, the brush or the cursor."""
+        side, ctrl = self.side(size), event.mod & (pygame.KMOD_CTRL | pygame.KMOD_META)
         self._hand = Hand.KEYS
-        if event.mod & (pygame.KMOD_CTRL | pygame.KMOD_META):
-            again = event.key == pygame.K_y or (event.key == pygame.K_z and event.mod & pygame.KMOD_SHIFT)
-            return self._command("redo" if again else CONTROL_KEYS.get(event.key))
-        command = COMMAND_KEYS.get(event.key)
-        if command is not None:
-            return self._command(command)
+        if event.key in PAGES and not side.is_typed_into and (ctrl or side.has_keys):
+            side.turn(PAGES[event.key])
+            return self
+        taken, following = side.hear_key(event, size)
+        if taken:
+            return following
+        key = code_among(event, KNOWN_KEYS)
+        if ctrl:
+            again = key == pygame.K_z and event.mod & pygame.KMOD_SHIFT
+            return self._command("redo" if again else CONTROL_KEYS.get(key))
         layers = layers_of(event)
         if layers is not None:
-            self.session = editing.brushed(self.session, layers)
-        elif event.key in DIRECTIONS:
-            pressed, steps = Pressed(DIRECTIONS[event.key], position_in(event)), 10 if event.mod & pygame.KMOD_SHIFT else 1
-            self._held = pressed, steps, Repeat(pressed.position)
-            self._go(pressed.action, steps)
+            self._paint_with(editing.brushed(self.session, layers))
+        elif key == COLOUR_KEY:
+            self._paint_with(recoloured(self.session, -1 if event.mod & pygame.KMOD_SHIFT else 1))
+        elif key in COMMAND_KEYS:
+            return self._command(COMMAND_KEYS[key])
         else:
-            return self._act(event)
+            return self._cursor_key(event, size)
         return self
 
-    def _act(self, event: pygame.Event) -> Screen | None:
-        """A key that paints, takes away, accepts, or goes to another ring or into the panel."""
-        if event.key in PAINTING_KEYS:
-            return self._accept()
-        if event.key in ERASING_KEYS and not self._in_panel:
-            self._draw_at_cursor(0)
-        elif event.key == pygame.K_TAB:
-            self._in_panel = not self._in_panel
-        elif event.key in (pygame.K_PAGEUP, pygame.K_PAGEDOWN):
-            self.session = cursor.moved_across(self.session, 1 if event.key == pygame.K_PAGEUP else -1)
+    def _cursor_key(self, event: pygame.Event, size: tuple[int, int]) -> Screen | None:
+        """A key that moves the cursor, paints, takes away, or goes to another ring."""
+        if event.key in DIRECTIONS:
+            steps = _STRIDE if event.mod & pygame.KMOD_SHIFT else 1
+            signal = Pressed(DIRECTIONS[event.key], position_in(event))
+            self._hold(signal, steps)
+            self._go(signal.action, steps)
+        elif event.key in PAINTING_KEYS and self.side(size).has_keys:
+            return self.side(size).answer(Pressed(Action.CONFIRM, position_in(event)), size)
+        elif event.key in PAINTING_KEYS:
+            self._begin(self.session.brush)
+        elif event.key in ERASING_KEYS and not self.side(size).has_keys:
+            self._begin(ERASER)
+        elif event.key in PAGES:
+            self._go(Action.UP if PAGES[event.key] < 0 else Action.DOWN, 0)
         return self
+
+    def _hold(self, signal: Pressed, steps: int) -> None:
+        """Go on in a direction until it comes up."""
+        self._held = signal, steps, Repeat(signal.position)
 
     def _go(self, action: Action, steps: int) -> None:
-        """Move the cursor, or in the panel choose another number or change it. steps: at once, of a number."""
+        """Move the cursor, or the chosen gravity well. steps: at once, of a well; 0 for another well."""
         sign = 1 if action in (Action.RIGHT, Action.UP) else -1
-        if self._in_panel:
-            self._go_in_panel(sign, steps, across=action in (Action.LEFT, Action.RIGHT))
-            return
         along = action in (Action.LEFT, Action.RIGHT)
-        self.session = (cursor.moved_along if along else cursor.moved_across)(self.session, sign)
-        self._stroke((self.session.ring, self.session.slot))
+        if self._part is not Part.WELLS:
+            self.session = (cursor.moved_along if along else cursor.moved_across)(self.session, sign)
+            self._stroke()
+        elif steps == 0:
+            self.session = chosen_well(self.session, sign)
+        elif self.session.document.level.wells:  # counter-clockwise is the angle's direction, and that of the slots
+            self.session = editing.stepped(self.session, _ANGLE if along else _DISTANCE, sign * steps)
 
-    def _go_in_panel(self, sign: int, steps: int, *, across: bool) -> None:
-        """Choose another target, or change the one that is chosen."""
-        shown = editing.rows(self.session)
-        if not across:
-            self._target = target_below(self._target, -sign, len(shown))
-            return
-        match self._target.kind:
-            case TargetKind.NUMBER:
-                self.session = editing.stepped(self.session, shown[self._target.number], float(sign * steps))
-            case TargetKind.BRUSH:
-                self.session = editing.brushed(self.session, next_of(BRUSHES, self.session.brush, sign))
-            case TargetKind.FOLD:
-                self.session = folded(self.session, sign)
-            case TargetKind.COMMAND:
-                self._target = beside(self._target)
-
-    def _shoulder(self, sign: int) -> None:
-        """The gamepad's shoulders: ten steps of a number, else another brush."""
-        if self._in_panel and self._target.kind is TargetKind.NUMBER:
-            self._go_in_panel(sign, 10, across=True)
+    def _scroll(self, sign: int) -> None:
+        """Another brush, or where rings or wells are edited another one of these."""
+        if self._part is Part.WELLS:
+            self.session = chosen_well(self.session, sign)
+        elif self._part is Part.RING:
+            self.session = cursor.moved_across(self.session, sign)
         else:
-            self.session = editing.brushed(self.session, next_of(BRUSHES, self.session.brush, sign))
+            self._paint_with(relayered(self.session, sign))
 
-    def _accept(self) -> Screen | None:
-        """Paint at the cursor, or in the panel type a number or give a command."""
-        if not self._in_panel:
-            self._draw_at_cursor(self.session.brush)
-        elif self._target.kind is TargetKind.NUMBER:
-            self._typed = ""
-        elif self._target.kind is TargetKind.COMMAND:
-            return self._command(BUTTONS[self._target.number].name)
-        return self
+    def _paint_with(self, session: EditorSession) -> None:
+        """Go on with another brush, which is seen."""
+        self.session = session
+        if self._side is not None:
+            self._side.open_part(Part.BRICKS)
 
-    def _draw_at_cursor(self, layers: int) -> None:
-        """Begin a stroke at the cursor; it goes on while the key is held and the cursor moves."""
-        self._drag = BrushDrag(layers, self.session.history)
-        self._stroke((self.session.ring, self.session.slot))
+    def _begin(self, stack: Stack) -> None:
+        """Begin a stroke at the cursor, which goes on while the key is held and the cursor moves; or add or remove a well."""
+        if self._part is Part.WELLS:
+            self._command("remove-well" if stack is ERASER else "add-well")
+            return
+        if self._side is not None:
+            self._side.open_part(Part.BRICKS)
+        self._drag = Drag(Part.BRICKS, self.session.history, stack)
+        self._stroke()
 
-    def _type(self, event: pygame.Event) -> bool:
-        """Go on with the number that is typed, if one is; whether the key was for that."""
-        if self._typed is None:
-            return False
-        typing = typed_after(self._typed, event)
-        self._typed = typing.text
-        if typing.value is not None:
-            self.session = editing.entered(self.session, editing.rows(self.session)[self._target.number], typing.value)
-        return typing.used
+    def _stroke(self) -> None:
+        """Paint at the cursor, while a key is held."""
+        if self._drag is not None:
+            at, drag = (self.session.ring, self.session.slot), self._drag
+            self.session = editing.stroked(self.session, *at, stack=drag.stack, before=drag.before)
 
-    def _wheel(self, event: pygame.Event, size: tuple[int, int]) -> Screen | None:
-        """The wheel changes the number under the pointer, else the brush."""
-        seen, steps = editor_layout(size, self.session), float(event.precise_y)
-        index = None if self._pixel is None else _index_at([box for _, box in seen.rows], self._pixel)
-        if index is not None:
-            self._target = Target(TargetKind.NUMBER, index)
-            self.session = editing.stepped(self.session, seen.rows[index][0], steps)
-        elif steps:
-            self.session = editing.brushed(self.session, self.session.brush + (1 if steps > 0.0 else -1))
-        return self
+    def _press(self, button: int, size: tuple[int, int]) -> None:
+        """A mouse button went down in the arena."""
+        point, side = self._point(size), self.side(size)
+        if point is None:
+            return
+        if side.part not in (Part.RING, Part.WELLS) and slot_at(self.session.document.level, point) is not None:
+            side.open_part(Part.BRICKS)
+        self.session, self._drag = pressed(self.session, side.part, point, erases=button != 1)
 
-    def _pressed(self, pixel: complex, button: int, seen: EditorLayout) -> Screen | None:
-        """A mouse button went down."""
-        self._typed = None
-        for command, box in seen.buttons:
-            if box.collidepoint(pixel.real, pixel.imag):
-                return self._command(command.name)
-        for layers, box in seen.chips:
-            if box.collidepoint(pixel.real, pixel.imag):
-                self.session = editing.brushed(self.session, layers)
-        for fold, box in seen.folds:
-            if box.collidepoint(pixel.real, pixel.imag):
-                self.session = self.session._replace(symmetry=self.session.symmetry._replace(fold=fold))
-        index = _index_at([box for _, box in seen.rows], pixel)
-        if index is not None:
-            row, box = seen.rows[index]
-            self._target, self._in_panel = Target(TargetKind.NUMBER, index), True
-            sign = stepper_at(box, pixel, seen.unit)
-            if sign:
-                self.session = editing.stepped(self.session, row, float(sign))
-            else:
-                self._typed = ""
-        hovered = self._hovered(seen)
-        if hovered is not None:
-            self._in_panel = False
-        self._drag = BrushDrag(0 if button == 3 else self.session.brush, self.session.history)
-        self._stroke(hovered)
-        return self
-
-    def _stroke(self, at: tuple[int, int] | None) -> None:
-        """Paint a slot of a ring and its images, while something is dragged."""
-        if at is not None and self._drag is not None:
-            self.session = editing.stroked(self.session, *at, layers=self._drag.layers, before=self._drag.before)
-
-    def _hovered(self, seen: EditorLayout) -> tuple[int, int] | None:
-        """Ring and slot under the pointer."""
+    def _point(self, size: tuple[int, int]) -> complex | None:
+        """The point of the world that the mouse is on; None outside of the arena."""
+        seen = self.layout(size)
         if self._pixel is None or not seen.arena.collidepoint(self._pixel.real, self._pixel.imag):
             return None
-        return slot_at(self.session.document.level, seen.camera.unproject(self._pixel))
+        return seen.camera.unproject(self._pixel)
+
+    def _put(self, session: EditorSession) -> None:
+        """Go on with a changed session."""
+        self.session = session
 
     def _command(self, name: str | None) -> Screen | None:
         """Do what a button or a key says."""
         self._drag = self._held = None
+        name = OF_WELLS.get(name or "", name) if self._part is Part.WELLS else name
+        if name in ("undo", "redo"):
+            told = undo_words(self.session.history) if name == "undo" else redo_words(self.session.history)
+            words = tr("Undone: {change}") if name == "undo" else tr("Done again: {change}")
+            self._tell(words.format(change=told) if told else "")
         change = CHANGES.get(name or "")
         if change is not None:
             self.session = change(self.session)
         elif name == "save":
             self.save()
         elif name == "help":
-            return EditorHelp(self._state, self)
+            return editor_help(self._state, self)
         elif name == "test":
             return self._play_test()
         elif name == "leave":
             return self._leaving() if self.session.changed else self._back()
         return self
 
+    def _tell(self, words: str) -> None:
+        """Say for a moment what was done."""
+        self._state.toast = Toast(words) if words else None
+
     def _play_test(self) -> Screen:
         """Play the level as it stands, if it can be played."""
         if self.session.document.problem:
             self.session = self.session._replace(message=self.session.document.problem)
             return self
-        return PlayTest(replace(self._state, recorder=None), self, self.session.document.level)
+        return PlayTest(self._state, self, self.session.document.level)
 
     def _leaving(self) -> Screen:
         """The question before changes are lost."""
@@ -365,8 +370,3 @@ class Editor:
             Entry(tr("Leave without saving"), discarded),
         )
         return Menu(self._state, self, tr("Unsaved changes"), (self._file.path.name,), entries, back=lambda: self)
-
-
-def _index_at(boxes: list[pygame.Rect], pixel: complex) -> int | None:
-    """Index of the box that a pixel is in."""
-    return next((index for index, box in enumerate(boxes) if box.collidepoint(pixel.real, pixel.imag)), None)

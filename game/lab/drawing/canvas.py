@@ -7,6 +7,7 @@ import pygame
 from game.drawing.camera import Camera
 from game.drawing.palette import Theme
 from game.drawing.text import Type
+from game.lab.drawing.label_boxes import LabelBox
 from game.lab.kit.picture import Toggle
 
 
@@ -30,9 +31,10 @@ class PaneCanvas(NamedTuple):
     plates: bool = False
 
     @property
-    def free(self) -> pygame.Rect:
+    def words_area(self) -> LabelBox:
         """Where words can be read."""
-        return self.area if self.focus is None else self.focus
+        left, top, width, height = self.area if self.focus is None else self.focus
+        return LabelBox(left, top, width, height)
 
     @property
     def corner(self) -> complex:
@@ -48,3 +50,11 @@ class PaneCanvas(NamedTuple):
     def size(self) -> float:
         """Size of words in the world, pixels."""
         return self.unit * self.letters
+
+    def measured(self, text: str) -> tuple[int, int]:
+        """Width and height of a line of words, pixels."""
+        return self.type.rendered(text, self.size, self.theme.text).get_size()
+
+    def wrapped(self, text: str, width: float) -> list[str]:
+        """A text in lines that are no wider, pixels."""
+        return self.type.wrapped(text, self.size, width)

@@ -1,6 +1,7 @@
 """What a scene is. docs/lab.md says how to write one."""
 
 from collections.abc import Callable
+from enum import Enum
 from typing import Any, NamedTuple
 
 from game.lab.kit.handles import Handle
@@ -50,6 +51,14 @@ class Motion(NamedTuple):
     ticks: int = 480
 
 
+class EngineUse(Enum):
+    """What a scene shows of a second engine: nothing; an answer, while its toggle is on; or a comparison with it throughout."""
+
+    NONE = "none"
+    TOGGLE = "toggle"
+    ALWAYS = "always"
+
+
 class LabScene(NamedTuple):
     """One idea of the collision detection, to be touched.
 
@@ -62,6 +71,7 @@ class LabScene(NamedTuple):
     view_box: the part of the world that is shown at first.
     shows: the picture of given values, or how the scene runs.
     check: the facts that hold at given values.
+    engine_use: what it shows of a second engine.
     rows: of the documentation's table "Beyond the source" that it shows.
     presets: values worth looking at.
     """
@@ -77,6 +87,7 @@ class LabScene(NamedTuple):
     check: Callable[[Given], tuple[Claim, ...]]
     rows: tuple[int, ...] = ()
     presets: tuple[Preset, ...] = ()
+    engine_use: EngineUse = EngineUse.NONE
 
 
 def started(scene: LabScene, given: Given) -> Any:

@@ -73,6 +73,12 @@ def changed(session: Session, clamped: Clamped) -> Session:
     return session._replace(given=clamped.given, states=start, tick=0, rest=0.0, notes=clamped.notes)
 
 
+def with_engine(session: Session, engine: Engine) -> Session:
+    """The same scene at the same tick, with a second engine to ask."""
+    given = session.given._replace(engine=engine)
+    return at_tick(session._replace(given=given, states=(started(session.scene, given),)), session.tick)
+
+
 def restarted(session: Session) -> Session:
     """Back at tick 0 with the same values, and running if the scene is one that runs."""
     return session._replace(tick=0, rest=0.0, playing=session.runs, notes=())

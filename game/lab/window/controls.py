@@ -17,8 +17,8 @@ from game.screens.toolkit.drop_down import DropDown, Option, Options
 from game.screens.toolkit.items import ButtonItem, Item, Space, Switch
 from game.screens.toolkit.label import LabelItem
 from game.screens.toolkit.layout import Column, Row
+from game.screens.toolkit.side import Typing
 from game.screens.toolkit.slider import FieldSlider
-from game.screens.toolkit.text_field import TextField
 
 _LIST_SHARE = 6.0
 """Widths of the list of scenes and of the clock, in those of the buttons beside them."""
@@ -87,13 +87,6 @@ class Component(NamedTuple):
         low, high = float(self.parameter.low), float(self.parameter.high)
         rounded = snapped((self.parameter,), {self.parameter.name: number})[self.parameter.name].real
         return self.requested(session, min(max(rounded, low), high))
-
-
-class Typing(NamedTuple):
-    """The number that is being typed, and the field with it."""
-
-    component: Component
-    field: TextField
 
 
 class Controlled(NamedTuple):
@@ -166,7 +159,7 @@ def _slider(component: Component, seen: Controlled, do: Reactions) -> FieldSlide
     """One number."""
     session, parameter = seen.session, component.parameter
     low, high, number = float(parameter.low), float(parameter.high), component.number(session)
-    typed = seen.typing is not None and seen.typing.component == component
+    typed = seen.typing is not None and seen.typing.name == component
 
     def level(value: float) -> float:
         return min(max((value - low) / (high - low), 0.0), 1.0)

@@ -2,14 +2,20 @@
 
 from collections.abc import Callable, Iterator
 from dataclasses import replace
+from functools import partial
+from importlib.resources import files
 
 from game.editor.command import NEW
+from game.editor.fields import Part
+from game.editor.session import brushed, stroked, tinted
+from game.editor.window.help import editor_help
+from game.editor.window.screen import Editor
 from game.input.keys import Action
 from game.input.players import Players
 from game.input.signals import Pressed
 from game.input.view import SOLID
 from game.kept.store import Kept
-from game.language import tr
+from game.language import grouped, tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.gallery.sample import SIZE, begun, cleared, last_life, later, lost, played, raced, watched, with_power_ups
@@ -27,6 +33,8 @@ from game.screens.toolkit.panel import Panel
 from game.screens.toolkit.text_entry import TextEntry
 
 Opener = Callable[[AppState], Screen]
+_EDITED = "20-orbit.toml"
+"""The level that the editor shows."""
 _UNSOUND = ("radius = 9.2", "radius = 4.2")
 """Of the editor's new level: what is replaced, so that its paddles turn among the bricks."""
 
@@ -41,8 +49,16 @@ def every_screen() -> Iterator[tuple[str, Opener]]:
     for index in range(len(PARTS)):
         yield f"settings-{index + 1}", _tab_opener(SettingsPanel, index)
     yield "settings-key", _key_capture
-    yield "editor", _editor
-    yield "editor-problem", lambda state: _editor(state, NEW.replace(*_UNSOUND))
+    yield from _editors()
+
+
+def _editors() -> Iterator[tuple[str, Opener]]:
+    """The editor: every part of its controls, what is wrong with a level, its help."""
+    for part in Part:
+        yield f"editor-{part.name.lower()}", partial(_editor, part=part)
+    yield "editor-problem", partial(_editor, text=NEW.replace(*_UNSOUND))
+    for index in range(3):
+        yield f"editor-help-{index + 1}", partial(_editor_help, index=index)
 
 
 def _around_the_game() -> Iterator[tuple[str, Opener]]:
@@ -141,14 +157,25 @@ def _captioned(state: AppState) -> Screen:
 
 def _high_score() -> str:
     """The title of the name's entry."""
-    return tr("A high score: {score}").format(score="12,340")
+    return tr("A high score: {score}").format(score=grouped(12_340))
 
 
-def _editor(state: AppState, text: str = NEW) -> Screen:
-    """The editor with a level of the player's."""
+def _editor(state: AppState, text: str = "", part: Part = Part.BRICKS) -> Screen:
+    """The editor with a level of the player's, one like those of the campaign unless its text is given, with some changes."""
     folder = state.kept.games.folder
     if folder is None or state.open_editor is None:
         return Title(state)
     file = folder.parent / "my-level.toml"
-    file.write_text(text, encoding="utf-8")
-    return state.open_editor(state, lambda: None, file)
+    file.write_text(text or files("game").joinpath("levels", "campaign", _EDITED).read_text("utf-8"), encoding="utf-8")
+    editor = state.open_editor(state, lambda: None, file)
+    if isinstance(editor, Editor) and not text:
+        editor.session = stroked(tinted(brushed(editor.session, 2), 4), 2, 9)
+        editor.side(SIZE).open_part(part)
+    return editor
+
+
+def _editor_help(state: AppState, index: int) -> Screen:
+    """A part of the editor's help."""
+    panel = editor_help(state, _editor(state))
+    panel.open_tab(index)
+    return panel

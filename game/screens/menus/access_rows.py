@@ -18,8 +18,8 @@ _STEP = 5
 def access_rows(state: AppState, _panel: Screen) -> tuple[Row, ...]:
     """All of it."""
     settings = state.settings
-    captions = tr("Words in the upper right for the sounds that matter, and where they come from.")
-    one_button = tr("In play the paddles turn by themselves; any key, click or touch reverses them, and serves.")
+    captions = tr("Important sounds in words at the upper right, with where they come from.")
+    one_button = tr("In play the paddles turn by themselves; any key, click or tap reverses them and serves.")
     return (
         (_language(state),),
         (_text_size(state),),
@@ -45,28 +45,28 @@ def _switch(state: AppState, label: str, tip: str, other: Settings, *, on: bool)
 
 def _text_size(state: AppState) -> Slider:
     """How large text is."""
-    tip = tr("In panels and in play, 100 to 200 %.")
+    tip = tr("In menus and in play, 100 to 200 %.")
 
     def put(value: int) -> None:
         state.change(state.settings._replace(text_size=value))
 
-    return _amount(tr("Size of text"), state.settings.text_size, TEXT_SIZES, put, tip)
+    return _amount(tr("Text size"), state.settings.text_size, TEXT_SIZES, put, tip)
 
 
 def _speed(state: AppState) -> Slider:
     """How fast the game is."""
-    tip = tr("50 to 100 %; scores made slower than 100 % say so.")
+    tip = tr("50 to 100 %; scores made below 100 % are marked.")
 
     def put(value: int) -> None:
         state.change(state.settings._replace(speed=value))
 
-    return _amount(tr("Speed of the game"), state.settings.speed, SPEEDS, put, tip)
+    return _amount(tr("Game speed"), state.settings.speed, SPEEDS, put, tip)
 
 
 def _language(state: AppState) -> ChoiceItem:
     """The language, each in its own words."""
     codes = [SYSTEM, *[language.code for language in LANGUAGES]]
-    names = (tr("as the system"), *[language.name for language in LANGUAGES])
+    names = (tr("system language"), *[language.name for language in LANGUAGES])
 
     def choose(index: int) -> None:
         state.change(state.settings._replace(language=codes[index]))
@@ -86,8 +86,8 @@ def _vision(state: AppState) -> ChoiceItem:
         state.change(state.settings._replace(vision=VISIONS[index]))
 
     names = tuple([tr(VISION_NAMES[vision]) for vision in VISIONS])
-    tip = tr("Other colours of bricks and paddles, that are told apart without one kind of cone in the eye.")
-    return ChoiceItem(tr("Colours that you see"), names, VISIONS.index(state.settings.vision), choose, tip)
+    tip = tr("Colours of bricks and paddles that can be told apart with a colour vision deficiency.")
+    return ChoiceItem(tr("Colour vision"), names, VISIONS.index(state.settings.vision), choose, tip)
 
 
 def _amount(label: str, value: int, limits: tuple[int, int], put: Callable[[int], None], tip: str) -> Slider:

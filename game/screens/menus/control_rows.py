@@ -23,7 +23,7 @@ _KEY_SHARE = 0.62
 
 def control_rows(state: AppState, panel: Screen) -> tuple[Row, ...]:
     """Everything that can be pressed, by what it is for."""
-    rows: list[Row] = [(ButtonItem(tr("Every key and button as at first"), _reset(state, panel), centred=True),)]
+    rows: list[Row] = [(ButtonItem(tr("Reset all keys and buttons"), _reset(state, panel), centred=True),)]
     for title, actions in action_groups():
         rows.append((Heading(title, "" if len(rows) > 1 else tr("keys, gamepad")),))
         for action, name in actions.items():
@@ -39,7 +39,7 @@ def _keys(state: AppState, panel: Screen, action: Action, name: str) -> Row:
     keys = [position_name(positions[slot]) if slot < len(positions) else NO_KEY for slot in range(_SLOTS)]
     pad = button_name(buttons[0]) if buttons else NO_KEY
     wanted = [*[Wanted(action, name, slot, of_pad=False) for slot in range(_SLOTS)], Wanted(action, name, 0, of_pad=True)]
-    tip = tr("Enter: choose another. The same key once more takes it away.")
+    tip = tr("Enter: choose another key. Pressing the same one again removes it.")
     shown = zip([*keys, pad], wanted, strict=True)
     cells = [ButtonItem(words, _capture(state, panel, one), tip=tip, centred=True, share=_KEY_SHARE) for words, one in shown]
     return tuple(cells)

@@ -15,11 +15,7 @@ class Credits(Panel):
         body = (
             (TextItem(tr("A circular Breakout whose collision detection is written by hand, in polar coordinates."), 1.2),),
             (Heading(tr("The idea")),),
-            (
-                TextItem(
-                    tr("The lecture notes on collision detection for a polar breakout, whose functions run in every game.")
-                ),
-            ),
+            (TextItem(tr("Lecture notes on collision detection for a polar breakout; their functions run in every game.")),),
             (Heading(tr("Made with")),),
             (TextItem("Python, pygame-ce, SDL, NumPy, msgspec, platformdirs, Typer, Rich, Pymunk"),),
             (Heading(tr("Everything you see and hear")),),

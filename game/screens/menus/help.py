@@ -10,12 +10,9 @@ from game.screens.menus import help_pictures as pictures
 from game.screens.menus.help_powers import power_rows
 from game.screens.toolkit.focus import Focus
 from game.screens.toolkit.items import Cells, Drawing, Item, TextItem
-from game.screens.toolkit.layout import Content, Row
+from game.screens.toolkit.layout import FROM_TOP, Content, Row
 from game.screens.toolkit.menu import back_row
 from game.screens.toolkit.panel import Panel
-
-_TALL = 24.0
-"""Height of the tallest part, units of text."""
 
 
 class Help(Panel):
@@ -34,8 +31,8 @@ class Help(Panel):
         if self._keys is not None:
             return Content(self._title, self._key_rows(self._keys), footer, width=40.0)
         parts = (_game, _aiming, power_rows, _controls, lambda: self._key_rows(play_help()))
-        names = (tr("The game"), tr("Aiming"), tr("Power-ups"), tr("Ways to play"), tr("Keys"))
-        return Content(tr("How to play"), parts[self._tab](), footer, names, self._tab, 44.0, tall=_TALL)
+        names = (tr("The game"), tr("Aiming"), tr("Power-ups"), tr("Controls"), tr("Keys"))
+        return Content(tr("How to play"), parts[self._tab](), footer, names, self._tab, 44.0, tall=FROM_TOP)
 
     def first(self) -> Focus | None:
         """The button that closes it."""
@@ -59,9 +56,9 @@ def _game() -> tuple[Row, ...]:
     """What it is about."""
     words = (
         tr("Keep the ball inside the circle and break every brick."),
-        tr("The paddles run around the rim, all together. A ball that leaves the circle is lost."),
-        tr("Every step of a brick is one layer, and takes one hit. Steel never breaks."),
-        tr("Bricks in a row, without a paddle between them, multiply the points: up to eight times."),
+        tr("All paddles move around the rim together. A ball that leaves the circle is lost."),
+        tr("Each layer of a brick takes one hit; the dots count the layers. Steel never breaks."),
+        tr("Bricks hit in a row, without a paddle in between, count more and more: up to eight times."),
     )
     beside = TextItem("\n".join(words), 1.15, share=1.25)
     return (
@@ -80,16 +77,12 @@ def _aiming() -> tuple[Row, ...]:
             Drawing(10.5, pictures.draw_serve, most=pictures.GROUND_HEIGHT),
         ),
         (
-            TextItem(tr("Off the middle: the ball leaves towards that side, the more the nearer the end it meets."), 1.0),
-            TextItem(tr("On the move: a turning paddle takes the ball along."), 1.0),
-            TextItem(tr("The serve: it flies along the arrow. Wait for the right moment, or point there."), 1.0),
+            TextItem(tr("Off centre: the ball leaves towards the side that it hits, the more so the nearer to the end."), 1.0),
+            TextItem(tr("On the move: a moving paddle takes the ball along."), 1.0),
+            TextItem(tr("The serve: the ball flies along the arrow. Wait for the right moment, or point the way."), 1.0),
         ),
         (TextItem(""),),
-        (
-            TextItem(
-                tr("A ball that flies past the core comes back at you from the far side: be there before it."), 1.0, faint=True
-            ),
-        ),
+        (TextItem(tr("A ball that flies past the core comes out on the far side: be there first."), 1.0, faint=True),),
     )
 
 
@@ -99,17 +92,19 @@ def _controls() -> tuple[Row, ...]:
         (tr("Keyboard"), tr("Two keys turn the paddles; {key} serves.").format(key=key_name(Action.SERVE))),
         (
             tr("Mouse"),
-            tr("The nearest paddle follows the pointer; a click serves. The signs at the right pause, help and set."),
+            tr(
+                "The nearest paddle follows the pointer; a click serves. The buttons at the right are pause, help and settings."
+            ),
         ),
         (
             tr("Gamepad"),
             tr(
-                "The stick's angle is the paddle's angle; the triggers turn; the lower button serves. "
-                "The other stick aims the serve, and in 3D moves the camera."
+                "The paddle goes where the stick points; the triggers turn it; the lower button serves. "
+                "The other stick aims the serve, and moves the camera in 3D."
             ),
         ),
-        (tr("Touch"), tr("Drag where a paddle shall go; tap to serve. In 3D two fingers turn and zoom.")),
-        (tr("One button"), tr("In the settings: the paddles never stop, and every press turns them round.")),
+        (tr("Touch"), tr("Drag to where a paddle should go; tap to serve. In 3D two fingers turn and zoom.")),
+        (tr("One button"), tr("Can be turned on in the settings: the paddles never stop, and every press reverses them.")),
     )
     rows: list[Row] = []
     for name, how in ways:

@@ -8,13 +8,13 @@ from game.effects.pops import POWER_NAMES
 from game.language import tr
 from game.picture.display_list import DisplayList
 from game.picture.moving.drops import add_chip
-from game.rules import HARMFUL, LASTING, TICK, PowerUp
+from game.rules import LASTING, TICK, PowerUp
 from game.screens.toolkit.items import Drawing, Item, TextItem
 from game.screens.toolkit.layout import Row
 
 _SIGN = 0.16
 """Width of a sign's column, in comparison with the words'."""
-_ROW, _ICON = 2.9, 0.95
+_ROW, _ICON = 2.6, 0.95
 """Height of a row and radius of an icon, units of text."""
 _painter = DisplayListPainter()
 
@@ -26,9 +26,10 @@ def power_rows() -> tuple[Row, ...]:
         (*left, *right)
         for left, right in zip(cells[::2], [*cells[1::2], (TextItem("", share=_SIGN), TextItem(""))], strict=False)
     ]
-    caught = tr("A broken brick may leave one. It drifts outward; catch it with a paddle before it leaves the circle.")
-    harmful = tr("Signs with prickles are better not caught.")
-    return ((TextItem(f"{caught} {harmful}", 1.1),), (TextItem("", 0.4),), *rows)
+    caught = tr("A broken brick may release a power-up. It drifts outward: catch it with a paddle before it leaves the circle.")
+    harmful = tr("Let the spiky ones go.")
+    arcs = tr("Arcs beside the circle show how long each lasts; the red one with the target, what is left of a core.")
+    return ((TextItem(f"{caught} {harmful}", 1.1),), (TextItem("", 0.4),), *rows, (TextItem(arcs, 1.0, faint=True),))
 
 
 def _cell(kind: PowerUp) -> tuple[Item, Item]:
@@ -40,13 +41,13 @@ def _cell(kind: PowerUp) -> tuple[Item, Item]:
         words = f"{words}: {_meanings()[kind]}"
 
     def paint(canvas: Canvas, box: pygame.Rect) -> None:
-        pixel = complex(box.centerx, box.top + canvas.unit * 1.1)
+        pixel = complex(*box.center)
         radius = min(canvas.unit * _ICON, box.width * 0.5)
         sign = DisplayList()
         add_chip(sign, kind, pixel, radius, canvas.theme)
         _painter.paint(canvas.surface, canvas.type, sign)
 
-    return Drawing(_ROW, paint, share=_SIGN), TextItem(words, 1.0, faint=kind in HARMFUL)
+    return Drawing(_ROW, paint, share=_SIGN), TextItem(words, 1.0, midway=True)
 
 
 def _first_upper(words: str) -> str:
@@ -57,8 +58,8 @@ def _first_upper(words: str) -> str:
 def _meanings() -> dict[PowerUp, str]:
     """What those do whose names do not say it."""
     return {
-        PowerUp.MULTI_BALL: tr("two more balls; a life is lost with the last."),
-        PowerUp.STICKY: tr("a paddle holds the ball; serve lets it go."),
-        PowerUp.SHIELD: tr("a ring at the rim returns one ball."),
-        PowerUp.PIERCE: tr("it breaks them and flies on."),
+        PowerUp.MULTI_BALL: tr("two more balls; only losing the last one costs a life."),
+        PowerUp.STICKY: tr("a paddle holds the ball until you serve."),
+        PowerUp.SHIELD: tr("a ring at the rim sends one ball back."),
+        PowerUp.PIERCE: tr("it breaks bricks and flies on."),
     }

@@ -1,7 +1,7 @@
 """The table of high scores, a part for every difficulty; a line leads to its replay."""
 
 from game.kept.scores import ENDLESS, Score
-from game.language import tr
+from game.language import grouped, tr
 from game.level_names import level_name
 from game.overlay.toast import Toast
 from game.screens.app_state import AppState
@@ -10,7 +10,7 @@ from game.screens.difficulty_names import DIFFICULTIES, difficulty_name
 from game.screens.menus.replay_file import opened_replay
 from game.screens.toolkit.focus import Focus
 from game.screens.toolkit.items import ButtonItem, Cells, Item, TextItem
-from game.screens.toolkit.layout import Content
+from game.screens.toolkit.layout import FROM_TOP, Content
 from game.screens.toolkit.menu import Entry, back_row
 from game.screens.toolkit.panel import Panel
 
@@ -33,16 +33,18 @@ class HighScores(Panel):
     def content(self) -> Content:
         """The table of one difficulty."""
         table = self.state.kept.scores.value.table(_TABLES[self._tab])
-        heads = ("#", "", tr("Name"), tr("Score"), "", tr("Until"), tr("Date"))
+        heads = ("#", "", tr("Name"), tr("Score"), "", tr("Reached"), tr("Date"))
         rows: list[tuple[Item, ...]] = [(Cells(self._cells(heads), faint=True),)] if table else []
         rows += [(self._line(number, score),) for number, score in enumerate(table, 1)]
         if not table:
-            rows.append((TextItem(tr("Nobody yet: the first game that ends with points stands here."), 1.1, faint=True),))
+            rows.append(
+                (TextItem(tr("Nobody yet: the first game that ends with points will be listed here."), 1.1, faint=True),)
+            )
         names = (*[difficulty_name(name) for name in DIFFICULTIES], tr("Endless"))
         footer = back_row(tr("Back"), self.back)
         if self._entries:
             footer = (tuple([ButtonItem(one.label, one.chosen, centred=True) for one in self._entries]),)
-        return Content(tr("High scores"), tuple(rows), footer, names, self._tab, 42.0, tall=20.0)
+        return Content(tr("High scores"), tuple(rows), footer, names, self._tab, 42.0, tall=FROM_TOP)
 
     def back(self) -> Screen | None:
         """After a game to the title, else to the screen below."""
@@ -58,7 +60,7 @@ class HighScores(Panel):
         name = score.name or "-"
         if score.speed < 100:
             name = tr("{name} ({speed} %)").format(name=name, speed=score.speed)
-        words = (str(number), "", name, f"{score.score:,}", "", until, score.date)
+        words = (str(number), "", name, grouped(score.score), "", until, score.date)
         tip = tr("Watch this game.") if score.replay else tr("No replay of this game was kept.")
         if self.has_large_text:
             tip = f"{until}, {score.date}. {tip}"

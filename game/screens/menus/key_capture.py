@@ -42,7 +42,7 @@ class KeyCapture(Panel):
     def content(self) -> Content:
         """The question."""
         asked = tr("Press a button of the gamepad.") if self._wanted.of_pad else tr("Press a key.")
-        lines = (asked, tr("Esc, or B on a gamepad: leave it as it is."))
+        lines = (asked, tr("Esc, or B on a gamepad: change nothing."))
         rows = tuple([(TextItem(line, 1.1, faint=index > 0, centred=True),) for index, line in enumerate(lines)])
         return Content(self._wanted.name, rows, back_row(tr("Back"), self.back), width=28.0, centred=True)
 
@@ -77,14 +77,14 @@ class KeyCapture(Panel):
         own = in_use[wanted.action]
         try:
             if wanted.slot < len(own) and own[wanted.slot] == control:
-                changed, told = cleared(in_use, fixed, wanted.action, wanted.slot), tr("{action} has one key less")
+                changed, told = cleared(in_use, fixed, wanted.action, wanted.slot), tr("{action}: key removed")
                 taken = None
             else:
                 changed, taken = rebound(in_use, fixed, wanted.action, wanted.slot, control)
                 told = tr("{action}: {key}") if taken is None else tr("{action}: {key}, no longer {other}")
         except Refused as refused:
             taken = refused.action
-            always, last = tr("{key} stays: {other}"), tr("{key} stays: {other} has no other")
+            always, last = tr("{key} is reserved: {other}"), tr("{key} stays: {other} has no other key")
             changed, told = {}, always if refused.fixed else last
         other = "" if taken is None else action_names()[taken]
         settings, with_them = self.state.settings, with_buttons if of_pad else with_keys

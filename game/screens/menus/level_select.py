@@ -11,7 +11,7 @@ from game.drawing.canvas import Canvas
 from game.drawing.raster.primitives import draw_box
 from game.drawing.text import Type
 from game.kept.progress import RANKS, Best
-from game.language import tr
+from game.language import grouped, ntr, tr
 from game.level_names import level_name
 from game.levels import Level, from_level
 from game.overlay.toast import Toast
@@ -94,7 +94,7 @@ class Card(Item):
             write_fitting(canvas, line, _NAME, colour, left + 1j * unit * _LINE * index, "topleft", room)
         foot = hole.bottom + unit * (1.55 + _LINE * (self._most_lines - 1))
         if self.best is not None:
-            canvas.write(f"{self.best.score:,}", 0.95, theme.faint, complex(hole.left, foot))
+            canvas.write(grouped(self.best.score), 0.95, theme.faint, complex(hole.left, foot))
             _draw_rank(canvas, RANKS[self.best.rank], complex(hole.right, foot + unit * 0.35))
 
     def accepted(self, panel: Screen) -> Screen | None:
@@ -164,13 +164,13 @@ class LevelSelect(Panel):
         tip = (
             tr(level.description)
             if is_open
-            else tr("Finish {level} to open this one.").format(level=level_name(names[index - 1]))
+            else tr("Finish {level} to unlock this level.").format(level=level_name(names[index - 1]))
         )
         if best is not None:
             words = tr("Best at {difficulty}: {score} points, rank {rank}, {time}")
             told = words.format(
                 difficulty=difficulty_name(state.difficulty),
-                score=f"{best.score:,}",
+                score=grouped(best.score),
                 rank=RANKS[best.rank],
                 time=clock(best.ticks),
             )
@@ -181,7 +181,8 @@ class LevelSelect(Panel):
         """The player's own levels, and the way into the editor; nothing where there is no editor."""
         if self.state.open_editor is None:
             return ()
-        note = tr("{count} files cannot be read").format(count=len(self._own.problems)) if self._own.problems else ""
+        count = len(self._own.problems)
+        note = ntr("{count} file cannot be read", "{count} files cannot be read", count).format(count=count) if count else ""
         cards: list[Item] = [self._own_card(level, path) for level, path in zip(self._own.levels, self._own.paths, strict=True)]
         rows: list[Row] = [(Heading(tr("Your own levels"), note),)]
         for start in range(0, len(cards), self._columns):

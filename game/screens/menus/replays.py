@@ -7,7 +7,7 @@ import msgspec
 import platformdirs
 
 from game.kept.games import MOST, KeptGame
-from game.language import tr
+from game.language import grouped, tr
 from game.level_names import level_name
 from game.overlay.toast import Toast
 from game.screens.base import Screen
@@ -37,10 +37,10 @@ class Replays(Panel):
         rows: list[tuple[Item, ...]] = [(TextItem(_rule(), 1.0, faint=True),)]
         games = self.state.kept.games.listed()
         if games:
-            heads = (tr("Game"), tr("Until"), tr("Score"), tr("Time"), tr("Kept"))
+            heads = (tr("Game"), tr("Reached"), tr("Score"), tr("Time"), tr("Kept"))
             rows.append((Cells(self._cells(heads), faint=True),))
         else:
-            rows.append((TextItem(tr("None yet: a game is kept at its end if it took five seconds or more."), 1.1),))
+            rows.append((TextItem(tr("None yet: games of five seconds or more are kept when they end."), 1.1),))
         rows += [(self._line(game),) for game in games]
         footer = back_row(tr("Back"), self.back)
         return Content(tr("Replays"), tuple(rows), footer, width=44.0)
@@ -51,7 +51,7 @@ class Replays(Panel):
         words = (
             game.title or game.date,
             until,
-            f"{game.score:,}" if game.ticks else "",
+            grouped(game.score) if game.ticks else "",
             clock(game.ticks) if game.ticks else "",
             tr("yes") if game.kept else "",
         )
@@ -68,7 +68,7 @@ class Replays(Panel):
     def _menu(self, game: KeptGame) -> Screen:
         """What can be done with a game."""
         lines = [f"{game.date}   {_played(game)}".strip()]
-        keep = tr("Let it go with the oldest") if game.kept else tr("Keep it")
+        keep = tr("Stop keeping it") if game.kept else tr("Keep it")
         entries = (
             Entry(tr("Watch"), lambda: self._watched(game)),
             Entry(tr("Rename"), lambda: self._rename(game)),
@@ -115,7 +115,7 @@ class Replays(Panel):
         entries = (Entry(tr("Keep it"), lambda: self), Entry(tr("Delete"), deleted))
         line = tr("Its file is removed for good.")
         if game.file in self.state.kept.needed():
-            line = tr("A score or a best refers to it and could not be verified any more.")
+            line = tr("A score or a best run refers to it and could no longer be verified.")
         return Menu(self.state, self, tr("Delete this game?"), (line,), entries, back=lambda: self)
 
     def _changed(self, game: KeptGame) -> Screen:
@@ -132,7 +132,7 @@ class Replays(Panel):
 
 def _rule() -> str:
     """Which games stay."""
-    return tr("The last {count} games are here, and those that you keep or that a score refers to.").format(count=MOST)
+    return tr("Your last {count} games, and those that you keep or that a score refers to.").format(count=MOST)
 
 
 def _played(game: KeptGame) -> str:

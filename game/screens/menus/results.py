@@ -9,7 +9,7 @@ from game.drawing.canvas import Canvas
 from game.drawing.palette import mixed
 from game.drawing.raster.primitives import draw_dot
 from game.input.signals import Clicked, Pressed, Signal
-from game.language import tr
+from game.language import grouped, tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.toolkit.items import Cells, Drawing, Heading, Item, TextItem
@@ -30,7 +30,7 @@ class Figure(NamedTuple):
 
     label: str
     amount: int
-    said: Callable[[int], str] = "{:,}".format
+    said: Callable[[int], str] = grouped
     best: bool = False
 
 

@@ -6,12 +6,9 @@ from game.language import tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.menus.settings_rows import PARTS
-from game.screens.toolkit.layout import Content
+from game.screens.toolkit.layout import FROM_TOP, Content
 from game.screens.toolkit.menu import back_row
 from game.screens.toolkit.panel import Panel
-
-_TALL = 17.0
-"""Height of the tallest part, units of text."""
 
 
 class SettingsPanel(Panel):
@@ -27,7 +24,7 @@ class SettingsPanel(Panel):
         footer = back_row(tr("Back"), self.back)
         names = tuple([part.name() for part in PARTS])
         rows = PARTS[self._tab].rows(self.state, self)
-        return Content(tr("Settings"), rows, footer, names, self._tab, 42.0, tall=_TALL, tips=True)
+        return Content(tr("Settings"), rows, footer, names, self._tab, 42.0, tall=FROM_TOP, tips=True)
 
     def open_tab(self, index: int) -> None:
         """Remember which part is open."""

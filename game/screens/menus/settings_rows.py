@@ -11,10 +11,12 @@ from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.earned import feats
 from game.screens.menus.access_rows import access_rows
+from game.screens.menus.ball_preview import ball_preview
 from game.screens.menus.control_rows import WIDE_TEXT, control_rows
 from game.screens.toolkit.items import ChoiceItem, Heading, Item, Switch, TextItem
 from game.screens.toolkit.layout import Row
 from game.screens.toolkit.slider import Slider
+from game.settings.effect_names import effect_names
 from game.settings.values import LOUDEST, VOLUME_STEP, Settings
 from game.unlocks import BALLS, TRAILS, Condition, ball_names, trail_names, unlocked
 
@@ -24,29 +26,6 @@ class SettingsPart(NamedTuple):
 
     name: Callable[[], str]
     rows: Callable[[AppState, Screen], tuple[Row, ...]]
-
-
-def effect_names() -> dict[EffectKind, tuple[str, str]]:
-    """What every effect is called, and what it is."""
-    return {
-        EffectKind.TRAIL: (tr("Ball trail"), tr("Where the ball has just been; it grows warmer with every brick in a row.")),
-        EffectKind.FLASH: (tr("Flashes"), tr("What is struck lights up.")),
-        EffectKind.RING: (tr("Ring light"), tr("Light runs around a ring when one of its bricks breaks.")),
-        EffectKind.SHARDS: (tr("Shards"), tr("Bricks break into pieces of their colour.")),
-        EffectKind.SPARKS: (tr("Sparks"), tr("Steel and paddles give off sparks; a lost ball bursts.")),
-        EffectKind.RECOIL: (tr("Paddle recoil"), tr("A struck paddle gives way and springs back.")),
-        EffectKind.FALLING: (tr("Falling stacks"), tr("In 3D, the rest of a stack comes down and bounces.")),
-        EffectKind.POINTS: (tr("Points"), tr("Points rise where they are made, larger the longer the row.")),
-        EffectKind.COMBO: (tr("Combo counter"), tr("The counter of bricks in a row springs with every brick.")),
-        EffectKind.WAVES: (tr("Waves"), tr("Circles run over the ground when a level begins or ends, or a ball is lost.")),
-        EffectKind.SHAKE: (tr("Shake"), tr("Great moments shake the arena.")),
-        EffectKind.DEPTH: (tr("Light and shadow"), tr("The arena has depth: bricks throw shadows, the rim glows.")),
-        EffectKind.LIGHTS: (tr("Lights"), tr("What is struck throws light on the arena, and balls shine.")),
-        EffectKind.SWIRL: (tr("Swirls"), tr("Gravity wells turn, power-ups float.")),
-        EffectKind.ENTRY: (tr("Entry"), tr("The wall is built up when a level begins.")),
-        EffectKind.SLOW_MOTION: (tr("Slow motion"), tr("Time slows down before the last brick breaks.")),
-        EffectKind.HIT_STOP: (tr("Hit-stop"), tr("On great moments the game holds its breath for a tenth of a second.")),
-    }
 
 
 def _switch(state: AppState, label: str, field: str, tip: str) -> Switch:
@@ -89,9 +68,10 @@ def _picture(state: AppState, _panel: Screen) -> tuple[Row, ...]:
         (colours,),
         (screen,),
         (_switch(state, tr("Reduced motion"), "reduced_motion", motion),),
-        (_switch(state, tr("Ghost"), "ghost", tr("Pale outlines show your best run of the level beside you.")),),
+        (_switch(state, tr("Ghost"), "ghost", tr("Pale outlines replay your best run of the level while you play.")),),
         (_unlockable(state, tr("Ball"), "ball", BALLS, ball_names()),),
         (_unlockable(state, tr("Trail"), "trail", TRAILS, trail_names()),),
+        (ball_preview(),),
     )
 
 
@@ -101,9 +81,9 @@ def _unlockable(state: AppState, label: str, field: str, conditions: dict[str, C
     earned = unlocked(conditions, feats(state.kept.progress.value))
     open_ones = [name for name in conditions if name in earned or name == now]
     following = next((name for name in conditions if name not in earned), None)
-    tip = tr("All are yours.") if following is None else f"{names[following]}: {conditions[following].text}"
+    tip = tr("All of them are unlocked.") if following is None else f"{names[following]}: {conditions[following].text}"
     if len(open_ones) == 1:
-        return TextItem(tr("{what}: {name}. To earn: {how}").format(what=label, name=names[now], how=tip))
+        return TextItem(tr("{what}: {name}. To unlock: {how}").format(what=label, name=names[now], how=tip))
 
     def choose(index: int) -> None:
         state.change(Settings(**{**state.settings._asdict(), field: open_ones[index]}))
@@ -113,7 +93,7 @@ def _unlockable(state: AppState, label: str, field: str, conditions: dict[str, C
 
 def _effects(state: AppState, _panel: Screen) -> tuple[Row, ...]:
     """One switch for all, and one for each, in two columns where there is room."""
-    tip = tr("All that is listed below, but for the trail; {key} turns them off and on at any time.").format(
+    tip = tr("Everything listed below except the trail; {key} turns it off and on at any time.").format(
         key=key_name(Action.EFFECTS)
     )
     items = [_effect(state, kind, *words) for kind, words in effect_names().items()]
@@ -127,9 +107,9 @@ def _effect(state: AppState, kind: EffectKind, label: str, tip: str) -> Switch:
     settings, why = state.settings, ""
     on = kind not in settings.off
     if on and not settings.effects and kind not in PLAIN:
-        why = tr("Off now: effects are.")
+        why = tr("Off now, since effects are off.")
     elif on and settings.reduced_motion and kind in MOVING:
-        why = tr("Off now: reduced motion.")
+        why = tr("Off now, since motion is reduced.")
     words = (tr("off"), tr("on"))
     return Switch(label, on, lambda: state.change(state.settings.toggled(kind)), f"{tip} {why}".strip(), words, bool(why))
 
@@ -150,7 +130,7 @@ def _sound(state: AppState, _panel: Screen) -> tuple[Row, ...]:
         state.change(state.settings._replace(volume=round(level * LOUDEST)))
 
     volume, music = state.settings.volume, state.settings.music
-    music_tip = tr("Beside all other sounds; it grows with every brick in a row and with the last bricks of a level.")
+    music_tip = tr("The music's volume; more instruments join with every brick in a row and with a level's last bricks.")
     tip = tr("Left and right change it; so do {less} and {more} at any time.").format(
         less=key_name(Action.LESS), more=key_name(Action.MORE)
     )
@@ -166,5 +146,5 @@ PARTS = (
     SettingsPart(lambda: tr("Effects"), _effects),
     SettingsPart(lambda: tr("Sound"), _sound),
     SettingsPart(lambda: tr("Keys"), control_rows),
-    SettingsPart(lambda: tr("Access"), access_rows),
+    SettingsPart(lambda: tr("Accessibility"), access_rows),
 )

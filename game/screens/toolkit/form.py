@@ -98,7 +98,7 @@ class Form:
         surface.set_clip(clip)
         _draw_scroll_bar(canvas, laid, self._scroll)
         focused = spot_at(laid, focus)
-        if focused is not None and focused.item.tip:
+        if focused is not None and focused.item.tip and laid.tip.height:
             _draw_tip(canvas, focused.item.tip, laid.tip, centred=centred)
 
     def _laid(self, size: tuple[int, int]) -> Laid:
@@ -158,7 +158,7 @@ class Form:
         laid = self._laid(size)
         self._pixel, self._grip, self._is_pressed = pixel, None, False
         self._drags_bar = _is_on_bar(laid, pixel, self.unit(size))
-        spot = _pointed_spot(laid, pixel)
+        spot = pointed_spot(laid, pixel)
         if spot is not None:
             self._focus = Focus(spot.row, spot.column)
         return self.screen
@@ -173,7 +173,7 @@ class Form:
             self._scroll_to(pixel, laid, unit)
             return self.screen
         if self._grip is None and not self._is_pressed:
-            spot = _pointed_spot(laid, pixel)
+            spot = pointed_spot(laid, pixel)
             if spot is not None and Focus(spot.row, spot.column) == self._focus:
                 self._grip = _grip_of(spot, pixel, unit)
         held = None if self._grip is None else spot_at(laid, self._grip.focus)
@@ -191,7 +191,7 @@ class Form:
         if self._drags_bar:
             self._scroll_to(pixel, laid, unit)
             return self.screen
-        spot = _pointed_spot(laid, pixel)
+        spot = pointed_spot(laid, pixel)
         if spot is None:
             return self.screen
         self._focus = Focus(spot.row, spot.column)
@@ -256,7 +256,7 @@ def _shares_row(laid: Laid, focus: Focus) -> bool:
     return len([spot for spot in laid.spots if spot.row == focus.row and spot.item.focusable]) > 1
 
 
-def _pointed_spot(laid: Laid, pixel: complex) -> Spot | None:
+def pointed_spot(laid: Laid, pixel: complex) -> Spot | None:
     """The item that can be used at a pixel."""
     for spot in laid.spots:
         if spot.item.focusable and index_at([spot.box.clip(laid.body) if spot.in_body else spot.box], pixel) is not None:

@@ -42,12 +42,14 @@ class Item:
     """One thing on a panel; of itself it is empty room that cannot be used.
 
     tip: what is said about it when it has the focus. key: what uses it from anywhere on the panel.
-    share: its part of the row's width, in comparison with the other items of the row.
+    share: its part of the row's width, in comparison with the other items of the row. is_typed: whether to accept it begins to
+    type a number.
     """
 
     tip: str = ""
     key: Action | None = None
     share: float = 1.0
+    is_typed = False
 
     @property
     def focusable(self) -> bool:
@@ -73,6 +75,10 @@ class Item:
         """From the middle of what is dragged to the pixel that was pressed, pixels; None where nothing can be dragged."""
         return None
 
+    def held_sign(self, _pixel: complex, _box: pygame.Rect, _unit: float) -> int:
+        """Direction in which the mouse that is held at a pixel steps it again and again: -1, +1, or 0 for none."""
+        return 0
+
     def pointed(self, panel: Screen, _pixel: complex, _box: pygame.Rect, _unit: float, *, clicked: bool) -> Screen | None:
         """The screen to go on with after a click, or a drag with the button held."""
         return self.accepted(panel) if clicked else panel
@@ -93,7 +99,8 @@ class Space(Item):
 class TextItem(Item):
     """Words in as many lines as they need; a line break begins a paragraph.
 
-    size: of the letters. faint: in the second colour. centred: the lines, else they begin at the left.
+    size: of the letters. faint: in the second colour. centred: the lines, else they begin at the left. midway: they stand in
+    the middle of the row's height, else at its top.
     """
 
     text: str
@@ -101,6 +108,7 @@ class TextItem(Item):
     faint: bool = False
     centred: bool = False
     share: float = 1.0
+    midway: bool = False
 
     def height(self, type_: Type, unit: float, width: float) -> float:
         """As many lines as the words take."""
@@ -110,9 +118,10 @@ class TextItem(Item):
         """The lines, one below the other."""
         colour = canvas.theme.faint if self.faint else canvas.theme.text
         anchor, x = ("midtop", box.centerx) if self.centred else ("topleft", box.left)
-        for index, line in enumerate(self._lines(canvas.type, canvas.unit, box.width)):
-            pixel = complex(x, box.top + canvas.unit * self.size * _LINE * index)
-            write_fitting(canvas, line, self.size, colour, pixel, anchor, box.width)
+        lines, pitch = self._lines(canvas.type, canvas.unit, box.width), canvas.unit * self.size * _LINE
+        top = box.centery - pitch * len(lines) / 2.0 if self.midway else float(box.top)
+        for index, line in enumerate(lines):
+            write_fitting(canvas, line, self.size, colour, complex(x, top + pitch * index), anchor, box.width)
 
     def _lines(self, type_: Type, unit: float, width: float) -> list[str]:
         """The lines, an empty one between two paragraphs."""
@@ -143,7 +152,10 @@ class Heading(Item):
 
 @dataclass(frozen=True)
 class ButtonItem(Item):
-    """Leads somewhere. chosen: makes the screen to go on with; note: words at its right end; centred: the label."""
+    """Leads somewhere. chosen: makes the screen to go on with; note: words at its right end; centred: the label.
+
+    framed: it has a frame without the focus as well, as one has whose label is centred.
+    """
 
     label: str
     chosen: Callable[[], Screen | None]
@@ -153,6 +165,7 @@ class ButtonItem(Item):
     centred: bool = False
     large: bool = False
     share: float = 1.0
+    framed: bool = False
 
     @property
     def focusable(self) -> bool:
@@ -166,7 +179,7 @@ class ButtonItem(Item):
     def draw(self, canvas: Canvas, box: pygame.Rect, *, focused: bool) -> None:
         """The label in a frame when it is focused."""
         theme, unit = canvas.theme, canvas.unit
-        draw_focus(canvas, box, focused=focused, resting=self.centred)
+        draw_focus(canvas, box, focused=focused, resting=self.centred or self.framed)
         size = _LABEL * (1.3 if self.large else 1.0)
         colour = theme.accent if focused else theme.text
         if self.centred:

@@ -32,6 +32,10 @@ _SCREEN_MARGIN = 0.6
 BAR = 0.45
 """Width of the scroll bar."""
 _BAR_ROOM = 1.1
+_MOST_STEADY = 0.5
+"""Head and foot of a column that stay where they are have their heights up to this share of the area's; beyond, the least."""
+FROM_TOP = 99.0
+"""For `Content.tall`: the plate's upper edge is as high as it can be, whatever its parts need."""
 COLUMN_MARGIN = 0.9
 """From the edges of an area to the rows in it."""
 _TIGHTEST, _LEAST_SEEN = 0.75, 0.22
@@ -140,31 +144,39 @@ class Column(NamedTuple):
     foot: tuple[Row, ...]
 
 
-def laid_in_column(column: Column, area: pygame.Rect, type_: Type, unit: float, scroll: float) -> Laid:
+def laid_in_column(
+    column: Column, area: pygame.Rect, type_: Type, unit: float, scroll: float, *, low_foot: bool = False
+) -> Laid:
     """Everything below each other from the top of an area, pixels. unit: size of text. scroll: of the body.
 
     Where there is too little room, all rows are made lower, and then the body scrolls; where little would be seen of it,
-    everything scrolls.
+    everything scrolls. low_foot: head and foot stay where they are whatever is in the body, the foot at the area's bottom.
     """
     margin = round(COLUMN_MARGIN * unit)
     left, width = area.left + margin, max(area.width - 2 * margin, 1)
-    parts = [sum([_row_height(row, type_, unit, width) for row in rows]) for rows in column]
-    squeeze = min(max(area.height / max(sum(parts), 1.0), _TIGHTEST), 1.0)
-    head, wanted, foot = (squeeze * part for part in parts)
+    head, wanted, foot = [sum([_row_height(row, type_, unit, width) for row in rows]) for rows in column]
+    squeeze = min(max(area.height / max(head + wanted + foot, 1.0), _TIGHTEST), 1.0)
+    steady = squeeze
+    if low_foot:
+        steady = 1.0 if head + foot < area.height * _MOST_STEADY else _TIGHTEST
+        squeeze = min(max((area.height - steady * (head + foot)) / max(wanted, 1.0), _TIGHTEST), 1.0)
+    head, wanted, foot = steady * head, squeeze * wanted, steady * foot
     room = area.height - head - foot
     if room < wanted and room < area.height * _LEAST_SEEN and (column.head or column.foot):
         everything = Column((), (*column.head, *column.body, *column.foot), ())
         return laid_in_column(everything, area, type_, unit, scroll)
-    seen, inner = min(wanted, room), width - (round(_BAR_ROOM * unit) if wanted > room else 0)
+    seen = min(wanted, room)
     over = max(round(wanted - seen), 0)
+    inner = width - (round(_BAR_ROOM * unit) if over else 0)
     body = pygame.Rect(left, round(area.top + head), inner, round(seen))
+    foot_top = round(area.bottom - foot) if low_foot else body.bottom
     before, inside = len(column.head), len(column.head) + len(column.body)
     spots = (
-        *_spots(column.head, type_, unit, (left, area.top, width), (0, False), squeeze),
+        *_spots(column.head, type_, unit, (left, area.top, width), (0, False), steady),
         *_spots(column.body, type_, unit, (left, body.top - min(scroll, over), inner), (before, True), squeeze),
-        *_spots(column.foot, type_, unit, (left, body.bottom, width), (inside, False), squeeze),
+        *_spots(column.foot, type_, unit, (left, foot_top, width), (inside, False), steady),
     )
-    bottom = round(body.bottom + foot)
+    bottom = round(foot_top + foot)
     tip = pygame.Rect(left, bottom, width, round(TIP * LINE * TIP_LINES * unit))
     return Laid(area, pygame.Rect(0, 0, 0, 0), (), body, spots, tip, over, left + width)
 

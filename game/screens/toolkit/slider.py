@@ -92,6 +92,7 @@ class FieldSlider(Slider):
     edit: Callable[[float | None], None] = lambda _: None
     origin: float = 0.0
     field: TextField | None = None
+    is_typed = True
 
     def draw(self, canvas: Canvas, box: pygame.Rect, *, focused: bool) -> None:
         """How full it is, and the amount in a field."""

@@ -14,7 +14,11 @@ from game.screens.toolkit.layout import Content, Row
 from game.screens.toolkit.panel import Panel
 from game.screens.toolkit.text_field import TextField, draw_field
 
-_LETTERS = ("ABCDEFGHIJ", "KLMNOPQRST", "UVWXYZ-_.!", "0123456789")
+TEXT_KEYS = ("ABCDEFGHIJ", "KLMNOPQRST", "UVWXYZ-_.!", "0123456789")
+NUMBER_KEYS = ("123", "456", "789", "-0.")
+"""Letters of the small keyboard, row by row: for a text, and for a number."""
+_OTHER_SIGNS = str.maketrans("-_.!", ",;:?")
+"""The signs that stand beside small letters."""
 _FEW_LETTERS = 6
 _NAVIGATION = frozenset(
     {pygame.K_UP, pygame.K_DOWN, pygame.K_LEFT, pygame.K_RIGHT, pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_ESCAPE}
@@ -26,12 +30,30 @@ class TextEntry(Panel):
     """A field and a small keyboard of buttons. Enter on a real keyboard accepts what is in the field."""
 
     def __init__(
-        self, state: AppState, under: Screen, title: str, text: str, longest: int, done: Callable[[str], Screen | None]
+        self,
+        state: AppState,
+        under: Screen,
+        title: str,
+        text: str,
+        longest: int,
+        done: Callable[[str], Screen | None],
+        letters: tuple[str, ...] = TEXT_KEYS,
     ) -> None:
-        """Open with a text. longest: characters that it may have; done: the screen after it was accepted."""
+        """Open with a text. longest: characters that it may have; done: the screen after it was accepted.
+
+        letters: of the small keyboard. A number is entered anew: the first letter replaces it.
+        """
         super().__init__(state, under)
-        self._title, self._longest, self._done = title, longest, done
-        self.text = text[:longest]
+        self._title, self._longest, self._done, self._letters = title, longest, done, letters
+        self._small = False  # whether the small keyboard has small letters, and the other signs
+        self.field = TextField.all_of(text[:longest])
+        if letters == TEXT_KEYS:
+            self.field = self.field.moved(longest)
+
+    @property
+    def text(self) -> str:
+        """What is in the field."""
+        return self.field.text
 
     def content(self) -> Content:
         """The field, the letters, and what to do with them."""
@@ -39,24 +61,27 @@ class TextEntry(Panel):
         for line in self._lines:
             letters = [ButtonItem(letter, self._typed(letter), centred=True) for letter in line]
             keys.append((*letters, *[Item()] * (len(self._lines[0]) - len(line))))
-        space = ButtonItem(tr("Space"), self._typed(" "), centred=True, share=2.0)
         erase = ButtonItem(tr("Erase"), self._erase, centred=True)
-        keys.append((space, erase))
+        if self._letters == TEXT_KEYS:
+            case = ButtonItem("ABC" if self._small else "abc", self._change_case, centred=True)
+            keys.append((ButtonItem(tr("Space"), self._typed(" "), centred=True), case, erase))
+        else:
+            keys.append((erase,))
         done = ButtonItem(tr("Done"), lambda: self._done(self.text.strip()), centred=True, large=True)
         footer: tuple[tuple[Item, ...], ...] = ((done,),)
-        return Content(self._title, tuple(keys), footer, width=30.0)
+        return Content(self._title, tuple(keys), footer, width=30.0 if self._letters == TEXT_KEYS else 20.0)
 
     def first(self) -> Focus | None:
-        """The button that accepts, so that one can type and press Enter."""
-        return Focus(len(self._lines) + 2, 0)
+        """The button that accepts, so that one can type and press Enter; the first digit of a number."""
+        return Focus(len(self._lines) + 2, 0) if self._letters == TEXT_KEYS else None
 
     @property
     def _lines(self) -> tuple[str, ...]:
         """The letters, fewer beside each other where the player wants large texts."""
-        if not self.has_large_text:
-            return _LETTERS
-        letters = "".join(_LETTERS)
-        return tuple([letters[start : start + _FEW_LETTERS] for start in range(0, len(letters), _FEW_LETTERS)])
+        letters = "".join(self._letters)
+        letters = letters.lower().translate(_OTHER_SIGNS) if self._small else letters
+        wide = min(len(self._letters[0]), _FEW_LETTERS) if self.has_large_text else len(self._letters[0])
+        return tuple([letters[start : start + wide] for start in range(0, len(letters), wide)])
 
     def typed(self, event: pygame.Event) -> bool:
         """Take an event of the keyboard as text; whether it is one. Arrows, Enter and Esc mean what they mean everywhere."""
@@ -80,15 +105,21 @@ class TextEntry(Panel):
 
     def _type(self, text: str) -> None:
         """Add to the field what can be read in one line."""
-        self.text = (self.text + "".join([letter for letter in text if letter.isprintable()]))[: self._longest]
+        self.field = self.field.typed(text, self._longest)
         self._changes += 1
 
     def _erase(self) -> Screen | None:
         """Take the last letter away."""
-        self.text = self.text[:-1]
+        self.field = self.field.without(-1)
+        self._changes += 1
+        return self
+
+    def _change_case(self) -> Screen | None:
+        """Small letters on the small keyboard, or capitals again."""
+        self._small = not self._small
         self._changes += 1
         return self
 
     def _draw_field(self, canvas: Canvas, box: pygame.Rect) -> None:
         """The text and where the next letter goes."""
-        draw_field(canvas, box, self.text, 1.6, TextField(self.text, len(self.text), len(self.text)))
+        draw_field(canvas, box, self.text, 1.6, self.field)

@@ -6,9 +6,9 @@ from game.effects import Effects
 from game.fixed_step import LONGEST_FRAME
 from game.input.actions import Action
 from game.input.signals import FocusLost, Pressed, Signal
-from game.language import tr
+from game.language import grouped, tr
 from game.overlay.readings import readings
-from game.picture.figures import add_figures
+from game.picture.figures import Corners, add_figures
 from game.replays.file import Recording
 from game.replays.playback import Playback
 from game.replays.verify import verified
@@ -46,7 +46,7 @@ class ReplayOnPage:
             PageItem("speed", tr("Speed"), "choice", self._speed, _SPEEDS),
             PageItem("verify", tr("Verify"), hint=tr("Plays it again and compares every hash.")),
             PageItem("download", tr("Download")),
-            PageItem("title", tr("Title")),
+            PageItem("title", tr("Main menu")),
         )
         return PageMenu(self._name, (self._verdict,) if self._verdict else (), items, side=True)
 
@@ -119,7 +119,8 @@ class ReplayOnPage:
         """The arena and the figures."""
         seen, unit = self._state.layout(size, self._ticked.game.level.ground_radius), self._state.text_unit(size)
         self._state.draw_scene(out, scene_at(self._ticked, self._at % 1.0, self._effects), seen.camera, size)
-        add_figures(out.frame, readings(self._ticked.game, badge=tr("replay")), seen, self._state.theme, unit)
+        shown = readings(self._ticked.game, self._effects.streak, badge=tr("replay"))
+        add_figures(out.frame, shown, Corners(seen, self._state.theme, unit))
 
     def _step(self, ticks: int) -> None:
         """Stopped, some ticks later."""
@@ -129,7 +130,8 @@ class ReplayOnPage:
     def _seek(self, number: int) -> None:
         """At a tick, with no effect to be seen."""
         number = min(max(number, 0), self._frames.ticks)
-        self._at, self._effects = float(number), Effects()
+        self._at = float(number)
+        self._effects = Effects() if number else effects.at_start(self._state.settings.shown)
         self._ticked = self._frames.ticked(number - 1) if number else still(self._frames.game(0))
 
 
@@ -138,4 +140,4 @@ def verdict(recording: Recording) -> str:
     found = verified(recording)
     if found.divergence is not None:
         return str(found.divergence)
-    return tr("{ticks} ticks, every hash agrees").format(ticks=f"{found.game.tick:,}")
+    return tr("{ticks} ticks, every hash agrees").format(ticks=grouped(found.game.tick))

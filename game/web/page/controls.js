@@ -1,9 +1,32 @@
 // Makes the page's controls of the values that Python gives, and says which was used.
 
+const PAD = { use: 0, up: 12, down: 13, left: 14, right: 15 }; // a gamepad's buttons in the standard layout
+const SLIDER_STEPS = 400; // of a number that may have any value
+
 function made(tag, properties = {}, ...children) {
   const element = Object.assign(document.createElement(tag), properties);
   element.append(...children);
   return element;
+}
+
+/** A number's name, what it means, a slider, and a field; the two follow each other. */
+function number(item, name, use) {
+  const limits = { min: item.low, max: item.high, step: item.step || "any", value: item.value };
+  const field = made("input", { type: "number", id: name, ...limits, onchange: () => use(item.id, field.value) });
+  const slider = made("input", { type: "range", ...limits, step: item.step || (item.high - item.low) / SLIDER_STEPS });
+  slider.setAttribute("aria-label", `${item.label} ${item.hint ?? ""}`);
+  slider.oninput = () => use(item.id, slider.value);
+  const words = made("label", { htmlFor: name }, item.label, ...(item.hint ? [made("small", {}, item.hint)] : []));
+  return made("div", { className: "number" }, words, slider, field);
+}
+
+/** Let a control show another value, if nobody is typing in it. */
+function update(element, item) {
+  for (const field of element.querySelectorAll("select, input")) {
+    if (field === document.activeElement && field.type === "text") continue;
+    if (field.type === "checkbox") field.checked = item.value === "True";
+    else if (field.value !== item.value) field.value = item.value;
+  }
 }
 
 function control(item, use) {
@@ -22,17 +45,24 @@ function control(item, use) {
     const box = made("input", { type: "checkbox", id: name, checked: item.value === "True", onchange: () => use(item.id, box.checked ? "True" : "False") });
     return made("label", hint, item.label, box);
   }
-  if (item.kind === "number") {
-    const field = made("input", { type: "number", id: name, min: item.low, max: item.high, step: item.step || "any", value: item.value, onchange: () => use(item.id, field.value) });
-    return made("label", hint, item.label, field);
-  }
+  if (item.kind === "number") return number(item, name, use);
   const field = made("input", { type: "text", id: name, value: item.value, maxLength: item.high || 400, spellcheck: false });
   const enter = () => use(item.id, field.value);
   field.onkeydown = (event) => event.key === "Enter" && enter();
   return made("label", hint, item.label, field, made("button", { type: "button", id: `${name}-enter`, onclick: enter }, "Enter"));
 }
 
+/** A control with what it does below it. */
+function hinted(own, hint) {
+  return made("div", {}, own, made("p", { className: "hint" }, hint));
+}
+
 export class Controls {
+  #shape = "";
+  #wanted = "";
+  #lines = [];
+  #items = [];
+
   constructor(menu, toolbar, canvas, use) {
     Object.assign(this, { menu, toolbar, canvas, use });
     menu.addEventListener("keydown", (event) => this.#move(event));
@@ -41,26 +71,41 @@ export class Controls {
   /** Show a menu in place of the one before; the control that had the keyboard keeps it where it is still there. */
   show(menu) {
     const held = document.activeElement?.id, same = this.menu.dataset.title === menu.title && !this.menu.hidden;
+    const shape = JSON.stringify([menu.title, menu.lines?.length, menu.side, menu.editor, menu.items.map((item) => ({ ...item, value: "" }))]);
+    if (same && shape === this.#shape) return this.#update(menu);
+    this.#shape = shape;
     const position = this.menu.scrollTop;
     const title = made("h1", { id: "menu-title" }, menu.title);
     const lines = menu.lines.map((line) => made("p", {}, line));
-    const items = made("div", { className: "items" });
-    for (const item of menu.items) {
-      items.append(control(item, this.use));
-      if (item.hint && item.kind === "button" && !menu.side) items.append(made("p", { className: "hint" }, item.hint));
+    const items = made("div", { className: "items" }), elements = menu.items.map((item) => control(item, this.use));
+    for (const [index, item] of menu.items.entries()) {
+      const own = elements[index], explained = item.hint && !["words", "number"].includes(item.kind) && !menu.side;
+      items.append(explained ? hinted(own, item.hint) : own);
     }
     this.menu.replaceChildren(title, ...lines, items);
+    this.#lines = lines;
+    this.#items = elements;
     this.menu.dataset.title = menu.title;
     this.menu.classList.toggle("side", menu.side);
     document.body.classList.toggle("coding", menu.editor);
     this.menu.hidden = false;
     this.menu.scrollTop = same ? position : 0;
-    const again = same && held ? document.getElementById(held) : null;
+    const wanted = held || this.#wanted, again = same && wanted ? document.getElementById(wanted) : null;
+    this.#wanted = again?.disabled ? wanted : ""; // a control that cannot be used for a while has the keyboard again afterwards
     if (again && this.menu.contains(again)) again.focus({ preventScroll: true });
     else if (!menu.side) this.#controls()[0]?.focus({ preventScroll: true });
   }
 
+  /** The same controls with other values: they stay, so that a slider can be dragged on. */
+  #update(menu) {
+    menu.lines.forEach((line, index) => {
+      if (this.#lines[index].textContent !== line) this.#lines[index].textContent = line;
+    });
+    menu.items.forEach((item, index) => update(this.#items[index], item));
+  }
+
   close() {
+    this.#shape = "";
     this.menu.hidden = true;
     document.body.classList.remove("coding");
     this.menu.replaceChildren();
@@ -85,8 +130,31 @@ export class Controls {
   #move(event) {
     const step = { ArrowUp: -1, ArrowDown: 1 }[event.key];
     if (!step || event.target.tagName !== "BUTTON") return;
-    const controls = this.#controls(), at = controls.indexOf(document.activeElement);
-    controls[(at + step + controls.length) % controls.length]?.focus();
+    this.#focus(step);
     event.preventDefault();
   }
+
+  #focus(step) {
+    const controls = this.#controls(), at = controls.indexOf(document.activeElement);
+    controls[(at + step + controls.length) % controls.length]?.focus();
+  }
+
+  /** A gamepad's button: up and down go from control to control, left and right change its value, A uses it. */
+  steer(button) {
+    if (this.menu.hidden || this.menu.classList.contains("side")) return;
+    const held = document.activeElement;
+    if (button === PAD.up || button === PAD.down) this.#focus(button === PAD.up ? -1 : 1);
+    else if (!this.menu.contains(held)) return;
+    else if (button === PAD.use && (held.tagName === "BUTTON" || held.type === "checkbox")) held.click();
+    else if (button === PAD.left || button === PAD.right) changed(held, button === PAD.left ? -1 : 1);
+  }
+}
+
+/** Another value of a choice or of a number. */
+function changed(field, step) {
+  if (field.tagName === "SELECT") field.selectedIndex = Math.min(Math.max(field.selectedIndex + step, 0), field.options.length - 1);
+  else if (field.type !== "number") return;
+  else if (step < 0) field.stepDown();
+  else field.stepUp();
+  field.dispatchEvent(new Event("change"));
 }

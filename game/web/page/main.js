@@ -1,4 +1,4 @@
-// The page: asks Python in the worker for a frame, paints the one before, and hands on what the player did.
+// The page: asks Python in the worker for pictures, paints them, and hands on what the player did.
 
 import { Controls } from "./controls.js";
 import { Editor } from "./editor.js";
@@ -6,18 +6,21 @@ import { Grader } from "./grader.js";
 import { Input } from "./input.js";
 import { paint } from "./painter.js";
 import { Speaker } from "./speaker.js";
+import { Words } from "./words.js";
 
 const TOLD_SECONDS = 7;
 const LARGEST_FILE = 16 * 1024 * 1024;
 const element = (id) => document.getElementById(id);
 const canvas = element("picture"), context = canvas.getContext("2d", { alpha: false });
-const speaker = new Speaker(), input = new Input(canvas);
+const speaker = new Speaker(), input = new Input(canvas, hurry, (button) => controls.steer(button));
 const controls = new Controls(element("menu"), element("toolbar"), canvas, choose);
 const editor = new Editor(element("code"), { typed: (text) => input.add({ type: "code", text }), grade: () => choose("grade", ""), left: () => element("item-grade")?.focus() });
 const backdrop = document.createElement("canvas"), backdropContext = backdrop.getContext("2d", { alpha: false });
+const words = new Words(element("step"), element("words"));
 const questions = new Map();
 const HUNG = "Your own functions gave no answer, so the page was opened again without them.";
-let limit = 0, worker = null, grader = null, latest = null, waiting = false, sentAt = 0, background = "#000", toldUntil = 0, asked = 0;
+let limit = 0, worker = null, grader = null, background = "#000", toldUntil = 0, asked = 0;
+let ready = false, waiting = false, late = false, sentAt = 0, size = null; // late: the next request is due as soon as the reply is there
 
 function say(words) {
   element("loading").textContent = words;
@@ -55,33 +58,47 @@ function density() {
   return Math.min(devicePixelRatio || 1, 2);
 }
 
+/** Lay out the picture beside the controls and between the words; its size in pixels. */
 function fitted() {
-  const full = { width: innerWidth, height: innerHeight };
+  const area = document.querySelector("main").getBoundingClientRect(), full = { width: area.width, height: area.height };
   for (const side of [element("menu"), element("code")]) {
     if (side.hidden || !(side === element("code") || side.classList.contains("side"))) continue;
     const { left, top, width } = side.getBoundingClientRect();
-    if (width < innerWidth) full.width = Math.max(Math.min(full.width, left), 200);
-    else full.height = Math.max(Math.min(full.height, top), 200);
+    if (width < area.width) full.width = Math.max(Math.min(full.width, left - area.left), 200);
+    else full.height = Math.max(Math.min(full.height, top - area.top), 200);
   }
+  const { step, section } = words;
+  step.style.width = section.style.width = `${full.width}px`;
+  const top = step.hidden ? 0 : step.offsetHeight;
+  section.style.bottom = `${area.height - full.height}px`;
+  const height = Math.max(full.height - top - (section.hidden ? 0 : section.offsetHeight), 100);
+  canvas.style.top = `${top}px`;
   canvas.style.width = `${full.width}px`;
-  canvas.style.height = `${full.height}px`;
-  return [Math.round(full.width * density()), Math.round(full.height * density())];
+  canvas.style.height = `${height}px`;
+  return [Math.round(full.width * density()), Math.round(height * density())];
 }
 
+/** Ask for a picture of a moment, milliseconds, with all that the player did until now. */
 function request(now) {
-  const [width, height] = fitted();
-  const seconds = sentAt ? (now - sentAt) / 1000 : 0;
-  sentAt = now;
-  waiting = true;
+  if (!size && !(input.holds && request.size)) size = fitted(); // it stays while something is dragged
+  const seconds = sentAt ? Math.max(now - sentAt, 0) / 1000 : 0, [width, height] = size ?? request.size;
+  sentAt = Math.max(now, sentAt);
+  [waiting, late] = [true, false];
   worker.postMessage({ kind: "frame", request: JSON.stringify({ seconds, width, height, density: density(), signals: input.taken() }) });
-  return [width, height];
+  request.size = [width, height];
 }
 
-function show({ reply, size }) {
-  const [width, height] = size;
-  if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = size;
+/** A key or a button: its picture is asked for at once, without waiting for the browser's next frame. */
+function hurry() {
+  if (waiting) late = true;
+  else if (ready) request(performance.now());
+}
+
+/** It is painted as soon as it is there: the browser's next frame shows it. */
+function show(reply, [width, height]) {
+  if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
   if (reply.backdrop) {
-    [backdrop.width, backdrop.height] = size;
+    [backdrop.width, backdrop.height] = [width, height];
     backdropContext.fillStyle = background;
     backdropContext.fillRect(0, 0, width, height);
     paint(backdropContext, reply.backdrop, reply.backdrop_texts ?? []);
@@ -105,7 +122,9 @@ function heed(reply) {
     if (reply.menu?.editor) edit(reply.code ?? null);
     else editor.hide();
   } else if (typeof reply.code === "string") edit(reply.code);
+  if (reply.words) words.show(reply.words);
   if (reply.grading) grader.grade(reply.grading);
+  if (reply.menu || reply.menu_closed || reply.words || reply.code !== undefined) size = null;
   document.body.classList.toggle("playing", element("menu").hidden || element("menu").classList.contains("side"));
   if (reply.sounds) speaker.play(reply.sounds);
   limit = reply.limit ?? 0;
@@ -115,6 +134,7 @@ function heed(reply) {
   if (reply.fragment !== undefined && reply.fragment !== null) replaceFragment(reply.fragment);
   if (reply.told) tell(reply.told);
   if (reply.download) download(reply.download);
+  if (reply.full_screen) fillScreen();
 }
 
 function edit(code) {
@@ -135,6 +155,12 @@ function openFragment() {
     return;
   }
   if (fragment) input.add({ type: "link", fragment });
+}
+
+function fillScreen() {
+  const done = document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen?.();
+  if (done) done.catch(() => tell("the browser lets this page not fill the screen"));
+  else tell("this browser has no full screen for pages");
 }
 
 function download({ name, data }) {
@@ -160,12 +186,10 @@ async function give(file) {
 function turn(now) {
   requestAnimationFrame(turn);
   if (now > toldUntil) element("told").hidden = true;
-  if (latest) {
-    show(latest);
-    latest = null;
-  }
-  if (!waiting) turn.size = request(now);
-  else if (limit && now - sentAt > 1000 * limit) openAgain(HUNG);
+  if (!waiting) return request(now);
+  late = true;
+  if (limit && now - sentAt > 1000 * limit) openAgain(HUNG);
+  return undefined;
 }
 
 /** Nothing else ends a loop within a function written in C. What is stored is there again, and the address says the rest. */
@@ -182,18 +206,20 @@ function heard({ data }) {
     if (history.state?.told) tell(history.state.told);
     history.replaceState(null, "");
     openFragment();
+    ready = true;
     requestAnimationFrame(turn);
   } else if (data.kind === "progress") {
     element("progress").value = data.share;
   } else if (data.kind === "frame") {
     waiting = false;
     heed(data.reply);
-    latest = { reply: data.reply, size: turn.size };
+    show(data.reply, request.size);
     if (!window.polarBreakout.firstFrame) {
       window.polarBreakout.firstFrame = performance.now();
       navigator.serviceWorker?.register("offline.js").catch(() => undefined); // only now: it loads everything once more
     }
     window.polarBreakout.frames += 1;
+    if (late) request(performance.now());
   } else if (data.kind === "answer") {
     questions.get(data.number)(data.answer);
     questions.delete(data.number);
@@ -214,8 +240,9 @@ function start() {
   worker.onmessage = heard;
   const base = new URL("./", location.href).href;
   grader = new Grader({ base }, (signal) => input.add(signal));
-  worker.postMessage({ kind: "start", base, calm: matchMedia("(prefers-reduced-motion: reduce)").matches, languages: navigator.languages.join(",") });
+  worker.postMessage({ kind: "start", base, calm: matchMedia("(prefers-reduced-motion: reduce)").matches, languages: navigator.languages.join(","), touch: matchMedia("(pointer: coarse)").matches });
   for (const name of ["pointerdown", "keydown"]) addEventListener(name, () => speaker.wake());
+  addEventListener("resize", () => (size = null));
   addEventListener("hashchange", openFragment);
   addEventListener("dragover", (event) => event.preventDefault());
   addEventListener("drop", (event) => {

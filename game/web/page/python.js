@@ -91,6 +91,7 @@ function writeFiles(files, packed) {
 /** More of the game's files, from an archive of that name. */
 export async function addFiles(python, name) {
   writeFiles(python.FS, await bytes(download(name)));
+  python.runPython("import sys; sys.path_importer_cache.clear()");
 }
 
 /** Start the runtime. snapshot: of its memory, null for none. */

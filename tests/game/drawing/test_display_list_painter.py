@@ -1,7 +1,6 @@
 """Lists of primitives on a surface: shapes cover what they say, and lists are read as they were written."""
 
 import cmath
-import itertools
 import math
 import os
 
@@ -11,10 +10,10 @@ import numpy as np
 import pygame
 import pytest
 
+from game.drawing.camera import Camera
 from game.drawing.display_list_painter import DisplayListPainter
 from game.drawing.text import Type
 from game.picture.display_list import DisplayList, Primitive, packed, primitives, unpacked
-from game.picture.solid import swept
 
 SIDE, FINER = 200, 8
 MIDDLE = 100.3 + 100.7j
@@ -130,6 +129,26 @@ def test_a_plate_is_around_its_words():
     assert tuple(painted(out)[100, 100]) == GREY
 
 
+def test_words_and_their_plate_fade_together():
+    """Half as opaque, both are half way from what is below; and the next ones, opaque again, are as if nothing had faded."""
+    painter, letters, pictures = DisplayListPainter(), Type(), []
+    for opacity in (1.0, 0.5, 1.0):
+        picture = DisplayList()
+        picture.plate("Wide", 60.0, MIDDLE, GREY, (10.0, 4.0), (2.0, GREY), opacity)
+        picture.text("Wide", 60.0, MIDDLE, WHITE, opacity=opacity)
+        surface = pygame.Surface((SIDE, SIDE), 0, 32)
+        painter.paint(surface, letters, picture)
+        pictures.append(pygame.surfarray.array3d(surface).astype(np.float64))
+    opaque, faded, again = pictures
+    assert np.array_equal(opaque, again)
+    plate = (opaque == GREY[0]).all(axis=2)
+    assert plate.sum() > 500
+    assert np.abs(faded[plate] - GREY[0] / 2.0).max() <= 2.0
+    words = (opaque > 250.0).all(axis=2)
+    assert words.sum() > 20
+    assert np.abs(faded[words] - (255.0 + GREY[0] / 2.0) / 2.0).max() <= 5.0
+
+
 def test_a_list_is_read_as_it_was_written():
     """Every method adds the one primitive that its name says, with as many numbers as are read."""
     out = DisplayList()
@@ -150,10 +169,18 @@ def test_a_list_is_read_as_it_was_written():
     out.band([(0j, 1.0, GREY), (1 + 0j, 1.0, WHITE)])
     out.plate("x", 9.0, 0j, GREY, (1.0, 1.0), (1.0, WHITE))
     out.sprite(0j, 1.0, chip)
+    out.camera(Camera(0j, 1.0), 1j, (0.4, 0.8))
+    out.slot(1.0)
+    out.prism((0j, 1j, 1 + 0j), 0.0, 1.0, GREY)
+    out.shadows((0j, 1j, 1 + 0j), 1 + 0j, [(0.0, 1.0), (1.0, 2.0)], 0.5)
+    out.box(0j, 4 + 2j, 1.0, GREY, (1.0, WHITE))
+    out.texture(1, 2, [GREY, WHITE, GREY, WHITE])
+    out.textured(0j, 1.0, 1)
     found = list(primitives(out.numbers))
     assert [code for code, *_ in found] == list(Primitive)
     assert unpacked(found[0][1]) == (255, 254, 253)
-    assert found[-1][3][4:] == chip.numbers
+    assert found[Primitive.SPRITE - 1][3][4:] == chip.numbers
+    assert list(found[Primitive.SHADOWS - 1][3][-4:]) == [0.0, 1.0, 1.0, 2.0]
     assert packed(GREY) == found[1][1]
 
 
@@ -163,12 +190,3 @@ def test_what_only_a_canvas_paints_is_refused():
     out.gradient(0j, 1.0, [(0.0, GREY), (1.0, WHITE)])
     with pytest.raises(ValueError, match="does not paint GRADIENT"):
         painted(out)
-
-
-def test_a_shadow_is_what_a_foot_passes_over():
-    """A square of side 1 that is moved by (2, 1) passes over its own area and over those of the two sides that lead."""
-    square = [0j, 1j, 1 + 1j, 1 + 0j]
-    outline = swept(square, 2 + 1j)
-    area = sum([(one.conjugate() * other).imag for one, other in itertools.pairwise([*outline, outline[0]])]) / 2.0
-    assert area == pytest.approx(-(1.0 + 2.0 + 1.0))
-    assert swept(square, 0j) == square

@@ -18,7 +18,6 @@ from game.drawing.slots.contents import (
     GLOW_STEPS,
     ContentKind,
     SlotContent,
-    paddle_contents,
     resting_contents,
     wall_contents,
 )
@@ -92,7 +91,6 @@ def test_contents_follow_layers_and_flashes():
     paddles, wall = resting_contents(layers)
     assert {content.kind for content in paddles} == {ContentKind.PADDLE}
     assert [content.kind for content in wall] == [ContentKind.EMPTY, ContentKind.BRICKS, ContentKind.STEEL]
-    assert [content.glow for content in paddle_contents(3, [Flash(0, 1, PERMANENT, 0.0)])] == [0, GLOW_STEPS, 0]
     gone, struck, _ = wall_contents(layers[1], [Flash(1, 0, 0, 0.5), Flash(1, 1, 2, 0.0)])
     assert gone == SlotContent(ContentKind.GHOST, 0, GLOW_STEPS // 2)
     assert struck == SlotContent(ContentKind.BRICKS, 2, GLOW_STEPS)

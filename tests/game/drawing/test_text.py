@@ -1,5 +1,6 @@
-"""Lines of text: where they are broken."""
+"""Lines of text: where they are broken, and that they stand level."""
 
+import pygame
 import pytest
 
 from game.drawing.text import Type
@@ -18,3 +19,17 @@ def test_a_line_holds_the_words_that_fit(size, width):
         drawn = [type_.rendered(text, size, (0, 0, 0)).get_width() for text in (line, f"{line} {following.split(' ')[0]}")]
         assert drawn[0] <= width or " " not in line
         assert drawn[1] > width or not following
+
+
+@pytest.mark.parametrize("spacing", [0.0, 0.03])
+@pytest.mark.parametrize("accented", ["Čas", "sČa", "Úhel"])
+def test_accents_on_capitals_do_not_move_a_line(accented, spacing):
+    """Letters stand as high as those of a line without accents, about the middle by which lines are placed."""
+    plain = accented.replace("Č", "C").replace("Ú", "U")
+    lowest = []
+    for text in (plain, accented):
+        surface = pygame.Surface((120, 60), 0, 32)
+        Type().write(surface, text, 23.0, (255, 255, 255), 60 + 30j, "center", spacing)
+        rows = pygame.surfarray.array3d(surface).max(axis=(0, 2))
+        lowest.append(max([row for row in range(60) if rows[row] > 60]))
+    assert lowest[0] == lowest[1]

@@ -1,11 +1,11 @@
-"""The editor's window: every command by key and by mouse, and nothing lost when it is left."""
+"""The editor's window: what is wrong is shown where it is, everything has room, and nothing is lost when it is left."""
 
 import pygame
 import pytest
 
 from game.editor.command import NEW, editing_session, file_to_edit, keep_unsaved
+from game.editor.fields import Part
 from game.editor.file_watch import WatchedFile
-from game.editor.window.help import EditorHelp
 from game.editor.window.layout import editor_layout
 from game.editor.window.play_test import PlayTest
 from game.editor.window.screen import Editor
@@ -40,30 +40,10 @@ def click(editor, point, button=1):
     return screen
 
 
-def press(editor, name):
+def press(editor, label):
     """The screen after a click on a button."""
-    return click(editor, next(box.center for button, box in editor_layout(SIZE, editor.session).buttons if button.name == name))
-
-
-def slot_pixel(editor, radius):
-    """A pixel on the bricks to the right of the centre."""
-    camera = editor_layout(SIZE, editor.session).camera
-    pixel = camera.project(complex(radius, 0.0))
-    return round(pixel.real), round(pixel.imag)
-
-
-def test_the_mouse_paints_takes_away_and_repeats(editor):
-    click(editor, next(box.center for layers, box in editor_layout(SIZE, editor.session).chips if layers == 5))
-    click(editor, next(box.center for fold, box in editor_layout(SIZE, editor.session).folds if fold == 3))
-    click(editor, slot_pixel(editor, 4.0))
-    assert editor.session.document.level.rings[0].slots() == (5, 1, 1, 1) * 3
-    click(editor, slot_pixel(editor, 4.0), button=3)
-    assert editor.session.document.level.rings[0].slots() == (0, 1, 1, 1) * 3
-    press(editor, "undo")
-    press(editor, "undo")
-    assert editor.session.document.text == NEW
-    press(editor, "redo")
-    assert editor.session.document.level.rings[0].slots() == (5, 1, 1, 1) * 3
+    spots = editor.side(SIZE)._laid(SIZE).spots
+    return click(editor, next(spot.box.center for spot in spots if getattr(spot.item, "label", "") == label))
 
 
 @pytest.mark.parametrize(
@@ -89,22 +69,6 @@ def test_a_file_that_cannot_be_played_is_opened_and_drawn(tmp_path, before, afte
         click(editor, (600, 400))
 
 
-def test_a_number_is_typed_and_wheeled_and_stepped(editor):
-    row, box = editor_layout(SIZE, editor.session).rows[0]
-    assert row.name == "radius"
-    click(editor, box.center)
-    for letter in "3.5":
-        key(editor, ord(letter), letter)
-    key(editor, pygame.K_RETURN)
-    assert editor.session.document.level.rings[0].radius == 3.5
-    editor.hear(pygame.Event(pygame.MOUSEWHEEL, precise_y=-2.0), SIZE, 1 + 1j)
-    assert editor.session.document.level.rings[0].radius == 3.3
-    click(editor, (box.right - 2, box.centery))
-    assert editor.session.document.level.rings[0].radius == 3.4
-    key(editor, pygame.K_RIGHT, mod=pygame.KMOD_SHIFT)
-    assert editor.session.document.level.rings[0].radius == 4.4
-
-
 def test_a_saved_level_can_be_played_and_is_no_news(editor, tmp_path):
     key(editor, pygame.K_c)
     key(editor, pygame.K_s, mod=pygame.KMOD_CTRL)
@@ -112,7 +76,7 @@ def test_a_saved_level_can_be_played_and_is_no_news(editor, tmp_path):
     before = editor.session
     editor.advance(1.0, SIZE)
     assert editor.session == before
-    assert press(editor, "leave") is None
+    assert press(editor, "Leave") is None
 
 
 def test_what_another_program_writes_is_taken_over_and_an_error_keeps_the_last_good_state(editor, tmp_path):
@@ -122,10 +86,17 @@ def test_what_another_program_writes_is_taken_over_and_an_error_keeps_the_last_g
     assert editor.session.document.level.rings[0].layers == 3
     path.write_text("name = ")
     editor.advance(1.0, SIZE)
-    assert "not valid TOML" in editor.session.message
+    key(editor, pygame.K_RIGHT)
+    assert "not valid TOML" in editor.session.file_error
     assert editor.session.document.level.rings[0].layers == 3
     key(editor, pygame.K_z, mod=pygame.KMOD_CTRL)
     assert editor.session.document.text == NEW
+    key(editor, pygame.K_s, mod=pygame.KMOD_CTRL)
+    assert not editor.session.file_error
+    for text in ("name = ", NEW):
+        path.write_text(text)
+        editor.advance(1.0, SIZE)
+        assert bool(editor.session.file_error) == (text != NEW)
 
 
 def test_a_level_with_a_problem_is_neither_saved_nor_played(editor, tmp_path):
@@ -134,23 +105,28 @@ def test_a_level_with_a_problem_is_neither_saved_nor_played(editor, tmp_path):
     editor.draw(pygame.Surface(SIZE, 0, 32))
     assert key(editor, pygame.K_F5) is editor
     assert "no bricks" in editor.session.message
-    press(editor, "save")
+    press(editor, "Save")
     assert "not saved" in editor.session.message
     assert not (tmp_path / "mine.toml").exists()
 
 
 def test_a_play_test_comes_back_to_the_editor(editor):
+    """By Esc at once, by the pause's only way out, and from the results; nothing of it is kept."""
     playing = key(editor, pygame.K_F5)
     assert isinstance(playing, PlayTest)
     playing.advance(0.1, SIZE)
     playing.draw(pygame.Surface(SIZE, 0, 32))
-    menu = playing.answer(Pressed(Action.BACK), SIZE)
-    for _ in range(12):
-        if menu is editor:
-            break
-        menu = menu.answer(Pressed(Action.UP), SIZE)
-        menu = menu.answer(Pressed(Action.CONFIRM), SIZE)
-    assert menu is editor
+    assert playing.answer(Pressed(Action.BACK), SIZE) is editor
+    assert playing.answer(Pressed(Action.PAUSE), SIZE) is playing
+    assert [entry.label for entry in playing._inner._entries][-1] == "Back to the editor"
+    editor._state.change(editor._state.settings.other_colours())
+    playing.advance(0.1, SIZE)
+    assert playing._own.settings == editor._state.settings
+    playing._own.change(playing._own.settings._replace(volume=3))
+    playing.answer(Pressed(Action.UP), SIZE)
+    assert playing.answer(Pressed(Action.CONFIRM), SIZE) is editor
+    assert editor._state.settings.volume == 3
+    assert playing._inner._state.kept.progress is not editor._state.kept.progress
 
 
 def test_unsaved_changes_are_asked_about_and_kept_where_nobody_could_be_asked(editor, tmp_path, capsys):
@@ -165,16 +141,38 @@ def test_unsaved_changes_are_asked_about_and_kept_where_nobody_could_be_asked(ed
     assert (tmp_path / "mine.toml").exists()
 
 
-@pytest.mark.parametrize("size", [(640, 480), (800, 600), (1280, 800), (1920, 1080), (3840, 2160), (700, 900)])
-def test_everything_is_within_the_window_and_beside_each_other(editor, size):
-    seen = editor_layout(size, editor.session)
-    boxes = [box for _, box in (*seen.rows, *seen.chips, *seen.folds, *seen.buttons)]
-    whole = pygame.Rect((0, 0), size)
-    assert all([whole.contains(box) for box in [*boxes, seen.arena, seen.foot]])
-    assert all([box.collidelist(boxes[:index]) < 0 for index, box in enumerate(boxes)])
-    surface = pygame.Surface(size, 0, 32)
-    editor.draw(surface)
-    EditorHelp(AppState(classic(), 0, 0, Title), editor).draw(surface)
+@pytest.mark.parametrize("text_size", [100, 200])
+@pytest.mark.parametrize("size", [(640, 480), (800, 600), (3840, 2160), (700, 900)])
+def test_every_part_has_room_beside_the_arena(editor, size, text_size):
+    """Arena, lines and controls lie beside each other; some of what scrolls is seen; Save is at the same pixel in all parts."""
+    editor._state.change(editor._state.settings._replace(text_size=text_size))
+    seen, side = editor.layout(size), editor.side(size)
+    assert pygame.Rect((0, 0), size).contains(seen.side.unionall([seen.arena, seen.foot]))
+    assert seen.side.unionall([seen.side]).collidelist([seen.arena, seen.foot]) < 0
+    assert seen.arena.bottom <= seen.foot.top
+    assert seen.unit == pytest.approx(text_size / 100.0 * editor_layout(size, 10.0).unit)
+    always = set()
+    for part in Part:
+        side.open_part(part)
+        laid = side._laid(size)
+        assert laid.over == 0 or laid.body.height > 4.5 * seen.unit
+        boxes = [spot.box.clip(laid.body) if spot.in_body else spot.box for spot in laid.spots if spot.item.focusable]
+        assert all([box.collidelist(boxes[:index]) < 0 for index, box in enumerate(boxes)])
+        assert all([seen.side.contains(spot.box) for spot in laid.spots if not spot.in_body])
+        always.add(tuple(side._laid(size).spots[-4].box))
+    assert len(always) == 1
+
+
+def test_a_picture_that_would_be_the_same_is_not_drawn_again(editor):
+    """What it depends on changes with the level, the cursor, the focus and the mouse, and with nothing else."""
+    editor.draw(pygame.Surface(SIZE, 0, 32))
+    seen = [editor.looks]
+    editor.advance(0.1, SIZE)
+    assert editor.looks == seen[0]
+    for code in (pygame.K_RIGHT, pygame.K_5, pygame.K_TAB, pygame.K_DOWN, pygame.K_PAGEDOWN):
+        key(editor, code)
+        assert editor.looks not in seen
+        seen.append(editor.looks)
 
 
 def test_a_bare_name_is_in_the_folder_of_own_levels(tmp_path, monkeypatch):

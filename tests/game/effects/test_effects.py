@@ -316,7 +316,7 @@ def test_a_won_game_has_more_fireworks():
         assert fading.bursts == ()
 
 
-@pytest.mark.parametrize(("lives", "words"), [(3, ["one life more"]), (MOST_LIVES, [])])
+@pytest.mark.parametrize(("lives", "words"), [(3, ["extra life"]), (MOST_LIVES, [])])
 def test_a_caught_life_is_told_once_and_only_if_there_is_one(lives, words):
     """Who has all lives that one may have is told nothing."""
     game = tick(new_game(classic(), 1, Ruleset()), Controls(serve=True)).game._replace(lives=lives)

@@ -19,12 +19,13 @@ from game.drawing.palette import DARK
 from game.drawing.slots.contents import ContentKind, wall_contents
 from game.drawing.slots.parts import LAYER_HEIGHT, PADDLE_HEIGHT, Slab
 from game.drawing.solid.prisms import Cut, pushed, ring_blocks
-from game.effects import ALL, FLASH_TICKS, NOTHING, Flash, Recoil, Wave, bursts
+from game.effects import ALL, FLASH_TICKS, NOTHING, Flash, Pop, Recoil, Wave, bursts
 from game.effects.waves import WAVE_TICKS, WaveTone
 from game.input.view import FLAT, SOLID, Viewpoint
 from game.levels import classic
-from game.picture.display_list import DisplayList
+from game.picture.display_list import DisplayList, Primitive, primitives
 from game.picture.moving.waves import add_waves
+from game.picture.moving.words import add_words
 from game.rules import PADDLES, EventKind, new_game, tick
 from game.scene import scene_at
 from tests.support.dummy_window import shared
@@ -106,6 +107,39 @@ def test_a_struck_paddle_is_farther_out_in_3d():
     top = cmath.exp(1j * ring.angle(0)) * (ring.radius + out)
     assert at(picture, camera, top, height) == DARK.paddle_top
     assert at(rest, camera, top, height) != DARK.paddle_top
+
+
+@VIEWS
+@pytest.mark.parametrize("slot", range(3))
+def test_a_struck_paddle_lights_up_where_it_was_hit(view, slot):
+    """New light is the brightest at the hit; it fades; the paddle's other half, and the other paddles, look as before."""
+    scene = scene_of()
+    ring, height = scene.rings[PADDLES], 0.0 if view is FLAT else PADDLE_HEIGHT * LAYER_HEIGHT * scene.ground_radius
+    hit = 0.6 * ring.half_angle
+    before, camera = painted(scene, view)
+    light = []
+    for age in (0.0, 0.5, 0.95):
+        picture, _ = painted(scene._replace(flashes=(Flash(PADDLES, slot, -1, age, offset=hit),)), view)
+        at_hit = cmath.rect(ring.radius, ring.angle(slot) + hit)
+        light.append(sum(at(picture, camera, at_hit, height)) - sum(at(before, camera, at_hit, height)))
+        for far in (ring.angle(slot) - hit, ring.angle(slot + 1), ring.angle(slot + 2) + hit):
+            point = cmath.rect(ring.radius, far)
+            assert at(picture, camera, point, height) == at(before, camera, point, height)
+    assert light[0] > 150
+    assert light[0] > light[1] > light[2] >= 0
+
+
+def test_words_fade_with_their_plate():
+    """A plate is there as long as its words, as opaque as they are; words without one have a seam that fades with them."""
+    scene = scene_of()
+    view = canvas_of(scene, SIZE, FLAT).view
+    for age, plate in itertools.product((0.0, 0.3, 0.7, 0.99), (True, False)):
+        out = DisplayList()
+        add_words(out, scene._replace(pops=(Pop(2 + 1j, "wide paddles", bad=False, age=age, plate=plate),)), view)
+        codes = [(Primitive(code), opacity) for code, _, opacity, _ in primitives(out.numbers)]
+        assert [code for code, _ in codes] == ([Primitive.PLATE, Primitive.TEXT] if plate else [Primitive.TEXT] * 5)
+        assert len({opacity for _, opacity in codes}) == 1
+        assert codes[0][1] == pytest.approx(1.0 if age < 0.5 else (1.0 - age) / 0.4, abs=1e-6)
 
 
 def test_only_the_struck_paddles_blocks_are_pushed():

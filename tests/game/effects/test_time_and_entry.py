@@ -2,7 +2,7 @@
 
 from game.autopilot import Autopilot
 from game.drawing.slots.contents import ContentKind, slot_contents
-from game.effects import ALL, EffectKind, Effects, after
+from game.effects import ALL, EffectKind, Effects, LightSource, after, at_start
 from game.effects.entry import ENTRY_TICKS
 from game.effects.slow_motion import SLOWEST, pace
 from game.levels import classic
@@ -17,7 +17,7 @@ from game.rules import (
     new_game,
     tick,
 )
-from game.scene import scene_at
+from game.scene import scene_at, still
 
 
 def test_time_slows_down_only_just_before_the_last_brick():
@@ -54,6 +54,27 @@ def test_the_wall_is_built_up_brick_by_brick():
     assert seen == sorted(seen)
     assert (seen[0], seen[-1]) == (1, whole) or (seen[0] < 3 and seen[-1] == whole)
     assert not any(content.glow for ring in slot_contents(entering(ENTRY_TICKS + 60)) for content in ring)
+
+
+def test_before_the_first_tick_nothing_of_the_wall_is_seen():
+    """A picture of a game that has just begun does not show for a moment what is built up then."""
+    game = new_game(classic()[4:], 1)
+    assert standing(scene_at(still(game), 1.0, at_start(ALL))) <= standing(entering(1))
+    assert standing(scene_at(still(game), 1.0, at_start(ALL - {EffectKind.ENTRY}))) == 18
+
+
+def test_the_last_brick_shines():
+    """With one layer left there is a light where it is, again and again, and no other of its kind before."""
+    game, pilot, shown, lit = new_game(classic()[:2], 3, Ruleset()), Autopilot(), Effects(), []
+    while game.phase != Phase.CLEARED:
+        done = tick(game, pilot.controls(game))
+        game, shown = done.game, after(shown, done, frozenset({EffectKind.LIGHTS}))
+        good = [light for light in shown.lights if light.source is LightSource.GOOD]
+        assert not good or layers_left(game) <= 1
+        lit += [light.position for light in good if light.age == 1]
+    ring = game.arena.rings[1]
+    assert lit
+    assert all(abs(abs(position) - ring.radius) < 1e-9 for position in lit)
 
 
 def test_nobody_waits_for_the_wall():

@@ -95,7 +95,7 @@ def test_a_gamepad_alone_chooses_serves_steers_pauses_and_leaves(desk, pad):
     assert game_of(desk).phase == Phase.PLAYING
     tap(desk, pad, pygame.CONTROLLER_BUTTON_START)
     assert isinstance(desk.screen, Menu)
-    choose(desk, pad, "Title")
+    choose(desk, pad, "Main menu")
     assert isinstance(desk.screen, Title)
     choose(desk, pad, "Quit")
     assert desk.screen is None

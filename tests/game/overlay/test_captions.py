@@ -29,7 +29,7 @@ def test_the_same_sound_counts_on_and_the_newest_is_last():
     shown = captions.later(after(brick), 2.0)
     assert [one.left for one in shown] == [pytest.approx(SECONDS - 2.0)]
     shown = after(brick, Event(EventKind.LIFE_GAINED), shown=shown)
-    assert [one.text for one in shown] == ["brick struck ×2", "one life more"]
+    assert [one.text for one in shown] == ["brick struck ×2", "extra life"]
     assert captions.later(shown, SECONDS) == ()
 
 

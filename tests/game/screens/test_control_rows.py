@@ -73,7 +73,7 @@ def test_esc_leaves_a_key_as_it_is_and_the_same_key_takes_it_away(desk):
     assert desk.shared.settings.own_keys.keys == ()
     asked(desk, PAUSE_ROW, 1)
     desk.press(pygame.K_RETURN)
-    assert desk.shared.toast.text == "Enter stays: Accept"
+    assert desk.shared.toast.text == "Enter is reserved: Confirm"
     asked(desk, PAUSE_ROW, 2)
     desk.press(pygame.K_PAUSE)
     assert key_names(Action.PAUSE) == ("P",)
@@ -81,7 +81,7 @@ def test_esc_leaves_a_key_as_it_is_and_the_same_key_takes_it_away(desk):
     desk.press(pygame.K_a)
     asked(desk, LEFT_ROW, 1)
     desk.press(pygame.K_LEFT)
-    assert desk.shared.toast.text == "Left stays: Left, clockwise has no other"
+    assert desk.shared.toast.text == "Left stays: Left, clockwise has no other key"
     assert key_names(Action.LEFT) == ("Left",)
 
 

@@ -42,7 +42,7 @@ def test_a_whole_evening(desk, ticks):
     desk.wait(0.1)
     assert ticks[-1][1].tick < 30
     desk.press(pygame.K_ESCAPE)
-    desk.choose("Title")
+    desk.choose("Main menu")
     assert isinstance(desk.screen, Title)
     desk.press(pygame.K_ESCAPE, pygame.K_RETURN)
     assert isinstance(desk.screen, Title)
@@ -157,7 +157,7 @@ def test_menus_answer_to_the_mouse(playing):
     playing.move(playing.box("Restart").center)
     playing.wait(FRAME)
     assert playing.screen._focus == (2, 0)
-    playing.click_on("Title")
+    playing.click_on("Main menu")
     assert isinstance(playing.screen, Title)
 
 

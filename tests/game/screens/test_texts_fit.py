@@ -1,15 +1,21 @@
-"""The texts of every language have room: on the smallest usual window, and in the largest letters."""
+"""The texts of every language have room, can be read, and none was forgotten."""
 
+import gettext
 import itertools
 import os
+import re
 from types import SimpleNamespace
 
 os.environ["SDL_VIDEODRIVER"] = "dummy"
 
+import numpy as np
 import pygame
 import pytest
 
+from game import language as languages
+from game.drawing.palette import contrast
 from game.drawing.text import Type
+from game.editor.window import picture
 from game.language import CODES
 from game.overlay.captions import Caption
 from game.rules import EventKind
@@ -18,28 +24,50 @@ from game.screens.gallery import screens
 from game.screens.gallery.sample import sample_state
 from game.screens.play import PlayScreen
 from game.screens.toolkit.panel import Panel
+from game.settings.values import THEMES
 
 SMALLEST = (800, 600)
 GAMES = {name for name, _ in [*screens._games(), *screens._results_of_games()]}
 """Screens that take a game to be played; what is written in a game is looked at below."""
-NO_PANELS = {"title", "replay", "editor", "editor-problem"}
+NO_PANELS = {"title", "replay"}
+LEAST_CONTRAST = 4.5
+PLAYERS = {"ADA", "Ada", "Grace", "Emmy", "Sofia", "Hypatia", "The one with the long rally"}
+EDITED = {"Orbit", "Gravity", "Three orbits", "My level", "my-level.toml", "must fit below"}
+NAMES = {
+    *PLAYERS,
+    *EDITED,
+    "Python",
+    "(Language)",
+    *[one.name for one in languages.LANGUAGES],
+}
+"""What is written in Latin letters in every language, or begins like it."""
 PANELS = {name: opened for name, opened in screens.every_screen() if name not in GAMES | NO_PANELS}
+
+
+def ground_of(surface, box):
+    """The colour that most of a box has."""
+    colours, counts = np.unique(pygame.surfarray.array2d(surface.subsurface(box)), return_counts=True)
+    return surface.unmap_rgb(int(colours[counts.argmax()]))[:3]
 
 
 @pytest.fixture
 def written(monkeypatch):
-    """Every line that is written on the window and not into a picture, with its box, as far as it is seen."""
-    lines = []
-    plain = Type.write
+    """Every line that is written on the window and not into a picture, with its box, as far as it is seen.
 
-    def write(self, surface, text, *arguments, **keywords):
-        box = plain(self, surface, text, *arguments, **keywords)
+    Beside it is the contrast of its colour to what was there before.
+    """
+    lines = []
+    plain, nowhere = Type.write, pygame.Surface((1, 1))
+
+    def write(self, surface, text, size, colour, *arguments, **keywords):
+        box = plain(self, nowhere, text, size, colour, *arguments, **keywords)
         seen = box.clip(surface.get_clip())
         if text.strip() and seen.height > box.height * 0.9 and surface.get_size() == SMALLEST:
-            lines.append((text, seen))
-        return box
+            lines.append((text, seen, contrast(colour, ground_of(surface, seen))))
+        return plain(self, surface, text, size, colour, *arguments, **keywords)
 
     monkeypatch.setattr(Type, "write", write)
+    monkeypatch.setattr(picture, "draw_arena", lambda *_: None)
     monkeypatch.setattr(Panel, "draw_behind", lambda _self, surface: surface.fill((0, 0, 0)))
     return lines
 
@@ -50,27 +78,58 @@ def state(tmp_path_factory):
     pygame.display.init()
     found = sample_state(tmp_path_factory.mktemp("kept"))
     yield found
-    found.change(found.settings._replace(language="en"))
+    found.change(found.settings._replace(language="en", colours="dark"))
     pygame.quit()
 
 
-@pytest.mark.parametrize("language", CODES)
+@pytest.mark.parametrize(("language", "colours"), list(zip(CODES, THEMES, strict=True)))
 @pytest.mark.parametrize("text_size", [100, 200])
-def test_no_line_is_cut_off_or_written_over_another(state, written, language, text_size):
-    """On every panel each line is inside of the window and apart from all others, and none has lost its end."""
-    state.change(state.settings._replace(language=language, text_size=text_size))
+def test_every_line_can_be_read(state, written, language, colours, text_size):
+    """On every panel each line is inside of the window and apart from all others, has its end, and enough contrast."""
+    state.change(state.settings._replace(language=language, text_size=text_size, colours=colours))
     surface = pygame.Surface(SMALLEST, 0, 32)
     for name, opened in PANELS.items():
         screen = opened(state)
         written.clear()
         screen.draw(surface)
         assert len(written) >= 3, name
-        for text, box in written:
+        for text, box, ratio in written:
             assert surface.get_rect().contains(box), (name, text)
             assert not text.endswith("…"), (name, text)
-        for (first, one), (second, other) in itertools.combinations(written, 2):
+            assert ratio >= LEAST_CONTRAST, (name, text, ratio)
+        for (first, one, _), (second, other, _) in itertools.combinations(written, 2):
             shared = one.clip(other)
             assert shared.width < 3 or shared.height < 0.4 * min(one.height, other.height), (name, first, second)
+
+
+class Greek(gettext.NullTranslations):
+    """Translations in which every Latin letter outside of braces is another one."""
+
+    letters = str.maketrans({chr(code): chr(0x370 + code) for code in range(ord("A"), ord("z") + 1) if chr(code).isalpha()})
+
+    def gettext(self, message):
+        """A text in other letters, placeholders as they were."""
+        return "".join(
+            [part if part.startswith("{") else part.translate(self.letters) for part in re.split("({.*?})", message)]
+        )
+
+    def ngettext(self, one, many, count):
+        """The same for a count."""
+        return self.gettext(one if count == 1 else many)
+
+
+def test_no_text_is_left_untranslated(state, written, monkeypatch):
+    """In a made-up language every word on a panel is in that language's letters, but for names."""
+    monkeypatch.setattr(languages, "catalogue", lambda _code: Greek())
+    state.change(state.settings._replace(text_size=100))
+    surface = pygame.Surface(SMALLEST, 0, 32)
+    for name, opened in PANELS.items():
+        screen = opened(state)
+        written.clear()
+        screen.draw(surface)
+        latin = {text for text, *_ in written if re.search("[A-Za-z]{2}", text)}
+        assert all(any(name in text for name in NAMES) for text in latin), (name, latin)
+        assert len(latin) < len(written)
 
 
 @pytest.mark.parametrize("language", CODES)
@@ -88,11 +147,11 @@ def test_what_is_written_in_a_game_has_room(state, written, language, text_size)
     play.draw(surface)
     assert len(written) >= 9
     buttons = play_buttons.button_boxes(play._layout(SMALLEST))
-    for text, box in written:
+    for text, box, _ in written:
         assert surface.get_rect().contains(box), text
         assert not text.endswith("…"), text
         assert box.collidelist(buttons) == -1, text
-    for (first, one), (second, other) in itertools.combinations(written, 2):
+    for (first, one, _), (second, other, _) in itertools.combinations(written, 2):
         shared = one.clip(other)
         assert shared.width < 3 or shared.height < 0.4 * min(one.height, other.height), (first, second)
     state.change(state.settings._replace(speed=100, one_button=False, sound=True))

@@ -81,7 +81,7 @@ def test_one_finger_plays_sets_and_leaves(desk):
     tap(desk, desk.screen._laid(SIZE).close.center)
     assert desk.screen is play
     tap(desk, play_buttons.button_boxes(play._layout(SIZE))[0].center)
-    tap(desk, spot(desk, "Title").box.center)
+    tap(desk, spot(desk, "Main menu").box.center)
     tap(desk, spot(desk, "Quit").box.center)
     assert desk.screen is None
 

@@ -18,7 +18,7 @@ from game.lab.kit.picture import (
     in_steps,
     one_step,
 )
-from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
+from game.lab.kit.scene import Claim, EngineUse, LabScene, Preset, ViewBox
 from physics import (
     Ball,
     Ring,
@@ -180,4 +180,5 @@ SCENE = LabScene(
         Preset("a closed ring", "fill=1"),
         Preset("the ball on the centre", "ball=0,0"),
     ),
+    engine_use=EngineUse.TOGGLE,
 )

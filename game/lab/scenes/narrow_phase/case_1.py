@@ -19,7 +19,7 @@ from game.lab.kit.marks import (
 )
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Picture, Prediction, Role, Stroke, Toggle, in_steps, one_step
-from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
+from game.lab.kit.scene import Claim, EngineUse, LabScene, Preset, ViewBox
 from physics import (
     Ball,
     Contact,
@@ -191,4 +191,5 @@ SCENE = LabScene(
         Preset("a closed ring", "half_angle=180&ball=7,3"),
         Preset("the ball on the centre", "ball=0,0"),
     ),
+    engine_use=EngineUse.TOGGLE,
 )

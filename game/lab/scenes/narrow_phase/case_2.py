@@ -23,7 +23,7 @@ from game.lab.kit.picture import (
     in_steps,
     one_step,
 )
-from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
+from game.lab.kit.scene import Claim, EngineUse, LabScene, Preset, ViewBox
 from physics import (
     Ball,
     Contact,
@@ -236,4 +236,5 @@ SCENE = LabScene(
         Preset("no width", "half_angle=0&ball=9.6,0.6"),
         Preset("the ball on the centre", "ball=0,0"),
     ),
+    engine_use=EngineUse.TOGGLE,
 )

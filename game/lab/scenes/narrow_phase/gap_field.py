@@ -23,7 +23,7 @@ from game.lab.kit.picture import (
     in_steps,
     one_step,
 )
-from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
+from game.lab.kit.scene import Claim, EngineUse, LabScene, Preset, ViewBox
 from physics import Ball, Contact, Feature, Ring, contact, length, narrow_phase_case_2, to_cartesian
 from physics.narrow_phase import end_contact, face_contact
 
@@ -274,4 +274,5 @@ SCENE = LabScene(
         Preset("a closed ring", "half_angle=180&ball=1.5,1"),
         Preset("a sliver", "half_angle=0.5&half_width=1.9"),
     ),
+    engine_use=EngineUse.TOGGLE,
 )

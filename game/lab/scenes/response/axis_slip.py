@@ -11,7 +11,7 @@ from game.lab.kit.picture import Arrow, Disc, Mark, Pane, Picture, RevealStep, R
 from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
 from physics import Ball, Ring, contact, length, to_cartesian
 
-_RADIUS, _HALF_WIDTH, _HALF_ANGLE = 2.0, 0.35, 0.6
+_RADIUS, _HALF_WIDTH, _HALF_ANGLE = 1.1, 0.3, 1.0
 _BALL_RADIUS = 0.4
 _ROUNDING = 1e-12
 """A component of n below this is 0 but for rounding."""
@@ -150,7 +150,7 @@ SCENE = LabScene(
         ),
         handles.on_circle("theta", lambda _: _RADIUS, "wall"),
     ),
-    view_box=ViewBox(0j, 4.7 + 4.7j),
+    view_box=ViewBox(0j, 3.9 + 3.9j),
     shows=_picture,
     check=_check,
     rows=(12,),

@@ -9,7 +9,7 @@ from game.lab.kit.marks import ball_marks, contact_marks, ring_marks, second_opi
 from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import Picture, in_steps, one_step, with_more_marks
 from game.lab.kit.response_reveal import DrawnBounce, response_reveal
-from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
+from game.lab.kit.scene import Claim, EngineUse, LabScene, Preset, ViewBox
 from physics import Ball, Contact, Ring, collision_response, contact, dot, length, to_cartesian
 
 _RADIUS, _HALF_WIDTH, _HALF_ANGLE = 9.0, 0.5, 0.35
@@ -127,4 +127,5 @@ SCENE = LabScene(
         Preset("carried", "ball=-6,8.6&heading=80&speed=4&mu=0&spin=0.4"),
         Preset("separating", "heading=270"),
     ),
+    engine_use=EngineUse.TOGGLE,
 )

@@ -17,7 +17,7 @@ from game.lab.kit.marks import (
 from game.lab.kit.parameters import Given, Number
 from game.lab.kit.picture import Arrow, Line, Mark, Picture, Role, Stroke, Toggle, in_steps, one_step, with_more_marks
 from game.lab.kit.response_reveal import DrawnBounce, response_reveal
-from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
+from game.lab.kit.scene import Claim, EngineUse, LabScene, Preset, ViewBox
 from physics import Ball, Contact, Ring, collision_response, contact, cross, dot, length, response_steps, to_cartesian, to_polar
 
 _RADIUS, _HALF_WIDTH, _HALF_ANGLE = 6.0, 0.6, 0.7
@@ -134,4 +134,5 @@ SCENE = LabScene(
         Preset("grazing", "theta=90&heading=359&mu=1"),
         Preset("separating", "heading=60"),
     ),
+    engine_use=EngineUse.TOGGLE,
 )

@@ -9,7 +9,7 @@ from game.lab.kit.cited_line import CitedLine, code_line
 from game.lab.kit.marks import VELOCITY_SCALE, ring_marks
 from game.lab.kit.parameters import Count, Given, Number, Point
 from game.lab.kit.picture import Arrow, Circle, Disc, Line, Mark, Picture, PointMark, Role, Stroke, Toggle, Words, single
-from game.lab.kit.scene import Claim, LabScene, Motion, Preset, ViewBox
+from game.lab.kit.scene import Claim, EngineUse, LabScene, Motion, Preset, ViewBox
 from game.rules import TICK
 from physics import PERMANENT, Arena, Ball, Ring, advance, contact, length, to_cartesian
 from physics.time_of_impact import first_impact
@@ -188,4 +188,5 @@ SCENE = LabScene(
         Preset("head-on, found late", "ball=0,0&heading=35&speed=30"),
         Preset("along the wall: the difference stays small", "ball=7,-5&heading=80&steps=8&chords=256"),
     ),
+    engine_use=EngineUse.ALWAYS,
 )

@@ -111,8 +111,8 @@ def _formula(given: Given, state: _ThreeGames) -> tuple[str, ...]:
     turned, mirrored = _differences(given, state)
     same = [state.plain.layers == state.turned.layers, state.plain.layers == _mirrored(state.mirrored).layers]
     return (
-        f"|p_turned turned back - p| = {turned:.1e}",
-        "|p_mirrored mirrored back - p| = " + (f"{mirrored:.1e}" if mirrored else "0:   equal to the last bit"),
+        f"the turned ball, turned back:   |p_2 - p| = {turned:.1e}",
+        "the mirrored ball, mirrored back:   |p_3 - p| = " + (f"{mirrored:.1e}" if mirrored else "0:   equal to the last bit"),
         f"bounces: {state.hits};   the same bricks hit: {'yes' if all(same) else 'no'}",
     )
 

@@ -23,7 +23,7 @@ from game.lab.kit.picture import (
     in_steps,
     one_step,
 )
-from game.lab.kit.scene import Claim, LabScene, Preset, ViewBox
+from game.lab.kit.scene import Claim, EngineUse, LabScene, Preset, ViewBox
 from physics import Ball, Contact, Feature, Impact, Ring, contact, cross, dot, length, time_of_impact, to_cartesian
 from physics.time_of_impact import first_impact
 
@@ -274,4 +274,5 @@ SCENE = LabScene(
         Preset("at rest", "v=0,0"),
         Preset("inside of the material", "ball=6,2&v=3,1"),
     ),
+    engine_use=EngineUse.TOGGLE,
 )

@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from game.lab.kit.parameters import Clamped, Count, Parameter, Point, clamped, plain
 from game.lab.kit.picture import Picture, Toggle
-from game.lab.kit.scene import LabScene
+from game.lab.kit.scene import EngineUse, LabScene
 from game.lab.session import session as sessions
 from game.lab.session.reveal import Reveal
 from game.lab.session.session import PACES, Session
@@ -23,7 +23,7 @@ def scene_items(
         PageItem("values", "Values worth a look", "choice", "", presets),
         *([] if not session.runs else _run_items(session)),
         *[item for parameter in scene.parameters for item in _value_items(parameter, session.given.values[parameter.name])],
-        *_toggle_items(picture, shown),
+        *_toggle_items(scene, picture, shown),
         PageItem("defaults", "Defaults"),
         PageItem("whole", "Whole scene"),
         PageItem("present", "Present", hint="For a lecture room: large text, step by step."),
@@ -59,7 +59,7 @@ def with_value(session: Session, item: str, value: str) -> Session:
     kind, _, name = item.partition(":")
     match kind:
         case "values" if value:
-            return sessions.changed(session, Clamped(preset(session.scene, value, None), ()))
+            return sessions.changed(session, Clamped(preset(session.scene, value, session.given.engine), ()))
         case "value":
             return sessions.changed(session, _typed(session, name, value))
         case "pace" if value.isdecimal():
@@ -70,7 +70,7 @@ def with_value(session: Session, item: str, value: str) -> Session:
 
 def _run_items(session: Session) -> list[PageItem]:
     """The controls of a scene that runs."""
-    paces = tuple([(str(number), f"{pace:g} x") for number, pace in enumerate(PACES)])
+    paces = tuple([(str(number), f"1/{1.0 / pace:g}" if pace < 1.0 else "real time") for number, pace in enumerate(PACES)])
     return [
         PageItem("play", "Stop" if session.playing else "Run"),
         PageItem("forward", "Step"),
@@ -104,12 +104,13 @@ def _value_items(parameter: Parameter, value: complex) -> list[PageItem]:
     return [PageItem(f"value:{parameter.name}", label, "number", number, hint=parameter.meaning, low=low, high=high, step=step)]
 
 
-def _toggle_items(picture: Picture, shown: frozenset[Toggle]) -> list[PageItem]:
-    """A switch for everything that can be hidden."""
+def _toggle_items(scene: LabScene, picture: Picture, shown: frozenset[Toggle]) -> list[PageItem]:
+    """A switch for everything that can be hidden, and for pymunk's answer, whether or not pymunk was loaded."""
+    asked = {Toggle.PYMUNK} if scene.engine_use is EngineUse.TOGGLE else set[Toggle]()
     return [
         PageItem(f"toggle:{toggle.value}", toggle.value, "switch", str(toggle in shown))
         for toggle in Toggle
-        if toggle in picture.toggles
+        if toggle in asked | picture.toggles
     ]
 
 

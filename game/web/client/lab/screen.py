@@ -6,6 +6,8 @@ from game.input.actions import Action
 from game.input.signals import FocusLost, Pressed, Signal
 from game.lab.kit.handles import Handle, dragged
 from game.lab.kit.picture import Picture, Toggle
+from game.lab.kit.scene import EngineUse
+from game.lab.kit.second_engine import Engine
 from game.lab.registry import scenes
 from game.lab.session import reveal as reveals
 from game.lab.session import session as sessions
@@ -23,9 +25,9 @@ from game.web.client.functions.panel import CASE
 from game.web.client.functions.text import FunctionsText
 from game.web.client.lab.course import LessonOnPage
 from game.web.client.lab.items import presenting_items, scene_items, step_items, with_value
-from game.web.client.lab.view import Heading, LabLayout, add_rows, handle_at, layout_of
+from game.web.client.lab.view import LabLayout, handle_at, layout_of, words_of
 from game.web.client.menus import Screens
-from game.web.client.messages import PageItem, PageMenu, PointerChange, WheelTurn
+from game.web.client.messages import PageItem, PageMenu, PageWords, PointerChange, WheelTurn
 from game.web.client.state import PageScreen, PageState, Pictures
 
 _CATCH, _FINGER = 1.2, 2.2
@@ -70,8 +72,8 @@ class LabOnPage:
         self._state, self._screens = state, screens
         self._session: Session
         self._pan_zoom: PanZoom
-        shared = parsed(line or scenes()[0].name)
-        self._toggles = frozenset(Toggle)
+        shared = self._parsed(line or scenes()[0].name)
+        self._toggles = frozenset(Toggle) - {Toggle.PYMUNK}
         self._reveal = reveals.WHOLE
         self._scale: int | None = None  # of TEXT_SCALES, while presenting
         self._lesson: LessonOnPage | None = None
@@ -113,9 +115,14 @@ class LabOnPage:
 
     @property
     def described(self) -> str:
-        """The title, the step, and the formula with its numbers."""
-        seen, step = self._seen, reveals.step_words(self._reveal, self._picture)
-        return ". ".join([part for part in (self._session.scene.title, step, *seen.formula, seen.note) if part])
+        """The title, and the step; the formulas are read as the words that they are."""
+        step = reveals.step_words(self._reveal, self._picture)
+        return ". ".join([part for part in (self._session.scene.title, step) if part])
+
+    @property
+    def words(self) -> PageWords:
+        """The words around the picture."""
+        return words_of(self._session.scene.title, self._seen, self._reveal, self._picture, self._scale)
 
     @property
     def menu(self) -> PageMenu | None:
@@ -170,9 +177,10 @@ class LabOnPage:
             case "title":
                 return self._screens.title()
             case "scene":
-                self._show(parsed(value))
+                self._show(self._parsed(value))
             case "toggle":
                 self._toggles = self._toggles ^ {Toggle(name)}
+                self._ask_engine()
             case "functions":
                 self._state.functions.open()
             case "answer" if self._lesson is not None and name.isdecimal():
@@ -191,14 +199,13 @@ class LabOnPage:
         return self
 
     def draw(self, out: Pictures, size: tuple[int, int]) -> None:
-        """The panes with their handles, and the words."""
+        """The panes with their handles."""
         picture, layout = self._seen, self._layout(size)
         out.backdrop = self._empty
         for pane, seen in zip(picture.panes, self._panes(layout), strict=True):
-            add_pane(out.frame, pane, seen)
-            if pane.has_handles:
-                add_handles(out.frame, self._handles(), self._session.given, self._hovered, seen)
-        add_rows(out.frame, layout)
+            handles, given = self._handles() if pane.has_handles else (), self._session.given
+            add_pane(out.frame, pane, seen, [seen.camera.project(one.position(given)) for one in handles])
+            add_handles(out.frame, handles, given, self._hovered, seen)
 
     @property
     def _picture(self) -> Picture:
@@ -268,15 +275,15 @@ class LabOnPage:
             self._lesson = None
             return
         self._lesson = LessonOnPage(self._state)
-        self._show(parsed(self._lesson.line))
+        self._show(self._parsed(self._lesson.line))
 
     def _turn(self, step: int) -> None:
         """Open the scene so many after this one; in the course, the task."""
         if self._lesson is not None:
-            self._show(parsed(self._lesson.turn(step)))
+            self._show(self._parsed(self._lesson.turn(step)))
             return
         names = [scene.name for scene in scenes()]
-        self._show(parsed(names[(names.index(self._session.scene.name) + step) % len(names)]))
+        self._show(self._parsed(names[(names.index(self._session.scene.name) + step) % len(names)]))
         if self._scale is not None:
             self._reveal = self._first_step()
 
@@ -305,9 +312,25 @@ class LabOnPage:
                 self.open(functions.line_of(name))
         return self
 
+    def use_engine(self, engine: Engine) -> None:
+        """The second engine was loaded: let it answer."""
+        self._session = sessions.with_engine(self._session, engine)
+
+    def _ask_engine(self) -> None:
+        """Have the second engine loaded, if what is shown needs it and it is not there yet."""
+        use = self._session.scene.engine_use
+        wanted = use is EngineUse.ALWAYS or (use is EngineUse.TOGGLE and Toggle.PYMUNK in self._toggles)
+        if wanted and self._state.engine is None:
+            self._state.asks_engine = True
+            self._state.told.append("pymunk is being loaded")
+
+    def _parsed(self, line: str) -> SharedScene:
+        """What a share line names. BadInputError where it names nothing."""
+        return parsed(line, self._state.engine)
+
     def open(self, line: str) -> None:
         """Show what a share line names."""
-        self._show(parsed(line))
+        self._show(self._parsed(line))
 
     def _show(self, shared: SharedScene) -> None:
         """A scene as a share line names it."""
@@ -315,13 +338,11 @@ class LabOnPage:
         self._pan_zoom = PanZoom.whole(shared.scene, shared.given)
         step = shared.step if shared.step is None or not self._picture.steps else max(shared.step, 1)
         self._reveal = Reveal(step, self._reveal.predicts)
+        self._ask_engine()
 
     def _layout(self, size: tuple[int, int]) -> LabLayout:
         """Where everything is."""
-        state, title = self._state, self._session.scene.title
-        step = reveals.step_words(self._reveal, self._picture)
-        heading = None if self._scale is None else Heading(self._scale, title, step)
-        return layout_of(size, state.density, self._seen, state.theme, heading)
+        return layout_of(size, self._state.density, len(self._picture.panes), self._scale)
 
     def _panes(self, layout: LabLayout) -> list[SeenLabPane]:
         """Through what each pane is seen."""

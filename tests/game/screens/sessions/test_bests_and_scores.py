@@ -11,8 +11,8 @@ from game.kept.store import Kept
 from game.levels import classic
 from game.rules import Phase, Ruleset, new_game, tick
 from game.screens import ghost
+from game.screens.endless_seeds import seed_of
 from game.screens.gallery.sample import sample_state
-from game.screens.menus.endless import seed_of
 from game.screens.menus.level_select import next_level
 from game.screens.menus.results import Results
 from game.screens.play import PlayScreen
@@ -91,7 +91,7 @@ def test_a_game_on_a_level_of_ones_own_makes_no_high_score(desk):
 def test_endless_levels_of_a_number_have_a_table_of_their_own(desk, tmp_path):
     """The number is entered with the small keyboard; its levels are those of anybody else; the score's replay proves it."""
     desk.choose("Endless")
-    desk.choose("Levels of a number")
+    desk.choose("Levels from a number")
     for digit in "42":
         desk.click_on(digit)
     desk.choose("Done")

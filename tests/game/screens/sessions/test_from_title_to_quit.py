@@ -2,7 +2,6 @@
 
 import pygame
 
-from game.editor.window.layout import editor_layout
 from game.editor.window.screen import Editor
 from game.kept.store import Kept
 from game.levels import classic
@@ -51,7 +50,7 @@ def test_by_keys_alone(desk, tmp_path):
     assert isinstance(desk.screen, Watch)
     desk.press(pygame.K_END, pygame.K_ESCAPE)
     assert isinstance(desk.screen, HighScores)
-    desk.choose("Title")
+    desk.choose("Main menu")
     assert isinstance(desk.screen, Title)
     desk.press(pygame.K_ESCAPE)
     desk.choose("Quit")
@@ -68,14 +67,13 @@ def test_by_mouse_alone(desk, tmp_path):
     desk.click_on("Levels")
     desk.click_on("Make a new level")
     assert isinstance(desk.screen, Editor)
-    buttons = editor_layout(desk.window.size, desk.screen.session).buttons
-    desk.click(next(box.center for button, box in buttons if button.name == "leave"))
+    desk.click_on("Leave")
     desk.click_on("Save and leave")
     assert isinstance(desk.screen, LevelSelect)
     desk.click_on("My level")
     desk.click_on("Edit")
     assert isinstance(desk.screen, Editor)
-    desk.click(next(box.center for button, box in buttons if button.name == "leave"))
+    desk.click_on("Leave")
     desk.click_on(classic()[0].name)
     assert isinstance(desk.screen, PlayScreen)
 
@@ -91,7 +89,7 @@ def test_by_mouse_alone(desk, tmp_path):
         desk.click_on(letter)
     desk.click_on("Done")
     assert [entry.name for entry in Kept(tmp_path).scores.value.entries] == ["MO"]
-    desk.click_on("Title")
+    desk.click_on("Main menu")
     desk.click_on("Replays")
     (game,) = desk.shared.kept.games.listed()
     desk.click_on(game.date)
@@ -125,7 +123,7 @@ def test_by_gamepad_alone(pad_desk, tmp_path):
     assert isinstance(desk.screen, PlayScreen)
     desk.press(pygame.K_p)
     visit(desk, (lambda: desk.choose("Settings"), SettingsPanel, esc))
-    desk.choose("Go on")
+    desk.choose("Continue")
     lose(desk, lambda: desk.press(pygame.K_SPACE))
     assert isinstance(desk.screen, Results)
     desk.press(pygame.K_RETURN)  # the figures need not be waited for
@@ -137,7 +135,7 @@ def test_by_gamepad_alone(pad_desk, tmp_path):
     desk.choose("1    MO")
     assert isinstance(desk.screen, Watch)
     esc()
-    desk.choose("Title")
+    desk.choose("Main menu")
     esc()
     desk.choose("Quit")
     assert desk.screen is None

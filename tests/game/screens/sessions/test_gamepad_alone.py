@@ -29,10 +29,10 @@ def test_a_gamepad_alone_sets_and_binds(pad_desk):
     assert isinstance(desk.screen, KeyCapture)
     desk.press(pygame.K_COMMA)
     assert KEYS.binding(Action.GIVE_UP).buttons == (pygame.CONTROLLER_BUTTON_LEFTSHOULDER,)
-    desk.choose("Every key and button as at first")
+    desk.choose("Reset all keys and buttons")
     assert KEYS.binding(Action.GIVE_UP).buttons == (pygame.CONTROLLER_BUTTON_X,)
     desk.press(pygame.K_ESCAPE)
-    for label in ("Endless", "Levels of a number", "4", "Done"):
+    for label in ("Endless", "Levels from a number", "4", "Done"):
         desk.choose(label)
     assert desk.screen._ticked.game.seed == 4
 
@@ -56,7 +56,7 @@ def test_a_gamepad_alone_chooses_makes_and_plays_a_level(pad_desk):
     assert desk.screen._ticked.game.level.rings[0].slots()[0] == 0
     desk.press(pygame.K_p)
     desk.choose("Restart")
-    desk.choose("Go on")
+    desk.choose("Continue")
     assert isinstance(desk.screen, PlayScreen)
 
 
@@ -66,7 +66,7 @@ def test_a_gamepad_alone_keeps_names_and_deletes_a_game(pad_desk, tmp_path):
     desk.press(pygame.K_RETURN, pygame.K_SPACE)
     desk.wait(0.2)
     desk.press(pygame.K_p)
-    desk.choose("Title")
+    desk.choose("Main menu")
     desk.shared.kept.game_done()
     desk.choose("Replays")
     (game,) = desk.shared.kept.games.listed()

@@ -1,0 +1,202 @@
+"""The colours of everything that stands in a ring's slots, by radius and by angle: pictures that fit at any angle of the ring.
+
+The light of this view stands over the centre: what stands in a slot throws its shadow outwards, so it turns with the ring.
+"""
+
+import math
+from typing import NamedTuple
+
+import numpy as np
+import pygame
+from numpy.typing import NDArray
+
+from game.drawing.camera import Camera
+from game.drawing.canvas import Canvas
+from game.drawing.flat.band_pixels import BandKey
+from game.drawing.flat.sector_colours import PolarPixels, Shadow, paint_light, paint_parts, paint_shadow
+from game.drawing.ground.shades import ground_colours
+from game.drawing.palette import Theme
+from game.drawing.raster.annulus import Floats
+from game.drawing.raster.pixels import packed
+from game.drawing.slots.contents import ContentKind, SlotContent
+from game.drawing.slots.parts import Bar, Part, SlotShape, height, parts, slot_shape
+from physics import Ring
+
+_FINE = 4
+"""Rows and columns of a slot's picture per pixel of the screen; in large rings half as many are enough."""
+_LARGE = 500.0
+"""Pixels; outer radius from which a ring is large."""
+_MOST_COLUMNS = 1 << 16
+"""Columns of all slots' pictures of a ring together."""
+_BORDER = 1.0
+"""Pixels beyond the ring's faces that its border may colour."""
+_SHADOW = 0.018
+"""Length of the longest shadow, in shares of the ground's radius."""
+_LOW_SHADOW, _SHADOW_PER_LAYER = 0.7, 0.1
+"""Share of it that everything throws, and how much more with every layer of its height."""
+_FLAT_KINDS = frozenset({ContentKind.EMPTY, ContentKind.GHOST})
+"""What has no height, and so no shadow."""
+BLANK = 0
+"""Stands for a column in which nothing stands."""
+
+
+class AtlasKey(NamedTuple):
+    """What the pictures of a ring's slots depend on.
+
+    size: of the surface, pixels.
+    stride: pixels from row to row in the surface's memory.
+    camera: a flat one.
+    slot: the shape of the ring's slots.
+    slots: how many there are.
+    ground_radius: world units.
+    lane: radii between which the ring colours pixels, world units.
+    shadow: length of the longest shadow of what stands there, world units.
+    room: how far what stands there may be moved, inwards and outwards, world units.
+    theme: the colours.
+    """
+
+    size: tuple[int, int]
+    stride: int
+    camera: Camera
+    slot: SlotShape
+    slots: int
+    ground_radius: float
+    lane: tuple[float, float]
+    shadow: float
+    room: tuple[float, float]
+    theme: Theme
+
+
+def atlas_key(canvas: Canvas, ring: Ring, tallest: int, ground_radius: float, between: tuple[float, float]) -> AtlasKey:
+    """The key of a ring that is a part of the backdrop. tallest: layers of the highest stack that may ever stand there.
+
+    between: where the next ring inwards ends, and where the next one outwards begins, world units: so far shadows go, and no
+    pixel belongs to two rings.
+    """
+    scale = canvas.camera.scale
+    border, slot = _BORDER / scale, slot_shape(ring, tallest, 1.0 / scale)
+    shadow = min(_SHADOW * ground_radius, max(between[1] - ring.outer_radius - 2.0 * border - 1.0 / scale, 0.0))
+    low = max((between[0] + ring.inner_radius) / 2.0, ring.inner_radius - border)
+    high = max((ring.outer_radius + between[1]) / 2.0, between[1] - border)
+    size, stride = canvas.size, canvas.surface.get_pitch() // 4
+    return AtlasKey(size, stride, canvas.camera, slot, ring.count, ground_radius, (low, high), shadow, (0.0, 0.0), canvas.theme)
+
+
+class SlotAtlas:
+    """The pictures of all contents that a ring's slots have shown.
+
+    They stand column after column: a column has the colours of all radii at one angle of one content, and spare rows for
+    contents that are moved. A 0 is where nothing stands.
+    """
+
+    def __init__(self, key: AtlasKey) -> None:
+        """Start without pictures."""
+        scale, slot = key.camera.scale, key.slot
+        self._shadow, self._room = key.shadow, key.room
+        outer = (slot.outer_radius + self._shadow) * scale
+        fine = _FINE if outer < _LARGE else _FINE // 2
+        pitch = math.tau / key.slots
+        self._theme, self._slot, self._scale, self._ground_radius = key.theme, slot, scale, key.ground_radius
+        self._columns = max(min(math.ceil(fine * outer * pitch), _MOST_COLUMNS // key.slots), 1)
+        self._columns_around = self._columns * key.slots
+        low, high = max(slot.inner_radius * scale - _BORDER, 0.0), outer + _BORDER
+        rows = max(math.ceil((high - low) * fine), 1)
+        self._fine = fine
+        self._radii = (low + (np.arange(rows, dtype=np.float32) + 0.5) / fine).astype(np.float32)
+        self._angles = (((np.arange(self._columns) + 0.5) / self._columns - 0.5) * pitch).astype(np.float32)
+        self._half_pitch = pitch / 2.0
+        inwards, outwards = (math.ceil(room * scale) for room in key.room)
+        self._spare = fine * (inwards + outwards) + 1 if outwards else 0
+        within = (max(low, key.lane[0] * scale), min(high, key.lane[1] * scale))
+        self.band = BandKey(key.size, key.stride, key.camera.centre, within, low, fine, (0, rows - 1), self._columns_around)
+        """Of the pixels that show the ring."""
+        wide = (max(low - inwards, 0.0), high + outwards)
+        self.wide_band = self.band._replace(radii=wide, rows=(-fine * inwards, rows - 1 + fine * outwards))
+        """Of those that show it while something is moved as far as there is room."""
+        self._columns_of: dict[SlotContent, NDArray[np.int64]] = {}
+        self._filled = 1  # columns so far, the first of them blank; their number grows by leaps
+        self._atlas = np.zeros((1, rows + 2 * self._spare), dtype=np.uint32)
+        self._contents: tuple[SlotContent, ...] = ()
+        self._column_at = np.zeros(0, dtype=np.int64)
+
+    @property
+    def colours(self) -> NDArray[np.uint32]:
+        """All colours, one column after the other."""
+        return self._atlas.ravel()
+
+    def columns(
+        self, surface: pygame.Surface, phase: float, contents: tuple[SlotContent, ...], out: dict[int, float] | None = None
+    ) -> NDArray[np.int64]:
+        """Where among the colours each column around the ring finds those of its first row; BLANK where nothing stands.
+
+        surface: what is drawn on. phase: middle angle of slot 0, radians; contents: of every slot. out: slots that are moved
+        outwards, world units, as far as there is room.
+        """
+        if out:
+            around = self._arranged(surface, contents, out)
+        else:
+            if contents != self._contents:
+                self._column_at, self._contents = self._arranged(surface, contents, {}), contents
+            around = self._column_at
+        turn = round((self._half_pitch - phase) / math.tau * self._columns_around) % self._columns_around
+        return around[turn : turn + self._columns_around]
+
+    def _arranged(self, surface: pygame.Surface, contents: tuple[SlotContent, ...], out: dict[int, float]) -> NDArray[np.int64]:
+        """The columns' begins from slot 0 on; twice around, which saves a modulo."""
+        for content in dict.fromkeys(contents):
+            if content not in self._columns_of:
+                self._columns_of[content] = self._added(surface, content)
+        around = [self._columns_of[content] for content in contents]
+        for slot, by in out.items():
+            around[slot] = np.where(around[slot] == BLANK, BLANK, around[slot] - self._rows_of(by))
+        return np.concatenate(around + around)
+
+    def _rows_of(self, out: float) -> int:
+        """Rows of the atlas that a slot is moved by."""
+        inwards, outwards = self._room
+        return round(min(max(out, -inwards), outwards) * self._scale * self._fine)
+
+    def _added(self, surface: pygame.Surface, content: SlotContent) -> NDArray[np.int64]:
+        """Paint one more content into the atlas, and return where in it the first row of each column of a slot is."""
+        pile, theme = parts(content, self._slot, 0.0, self._theme), self._theme
+        angles, column = np.unique(self._grouped(pile), return_inverse=True)
+        pixels = PolarPixels(self._scale, self._radii[:, None], angles[None, :])
+        bare = ground_colours(theme, self._radii / np.float32(self._scale * self._ground_radius)).T[:, :, None]
+        picture = np.repeat(bare, len(angles), axis=2)
+        solid = content.kind not in _FLAT_KINDS and theme.relief > 0.0
+        if solid:
+            reach = self._shadow * min(_LOW_SHADOW + _SHADOW_PER_LAYER * height(content), 1.0)
+            paint_shadow(picture, self._slot, pixels, Shadow(reach, self._half_pitch, theme.shadow * theme.relief))
+        paint_parts(picture, pile, self._slot, pixels)
+        if solid:
+            paint_light(picture, self._slot, pixels, theme.relief)
+        colours = packed(surface, np.moveaxis(picture, 0, 2))
+        colours = np.where(colours == packed(surface, np.moveaxis(bare, 0, 2)), 0, np.maximum(colours, 1)).T
+        return self._first_rows(colours)[column]
+
+    def _first_rows(self, colours: NDArray[np.uint32]) -> NDArray[np.int64]:
+        """Add columns of colours; where their first rows are. Equal neighbours share one, and what is blank the blank one."""
+        blank = ~colours.any(axis=1)
+        differs = np.append(True, (colours[1:] != colours[:-1]).any(axis=1)) & ~blank
+        first, self._filled = self._filled, self._filled + int(differs.sum())
+        if self._filled > len(self._atlas):
+            self._atlas = np.concatenate([self._atlas, np.zeros((self._filled, self._atlas.shape[1]), dtype=np.uint32)])
+        self._atlas[first : self._filled, self._spare : self._spare + len(self._radii)] = colours[differs]
+        number = first + np.cumsum(differs) - 1
+        return np.where(blank, BLANK, number * self._atlas.shape[1] + self._spare)
+
+    def _grouped(self, pile: tuple[Part, ...]) -> Floats:
+        """The columns' angles, one for all that look the same: far from the slot's ends and from what is painted on it."""
+        slot, scale = self._slot, self._scale
+        inner = max(slot.inner_radius * scale, 1.0)
+        flat = slot.half_angle - math.asin(min((slot.half_width * scale + 1.0) / inner, 1.0))
+        gap = slot.half_angle + (1.0 + self._shadow * scale) / inner
+        far, angles = np.abs(self._angles), self._angles
+        plain = far < flat
+        for bar in [part for part in pile if isinstance(part, Bar)]:
+            start, end = sorted((bar.inner[1], bar.outer[1]))
+            beside = bar.half_width / bar.inner[0] + 2.0 / inner
+            plain &= (angles < start - beside) | (angles > end + beside)
+        if plain.any():
+            angles = np.where(plain, angles[plain.argmax()], angles)
+        return np.where(far > gap, np.float32(gap), angles).astype(np.float32)

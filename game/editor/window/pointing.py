@@ -1,0 +1,98 @@
+"""What the mouse does in the arena, by the part of the panel that is shown: paint bricks, move rings, or place wells."""
+
+import math
+from typing import NamedTuple
+
+from game.editor import session as editing
+from game.editor.document import Stack
+from game.editor.fields import RING_FIELDS, Part
+from game.editor.history import EditHistory
+from game.editor.session import EditorSession
+from game.editor.wells import position_of, with_well_added, with_well_at, with_well_removed
+from game.levels import Level
+
+ERASER = Stack(0)
+"""What the right button puts."""
+_RADIUS = next(field for field in RING_FIELDS if field.key == "radius")
+_CATCH = 0.04
+"""Ground radii from a well's middle within which a press takes hold of it."""
+_SNAP = 0.05
+"""A ring's radius and a well's position are multiples of it while they are dragged, world units of ground radius 10."""
+
+
+class Drag(NamedTuple):
+    """What the mouse, or a held key, does until it is let go.
+
+    part: of the panel, which says what is dragged. before: the history when it began. stack: that is painted. offset: from
+    the ring's radius, or the well's position, to the mouse.
+    """
+
+    part: Part
+    before: EditHistory
+    stack: Stack | None = None
+    offset: complex = 0j
+
+
+def slot_at(level: Level, point: complex) -> tuple[int, int] | None:
+    """Ring and slot whose part of the turn a point of the world is in; None where there is no ring."""
+    distance, angle = abs(point), math.degrees(math.atan2(point.imag, point.real))
+    for index, ring in enumerate(level.rings):
+        if abs(distance - ring.radius) <= ring.half_width:
+            return index, round((angle - ring.phase) * ring.count / 360.0) % ring.count
+    return None
+
+
+def well_near(level: Level, point: complex) -> int | None:
+    """Index of the gravity well whose middle is at a point of the world; None where there is none."""
+    near = [(abs(position_of(well) - point), index) for index, well in enumerate(level.wells)]
+    distance, index = min(near, default=(math.inf, 0))
+    return index if distance <= _CATCH * level.ground_radius else None
+
+
+def pressed(session: EditorSession, part: Part, point: complex, *, erases: bool) -> tuple[EditorSession, Drag | None]:
+    """The session after a press at a point of the world, and what it drags. erases: by the right button."""
+    if part is Part.WELLS:
+        return _well_pressed(session, point, erases=erases)
+    at = slot_at(session.document.level, point)
+    if part is Part.RING:
+        if at is None or erases:
+            return session, None
+        session = editing.with_ring(session, at[0])._replace(slot=at[1])
+        offset = abs(point) - session.document.level.rings[at[0]].radius
+        return session, Drag(part, session.history, offset=complex(offset))
+    drag = Drag(Part.BRICKS, session.history, ERASER if erases else session.brush)
+    return dragged(session, drag, point), drag
+
+
+def dragged(session: EditorSession, drag: Drag, point: complex) -> EditorSession:
+    """The session with the mouse at a point of the world."""
+    unit = _SNAP * session.document.level.ground_radius / 10.0
+    if drag.part is Part.WELLS:
+        moved = point - drag.offset
+        snapped = complex(_multiple(moved.real, unit), _multiple(moved.imag, unit))
+        return with_well_at(session, snapped, drag.before)
+    if drag.part is Part.RING:
+        radius = _multiple(abs(point) - drag.offset.real, unit)
+        moved_ring = editing.entered(session, _RADIUS, max(radius, unit))
+        return moved_ring._replace(history=drag.before.changed(moved_ring.document))
+    at = slot_at(session.document.level, point)
+    return session if at is None else editing.stroked(session, *at, stack=drag.stack, before=drag.before)
+
+
+def _well_pressed(session: EditorSession, point: complex, *, erases: bool) -> tuple[EditorSession, Drag | None]:
+    """Take hold of a well, remove it with the right button, or add one where there is none."""
+    index = well_near(session.document.level, point)
+    if index is not None:
+        session = session._replace(well=index, message="")
+        if erases:
+            return with_well_removed(session), None
+        return session, Drag(Part.WELLS, session.history, offset=point - position_of(session.document.level.wells[index]))
+    if erases or abs(point) > session.document.level.ground_radius:
+        return session, None
+    added = with_well_added(session, point)
+    return added, None if added.message else Drag(Part.WELLS, session.history)
+
+
+def _multiple(number: float, unit: float) -> float:
+    """The multiple of a unit that is nearest to a number."""
+    return round(number / unit) * unit

@@ -1,0 +1,40 @@
+"""The table of a page about levels: a row each, with what every player lost there and how long it took."""
+
+from game.levels import Level
+from tools.balance.human import Skill
+from tools.balance.trial import Trial, summary
+
+
+def with_table(page: str, levels: tuple[Level, ...], skills: tuple[Skill | None, ...], trials: list[Trial]) -> str:
+    """The page with the rows of its table of levels replaced; whatever else it says stays."""
+    lines = page.splitlines()
+    first = next((k for k, line in enumerate(lines) if line.startswith("| 1 ")), None)
+    if first is None:
+        return page
+    last = next((k for k in range(first, len(lines)) if not lines[k].startswith("|")), len(lines))
+    return "\n".join([*lines[:first], *rows(levels, skills, trials), *lines[last:]]) + "\n"
+
+
+def rows(levels: tuple[Level, ...], skills: tuple[Skill | None, ...], trials: list[Trial]) -> list[str]:
+    """A row for every level, and one for all of them: of each player lives lost with their standard error, and seconds.
+
+    The last column is the longest wait for a brick in any game of the player in the middle.
+    """
+    found = []
+    whole = [[0.0, 0.0] for _ in skills]
+    for number, level in enumerate(levels, 1):
+        cells = []
+        for skill, sums in zip(skills, whole, strict=True):
+            part = summary(_games(trials, level, skill))
+            cells.append(f"{part.lost:.1f} ± {part.error:.1f}, {part.seconds:.0f} s")
+            sums[0] += part.lost
+            sums[1] += part.seconds
+        wait = max([trial.longest_gap for trial in _games(trials, level, skills[len(skills) // 2])])
+        found.append(f"| {number} {level.name} | {' | '.join(cells)} | {wait:.1f} s |")
+    found.append(f"| all | {' | '.join([f'{lost:.1f}, {seconds / 60.0:.0f} min' for lost, seconds in whole])} | |")
+    return found
+
+
+def _games(trials: list[Trial], level: Level, skill: Skill | None) -> list[Trial]:
+    """The games of a player in a level."""
+    return [trial for trial in trials if trial.level == level.name and trial.skill == skill]
