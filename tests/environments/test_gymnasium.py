@@ -88,6 +88,15 @@ def test_a_state_that_is_set_goes_on_as_it_did():
             assert all((a == b).all() for a, b in zip(before[:4], now[:4], strict=True))
 
 
+def test_what_has_changed_is_observed():
+    """A step writes only the numbers that changed: its rows are those of environments that write all of them anew."""
+    env, anew = [PolarBreakoutVectorEnv(8, level="Three Rings", max_ticks=900) for _ in range(2)]
+    env.reset(seed=6)
+    env.action_space.seed(6)
+    for seen, *_ in (env.step(env.action_space.sample()) for _ in range(400)):
+        assert (anew.set_state(env.get_state()) == seen).all()
+
+
 def state_observations(state):
     """What an environment sees that has been given a state."""
     env = PolarBreakoutVectorEnv(3, level="Towers", recorded=[1])
