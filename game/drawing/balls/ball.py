@@ -1,19 +1,17 @@
 """Balls as any camera sees them: shaded discs at fractions of a pixel, without what blocks in front of them hide."""
 
 import math
-from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
 import pygame
 
-from game.drawing.balls.maths import Maths
+from game.array_maths import ARRAYS
 from game.drawing.balls.shading import shaded
 from game.drawing.camera import Camera
 from game.drawing.canvas import Canvas
 from game.drawing.light import ScreenLight, ball_light
 from game.drawing.palette import Theme
-from game.drawing.raster.annulus import Floats
 from game.drawing.raster.arrays import Points
 from game.drawing.solid.ball_occlusion import occluding_quads
 from game.drawing.solid.faces import ProjectedBlocks
@@ -30,14 +28,6 @@ _MARGIN = 2.0
 """Blocks this many pixels around a ball are looked at, for they may hide it."""
 _FINER = 4
 """Rows and columns per pixel of the drawing that tells how much of a pixel is hidden."""
-
-
-def _picked(numbers: Sequence[float], index: Floats) -> Floats:
-    """The numbers of some indices, rounded down."""
-    return np.array(numbers, dtype=np.float32)[index.astype(np.int64)]
-
-
-_ARRAYS = Maths[Floats](np.sin, np.sqrt, np.hypot, np.arctan2, np.clip, _picked)
 
 
 class _BallLook(NamedTuple):
@@ -112,7 +102,7 @@ def _ball_picture(look: _BallLook) -> pygame.Surface:
     right = (pixels - np.float32((look.across + 0.5) / _OFFSETS))[:, None] / np.float32(max(radius, 0.5))
     up = (np.float32((look.down + 0.5) / _OFFSETS) - pixels)[None, :] / np.float32(max(radius, 0.5))
     picture = pygame.Surface((side, side), pygame.SRCALPHA)
-    pygame.surfarray.pixels3d(picture)[:] = np.stack(shaded(_ARRAYS, look.skin, theme, light, right, up), axis=2)
+    pygame.surfarray.pixels3d(picture)[:] = np.stack(shaded(ARRAYS, look.skin, theme, light, right, up), axis=2)
     cover = np.clip((1.0 - np.hypot(right, up)) * radius + 0.5, 0.0, 1.0)
     pygame.surfarray.pixels_alpha(picture)[:] = cover * 255.0
     return picture

@@ -1,9 +1,9 @@
 """The colour of every point of a ball that is seen: its skin's, in the light that falls on it."""
 
-from game.drawing.balls.maths import Maths, Planes, Values
 from game.drawing.balls.skins import surface_colours
 from game.drawing.light import ScreenLight
 from game.drawing.palette import Theme
+from game.maths import Maths, Planes, Values
 
 _DARK = (20, 30, 70)
 """The side turned from the light is this colour's, by the share that follows; the highlight is white."""

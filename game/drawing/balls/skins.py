@@ -3,8 +3,8 @@
 import math
 from typing import Protocol
 
-from game.drawing.balls.maths import Maths, Planes, Values
 from game.drawing.palette import Colour, Theme, layer_colour, luminance, mixed
+from game.maths import Maths, Planes, Values
 
 _GLOSS = 0.7
 """Share of the way to white that a highlight goes."""

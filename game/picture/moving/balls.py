@@ -3,11 +3,11 @@
 import cmath
 import math
 
-from game.drawing.balls.maths import NUMBERS
 from game.drawing.balls.shading import shaded
 from game.drawing.camera import Camera
 from game.drawing.light import LIGHT, SHADOW_SLANT, ScreenLight, ball_light
 from game.drawing.palette import Colour, Theme
+from game.maths import NUMBERS
 from game.picture.display_list import DisplayList
 from physics import Ball
 
