@@ -41,6 +41,6 @@ def _skill(word: str) -> Skill | None:
     except ValueError:
         reaction = noise = -1.0
     if not (_FASTEST <= reaction <= _SLOWEST and 0.0 <= noise <= _WILDEST):
-        expected = f"expected {AUTOPILOT}, or MS/DEG as in 220/5; up to {_SLOWEST} ms, {_WILDEST:g} degrees"
+        expected = f"expected MS/DEG, as in 220/5, up to {_SLOWEST} ms and {_WILDEST:g} degrees; or {AUTOPILOT}"
         raise BadInputError(f"--players {quoted(word)}: {expected}")
     return Skill(reaction / 1000.0, noise)
