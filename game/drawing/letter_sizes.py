@@ -1,4 +1,38 @@
-"""Sizes of letters that change from frame to frame."""
+"""Sizes of the game's letters, without any font: how large words are, and sizes that change from frame to frame."""
+
+import unicodedata
+
+LINE = 0.75
+"""Height of a line in shares of its letters' size."""
+_WIDTHS = {
+    0.163: "'",
+    0.191: " ,./I\\ijl|",
+    0.229: "!()-:;[]`ft",
+    0.267: "*r{}",
+    0.334: 'z"',
+    0.382: "#$0123456789J_acekvxys",
+    0.401: "+<=>^~",
+    0.420: "?FLTZbdhnopqug",
+    0.458: "EPSVXY",
+    0.496: "&ABCDKNRUH",
+    0.534: "OQwG",
+    0.572: "M",
+    0.611: "%m",
+    0.649: "W",
+    0.669: "@",
+}
+"""Widths of letters of pygame's own font, in shares of their size."""
+_BY_LETTER = {letter: width for width, letters in _WIDTHS.items() for letter in letters}
+_OTHERS = 0.44
+"""Width of a letter that is not among them, roughly."""
+_HINTING = 1.04
+"""Small letters are wider than large ones: their widths are whole pixels."""
+
+
+def width(words: str) -> float:
+    """Width of words in shares of their letters' size, at least what it is on the screen: to a few hundredths."""
+    plain = [letter for letter in unicodedata.normalize("NFD", words) if not unicodedata.combining(letter)]
+    return _HINTING * sum([_BY_LETTER.get(letter, _OTHERS) for letter in plain])
 
 
 def stepped(size: float) -> float:

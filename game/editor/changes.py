@@ -80,7 +80,9 @@ def _value_words(path: Path, changed: dict[Path, tuple[Any, Any]]) -> str:
     if path not in changed:
         return label
     old, new = (_shown(value) for value in changed[path])
-    return f"{label}: {old} → {new}" if old and new and len(old) + len(new) <= _LONGEST else label
+    if not old or not new or len(old) + len(new) > _LONGEST:
+        return label
+    return tr("{label}: {old} to {new}").format(label=label, old=old, new=new)
 
 
 def _shown(value: object) -> str:

@@ -30,8 +30,8 @@ POWER_NAMES = {
 """What power-ups are called."""
 _GOOD = frozenset({EventKind.LEVEL_CLEARED, EventKind.LIFE_GAINED, EventKind.CORE_BROKEN, EventKind.DROP_CAUGHT})
 """Good news beside bricks."""
-_PLATED = _GOOD | {EventKind.SPEED_UP}
-"""Words that stand on a plate: in the middle of the arena there may be bricks."""
+_POINTS = frozenset({EventKind.BRICK_HIT, EventKind.BUMPER_HIT})
+"""Points have no plate: they are many, and a plate would hide bricks."""
 _BY_PADDLE = frozenset({EventKind.DROP_CAUGHT, EventKind.LIFE_GAINED, EventKind.SPEED_UP})
 _BAD = frozenset({EventKind.BALL_LOST})
 _BEYOND = 1.07
@@ -65,7 +65,7 @@ def after_tick(pops: tuple[Pop, ...], ticked: Ticked) -> tuple[Pop, ...]:
         risen = [pop._replace(age=pop.age + 1.0 / (PLATED_TICKS if pop.plate else POP_TICKS)) for pop in pops]
         pops = tuple([pop for pop in risen if pop.age < 1.0])
     new = [
-        Pop(_position(event, ticked), text, _is_bad(event), 0.0, _weight(event, ticked.game.combo), event.kind in _PLATED)
+        Pop(_position(event, ticked), text, _is_bad(event), 0.0, _weight(event, ticked.game.combo), event.kind not in _POINTS)
         for event in ticked.events
         if (text := _text(event))
     ]
@@ -87,7 +87,7 @@ def _position(event: Event, ticked: Ticked) -> complex:
 
 def _text(event: Event) -> str:
     """The words for an event, in the player's language; none for most."""
-    if event.kind in {EventKind.BRICK_HIT, EventKind.BUMPER_HIT}:
+    if event.kind in _POINTS:
         return f"+{event.points}"
     if event.kind == EventKind.LEVEL_CLEARED:
         return tr("+{points} bonus").format(points=grouped(event.points))

@@ -4,14 +4,13 @@ It clicks only at the end: a finger that comes down to move the paddles must not
 moved, two fingers move it: by dragging both, and by pinching.
 """
 
-import math
 from collections.abc import Iterator
 
 import pygame
 
 from game.drawing.camera import unit_of
-from game.input.signals import Clicked, Dragged, Moved, Signal, Zoomed
-from game.input.view import ZOOM_STEP
+from game.input.signals import Clicked, Moved, Signal
+from game.input.two_fingers import two_fingers
 
 _STILL = 1.0
 """Units of text that a finger may move and still click."""
@@ -57,10 +56,6 @@ class Fingers:
             self._moved.add(finger)
         if orbits and len(self._down) == _PAIR:
             (other,) = [at for number, at in self._now.items() if number != finger]
-            before = self._now[finger]
-            yield Dragged((pixel - before) / _PAIR)
-            apart, now = abs(before - other), abs(pixel - other)
-            if apart > 0.0 and now > 0.0:
-                yield Zoomed(math.log(now / apart) / math.log(ZOOM_STEP))
+            yield from two_fingers(self._now[finger], pixel, other)
         elif finger == next(reversed(self._down)):
             yield Moved(pixel, held=finger in self._moved)

@@ -50,6 +50,17 @@ def to_newcomer(told: Notice, left: str, right: str) -> Notice:
     return told._replace(about=f"{told.about}\n{steering}") if told.about else told
 
 
+def by_touch(told: Notice, game: Game, *, new: bool) -> Notice:
+    """The same for somebody who plays by touch. new: who has not finished a level yet, and is told how one steers."""
+    steering = tr("Drag to where a paddle should go; tap to serve. In 3D two fingers turn and zoom.") if new else ""
+    if game.phase == Phase.SERVING:
+        lines = [line for line in (told.about, steering) if line]
+        return told._replace(hint=tr("Tap: serve along the arrow"), about="\n".join(lines) if told.about else "")
+    if game.phase == Phase.CLEARED:
+        return told._replace(hint=tr("Next: {level}. Tap: go on").format(level=level_name(game.levels[game.number + 1].name)))
+    return told
+
+
 def _is_new(game: Game) -> bool:
     """Whether no ball of the level was served yet."""
     tally = game.statistics.level

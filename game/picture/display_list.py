@@ -7,7 +7,10 @@ Every primitive is its code, its colour (0xRRGGBB, exact in a 32-bit float), its
     SECTOR    x y inner outer angle half_inner half_outer an annular sector; a half angle of pi or more is a whole ring
     POLYGON   n, then n times x y                         filled
     LINE      width dash n, then n times x y              dash: length of dashes and gaps, 0 for a solid line
-    TEXT      index size x y across bold                  index of the text; across: 0 begins at x, 1 ends there; y: middle
+    TEXT      index size x y across bold room             index of the text; across: 0 begins at x, 1 ends there; y: middle;
+                                                          bold: 1, letters as the desktop's: bold, and lower than their size
+                                                          says; room: smaller where it would be wider, 0 for any width;
+                                                          on a canvas it may be runs of letters (game/lab/typeset/runs.py)
     GLOW      x y across down takes                       half axes of an ellipse of light that fades to its edge; takes: 0, it
                                                           is added; 1, its colour takes the others away
     GRADIENT  x y radius n, then n times share colour     a disc; colours by the share of the radius
@@ -21,6 +24,11 @@ Every primitive is its code, its colour (0xRRGGBB, exact in a 32-bit float), its
                                                           there, wider and higher by twice across and down; edge: its width
     SPRITE    x y reach n, then n numbers                 polygons about a point, no farther away than reach on both axes: a
                                                           picture that is often the same
+    TEXTURE   number columns n, then n colours            a square picture that the painter keeps by its number, row by row from
+                                                          the top
+    TEXTURED  x y radius number                           a disc filled with a texture, smoothed
+    BOX       x y width height corner edge edge_colour    a rectangle with round corners of a radius; edge: its width, within
+                                                          the rectangle, 0 for none
 
 x to the right, y down, pixels; angles in radians, clockwise, from the right.
 
@@ -68,19 +76,24 @@ class Primitive(IntEnum):
     SLOT = 17
     PRISM = 18
     SHADOWS = 19
+    BOX = 20
+    TEXTURE = 21
+    TEXTURED = 22
 
 
 _LENGTHS = {
     Primitive.DISC.value: 3,
     Primitive.CIRCLE.value: 4,
     Primitive.SECTOR.value: 7,
-    Primitive.TEXT.value: 6,
+    Primitive.TEXT.value: 7,
     Primitive.GLOW.value: 5,
     Primitive.CLIP.value: 4,
     Primitive.TURN.value: 3,
     Primitive.PLATE.value: 8,
     Primitive.CAMERA.value: 10,
     Primitive.SLOT.value: 1,
+    Primitive.BOX.value: 7,
+    Primitive.TEXTURED.value: 4,
 }
 """Numbers of the primitives that always have as many."""
 _COUNTED = {
@@ -91,6 +104,7 @@ _COUNTED = {
     Primitive.BAND.value: (0, 4),
     Primitive.SPRITE.value: (3, 1),
     Primitive.PRISM.value: (2, 2),
+    Primitive.TEXTURE.value: (2, 1),
 }
 """Of the others the position of the count among their numbers, and how many follow it for each."""
 
@@ -147,12 +161,15 @@ class DisplayList:
         colour: Colour,
         across: float = 0.5,
         opacity: float = 1.0,
-        bold: float = 0.0,
+        bold: float = 1.0,
+        room: float = 0.0,
     ) -> None:
-        """Words. pixel: of the middle of their height; across: where along them it is, 0 at their begin to 1 at their end."""
-        self.numbers.extend(
-            (Primitive.TEXT, packed(colour), opacity, len(self.texts), size, pixel.real, pixel.imag, across, bold)
-        )
+        """Words. pixel: of the middle of their height; across: where along them it is, 0 at their begin to 1 at their end.
+
+        bold: whether in the desktop's letters. room: pixels that they are at most wide, in smaller letters; 0 for any width.
+        """
+        own = len(self.texts), size, pixel.real, pixel.imag, across, bold, room
+        self.numbers.extend((Primitive.TEXT, packed(colour), opacity, *own))
         self.texts.append(words)
 
     def glow(
@@ -211,6 +228,22 @@ class DisplayList:
         """Polygons about a pixel. reach: how far from it they go at most, across and down."""
         self.numbers.extend((Primitive.SPRITE, 0.0, 1.0, pixel.real, pixel.imag, reach, len(polygons.numbers)))
         self.numbers.extend(polygons.numbers)
+
+    def box(
+        self, corner: complex, size: complex, radius: float, colour: Colour, edge: tuple[float, Colour] | None = None
+    ) -> None:
+        """A rectangle with round corners. corner: upper left; size: width and height; edge: its width and its colour."""
+        line, line_colour = (0.0, colour) if edge is None else edge
+        own = corner.real, corner.imag, size.real, size.imag, radius, line, packed(line_colour)
+        self.numbers.extend((Primitive.BOX, packed(colour), 1.0, *own))
+
+    def texture(self, number: int, columns: int, colours: Sequence[Colour]) -> None:
+        """A square picture that the painter keeps. colours: row by row from the top."""
+        self.numbers.extend((Primitive.TEXTURE, 0.0, 1.0, number, columns, len(colours), *map(packed, colours)))
+
+    def textured(self, centre: complex, radius: float, number: int) -> None:
+        """A disc filled with a texture."""
+        self.numbers.extend((Primitive.TEXTURED, 0.0, 1.0, centre.real, centre.imag, radius, number))
 
     def camera(self, camera: Camera, light: complex, shares: tuple[float, float]) -> None:
         """Through what prisms and shadows are seen. light: unit; shares: of the dimmest and the brightest side."""

@@ -1,82 +1,241 @@
-"""The figures in the four corners, and the words that say what to do now."""
+"""The figures in the corners: score, combo, lives, level, and how many layers are left; for pygame and for a browser.
 
-from textwrap import wrap
+Of two who play against each other, each has the left corner of the own half; the level is in the upper right corner then.
+"""
 
-from game.drawing.camera import Layout
-from game.drawing.palette import Colour, Theme
+import cmath
+import math
+from functools import lru_cache
+from typing import NamedTuple
+
+from game.drawing.camera import Camera, Layout
+from game.drawing.letter_sizes import LINE, stepped, width
+from game.drawing.palette import Colour, Theme, mixed
+from game.drawing.palettes import themed
+from game.effects import Streak
+from game.effects.streaks import BUMP_TICKS, ENDED_TICKS
 from game.language import grouped, ntr, tr
-from game.overlay.notice_words import Notice
-from game.overlay.readings import Readings
+from game.overlay.readings import PlayerReadings, Readings
 from game.picture.display_list import DisplayList
-from game.rules import LIVES
+from game.rules import BEST_COMBO, LIVES
 
 # Lengths are in units of text.
-_EDGE, _CAPTION, _FIGURE, _LEVEL_NAME = 0.8, 0.9, 2.0, 1.3
-"""From the figures to the surface's edges, and sizes of letters."""
+_EDGE = 0.8
+"""From the figures to the surface's edges."""
+_CAPTION, _FIGURE, _LEVEL_NAME = 0.9, 2.0, 1.3
+"""Sizes of letters."""
+_BELOW_CAPTION, _ABOVE_NAME, _LINE_GAP = 0.1, 0.2, 0.25
+"""Between lines of text: below a caption, above or below the level's name, and in the lower right corner."""
+_COMBO, _COMBO_PER_BRICK = 1.2, 0.12
+"""Size of the combo's letters for no brick, and how much larger with every brick up to the best combo."""
+_BUMP = 0.45
+"""Share by which the combo is larger when it has just risen."""
+_COMBO_BELOW, _COMBO_HEIGHT, _COMBO_DOTS = 0.3, 1.1, 2.6
+"""From the score to the top of the combo's box, and from there to the middle of its words, and to its dots."""
+_COMBO_WIDTH = 6.0
+"""Of words and dots: these are drawn smaller where they would reach into the arena."""
+_COMBO_DOT, _COMBO_DOT_PITCH, _COMBO_DOT_LINE = 0.24, 0.72, 0.07
+"""Radius of a dot, from one to the next, and the line of an empty one."""
 _LIFE, _LIFE_PITCH, _LIFE_LINE = 0.42, 1.134, 0.08
 """Radius of a ball that stands for a life, from one to the next, and the line of one that is lost."""
-_TITLE, _HINT, _LETTER = 1.5, 1.0, 0.56
-"""Sizes of a notice's letters, and the width of a letter in shares of its size, roughly."""
-_ABOUT, _ABOUT_LINE, _ABOUT_WIDE = 0.95, 1.3, 0.5
-"""Of what the level is about: size of letters, from line to line, and share of the width in which it is broken into lines."""
-_NARROW_TOP = 0.115
-"""From the upper edge to a notice where the figures are above the arena, in shares of the height."""
+_LIVES_BELOW_CAPTION = 0.75
+_WITH_GAUGES = 1.08
+"""Radius of the arena with what lasts shown beyond its rim, in ground radii."""
+_BESIDE, _RIM_PIXELS = 1.2, 160
+"""What is at most so far above or below a line is beside it; and pixels of the rim that are looked at in 3D."""
+_SWATCH, _SWATCH_GAP = complex(1.5, 0.42), 0.5
+"""The sign in the colour of a player's paddle, and from it to the player's name."""
+_PLAYER_SCORE, _PLAYER_LIVES, _PLAYER_HEIGHT = 1.1, 3.9, 4.4
+"""From the top of a player's figures to the score and to the middle of the lives, and height of them all."""
+_PLAYER_NAME = 0.54
+"""From there to the middle of the name."""
+_PLAYER_COMBO, _AHEAD = 4.0, 1.1
+"""Heights of the combo and of the line that says who is ahead; both are on the side of a player's figures that is nearer to the
+middle."""
 
 
-def add_figures(out: DisplayList, shown: Readings, layout: Layout, theme: Theme, unit: float) -> None:
-    """Add score, combo, lives, level and the layers that are left."""
-    (width, height), edge = layout.size, unit * _EDGE
-    _add_left(out, shown, complex(edge, edge), theme, unit)
-    right = width - edge
-    out.text(tr("LIVES"), unit * _CAPTION, complex(right, edge + 0.5 * unit), theme.faint, 1.0)
-    for index in range(max(LIVES, shown.lives)):
-        pixel = complex(right - (_LIFE + index * _LIFE_PITCH) * unit, edge + 1.75 * unit)
-        if index < shown.lives:
-            out.disc(pixel, _LIFE * unit, theme.ball)
-        else:
-            out.circle(pixel, _LIFE * unit, max(_LIFE_LINE * unit, 1.0), theme.faint)
-    bottom = height - edge
-    out.text(shown.level_name, unit * _LEVEL_NAME, complex(edge, bottom - 0.65 * unit), theme.text, 0.0, bold=1.0)
+class Corners(NamedTuple):
+    """Where figures are put, and how.
+
+    layout: of the surface. theme: the colours. unit: size of text, pixels. keys: of those that open the help and turn the
+    sound on, what they are called; "" where that is not said.
+    """
+
+    layout: Layout
+    theme: Theme
+    unit: float
+    keys: tuple[str, str] = ("", "")
+
+
+def add_figures(out: DisplayList, shown: Readings, corners: Corners) -> None:
+    """Add the figures in the four corners of a layout."""
+    if shown.players:
+        for player, colour in zip(shown.players, paddle_colours(corners.theme, shown.palette), strict=True):
+            _add_player(out, shown, player, colour, corners)
+    else:
+        _add_score(out, shown, corners)
+    _add_level(out, shown, corners)
+    _add_foot(out, shown, corners)
+
+
+def paddle_colours(theme: Theme, palette: str) -> tuple[Colour, Colour]:
+    """The colours of the paddles of two who play against each other. palette: name of the arena's colours."""
+    theme = themed(theme, palette)
+    return theme.paddle_top, theme.text
+
+
+def _add_score(out: DisplayList, shown: Readings, corners: Corners) -> None:
+    """Add the score with the combo in the upper left corner, the lives in the upper right one."""
+    layout, theme, unit, _ = corners
+    corner, score = complex(1.0, 1.0) * unit * _EDGE, grouped(shown.score)
+    below = unit * (_CAPTION * LINE + _BELOW_CAPTION)
+    out.text(tr("SCORE"), unit * _CAPTION, corner + 0.5j * unit * _CAPTION * LINE, theme.faint, 0.0)
+    out.text(score, unit * _FIGURE, corner + 1j * (below + unit * _FIGURE * LINE / 2.0), theme.text, 0.0)
+    right_of_score = unit * (_FIGURE * width(score) + 1.0)
+    combo = corner + complex(right_of_score, below)
+    if layout.beside:
+        under, aside = corner + 1j * (below + unit * (_FIGURE * LINE + _COMBO_BELOW)), corner + right_of_score - 0.4j * unit
+        wanted = min(_COMBO_WIDTH * unit, _combo_room(layout, aside, unit))
+        combo = under if _combo_room(layout, under, unit) >= wanted else aside
+    _add_combo(out, shown, combo, corners)
+    right = complex(layout.size[0] - corner.real, corner.imag)
+    out.text(tr("LIVES"), unit * _CAPTION, right + 0.5j * unit * _CAPTION * LINE, theme.faint, 1.0)
+    _add_lives(out, right + 1j * unit * (_CAPTION * LINE + _LIVES_BELOW_CAPTION), shown.lives, -1.0, corners)
+
+
+def _add_player(out: DisplayList, shown: Readings, player: PlayerReadings, colour: Colour, corners: Corners) -> None:
+    """Add a player's sign, name, score and lives, who is ahead, and the combo of the one for whom it counts.
+
+    colour: of the player's paddle.
+    """
+    layout, theme, unit, _ = corners
+    upper, corner, score = player is shown.players[-1], complex(1.0, 1.0) * layout.unit * _EDGE, grouped(player.score)
+    if not upper:
+        corner = complex(corner.real, layout.size[1] - corner.imag - unit * _PLAYER_HEIGHT)
+    middle, sign = corner + 1j * unit * _PLAYER_NAME, unit * _SWATCH
+    out.box(middle - 0.5j * sign.imag, sign, sign.imag / 2.0, colour)
+    name, begin = player.name.upper(), middle + sign.real + unit * _SWATCH_GAP
+    room = (_room(layout, middle) if layout.beside else layout.size[0] / 2.0) - (begin - corner).real
+    out.text(name, unit * _CAPTION, begin, theme.accent if player.leads else theme.faint, 0.0, room=room)
+    out.text(score, unit * _FIGURE, corner + 1j * unit * (_PLAYER_SCORE + _FIGURE * LINE / 2.0), theme.text, 0.0)
+    _add_lives(out, corner + 1j * unit * _PLAYER_LIVES, player.lives, 1.0, corners)
+    if player.leads:
+        beyond = corner + 1j * unit * (_PLAYER_HEIGHT + 0.7 if upper else -0.7)
+        pixel = beyond if layout.beside else begin + unit * (_CAPTION * width(name) + 1.0)
+        out.text(tr("AHEAD"), unit * _CAPTION, pixel, theme.accent, 0.0)
+    if player.scores:
+        right = max(_FIGURE * width(score), _LIFE_PITCH * max(LIVES, player.lives)) + 1.0
+        across = corner + unit * complex(right, _PLAYER_SCORE)
+        offset = _PLAYER_HEIGHT + _AHEAD if upper else -_PLAYER_COMBO - _AHEAD
+        _add_combo(out, shown, corner + 1j * unit * offset if layout.beside else across, corners)
+
+
+def _add_level(out: DisplayList, shown: Readings, corners: Corners) -> None:
+    """Add number and name of the level in the lower left corner, or in the upper right one where players have the left ones."""
+    layout, theme, unit, _ = corners
     number = tr("LEVEL {number} of {count}").format(number=shown.level_number, count=shown.level_count)
-    out.text(number, unit * _CAPTION, complex(edge, bottom - 1.95 * unit), theme.faint, 0.0)
-    lines: list[tuple[str, Colour]] = [
+    caption, name, gap = unit * _CAPTION * LINE, unit * _LEVEL_NAME * LINE, unit * _ABOVE_NAME
+    if shown.players:
+        corner, across, down = (
+            complex(layout.size[0] - unit * _EDGE, unit * _EDGE),
+            1.0,
+            (caption / 2.0, caption + gap + name / 2.0),
+        )
+    else:
+        corner, across = complex(unit * _EDGE, layout.size[1] - unit * _EDGE), 0.0
+        down = (-name - gap - caption / 2.0, -name / 2.0)
+    room = _room(layout, corner + 1j * down[1]) if layout.beside else layout.size[0]
+    out.text(number, unit * _CAPTION, corner + 1j * down[0], theme.faint, across)
+    out.text(shown.level_name, unit * _LEVEL_NAME, corner + 1j * down[1], theme.text, across, room=room)
+
+
+def _add_foot(out: DisplayList, shown: Readings, corners: Corners) -> None:
+    """Add how to get help, the layers that are left, and what else is to be known, in the lower right corner."""
+    layout, theme, unit, (help_key, sound_key) = corners
+    muted = tr("sound off ({key})").format(key=sound_key) if shown.muted and sound_key else ""
+    lines = (
+        (tr("{key}  help").format(key=help_key) if help_key else "", theme.faint),
         (ntr("{count} layer left", "{count} layers left", shown.layers).format(count=shown.layers), theme.text),
-        (shown.badge, theme.accent),
-    ]
-    for index, (words, colour) in enumerate([line for line in lines if line[0]]):
-        out.text(words, unit * _CAPTION, complex(right, bottom - (0.5 + 1.3 * index) * unit), colour, 1.0)
-
-
-def _add_left(out: DisplayList, shown: Readings, corner: complex, theme: Theme, unit: float) -> None:
-    """Add the score, and the bricks in a row."""
-    out.text(tr("SCORE"), unit * _CAPTION, corner + 0.5j * unit, theme.faint, 0.0)
-    out.text(grouped(shown.score), unit * _FIGURE, corner + 2.1j * unit, theme.text, 0.0, bold=1.0)
-    if shown.combo > 1:
-        words = tr("combo ×{count}").format(count=shown.combo)
-        out.text(words, unit * (1.1 + 0.06 * min(shown.combo, 8)), corner + 4.1j * unit, theme.accent, 0.0, bold=1.0)
-
-
-def add_notice(out: DisplayList, notice: Notice, layout: Layout, theme: Theme, unit: float) -> None:
-    """Add a few words on a plate at the upper edge of the arena."""
-    width, height = layout.size
-    top = unit * 0.6 if layout.beside else _NARROW_TOP * height
-    most = max(int(_ABOUT_WIDE * width / (unit * _ABOUT * _LETTER)), 1)
-    about = [line for words in notice.about.splitlines() for line in wrap(words, most)]
-    letters = max(len(notice.title) * _TITLE, len(notice.hint) * _HINT, *[len(line) * _ABOUT for line in about], 0.0)
-    half = min((letters * _LETTER / 2.0 + 0.8) * unit, width / 2.0)
-    below = len(about) * _ABOUT_LINE
-    deep = ((3.6 if notice.hint else 2.4) + below) * unit
-    middle = width / 2.0
-    plate = (
-        complex(middle - half, top),
-        complex(middle + half, top),
-        complex(middle + half, top + deep),
-        complex(middle - half, top + deep),
+        *[(line, theme.accent) for line in (muted, *shown.badge.split(", "))],
     )
-    out.polygon(plate, theme.panel, 0.92)
-    out.line([*plate, plate[0]], max(0.06 * unit, 1.0), theme.panel_edge)
-    out.text(notice.title, unit * _TITLE, complex(middle, top + 1.25 * unit), theme.text, bold=1.0)
-    for index, line in enumerate(about):
-        out.text(line, unit * _ABOUT, complex(middle, top + (2.6 + _ABOUT_LINE * index) * unit), theme.text)
-    if notice.hint:
-        out.text(notice.hint, unit * _HINT, complex(middle, top + (2.75 + below) * unit), theme.faint)
+    pixel = complex(*layout.size) - complex(1.0, 1.0) * unit * _EDGE - 0.5j * unit * _CAPTION * LINE
+    for words, colour in lines:
+        if words:
+            out.text(words, unit * _CAPTION, pixel, colour, 1.0)
+            pixel -= 1j * unit * (_CAPTION * LINE + _LINE_GAP)
+
+
+def _room(layout: Layout, pixel: complex) -> float:
+    """How far a line may go from a pixel towards the arena until it meets it, pixels; at least a sixth of the surface."""
+    return max(_free(layout, pixel), layout.size[0] / 6.0)
+
+
+def _free(layout: Layout, pixel: complex) -> float:
+    """How far a line may go from a pixel towards the arena until it meets it, pixels; less than 0 within it."""
+    camera, radius = layout.camera, layout.ground_radius * _WITH_GAUGES
+    if camera.flat:
+        half = math.sqrt(max((radius * camera.scale) ** 2 - (pixel.imag - camera.centre.imag) ** 2, 0.0))
+        return abs(camera.centre.real - pixel.real) - half
+    return _free_aslant(camera._replace(azimuth=0.0), radius, pixel, _BESIDE * layout.unit)
+
+
+@lru_cache(maxsize=64)
+def _free_aslant(camera: Camera, radius: float, pixel: complex, beside: float) -> float:
+    """The same in 3D. radius: of the arena, world units; beside: what is so far above or below a line is beside it, pixels."""
+    x, y, middle = pixel.real, pixel.imag, camera.centre.real
+    near = [
+        abs(rim.real - x)
+        for rim in _rim(camera, radius)
+        if abs(rim.imag - y) < beside and (rim.real - middle) * (x - middle) >= 0.0
+    ]
+    return min(near, default=abs(middle - x))
+
+
+@lru_cache(maxsize=8)
+def _rim(camera: Camera, radius: float) -> list[complex]:
+    """Pixels around the arena. radius: world units."""
+    return camera.pixels([cmath.rect(radius, math.tau * k / _RIM_PIXELS) for k in range(_RIM_PIXELS)])
+
+
+def _combo_room(layout: Layout, corner: complex, unit: float) -> float:
+    """How wide the combo may be, pixels, so that neither words nor dots meet the arena. corner: upper left, pixels."""
+    return min([_free(layout, corner + 1j * unit * down) for down in (_COMBO_HEIGHT, _COMBO_DOTS)])
+
+
+def _add_combo(out: DisplayList, shown: Readings, corner: complex, corners: Corners) -> None:
+    """Add the bricks in a row, and a dot for each that raises the points; nothing for less than two. corner: upper left."""
+    streak = shown.streak if shown.streak.bricks else Streak(shown.combo, BUMP_TICKS)
+    if streak.bricks <= 1:
+        return
+    layout, theme, unit, _ = corners
+    room = _room(layout, corner + 1j * unit * _COMBO_DOTS) if layout.beside else layout.size[0]
+    unit, best = min(unit, room / _COMBO_WIDTH), min(streak.bricks, BEST_COMBO)
+    fade = streak.age / ENDED_TICKS if streak.ended else 0.0
+    colour = mixed(theme.faint if streak.ended else theme.accent, theme.background, fade)
+    bump = 0.0 if streak.ended else _BUMP * max(1.0 - streak.age / BUMP_TICKS, 0.0) ** 2
+    size = stepped((_COMBO + _COMBO_PER_BRICK * best) * (1.0 + bump))
+    words = tr("combo ×{count}").format(count=streak.bricks)
+    out.text(words, unit * size, corner + 1j * unit * _COMBO_HEIGHT, colour, 0.0)
+    for index in range(BEST_COMBO):
+        pixel = corner + unit * complex(_COMBO_DOT + index * _COMBO_DOT_PITCH, _COMBO_DOTS)
+        if index < best:
+            out.disc(pixel, unit * _COMBO_DOT, colour)
+        else:
+            _add_hollow(out, pixel, unit * _COMBO_DOT, unit * _COMBO_DOT_LINE, theme.panel_edge)
+
+
+def _add_lives(out: DisplayList, end: complex, lives: int, side: float, corners: Corners) -> None:
+    """Add a ball per life; those lost are hollow. end: where their row begins; side: 1.0 to the right of it, -1.0 left."""
+    theme, unit = corners.theme, corners.unit
+    for index in range(max(LIVES, lives)):
+        pixel = end + side * unit * (_LIFE + index * _LIFE_PITCH)
+        if index < lives:
+            out.disc(pixel, unit * _LIFE, theme.ball)
+        else:
+            _add_hollow(out, pixel, unit * _LIFE, unit * _LIFE_LINE, theme.faint)
+
+
+def _add_hollow(out: DisplayList, pixel: complex, radius: float, line: float, colour: Colour) -> None:
+    """Add a circle whose line lies within a radius, at least a pixel wide."""
+    line = max(line, 1.0)
+    out.circle(pixel, radius - line / 2.0, line, colour)

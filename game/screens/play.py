@@ -152,7 +152,7 @@ class PlayScreen:
         play_buttons.draw(canvas, seen, self._hovered)
         told = self._notice()
         if told is not None:
-            notice.draw(words, told, scene)
+            notice.draw(words, told, scene, seen)
         captions.draw(words, self._captions, seen)
         if state.physics.note:
             _draw_note(canvas, tr(state.physics.note))

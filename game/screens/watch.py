@@ -258,4 +258,5 @@ def _keys_help() -> str:
         (tr("speed"), (Action.LESS, Action.MORE)),
         (tr("help"), (Action.HELP,)),
     )
-    return "    ".join([f"{' '.join([key_name(action) for action in actions])}: {words}" for words, actions in told])
+    pairs = [f"{' / '.join([key_name(action) for action in actions])}: {words}" for words, actions in told]
+    return "   ·   ".join(pairs)

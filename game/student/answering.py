@@ -4,7 +4,7 @@ from collections.abc import Sequence
 from typing import Protocol
 
 from game.language import tr
-from game.student.reply import Reply
+from game.student.reply import Reply, parsed_answer
 
 _LISTED = 4
 """Functions that are named; of more, the number."""
@@ -35,11 +35,29 @@ class AnsweringFunctions(Protocol):
     def ask(self, name: str, arguments: Sequence[object]) -> object:
         """The result of one question; None where there is none, and then nothing answers until the file is another one."""
 
-    def calls(self, calls: Sequence[tuple[str, Sequence[float]]]) -> list[Reply]:
-        """The answers to calls of the source's functions, each with its flat list of numbers; one that fails has a problem."""
-
     def reject(self, problem: str) -> None:
         """Let nothing of the file answer until it is another one. problem: why, without the file's name."""
+
+
+def answers_to(
+    functions: AnsweringFunctions, calls: Sequence[tuple[str, Sequence[float]]], *, composed: bool = False
+) -> list[Reply]:
+    """The answers to calls of the source's functions, each with its flat list of numbers; one that fails has a problem.
+
+    composed: of the slides' functions with the file's in their place, so that every function has an answer.
+    """
+    answers = functions.ask("composed" if composed else "calls", calls) if calls else []
+    if not isinstance(answers, list) or len(answers) != len(calls):
+        return [Reply(problem=functions.problem)] * len(calls)
+    return [parsed_answer(answer) for answer in answers]
+
+
+def usable_result(functions: AnsweringFunctions, name: str, reply: Reply) -> object:
+    """The result of one question; None where there is none, and then the functions are rejected. name: of what was asked."""
+    if reply.problem is not None or not reply.defined:
+        functions.reject(reply.problem or f"{name} is not there")
+        return None
+    return reply.result
 
 
 def note_of(name: str, own: frozenset[str], problem: str, *, answers: bool) -> str:

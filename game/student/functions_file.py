@@ -8,9 +8,9 @@ from pathlib import Path
 from typing import Self
 
 from game.language import tr
-from game.student.answering import note_of, placed_problem
+from game.student.answering import note_of, placed_problem, usable_result
 from game.student.program import Limits, Lines, Student, Wait, next_line, python_host
-from game.student.reply import Reply, parsed_answer
+from game.student.reply import Reply
 from game.system.errors import BadInputError, CheckFailedError
 from game.system.wording import quoted_path
 
@@ -97,23 +97,7 @@ class FunctionsFile:
 
     def ask(self, name: str, arguments: Sequence[object]) -> object:
         """The result of one question; None where there is none, and then nothing of the file answers until it is saved."""
-        if self._student is None:
-            return None
-        reply = self._student.ask(name, arguments)
-        if reply.problem is not None or not reply.defined:
-            self.reject(reply.problem or f"{name} is not there")
-            return None
-        return reply.result
-
-    def calls(self, calls: Sequence[tuple[str, Sequence[float]]], *, composed: bool = False) -> list[Reply]:
-        """The answers to calls of the source's functions, each with its flat list of numbers; one that fails has a problem.
-
-        composed: of the slides' functions with the file's in their place, so that every function has an answer.
-        """
-        answers = self.ask("composed" if composed else "calls", calls) if calls else []
-        if not isinstance(answers, list) or len(answers) != len(calls):
-            return [Reply(problem=self.problem)] * len(calls)
-        return [parsed_answer(answer) for answer in answers]
+        return None if self._student is None else usable_result(self, name, self._student.ask(name, arguments))
 
     def reject(self, problem: str) -> None:
         """Let nothing of the file answer until it is saved again. problem: why, without the file's name."""

@@ -18,6 +18,7 @@ from game.lab.window.words import small_print_height
 from game.screens.toolkit.drop_down import OptionList
 from game.screens.toolkit.form import spot_at
 from game.screens.toolkit.items import ButtonItem, Switch
+from game.screens.toolkit.key_help import KeyHelp
 from game.screens.toolkit.label import LabelItem
 from tests.support.dummy_window import FRAME, shared
 from tests.support.lab_desk import SIZE, LabDesk
@@ -248,9 +249,8 @@ def test_a_gamepad_gives_commands(desk, run):
     desk.pad(Action.STEP, Action.STEP_BACK)
     assert desk.session.scene.name == first
     desk.pad(Action.HELP)
-    assert desk.screen._help
+    assert isinstance(desk.screen, KeyHelp)
     desk.pad(Action.BACK)
-    assert not desk.screen._help
     desk.screen.present()
     scale = desk.screen._scale
     desk.pad(Action.UP)

@@ -25,6 +25,7 @@ from game.lab.window.words import TextSheet, draw_head, draw_words
 from game.screens.play import PlayScreen
 from game.screens.title import Title
 from game.screens.toolkit.drop_down import OptionList
+from game.screens.toolkit.key_help import KeyHelp
 from game.screens.toolkit.menu import Menu
 from game.settings.values import THEMES
 from tests.support.dummy_window import FRAME, Desk, shared
@@ -136,20 +137,18 @@ def test_copy_and_save_say_what_became_of_it(desk, tmp_path, monkeypatch):
     assert desk.screen._notes() == ()
 
 
-def test_help_opens_and_any_key_closes_it(desk):
-    """The key that closes the help does nothing else."""
+def test_help_opens_and_the_same_key_closes_it(desk):
+    """It lists every key of the lab; letters do nothing there."""
+    lab, theme = desk.screen, desk.shared.theme
     desk.press(pygame.K_h)
-    assert desk.screen._help
-    desk.press(pygame.K_ESCAPE)
-    assert desk.screen is not None
-    assert not desk.screen._help
-
-
-def test_every_line_of_the_help_fits_its_column():
-    """What a key does ends before the next column, or before the panel's edge."""
-    type_, unit = Type(), 40.0
-    for _, meaning in (*MORE_HELP, *[("", key.meaning) for key in KEYS]):
-        assert type_.rendered(meaning, unit, (0, 0, 0)).get_width() < 16.6 * unit, meaning
+    assert isinstance(desk.screen, KeyHelp)
+    listed = {row[1].text for row in desk.screen.content().body}
+    assert listed == {meaning for _, meaning in MORE_HELP} | {key.meaning for key in KEYS}
+    desk.press(pygame.K_t, pygame.K_l)
+    assert isinstance(desk.screen, KeyHelp)
+    assert desk.shared.theme is theme
+    desk.press(pygame.K_h)
+    assert desk.screen is lab
 
 
 @pytest.mark.usefixtures("unseen")
@@ -306,7 +305,7 @@ def test_no_hands_break_it(scene, tmp_path, monkeypatch):
         desk.wait(FRAME)
         shown = parsed(lab.session.line)
         assert shown.given.values == lab.session.given.values
-        if isinstance(desk.screen, OptionList):
+        if isinstance(desk.screen, OptionList | KeyHelp):
             desk.press(pygame.K_ESCAPE)
         assert desk.screen is lab
     desk.close()

@@ -51,6 +51,27 @@ def test_a_gamepad_steers_serves_and_pauses(page):
     page.tab.evaluate("pad.buttons[9].value = 0")
 
 
+def test_a_gamepad_alone_leads_through_the_menus(page):
+    """Its arrows go from control to control and change values, A uses what has the focus, B goes back."""
+    page.tab.evaluate(PAD)
+
+    def press(button):
+        for value in (1, 0):
+            page.tab.evaluate(f"pad.buttons[{button}].value = {value}")
+            page.frames(2)
+
+    press(13)
+    press(0)
+    page.wait(lambda: page.title() == "Levels")
+    press(15)
+    page.wait(lambda: page.tab.input_value("#item-difficulty") == "hard")
+    press(14)
+    press(1)
+    page.wait(lambda: page.title() == "Polar Breakout")
+    press(0)
+    page.wait(lambda: page.standing().get("phase") == "SERVING")
+
+
 def test_after_a_key_sounds_and_music_are_heard(page):
     """The context runs: the music's pad is heard before the serve, the bricks with the music off, and nothing without sound."""
     page.go("classic/1")

@@ -44,7 +44,7 @@ def test_without_webassembly_it_says_what_is_needed(browser, site):
 
 
 def test_it_works_offline_after_the_first_visit(browser, site):
-    """The service worker has stored all files: the page opens and plays when its host is gone."""
+    """The service worker has stored all files: the page plays, grades functions in its editor, and asks pymunk."""
     context = browser.new_context()
     try:
         with served(site, 0) as address:
@@ -54,6 +54,13 @@ def test_it_works_offline_after_the_first_visit(browser, site):
         page.open()
         page.use("play")
         page.wait(lambda: page.standing().get("phase") == "SERVING")
+        page.go("functions")
+        page.wait(lambda: page.tab.query_selector(".CodeMirror"))
+        page.drop("mine.py", b"def on_left(a, b):\n    return a > b\n")
+        page.use("grade")
+        page.wait(lambda: "no wrap" in page.tab.inner_text("#menu"), lambda: page.tab.inner_text("#menu"))
+        page.go("lab/free-run")
+        page.wait(lambda: page.standing().get("engine") == "pymunk", page.told)
         assert page.foreign == []
     finally:
         context.close()

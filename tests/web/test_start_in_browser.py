@@ -30,15 +30,15 @@ FORBIDDEN = "Object.defineProperty(self, 'caches', { get() { throw new DOMExcept
 
 
 def started(page):
-    """Open the page, and play a little: the steps of its start, and a hash that differs from game to game."""
+    """Open the page, and play a little: the steps of its start; a hash that differs from game to game, and a random number."""
     page.open()
     page.use("play")
     page.wait(lambda: page.standing().get("phase") == "SERVING")
-    return page.timeline(), page.standing()["hash"]
+    return page.timeline(), (page.standing()["hash"], page.ask("random"))
 
 
 def test_a_second_visit_copies_the_memory_and_its_games_differ(open_page):
-    """Python is not started again; what a snapshot has must not make two games the same."""
+    """Python is not started again; what a snapshot has makes neither two games nor two random numbers the same."""
     with open_page() as page:
         assert IMPORTED in page.timeline()
         assert page.tab.evaluate("[progress.value, progress.hidden]") == [1, True]
@@ -47,7 +47,7 @@ def test_a_second_visit_copies_the_memory_and_its_games_differ(open_page):
         assert COPIED in first
         assert COPIED in second
         assert IMPORTED not in first + second
-        assert one != other
+        assert [here for here, there in zip(one, other, strict=True) if here == there] == []
 
 
 @pytest.mark.parametrize(("change", "starts"), [("torn", 1), ("unusable", 2)])

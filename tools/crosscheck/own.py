@@ -10,6 +10,7 @@ from typing import NamedTuple
 from rich.console import Console
 from rich.table import Table
 
+from game.student.answering import answers_to
 from game.student.engine_functions import EngineFunctions
 from game.student.functions_file import FunctionsFile
 from game.student.reply import Reply
@@ -150,7 +151,7 @@ def _bounced(moment: Moment, touched: ShapeContact) -> complex | None:
 
 def _answers(functions: FunctionsFile, contacts: Sequence[OwnContact]) -> list[Reply]:
     """The answers of the file's functions, of which one may call another that is the slides'."""
-    return functions.calls([(contact.function, contact.arguments) for contact in contacts], composed=True)
+    return answers_to(functions, [(contact.function, contact.arguments) for contact in contacts], composed=True)
 
 
 def _verdict(contact: OwnContact, reply: Reply) -> OwnVerdict:

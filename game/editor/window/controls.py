@@ -251,13 +251,11 @@ def _name_choice(
     """One of the format's names."""
     known: list[str] = list(names)
     words, index = tuple([tr(name) for name in names.values()]), known.index(value_of(seen.session, field))
-    return ChoiceItem(
-        tr(field.label),
-        words,
-        index,
-        lambda other: do.put(editing.entered(seen.session, field, known[other])),
-        field.tip(field.path()),
-    )
+
+    def choose(other: int) -> None:
+        do.put(editing.entered(seen.session, field, known[other], field.path()))
+
+    return ChoiceItem(tr(field.label), words, index, choose, field.tip(field.path()))
 
 
 def _buttons(names: tuple[str, ...], do: Reactions) -> list[Row]:
@@ -266,7 +264,7 @@ def _buttons(names: tuple[str, ...], do: Reactions) -> list[Row]:
         ButtonItem(
             tr(COMMANDS[name].label),
             partial(do.command, name),
-            tip=_tip(COMMANDS[name].key, tr(COMMANDS[name].tip)),
+            tip=_tip(tr(COMMANDS[name].key), tr(COMMANDS[name].tip)),
             centred=True,
         )
         for name in names
@@ -276,7 +274,7 @@ def _buttons(names: tuple[str, ...], do: Reactions) -> list[Row]:
 
 def _long_button(name: str, do: Reactions, label: str) -> ButtonItem:
     """A button that says what it would do, with its key."""
-    return ButtonItem(label, lambda: do.command(name), note=COMMANDS[name].key, framed=True)
+    return ButtonItem(label, lambda: do.command(name), note=tr(COMMANDS[name].key), framed=True)
 
 
 def _tip(key: str, meaning: str) -> str:

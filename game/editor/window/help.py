@@ -6,14 +6,9 @@ from game.editor.fields import Part
 from game.input.key_names import button_names
 from game.input.keys import Action
 from game.language import tr, tr_noop
-from game.screens.toolkit.focus import Focus
-from game.screens.toolkit.items import Item, TextItem
-from game.screens.toolkit.layout import Content, Row
-from game.screens.toolkit.menu import back_row
-from game.screens.toolkit.panel import Panel
-
-_MEANING = 2.6
-"""Width of what a key does, in widths of its name."""
+from game.screens.app_state import AppState
+from game.screens.base import Screen
+from game.screens.toolkit.key_help import HelpWords, KeyHelp, Lines
 
 
 class Hand(Enum):
@@ -34,8 +29,8 @@ KEYS = (
     ("P", tr_noop("brush: what is under the cursor")),
     ("R, M", tr_noop("repeat a stroke around the ring; mirror it")),
     ("F", tr_noop("fill the chosen ring with the brush")),
-    ("Ctrl+C, Ctrl+V", tr_noop("copy the ring's bricks, paste them; both from the cursor on")),
-    ("C, Ins; Del", tr_noop("copy the chosen ring outward; remove it")),
+    (tr_noop("Ctrl+C, Ctrl+V"), tr_noop("copy the ring's bricks, paste them; both from the cursor on")),
+    (tr_noop("C, Ins; Del"), tr_noop("copy the chosen ring outward; remove it")),
     (
         tr_noop("In the part Wells"),
         tr_noop("arrows move the well, with Shift ten steps; Space, Ins: add; Backspace, Del: remove"),
@@ -50,9 +45,9 @@ KEYS = (
         tr_noop("up, down: choose; left, right: change, with Shift ten steps at once; Page up, Page down: another part"),
     ),
     (tr_noop("Enter there"), tr_noop("type a number, Enter again takes it over; or press a button")),
-    ("Ctrl+Z, Ctrl+Y", tr_noop("undo, redo")),
+    (tr_noop("Ctrl+Z, Ctrl+Y"), tr_noop("undo, redo")),
     ("F5", tr_noop("play the level; Esc there comes back")),
-    ("Ctrl+S", tr_noop("save; comments in the file stay")),
+    (tr_noop("Ctrl+S"), tr_noop("save; comments in the file stay")),
     ("Esc", tr_noop("leave; asks where changes are not saved")),
 )
 """Keys, and what they do."""
@@ -70,7 +65,7 @@ MOUSE = (
 _NOTE = tr_noop("A file that is changed in a text editor is taken over at once, and can be undone.")
 
 
-def pad_lines() -> tuple[tuple[str, str], ...]:
+def pad_lines() -> Lines:
     """What a gamepad does, by the names of the buttons that the player has chosen."""
     panel = tr("up, down: choose; left, right: change; {press}: enter a number, press a button")
     return (
@@ -120,24 +115,12 @@ def _mouse_hint(part: Part) -> str:
     return tr("Left button: paint; right button: take away; wheel: layers of the brush.")
 
 
-class EditorHelp(Panel):
-    """A panel with a part for each of keys, mouse and gamepad."""
-
-    def content(self) -> Content:
-        """The part that is shown."""
-        lines = (_translated(KEYS), _translated(MOUSE), pad_lines())[self._tab]
-        rows: list[Row] = [
-            (TextItem(names, 1.0, faint=True), TextItem(meaning, 1.0, share=_MEANING)) for names, meaning in lines
-        ]
-        rows += [(Item(),), (TextItem(tr(_NOTE), 1.0, faint=True),)]
-        names = (tr("Keys"), tr("Mouse"), tr("Gamepad"))
-        return Content(tr("The editor"), tuple(rows), back_row(tr("Back"), self.back), names, self._tab, 46.0)
-
-    def first(self) -> Focus | None:
-        """The button that closes it."""
-        return Focus(len(self.content().body), 1)
+def editor_help(state: AppState, under: Screen) -> KeyHelp:
+    """The panel over the editor, with a part for each of keys, mouse and gamepad."""
+    parts = ((tr("Keys"), _translated(KEYS)), (tr("Mouse"), _translated(MOUSE)), (tr("Gamepad"), pad_lines()))
+    return KeyHelp(state, under, HelpWords(tr("The editor"), tr("Back"), tr(_NOTE)), parts)
 
 
-def _translated(lines: tuple[tuple[str, str], ...]) -> tuple[tuple[str, str], ...]:
+def _translated(lines: Lines) -> Lines:
     """Lines in the player's language."""
     return tuple([(tr(names), tr(meaning)) for names, meaning in lines])

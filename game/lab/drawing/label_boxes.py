@@ -121,9 +121,15 @@ def _free_box(box: LabelBox, area: LabelBox, taken: Sequence[LabelBox], rings: S
     """The box inside the area, moved to the nearest position where it covers no other; None if there is none near."""
     wide, high = box.width + 2, box.height
     moves = sorted(itertools.product(_ASIDE, _UP), key=lambda move: math.hypot(move[0] * wide, move[1] * high))
-    boxes = [box.moved(dx * wide, dy * high).within(area) for dx, dy in moves]
-    free = [one for one in boxes if not any([one.covers(other) for other in taken])]
-    return next((one for one in free if not any([one.covers(ring) for ring in rings])), free[0] if free else None)
+    second_best: LabelBox | None = None
+    for dx, dy in moves:
+        moved = box.moved(dx * wide, dy * high).within(area)
+        if any([moved.covers(other) for other in taken]):
+            continue
+        if not any([moved.covers(ring) for ring in rings]):
+            return moved
+        second_best = second_best or moved
+    return second_best
 
 
 def _clamped(start: int, length: int, low: int, room: int) -> int:

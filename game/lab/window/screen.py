@@ -4,7 +4,7 @@ import pygame
 
 from game.input.keys import code_among, position_in
 from game.input.repeat import Repeat
-from game.input.signals import Pressed, Signal, is_still_down, pad_of
+from game.input.signals import Clicked, Moved, Pressed, Signal, is_still_down, pad_of
 from game.lab.course.progress import course_progress
 from game.lab.course.progress_path import progress_path
 from game.lab.export.slide import SLIDE_SIZE, SlideStyle
@@ -24,7 +24,7 @@ from game.lab.window import saving
 from game.lab.window.commands import BOUND, PAD_COMMANDS, TOGGLE_KEYS, command_of
 from game.lab.window.controls import Controlled, NumberRefused, PresetChosen, Request, SceneChosen, ValueRequested
 from game.lab.window.dragging import Drag, PaneView, drag_at
-from game.lab.window.help import draw_help
+from game.lab.window.help import lab_help
 from game.lab.window.layout import WindowLayout, layout_of
 from game.lab.window.lesson import Lesson
 from game.lab.window.presented import paint_presented, presented_words
@@ -73,7 +73,6 @@ class Lab:
         self._pointer = -1 - 1j  # pixels
         self._pixels_per_point = 1 + 1j
         self._notice, self._notice_left = "", 0.0
-        self._help = False
         self._lesson: Lesson | None = None
         if presents:
             self.present()
@@ -100,14 +99,13 @@ class Lab:
         return found if self._lesson is None else self._lesson.lowered(found, self._shared.type)
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
-        """React to a gamepad, and let go of what is up again; keyboard and mouse are heard as events of the window."""
+        """React to gamepad and fingers, let go of what is up again; keyboard and mouse are heard as events of the window."""
         if self._repeat is not None and not is_still_down(self._repeat[0].position, signal):
             self._repeat = None
+        if isinstance(signal, Moved | Clicked):
+            return self if self.presents else self._controls(size).hear_finger(signal, size)
         if pad_of(signal) is None:
             return self._controls(size).answer(signal, size)
-        if self._help:
-            self._help = not isinstance(signal, Pressed)
-            return self
         taken, following = (False, self) if self.presents else self._controls(size).hear_pad(signal, size)
         if taken or not isinstance(signal, Pressed) or signal.action not in PAD_COMMANDS:
             return following
@@ -116,9 +114,6 @@ class Lab:
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> Screen | None:
         """React to an event of the window."""
         self._pixels_per_point = pixels_per_point
-        if self._help:
-            self._help = event.type not in (pygame.KEYDOWN, pygame.MOUSEBUTTONDOWN)
-            return self
         if event.type == pygame.KEYDOWN:
             return self._key(event, size)
         elsewhere = self.presents or self._drag is not None
@@ -165,8 +160,6 @@ class Lab:
             draw_halo(sheet, self._pointer)
         if self._lesson is not None:
             self._lesson.draw(sheet)
-        if self._help:
-            draw_help(surface, theme, self._shared.type)
 
     def _draw_words(self, sheet: TextSheet) -> float:
         """The words around the picture; returns where notices end, above them."""
@@ -255,6 +248,8 @@ class Lab:
         match request:
             case Command.LEAVE:
                 return self._under
+            case Command.HELP:
+                return lab_help(self._shared, self)
             case Command():
                 self._obey(request)
             case Toggle():
@@ -292,8 +287,6 @@ class Lab:
                 self._shared.change(self._shared.settings.other_colours())
             case Command.COURSE:
                 self._attend()
-            case Command.HELP:
-                self._help = True
 
     def _written(self, command: Command) -> str:
         """Write what a command asks for; a sentence that says what became of it."""

@@ -5,7 +5,7 @@ from enum import Enum
 from typing import NamedTuple
 
 from game.lab.yours.calls import OwnCall
-from game.student.answering import AnsweringFunctions
+from game.student.answering import AnsweringFunctions, answers_to
 from game.student.engine_functions import EngineFunctions
 from game.student.reply import Reply
 from game.student.signatures import SIGNATURES, Result, agrees, answer
@@ -41,7 +41,7 @@ class OwnAnswer(NamedTuple):
 def own_answers(functions: AnsweringFunctions, calls: Sequence[OwnCall]) -> list[OwnAnswer]:
     """The answers to those of the calls whose functions the file defines. While it answers nothing, there are none."""
     asked = [call for call in calls if call.function in functions.own]
-    replies = functions.calls([(call.function, call.arguments) for call in asked])
+    replies = answers_to(functions, [(call.function, call.arguments) for call in asked])
     return [_judged(call, reply) for call, reply in zip(asked, replies, strict=True) if reply.defined]
 
 

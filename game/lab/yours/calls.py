@@ -183,7 +183,7 @@ def _friction(given: Given) -> tuple[OwnCall, ...]:
 def _axis_slip(given: Given) -> tuple[OwnCall, ...]:
     """The bounce in the ground's plane."""
     n = to_cartesian(1.0, given.angle("theta"))
-    return (_response(n * 2.75, _velocity(given), n, 0j, 0.0, given.number("speed")),)
+    return (_response(n * 1.8, _velocity(given), n, 0j, 0.0, given.number("speed")),)
 
 
 def _moving_surface(given: Given) -> tuple[OwnCall, ...]:

@@ -4,6 +4,7 @@ from collections.abc import Callable, Sequence
 from functools import lru_cache
 
 from game.drawing.palette import Colour, mixed
+from game.effects import Trail
 from game.picture.display_list import DisplayList
 from game.picture.view import ArenaView
 from game.scene import Scene
@@ -22,12 +23,14 @@ _STRENGTH = 0.5
 
 def add_trails(out: DisplayList, scene: Scene, view: ArenaView) -> None:
     """Add tails that grow and brighten towards their balls, warmer with every brick in a row."""
-    if not scene.balls:
-        return
-    hottest = mixed(view.theme.trail, view.theme.accent, scene.heat)
-    width = _WIDTH * scene.balls[0].radius * view.camera.scale
-    for trail in scene.trails:
-        _STYLES[view.trail](out, view, view.camera.pixels(trail), width, hottest)
+    for trail in scene.trails if scene.balls else ():
+        add_trail(out, trail, scene.balls[0].radius, scene.heat, view)
+
+
+def add_trail(out: DisplayList, trail: Trail, radius: float, heat: float, view: ArenaView) -> None:
+    """Add one ball's tail. radius: of the ball, world units; heat: as in `Scene`."""
+    hottest = mixed(view.theme.trail, view.theme.accent, heat)
+    _STYLES[view.trail](out, view, view.camera.pixels(trail), _WIDTH * radius * view.camera.scale, hottest)
 
 
 def _comet(out: DisplayList, view: ArenaView, pixels: list[complex], width: float, hottest: Colour) -> None:

@@ -3,7 +3,7 @@
 import msgspec
 
 from game.input.key_names import players_keys
-from game.input.players import Players
+from game.input.players import Players, players_words
 from game.language import tr
 from game.screens.app_state import AppState
 from game.screens.difficulty_names import DIFFICULTIES, difficulty_name, ruleset_of
@@ -16,17 +16,7 @@ def players_choice(state: AppState) -> ChoiceItem:
     def choose(index: int) -> None:
         state.players = Players(index)
 
-    first, second = players_keys()
-    tips = (
-        tr("Scores and ranks count for a single player only."),
-        tr("One uses {first}, mouse or gamepad, the other {second} or a second gamepad; both steer all paddles.").format(
-            first=first, second=second
-        ),
-        tr("The lower player uses {first}, mouse or gamepad, the upper one {second} or a second gamepad.").format(
-            first=first, second=second
-        ),
-    )
-    names = (tr("One"), tr("Two together"), tr("Two against each other"))
+    names, tips = zip(*players_words(*players_keys()), strict=True)
     return ChoiceItem(tr("Players"), names, int(state.players), choose, tips[state.players])
 
 

@@ -1,19 +1,15 @@
 """Levels without end, made from a seed: today's, which are the same for everyone; new ones; or those of a seed one was told."""
 
 import datetime as dt
-import random
 
 from game.generated import daily_seed, sequence
 from game.language import tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
+from game.screens.endless_seeds import LONGEST_SEED, new_seed, seed_of
 from game.screens.play import PlayScreen
 from game.screens.toolkit.menu import Entry, Menu
 from game.screens.toolkit.text_entry import TextEntry
-
-_LONGEST_SEED = 12
-_SHARED_DIGITS = 6
-"""Digits of a new seed: few enough to be told to somebody."""
 
 
 def endless_menu(state: AppState, under: Screen) -> Menu:
@@ -27,7 +23,7 @@ def endless_menu(state: AppState, under: Screen) -> Menu:
             lambda: begun(state, daily_seed(day)),
             tip=same,
         ),
-        Entry(tr("New levels"), lambda: begun(state, _new_seed())),
+        Entry(tr("New levels"), lambda: begun(state, new_seed())),
         Entry(tr("Levels from a number"), lambda: _seed_entry(state, menu)),
         Entry(tr("Back"), lambda: under),
     )
@@ -46,14 +42,4 @@ def _seed_entry(state: AppState, menu: Screen) -> Screen:
     def done(text: str) -> Screen:
         return begun(state, seed_of(text)) if text else menu
 
-    return TextEntry(state, menu, tr("Number of these levels"), "", _LONGEST_SEED, done)
-
-
-def seed_of(text: str) -> int:
-    """The seed that a player means: a number as it is, anything else as the number that its bytes are."""
-    return int(text) if text.isascii() and text.isdigit() else int.from_bytes(text.encode()[:7], "little")
-
-
-def _new_seed() -> int:
-    """A seed that nobody has asked for."""
-    return random.SystemRandom().randrange(10 ** (_SHARED_DIGITS - 1), 10**_SHARED_DIGITS)
+    return TextEntry(state, menu, tr("Number of these levels"), "", LONGEST_SEED, done)

@@ -28,7 +28,8 @@ def power_rows() -> tuple[Row, ...]:
     ]
     caught = tr("A broken brick may release a power-up. It drifts outward: catch it with a paddle before it leaves the circle.")
     harmful = tr("Let the spiky ones go.")
-    return ((TextItem(f"{caught} {harmful}", 1.1),), (TextItem("", 0.4),), *rows)
+    arcs = tr("Arcs beside the circle show how long each lasts; the red one with the target, what is left of a core.")
+    return ((TextItem(f"{caught} {harmful}", 1.1),), (TextItem("", 0.4),), *rows, (TextItem(arcs, 1.0, faint=True),))
 
 
 def _cell(kind: PowerUp) -> tuple[Item, Item]:

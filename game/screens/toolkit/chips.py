@@ -17,8 +17,8 @@ from game.screens.toolkit.plate import draw_focus, index_at, write_fitting
 
 _HEIGHT, _GAP, _AROUND = 1.5, 0.2, 0.2
 """Height of a line of chips, between two chips, and from them to the frame around all."""
-_LETTERS, _ROOM = 1.0, 0.3
-"""Size of the letters, and from them to the chip's ends."""
+_LETTERS, _SMALLEST, _ROOM = 1.0, 0.6, 0.3
+"""Size of the letters, the least share of it, and from them to the chip's ends. Letters of all chips have the same size."""
 _CORNER, _EDGE, _CHOSEN_EDGE = 0.4, 0.06, 0.2
 """Radius of a chip's corners, and widths of its edge."""
 _CHOSEN = 0.2
@@ -57,17 +57,18 @@ class ChipsItem(Item):
         """The chips, the present one with a strong edge."""
         draw_focus(canvas, box, focused=focused)
         theme, unit = canvas.theme, canvas.unit
-        for index, (chip, place) in enumerate(zip(self.chips, self.boxes(box, unit), strict=True)):
+        boxes = self.boxes(box, unit)
+        size = _LETTERS * min([1.0, *[_fit(canvas, chip.label, place) for chip, place in zip(self.chips, boxes, strict=True)]])
+        for index, (chip, place) in enumerate(zip(self.chips, boxes, strict=True)):
             chosen = index == self.index
             plain = mixed(theme.panel, theme.accent, _CHOSEN if chosen else 0.0)
             fill = plain if chip.colour is None else chip.colour
             edge, width = (theme.accent, _CHOSEN_EDGE) if chosen else (theme.panel_edge, _EDGE)
             draw_box(canvas.surface, place, unit * _CORNER, fill, edge, unit * width)
-            letters = theme.accent if chosen else theme.text
+            letters = theme.text
             if chip.colour is not None:
                 letters = _WHITE if contrast(_WHITE, fill) > contrast(_BLACK, fill) else _BLACK
-            room = place.width - 2.0 * _ROOM * unit
-            write_fitting(canvas, chip.label, _LETTERS, letters, complex(*place.center), "center", room)
+            write_fitting(canvas, chip.label, size, letters, complex(*place.center), "center", place.width)
 
     def boxes(self, box: pygame.Rect, unit: float) -> list[pygame.Rect]:
         """Where every chip is, pixels."""
@@ -106,3 +107,9 @@ class ChipsItem(Item):
         lines = math.ceil(count / fitting)
         most = math.ceil(count / lines)
         return [min(most, count - first) for first in range(0, count, most)]
+
+
+def _fit(canvas: Canvas, label: str, place: pygame.Rect) -> float:
+    """Share of the usual size of its letters in which a label has room in a chip."""
+    wide = canvas.type.rendered(label, canvas.unit * _LETTERS, _BLACK).get_width()
+    return max((place.width - 2.0 * _ROOM * canvas.unit) / max(wide, 1), _SMALLEST)

@@ -48,7 +48,9 @@ def length(rate: int) -> int:
 def composed(layer: Layer, rate: int) -> Iterator[Loop | None]:
     """The loop of a layer, last; before it None after every note, so that the work can be spread over many frames."""
     for loop in mixed(layer, rate):
-        yield None if loop is None else loop * np.float32(gain_of(layer, loop))
+        if loop is not None:
+            np.multiply(loop, np.float32(gain_of(layer, loop)), out=loop)  # one more array would be 7 MB more
+        yield loop
 
 
 def mixed(layer: Layer, rate: int) -> Iterator[Loop | None]:
@@ -80,8 +82,8 @@ def placements(layer: Layer, note: ScoreNote) -> Iterator[Placement]:
 
 def gain_of(layer: Layer, loop: Loop) -> float:
     """What a loop is multiplied by to have its level, and to stay within its share of PEAK."""
-    rms = math.sqrt(float(np.mean(np.square(loop, dtype=np.float64))))
-    peak = float(np.abs(loop).max())
+    rms = math.sqrt(float(np.einsum("ij,ij->", loop, loop, dtype=np.float64)) / loop.size)
+    peak = float(max(loop.max(), -loop.min()))
     return min(_LEVELS[layer] / max(rms, 1e-9), _SHARES[layer] * PEAK / max(peak, 1e-9))
 
 

@@ -6,7 +6,7 @@ from collections.abc import Callable, Iterator
 import numpy as np
 import pygame
 
-from game.sound.music.loops import Loop, composed
+from game.sound.music.loops import Loop, composed, length
 from game.sound.music.mood import CALM, SILENT, Mood, nearer, wanted
 from game.sound.music.score import Layer
 
@@ -31,6 +31,7 @@ class MusicPlayer:
         self._channels = range(first_channel, first_channel + CHANNELS)
         self._rate, self._clock = rate, clock
         self._loops: list[pygame.mixer.Sound] = []
+        self._ready = 0  # loops that are computed
         self._work: Iterator[Loop | None] | None = None
         self._gains = SILENT
         self._mood, self._told, self._before = CALM, clock(), clock()
@@ -50,9 +51,9 @@ class MusicPlayer:
             self.stop()
             return
         for _ in range(_NOTES_A_FRAME):
-            if len(self._loops) < CHANNELS and self._clock() - now < _WORK:
+            if self._ready < CHANNELS and self._clock() - now < _WORK:
                 self._compute()
-        if len(self._loops) < CHANNELS:
+        if self._ready < CHANNELS:
             return
         if not self._plays:
             self._start()
@@ -69,14 +70,22 @@ class MusicPlayer:
         self._plays, self._gains = False, SILENT
 
     def _compute(self) -> None:
-        """One more note of the layer that is next."""
+        """One more note of the layer that is next; before the first one, the memory for all loops.
+
+        If the loops were made one after the other, they would stand in memory behind what had been needed for computing them,
+        and 20 MB of that could not be given back to the system.
+        """
+        if len(self._loops) < CHANNELS:
+            self._loops.append(pygame.mixer.Sound(buffer=bytes(4 * length(self._rate))))
+            return
         if self._work is None:
-            self._work = composed(Layer(len(self._loops)), self._rate)
+            self._work = composed(Layer(self._ready), self._rate)
         loop = next(self._work)
         if loop is not None:
-            samples = np.rint(np.clip(loop, -1.0, 1.0).T * np.float32(_FULL_SCALE)).astype(np.int16)
-            self._loops.append(pygame.mixer.Sound(buffer=np.ascontiguousarray(samples).tobytes()))
-            self._work = None
+            samples = pygame.sndarray.samples(self._loops[self._ready])
+            for ear, row in enumerate(loop):
+                samples[:, ear] = np.rint(np.clip(row, -1.0, 1.0) * np.float32(_FULL_SCALE))
+            self._ready, self._work = self._ready + 1, None
 
     def _start(self) -> None:
         """Start all layers at once, silent. They stay together, for all have the same length."""

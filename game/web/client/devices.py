@@ -18,6 +18,7 @@ from game.input.signals import (
     Zoomed,
     pad_position,
 )
+from game.input.two_fingers import two_fingers
 from game.web.client.keys import BUTTONS, key_action, key_position
 from game.web.client.messages import KeyChange, PadState, PageSignal, PointerChange, WentAway, WheelTurn
 
@@ -29,6 +30,8 @@ _SLACK = 0.08
 """Share of a trigger's travel that does nothing."""
 _DOWN = 0.5
 """From here on a button is pressed."""
+_PAIR = 2
+"""So many fingers move the camera."""
 
 
 class PageDevices:
@@ -37,14 +40,14 @@ class PageDevices:
     def __init__(self) -> None:
         """Nothing is held."""
         self._fingers: dict[int, complex] = {}  # where each came down, pixels; the newest last
+        self._now: dict[int, complex] = {}  # where each is
         self._moved: set[int] = set()
         self._mouse = 0j
         self._dragging = False
-        self._buttons: tuple[bool, ...] = (False,) * len(BUTTONS)
-        self._pointing, self._aiming, self._spin = False, False, 0.0
+        self._pads: dict[int, _Pad] = {}
 
-    def signals(self, message: PageSignal, size: tuple[int, int]) -> Iterator[Signal]:
-        """What a message means; nothing for most. size: of the canvas, pixels."""
+    def signals(self, message: PageSignal, size: tuple[int, int], *, orbits: bool = False) -> Iterator[Signal]:
+        """What a message means; nothing for most. size: of the canvas, pixels. orbits: two fingers move the camera."""
         match message:
             case KeyChange():
                 action = key_action(message.code, message.key)
@@ -52,13 +55,14 @@ class PageDevices:
                     kind = Pressed if message.down else Released
                     yield kind(action, key_position(message.code))
             case PointerChange():
-                yield from self._finger(message, size) if message.touch else self._mouse_signals(message)
+                yield from self._finger(message, size, orbits=orbits) if message.touch else self._mouse_signals(message)
             case WheelTurn():
                 yield Zoomed(message.steps)
             case PadState():
-                yield from self._pad(message)
+                yield from self._pads.setdefault(message.pad, _Pad(message.pad)).signals(message)
             case WentAway():
                 self._fingers.clear()
+                self._now.clear()
                 yield FocusLost()
 
     def _mouse_signals(self, message: PointerChange) -> Iterator[Signal]:
@@ -75,38 +79,55 @@ class PageDevices:
                 yield Moved(pixel, bool(message.buttons & _MAIN))
         self._mouse = pixel
 
-    def _finger(self, message: PointerChange, size: tuple[int, int]) -> Iterator[Signal]:
-        """A finger: the newest one points as the mouse does, and one lifted where it came down clicks."""
+    def _finger(self, message: PointerChange, size: tuple[int, int], *, orbits: bool) -> Iterator[Signal]:
+        """A finger, as `game.input.fingers` has it: the newest one points, one lifted where it came down clicks, two orbit."""
         pixel, finger = complex(message.x, message.y), message.id
         if message.phase == "down":
-            self._fingers[finger] = pixel
-            yield Moved(pixel, held=False)
+            self._fingers[finger] = self._now[finger] = pixel
+            if orbits and len(self._fingers) == _PAIR:
+                self._moved |= set(self._fingers)  # neither of them clicks
+            else:
+                yield Moved(pixel, held=False)
         elif finger not in self._fingers:
             return
         elif message.phase == "move":
             if abs(pixel - self._fingers[finger]) > unit_of(size):
                 self._moved.add(finger)
-            if finger == next(reversed(self._fingers)):
+            if orbits and len(self._fingers) == _PAIR:
+                (other,) = [at for number, at in self._now.items() if number != finger]
+                yield from two_fingers(self._now[finger], pixel, other)
+            elif finger == next(reversed(self._fingers)):
                 yield Moved(pixel, held=finger in self._moved)
+            self._now[finger] = pixel
         else:
-            del self._fingers[finger]
+            del self._fingers[finger], self._now[finger]
             if finger not in self._moved and message.phase == "up":
                 yield Clicked(pixel)
             self._moved.discard(finger)
 
-    def _pad(self, pad: PadState) -> Iterator[Signal]:
-        """A gamepad: its buttons, the sticks that point, the triggers that turn."""
+
+class _Pad:
+    """Follows one gamepad."""
+
+    def __init__(self, number: int) -> None:
+        """Nothing is held. number: of the gamepad, 0 for the first."""
+        self._number = number
+        self._buttons: tuple[bool, ...] = (False,) * len(BUTTONS)
+        self._pointing, self._aiming, self._spin = False, False, 0.0
+
+    def signals(self, pad: PadState) -> Iterator[Signal]:
+        """Its buttons, the sticks that point, the triggers that turn."""
         pressed = tuple([value > _DOWN for value in [*pad.buttons, *[0.0] * len(BUTTONS)][: len(BUTTONS)]])
-        for number, (now, before, action) in enumerate(zip(pressed, self._buttons, BUTTONS, strict=True)):
+        for button, (now, before, action) in enumerate(zip(pressed, self._buttons, BUTTONS, strict=True)):
             if now != before and action is not None:
-                yield (Pressed if now else Released)(action, pad_position(0, min(number, STICK - 1)))
+                yield (Pressed if now else Released)(action, pad_position(self._number, min(button, STICK - 1)))
         self._buttons = pressed
         axes = [*pad.axes, 0.0, 0.0, 0.0, 0.0]
         for aims, at in ((False, complex(axes[0], -axes[1])), (True, complex(axes[2], -axes[3]))):
             before = self._aiming if aims else self._pointing
             points = abs(at) >= (_LET_GO if before else _PUSHED)
             if points or before:
-                yield Pointed(at / abs(at) if points else 0j, aims)
+                yield Pointed(at / abs(at) if points else 0j, aims, self._number)
             if aims:
                 self._aiming = points
             else:
@@ -115,4 +136,4 @@ class PageDevices:
         left, right = (max(value - _SLACK, 0.0) / (1.0 - _SLACK) for value in triggers)
         if not math.isclose(right - left, self._spin):
             self._spin = right - left
-            yield Squeezed(self._spin)
+            yield Squeezed(self._spin, self._number)

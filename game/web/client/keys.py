@@ -48,6 +48,10 @@ BY_KEY = {
     "PageDown": Action.ZOOM_OUT,
 }
 """Keys that mean something by what is written on them."""
+SECOND_PLAYER = ("KeyA", "KeyD")
+"""Where two play, the second player's keys; the first one has the others of the same actions."""
+PLAYERS_KEYS = ("←, →", "A, D")
+"""What the keys of both are called."""
 BUTTONS = (
     Action.SERVE,
     Action.BACK,
@@ -78,3 +82,8 @@ def key_action(code: str, key: str) -> Action | None:
 def key_position(code: str) -> int:
     """A number for a key, the same for the same key, from 1 on."""
     return _POSITIONS.setdefault(code, len(_POSITIONS) + 1)
+
+
+def second_player_positions() -> tuple[int, ...]:
+    """The numbers of the second player's keys."""
+    return tuple([key_position(code) for code in SECOND_PLAYER])

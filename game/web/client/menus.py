@@ -1,18 +1,24 @@
-"""The menus of the page: title, levels, settings, scores, replays, help. Behind them a game plays itself."""
+"""The menus of the page: title, levels, scores, replays, help. Behind them a game plays itself."""
 
+import datetime as dt
 from collections.abc import Callable, Iterable
 from typing import NamedTuple
 
+from game.generated import daily_seed
 from game.input.actions import Action
+from game.input.players import Players, players_words
 from game.input.signals import Pressed, Signal
 from game.kept.progress import RANKS
-from game.language import LANGUAGES, SYSTEM, grouped, tr
+from game.kept.scores import ENDLESS
+from game.language import grouped, tr
+from game.level_names import level_name
 from game.levels import Level, classic
 from game.picture.display_list import DisplayList
 from game.screens.demo import Demo
 from game.screens.difficulty_names import DIFFICULTIES, difficulty_name
-from game.settings.values import LOUDEST, SPEEDS, Settings
+from game.screens.endless_seeds import LONGEST_SEED, new_seed, seed_of
 from game.web.client.functions.text import FunctionsText
+from game.web.client.keys import PLAYERS_KEYS
 from game.web.client.messages import PageItem, PageMenu
 from game.web.client.state import PageScreen, PageState, Pictures
 
@@ -22,14 +28,10 @@ _ASIDE = 0.17
 """How far to the right the demonstration is, in shares of a wide canvas: the menu stands at the left."""
 _STILL_SECONDS = 6.0
 """With reduced motion: the moment of the demonstration that is shown."""
-_HELP = (
-    "Left and right arrows, or A and D: turn the paddles. The mouse or a finger: the nearest paddle follows it.",
-    "Space, a click or a tap: serve along the arrow. G: give up a ball that is out of reach.",
-    "P or Escape: pause. 1 and 2: the view from above, the view in 3D; drag with the right button to turn it.",
-    "M: sound. T: dark or light colours. O: settings. L: the lab.",
-    "A gamepad's left stick points the paddles, A serves, Y changes the view.",
-    "Drop a replay (.polar), a level (.toml) or functions of your own (.py) on this page to open them.",
-)
+
+
+_GOES_ON = frozenset({"go-on", "next"})
+"""Items that do what going back does: beside them there is none that says so."""
 
 
 class Opened(NamedTuple):
@@ -65,7 +67,7 @@ class MenuScreen:
         if self._menu is None:
             lines, opened = self._contents(self)
             opened = list(opened)
-            if self._back is not None:
+            if self._back is not None and not _GOES_ON.intersection([one.item.id for one in opened]):
                 back = self._back
                 opened.append(Opened(PageItem("back", tr("Back")), lambda _value: back()))
             self._used = {one.item.id: one.used for one in opened}
@@ -134,6 +136,8 @@ class Screens(NamedTuple):
     replay: Callable[[str, bytes], PageScreen]
     lab: Callable[[str], PageScreen]
     flight: Callable[[FunctionsText], PageScreen]
+    settings: Callable[[], PageScreen]
+    endless: Callable[[int], PageScreen]
 
 
 def title(state: PageState, screens: Screens) -> MenuScreen:
@@ -141,14 +145,15 @@ def title(state: PageState, screens: Screens) -> MenuScreen:
 
     def contents(_menu: MenuScreen) -> tuple[Iterable[str], Iterable[Opened]]:
         index = next_level(state)
-        playing = tr("Play") if index == 0 else tr("Continue: {level}").format(level=state.levels[index].name)
+        playing = tr("Play") if index == 0 else tr("Continue: {level}").format(level=level_name(state.levels[index].name))
         return (), (
             Opened(PageItem("play", playing), lambda _: screens.game(state.levels[index:])),
             Opened(PageItem("levels", tr("Levels")), lambda _: levels_menu(state, screens)),
+            Opened(PageItem("endless", tr("Endless")), lambda _: endless_menu(state, screens)),
             Opened(PageItem("lab", tr("The lab")), lambda _: screens.lab("")),
             Opened(PageItem("replays", tr("Replays")), lambda _: replays_menu(state, screens)),
             Opened(PageItem("scores", tr("High scores")), lambda _: scores_menu(state, screens)),
-            Opened(PageItem("settings", tr("Settings")), lambda _: settings_menu(state, screens.title)),
+            Opened(PageItem("settings", tr("Settings")), lambda _: screens.settings()),
             Opened(PageItem("help", tr("How to play")), lambda _: help_menu(state, screens.title)),
         )
 
@@ -172,13 +177,17 @@ def levels_menu(state: PageState, screens: Screens) -> MenuScreen:
             return menu
 
         options = tuple([(name, difficulty_name(name)) for name in DIFFICULTIES])
-        items = [Opened(PageItem("difficulty", tr("Difficulty"), "choice", state.difficulty, options), chosen)]
+        items = [
+            Opened(PageItem("difficulty", tr("Difficulty"), "choice", state.difficulty, options), chosen),
+            players_choice(state, menu),
+        ]
         for index, level in enumerate(state.levels):
             best = progress.best(level.name, state.difficulty)
             is_open = progress.is_open(index, names)
             done = "" if best is None else f"  {RANKS[best.rank]}  {grouped(best.score)}"
-            hint = level.description if is_open else tr("Finish {level} to unlock this level.").format(level=names[index - 1])
-            label = f"{index + 1}  {tr(level.name)}{done}"
+            before = level_name(names[index - 1])
+            hint = tr(level.description) if is_open else tr("Finish {level} to unlock this level.").format(level=before)
+            label = f"{index + 1}  {level_name(level.name)}{done}"
             items.append(
                 Opened(
                     PageItem(f"level-{index + 1}", label, hint=hint, disabled=not is_open),
@@ -186,13 +195,46 @@ def levels_menu(state: PageState, screens: Screens) -> MenuScreen:
                 )
             )
         for index, level in enumerate(classic()):
-            item = PageItem(f"classic-{index + 1}", tr("Classic {level}").format(level=tr(level.name)), hint=level.description)
+            item = PageItem(
+                f"classic-{index + 1}", tr("Classic {level}").format(level=level_name(level.name)), hint=tr(level.description)
+            )
             items.append(Opened(item, _begins(classic(), screens, index)))
         for name, own in state.own.items():
             items.append(Opened(PageItem(f"own-{name}", own.name, hint=name), _begins_own(screens, own)))
         return (), items
 
     return MenuScreen(state, tr("Levels"), contents, screens.title)
+
+
+def players_choice(state: PageState, menu: MenuScreen) -> Opened:
+    """The choice of how many play on this machine."""
+
+    def chosen(value: str) -> PageScreen:
+        state.players = next((players for players in Players if players.name == value), state.players)
+        return menu
+
+    words = players_words(*PLAYERS_KEYS)
+    options = tuple([(players.name, words[players][0]) for players in Players])
+    tip = words[state.players][1]
+    return Opened(PageItem("players", tr("Players"), "choice", state.players.name, options, hint=tip), chosen)
+
+
+def endless_menu(state: PageState, screens: Screens) -> MenuScreen:
+    """The choice of levels made from a seed: today's, or new ones."""
+
+    def contents(_menu: MenuScreen) -> tuple[Iterable[str], Iterable[Opened]]:
+        day = dt.datetime.now(tz=dt.UTC).date()
+        same = tr("Everyone gets the same levels on {day}.").format(day=day)
+        return (tr("Levels made from a number: the same number gives everyone the same levels."),), (
+            Opened(PageItem("today", tr("Today's levels"), hint=same), lambda _: screens.endless(daily_seed(day))),
+            Opened(PageItem("new", tr("New levels")), lambda _: screens.endless(new_seed())),
+            Opened(
+                PageItem("number", tr("Levels from a number"), "text", "", high=LONGEST_SEED),
+                lambda value: screens.endless(seed_of(value)),
+            ),
+        )
+
+    return MenuScreen(state, tr("Endless"), contents, screens.title)
 
 
 def _begins(levels: tuple[Level, ...], screens: Screens, index: int) -> Callable[[str], PageScreen]:
@@ -210,10 +252,13 @@ def scores_menu(state: PageState, screens: Screens) -> MenuScreen:
 
     def contents(_menu: MenuScreen) -> tuple[Iterable[str], Iterable[Opened]]:
         lines = []
-        for difficulty in DIFFICULTIES:
-            table = state.kept.scores.value.table(difficulty)
-            lines += [difficulty_name(difficulty)] if table else []
-            lines += [f"{place}.  {grouped(score.score)}  {score.name}  {score.last}" for place, score in enumerate(table, 1)]
+        for name in (*DIFFICULTIES, ENDLESS):
+            table = state.kept.scores.value.table(name)
+            lines += [tr("Endless") if name == ENDLESS else difficulty_name(name)] if table else []
+            lines += [
+                f"{place}.  {grouped(score.score)}  {score.name}  {level_name(score.last)}"
+                for place, score in enumerate(table, 1)
+            ]
         return lines or [tr("No scores yet.")], ()
 
     return MenuScreen(state, tr("High scores"), contents, screens.title)
@@ -226,7 +271,7 @@ def replays_menu(state: PageState, screens: Screens) -> MenuScreen:
         games = state.kept.games.listed()
         items = [
             Opened(
-                PageItem(f"replay-{game.file}", f"{game.title or game.date}  {game.first}  {grouped(game.score)}"),
+                PageItem(f"replay-{game.file}", f"{game.title or game.date}  {level_name(game.first)}  {grouped(game.score)}"),
                 _watches(state, screens, game.file),
             )
             for game in games
@@ -258,53 +303,16 @@ def _watches(state: PageState, screens: Screens, file: str) -> Callable[[str], P
 
 def help_menu(state: PageState, back: Callable[[], PageScreen], under: PageScreen | None = None) -> MenuScreen:
     """How to play."""
-    return MenuScreen(state, tr("How to play"), lambda _menu: (_HELP, ()), back, under)
+    return MenuScreen(state, tr("How to play"), lambda _menu: (_help_lines(), ()), back, under)
 
 
-def settings_menu(state: PageState, back: Callable[[], PageScreen], under: PageScreen | None = None) -> MenuScreen:
-    """What can be set."""
-
-    def contents(menu: MenuScreen) -> tuple[Iterable[str], Iterable[Opened]]:
-        held = state.settings
-
-        def changes(change: Callable[[str], Settings]) -> Callable[[str], PageScreen]:
-            def used(value: str) -> PageScreen:
-                state.change(change(value))
-                return menu
-
-            return used
-
-        def switch(name: str, label: str) -> Opened:
-            on = bool(getattr(held, name))
-            item = PageItem(name, label, "switch", str(on))
-            return Opened(item, changes(lambda value: Settings(**{**held._asdict(), name: value == "True"})))
-
-        languages = ((SYSTEM, tr("system language")), *[(language.code, language.name) for language in LANGUAGES])
-        colours = (("dark", tr("Dark")), ("light", tr("Light")), ("contrast", tr("High contrast")))
-        volume = PageItem("volume", tr("Volume"), "number", str(held.volume), low=0.0, high=LOUDEST, step=10.0)
-        music = PageItem("music", tr("Music"), "number", str(held.music), low=0.0, high=LOUDEST, step=10.0)
-        speed = PageItem("speed", tr("Game speed, %"), "number", str(held.speed), low=SPEEDS[0], high=SPEEDS[1], step=5.0)
-        return (), (
-            Opened(
-                PageItem("colours", tr("Colours"), "choice", held.colours, colours),
-                changes(lambda value: held._replace(colours=value if value in dict(colours) else held.colours)),
-            ),
-            Opened(
-                PageItem("language", tr("Language"), "choice", held.language, languages),
-                changes(lambda value: held._replace(language=value if value in dict(languages) else held.language)),
-            ),
-            switch("sound", tr("Sound")),
-            Opened(volume, changes(lambda value: held._replace(volume=_whole(value, 0, LOUDEST, held.volume)))),
-            Opened(music, changes(lambda value: held._replace(music=_whole(value, 0, LOUDEST, held.music)))),
-            Opened(speed, changes(lambda value: held._replace(speed=_whole(value, *SPEEDS, held.speed)))),
-            switch("reduced_motion", tr("Reduced motion")),
-            switch("effects", tr("Effects")),
-            switch("one_button", tr("One button: the paddles turn by themselves, any press reverses them")),
-        )
-
-    return MenuScreen(state, tr("Settings"), contents, back, under)
-
-
-def _whole(value: str, low: int, high: int, held: int) -> int:
-    """A number within limits; what is held where the text is no number."""
-    return min(max(int(value), low), high) if value.isascii() and value.isdecimal() and len(value) < 5 else held
+def _help_lines() -> tuple[str, ...]:
+    """What steers, and what else can be done."""
+    return (
+        tr("Left and right arrows, or A and D: turn the paddles. The mouse or a finger: the nearest paddle follows it."),
+        tr("Space, a click or a tap: serve along the arrow. G: give up a ball that is out of reach."),
+        tr("P or Escape: pause. 1 and 2: the view from above, the view in 3D; the right button or two fingers turn it."),
+        tr("M: sound. T: dark or light colours. O: settings. L: the lab."),
+        tr("A gamepad's left stick points the paddles, A serves, Y changes the view; in menus its arrows move, A chooses."),
+        tr("Drop a replay (.polar), a level (.toml) or functions of your own (.py) on this page to open them."),
+    )

@@ -33,10 +33,14 @@ class WheelTurn(msgspec.Struct, tag="wheel"):
 
 
 class PadState(msgspec.Struct, tag="pad"):
-    """A gamepad in the browser's standard layout. buttons: how far each is pressed, 0 to 1; axes: -1 to 1, down positive."""
+    """A gamepad in the browser's standard layout.
+
+    buttons: how far each is pressed, 0 to 1. axes: -1 to 1, down positive. pad: 0 for the first gamepad.
+    """
 
     buttons: list[float]
     axes: list[float]
+    pad: int = 0
 
 
 class WentAway(msgspec.Struct, tag="away"):
@@ -130,8 +134,8 @@ class PageMenu(msgspec.Struct, frozen=True):
 class PageWords(msgspec.Struct, frozen=True):
     """The words around a scene of the lab; without a scene there are none.
 
-    scene: its title. step: what stands above the picture. formula, note: HTML with formulas in MathML. cited: the line that
-    decides. scale: size of the words, in that of the page's text beside the controls.
+    scene: its title. step: what stands above the picture. cited: the line that decides. scale: size of the words, in that of
+    the page's text beside the controls. step, formula, note: HTML with formulas in MathML.
     """
 
     scene: str = ""
@@ -158,9 +162,9 @@ class FrameReply(msgspec.Struct, omit_defaults=True):
     said: a sentence for a screen reader. described: what the picture shows. fragment: of the page's address.
     keep: whether what is stored has changed. download: a file for the player. told: a line to show for a moment.
     language: code of the texts'. code: a text for the editor, in place of what it holds. grading: a text to be graded.
-    second_engine: whether it is to be loaded. words: around the picture, when they have changed. music: gains of its layers,
-    when they have changed. limit: seconds within which the next reply has to come, 0 for any: so long as the player's own
-    functions may hang.
+    full_screen: whether the page is to fill the screen, or does so no more. second_engine: whether it is to be loaded.
+    words: around the picture, when they have changed. music: gains of its layers, when they have changed. limit: seconds within
+    which the next reply has to come, 0 for any: so long as the player's own functions may hang.
     """
 
     backdrop: bool = False
@@ -178,6 +182,7 @@ class FrameReply(msgspec.Struct, omit_defaults=True):
     keep: bool = False
     download: Download | None = None
     told: str = ""
+    full_screen: bool = False
     language: str = ""
     code: str | None = None
     grading: GradingRequest | None = None

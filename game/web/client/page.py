@@ -8,6 +8,7 @@ from pathlib import Path
 import msgspec
 
 from game.drawing.palette import Theme
+from game.generated import sequence
 from game.kept.store import Kept
 from game.lab.kit.second_engine import Engine
 from game.lab.session.session import state_hash as hash_of_session
@@ -17,6 +18,7 @@ from game.picture.display_list import DisplayList
 from game.replays.file import decoded
 from game.replays.state_hash import state_hash
 from game.rules import paddle_ring
+from game.screens.endless_seeds import LONGEST_SEED, seed_of
 from game.settings.file import SettingsFile
 from game.settings.values import Settings
 from game.sound.music.mood import SILENT
@@ -41,6 +43,7 @@ from game.web.client.messages import (
     WheelTurn,
 )
 from game.web.client.playing import GameOnPage
+from game.web.client.settings_menu import settings_menu
 from game.web.client.sounds import Sounds
 from game.web.client.state import PageScreen, PageState, Pictures
 from game.web.client.watching import ReplayOnPage, verdict
@@ -56,10 +59,11 @@ _FIRST_SCENE = "case-1"
 class Page:
     """The game as the page sees it. numbers, backdrop: the lists of primitives of the last frame."""
 
-    def __init__(self, sounds: bytes, folder: str, *, calm: bool, languages: str = "") -> None:
+    def __init__(self, sounds: bytes, folder: str, *, calm: bool, languages: str = "", touch: bool = False) -> None:
         """sounds: a `SoundIndex`. folder: of what is stored, "" for none.
 
         calm: whether the system prefers no motion; a default of the settings. languages: that the browser prefers, by commas.
+        touch: whether fingers are what points, until something else does.
         """
         stored = Path(folder) if folder else None
         settings_file = None if stored is None else SettingsFile(stored / "settings.json")
@@ -70,9 +74,9 @@ class Page:
         choose(settings.language)
         chance = random.SystemRandom()
         self._state = PageState(Sounds(sounds), stored, Kept(stored), settings_file, settings, lambda: chance.getrandbits(32))
-        self._state.functions = OwnFunctionsPanel(stored)
+        self._state.functions, self._state.touched = OwnFunctionsPanel(stored), touch
         self._state.choose_difficulty(self._state.kept.progress.value.last_difficulty)
-        self._screens = Screens(self._title, self._game, self._replay, self._lab, self._flight)
+        self._screens = Screens(self._title, self._game, self._replay, self._lab, self._flight, self._settings, self._endless)
         self._screen: PageScreen = self._title()
         self._devices = PageDevices()
         self._pictures = Pictures(DisplayList(), DisplayList())
@@ -166,7 +170,9 @@ class Page:
             case PointerChange() | WheelTurn() if isinstance(self._screen, LabOnPage):
                 self._screen.point(message, size)
             case _:
-                for signal in self._devices.signals(message, size):
+                if isinstance(message, PointerChange):
+                    self._state.touched = message.touch
+                for signal in self._devices.signals(message, size, orbits=bool(self._state.view.goal)):
                     self._screen = self._screen.answer(signal, size)
 
     def _open_file(self, name: str, data: bytes) -> None:
@@ -197,12 +203,16 @@ class Page:
             number = int(rest) if rest.isascii() and rest.isdecimal() and len(rest) < _MOST_DIGITS else 0
             if levels is not None and 1 <= number <= len(levels):
                 self._screen = self._game(levels[number - 1 :])
+            elif kind == "endless" and rest:
+                self._screen = self._endless(seed_of(rest[:LONGEST_SEED]))
             elif kind == "lab":
                 self._screen = self._lab(rest)
             elif fragment == "functions":
                 self._edit(None)
             else:
-                self._state.told.append(f"#{fragment[:80]}: expected #level/NUMBER, #classic/NUMBER, #lab/SCENE or #functions")
+                self._state.told.append(
+                    f"#{fragment[:80]}: expected #level/NUMBER, #classic/NUMBER, #endless/NUMBER, #lab/SCENE or #functions"
+                )
         except BadInputError as error:
             self._state.told.append(str(error))
 
@@ -227,6 +237,7 @@ class Page:
             fragment=screen.fragment if screen.fragment != before.fragment else None,
             keep=state.changed,
             download=state.download,
+            full_screen=state.full_screen,
             told=" ".join(state.told),
             music=self._music if self._music != before.music else None,
             limit=0.0 if state.functions.running is None else _LIMIT,
@@ -249,6 +260,7 @@ class Page:
         state.functions.fresh = state.functions.request = None
         state.asks_engine = False
         state.started, state.said, state.told, state.changed, state.download = [], [], [], False, None
+        state.full_screen = False
         return reply
 
     def _title(self) -> PageScreen:
@@ -266,6 +278,14 @@ class Page:
     def _flight(self, functions: FunctionsText) -> PageScreen:
         """A new game of all levels on the player's own functions."""
         return GameOnPage(self._state, self._screens, self._state.levels, OwnPhysics(functions))
+
+    def _settings(self) -> PageScreen:
+        """The settings, opened from the title."""
+        return settings_menu(self._state, self._title)
+
+    def _endless(self, seed: int) -> PageScreen:
+        """A new game of the levels made from a seed."""
+        return GameOnPage(self._state, self._screens, sequence(seed), endless=seed)
 
     def _edit(self, text: str | None) -> None:
         """The lab with the editor open. text: for the editor; None for what it holds."""

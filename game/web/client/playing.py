@@ -1,9 +1,5 @@
 """The game being played on the page."""
 
-import time
-
-import msgspec
-
 from game import effects
 from game.autopilot import Autopilot
 from game.drawing.camera import Layout, unit_of
@@ -13,22 +9,26 @@ from game.effects.hit_stop import hit_stop_seconds
 from game.effects.slow_motion import pace
 from game.fixed_step import Due, due
 from game.input.actions import Action
-from game.input.hands import Hands
-from game.input.signals import FocusLost, Pressed, Signal
-from game.kept.progress import RANKS, Best
-from game.kept.scores import LONGEST_NAME, Score
-from game.language import grouped, tr
-from game.levels import Level, built_in, classic, number_of
-from game.overlay.notice_words import Notice, notice, ready, to_newcomer
+from game.input.hands import Hands, controls_of_two
+from game.input.players import Players
+from game.input.signals import FocusLost, Pointed, Pressed, Released, Signal, pad_of
+from game.language import tr
+from game.levels import Level, classic, number_of
+from game.overlay.notice_words import Notice, by_touch, notice, ready, to_newcomer, who_steers
 from game.overlay.readings import readings
 from game.picture.display_list import DisplayList
-from game.picture.figures import add_figures, add_notice
+from game.picture.figures import Corners, add_figures
+from game.picture.notice import add_notice, around
 from game.rules import TICK, EventKind, Game, Phase, new_game, tick
 from game.scene import scene_at, still
+from game.settings import aids
 from game.sound.music.mood import mood_of
 from game.student.own_physics import OwnPhysics
-from game.web.client.menus import MenuScreen, Opened, Screens, help_menu, settings_menu
+from game.web.client.keys import PLAYERS_KEYS, second_player_positions
+from game.web.client.menus import MenuScreen, Opened, Screens, help_menu
 from game.web.client.messages import PageItem, PageMenu
+from game.web.client.results import Counted, game_results, leaving, level_results
+from game.web.client.settings_menu import settings_menu
 from game.web.client.state import PageScreen, PageState, Pictures
 
 _READY_SECONDS = 0.6
@@ -48,23 +48,31 @@ class GameOnPage:
     menu: PageMenu | None = None
 
     def __init__(
-        self, state: PageState, screens: Screens, levels: tuple[Level, ...], physics: OwnPhysics | None = None
+        self,
+        state: PageState,
+        screens: Screens,
+        levels: tuple[Level, ...],
+        physics: OwnPhysics | None = None,
+        endless: int | None = None,
     ) -> None:
-        """Start a new game at the first of the levels. physics: that it is flown on; None for the game's own."""
-        self._physics = physics
-        self._state, self._screens, self._levels = state, screens, levels
-        self._ticked = still(new_game(levels, state.seed(), state.ruleset))
+        """Start a new game at the first of the levels.
+
+        physics: that it is flown on; None for the game's own. endless: the seed of the levels; None for others.
+        """
+        self._physics, self._players = physics, state.players
+        self._state, self._screens, self._levels, self.endless = state, screens, levels, endless
+        self._ticked = still(new_game(levels, state.seed() if endless is None else endless, state.game_rules))
         self._effects = effects.at_start(state.settings.shown)
         self._hands = Hands()
+        self._second = Hands()  # of the second player; empty where there is one
         self._due = Due(0, 0.0)
         self._ready = 0.0  # seconds until play goes on after a pause
         self._stop = 0.0  # seconds of hit-stop left
         self._pilot: Autopilot | None = None
-        self._counts = physics is None  # and until the autopilot has played
+        alone = physics is None and state.players == Players.ONE
+        self._record = Counted(state, levels, counts=alone, endless=endless is not None)
         self._untouched = 0  # ticks with a ball in play since a paddle touched it
         self._told = -1  # number of the level whose results were shown last
-        self._start = 0  # tick at which the level began
-        self._speed = 100
         self._ended = False
         state.kept.game_done()
 
@@ -85,6 +93,8 @@ class GameOnPage:
         """The level, where it comes with the game."""
         if self._physics is not None:
             return "functions"
+        if self.endless is not None:
+            return f"endless/{self.endless}"
         number, _ = number_of(self.game.level, self.game.levels)
         if self.game.level in classic():
             return f"classic/{number}"
@@ -113,9 +123,18 @@ class GameOnPage:
                 state.change(state.settings.other_colours())
             case Pressed(Action.GIVE_UP) if self._untouched < _OFFER_TICKS:
                 return self
-        self._hands = self._hands.after(signal)
-        state.view = state.view.after(signal, unit_of(size))
+        self._hold(signal)
+        if not (isinstance(signal, Pointed) and signal.direction and self.game.phase == Phase.SERVING):  # it aims
+            state.view = state.view.after(signal, unit_of(size))
         return self
+
+    def _hold(self, signal: Signal) -> None:
+        """Note what a player holds down; where two play, the second one's keys and gamepad are not the first one's."""
+        keys = isinstance(signal, Pressed | Released) and signal.position in second_player_positions()
+        if self._players != Players.ONE and (keys or pad_of(signal) == 1):
+            self._second = self._second.after(signal)
+        else:
+            self._hands = self._hands.after(signal)
 
     def _opened(self, signal: Signal) -> PageScreen | None:
         """What a signal opens; None for nothing."""
@@ -153,7 +172,7 @@ class GameOnPage:
         stopped = min(self._stop, max(seconds, 0.0))
         self._stop -= stopped
         slowed = pace(self.game) if EffectKind.SLOW_MOTION in state.settings.shown else 1.0
-        self._speed = min(self._speed, state.settings.speed)
+        self._record.speed = min(self._record.speed, state.settings.speed)
         self._due = due(self._due.rest, (seconds - stopped) * slowed * state.settings.speed / 100.0)
         seen = self._layout(size)
         state.music.follow(mood_of(self.game))
@@ -169,18 +188,18 @@ class GameOnPage:
         state, seen, unit = self._state, self._layout(size), self._state.text_unit(size)
         scene = scene_at(self._ticked, self._due.alpha, self._effects)
         state.draw_scene(out, scene, seen.camera, size)
-        badge = "" if self._pilot is None else tr("autopilot")
-        shown = readings(self.game, badge=badge)
-        add_figures(out.frame, shown, seen, state.theme, unit)
+        badge = aids.badge(state.settings) if self._pilot is None else tr("autopilot")
+        shown = readings(self.game, self._effects.streak, badge=badge)
+        add_figures(out.frame, shown, Corners(seen, state.theme, unit))
         told = self._notice()
         if told is not None:
-            add_notice(out.frame, told, seen, state.theme, unit)
+            add_notice(out.frame, told, seen, state.theme, unit, around(scene, seen.camera))
         if self._physics is not None:
             _add_note(out.frame, self._physics.note, size, state.theme.accent, unit)
 
     def restarted(self) -> "GameOnPage":
         """The same levels from their first serve."""
-        return GameOnPage(self._state, self._screens, self._levels, self._physics)
+        return GameOnPage(self._state, self._screens, self._levels, self._physics, self.endless)
 
     def _notice(self) -> Notice | None:
         """What to tell the player."""
@@ -189,8 +208,14 @@ class GameOnPage:
         if self.game.phase in (Phase.OVER, Phase.WON):
             return None
         told = notice(self.game, _SERVE_KEY)
-        if told is not None and not self._state.kept.progress.value.bests:
-            told = to_newcomer(told, *_TURN_KEYS)
+        if self._players != Players.ONE:
+            told = who_steers(self.game, *PLAYERS_KEYS, _SERVE_KEY) or told
+        elif told is not None:
+            new = not self._state.kept.progress.value.bests
+            if self._state.touched:
+                told = by_touch(told, self.game, new=new)
+            elif new:
+                told = to_newcomer(told, *_TURN_KEYS)
         if told is None and self._pilot is None and self._untouched >= _OFFER_TICKS:
             return Notice(tr("Out of reach?"), tr("{key}: give up this ball; it costs a life").format(key="G"))
         return told
@@ -202,9 +227,11 @@ class GameOnPage:
             controls = self._pilot.controls(game)
         elif state.settings.one_button:
             controls = self._hands.one_button_controls(game)
+        elif self._players != Players.ONE:
+            controls = controls_of_two(self._hands, self._second, seen.camera, game)
         else:
             controls = self._hands.controls(seen.camera, game)
-        self._hands = self._hands.after_tick()
+        self._hands, self._second = self._hands.after_tick(), self._second.after_tick()
         self._ticked = tick(game, controls) if self._physics is None else tick(game, controls, self._physics.advance)
         events = self._ticked.events
         touched = self.game.phase != Phase.PLAYING or any(
@@ -213,104 +240,32 @@ class GameOnPage:
         self._untouched = 0 if touched else self._untouched + 1
         self._effects = effects.after(self._effects, self._ticked, state.settings.shown)
         state.play_sounds(self._ticked, seen.camera)
-        if self._counts:
+        if self._record.counts:
             state.kept.games(controls, self.game)
         for event in events:
             if event.kind == EventKind.LEVEL_STARTED:
-                self._start = self.game.tick
+                self._record.start = self.game.tick
             elif event.kind == EventKind.LEVEL_CLEARED:
-                self._note_level()
+                self._record.note_level(self.game)
             elif event.kind == EventKind.BALL_LOST:
                 state.said.append(tr("Ball lost. {lives} lives left.").format(lives=self.game.lives))
-
-    def _note_level(self) -> None:
-        """A level was finished: note it, where the player has done it."""
-        state, result = self._state, self.game.results[-1]
-        state.said.append(tr("Level cleared"))
-        if self._counts and self.game.level in built_in():
-            done = Best(self.game.level.name, state.difficulty, result.score, int(result.rank), result.ticks, start=self._start)
-            state.kept.level_done(done)
-            state.changed = True
-            state.tell_problems()
 
     def _results(self) -> PageScreen | None:
         """The menu after a level or the game, once its end has been seen for a moment."""
         game = self.game
         if game.phase in (Phase.OVER, Phase.WON) and game.phase_tick >= _END_TICKS and not self._ended:
             self._ended = True
-            return self._after_game()
+            return game_results(self._state, self._screens, self, self._record)
         cleared = game.phase == Phase.CLEARED and game.phase_tick >= _CLEARED_TICKS
         if cleared and self._told < game.number and self._pilot is None:
             self._told = game.number
-            return self._after_level()
+            return level_results(self._state, self._screens, self)
         return None
 
-    def _after_level(self) -> PageScreen:
-        """A level's figures, and the next one."""
-        result = self.game.results[-1]
-        lines = (
-            tr("Rank {rank}").format(rank=RANKS[int(result.rank)]),
-            tr("{score} points, {lost} balls lost, best combo {combo}").format(
-                score=grouped(result.score), lost=result.balls_lost, combo=result.best_combo
-            ),
-        )
-
-        def on(_value: str) -> PageScreen:
-            self._hands = self._hands.after(Pressed(Action.SERVE))
-            return self
-
-        following = tr("Next: {level}").format(level=self.game.levels[self.game.number + 1].name)
-        items = (Opened(PageItem("next", following), on), *self._leaving())
-        return MenuScreen(self._state, tr("Level cleared"), lambda _menu: (lines, items), lambda: on(""), self)
-
-    def _after_game(self) -> PageScreen:
-        """A game's figures; the name of who made a high score; its replay; and how to go on."""
-        state, game = self._state, self.game
-        last = state.kept.game_done() if self._counts else None
-        state.changed = True
-        state.tell_problems()
-        lines = [tr("Score {score}").format(score=grouped(game.score))]
-        items: list[Opened] = []
-        ranked = self._counts and all([level in built_in() for level in self._levels])
-        if ranked and state.kept.scores.value.qualifies(game.score, state.difficulty):
-            score = Score(
-                "",
-                game.score,
-                state.difficulty,
-                game.levels[0].name,
-                game.level.name,
-                game.phase == Phase.WON,
-                self._speed,
-                time.strftime("%Y-%m-%d"),
-                *((last.file, last.sha256) if last is not None else ()),
-            )
-            items.append(self._name_item(score))
-        if last is not None and state.kept.games.folder is not None:
-            path = state.kept.games.folder / last.file
-            items.append(
-                Opened(PageItem("watch", tr("Watch the replay")), lambda _: self._screens.replay(path.name, path.read_bytes()))
-            )
-        items.append(Opened(PageItem("again", tr("Again")), lambda _: self.restarted()))
-        items += self._leaving()
-        heading = tr("You won") if game.phase == Phase.WON else tr("Game over")
-        return MenuScreen(state, heading, lambda _menu: (lines, items), under=self)
-
-    def _name_item(self, score: Score) -> Opened:
-        """The entry of the name of who made a high score."""
-        state = self._state
-
-        def entered(value: str) -> PageScreen:
-            state.kept.enter(msgspec.structs.replace(score, name=value.strip()[:LONGEST_NAME]))
-            state.changed = True
-            state.tell_problems()
-            return self._screens.title()
-
-        held = state.kept.scores.value.last_name
-        return Opened(PageItem("name", tr("A high score. Your name"), "text", held, high=LONGEST_NAME), entered)
-
-    def _leaving(self) -> tuple[Opened, ...]:
-        """Where else to go."""
-        return (Opened(PageItem("title", tr("Main menu")), lambda _value: self._screens.title()),)
+    def went_on(self) -> PageScreen:
+        """This game, with the next level at once."""
+        self._hands = self._hands.after(Pressed(Action.SERVE))
+        return self
 
     def _paused(self) -> PageScreen:
         """The menu of a game that was interrupted."""
@@ -319,7 +274,7 @@ class GameOnPage:
         def contents(menu: MenuScreen) -> tuple[tuple[str, ...], tuple[Opened, ...]]:
             def let_play(value: str) -> PageScreen:
                 self._pilot = Autopilot() if value == "True" else None
-                self._counts = self._counts and self._pilot is None
+                self._record.counts = self._record.counts and self._pilot is None
                 return menu
 
             pilot = PageItem("autopilot", tr("Let the program play"), "switch", str(self._pilot is not None))
@@ -329,14 +284,15 @@ class GameOnPage:
                 Opened(PageItem("help", tr("How to play")), lambda _: help_menu(self._state, lambda: menu, self)),
                 Opened(PageItem("settings", tr("Settings")), lambda _: settings_menu(self._state, lambda: menu, self)),
                 Opened(pilot, let_play),
-                *self._leaving(),
+                *leaving(self._state, self._screens),
             )
 
         return MenuScreen(self._state, tr("Paused"), contents, lambda: self, self)
 
     def _let_go(self) -> None:
         """Keys that were held when a menu opened are let go; play goes on a moment after it."""
-        self._hands = self._hands.after(FocusLost())
+        self._hands, self._second = self._hands.after(FocusLost()), Hands()
+        self._state.view = self._state.view.after(FocusLost(), 1.0)
         if self.game.phase == Phase.PLAYING:
             self._ready = _READY_SECONDS
 
@@ -349,4 +305,4 @@ def _add_note(out: DisplayList, note: str, size: tuple[int, int], colour: Colour
     """Add the line about the physics at the lower edge, on a narrow canvas above the figures; smaller if it would not fit."""
     letters = unit * min(_NOTE, size[0] / (unit * _NOTE_LETTER * (len(note) + 4)))
     up = _NOTE_UP if size[0] > size[1] else _NOTE_UP_NARROW
-    out.text(note, letters, complex(size[0] / 2.0, size[1] - up * unit), colour)
+    out.text(note, letters, complex(size[0] / 2.0, size[1] - up * unit), colour, bold=0.0)

@@ -8,6 +8,7 @@ from typing import Protocol
 
 from game.drawing.camera import Camera, Layout, layout, unit_of
 from game.drawing.palette import Theme
+from game.input.players import Players
 from game.input.signals import Signal
 from game.input.view import FLAT, Viewpoint
 from game.kept.store import Kept
@@ -27,8 +28,8 @@ from game.web.client.messages import Download, PageItem, PageMenu
 from game.web.client.music import MusicOnPage
 from game.web.client.sounds import Sounds
 
-_SMALLEST = 12.0
-"""CSS pixels of text, at least."""
+_SMALLEST = 16.0
+"""CSS pixels of the unit of text, at least."""
 
 
 class PageScreen(Protocol):
@@ -75,11 +76,12 @@ class Pictures:
 class PageState:
     """Shared by the screens. folder: of what is stored; None where nothing can be.
 
-    levels: of the campaign. own: the player's, by the names of their files.
+    players: how many steer the paddles of new games. levels: of the campaign. own: the player's, by the names of their files.
     density: pixels of the canvas per CSS pixel.
     told: lines for the player to read for a moment. said: for a screen reader. started: sounds to be played now.
     engine: the lab's second one, once it was loaded; asks_engine: whether it is to be loaded now.
     functions: the player's own, in the editor. changed: whether what is stored has changed. download: a file for the player.
+    full_screen: whether the page is to fill the screen, or not to do so any more. touched: whether it is played by touch.
     """
 
     sounds: Sounds
@@ -91,6 +93,7 @@ class PageState:
     levels: tuple[Level, ...] = field(default_factory=campaign)
     own: dict[str, Level] = field(default_factory=dict)
     ruleset: Ruleset = field(default_factory=Ruleset)
+    players: Players = Players.ONE
     view: Viewpoint = FLAT
     density: float = 1.0
     arena: ArenaPicture = field(default_factory=ArenaPicture)
@@ -101,6 +104,8 @@ class PageState:
     music: MusicOnPage = field(default_factory=MusicOnPage)
     functions: OwnFunctionsPanel = field(default_factory=OwnFunctionsPanel)
     download: Download | None = None
+    full_screen: bool = False
+    touched: bool = False
     engine: Engine | None = None
     asks_engine: bool = False
     problems: set[str] = field(default_factory=set)
@@ -115,8 +120,18 @@ class PageState:
         """The name under which scores and bests of new games are kept."""
         return self.ruleset.difficulty.name.lower() if self.ruleset.arcade else SOURCE
 
+    @property
+    def game_rules(self) -> Ruleset:
+        """Of new games: two who play against each other need the arcade rules."""
+        versus = self.players == Players.VERSUS
+        return self.ruleset._replace(versus=versus, arcade=self.ruleset.arcade or versus)
+
     def text_unit(self, size: tuple[int, int]) -> float:
         """Size of text, pixels: never too small to be read on a phone."""
+        return self._unit(size) * self.settings.text_size / 100.0
+
+    def _unit(self, size: tuple[int, int]) -> float:
+        """The measure of what stands beside the arena, pixels."""
         return max(unit_of(size), _SMALLEST * self.density)
 
     def choose_difficulty(self, name: str) -> None:
@@ -137,7 +152,7 @@ class PageState:
 
     def draw_scene(self, out: Pictures, scene: Scene, camera: Camera, size: tuple[int, int]) -> None:
         """Show a scene."""
-        seen = ArenaView(camera, self.theme, unit_of(size), size)
+        seen = ArenaView(camera, self.theme, self._unit(size), size, self.settings.trail, self.settings.ball)
         out.backdrop = self.arena.backdrop(scene, seen)
         out.frame = self.arena.frame(scene, seen)
 

@@ -8,7 +8,7 @@ from game.input.actions import Action
 from game.input.signals import FocusLost, Pressed, Signal
 from game.language import grouped, tr
 from game.overlay.readings import readings
-from game.picture.figures import add_figures
+from game.picture.figures import Corners, add_figures
 from game.replays.file import Recording
 from game.replays.playback import Playback
 from game.replays.verify import verified
@@ -119,7 +119,8 @@ class ReplayOnPage:
         """The arena and the figures."""
         seen, unit = self._state.layout(size, self._ticked.game.level.ground_radius), self._state.text_unit(size)
         self._state.draw_scene(out, scene_at(self._ticked, self._at % 1.0, self._effects), seen.camera, size)
-        add_figures(out.frame, readings(self._ticked.game, badge=tr("replay")), seen, self._state.theme, unit)
+        shown = readings(self._ticked.game, self._effects.streak, badge=tr("replay"))
+        add_figures(out.frame, shown, Corners(seen, self._state.theme, unit))
 
     def _step(self, ticks: int) -> None:
         """Stopped, some ticks later."""

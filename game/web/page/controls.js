@@ -1,5 +1,6 @@
 // Makes the page's controls of the values that Python gives, and says which was used.
 
+const PAD = { use: 0, up: 12, down: 13, left: 14, right: 15 }; // a gamepad's buttons in the standard layout
 const SLIDER_STEPS = 400; // of a number that may have any value
 
 function made(tag, properties = {}, ...children) {
@@ -51,8 +52,14 @@ function control(item, use) {
   return made("label", hint, item.label, field, made("button", { type: "button", id: `${name}-enter`, onclick: enter }, "Enter"));
 }
 
+/** A control with what it does below it. */
+function hinted(own, hint) {
+  return made("div", {}, own, made("p", { className: "hint" }, hint));
+}
+
 export class Controls {
   #shape = "";
+  #wanted = "";
   #lines = [];
   #items = [];
 
@@ -72,8 +79,8 @@ export class Controls {
     const lines = menu.lines.map((line) => made("p", {}, line));
     const items = made("div", { className: "items" }), elements = menu.items.map((item) => control(item, this.use));
     for (const [index, item] of menu.items.entries()) {
-      items.append(elements[index]);
-      if (item.hint && item.kind === "button" && !menu.side) items.append(made("p", { className: "hint" }, item.hint));
+      const own = elements[index], explained = item.hint && !["words", "number"].includes(item.kind) && !menu.side;
+      items.append(explained ? hinted(own, item.hint) : own);
     }
     this.menu.replaceChildren(title, ...lines, items);
     this.#lines = lines;
@@ -83,7 +90,8 @@ export class Controls {
     document.body.classList.toggle("coding", menu.editor);
     this.menu.hidden = false;
     this.menu.scrollTop = same ? position : 0;
-    const again = same && held ? document.getElementById(held) : null;
+    const wanted = held || this.#wanted, again = same && wanted ? document.getElementById(wanted) : null;
+    this.#wanted = again?.disabled ? wanted : ""; // a control that cannot be used for a while has the keyboard again afterwards
     if (again && this.menu.contains(again)) again.focus({ preventScroll: true });
     else if (!menu.side) this.#controls()[0]?.focus({ preventScroll: true });
   }
@@ -122,8 +130,31 @@ export class Controls {
   #move(event) {
     const step = { ArrowUp: -1, ArrowDown: 1 }[event.key];
     if (!step || event.target.tagName !== "BUTTON") return;
-    const controls = this.#controls(), at = controls.indexOf(document.activeElement);
-    controls[(at + step + controls.length) % controls.length]?.focus();
+    this.#focus(step);
     event.preventDefault();
   }
+
+  #focus(step) {
+    const controls = this.#controls(), at = controls.indexOf(document.activeElement);
+    controls[(at + step + controls.length) % controls.length]?.focus();
+  }
+
+  /** A gamepad's button: up and down go from control to control, left and right change its value, A uses it. */
+  steer(button) {
+    if (this.menu.hidden || this.menu.classList.contains("side")) return;
+    const held = document.activeElement;
+    if (button === PAD.up || button === PAD.down) this.#focus(button === PAD.up ? -1 : 1);
+    else if (!this.menu.contains(held)) return;
+    else if (button === PAD.use && (held.tagName === "BUTTON" || held.type === "checkbox")) held.click();
+    else if (button === PAD.left || button === PAD.right) changed(held, button === PAD.left ? -1 : 1);
+  }
+}
+
+/** Another value of a choice or of a number. */
+function changed(field, step) {
+  if (field.tagName === "SELECT") field.selectedIndex = Math.min(Math.max(field.selectedIndex + step, 0), field.options.length - 1);
+  else if (field.type !== "number") return;
+  else if (step < 0) field.stepDown();
+  else field.stepUp();
+  field.dispatchEvent(new Event("change"));
 }

@@ -1,17 +1,19 @@
 // Listens to keyboard, pointers, wheel and gamepads, and collects what they did until the next frame.
 
+const MOST_PADS = 2;
 const TYPED = new Set(["INPUT", "SELECT", "TEXTAREA"]);
 const CONTROLS = new Set(["INPUT", "SELECT", "TEXTAREA", "BUTTON", "A"]);
 const SCROLLING = new Set(["ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight", " ", "Home", "End", "F1"]);
 
 export class Input {
   #signals = [];
-  #pad = "";
+  #pads = []; // what every gamepad said last
+  #pressed = []; // which of its buttons are down
   #held = new Set();
 
-  /** hurry: called when something was pressed, let go or chosen. */
-  constructor(canvas, hurry) {
-    Object.assign(this, { canvas, hurry });
+  /** hurry: called when something was pressed, let go or chosen. steer: called with the number of a gamepad's button that went down. */
+  constructor(canvas, hurry, steer) {
+    Object.assign(this, { canvas, hurry, steer });
     addEventListener("keydown", (event) => this.#key(event, true));
     addEventListener("keyup", (event) => this.#key(event, false));
     for (const [name, phase] of [["pointerdown", "down"], ["pointermove", "move"], ["pointerup", "up"], ["pointercancel", "cancel"]]) {
@@ -74,11 +76,16 @@ export class Input {
   }
 
   #poll() {
-    const pad = navigator.getGamepads?.().find((one) => one?.connected && one.mapping === "standard");
-    if (!pad) return;
-    const state = { type: "pad", buttons: pad.buttons.map((button) => button.value), axes: [...pad.axes] };
-    const text = JSON.stringify(state);
-    if (text !== this.#pad) this.#signals.push(state);
-    this.#pad = text;
+    const there = [...(navigator.getGamepads?.() ?? [])].filter((one) => one?.connected && one.mapping === "standard");
+    there.slice(0, MOST_PADS).forEach((pad, number) => {
+      const state = { type: "pad", pad: number, buttons: pad.buttons.map((button) => button.value), axes: [...pad.axes] };
+      const text = JSON.stringify(state);
+      if (text === this.#pads[number]) return;
+      this.#pads[number] = text;
+      this.#signals.push(state);
+      const pressed = state.buttons.map((value) => value > 0.5), before = this.#pressed[number] ?? [];
+      this.#pressed[number] = pressed;
+      pressed.forEach((down, button) => down && !before[button] && this.steer(button));
+    });
   }
 }

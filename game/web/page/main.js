@@ -12,7 +12,7 @@ const TOLD_SECONDS = 7;
 const LARGEST_FILE = 16 * 1024 * 1024;
 const element = (id) => document.getElementById(id);
 const canvas = element("picture"), context = canvas.getContext("2d", { alpha: false });
-const speaker = new Speaker(), input = new Input(canvas, hurry);
+const speaker = new Speaker(), input = new Input(canvas, hurry, (button) => controls.steer(button));
 const controls = new Controls(element("menu"), element("toolbar"), canvas, choose);
 const editor = new Editor(element("code"), { typed: (text) => input.add({ type: "code", text }), grade: () => choose("grade", ""), left: () => element("item-grade")?.focus() });
 const backdrop = document.createElement("canvas"), backdropContext = backdrop.getContext("2d", { alpha: false });
@@ -58,20 +58,19 @@ function density() {
   return Math.min(devicePixelRatio || 1, 2);
 }
 
-/** Lay out the picture beside the controls and between the words; its size in pixels. It stays while something is dragged. */
+/** Lay out the picture beside the controls and between the words; its size in pixels. */
 function fitted() {
-  if (input.holds && turn.size) return turn.size;
-  const full = { width: innerWidth, height: innerHeight };
+  const area = document.querySelector("main").getBoundingClientRect(), full = { width: area.width, height: area.height };
   for (const side of [element("menu"), element("code")]) {
     if (side.hidden || !(side === element("code") || side.classList.contains("side"))) continue;
     const { left, top, width } = side.getBoundingClientRect();
-    if (width < innerWidth) full.width = Math.max(Math.min(full.width, left), 200);
-    else full.height = Math.max(Math.min(full.height, top), 200);
+    if (width < area.width) full.width = Math.max(Math.min(full.width, left - area.left), 200);
+    else full.height = Math.max(Math.min(full.height, top - area.top), 200);
   }
   const { step, section } = words;
   step.style.width = section.style.width = `${full.width}px`;
   const top = step.hidden ? 0 : step.offsetHeight;
-  section.style.bottom = `${innerHeight - full.height}px`;
+  section.style.bottom = `${area.height - full.height}px`;
   const height = Math.max(full.height - top - (section.hidden ? 0 : section.offsetHeight), 100);
   canvas.style.top = `${top}px`;
   canvas.style.width = `${full.width}px`;
@@ -81,12 +80,12 @@ function fitted() {
 
 /** Ask for a picture of a moment, milliseconds, with all that the player did until now. */
 function request(now) {
-  size ??= fitted();
-  const seconds = sentAt ? Math.max(now - sentAt, 0) / 1000 : 0, [width, height] = size;
+  if (!size && !(input.holds && request.size)) size = fitted(); // it stays while something is dragged
+  const seconds = sentAt ? Math.max(now - sentAt, 0) / 1000 : 0, [width, height] = size ?? request.size;
   sentAt = Math.max(now, sentAt);
   [waiting, late] = [true, false];
   worker.postMessage({ kind: "frame", request: JSON.stringify({ seconds, width, height, density: density(), signals: input.taken() }) });
-  request.size = size;
+  request.size = [width, height];
 }
 
 /** A key or a button: its picture is asked for at once, without waiting for the browser's next frame. */
@@ -125,7 +124,7 @@ function heed(reply) {
   } else if (typeof reply.code === "string") edit(reply.code);
   if (reply.words) words.show(reply.words);
   if (reply.grading) grader.grade(reply.grading);
-  if (reply.menu || reply.menu_closed || reply.code !== undefined) size = null;
+  if (reply.menu || reply.menu_closed || reply.words || reply.code !== undefined) size = null;
   document.body.classList.toggle("playing", element("menu").hidden || element("menu").classList.contains("side"));
   if (reply.sounds) speaker.play(reply.sounds);
   limit = reply.limit ?? 0;
@@ -135,6 +134,7 @@ function heed(reply) {
   if (reply.fragment !== undefined && reply.fragment !== null) replaceFragment(reply.fragment);
   if (reply.told) tell(reply.told);
   if (reply.download) download(reply.download);
+  if (reply.full_screen) fillScreen();
 }
 
 function edit(code) {
@@ -155,6 +155,12 @@ function openFragment() {
     return;
   }
   if (fragment) input.add({ type: "link", fragment });
+}
+
+function fillScreen() {
+  const done = document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen?.();
+  if (done) done.catch(() => tell("the browser lets this page not fill the screen"));
+  else tell("this browser has no full screen for pages");
 }
 
 function download({ name, data }) {
@@ -234,7 +240,7 @@ function start() {
   worker.onmessage = heard;
   const base = new URL("./", location.href).href;
   grader = new Grader({ base }, (signal) => input.add(signal));
-  worker.postMessage({ kind: "start", base, calm: matchMedia("(prefers-reduced-motion: reduce)").matches, languages: navigator.languages.join(",") });
+  worker.postMessage({ kind: "start", base, calm: matchMedia("(prefers-reduced-motion: reduce)").matches, languages: navigator.languages.join(","), touch: matchMedia("(pointer: coarse)").matches });
   for (const name of ["pointerdown", "keydown"]) addEventListener(name, () => speaker.wake());
   addEventListener("resize", () => (size = null));
   addEventListener("hashchange", openFragment);

@@ -4,16 +4,29 @@ import { Blocks } from "./blocks.js";
 import { colour } from "./colours.js";
 
 const DISC = 1, CIRCLE = 2, SECTOR = 3, POLYGON = 4, LINE = 5, TEXT = 6, GLOW = 7, GRADIENT = 8, CELLS = 9, CLIP = 10, TURN = 11,
-  STRIP = 12, BAND = 13, PLATE = 14, SPRITE = 15, CAMERA = 16, SLOT = 17, PRISM = 18, SHADOWS = 19;
+  STRIP = 12, BAND = 13, PLATE = 14, SPRITE = 15, CAMERA = 16, SLOT = 17, PRISM = 18, SHADOWS = 19, BOX = 20, TEXTURE = 21, TEXTURED = 22;
 const WHOLE = Math.PI * 0.999;
-const FONT = "system-ui, sans-serif";
+const FONT = "system-ui, sans-serif", DESKTOP_FONT = `Arial, Helvetica, "Liberation Sans", ${FONT}`;
+const DESKTOP_EM = 0.71; // of the desktop's letters, in shares of their size
 const BEND = 0.02, OVERLAP = 0.6;
 // Of a light: shares of its radius, and how much of it is left there, as a colour's alpha.
 const LIGHT = [[0, "ff"], [0.2, "d7"], [0.4, "80"], [0.6, "33"], [0.8, "0c"], [1, "00"]];
 const blocks = new Blocks();
+const textures = new Map();
+
+// Of runs of letters by their signs: letters, size, and how far below the middle of the words.
+const INDEX = "\x13", WORD_INDEX = "\x14", PRIME = "\x15";
+const RUNS = {
+  "\x10": ["normal", 1, 0],
+  "\x11": ["italic", 1, 0],
+  "\x12": ["bold", 1, 0],
+  [INDEX]: ["italic", 0.72, 0.32],
+  [WORD_INDEX]: ["normal", 0.72, 0.32],
+  [PRIME]: ["normal", 0.8, -0.2],
+};
 
 function font(size, bold) {
-  return `${bold ? "600 " : ""}${size}px ${FONT}`;
+  return bold ? `700 ${size * DESKTOP_EM}px ${DESKTOP_FONT}` : `${size}px ${FONT}`;
 }
 
 /** Paint a list. numbers: a Float32Array; texts: those that it refers to. */
@@ -73,16 +86,10 @@ function shapes(context, numbers, texts) {
         at += 3 + 2 * count;
         break;
       }
-      case TEXT: {
-        context.fillStyle = colour(style);
-        context.font = font(numbers[at + 1], numbers[at + 5]);
-        context.textBaseline = "middle";
-        const words = texts[numbers[at]], across = numbers[at + 4];
-        context.textAlign = across === 0 ? "left" : across === 1 ? "right" : "center";
-        context.fillText(words, numbers[at + 2], numbers[at + 3]);
-        at += 6;
+      case TEXT:
+        text(context, numbers, at, style, texts[numbers[at]]);
+        at += 7;
         break;
-      }
       case GLOW:
         glow(context, numbers, at, style);
         at += 5;
@@ -168,11 +175,62 @@ function shapes(context, numbers, texts) {
         at = blocks.shadows(context, numbers, at);
         if (numbers[at] !== SHADOWS) context.fill();
         break;
+      case BOX:
+        box(context, numbers, at, style);
+        at += 7;
+        break;
+      case TEXTURE: {
+        const count = numbers[at + 2];
+        textures.set(numbers[at], grid(numbers, at + 3, numbers[at + 1], count / numbers[at + 1]));
+        at += 3 + count;
+        break;
+      }
+      case TEXTURED:
+        textured(context, numbers, at);
+        at += 4;
+        break;
       default:
         throw new Error(`primitive ${code} at ${at - 3}`);
     }
   }
   if (clipped) context.restore();
+}
+
+/** Words that are runs of letters, each after the sign of how they are: an index is below what is before it, a prime above. */
+function runs(context, words, size, x, y, across) {
+  const placed = [];
+  let end = 0, primed = 0;
+  for (const [, sign, letters] of words.matchAll(/([\x10-\x15])([^\x10-\x15]*)/g)) {
+    const [look, height, down] = RUNS[sign], begin = sign === INDEX || sign === WORD_INDEX ? end - primed : end;
+    context.font = `${look} ${size * height}px ${FONT}`;
+    const { width } = context.measureText(letters);
+    placed.push([context.font, letters, begin, size * down]);
+    end = Math.max(end, begin + width);
+    primed = sign === PRIME ? width : 0;
+  }
+  context.textAlign = "left";
+  for (const [own, letters, begin, down] of placed) {
+    context.font = own;
+    context.fillText(letters, x + begin - across * end, y + down);
+  }
+}
+
+function text(context, numbers, at, style, words) {
+  const across = numbers[at + 4], bold = numbers[at + 5], room = numbers[at + 6];
+  context.fillStyle = colour(style);
+  if (words[0] in RUNS) {
+    context.textBaseline = "middle";
+    runs(context, words, numbers[at + 1], numbers[at + 2], numbers[at + 3], across);
+    return;
+  }
+  context.font = font(numbers[at + 1], bold);
+  context.textBaseline = "middle";
+  context.textAlign = across === 0 ? "left" : across === 1 ? "right" : "center";
+  if (room) {
+    const { width } = context.measureText(words);
+    if (width > room) context.font = font((numbers[at + 1] * room) / width, bold);
+  }
+  context.fillText(words, numbers[at + 2], numbers[at + 3]);
 }
 
 function sector(context, numbers, at) {
@@ -230,7 +288,7 @@ function band(context, numbers, at, count) {
 }
 
 function plate(context, [index, size, x, y, across, down, edge, edgeStyle], style, texts) {
-  context.font = font(size, 0);
+  context.font = font(size, 1);
   const width = context.measureText(texts[index]).width + 2 * across, height = size + 2 * down;
   context.fillStyle = colour(style);
   context.strokeStyle = colour(edgeStyle);
@@ -240,6 +298,16 @@ function plate(context, [index, size, x, y, across, down, edge, edgeStyle], styl
   context.roundRect(x - width / 2, y - height / 2, width, height, height / 2);
   context.fill();
   context.stroke();
+}
+
+function box(context, numbers, at, style) {
+  const [x, y, width, height, radius, edge, edgeStyle] = numbers.subarray(at, at + 7);
+  for (const [inset, own] of edge ? [[0, edgeStyle], [edge, style]] : [[0, style]]) {
+    context.fillStyle = colour(own);
+    context.beginPath();
+    context.roundRect(x + inset, y + inset, width - 2 * inset, height - 2 * inset, Math.max(radius - inset, 0));
+    context.fill();
+  }
 }
 
 function glow(context, numbers, at, style) {
@@ -259,17 +327,32 @@ function glow(context, numbers, at, style) {
   context.setTransform(before);
 }
 
-function cells(context, numbers, at) {
-  const [x, y, width, height, columns, rows] = numbers.subarray(at, at + 6);
+/** A canvas of cells, a pixel each. at: of the first colour. */
+function grid(numbers, at, columns, rows) {
   const small = new OffscreenCanvas(columns, rows), own = small.getContext("2d");
   const image = own.createImageData(columns, rows);
-  at += 6;
   for (let k = 0; k < columns * rows; k++) {
     const packed = numbers[at + k];
     image.data.set([packed >> 16, (packed >> 8) & 255, packed & 255, 255], 4 * k);
   }
   own.putImageData(image, 0, 0);
+  return small;
+}
+
+function cells(context, numbers, at) {
+  const [x, y, width, height, columns, rows] = numbers.subarray(at, at + 6);
   context.imageSmoothingEnabled = true;
-  context.drawImage(small, x, y, width, height);
-  return at + columns * rows;
+  context.drawImage(grid(numbers, at + 6, columns, rows), x, y, width, height);
+  return at + 6 + columns * rows;
+}
+
+function textured(context, numbers, at) {
+  const x = numbers[at], y = numbers[at + 1], radius = numbers[at + 2], picture = textures.get(numbers[at + 3]);
+  const pattern = context.createPattern(picture, "no-repeat"), size = (2 * radius) / picture.width;
+  pattern.setTransform(new DOMMatrix([size, 0, 0, size, x - radius, y - radius]));
+  context.imageSmoothingEnabled = true;
+  context.fillStyle = pattern;
+  context.beginPath();
+  context.arc(x, y, radius, 0, 2 * Math.PI);
+  context.fill();
 }

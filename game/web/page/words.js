@@ -16,7 +16,7 @@ export class Words {
   show({ scene, step, formula, cited, note, scale }) {
     if (scene !== this.#scene) this.#forget();
     this.#scene = scene;
-    this.step.textContent = step;
+    if (this.step.innerHTML !== step) this.step.innerHTML = step;
     this.step.hidden = !step;
     this.section.hidden = !scene;
     for (const element of [this.step, this.section]) element.style.setProperty("--scale", scale);
@@ -31,15 +31,24 @@ export class Words {
     this.#fit(scale > 1);
   }
 
-  /** Formulas stand beside each other where they would not fit below each other. While one scene is shown, nothing shrinks. */
+  /**
+   * Formulas stand beside each other where they would not fit below each other. While one scene is shown, nothing shrinks. In a
+   * lecture room those that were revealed first make room, then the note.
+   */
   #fit(presents) {
-    const { section } = this;
+    const { section } = this, rows = [...this.formula.children], overflows = () => section.scrollHeight > section.clientHeight + 1;
+    section.classList.toggle("presents", presents);
     section.classList.remove("dense");
     section.style.minHeight = "";
-    if (section.scrollHeight > section.clientHeight) section.classList.add("dense");
+    for (const row of [...rows, this.note]) row.hidden = false;
+    if (presents) {
+      while (rows.length > 1 && overflows()) rows.shift().hidden = true;
+      if (rows.length > 0 && overflows()) this.note.hidden = true;
+      return;
+    }
+    if (overflows()) section.classList.add("dense");
     this.#least = Math.max(this.#least, section.offsetHeight);
-    section.style.minHeight = presents ? "" : `${this.#least}px`;
-    if (presents) section.scrollTop = section.scrollHeight; // what was revealed last
+    section.style.minHeight = `${this.#least}px`;
   }
 
   #forget() {

@@ -7,7 +7,7 @@ const KEPT = "/kept";
 const SNAPSHOT_DELAY = 3000; // milliseconds from the start until its memory is stored
 let page = null, python = null, stored = false, storing = Promise.resolve(null);
 
-async function start({ base, calm, languages, grades }) {
+async function start({ base, calm, languages, touch, grades }) {
   performance.mark("worker began");
   const [started, sounds] = await Promise.all([startedPython(), fetch(`${base}sounds.json`).then((answer) => answer.arrayBuffer())]);
   python = started.python;
@@ -21,7 +21,7 @@ async function start({ base, calm, languages, grades }) {
   python.globals.set("languages", languages);
   page = python.runPython(`
 from game.web.client.page import Page
-Page(bytes(index), ${stored ? `"${KEPT}"` : '""'}, calm=${calm ? "True" : "False"}, languages=languages)
+Page(bytes(index), ${stored ? `"${KEPT}"` : '""'}, calm=${calm ? "True" : "False"}, touch=${touch ? "True" : "False"}, languages=languages)
 `);
   performance.mark("page made");
   if (started.snapshot) {
@@ -98,6 +98,7 @@ const ASKED = {
     return found;
   },
   save: () => save().then(() => stored),
+  random: () => python.runPython("import random; random.random()"),
   memory: () => python._module.HEAPU8.length,
   snapshot: () => storing,
   timeline: () => performance.getEntriesByType("mark").map(({ name, startTime }) => [name, performance.timeOrigin + startTime]),

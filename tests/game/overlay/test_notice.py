@@ -10,6 +10,7 @@ import pytest
 
 from game.drawing.camera import Camera, layout
 from game.drawing.canvas import Canvas
+from game.drawing.letter_sizes import width
 from game.drawing.palette import DARK
 from game.drawing.text import Type
 from game.effects import NOTHING
@@ -17,8 +18,8 @@ from game.language import CODES, choose, tr
 from game.levels import campaign
 from game.overlay import notice as plate
 from game.overlay.notice_words import Notice, notice, to_newcomer
-from game.picture.display_list import DisplayList
-from game.picture.figures import add_notice
+from game.picture.display_list import DisplayList, primitives
+from game.picture.notice import Around, add_notice
 from game.rules import Controls, Phase, Ruleset, new_game, tick
 from game.scene import scene_at, still
 
@@ -49,7 +50,8 @@ def test_the_plate_stays_above_the_wall_and_between_the_figures(language, text_s
     choose("en")
     surface = pygame.Surface(SIZE, 0, 32)
     canvas = Canvas(surface, Camera(400 + 300j, 28.0), DARK, Type(), SIZE[1] / 34.0 * text_scale)
-    plate.draw(canvas, told, scene_at(still(new_game(campaign(), 1, Ruleset())), 1.0, NOTHING)._replace(balls=()))
+    scene = scene_at(still(new_game(campaign(), 1, Ruleset())), 1.0, NOTHING)
+    plate.draw(canvas, told, scene._replace(balls=()), layout(SIZE, 10.0))
     across, down = np.nonzero(pygame.surfarray.array3d(surface).any(axis=2))
     assert np.ptp(across) < SIZE[0] * 2 / 3
     assert down.max() < SIZE[1] / 4
@@ -57,14 +59,32 @@ def test_the_plate_stays_above_the_wall_and_between_the_figures(language, text_s
     assert np.ptp(down) > SIZE[1] / 12
 
 
-def test_a_browser_says_it_too():
-    """What the level is about stands between its name and the hint, on the same plate."""
+def test_all_words_are_said_in_their_order():
+    """What the level is about stands between its name and the hint, in as many lines as it needs."""
     out, told = (
         DisplayList(),
         Notice("Name", "Hint", "What it is about, in so many words that no line has room for all of them.\nSteer"),
     )
-    add_notice(out, told, layout(SIZE, 10.0), DARK, 20.0)
+    add_notice(out, told, layout(SIZE, 10.0), DARK, 20.0, Around(150.0))
     name, *about, hint = out.texts
     assert (name, hint, about[-1]) == ("Name", "Hint", "Steer")
     assert " ".join(about[:-1]) == told.about.splitlines()[0]
     assert len(about) > 2
+
+
+def test_the_plate_leaves_a_ball_alone():
+    """It is at the lower edge while a ball is where it would be."""
+    tops = []
+    for balls in ((), (400 + 40j,), (400 + 560j,)):
+        out = DisplayList()
+        add_notice(out, Notice("Name", "Hint"), layout(SIZE, 10.0), DARK, 20.0, Around(150.0, balls))
+        tops.append(next(primitives(out.numbers))[3][1])
+    assert tops[0] == tops[2] < SIZE[1] / 4 < tops[1]
+
+
+@pytest.mark.parametrize("words", [level.description for level in campaign()[:6]] + ["Příliš žluťoučký kůň", "LEVEL 12 of 32"])
+def test_words_are_as_wide_as_is_said_without_a_font(words):
+    """On the screen they are never wider, and less than a tenth narrower."""
+    for size in (14, 21, 40):
+        drawn = Type().rendered(words, size, (255, 255, 255)).get_width()
+        assert drawn <= size * width(words) + 1.0 < 1.1 * drawn + 2.0

@@ -4,10 +4,14 @@ import numpy as np
 import pygame
 import pytest
 
+from game.drawing.camera import Camera
+from game.drawing.canvas import Canvas
 from game.drawing.palette import LIGHT
 from game.drawing.raster.primitives import draw_box
+from game.drawing.text import Type
 from game.effects import EffectKind
 from game.kept.progress import Best
+from game.screens.menus.ball_preview import ball_preview
 from game.screens.menus.settings_panel import SettingsPanel
 from game.screens.menus.settings_rows import PARTS, effect_names
 from game.screens.play import PlayScreen
@@ -17,6 +21,7 @@ from game.screens.toolkit.menu import Menu
 from game.screens.toolkit.slider import Slider
 from game.settings.file import SettingsFile
 from game.settings.values import Settings
+from game.unlocks import BALLS, TRAILS
 from tests.support.dummy_window import FRAME, SIZE, Desk, shared
 
 
@@ -82,6 +87,16 @@ def test_every_row_changes_something_and_changes_it_back(desk, monkeypatch):
         desk.press(pygame.K_ESCAPE)
     assert changed >= 5 + len(EffectKind)
     assert set(effect_names()) == set(EffectKind)
+
+
+def test_the_chosen_ball_and_trail_are_shown():
+    """The strip below the choices looks different for every ball, and for every trail."""
+    looks = set()
+    for ball, trail in [*[(ball, "comet") for ball in BALLS], *[("pearl", trail) for trail in list(TRAILS)[1:]]]:
+        canvas = Canvas(pygame.Surface((400, 80), 0, 32), Camera(0j, 1.0), LIGHT, Type(), 20.0, ball, trail)
+        ball_preview().draw(canvas, canvas.surface.get_rect(), focused=False)
+        looks.add(pygame.image.tobytes(canvas.surface, "RGB"))
+    assert len(looks) == len(BALLS) + len(TRAILS) - 1
 
 
 def test_the_volume_follows_keys_and_mouse(desk):

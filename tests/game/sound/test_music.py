@@ -82,7 +82,7 @@ def audio(monkeypatch):
     """Sound on SDL's dummy driver, its loops already computed."""
     monkeypatch.setenv("SDL_AUDIODRIVER", "dummy")
     monkeypatch.setattr("game.sound.music.player.composed", lambda layer, _rate: iter([None, LOOPS[layer]]))
-    made = Audio(clock=Clock())
+    made = Audio(RATE, clock=Clock())
     made._waiting.clear()
     yield made
     made.close()

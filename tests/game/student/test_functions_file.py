@@ -5,6 +5,7 @@ import pytest
 
 from game.screens.play import PlayScreen
 from game.student import program
+from game.student.answering import answers_to
 from game.student.functions_file import FunctionsFile
 from game.student.own_physics import OwnPhysics
 from game.system.errors import EnvironmentMissingError
@@ -30,7 +31,7 @@ def test_a_saved_file_is_read_again(tmp_path):
             return told[-1]
 
         def answer():
-            return file.calls([("on_left", [1.0, 2.0])])[0].result
+            return answers_to(file, [("on_left", [1.0, 2.0])])[0].result
 
         assert (answer(), file.note) == (True, "Yours, from mine.py: on_left; the rest is the slides'")
         assert saved(BROKEN) == "mine.py, line 1: SyntaxError"

@@ -2,9 +2,8 @@
 
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
-from typing import Any
 
-from game.student.answering import note_of, placed_problem
+from game.student.answering import note_of, placed_problem, usable_result
 from game.student.hosted import HostedFile, answered, problem_of
 from game.student.reply import Reply, parsed_answer
 from game.web.client.functions.time_limit import TimeLimit
@@ -78,20 +77,7 @@ class FunctionsText:
 
     def ask(self, name: str, arguments: Sequence[object]) -> object:
         """The result of one question; None where there is none, and then nothing answers any more."""
-        if self._running is None:
-            return None
-        reply = self._running.ask(name, arguments)
-        if reply.problem is not None or not reply.defined:
-            self.reject(reply.problem or f"{name} is not there")
-            return None
-        return reply.result
-
-    def calls(self, calls: Sequence[tuple[str, Sequence[float]]]) -> list[Reply]:
-        """The answers to calls of the source's functions; one that fails has a problem."""
-        answers: Any = self.ask("calls", calls) if calls else []
-        if not isinstance(answers, list) or len(answers) != len(calls):
-            return [Reply(problem=self.problem)] * len(calls)
-        return [parsed_answer(answer) for answer in answers]
+        return None if self._running is None else usable_result(self, name, self._running.ask(name, arguments))
 
     def reject(self, problem: str) -> None:
         """Let nothing answer any more. problem: why."""

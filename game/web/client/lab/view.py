@@ -15,6 +15,8 @@ from game.web.client.messages import PageWords
 
 _BODY, _SMALLEST = 0.8, 13.0
 """Size of text in the game's; CSS pixels that it has at least."""
+_EM = 0.6875
+"""The em square of the game's own font, in whose sizes a lecture room's are given."""
 _LETTER = 0.52
 """Width of a letter, in shares of its size."""
 _LEAST_LETTERS = 40
@@ -70,19 +72,23 @@ def layout_of(size: tuple[int, int], density: float, panes: int, scale: int | No
     body = max(unit_of((width, max(height, round(_FLATTEST * width)))) * _BODY, _SMALLEST * density)
     if scale is None:
         return LabLayout(body, body, _panes(size, panes))
-    unit = max(min(body * TEXT_SCALES[scale], width / (_LEAST_LETTERS * _LETTER)), body)
+    unit = max(min(body * TEXT_SCALES[scale] * _EM, width / (_LEAST_LETTERS * _LETTER)), body)
     return LabLayout(unit, min(unit, body * _MOST_PEN), _panes(size, panes))
 
 
 def words_of(title: str, picture: Picture, reveal: Reveal, whole: Picture, scale: int | None) -> PageWords:
     """The words around what is shown of a picture. whole: all of it. scale: as of `layout_of`; a step has words only there."""
     formula = tuple([mathml_line(line) for line in picture.formula])
-    note = mathml_line(picture.note) if has_symbols(picture.note) else escaped(picture.note)
+    note = _html(picture.note)
     if scale is not None:
-        step = step_words(reveal, whole) or title
-        return PageWords(title, step, formula, "", note, TEXT_SCALES[scale])
+        return PageWords(title, _html(step_words(reveal, whole) or title), formula, "", note, TEXT_SCALES[scale] * _EM)
     cited = "" if picture.cited is None else f"{picture.cited.where}:  {picture.cited.text}"
     return PageWords(title, "", formula, cited, note)
+
+
+def _html(words: str) -> str:
+    """A sentence as HTML; one with a variable in it has formulas."""
+    return mathml_line(words) if has_symbols(words) else escaped(words)
 
 
 def handle_at(handles: Sequence[Handle], given: Given, point: complex, reach: float) -> Handle | None:

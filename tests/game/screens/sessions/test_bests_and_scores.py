@@ -11,8 +11,8 @@ from game.kept.store import Kept
 from game.levels import classic
 from game.rules import Phase, Ruleset, new_game, tick
 from game.screens import ghost
+from game.screens.endless_seeds import seed_of
 from game.screens.gallery.sample import sample_state
-from game.screens.menus.endless import seed_of
 from game.screens.menus.level_select import next_level
 from game.screens.menus.results import Results
 from game.screens.play import PlayScreen

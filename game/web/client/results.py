@@ -1,0 +1,127 @@
+"""What a game on the page leaves behind, and the menus after a level and after a game."""
+
+import time
+from dataclasses import dataclass
+from typing import Protocol
+
+import msgspec
+
+from game.kept.progress import RANKS, Best
+from game.kept.scores import ENDLESS, LONGEST_NAME, Score
+from game.language import grouped, tr
+from game.level_names import level_name
+from game.levels import Level, built_in
+from game.overlay.readings import player_name
+from game.rules import Game, Phase, winner
+from game.screens.versus import verdict
+from game.web.client.menus import MenuScreen, Opened, Screens, levels_menu
+from game.web.client.messages import PageItem
+from game.web.client.state import PageScreen, PageState
+
+
+class Played(PageScreen, Protocol):
+    """A game on the page, as far as its results lead back to it. endless: the seed of its levels, None for others."""
+
+    endless: int | None
+
+    @property
+    def game(self) -> Game:
+        """The game as it stands."""
+
+    def went_on(self) -> PageScreen:
+        """The game, with the next level at once."""
+
+    def restarted(self) -> PageScreen:
+        """The same levels from their first serve."""
+
+
+@dataclass
+class Counted:
+    """What of a game is kept.
+
+    levels: of the game. counts: whether bests, scores and the replay are: where one player plays, and until the program does.
+    endless: whether its levels are made from a seed. start: tick at which the level began. speed: the slowest so far, per cent.
+    """
+
+    state: PageState
+    levels: tuple[Level, ...]
+    counts: bool
+    endless: bool
+    start: int = 0
+    speed: int = 100
+
+    @property
+    def ranked(self) -> bool:
+        """Whether the game's score may stand in a table: not with levels that anybody can make."""
+        return self.counts and (self.endless or all([level in built_in() for level in self.levels]))
+
+    def note_level(self, game: Game) -> None:
+        """A level was finished: note it, where the player has done it."""
+        state, result = self.state, game.results[-1]
+        state.said.append(tr("Level cleared"))
+        if self.counts and game.level in built_in():
+            done = Best(game.level.name, state.difficulty, result.score, int(result.rank), result.ticks, start=self.start)
+            state.kept.level_done(done)
+            state.changed = True
+            state.tell_problems()
+
+
+def level_results(state: PageState, screens: Screens, play: Played) -> PageScreen:
+    """A level's figures, and the next one."""
+    game = play.game
+    result = game.results[-1]
+    points = tr("{score} points, {lost} balls lost, best combo {combo}")
+    lines = [points.format(score=grouped(result.score), lost=result.balls_lost, combo=result.best_combo)]
+    if not game.sides:
+        lines.insert(0, tr("Rank {rank}").format(rank=RANKS[int(result.rank)]))
+    elif (ahead := winner(game)) is not None:
+        lines.insert(0, tr("{level}. {player} is ahead.").format(level=level_name(game.level.name), player=player_name(ahead)))
+    following = tr("Next: {level}").format(level=level_name(game.levels[game.number + 1].name))
+    items = (Opened(PageItem("next", following), lambda _value: play.went_on()), *leaving(state, screens))
+    return MenuScreen(state, tr("Level cleared"), lambda _menu: (lines, items), play.went_on, play)
+
+
+def game_results(state: PageState, screens: Screens, play: Played, record: Counted) -> PageScreen:
+    """A game's figures; the name of who made a high score; its replay; and how to go on."""
+    game, won = play.game, play.game.phase == Phase.WON
+    last = state.kept.game_done() if record.counts else None
+    state.changed = True
+    state.tell_problems()
+    lines = [tr("Score {score}").format(score=grouped(game.score))]
+    if game.sides:
+        lines = [f"{player_name(index)}: {grouped(side.score)}" for index, side in enumerate(game.sides)]
+    items: list[Opened] = []
+    table = ENDLESS if record.endless else state.difficulty
+    if record.ranked and state.kept.scores.value.qualifies(game.score, table):
+        proof = (last.file, last.sha256) if last is not None else ()
+        to = game.level.name if play.endless is None else f"{game.level.name} ({play.endless})"
+        first, date = game.levels[0].name, time.strftime("%Y-%m-%d")
+        items.append(_name_item(state, screens, Score("", game.score, table, first, to, won, record.speed, date, *proof)))
+    if last is not None and state.kept.games.folder is not None:
+        path = state.kept.games.folder / last.file
+        items.append(Opened(PageItem("watch", tr("Watch the replay")), lambda _: screens.replay(path.name, path.read_bytes())))
+    items.append(Opened(PageItem("again", tr("Again")), lambda _: play.restarted()))
+    items += leaving(state, screens)
+    heading = verdict(game) if game.sides else tr("You won") if won else tr("Game over")
+    return MenuScreen(state, heading, lambda _menu: (lines, items), under=play)
+
+
+def _name_item(state: PageState, screens: Screens, score: Score) -> Opened:
+    """The entry of the name of who made a high score."""
+
+    def entered(value: str) -> PageScreen:
+        state.kept.enter(msgspec.structs.replace(score, name=value.strip()[:LONGEST_NAME]))
+        state.changed = True
+        state.tell_problems()
+        return screens.title()
+
+    held = state.kept.scores.value.last_name
+    return Opened(PageItem("name", tr("A high score. Your name"), "text", held, high=LONGEST_NAME), entered)
+
+
+def leaving(state: PageState, screens: Screens) -> tuple[Opened, ...]:
+    """Where else to go from a game."""
+    return (
+        Opened(PageItem("levels", tr("All levels")), lambda _value: levels_menu(state, screens)),
+        Opened(PageItem("title", tr("Main menu")), lambda _value: screens.title()),
+    )

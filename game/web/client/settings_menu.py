@@ -1,0 +1,118 @@
+"""The settings on the page: the desktop's, but for keys, captions and the ghost, which the page does not have."""
+
+from collections.abc import Callable, Iterable
+
+from game.drawing.colour_vision import VISION_NAMES, VISIONS
+from game.effects import EffectKind
+from game.language import LANGUAGES, SYSTEM, tr
+from game.screens.earned import feats
+from game.settings.effect_names import effect_names
+from game.settings.values import LOUDEST, SPEEDS, TEXT_SIZES, Settings
+from game.unlocks import BALLS, TRAILS, Condition, ball_names, trail_names, unlocked
+from game.web.client.menus import MenuScreen, Opened
+from game.web.client.messages import PageItem
+from game.web.client.state import PageScreen, PageState
+
+
+def settings_menu(state: PageState, back: Callable[[], PageScreen], under: PageScreen | None = None) -> MenuScreen:
+    """What can be set."""
+
+    def contents(menu: MenuScreen) -> tuple[Iterable[str], Iterable[Opened]]:
+        held, part = state.settings, _Part(state, menu)
+        languages = ((SYSTEM, tr("system language")), *[(language.code, language.name) for language in LANGUAGES])
+        colours = (("dark", tr("Dark")), ("light", tr("Light")), ("contrast", tr("High contrast")))
+        visions = tuple([(vision, tr(VISION_NAMES[vision])) for vision in VISIONS])
+        return (), (
+            part.choice("colours", tr("Colours"), colours),
+            part.choice("vision", tr("Colour vision"), visions),
+            part.choice("language", tr("Language"), languages),
+            part.number("text_size", f"{tr('Text size')}, %", TEXT_SIZES, 25.0),
+            Opened(PageItem("full-screen", tr("Full screen")), lambda _value: _full_screen(state, menu)),
+            part.switch("sound", tr("Sound")),
+            part.number("volume", tr("Volume"), (0, LOUDEST), 10.0),
+            part.number("music", tr("Music"), (0, LOUDEST), 10.0),
+            part.number("speed", tr("Game speed, %"), SPEEDS, 5.0),
+            part.switch("one_button", tr("One button: the paddles turn by themselves, any press reverses them")),
+            part.switch("reduced_motion", tr("Reduced motion")),
+            part.choice("ball", tr("Ball"), *_unlocked(state, "ball", BALLS, ball_names())),
+            part.choice("trail", tr("Trail"), *_unlocked(state, "trail", TRAILS, trail_names())),
+            part.switch("effects", tr("Effects")),
+            Opened(
+                PageItem("one-by-one", tr("One by one"), disabled=not held.effects),
+                lambda _value: _effects_menu(state, lambda: settings_menu(state, back, under), under),
+            ),
+        )
+
+    return MenuScreen(state, tr("Settings"), contents, back, under)
+
+
+class _Part:
+    """Makes the controls of a menu of settings: each is of a field of `Settings`."""
+
+    def __init__(self, state: PageState, menu: MenuScreen) -> None:
+        """menu: what is shown after a change."""
+        self._state, self._menu = state, menu
+
+    def switch(self, name: str, label: str) -> Opened:
+        """A setting that is on or off."""
+        on = bool(getattr(self._state.settings, name))
+        return Opened(PageItem(name, label, "switch", str(on)), lambda value: self._change(name, value == "True"))
+
+    def choice(self, name: str, label: str, options: tuple[tuple[str, str], ...], hint: str = "") -> Opened:
+        """One of several. options: values, and what they are called."""
+        now = str(getattr(self._state.settings, name))
+        item = PageItem(name, label, "choice", now, options, hint=hint)
+        return Opened(item, lambda value: self._change(name, value if value in dict(options) else now))
+
+    def number(self, name: str, label: str, limits: tuple[int, int], step: float) -> Opened:
+        """A whole number within limits."""
+        now = int(getattr(self._state.settings, name))
+        item = PageItem(name, label, "number", str(now), low=limits[0], high=limits[1], step=step)
+        return Opened(item, lambda value: self._change(name, _whole(value, *limits, now)))
+
+    def _change(self, name: str, value: object) -> PageScreen:
+        """The menu after a setting was changed."""
+        self._state.change(Settings(**{**self._state.settings._asdict(), name: value}))
+        return self._menu
+
+
+def _effects_menu(state: PageState, back: Callable[[], PageScreen], under: PageScreen | None) -> MenuScreen:
+    """One switch for each effect."""
+
+    def contents(menu: MenuScreen) -> tuple[Iterable[str], Iterable[Opened]]:
+        def turns(kind: EffectKind) -> Callable[[str], PageScreen]:
+            def turned(_value: str) -> PageScreen:
+                state.change(state.settings.toggled(kind))
+                return menu
+
+            return turned
+
+        names = effect_names().items()
+        return (), [
+            Opened(PageItem(f"effect-{kind}", name, "switch", str(kind not in state.settings.off), hint=tip), turns(kind))
+            for kind, (name, tip) in names
+        ]
+
+    return MenuScreen(state, tr("Effects"), contents, back, under)
+
+
+def _unlocked(
+    state: PageState, field: str, conditions: dict[str, Condition], names: dict[str, str]
+) -> tuple[tuple[tuple[str, str], ...], str]:
+    """What the player has earned, with what is chosen, and how to earn the next. field: of `Settings`."""
+    earned, now = unlocked(conditions, feats(state.kept.progress.value)), getattr(state.settings, field)
+    options = tuple([(name, words) for name, words in names.items() if name in earned or name == now])
+    following = next((name for name in conditions if name not in earned), None)
+    hint = tr("All of them are unlocked.") if following is None else f"{names[following]}: {conditions[following].text}"
+    return options, hint
+
+
+def _full_screen(state: PageState, menu: MenuScreen) -> PageScreen:
+    """The page fills the screen, or does so no more."""
+    state.full_screen = True
+    return menu
+
+
+def _whole(value: str, low: int, high: int, held: int) -> int:
+    """A number within limits; what is held where the text is no number."""
+    return min(max(int(value), low), high) if value.isascii() and value.isdecimal() and len(value) < 5 else held
