@@ -307,7 +307,7 @@ def _may_be_steered_away(balls: list[Ball], rings: list[Ring], steered: Any, sec
     for ball in balls:
         distance, reach = length(ball.moved(seconds).position), ball.radius + length(ball.velocity) * dt
         for k in range(len(rings)):
-            if steered[k] != 0 and rings[k].spin != 0.0 and in_band(distance, reach, rings[k]):
+            if steered[k] != 0 and in_band(distance, reach, rings[k]):
                 return True
     return False
 
