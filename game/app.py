@@ -9,6 +9,7 @@ from typing import NamedTuple
 import pygame
 
 from game.chosen_physics import SWEPT, ChosenPhysics
+from game.frame_pace import FramePace
 from game.input.events import keyboard_state
 from game.input.players import Players
 from game.input.signals import KeyboardState
@@ -222,14 +223,14 @@ def _save(state: AppState, lost: Callable[[], None] | None) -> None:
 def run(window: pygame.Window, state: AppState, first: Screen) -> None:
     """Draw frame after frame until the last screen is left, the window closed, or a signal asks for an end."""
     gc.freeze()  # what was made until now stays: to search it for garbage again and again would cost whole frames
-    clock, rate = pygame.time.Clock(), display.refresh_rate()
+    pace, rate = FramePace(), display.refresh_rate()
     screen: Screen | None = first
     before = time.perf_counter()
     while screen is not None and not pending():
         now = time.perf_counter()
         screen = frame(window, state, screen, 0.0 if state.away else now - before)
         before = now
-        clock.tick(_rate(screen, rate, away=state.away))
+        pace.wait(_rate(screen, rate, away=state.away))
 
 
 def _rate(screen: Screen | None, rate: int, *, away: bool) -> int:

@@ -14,6 +14,7 @@ from game.settings.keys import changed
 
 _LEFT, _BACK = (pygame.WINDOWFOCUSLOST, pygame.WINDOWMINIMIZED), (pygame.WINDOWFOCUSGAINED, pygame.WINDOWRESTORED)
 """The player goes to another window, and comes back."""
+_FINGERS = (pygame.FINGERDOWN, pygame.FINGERMOTION, pygame.FINGERUP)
 _SHOWN_AGAIN = (pygame.WINDOWEXPOSED, pygame.WINDOWRESIZED, pygame.WINDOWSIZECHANGED, pygame.WINDOWRESTORED, pygame.WINDOWSHOWN)
 """After these the window's picture may be gone."""
 
@@ -51,8 +52,8 @@ def _following(
         if any([isinstance(signal, Pressed) and signal.action is Action.FULL_SCREEN for signal in signals]):
             toggle_full_screen(window, state)
             return screen
-        after_pads = _after_pads(screen, signals, size)
-        return screen.hear(event, size, pixels_per_point) if after_pads is screen else after_pads
+        after_hands = _after_hands(screen, signals, size, fingers=event.type in _FINGERS)
+        return screen.hear(event, size, pixels_per_point) if after_hands is screen else after_hands
     following: Screen | None = screen
     for signal in signals:
         if following is not None:
@@ -60,11 +61,11 @@ def _following(
     return following
 
 
-def _after_pads(screen: Screen, signals: tuple[Signal, ...], size: tuple[int, int]) -> Screen | None:
-    """The screen after what gamepads did, of some signals, also if the player has left."""
+def _after_hands(screen: Screen, signals: tuple[Signal, ...], size: tuple[int, int], *, fingers: bool) -> Screen | None:
+    """The screen after what gamepads did, of some signals, also if the player has left. fingers: all of them are of fingers."""
     following: Screen | None = screen
     for signal in signals:
-        if following is screen and (isinstance(signal, FocusLost) or pad_of(signal) is not None):
+        if following is screen and (fingers or isinstance(signal, FocusLost) or pad_of(signal) is not None):
             following = screen.answer(signal, size)
     return following
 

@@ -5,34 +5,32 @@ from collections.abc import Sequence
 import numpy as np
 import pygame
 
+from game.array_maths import ARRAYS
 from game.drawing.camera import Camera
 from game.drawing.canvas import Canvas
-from game.drawing.light import LIGHT
-from game.drawing.palette import Colour, Theme, layer_colour
+from game.drawing.palette import Theme
+from game.drawing.piece_colours import (
+    LEAST_SIZE,
+    PLATES,
+    STREAK_FRONT,
+    STREAK_TICKS,
+    STREAK_WIDTH,
+    burning,
+    burst_colour,
+    glittering,
+    plate_light,
+    unevenness,
+)
 from game.drawing.raster.arrays import Points, Reals
 from game.drawing.raster.pixels import pairs
 from game.drawing.raster.primitives import HALF_PIXEL
 from game.drawing.solid.debris_occlusion import occluded
 from game.drawing.solid.prisms import Flags
-from game.effects.bursts import Burst, Matter
+from game.effects.bursts import Burst
 from game.effects.debris import Pieces, pieces
 from game.scene import Scene
 
-_PLATES = frozenset({Matter.BRICK, Matter.BALL})
-"""What breaks into plates; all else gives off sparks."""
 _CORNERS = np.exp(0.5j * np.pi * np.arange(4))
-_LIGHT_ABOVE = 0.6
-"""Share of a plate's light that comes from above, the rest from the side."""
-_DIMMEST = 0.72
-"""Share of its colour that a plate shows while it is edge-on to the light."""
-_GLITTER, _WHITEST = 6.0, 0.6
-"""How suddenly a plate glitters as it turns towards the light, and how far towards white."""
-_STREAK_TICKS = 9
-"""A streak reaches from where its spark is to where it was this many ticks ago."""
-_STREAK_WIDTH = 0.35
-"""Half the width of a streak, in its spark's sizes."""
-_LEAST_SIZE = 0.35
-"""Pixels; what is smaller is not drawn."""
 
 
 def draw(canvas: Canvas, scene: Scene) -> None:
@@ -40,9 +38,9 @@ def draw(canvas: Canvas, scene: Scene) -> None:
     if not scene.bursts:
         return
     camera, theme = canvas.camera, canvas.theme
-    plates = [burst for burst in scene.bursts if burst.matter in _PLATES]
-    sparks = [burst for burst in scene.bursts if burst.matter not in _PLATES]
-    earlier = [burst._replace(age=max(burst.age - _STREAK_TICKS, 0)) for burst in sparks]
+    plates = [burst for burst in scene.bursts if burst.matter in PLATES]
+    sparks = [burst for burst in scene.bursts if burst.matter not in PLATES]
+    earlier = [burst._replace(age=max(burst.age - STREAK_TICKS, 0)) for burst in sparks]
     bursts, shown_bursts = [*plates, *sparks, *earlier], len(scene.bursts)
     flying = pieces(bursts, scene.ground_radius)
     shown = _shown(flying, scene, camera)
@@ -58,7 +56,7 @@ def draw(canvas: Canvas, scene: Scene) -> None:
 
 def _shown(flying: Pieces, scene: Scene, camera: Camera) -> Flags:
     """Which pieces are large enough to see and not behind anything."""
-    large = flying.size * camera.scale > _LEAST_SIZE
+    large = flying.size * camera.scale > LEAST_SIZE
     return large if camera.flat else large & ~occluded(flying.position, flying.height, scene, camera)
 
 
@@ -69,7 +67,7 @@ def _some(flying: Pieces, which: Flags) -> Pieces:
 
 def _plates(flying: Pieces, camera: Camera) -> Points:
     """The corners of plates, pixels, four a row: each turned about the vertical and about one of its own sides."""
-    uneven = 0.65 + 0.35 * np.cos(7.0 * flying.shape[:, None] + np.arange(4) * 2.2)
+    uneven = np.stack([unevenness(ARRAYS, flying.shape, corner) for corner in range(4)], axis=1)
     corners = _CORNERS * uneven * flying.size[:, None]
     level, high = corners.imag * np.cos(flying.tumble)[:, None], corners.imag * np.sin(flying.tumble)[:, None]
     across = np.exp(1j * flying.turn)[:, None]
@@ -79,12 +77,9 @@ def _plates(flying: Pieces, camera: Camera) -> Points:
 
 def _glittering(flying: Pieces, bursts: Sequence[Burst], theme: Theme) -> Reals:
     """The colour of each plate, red, green and blue: brighter, the more it is turned to the light."""
-    own = np.array([_colour(burst, theme) for burst in bursts], dtype=np.float64)[flying.burst]
-    normal = -1j * np.sin(flying.tumble) * np.exp(1j * flying.turn)
-    from_the_side = (normal * LIGHT.conjugate()).real * (1.0 - _LIGHT_ABOVE)
-    lit = np.abs(from_the_side + np.cos(flying.tumble) * _LIGHT_ABOVE)[:, None]
-    shade = own * (_DIMMEST + (1.0 - _DIMMEST) * np.minimum(1.4 * lit, 1.0))
-    return np.asarray(shade + (255.0 - shade) * _WHITEST * np.clip(2.0 * lit - 1.0, 0.0, 1.0) ** _GLITTER)
+    own = np.array([burst_colour(burst, theme) for burst in bursts], dtype=np.float64)[flying.burst]
+    light = plate_light(ARRAYS, flying.turn, flying.tumble)[:, None]
+    return np.asarray(glittering(ARRAYS, own, light), dtype=np.float64)
 
 
 def _streaks(heads: Pieces, tails: Pieces, camera: Camera) -> Points:
@@ -92,30 +87,16 @@ def _streaks(heads: Pieces, tails: Pieces, camera: Camera) -> Points:
     front = camera.projected(heads.position * camera.turning, heads.height)
     back = camera.projected(tails.position * camera.turning, tails.height)
     along = front - back
-    aside = 1j * along / np.maximum(np.abs(along), 1e-9) * (_STREAK_WIDTH * heads.size * camera.scale)
-    return np.stack([back, front + aside, front + 0.15 * along, front - aside], axis=1)
+    aside = 1j * along / np.maximum(np.abs(along), 1e-9) * (STREAK_WIDTH * heads.size * camera.scale)
+    return np.stack([back, front + aside, front + STREAK_FRONT * along, front - aside], axis=1)
 
 
 def _burning(heads: Pieces, bursts: Sequence[Burst], theme: Theme) -> Reals:
     """The colour of each streak, red, green and blue: bright at first, the ground's at last."""
-    own = np.array([_colour(burst, theme) for burst in bursts], dtype=np.float64)[heads.burst]
+    own = np.array([burst_colour(burst, theme) for burst in bursts], dtype=np.float64)[heads.burst]
     hot, cold = np.array(theme.flash, dtype=np.float64), np.array(theme.ground, dtype=np.float64)
     share = np.clip(heads.share, 0.0, 1.0)[:, None]
-    bright = own + (hot - own) * np.clip(1.0 - 3.0 * share, 0.0, 1.0)
-    return np.asarray(bright + (cold - bright) * share**2)
-
-
-def _colour(burst: Burst, theme: Theme) -> Colour:
-    """The colour of what a burst is made of."""
-    match burst.matter:
-        case Matter.BRICK:
-            return layer_colour(theme, burst.layer)
-        case Matter.BALL:
-            return theme.danger
-        case Matter.STEEL:
-            return theme.accent
-        case Matter.PADDLE:
-            return theme.paddle_top
+    return np.asarray(burning(ARRAYS, own, hot, cold, share), dtype=np.float64)
 
 
 def _fill(surface: pygame.Surface, outlines: Points, colours: Reals) -> None:

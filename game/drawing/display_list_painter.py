@@ -7,7 +7,7 @@ import math
 from array import array
 from collections.abc import Callable
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import pygame
@@ -23,7 +23,7 @@ _BEND = 0.02
 """Sine of the angle between two pieces of a band from which a disc rounds the joint."""
 _FINER = 4
 """Rows and columns of a sprite's drawing per pixel."""
-_MOST_SPRITES = 256
+_MOST_SPRITES, _MOST_LIGHTS = 256, 6
 _STRENGTHS = 22
 """Strengths that a light has pictures for, from none to all of its colour."""
 _LARGEST, _STEP = 96, 8
@@ -39,12 +39,12 @@ _ANCHORS = {0.0: "midleft", 0.5: "center", 1.0: "midright"}
 
 
 class DisplayListPainter:
-    """Paints lists; caches sprites, and reuses the memory of lights, for new memory costs more than scaling them up."""
+    """Paints lists; caches sprites, and the lights that were scaled up last: most look the same for a few frames."""
 
     def __init__(self) -> None:
         """Start with nothing cached."""
         self._sprites: dict[bytes, pygame.Surface] = {}
-        self._light = pygame.Surface((1, 1), 0, 32)
+        self._lights: dict[tuple[object, ...], _ScaledLight] = {}  # the one that was seen last comes last
 
     def paint(self, surface: pygame.Surface, letters: Type, picture: DisplayList) -> None:
         """Paint a list on a 32-bit surface. Raises ValueError for a primitive that only a canvas paints."""
@@ -85,15 +85,39 @@ class DisplayListPainter:
         x, y, across, down, takes = own
         whole = pygame.Rect(0, 0, 2 * max(round(across), 1), 2 * max(round(down), 1))
         whole.center = round(x), round(y)
-        side = max(min(*whole.size, _LARGEST) // _STEP * _STEP, 2)
-        small = _small_light(side, round(strength * _STRENGTHS + 0.499), colour, takes=bool(takes))
+        side, step = max(min(*whole.size, _LARGEST) // _STEP * _STEP, 2), round(strength * _STRENGTHS + 0.499)
+        small = _small_light(side, step, colour, takes=bool(takes))
         part, seen = _seen(whole, surface.get_clip(), small)
-        if self._light.width < seen.width or self._light.height < seen.height:
-            self._light = pygame.Surface((max(self._light.width, seen.width), max(self._light.height, seen.height)), 0, 32)
         if part.size != (0, 0):
-            picture = self._light.subsurface((0, 0, *seen.size))
-            pygame.transform.smoothscale(small.picture.subsurface(part), seen.size, picture)
+            picture = self._scaled((side, step, colour, takes), small.picture, part, seen.size)
             surface.blit(picture, seen, special_flags=pygame.BLEND_RGB_MULT if takes else pygame.BLEND_RGB_ADD)
+
+    def _scaled(
+        self, look: tuple[object, ...], small: pygame.Surface, part: pygame.Rect, size: tuple[int, int]
+    ) -> pygame.Surface:
+        """A part of a small picture, scaled up to a size. look: what the small one depends on.
+
+        The memory of the light that was seen the longest ago is used again, for new memory costs more than scaling.
+        """
+        key = (*look, *part, *size)
+        found = self._lights.pop(key, None)
+        if found is None:
+            memory = pygame.Surface((1, 1), 0, 32)
+            if len(self._lights) >= _MOST_LIGHTS:
+                memory = self._lights.pop(next(iter(self._lights))).memory
+            if memory.width < size[0] or memory.height < size[1]:
+                memory = pygame.Surface((max(memory.width, size[0]), max(memory.height, size[1])), 0, 32)
+            found = _ScaledLight(memory, memory.subsurface((0, 0, *size)))
+            pygame.transform.smoothscale(small.subsurface(part), size, found.picture)
+        self._lights[key] = found
+        return found.picture
+
+
+class _ScaledLight(NamedTuple):
+    """A light as large as it is seen. memory: a surface that its picture is a part of."""
+
+    memory: pygame.Surface
+    picture: pygame.Surface
 
 
 def _seen(whole: pygame.Rect, clip: pygame.Rect, small: "_SmallLight") -> tuple[pygame.Rect, pygame.Rect]:
@@ -138,15 +162,26 @@ def _paint_polygon(surface: pygame.Surface, colour: Colour, own: "array[float]")
 
 def _paint_strip(surface: pygame.Surface, colour: Colour, own: "array[float]") -> None:
     """What is between two lines, quadrilateral by quadrilateral, since a polygon with many corners is filled slowly."""
-    lines, fill = np.array(own[1:]).astype(np.float64).view(np.complex128).reshape(-1, 2).T, pygame.draw.polygon
+    quads, borders, edge = _strip_lines(own[1:].tobytes())
+    for corners in quads:
+        pygame.draw.polygon(surface, colour, corners)
+    for border in borders:
+        pygame.draw.lines(surface, colour, False, border)
+    pygame.draw.aalines(surface, colour, True, edge)
+
+
+@lru_cache(maxsize=64)
+def _strip_lines(numbers: bytes) -> tuple[Any, Any, Any]:
+    """The quadrilaterals that fill a strip, the lines that close its gaps, and the one that smooths its edge.
+
+    Cached, as half of all strips do not change from frame to frame, and this takes as long as filling them.
+    """
+    lines = np.frombuffer(numbers, dtype=np.float32).astype(np.float64).view(np.complex128).reshape(-1, 2).T
     across = lines[::-1] - lines
     filled, closing, smooth = lines + across * np.minimum(_INSETS / np.maximum(np.abs(across), 1e-9), 0.5)
     left, right = pairs(filled)
-    for corners in zip(left, left[1:], right[1:], right, strict=False):
-        fill(surface, colour, corners)
-    for border in pairs(closing):
-        pygame.draw.lines(surface, colour, False, border)
-    pygame.draw.aalines(surface, colour, True, pairs(np.concatenate([smooth[0], smooth[1, ::-1]]) - HALF_PIXEL))
+    quads = list(zip(left, left[1:], right[1:], right, strict=False))
+    return quads, pairs(closing), pairs(np.concatenate([smooth[0], smooth[1, ::-1]]) - HALF_PIXEL)
 
 
 def _paint_band(surface: pygame.Surface, _colour: Colour, own: "array[float]") -> None:
@@ -198,13 +233,17 @@ def _paint_plate(surface: pygame.Surface, words: pygame.Surface, own: "array[flo
     """A plate behind words."""
     _index, _size, x, y, across, down, edge, edge_colour = own
     box = words.get_rect(center=(round(x), round(y))).inflate(round(2.0 * across), round(2.0 * down))
-    if opacity >= 1.0:
-        draw_box(surface, box, box.height / 2.0, colour, unpacked(edge_colour), edge)
-        return
-    plate = pygame.Surface(box.size, pygame.SRCALPHA)
-    plate.fill((*unpacked(edge_colour), 0))
-    draw_box(plate, plate.get_rect(), box.height / 2.0, colour, unpacked(edge_colour), edge)
+    plate = _plate(box.size, colour, unpacked(edge_colour), edge)
     blit_faded(surface, plate, box, opacity)
+
+
+@lru_cache(maxsize=64)
+def _plate(size: tuple[int, int], colour: Colour, edge_colour: Colour, edge: float) -> pygame.Surface:
+    """A plate with round ends on a transparent surface. size, edge: pixels."""
+    plate = pygame.Surface(size, pygame.SRCALPHA)
+    plate.fill((*edge_colour, 0))
+    draw_box(plate, plate.get_rect(), size[1] / 2.0, colour, edge_colour, edge)
+    return plate
 
 
 def _sprite(reach: float, numbers: "array[float]") -> pygame.Surface:

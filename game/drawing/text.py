@@ -10,7 +10,7 @@ from game.drawing.palette import Colour
 _SMALLEST, _LARGEST = 6, 400
 """Sizes of letters, pixels."""
 _MOST_LINES, _MOST_FONTS = 256, 32
-"""Lines and fonts cached, at most."""
+"""Lines and fonts cached, at most; texts broken into lines as many as lines."""
 _FINER = 3
 """Letters are drawn at least this much larger and scaled down: gaps between them are then right to a fraction of a pixel."""
 _LARGE, _FONT_STEPS = 24, 6
@@ -26,6 +26,7 @@ class Type:
         pygame.font.init()
         self._fonts: dict[int, pygame.font.Font] = {}
         self._lines: OrderedDict[tuple[str, int, Colour, float], pygame.Surface] = OrderedDict()
+        self._wrapped: OrderedDict[tuple[str, int, float], list[str]] = OrderedDict()
 
     def rendered(self, text: str, size: float, colour: Colour, spacing: float = 0.0) -> pygame.Surface:
         """A line of text on a transparent surface. size: pixels; spacing: between letters, as a share of the size."""
@@ -69,11 +70,22 @@ class Type:
 
     def wrapped(self, text: str, size: float, width: float) -> list[str]:
         """The text in lines no wider than `width` pixels, as far as words allow."""
+        key = (text, _pixels(size), width)
+        if key in self._wrapped:
+            self._wrapped.move_to_end(key)
+        else:
+            self._wrapped[key] = self._broken(*key)
+            if len(self._wrapped) > _MOST_LINES:
+                self._wrapped.popitem(last=False)
+        return list(self._wrapped[key])
+
+    def _broken(self, text: str, pixels: int, width: float) -> list[str]:
+        """As `wrapped`: every word is measured, which for a panel full of text takes a millisecond."""
         lines: list[str] = []
-        font = self._font(_pixels(size))
+        font = self._font(pixels)
         for word in text.split():
             longer = f"{lines[-1]} {word}" if lines else word
-            if lines and _scaled(font.size(longer)[0], _pixels(size)) <= width:  # as wide as `rendered` would make it
+            if lines and _scaled(font.size(longer)[0], pixels) <= width:  # as wide as `rendered` would make it
                 lines[-1] = longer
             else:
                 lines.append(word)

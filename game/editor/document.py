@@ -221,7 +221,7 @@ def _item(value: float | str | list[int] | list[str]) -> Item:
 def _shortest_tint(tints: list[int]) -> int | list[int]:
     """Tints of all slots as a file says them: the shortest list that gives them when it is repeated around the ring."""
     count = len(tints)
-    length = next(size for size in range(1, count + 1) if count % size == 0 and tints == tints[:size] * (count // size))
+    length = next(size for size in range(1, count + 1) if tints == tints[:size] * (count // size))
     return tints[0] if length == 1 else tints[:length]
 
 

@@ -30,11 +30,8 @@ def position_of(well: WellSpec) -> complex:
     return cmath.rect(well.distance, math.radians(well.angle))
 
 
-def with_well_added(session: EditorSession, at: complex | None = None, before: EditHistory | None = None) -> EditorSession:
-    """The session with another well like the chosen one, and it chosen. at: its position; None beside the chosen one.
-
-    before: as in `stroked`.
-    """
+def with_well_added(session: EditorSession, at: complex | None = None) -> EditorSession:
+    """The session with another well like the chosen one, and it chosen. at: its position; None beside the chosen one."""
     wells, turn = session.document.level.wells, _NEXT
     if session.symmetry.fold > 1:
         turn = 360.0 / session.symmetry.fold
@@ -45,11 +42,9 @@ def with_well_added(session: EditorSession, at: complex | None = None, before: E
     if at is not None:
         well = msgspec.structs.replace(well, **dict(zip(("distance", "angle"), _polar(at), strict=True)))
     try:
-        added = after(session, well_added(session.document, well))
+        return after(session, well_added(session.document, well))._replace(well=len(wells))
     except BadInputError as error:
         return session._replace(message=str(error))
-    history = added.history if before is None else before.changed(added.document)
-    return added._replace(history=history, well=len(wells))
 
 
 def with_well_removed(session: EditorSession) -> EditorSession:

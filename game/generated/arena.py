@@ -13,10 +13,10 @@ from game.levels import BallSpec, DropSpec, Level, LookSpec, PaddleSpec, WellSpe
 
 _GROUND_RADIUS = 10.0
 _BALL_RADIUS = 0.25
-_SLOWEST, _FASTER = 6.1, 1.1
+_SLOWEST, _FASTER = 6.1, 1.3
 """Speed of the ball in the easiest level, and how much faster it is in the hardest; world units per second."""
 _TRACK, _TRACK_HALF_WIDTH = 9.3, 0.22
-_COVER, _LESS_COVER = 0.88, 0.16
+_COVER, _LESS_COVER = 0.87, 0.17
 """Share of the track that paddles cover in the easiest level, and how much less in the hardest."""
 _SPEED_SHARE = 0.9
 """Of the ball's speed: the paddles' outer faces at their fastest."""

@@ -29,7 +29,7 @@ _BRIGHT, _BRIGHTEST = 5, 8
 """Tints that a core has: from and to."""
 _REVERSAL = 5.0
 """Seconds after which rings turn round that turn to and fro."""
-_REGROWTH = 6.0
+_REGROWTH = 8.0
 """Seconds after which a brick grows again."""
 _GRIP = 0.4
 """Friction of rings that turn."""
@@ -106,7 +106,7 @@ def _band(chance: Chance, traits: Traits) -> _Band:
 def _core(chance: Chance, traits: Traits, fold: int, colours: Colours) -> RingSpec:
     """The stacks at the centre, the highest of the level."""
     count = fold if 3 <= fold <= 5 else 4 if fold % 2 == 0 else 3
-    layers = 2 + below(chance, 2) + round(2.0 * traits.hardness) + (2 + round(2.0 * traits.hardness)) * traits.regrowing
+    layers = 2 + below(chance, 2) + round(2.0 * traits.hardness) + traits.regrowing
     return RingSpec(
         radius=_CORE_RADIUS,
         half_width=_CORE_HALF_WIDTH,

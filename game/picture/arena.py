@@ -10,7 +10,7 @@ from game.drawing.slots.contents import ContentKind, Contents, SlotContent, rest
 from game.drawing.slots.parts import SlotShape, slot_shape
 from game.picture.display_list import DisplayList
 from game.picture.ground import add_ground
-from game.picture.moving.balls import add_ball
+from game.picture.moving.balls import BallTextures, add_ball
 from game.picture.moving.bursts import add_bursts
 from game.picture.moving.glints import add_glints
 from game.picture.moving.layers import add_in_air, add_on_ground
@@ -36,6 +36,7 @@ class ArenaPicture:
         self._backdrop = DisplayList()
         self._rings: dict[object, DisplayList] = {}
         self._blocks = SolidBlocks()
+        self._textures = BallTextures()
 
     def backdrop(self, scene: Scene, view: ArenaView) -> DisplayList:
         """The ground, and in the flat view the rings that rest: the very same list as long as it has not changed."""
@@ -68,11 +69,14 @@ class ArenaPicture:
             add_on_ground(out, scene, view)
         else:
             add_on_ground(out, scene, view)
-            self._blocks.add(out, scene, camera, theme, contents)
+            texture = self._textures.texture(out, camera, theme, view.ball)
+            self._blocks.add(out, scene, camera, theme, contents, texture)
         add_glints(out, scene, view)
         add_bursts(out, scene, view)
-        for ball in scene.balls if camera.flat else ():
-            add_ball(out, ball, camera, theme)
+        if camera.flat:
+            texture = self._textures.texture(out, camera, theme, view.ball)
+            for ball in scene.balls:
+                add_ball(out, ball, camera, texture)
         add_in_air(out, scene, view)
         add_words(out, scene, view)
         return out

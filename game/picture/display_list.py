@@ -24,6 +24,9 @@ Every primitive is its code, its colour (0xRRGGBB, exact in a 32-bit float), its
                                                           there, wider and higher by twice across and down; edge: its width
     SPRITE    x y reach n, then n numbers                 polygons about a point, no farther away than reach on both axes: a
                                                           picture that is often the same
+    TEXTURE   number columns n, then n colours            a square picture that the painter keeps by its number, row by row from
+                                                          the top
+    TEXTURED  x y radius number                           a disc filled with a texture, smoothed
     BOX       x y width height corner edge edge_colour    a rectangle with round corners of a radius; edge: its width, within
                                                           the rectangle, 0 for none
 
@@ -74,6 +77,8 @@ class Primitive(IntEnum):
     PRISM = 18
     SHADOWS = 19
     BOX = 20
+    TEXTURE = 21
+    TEXTURED = 22
 
 
 _LENGTHS = {
@@ -88,6 +93,7 @@ _LENGTHS = {
     Primitive.CAMERA.value: 10,
     Primitive.SLOT.value: 1,
     Primitive.BOX.value: 7,
+    Primitive.TEXTURED.value: 4,
 }
 """Numbers of the primitives that always have as many."""
 _COUNTED = {
@@ -98,6 +104,7 @@ _COUNTED = {
     Primitive.BAND.value: (0, 4),
     Primitive.SPRITE.value: (3, 1),
     Primitive.PRISM.value: (2, 2),
+    Primitive.TEXTURE.value: (2, 1),
 }
 """Of the others the position of the count among their numbers, and how many follow it for each."""
 
@@ -229,6 +236,14 @@ class DisplayList:
         line, line_colour = (0.0, colour) if edge is None else edge
         own = corner.real, corner.imag, size.real, size.imag, radius, line, packed(line_colour)
         self.numbers.extend((Primitive.BOX, packed(colour), 1.0, *own))
+
+    def texture(self, number: int, columns: int, colours: Sequence[Colour]) -> None:
+        """A square picture that the painter keeps. colours: row by row from the top."""
+        self.numbers.extend((Primitive.TEXTURE, 0.0, 1.0, number, columns, len(colours), *map(packed, colours)))
+
+    def textured(self, centre: complex, radius: float, number: int) -> None:
+        """A disc filled with a texture."""
+        self.numbers.extend((Primitive.TEXTURED, 0.0, 1.0, centre.real, centre.imag, radius, number))
 
     def camera(self, camera: Camera, light: complex, shares: tuple[float, float]) -> None:
         """Through what prisms and shadows are seen. light: unit; shares: of the dimmest and the brightest side."""

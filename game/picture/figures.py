@@ -173,18 +173,22 @@ def _room(layout: Layout, pixel: complex) -> float:
 def _free(layout: Layout, pixel: complex) -> float:
     """How far a line may go from a pixel towards the arena until it meets it, pixels; less than 0 within it."""
     camera, radius = layout.camera, layout.ground_radius * _WITH_GAUGES
-    middle = camera.centre
     if camera.flat:
-        half = math.sqrt(max((radius * camera.scale) ** 2 - (pixel.imag - middle.imag) ** 2, 0.0))
-        return abs(middle.real - pixel.real) - half
-    near = [abs(rim.real - pixel.real) for rim in _rim(camera._replace(azimuth=0.0), radius) if _is_beside(rim, pixel, layout)]
-    return min(near, default=abs(middle.real - pixel.real))
+        half = math.sqrt(max((radius * camera.scale) ** 2 - (pixel.imag - camera.centre.imag) ** 2, 0.0))
+        return abs(camera.centre.real - pixel.real) - half
+    return _free_aslant(camera._replace(azimuth=0.0), radius, pixel, _BESIDE * layout.unit)
 
 
-def _is_beside(rim: complex, pixel: complex, layout: Layout) -> bool:
-    """Whether a pixel of the rim is about as high as another, on the same side of the arena's middle."""
-    middle = layout.camera.centre.real
-    return abs(rim.imag - pixel.imag) < _BESIDE * layout.unit and (rim.real - middle) * (pixel.real - middle) >= 0.0
+@lru_cache(maxsize=64)
+def _free_aslant(camera: Camera, radius: float, pixel: complex, beside: float) -> float:
+    """The same in 3D. radius: of the arena, world units; beside: what is so far above or below a line is beside it, pixels."""
+    x, y, middle = pixel.real, pixel.imag, camera.centre.real
+    near = [
+        abs(rim.real - x)
+        for rim in _rim(camera, radius)
+        if abs(rim.imag - y) < beside and (rim.real - middle) * (x - middle) >= 0.0
+    ]
+    return min(near, default=abs(middle - x))
 
 
 @lru_cache(maxsize=8)

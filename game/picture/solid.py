@@ -15,7 +15,7 @@ from game.drawing.palette import Theme
 from game.drawing.slots.contents import ContentKind, Contents, SlotContent
 from game.drawing.slots.parts import LAYER_HEIGHT, Bar, Slab, SlotShape, height, parts, slot_shape
 from game.picture.display_list import DisplayList, inset_half_angle
-from game.picture.moving.balls import add_ball
+from game.picture.moving.balls import add_ball, add_ball_shadow
 from game.rules import PADDLES
 from game.scene import Scene
 from physics import Ball
@@ -60,12 +60,14 @@ class SolidBlocks:
         """Start with nothing cached."""
         self._rings: dict[int, tuple[_RingLook, list[DisplayList | None]]] = {}
 
-    def add(self, out: DisplayList, scene: Scene, camera: Camera, theme: Theme, contents: Contents) -> None:
-        """Add the shadows, then all blocks and balls from back to front."""
+    def add(self, out: DisplayList, scene: Scene, camera: Camera, theme: Theme, contents: Contents, texture: int) -> None:
+        """Add the shadows, then all blocks and balls from back to front. texture: of balls."""
         out.camera(camera, LIGHT, _SHARES)
         _add_shadows(out, scene, camera, theme, contents)
+        for ball in scene.balls:
+            add_ball_shadow(out, ball, camera, theme)
         order = sorted(range(len(scene.rings)), key=lambda k: scene.rings[k].radius)
-        pieces = [_ball_piece(ball, scene, camera, theme, order) for ball in scene.balls]
+        pieces = [_ball_piece(ball, scene, camera, texture, order) for ball in scene.balls]
         sine = math.sin(camera.tilt)
         for rank, k in enumerate(order, 1):
             ring, lists = scene.rings[k], self._lists(_ring_look(scene, k, theme, contents[k]), k)
@@ -119,10 +121,10 @@ def _slots(count: int) -> tuple[tuple[float, complex], ...]:
     return tuple([(angle, cmath.rect(1.0, angle)) for angle in angles])
 
 
-def _ball_piece(ball: Ball, scene: Scene, camera: Camera, theme: Theme, order: list[int]) -> _Piece:
+def _ball_piece(ball: Ball, scene: Scene, camera: Camera, texture: int, order: list[int]) -> _Piece:
     """A ball among the rings: in front of those that it is nearer than."""
     picture = DisplayList()
-    add_ball(picture, ball, camera, theme)
+    add_ball(picture, ball, camera, texture)
     distance = abs(ball.position)
     passed = sum([distance > scene.rings[k].radius for k in order])
     bearing = math.atan2(ball.position.imag, ball.position.real) if distance else 0.0

@@ -4,13 +4,14 @@ from typing import NamedTuple
 
 from game.drawing.camera import Camera
 from game.drawing.palette import Theme
-from game.unlocks import PLAIN_TRAIL
+from game.unlocks import PLAIN_BALL, PLAIN_TRAIL
 
 
 class ArenaView(NamedTuple):
     """Through what a scene is seen.
 
-    unit: size of text, pixels. size: of the whole picture, pixels. trail: name of what balls leave behind.
+    unit: size of text, pixels. size: of the whole picture, pixels. trail, ball: names of what balls
+    leave behind, and of how they look.
     """
 
     camera: Camera
@@ -18,3 +19,4 @@ class ArenaView(NamedTuple):
     unit: float
     size: tuple[int, int]
     trail: str = PLAIN_TRAIL
+    ball: str = PLAIN_BALL

@@ -31,7 +31,10 @@ class Still(Protocol):
 
 @runtime_checkable
 class Listener(Protocol):
-    """A screen that hears the events of keyboard and mouse themselves, not what they mean in the game: one can type there."""
+    """A screen that hears the events of keyboard and mouse themselves, not what they mean in the game: one can type there.
+
+    Gamepads and fingers come as signals, as on every screen; of a finger it hears what SDL makes of it for a mouse as well.
+    """
 
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> "Screen | None":
         """React to an event. pixels_per_point: pixels of the surface per unit of the mouse's coordinates, across and down."""

@@ -2,6 +2,7 @@
 
 from collections import OrderedDict
 
+import msgspec
 import numpy as np
 import pygame
 
@@ -43,7 +44,7 @@ class LevelPictures:
 
     def picture(self, level: Level, side: int, theme: Theme, *, whole: bool = False) -> pygame.Surface | None:
         """A level's picture, `side` pixels square; None where it has to wait for the next frame. whole: the arena as a disc."""
-        key = (level.content_hash(), side, theme, whole)
+        key = (msgspec.json.encode(level), side, theme, whole)  # much sooner there than its hash
         if key in self._drawn:
             self._drawn.move_to_end(key)
             return self._drawn[key]

@@ -33,7 +33,7 @@ def following(many, chance):
 def held_controls(episode):
     """What the game is asked in the one tick of a step."""
     pointer = int(episode["pointer"])
-    return Controls(int(episode["turn"]), pointer if pointer >= 0 else None, bool(episode["served"] == 0))
+    return Controls(int(episode["turn"]), pointer if pointer >= 0 else None, bool(episode["served"] == episode["tick"]))
 
 
 class Played:
@@ -52,7 +52,7 @@ def play(many, steps, chance, played):
     for number in range(steps):
         begins = many.episodes["ended"] != 0
         actions = following(many, chance) if number % 5 == 0 else actions  # noqa: F821  # the first number is 0
-        rewards, ended = many.step(actions)
+        done = many.step(actions)
         for index, before in enumerate(games):
             mine = many.game(index)
             if begins[index]:
@@ -61,8 +61,8 @@ def play(many, steps, chance, played):
             theirs = tick(before, held_controls(many.episodes[index])).game
             games[index] = theirs
             assert mine[2:12] == theirs[2:12]
-            assert rewards[index] == theirs.score - before.score
-            assert ended[0, index] == (theirs.phase in {Phase.WON, Phase.OVER})
+            assert done.rewards[index] == theirs.score - before.score
+            assert done.over[index] == (theirs.phase in {Phase.WON, Phase.OVER})
             played.scored += theirs.score > before.score
             played.lost += theirs.lives < before.lives
             played.nudged += theirs.draws > before.draws

@@ -1,6 +1,5 @@
 """Simulated humans: they play by the rules, and a better one loses less."""
 
-import json
 from statistics import mean
 
 import pytest
@@ -9,9 +8,16 @@ from game.levels import campaign, classic
 from game.system.command_line import run
 from game.system.errors import BadInputError
 from tests.support.paths import ROOT
-from tools.balance.commands import app, parsed_skills
-from tools.balance.human import AVERAGE, Skill
-from tools.balance.trial import trial
+from tools.balance.commands import app
+from tools.balance.games_file import saved_games
+from tools.balance.human import AVERAGE, GOOD, SLOW, Skill
+from tools.balance.page import rows
+from tools.balance.players import parsed_seeds, parsed_skills
+from tools.balance.trial import standard_error, trial
+
+GAMES = ROOT / "tests" / "reference" / "balance.json"
+COMMAND = "python -m tools.balance --seeds 4,12,4 --json tests/reference/balance.json --page docs/campaign.md"
+"""What measured the campaign."""
 
 
 def test_a_better_player_loses_less():
@@ -30,61 +36,105 @@ def test_a_player_that_cannot_be_is_refused(text):
         parsed_skills(text)
 
 
-def test_the_command_prints_a_line_a_player_and_writes_every_game(tmp_path, capsys):
+def test_the_autopilot_is_a_player():
+    assert parsed_skills("autopilot,220/5") == (None, AVERAGE)
+    assert trial(classic()[0], None, 3).cleared
+
+
+def test_games_are_counted_for_all_players_or_for_each():
+    assert parsed_seeds("4", 3) == (4, 4, 4)
+    assert parsed_seeds("4,16,6", 3) == (4, 16, 6)
+    for text in ("", "0", "4,16", "4,16,x", "-1", "1" * 9):
+        with pytest.raises(BadInputError, match="--seeds"):
+            parsed_seeds(text, 3)
+
+
+def test_levels_of_a_seed_are_played(capsys):
+    assert run(app, "balance", ["--endless", "7", "--count", "1", "--players", "autopilot", "--seeds", "1"]) == 0
+    assert "Endless 1 autopilot 1 100%" in " ".join(capsys.readouterr().out.split())
+
+
+def test_the_command_prints_a_line_a_player_and_writes_every_game_and_plays_known_ones_no_more(tmp_path, capsys):
+    """A known game is one of the same level, player and seed; a file that is none of games is refused."""
     path = tmp_path / "games.json"
-    assert run(app, "balance", ["--level", "1", "--players", "100/1", "--seeds", "2", "--json", str(path)]) == 0
-    assert "Sunrise 100 ms, 1 deg 2 100%" in " ".join(capsys.readouterr().out.split())
-    games = json.loads(path.read_text())
-    assert [game["seed"] for game in games] == [0, 1]
-    assert all([0 < game["score"] < 10_000 for game in games])
+    arguments = ["--level", "1", "--players", "100/1", "--json", str(path)]
+    assert run(app, "balance", [*arguments, "--seeds", "1"]) == 0
+    assert "Sunrise 100 ms, 1 deg 1 100% 0.0 ± 0.0" in " ".join(capsys.readouterr().out.split())
+    path.write_text(path.read_text().replace('"lost":0', '"lost":7'))
+    assert run(app, "balance", [*arguments, "--seeds", "2", "--known", str(path)]) == 0
+    games = saved_games(path)
+    assert [(seed, game.lost) for (_, _, seed), game in games.items()] == [(0, 7), (1, 0)]
+    assert all([0 < game.score < 10_000 for game in games.values()])
+    path.write_text("[{}]")
+    assert run(app, "balance", [*arguments, "--known", str(path)]) == 2
+    assert "not a file of games" in capsys.readouterr().err
 
 
-def measured():
-    """What `python -m tools.balance --seeds 4 --json FILE` wrote: name to games of the average player."""
-    games = json.loads((ROOT / "tests" / "reference" / "balance.json").read_text())
-    skill = AVERAGE._asdict()
-    return {
-        level.name: [game for game in games if game["level"] == level.name and game["skill"] == skill] for level in campaign()
-    }
+def lost(skill):
+    """What each level costs a player: the mean of the measured games."""
+    return [mean([game.lost for game in games]) for games in measured(skill)]
+
+
+def measured(skill=AVERAGE):
+    """The games of a player, level by level."""
+    games = saved_games(GAMES).values()
+    return [[game for game in games if game.level == level.name and game.skill == skill] for level in campaign()]
 
 
 def test_the_campaign_was_measured_as_it_is_now():
-    """A level that changes is to be measured again."""
-    for level in campaign():
-        assert {game["level_hash"] for game in measured()[level.name]} == {level.content_hash()[:16]}, level.name
+    """Every level with its numbers of now, and by each player as often as the command says."""
+    hashes = {level.content_hash()[:16] for level in campaign()}
+    assert {level_hash for level_hash, _, _ in saved_games(GAMES)} == hashes
+    for skill, count in zip((GOOD, AVERAGE, SLOW), parsed_seeds(COMMAND.split()[4], 3), strict=True):
+        assert {len(games) for games in measured(skill)} == {count}
 
 
 def test_the_page_of_the_campaign_says_what_was_measured():
-    """A row each level: lives lost and seconds of the three players, and the average player's longest wait; the chapters."""
+    """The command, a row each level with lives lost, their standard error and seconds, and the chapters."""
     page = (ROOT / "docs" / "campaign.md").read_text(encoding="utf-8").splitlines()
-    games = json.loads((ROOT / "tests" / "reference" / "balance.json").read_text())
-    players = [skill._asdict() for skill in parsed_skills("150/2,220/5,300/10")]
-    for number, level in enumerate(campaign(), 1):
-        own = [[game for game in games if game["level"] == level.name and game["skill"] == skill] for skill in players]
-        cells = [
-            f"{mean([game['lost'] for game in some]):.1f}, {mean([game['seconds'] for game in some]):.0f} s" for some in own
-        ]
-        wait = max([game["longest_gap"] for game in measured()[level.name]])
-        assert f"| {number} {level.name} | {' | '.join(cells)} | {wait:.1f} s |" in page
-        first = (number - 1) // 4 * 4 + 1
-        assert any([line.startswith(f"| {level.chapter} | {first}-{first + 3} | ") for line in page])
+    assert f"    {COMMAND}" in page
+    assert not set(rows(campaign(), (GOOD, AVERAGE, SLOW), list(saved_games(GAMES).values()))) - set(page)
+    for first in range(1, len(campaign()), 4):
+        assert any([line.startswith(f"| {campaign()[first].chapter} | {first}-{first + 3} | ") for line in page])
 
 
-def test_the_campaign_gets_harder_inside_a_chapter_and_stays_possible():
-    """At normal difficulty, 220 ms, 5 degrees: below 1 life in the first level, below 4 in any; a chapter's last cost more."""
-    lost = [mean([game["lost"] for game in measured()[level.name]]) for level in campaign()]
-    assert all([game["cleared"] for games in measured().values() for game in games])
-    assert lost[0] < 1.0
-    assert max(lost) < 4.0
-    firsts, lasts = lost[0::4], lost[3::4]
-    assert sum(lasts) > 1.5 * sum(firsts)
+def test_the_average_player_loses_what_the_curve_asks():
+    """Below 1 life in the first level, 1 to 2 in all others but the last of a chapter; there below 4, on average more."""
+    first, *later = lost(AVERAGE)
+    middle = [one for number, one in enumerate(later, 2) if number % 4]
+    lasts = lost(AVERAGE)[3::4]
+    assert first < 1.0
+    assert min(middle) >= 1.0
+    assert max(middle) <= 2.0
+    assert max(lasts) < 4.0
+    assert mean(lasts) > 1.5 * mean(middle)
+    assert all([game.cleared for games in measured() for game in games])
+
+
+def test_the_noise_of_the_measured_losses_is_below_half_a_life_in_the_middle_of_a_chapter():
+    """The standard error of every mean that the curve is held by."""
+    errors = [standard_error([game.lost for game in games]) for games in measured()]
+    assert max([error for number, error in enumerate(errors, 1) if number % 4]) < 0.5
+
+
+def test_the_curve_rises():
+    """The second half of the campaign costs a tenth more lives and time than the first, and so does the last chapter."""
+    seconds = [mean([game.seconds for game in games]) for games in measured()]
+    for cost in (lost(AVERAGE), seconds):
+        assert sum(cost[16:]) > 1.1 * sum(cost[:16])
+        assert sum(cost[28:]) > 1.1 * sum(cost[:4])
+
+
+def test_no_level_is_a_wall_for_a_slow_player():
+    """300 ms and 10 degrees: at most 10 lives in any level; it was 12."""
+    assert max(lost(SLOW)) <= 10.0
 
 
 def test_no_level_lets_a_player_wait_for_a_brick_for_long():
-    """Ten seconds at most, with a ball in play."""
-    assert max([game["longest_gap"] for games in measured().values() for game in games]) <= 10.0
+    """Ten seconds at most, with a ball in play, whoever plays."""
+    assert max([game.longest_gap for skill in (GOOD, AVERAGE, SLOW) for games in measured(skill) for game in games]) <= 10.0
 
 
 def test_the_campaign_lasts_over_an_hour():
     """The average player's time in all levels."""
-    assert sum([mean([game["seconds"] for game in games]) for games in measured().values()]) > 3600.0
+    assert sum([mean([game.seconds for game in games]) for games in measured()]) > 3600.0

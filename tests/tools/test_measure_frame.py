@@ -1,5 +1,6 @@
 """The benchmark of frames measures frames."""
 
+import itertools
 import os
 
 os.environ["SDL_VIDEODRIVER"] = "dummy"
@@ -43,3 +44,13 @@ def test_the_table_has_a_row_for_every_case(monkeypatch, capsys):
     assert len(rows) == len(frames.cases())
     assert all(row.split()[-5:] == ["1.00", "1.00", "1.00", "2.00", "2.00"] for row in rows)
     assert sum("1280x800" in row for row in rows) == 7
+
+
+def test_the_distances_between_frames_are_timed(monkeypatch):
+    """One less than there are frames, all of them after the first ones, which fill caches."""
+    monkeypatch.setattr(frames, "_RATE", 1000.0)
+    case = frames.FrameCase("nothing", (16, 10), lambda _level: itertools.repeat(lambda _surface: None))
+    size, steps = frames.paced(case, 7, 25, frames._plain)
+    assert size == (16, 10)
+    assert len(steps) == 24
+    assert min(steps) > 0.0

@@ -8,6 +8,7 @@ import numpy as np
 import pygame
 import pytest
 
+from game.drawing.balls.ball import BallPictures
 from game.drawing.camera import Camera
 from game.drawing.display_list_painter import DisplayListPainter
 from game.drawing.text import Type
@@ -17,10 +18,11 @@ from game.effects.waves import WaveTone
 from game.input.view import FLAT, SOLID
 from game.levels import classic
 from game.picture.display_list import DisplayList
+from game.picture.moving.balls import BallTextures, add_ball
 from game.picture.moving.layers import add_in_air, add_on_ground
 from game.rules import ActivePower, Drop, PowerUp, Ruleset, new_game
 from game.scene import Aim, Well, scene_at, still
-from game.unlocks import PLAIN_TRAIL, TRAILS
+from game.unlocks import BALLS, PLAIN_TRAIL, TRAILS
 from physics import Ball
 from tests.support.pictures import DARK, LIGHT, camera_of, canvas_of
 
@@ -125,3 +127,27 @@ def test_a_prism_is_projected_as_by_the_camera_and_its_sides_are_shaded_by_the_l
     side = ",".join([str(round(part * share)) for part in (200, 100, 50)])
     assert colours["200,100,50"] == pytest.approx(size * math.cos(camera.tilt), rel=0.03)
     assert colours[side] == pytest.approx(size * math.sin(camera.tilt), rel=0.03)
+
+
+@pytest.mark.parametrize("skin", BALLS)
+@pytest.mark.parametrize("view", [FLAT, SOLID], ids=["flat", "solid"])
+def test_balls_have_the_desktops_skins(page, view, skin):
+    """A texture that fills discs looks as what the desktop shades pixel by pixel, for a far ball and for a near one.
+
+    Their edges differ: one picture of the desktop serves positions and radii that differ by less than a quarter of a pixel.
+    """
+    game = new_game(classic(), 1, Ruleset())
+    scene = scene_at(still(game), 1.0, NOTHING)._replace(balls=(Ball(-3.0 + 2.0j, 1j, 0.6), Ball(3.0 - 4.0j, 1j, 0.6)))
+    canvas = canvas_of(scene, SIZE, camera=camera_of(view, scene, SIZE))._replace(ball=skin)
+    canvas.surface.fill(DARK.ground)
+    BallPictures().draw(canvas, scene)
+    picture = DisplayList()
+    texture = BallTextures().texture(picture, canvas.camera, DARK, skin)
+    for ball in scene.balls:
+        add_ball(picture, ball, canvas.camera, texture)
+    ground = "#{:02x}{:02x}{:02x}".format(*DARK.ground)
+    shown = page.tab.evaluate(PAINT, [picture.numbers.tolist(), ground, *SIZE])
+    on_page = pygame.image.load(io.BytesIO(base64.b64decode(shown.split(",")[1])), "shown.png")
+    apart = np.abs(blocks(canvas.surface) - blocks(on_page))
+    assert apart.max() < 30.0
+    assert apart.sum() < 0.1 * np.abs(blocks(canvas.surface) - DARK.ground).sum()

@@ -1,6 +1,7 @@
 """Games that were played, in a JSON file: one a line, each with the hash of its level, so that a changed level is noticed."""
 
 from pathlib import Path
+from typing import Any
 
 import msgspec
 
@@ -59,9 +60,10 @@ def saved_games(path: Path) -> Known:
         raise BadInputError(f"{quoted_path(path)}: not a file of games; {quoted_message(str(error))}") from None
     known: Known = {}
     for line in lines:
-        fields = msgspec.structs.asdict(line)
         skill = None if line.skill is None else Skill(line.skill.reaction, line.skill.noise)
-        known[fields.pop("level_hash"), skill, line.seed] = Trial(**{**fields, "skill": skill})
+        fields: dict[str, Any] = {**msgspec.structs.asdict(line), "skill": skill}
+        del fields["level_hash"]
+        known[line.level_hash, skill, line.seed] = Trial(**fields)
     return known
 
 

@@ -10,7 +10,7 @@ from game.replays.state_hash import state_hash
 from game.rules import Controls, Game, new_game, tick
 
 _Step = tuple[int, int, int, int]
-"""Turn, pointer (-1 for none), ticks, and the tick, from 0, that served (-1 for none)."""
+"""Turn, pointer (-1 for none), ticks, and the last tick of the game that served."""
 
 
 class _Played:
@@ -64,6 +64,8 @@ class History:
 
 def _controls(steps: list[_Step]) -> Iterator[Controls]:
     """The controls, tick by tick."""
+    tick = 0
     for turn, pointer, ticks, served in steps:
-        for number in range(ticks):
-            yield Controls(turn, pointer if pointer >= 0 else None, number == served)
+        for _ in range(ticks):
+            tick += 1
+            yield Controls(turn, pointer if pointer >= 0 else None, tick == served)

@@ -20,7 +20,7 @@ from physics.shapes import Ball
 from physics.tolerances import MAX_IMPACTS
 from tools.environments.compilation import compiled_loops
 from tools.environments.history import History
-from tools.environments.numbers import EPISODE, LevelNumbers
+from tools.environments.numbers import BRICKS, EPISODE, LevelNumbers, Results, new_results
 from tools.environments.observation import Cells, numbers_of_state, square_cells, unrolled_cells
 
 Observation = Literal["state", "rings", "pixels"]
@@ -86,6 +86,7 @@ class ManyEnvironments:
         columns = numbers_of_state(self._start) if options.observation == "state" else 0
         self._states = np.zeros((count, columns), np.float32)
         self._rows = new_rows(2 * MAX_IMPACTS)
+        self._busy = np.zeros(count + 1, np.int64)
         self._cells = _cells(self._start, self.level.ground_radius, options.observation)
         self._histories = {index: History() for index in recorded}
         self._begun = False
@@ -127,35 +128,38 @@ class ManyEnvironments:
             if mask[index]:
                 history.begin()
 
-    def step(self, actions: npt.NDArray[Any]) -> tuple[npt.NDArray[np.float64], npt.NDArray[np.bool_]]:
-        """Take one action in every environment: the points scored, and (2, environments) which are over and which cut off."""
+    def step(self, actions: npt.NDArray[Any]) -> Results:
+        """Take one action in every environment."""
         discrete, pointers = self._controls(actions)
-        rewards, ended = np.empty(len(self)), np.empty((2, len(self)), np.bool_)
+        results = new_results(len(self))
         fresh = [index for index in self._histories if self._episodes["ended"][index]]
-        number = 0
-        while number < len(self):
+        number = -1
+        while True:
             number = self._loops.step(
                 self._numbers,
                 self._games,
                 self._episodes,
                 discrete,
                 pointers,
-                rewards,
-                ended,
+                results,
                 self._states,
                 self._rows,
+                self._busy,
                 number,
             )
-            if number < len(self):
-                e = self._episodes[number]
-                e["chance"], e["drawn"] = chance_number(int(e["seed"]), int(e["draws"])), 1
+            if number == -1:
+                break
+            if number < 0:
+                raise ValueError(f"actions must be from 0 to {DISCRETE_ACTIONS - 1}, not {actions.min()} to {actions.max()}")
+            e = self._episodes[self._busy[number]]
+            e["chance"] = chance_number(int(e["seed"]), int(e["draws"]))
         for index, history in self._histories.items():
             if index in fresh:
                 if self._numbers.resets:
                     history.begin()
             else:
                 history.add(self._episodes[index])
-        return rewards, ended
+        return results
 
     def observations(self, only: npt.NDArray[np.int64] | None = None, *, copy: bool = True) -> npt.NDArray[Any]:
         """What the agents see: one row or picture for each environment, or for those of `only`.
@@ -177,10 +181,10 @@ class ManyEnvironments:
         e = self._episodes[index]
         arena = arena_of(self._games, self._rings, index)
         phase = Phase(int(e["phase"]))
-        names = ("draws", "tick", "phase_tick", "score", "lives", "combo", "idle")
-        draws, tick, phase_tick, score, lives, combo, idle = (int(e[name]) for name in names)
+        names = ("draws", "tick", "phase_start", "score", "lives", "combo", "idle")
+        draws, tick, phase_start, score, lives, combo, idle = (int(e[name]) for name in names)
         arena = arena._replace(balls=()) if phase == Phase.OVER else arena
-        game = Game((self.level,), 0, int(e["seed"]), draws, tick, phase, phase_tick, arena, score, lives, combo, idle)
+        game = Game((self.level,), 0, int(e["seed"]), draws, tick, phase, tick - phase_start, arena, score, lives, combo, idle)
         return game._replace(ruleset=SOURCE_RULES, speed=self.level.ball.speed)
 
     def state(self) -> State:
@@ -200,7 +204,7 @@ class ManyEnvironments:
         self._games = _copied(state.games)
         self._episodes[:] = state.episodes
         self._begun = False
-        self._episodes["changed"] = 1
+        self._episodes["changed"] = BRICKS
         self._loops.write_states(self._numbers, self._games, self._episodes, self._states)
         self._histories = {index: history.copy() for index, history in state.histories.items()}
 
@@ -219,10 +223,7 @@ class ManyEnvironments:
         if self.options.actions == "discrete":
             if not isinstance(actions, np.ndarray) or actions.dtype.kind not in "iu" or actions.shape != (len(self),):
                 raise ValueError(f"actions must be whole numbers of shape {(len(self),)}, not {_said(actions)}")
-            discrete = np.ascontiguousarray(actions, np.int64)
-            if discrete.view(np.uint64).max() >= DISCRETE_ACTIONS:  # what is below 0 is large then
-                raise ValueError(f"actions must be from 0 to {DISCRETE_ACTIONS - 1}, not {actions.min()} to {actions.max()}")
-            return discrete, self._no_pointers
+            return np.ascontiguousarray(actions, np.int64), self._no_pointers
         if not isinstance(actions, np.ndarray) or actions.dtype.kind != "f" or actions.shape != (len(self), 2):
             raise ValueError(f"actions must be floats of shape {(len(self), 2)}, not {_said(actions)}")
         if not np.isfinite(actions).all():

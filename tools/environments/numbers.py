@@ -3,45 +3,78 @@
 from typing import NamedTuple
 
 import numpy as np
+import numpy.typing as npt
+
+FINISHED, CUT_OFF = 1, 2
+"""How an episode has ended: won or over; after its last tick."""
+
+PLAY, BRICKS = 1, 2
+"""What of an episode is not yet observed, beside a flight: the ball's velocity, the lives; bricks, too."""
 
 EPISODE = np.dtype(
     [
-        ("base", np.uint64),
-        ("number", np.int64),
-        ("seed", np.int64),
-        ("tick", np.int64),
-        ("phase", np.int64),
-        ("phase_tick", np.int64),
-        ("score", np.int64),
-        ("lives", np.int64),
-        ("combo", np.int64),
-        ("idle", np.int64),
-        ("draws", np.int64),
-        ("left", np.int64),
-        ("serve_at", np.int64),
-        ("waiting", np.int64),
-        ("drawn", np.int64),
-        ("chance", np.float64),
         ("turn", np.int64),
         ("pointer", np.int64),
-        ("actions", np.int64),
-        ("before", np.int64),
-        ("ended", np.int64),
-        ("changed", np.int64),
         ("played", np.int64),
+        ("tick", np.int64),
+        ("ended", np.int64),
+        ("waiting", np.int64),
+        ("score", np.int64),
+        ("lives", np.int64),
+        ("phase", np.int64),
+        ("phase_start", np.int64),
+        ("combo", np.int64),
+        ("idle", np.int64),
+        ("left", np.int64),
+        ("changed", np.int64),
+        ("serve_at", np.int64),
         ("served", np.int64),
+        ("draws", np.int64),
+        ("chance", np.float64),
+        ("number", np.int64),
+        ("seed", np.int64),
+        ("base", np.uint64),
+        ("actions", np.int64),
     ],
     align=True,
 )
 """One environment and the episode that it is in.
 
-base: what the seeds of its games are made of. number: of the episode, from 1; 0 before the first.
-seed, tick, phase, phase_tick, score, lives, combo, idle, draws: as in `game.rules.Game`. left: slots with bricks.
-serve_at: tick of the phase in which it serves. waiting: 1 where the tick goes on with a nudge, for which `chance` is wanted;
-drawn: 1 where it is there. turn, pointer: the controls that are held; a pointer of -1 is none. actions: taken since the seed.
-before: score at the step's start. ended: 1 after the last tick of an episode. changed: 1 where bricks are not yet observed.
-played, served: ticks of the step, and the one, from 0, that served; -1 for none.
+What a tick without a hit needs comes first: it is one line of the processor's cache.
+turn, pointer: the controls that are held; a pointer of -1 is none. played: ticks of the step.
+tick, score, lives, phase, combo, idle, draws, seed: as in `game.rules.Game`. phase_start: the tick in which the phase began.
+ended: 0, FINISHED, CUT_OFF. waiting: 1 where the tick goes on with a nudge, for which `chance` is wanted.
+left: slots with bricks. changed: 0, PLAY, BRICKS: what is not yet observed.
+serve_at: tick of the phase in which it serves. served: the last tick that served, from 1; 0 before the first.
+number: of the episode, from 1; 0 before the first. base: what the seeds of its games are made of. actions: taken since the
+seed, where some are not taken by chance.
 """
+
+
+class Results(NamedTuple):
+    """What a step did, a number for each environment.
+
+    Attributes:
+        rewards: the points that were scored.
+        over: whether the episode is won or lost.
+        cut_off: whether it has lasted for `max_ticks`.
+        score: of the episode.
+        lives: that are left.
+        ticks: of the episode.
+    """
+
+    rewards: npt.NDArray[np.float64]
+    over: npt.NDArray[np.bool_]
+    cut_off: npt.NDArray[np.bool_]
+    score: npt.NDArray[np.int64]
+    lives: npt.NDArray[np.int64]
+    ticks: npt.NDArray[np.int64]
+
+
+def new_results(count: int) -> Results:
+    """Room for the results of so many environments."""
+    flags, numbers = np.empty((2, count), np.bool_), np.empty((3, count), np.int64)
+    return Results(np.empty(count), *flags, *numbers)
 
 
 class LevelNumbers(NamedTuple):

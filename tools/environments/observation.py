@@ -9,7 +9,7 @@ import numpy.typing as npt
 from game.rules import LIVES, PADDLES, Phase
 from physics.batch.arrays import Floats, Games, Integers
 from physics.shapes import PERMANENT
-from tools.environments.numbers import LevelNumbers
+from tools.environments.numbers import BRICKS, LevelNumbers
 
 FIXED_NUMBERS = 9
 """Numbers of the state before those of turning rings and bricks."""
@@ -43,53 +43,50 @@ def numbers_of_state(start: Games) -> int:
     return FIXED_NUMBERS + 2 * len(turning) + int(start.counts[PADDLES + 1 :].sum())
 
 
-def write_row(numbers: LevelNumbers, games: Games, e: Any, states: npt.NDArray[np.float32], g: int) -> None:
-    """The state of one game in its row, in [-1, 1], unless the rows have no columns.
+def write_states(numbers: LevelNumbers, games: Games, episodes: Any, states: npt.NDArray[np.float32]) -> None:
+    """The state of every game in its row, in [-1, 1], unless the rows have no columns.
 
     Position (2) and velocity (2) of the ball; cosine and sine of the angle of paddle 0, their spin; 1 with the ball in play, 0
     while it is held; lives left; cosine and sine of the phase of every turning ring of bricks; layers, of every slot of every
     ring of bricks, in ninths; negative where unbreakable.
     """
-    if states.shape[1] > 0:
-        p, v, phase, spin = games.positions[g, 0], games.velocities[g, 0], games.phases[g, PADDLES], games.spins[g, PADDLES]
-        fixed = fixed_numbers(numbers, e, p, v, phase, spin)
-        for n in range(FIXED_NUMBERS):
-            states[g, n] = fixed[n]
-        write_rest(games, e, states, g)
+    if states.shape[1] == 0:
+        return
+    for g in range(len(episodes)):
+        position = games.positions[g, 0]
+        states[g, 0], states[g, 1] = _within(position.real * numbers.near), _within(position.imag * numbers.near)
+        states[g, 4], states[g, 5] = cosine_and_sine(games.phases[g, PADDLES])
+        states[g, 6] = games.spins[g, PADDLES] * numbers.turn
+    turning = bricks_turn(games)
+    for g in range(len(episodes)):
+        if turning or episodes[g].changed != 0:
+            _write_rest(numbers, games, episodes[g], states, g)
 
 
-def write_rest(games: Games, e: Any, states: npt.NDArray[np.float32], g: int) -> None:
-    """What follows the first FIXED_NUMBERS: turning rings, and bricks where some are broken that were seen."""
+def bricks_turn(games: Games) -> bool:
+    """Whether any ring of bricks turns."""
+    turning = 0
+    for k in range(PADDLES + 1, games.spins.shape[1]):
+        turning += 1 if games.spins[0, k] != 0.0 else 0
+    return turning > 0
+
+
+def _write_rest(numbers: LevelNumbers, games: Games, e: Any, states: npt.NDArray[np.float32], g: int) -> None:
+    """What not every tick changes."""
+    velocity = games.velocities[g, 0]
+    states[g, 2], states[g, 3] = _within(velocity.real * numbers.pace), _within(velocity.imag * numbers.pace)
+    states[g, 7], states[g, 8] = 1.0 if e.phase == _PLAYING else 0.0, e.lives * (1.0 / LIVES)
     n = FIXED_NUMBERS
     for k in range(PADDLES + 1, games.spins.shape[1]):
         if games.spins[g, k] != 0.0:
             states[g, n], states[g, n + 1] = cosine_and_sine(games.phases[g, k])
             n += 2
-    if e.changed != 0:
-        e.changed = 0
+    if e.changed == BRICKS:
         for k in range(PADDLES + 1, games.spins.shape[1]):
             for slot in range(games.counts[k]):
                 states[g, n] = games.layers[g, k, slot] * (1.0 / MOST_LAYERS)
                 n += 1
-
-
-def fixed_numbers(
-    numbers: LevelNumbers, e: Any, position: complex, velocity: complex, phase: float, spin: float
-) -> tuple[float, float, float, float, float, float, float, float, float]:
-    """The first FIXED_NUMBERS of a state. phase, spin: of the paddles."""
-    near, pace = numbers.near, numbers.pace
-    cosine, sine = cosine_and_sine(phase)
-    return (
-        _within(position.real * near),
-        _within(position.imag * near),
-        _within(velocity.real * pace),
-        _within(velocity.imag * pace),
-        cosine,
-        sine,
-        spin * numbers.turn,
-        1.0 if e.phase == _PLAYING else 0.0,
-        e.lives * (1.0 / LIVES),
-    )
+    e.changed = 0
 
 
 def cosine_and_sine(angle: float) -> tuple[float, float]:
@@ -100,8 +97,9 @@ def cosine_and_sine(angle: float) -> tuple[float, float]:
     quarters = math.floor(angle * (2.0 / math.pi) + 0.5)
     rest = angle - quarters * (math.pi / 2.0)
     s = rest * rest
-    cosine = 1.0 + s * (-1 / 2 + s * (1 / 24 + s * (-1 / 720 + s * (1 / 40320))))
-    sine = rest + rest * s * (-1 / 6 + s * (1 / 120 + s * (-1 / 5040 + s * (1 / 362880))))
+    t = s * s  # both sums are split in two that do not wait for each other
+    cosine = 1.0 - s * (1 / 2) + t * ((1 / 24 - s * (1 / 720)) + t * (1 / 40320))
+    sine = rest + rest * s * ((s * (1 / 120) - 1 / 6) + t * (s * (1 / 362880) - 1 / 5040))
     odd, backward, below = quarters & 1, (quarters + 1) & 2, quarters & 2
     x, y = (sine, cosine) if odd else (cosine, sine)
     return -x if backward else x, -y if below else y

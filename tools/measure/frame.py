@@ -1,6 +1,7 @@
 """What a frame costs: `python -m tools.measure.frame`. Frame after frame of a game in play, and of panels over it.
 
 The first columns are processor time, the last two the clock's; with --window they include handing the picture to the display.
+With --pace the frames come 60 a second, as the game's loop lets them, and how evenly they come is measured instead.
 """
 
 from game.system.start import prepare
@@ -14,6 +15,7 @@ import gc
 import sys
 import time
 from collections.abc import Callable, Iterator
+from itertools import pairwise
 from statistics import median, quantiles
 from typing import Annotated, NamedTuple
 
@@ -29,6 +31,7 @@ from game.drawing.painter import Painter
 from game.drawing.palette import DARK
 from game.drawing.text import Type
 from game.effects import Effects, after
+from game.frame_pace import FramePace
 from game.input.keys import Action
 from game.input.signals import Pressed
 from game.input.view import FLAT, SOLID, Viewpoint
@@ -52,6 +55,10 @@ app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_mar
 
 _WARM_UP = 20
 """Frames drawn before those that are timed."""
+_RATE, _LATE = 60.0, 1.5
+"""Frames per second with --pace; a frame is late that comes so many times as long after the one before it."""
+_GAMES = 7
+"""How many of the cases, the first ones, are games in play."""
 _SERVED_TICKS = 600
 _TICKS_A_FRAME = 4
 _POWERS = tuple([ActivePower(kind, 600, 1200) for kind in (PowerUp.WIDE, PowerUp.SLOW, PowerUp.STICKY, PowerUp.PIERCE)])
@@ -93,6 +100,10 @@ class FrameTarget(NamedTuple):
     close: Callable[[], None]
 
 
+Opened = Callable[[tuple[int, int]], FrameTarget]
+"""Opens a target of a size."""
+
+
 def main() -> None:
     """Run the command line and exit."""
     sys.exit(run(app, PROGRAM))
@@ -121,26 +132,28 @@ def frames(
     level: Annotated[int | None, typer.Option(min=1, help="Level to draw; without it, the one with the most bricks.")] = None,
     count: Annotated[int, typer.Option(min=20, max=100_000, help="Frames of each case.")] = 400,
     window: Annotated[bool, typer.Option("--window", help="Draw into a window, and show every frame.")] = False,  # noqa: FBT002  # a flag
+    pace: Annotated[bool, typer.Option("--pace", help="Let 60 frames a second come, and time how evenly.")] = False,  # noqa: FBT002  # a flag
 ) -> None:
     """Time whole frames, effects on: the scene, everything drawn, the figures, or a panel; with a window, showing it, too."""
     if level is not None and level > len(built_in()):
         raise BadInputError(f"--level {level}: there are {len(built_in())} levels")
-    number = busiest_level() if level is None else level
+    number, opened = busiest_level() if level is None else level, _window if window else _plain
+    if pace:
+        _print_pace(number, count, opened)
+        return
     table = Table(box=None, pad_edge=False)
     table.add_column("frame")
     for heading in ("pixels", "median ms", "99 % ms", "longest ms", "by the clock", "99 %"):
         table.add_column(heading, justify="right")
     for case in cases():
-        size, taken = timed(case, number, count, _window if window else _plain)
+        size, taken = timed(case, number, count, opened)
         processor, clock = [one.processor for one in taken], [one.clock for one in taken]
         figures = (median(processor), _late(processor), max(processor), median(clock), _late(clock))
         table.add_row(case.name, f"{size[0]}x{size[1]}", *[f"{figure:.2f}" for figure in figures])
     Console(width=100).print(table)
 
 
-def timed(
-    case: FrameCase, level: int, count: int, opened: Callable[[tuple[int, int]], FrameTarget]
-) -> tuple[tuple[int, int], list[FrameCost]]:
+def timed(case: FrameCase, level: int, count: int, opened: Opened) -> tuple[tuple[int, int], list[FrameCost]]:
     """How large the frames were, pixels, and the cost of each. A window is no larger than its desktop."""
     target, following = opened(case.size), case.frames(level)
     taken: list[FrameCost] = []
@@ -154,6 +167,35 @@ def timed(
     size = target.surface.get_size()
     target.close()
     return size, taken[_WARM_UP:]
+
+
+def paced(case: FrameCase, level: int, count: int, opened: Opened) -> tuple[tuple[int, int], list[float]]:
+    """How large the frames were, pixels, and milliseconds from the begin of each to that of the next, at 60 a second."""
+    target, following, steps = opened(case.size), case.frames(level), FramePace()
+    begun: list[float] = []
+    gc.freeze()  # as the game does
+    for _ in range(count + _WARM_UP):
+        begun.append(time.perf_counter())
+        next(following)(target.surface)
+        target.flip()
+        steps.wait(_RATE)
+    size = target.surface.get_size()
+    target.close()
+    return size, [(later - earlier) * 1e3 for earlier, later in pairwise(begun[_WARM_UP:])]
+
+
+def _print_pace(level: int, count: int, opened: Opened) -> None:
+    """How evenly the frames of games come."""
+    table = Table(box=None, pad_edge=False)
+    table.add_column("frame")
+    for heading in ("pixels", "1 % ms", "median ms", "99 % ms", "longest ms", "late"):
+        table.add_column(heading, justify="right")
+    for case in cases()[:_GAMES]:
+        size, steps = paced(case, level, count, opened)
+        figures = (quantiles(steps, n=100)[0], median(steps), _late(steps), max(steps))
+        late = sum([step > _LATE * 1e3 / _RATE for step in steps])
+        table.add_row(case.name, f"{size[0]}x{size[1]}", *[f"{figure:.2f}" for figure in figures], f"{late} of {len(steps)}")
+    Console(width=100).print(table)
 
 
 def busiest_level() -> int:

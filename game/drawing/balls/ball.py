@@ -6,7 +6,8 @@ from typing import NamedTuple
 import numpy as np
 import pygame
 
-from game.drawing.balls.skins import surface_colours
+from game.array_maths import ARRAYS
+from game.drawing.balls.shading import shaded
 from game.drawing.camera import Camera
 from game.drawing.canvas import Canvas
 from game.drawing.light import ScreenLight, ball_light
@@ -27,9 +28,6 @@ _MARGIN = 2.0
 """Blocks this many pixels around a ball are looked at, for they may hide it."""
 _FINER = 4
 """Rows and columns per pixel of the drawing that tells how much of a pixel is hidden."""
-_DARK = np.array((20, 30, 70), dtype=np.float32)[:, None, None]
-"""The side turned from the light is this colour's, by the share that follows; the highlight is white."""
-_DARK_SHARE = 0.55
 
 
 class _BallLook(NamedTuple):
@@ -103,16 +101,9 @@ def _ball_picture(look: _BallLook) -> pygame.Surface:
     pixels = np.arange(side, dtype=np.float32) + np.float32(0.5 - reach)
     right = (pixels - np.float32((look.across + 0.5) / _OFFSETS))[:, None] / np.float32(max(radius, 0.5))
     up = (np.float32((look.down + 0.5) / _OFFSETS) - pixels)[None, :] / np.float32(max(radius, 0.5))
-    distance = np.hypot(right, up)
-    out = np.sqrt(np.maximum(1.0 - distance * distance, 0.0))
-    facing = right * np.float32(light.right) + up * np.float32(light.up) + out * np.float32(light.out)
-    own, gloss = surface_colours(look.skin, theme, right, up)
-    in_the_dark = _DARK_SHARE * (1.0 - np.clip(0.5 + 0.6 * facing, 0.0, 1.0) ** 1.3)
-    rgb = own + (_DARK - own) * in_the_dark
-    rgb += (255.0 - rgb) * (gloss * np.clip(2.0 * out * facing - light.out, 0.0, 1.0) ** 24.0)
     picture = pygame.Surface((side, side), pygame.SRCALPHA)
-    pygame.surfarray.pixels3d(picture)[:] = np.moveaxis(rgb, 0, 2)
-    cover = np.clip((1.0 - distance) * radius + 0.5, 0.0, 1.0)
+    pygame.surfarray.pixels3d(picture)[:] = np.stack(shaded(ARRAYS, look.skin, theme, light, right, up), axis=2)
+    cover = np.clip((1.0 - np.hypot(right, up)) * radius + 0.5, 0.0, 1.0)
     pygame.surfarray.pixels_alpha(picture)[:] = cover * 255.0
     return picture
 

@@ -31,11 +31,12 @@ def draw_box(
 
 
 def _fill_box(surface: pygame.Surface, box: pygame.Rect, radius: float, colour: Colour) -> None:
-    """Two crossed rectangles and a disc in every corner."""
+    """Three rectangles, one over the other, and a disc in every corner."""
     corner = max(min(round(radius), (box.width - 1) // 2, (box.height - 1) // 2), 0)
-    pygame.draw.rect(surface, colour, box.inflate(-2 * corner, 0))
     pygame.draw.rect(surface, colour, box.inflate(0, -2 * corner))
     if corner:
+        for top in (box.top, box.bottom - corner):
+            pygame.draw.rect(surface, colour, (box.left + corner, top, box.width - 2 * corner, corner))
         for x in (box.left + corner, box.right - 1 - corner):
             for y in (box.top + corner, box.bottom - 1 - corner):
                 pygame.draw.aacircle(surface, colour, (x, y), corner)  # of the pixels x - corner to x + corner

@@ -6,6 +6,7 @@ cached, relative to its phase, and because the raster that fills them caches its
 
 import math
 from collections import OrderedDict
+from functools import lru_cache
 from typing import NamedTuple
 
 import numpy as np
@@ -17,11 +18,11 @@ from game.drawing.ground.picture import draw_pattern, ground_picture
 from game.drawing.palette import Theme, mixed
 from game.drawing.raster.pixels import packed
 from game.drawing.raster.quads import FinePixels, QuadRaster, fill_quads
-from game.drawing.slots.contents import Contents, SlotContent
-from game.drawing.slots.parts import LAYER_HEIGHT, SlotShape, parts
+from game.drawing.slots.contents import ContentKind, Contents, SlotContent
+from game.drawing.slots.parts import LAYER_HEIGHT, Part, SlotShape, parts
 from game.drawing.solid.faces import Faces, ProjectedBlocks, projected, shadows, visible_faces
 from game.drawing.solid.painters_order import widest
-from game.drawing.solid.prisms import Blocks, Cut, joined, pushed, ring_blocks
+from game.drawing.solid.prisms import Blocks, Cut, joined, pushed, recoloured, ring_blocks
 from game.effects import FallingStack
 from game.rules import PADDLES
 from game.scene import Scene
@@ -121,10 +122,12 @@ class SolidPicture:
         return projected(joined(rings), phase, np.array(partings)[rank], rank + 1, canvas.camera)
 
     def _ring_blocks(self, key: _RingKey) -> Blocks:
-        """The blocks of one ring, from memory if it looked the same before."""
+        """The blocks of one ring, from memory if it looked the same before; light changes no more than colours."""
         found = self._blocks.get(key)
         if found is None:
-            found = self._blocks[key] = _cut(key)
+            unlit = key._replace(contents=_unlit(key.contents))
+            found = _cut(key) if unlit == key else recoloured(self._ring_blocks(unlit), _piles(key))
+            self._blocks[key] = found
             if len(self._blocks) > _MOST_RINGS:
                 self._blocks.popitem(last=False)
         else:
@@ -161,12 +164,22 @@ def _ring_key(canvas: Canvas, scene: Scene, k: int, contents: tuple[SlotContent,
 
 
 def _cut(key: _RingKey) -> Blocks:
-    """The blocks of a ring. Lines may be thinner than a pixel, for what is drawn here is scaled down."""
+    """The blocks of a ring."""
+    return ring_blocks(key.cut, _piles(key))
+
+
+def _piles(key: _RingKey) -> list[tuple[int, tuple[Part, ...]]]:
+    """What stands in the slots of a ring. Lines may be thinner than a pixel, for what is drawn here is scaled down."""
     falling = {stack.slot: stack.height for stack in key.falling}
     cut = key.cut
     shape = SlotShape(cut.radius, cut.half_width, cut.half_angle, key.tallest, finest=0.0)
-    piles = [(slot, parts(one, shape, falling.get(slot, 0.0), key.theme)) for slot, one in enumerate(key.contents)]
-    return ring_blocks(cut, piles)
+    return [(slot, parts(one, shape, falling.get(slot, 0.0), key.theme)) for slot, one in enumerate(key.contents)]
+
+
+@lru_cache(maxsize=256)
+def _unlit(contents: tuple[SlotContent, ...]) -> tuple[SlotContent, ...]:
+    """The contents of a ring without the light of hits; what is nothing but light stays."""
+    return tuple([one if one.kind is ContentKind.GHOST else one._replace(glow=0) for one in contents])
 
 
 def _finer(size: tuple[int, int]) -> int:

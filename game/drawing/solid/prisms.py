@@ -89,7 +89,7 @@ class Cut(NamedTuple):
 
 def ring_blocks(cut: Cut, piles: list[tuple[int, tuple[Part, ...]]]) -> Blocks:
     """The blocks of a ring. piles: slots and the parts that stand in them, from the lowest to the highest."""
-    every = [_sheet(part) if isinstance(part, FootShade) else part for _, pile in piles for part in pile]
+    every = _drawn(piles)
     wedges = wedges_of(cut)
     number = np.array([k for k, part in enumerate(every) for _ in range(_cuts(part, wedges))], dtype=np.int64)
     wedge = np.array([k for part in every for k in range(_cuts(part, wedges))], dtype=np.int64)
@@ -119,10 +119,16 @@ def ring_blocks(cut: Cut, piles: list[tuple[int, tuple[Part, ...]]]) -> Blocks:
         np.stack([shaded, normals[:, 1], -shaded, normals[:, 3]], axis=1),
         sides,
         sides & _casting(cut, piles, slot, level, pile_top)[number],
-        np.array([part.colour for part in every], dtype=np.float64).reshape(-1, 3)[number],
+        _colours(every)[number],
         slot[number],
         level[number],
     )
+
+
+def recoloured(blocks: Blocks, piles: list[tuple[int, tuple[Part, ...]]]) -> Blocks:
+    """The blocks of a ring in other colours. piles: of all slots; the parts are the same but for their colours."""
+    first = np.cumsum([0, *[len(pile) for _, pile in piles]])
+    return blocks._replace(colours=_colours(_drawn(piles))[first[blocks.slot] + blocks.level])
 
 
 def pushed(blocks: Blocks, recoils: tuple[Recoil, ...]) -> Blocks:
@@ -149,6 +155,16 @@ def wedges_of(cut: Cut) -> int:
 def _half_angle(cut: Cut, sagitta: float) -> float:
     """Half the angle that a straight side may span, so many pixels away from its arc."""
     return math.acos(max(1.0 - 2.0 * sagitta / ((cut.radius + cut.half_width) * cut.scale), 0.0))
+
+
+def _drawn(piles: list[tuple[int, tuple[Part, ...]]]) -> list[Slab | Bar]:
+    """All parts as they are drawn, pile after pile."""
+    return [_sheet(part) if isinstance(part, FootShade) else part for _, pile in piles for part in pile]
+
+
+def _colours(every: list[Slab | Bar]) -> Reals:
+    """Red, green and blue of parts, one a row."""
+    return np.array([part.colour for part in every], dtype=np.float64).reshape(-1, 3)
 
 
 def _sheet(shade: FootShade) -> Slab:

@@ -89,9 +89,8 @@ def _well_pressed(session: EditorSession, point: complex, *, erases: bool) -> tu
         return session, Drag(Part.WELLS, session.history, offset=point - position_of(session.document.level.wells[index]))
     if erases or abs(point) > session.document.level.ground_radius:
         return session, None
-    before = session.history
-    added = with_well_added(session, point, before)
-    return added, None if added.message else Drag(Part.WELLS, before)
+    added = with_well_added(session, point)
+    return added, None if added.message else Drag(Part.WELLS, session.history)
 
 
 def _multiple(number: float, unit: float) -> float:

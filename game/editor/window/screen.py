@@ -36,7 +36,7 @@ from game.editor.window.pointing import ERASER, Drag, dragged, pressed, slot_at
 from game.editor.window.side import EditorSide
 from game.input.keys import Action, code_among, position_in
 from game.input.repeat import Repeat
-from game.input.signals import FocusLost, Pressed, Released, Signal, is_still_down, pad_of
+from game.input.signals import Clicked, FocusLost, Moved, Pressed, Released, Signal, is_still_down, pad_of
 from game.language import tr
 from game.overlay.toast import Toast
 from game.screens.app_state import AppState
@@ -92,7 +92,7 @@ class Editor:
         return self._side
 
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> Screen | None:
-        """React to a window's event. What gamepads do comes as signals, to `answer`."""
+        """React to a window's event. What gamepads and fingers do comes as signals, to `answer`."""
         if event.type == pygame.KEYDOWN:
             return self._key(event, size)
         if event.type == pygame.KEYUP and event.key in (*PAINTING_KEYS, *ERASING_KEYS):
@@ -115,11 +115,13 @@ class Editor:
         return self
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
-        """React to a gamepad, or to a key that was let go."""
+        """React to a gamepad, to fingers on the controls, or to a key that was let go. In the arena a finger is a mouse."""
         if self._held is not None and not is_still_down(self._held[0].position, signal):
             self._held = None
         if isinstance(signal, FocusLost):
             self._drag = None
+        if isinstance(signal, Moved | Clicked):
+            return self if self._drag is not None else self.side(size).hear_finger(signal, size)
         return self.side(size).answer(signal, size) if pad_of(signal) is None else self._pad(signal, size)
 
     def _pad(self, signal: Signal, size: tuple[int, int]) -> Screen | None:

@@ -4,7 +4,7 @@ import pygame
 
 from game.input.keys import code_among, position_in
 from game.input.repeat import Repeat
-from game.input.signals import Pressed, Signal, is_still_down, pad_of
+from game.input.signals import Clicked, Moved, Pressed, Signal, is_still_down, pad_of
 from game.lab.course.progress import course_progress
 from game.lab.course.progress_path import progress_path
 from game.lab.export.slide import SLIDE_SIZE, SlideStyle
@@ -99,9 +99,11 @@ class Lab:
         return found if self._lesson is None else self._lesson.lowered(found, self._shared.type)
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
-        """React to a gamepad, and let go of what is up again; keyboard and mouse are heard as events of the window."""
+        """React to gamepad and fingers, let go of what is up again; keyboard and mouse are heard as events of the window."""
         if self._repeat is not None and not is_still_down(self._repeat[0].position, signal):
             self._repeat = None
+        if isinstance(signal, Moved | Clicked):
+            return self if self.presents else self._controls(size).hear_finger(signal, size)
         if pad_of(signal) is None:
             return self._controls(size).answer(signal, size)
         taken, following = (False, self) if self.presents else self._controls(size).hear_pad(signal, size)

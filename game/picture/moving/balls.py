@@ -1,20 +1,64 @@
-"""Balls as a few discs, for painters that shade no pixels.
+"""Balls as discs filled with a texture, in the skins of the desktop's: `game.drawing.balls.shading` computes both."""
 
-The desktop's are shaded pixel by pixel, in skins of their own: `game.drawing.balls`.
-"""
+import cmath
+import math
 
+from game.drawing.balls.shading import shaded
 from game.drawing.camera import Camera
-from game.drawing.palette import Theme, mixed
+from game.drawing.light import LIGHT, SHADOW_SLANT, ScreenLight, ball_light
+from game.drawing.palette import Colour, Theme
+from game.maths import NUMBERS
 from game.picture.display_list import DisplayList
 from physics import Ball
 
+_SIDE = 28
+"""Rows and columns of a texture."""
+_MOST = 32
+"""Textures that a painter keeps."""
+_LEAST_RADIUS = 1.5
+"""Pixels."""
+_AROUND = tuple([cmath.rect(1.0, -math.tau * k / 24) for k in range(24)])
 
-def add_ball(out: DisplayList, ball: Ball, camera: Camera, theme: Theme) -> None:
-    """Add a ball: a shaded disc with a shadow."""
-    pixel = camera.project(ball.position, 0.0 if camera.flat else ball.radius)
-    radius = max(ball.radius * camera.scale_at(ball.position, ball.radius), 1.5)
-    foot = camera.project(ball.position)
-    out.disc(foot + complex(0.18, 0.22) * radius, radius * 1.02, (0, 0, 0), 0.35)
-    out.disc(pixel, radius, mixed(theme.ball, (20, 30, 70), 0.35))
-    out.disc(pixel - complex(0.14, 0.16) * radius, radius * 0.8, mixed(theme.ball, (20, 30, 70), 0.1))
-    out.disc(pixel - complex(0.26, 0.3) * radius, radius * 0.42, theme.ball)
+
+class BallTextures:
+    """Adds balls to lists; remembers which textures the painter has got."""
+
+    def __init__(self) -> None:
+        """None yet."""
+        self._numbers: dict[tuple[str, Theme, ScreenLight], int] = {}
+
+    def texture(self, out: DisplayList, camera: Camera, theme: Theme, skin: str) -> int:
+        """The number of the texture that balls have; it is added to the list if the painter does not have it."""
+        key = skin, theme, ball_light(camera)
+        number = self._numbers.get(key)
+        if number is None:
+            if len(self._numbers) >= _MOST:
+                self._numbers.clear()
+            number = self._numbers[key] = len(self._numbers)
+            out.texture(number, _SIDE, _colours(*key))
+        return number
+
+
+def add_ball(out: DisplayList, ball: Ball, camera: Camera, texture: int) -> None:
+    """Add a ball. It lies on the ground, so its centre is as high as its radius."""
+    pixel = camera.project(ball.position, ball.radius)
+    radius = max(ball.radius * camera.scale_at(ball.position, ball.radius), _LEAST_RADIUS)
+    out.textured(pixel, radius, texture)
+
+
+def add_ball_shadow(out: DisplayList, ball: Ball, camera: Camera, theme: Theme) -> None:
+    """Add the shadow of a ball on the ground, among those of blocks."""
+    middle = ball.position - LIGHT * SHADOW_SLANT * math.sin(camera.tilt) * ball.radius
+    out.shadows([middle + ball.radius * point for point in _AROUND], 0j, [(0.0, 0.0)], theme.shadow)
+
+
+def _colours(skin: str, theme: Theme, light: ScreenLight) -> list[Colour]:
+    """The colours of a texture, row by row from the top. What lies beyond the ball is as its edge."""
+    found = []
+    across = [(2.0 * k + 1.0) / _SIDE - 1.0 for k in range(_SIDE)]
+    for up in reversed(across):
+        for right in across:
+            inward = 1.0 / max(math.hypot(right, up), 1.0)
+            red, green, blue = shaded(NUMBERS, skin, theme, light, right * inward, up * inward)
+            found.append((round(red), round(green), round(blue)))
+    return found

@@ -18,6 +18,8 @@ _SHRINKING = 0.45
 """Share of its reach that a light loses by its end."""
 _STEPS = 8
 """Pieces on either side."""
+_WHITE = (255, 255, 255)
+"""In every theme: half way to it a paddle's colour is a lighter one of the same hue."""
 
 
 def add_glints(out: DisplayList, scene: Scene, view: ArenaView) -> None:
@@ -31,7 +33,7 @@ def _add_glint(out: DisplayList, flash: Flash, scene: Scene, view: ArenaView) ->
     """Add one light: a band that is thin and has the paddle's own colour at its ends."""
     ring, theme, camera = scene.rings[flash.ring], view.theme, view.camera
     if flash.ring == PADDLES:
-        paddle, light = theme.paddle_top, theme.flash
+        paddle, light = theme.paddle_top, _WHITE
     else:  # the second player's paddle is as bright as a flash
         paddle, light = theme.text, theme.accent
     pushed = sum([recoil.out for recoil in scene.recoils if flash.ring == PADDLES and recoil.slot == flash.slot])
@@ -40,10 +42,10 @@ def _add_glint(out: DisplayList, flash: Flash, scene: Scene, view: ArenaView) ->
     reach = _REACH * scene.ground_radius * (1.0 - _SHRINKING * flash.age) / radius
     end = ring.half_angle - _WIDTH * ring.half_width / radius
     middle, points = ring.angle(flash.slot), []
+    widest = _WIDTH * ring.half_width * camera.scale_at(cmath.rect(radius, middle + flash.offset), height)
     for step in range(-_STEPS, _STEPS + 1):
         share = step / _STEPS
         offset = min(max(flash.offset + share * reach, -end), end)
         point, near = cmath.rect(radius, middle + offset), 1.0 - share * share
-        half = _WIDTH * ring.half_width * near * camera.scale_at(point, height)
-        points.append((camera.project(point, height), max(half, 0.5), mixed(paddle, light, left * near)))
+        points.append((camera.project(point, height), max(widest * near, 0.5), mixed(paddle, light, left * near)))
     out.band(points)

@@ -9,8 +9,8 @@ from game.picture.display_list import DisplayList
 from game.picture.view import ArenaView
 from game.scene import Scene
 
-_RISE = 0.9
-"""World units that words rise in their life."""
+_RISE, _PLATED_RISE = 0.9, 0.3
+"""World units that words rise in their life, and those on a plate, which would come to hide more."""
 _SPRING, _CALM = 0.9, 24.0
 """Share by which new words are larger than at rest, and how fast that dies away, per life."""
 _SMALLEST, _LARGEST, _PLATED = 0.9, 1.7, 1.2
@@ -50,7 +50,7 @@ def _add_pop(out: DisplayList, pop: Pop, view: ArenaView) -> None:
 
 def _pixel(pop: Pop, view: ArenaView) -> complex:
     """Where the words' middle is by now."""
-    risen = view.camera.project(pop.position) - 1j * _RISE * pop.age * view.camera.scale
+    risen = view.camera.project(pop.position) - 1j * (_PLATED_RISE if pop.plate else _RISE) * pop.age * view.camera.scale
     (width, height), margin = view.size, _MARGIN * view.unit
     margin += min(_LETTER * len(pop.text) * _size(pop) * view.unit, width / 2.0 - margin.real)
     x = min(max(risen.real, margin.real), width - margin.real)

@@ -15,7 +15,7 @@ from game.input.players import Players
 from game.input.signals import Pressed
 from game.input.view import SOLID
 from game.kept.store import Kept
-from game.language import tr
+from game.language import grouped, tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.gallery.sample import SIZE, begun, cleared, last_life, later, lost, played, raced, watched, with_power_ups
@@ -157,7 +157,7 @@ def _captioned(state: AppState) -> Screen:
 
 def _high_score() -> str:
     """The title of the name's entry."""
-    return tr("A high score: {score}").format(score="12,340")
+    return tr("A high score: {score}").format(score=grouped(12_340))
 
 
 def _editor(state: AppState, text: str = "", part: Part = Part.BRICKS) -> Screen:

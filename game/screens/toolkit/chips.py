@@ -65,7 +65,7 @@ class ChipsItem(Item):
             fill = plain if chip.colour is None else chip.colour
             edge, width = (theme.accent, _CHOSEN_EDGE) if chosen else (theme.panel_edge, _EDGE)
             draw_box(canvas.surface, place, unit * _CORNER, fill, edge, unit * width)
-            letters = theme.accent if chosen else theme.text
+            letters = theme.text
             if chip.colour is not None:
                 letters = _WHITE if contrast(_WHITE, fill) > contrast(_BLACK, fill) else _BLACK
             write_fitting(canvas, chip.label, size, letters, complex(*place.center), "center", place.width)

@@ -129,11 +129,17 @@ class Side(Form):
                 return False, self._screen
         return True, self._screen
 
+    def hear_finger(self, signal: Moved | Clicked, size: tuple[int, int]) -> Screen | None:
+        """What a finger does on the controls: it uses one where it is lifted, or scrolls. A number is entered on a panel."""
+        return self._without_keyboard(self.answer(signal, size)) if self._is_inside(signal.pixel) else self._screen
+
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> tuple[bool, Screen | None]:
         """Whether another event is for the controls, and the screen to go on with."""
         if event.type == pygame.TEXTINPUT and self._typing is not None:
             self._typing = self._typing._replace(field=after_event(self._typing.field, event, _LONGEST))
             return True, self._screen
+        if getattr(event, "touch", False) and self._is_inside(_pixel(event, pixels_per_point)):
+            return True, self._screen  # what SDL makes of a finger, which is heard as such
         if event.type == pygame.MOUSEBUTTONUP:
             self._is_pressed, self._mouse_held = False, None
         signal = translated(event, pixels_per_point)
@@ -153,8 +159,7 @@ class Side(Form):
                 taken = self._is_inside(self._pointer)
             case _:
                 taken = False
-        following = self.answer(signal, size) if taken and signal is not None else self._screen
-        return taken, self._without_keyboard(following) if getattr(event, "touch", False) else following
+        return taken, self.answer(signal, size) if taken and signal is not None else self._screen
 
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
         """What is held down acts again and again: a direction, or the mouse on the sign beside a number."""
@@ -263,3 +268,8 @@ class Side(Form):
     def _is_inside(self, pixel: complex) -> bool:
         """Whether a pixel is on the side."""
         return self.area.collidepoint(pixel.real, pixel.imag)
+
+
+def _pixel(event: pygame.Event, pixels_per_point: complex) -> complex:
+    """Where an event of the mouse is."""
+    return complex(event.pos[0] * pixels_per_point.real, event.pos[1] * pixels_per_point.imag)

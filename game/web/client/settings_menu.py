@@ -1,4 +1,4 @@
-"""The settings on the page: the desktop's, but for keys, balls and the ghost, which the page does not have."""
+"""The settings on the page: the desktop's, but for keys, captions and the ghost, which the page does not have."""
 
 from collections.abc import Callable, Iterable
 
@@ -8,7 +8,7 @@ from game.language import LANGUAGES, SYSTEM, tr
 from game.screens.earned import feats
 from game.settings.effect_names import effect_names
 from game.settings.values import LOUDEST, SPEEDS, TEXT_SIZES, Settings
-from game.unlocks import TRAILS, trail_names, unlocked
+from game.unlocks import BALLS, TRAILS, Condition, ball_names, trail_names, unlocked
 from game.web.client.menus import MenuScreen, Opened
 from game.web.client.messages import PageItem
 from game.web.client.state import PageScreen, PageState
@@ -34,7 +34,8 @@ def settings_menu(state: PageState, back: Callable[[], PageScreen], under: PageS
             part.number("speed", tr("Game speed, %"), SPEEDS, 5.0),
             part.switch("one_button", tr("One button: the paddles turn by themselves, any press reverses them")),
             part.switch("reduced_motion", tr("Reduced motion")),
-            part.choice("trail", tr("Trail"), _trails(state), _next_trail(state)),
+            part.choice("ball", tr("Ball"), *_unlocked(state, "ball", BALLS, ball_names())),
+            part.choice("trail", tr("Trail"), *_unlocked(state, "trail", TRAILS, trail_names())),
             part.switch("effects", tr("Effects")),
             Opened(
                 PageItem("one-by-one", tr("One by one"), disabled=not held.effects),
@@ -95,17 +96,15 @@ def _effects_menu(state: PageState, back: Callable[[], PageScreen], under: PageS
     return MenuScreen(state, tr("Effects"), contents, back, under)
 
 
-def _trails(state: PageState) -> tuple[tuple[str, str], ...]:
-    """The trails that the player has earned; the one that is chosen stays."""
-    names, earned = trail_names(), unlocked(TRAILS, feats(state.kept.progress.value))
-    return tuple([(name, words) for name, words in names.items() if name in earned or name == state.settings.trail])
-
-
-def _next_trail(state: PageState) -> str:
-    """How to earn the next one."""
-    earned = unlocked(TRAILS, feats(state.kept.progress.value))
-    following = next((name for name in TRAILS if name not in earned), None)
-    return tr("All of them are unlocked.") if following is None else f"{trail_names()[following]}: {TRAILS[following].text}"
+def _unlocked(
+    state: PageState, field: str, conditions: dict[str, Condition], names: dict[str, str]
+) -> tuple[tuple[tuple[str, str], ...], str]:
+    """What the player has earned, with what is chosen, and how to earn the next. field: of `Settings`."""
+    earned, now = unlocked(conditions, feats(state.kept.progress.value)), getattr(state.settings, field)
+    options = tuple([(name, words) for name, words in names.items() if name in earned or name == now])
+    following = next((name for name in conditions if name not in earned), None)
+    hint = tr("All of them are unlocked.") if following is None else f"{names[following]}: {conditions[following].text}"
+    return options, hint
 
 
 def _full_screen(state: PageState, menu: MenuScreen) -> PageScreen:

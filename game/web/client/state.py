@@ -152,7 +152,7 @@ class PageState:
 
     def draw_scene(self, out: Pictures, scene: Scene, camera: Camera, size: tuple[int, int]) -> None:
         """Show a scene."""
-        seen = ArenaView(camera, self.theme, self._unit(size), size, self.settings.trail)
+        seen = ArenaView(camera, self.theme, self._unit(size), size, self.settings.trail, self.settings.ball)
         out.backdrop = self.arena.backdrop(scene, seen)
         out.frame = self.arena.frame(scene, seen)
 

@@ -4,7 +4,7 @@ import { Blocks } from "./blocks.js";
 import { colour } from "./colours.js";
 
 const DISC = 1, CIRCLE = 2, SECTOR = 3, POLYGON = 4, LINE = 5, TEXT = 6, GLOW = 7, GRADIENT = 8, CELLS = 9, CLIP = 10, TURN = 11,
-  STRIP = 12, BAND = 13, PLATE = 14, SPRITE = 15, CAMERA = 16, SLOT = 17, PRISM = 18, SHADOWS = 19, BOX = 20;
+  STRIP = 12, BAND = 13, PLATE = 14, SPRITE = 15, CAMERA = 16, SLOT = 17, PRISM = 18, SHADOWS = 19, BOX = 20, TEXTURE = 21, TEXTURED = 22;
 const WHOLE = Math.PI * 0.999;
 const FONT = "system-ui, sans-serif", DESKTOP_FONT = `Arial, Helvetica, "Liberation Sans", ${FONT}`;
 const DESKTOP_EM = 0.71; // of the desktop's letters, in shares of their size
@@ -12,6 +12,7 @@ const BEND = 0.02, OVERLAP = 0.6;
 // Of a light: shares of its radius, and how much of it is left there, as a colour's alpha.
 const LIGHT = [[0, "ff"], [0.2, "d7"], [0.4, "80"], [0.6, "33"], [0.8, "0c"], [1, "00"]];
 const blocks = new Blocks();
+const textures = new Map();
 
 // Of runs of letters by their signs: letters, size, and how far below the middle of the words.
 const INDEX = "\x13", WORD_INDEX = "\x14", PRIME = "\x15";
@@ -178,6 +179,16 @@ function shapes(context, numbers, texts) {
         box(context, numbers, at, style);
         at += 7;
         break;
+      case TEXTURE: {
+        const count = numbers[at + 2];
+        textures.set(numbers[at], grid(numbers, at + 3, numbers[at + 1], count / numbers[at + 1]));
+        at += 3 + count;
+        break;
+      }
+      case TEXTURED:
+        textured(context, numbers, at);
+        at += 4;
+        break;
       default:
         throw new Error(`primitive ${code} at ${at - 3}`);
     }
@@ -316,17 +327,32 @@ function glow(context, numbers, at, style) {
   context.setTransform(before);
 }
 
-function cells(context, numbers, at) {
-  const [x, y, width, height, columns, rows] = numbers.subarray(at, at + 6);
+/** A canvas of cells, a pixel each. at: of the first colour. */
+function grid(numbers, at, columns, rows) {
   const small = new OffscreenCanvas(columns, rows), own = small.getContext("2d");
   const image = own.createImageData(columns, rows);
-  at += 6;
   for (let k = 0; k < columns * rows; k++) {
     const packed = numbers[at + k];
     image.data.set([packed >> 16, (packed >> 8) & 255, packed & 255, 255], 4 * k);
   }
   own.putImageData(image, 0, 0);
+  return small;
+}
+
+function cells(context, numbers, at) {
+  const [x, y, width, height, columns, rows] = numbers.subarray(at, at + 6);
   context.imageSmoothingEnabled = true;
-  context.drawImage(small, x, y, width, height);
-  return at + columns * rows;
+  context.drawImage(grid(numbers, at + 6, columns, rows), x, y, width, height);
+  return at + 6 + columns * rows;
+}
+
+function textured(context, numbers, at) {
+  const x = numbers[at], y = numbers[at + 1], radius = numbers[at + 2], picture = textures.get(numbers[at + 3]);
+  const pattern = context.createPattern(picture, "no-repeat"), size = (2 * radius) / picture.width;
+  pattern.setTransform(new DOMMatrix([size, 0, 0, size, x - radius, y - radius]));
+  context.imageSmoothingEnabled = true;
+  context.fillStyle = pattern;
+  context.beginPath();
+  context.arc(x, y, radius, 0, 2 * Math.PI);
+  context.fill();
 }

@@ -174,6 +174,8 @@ def test_a_list_is_read_as_it_was_written():
     out.prism((0j, 1j, 1 + 0j), 0.0, 1.0, GREY)
     out.shadows((0j, 1j, 1 + 0j), 1 + 0j, [(0.0, 1.0), (1.0, 2.0)], 0.5)
     out.box(0j, 4 + 2j, 1.0, GREY, (1.0, WHITE))
+    out.texture(1, 2, [GREY, WHITE, GREY, WHITE])
+    out.textured(0j, 1.0, 1)
     found = list(primitives(out.numbers))
     assert [code for code, *_ in found] == list(Primitive)
     assert unpacked(found[0][1]) == (255, 254, 253)

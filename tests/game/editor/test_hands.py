@@ -97,7 +97,9 @@ def test_keys_paint_erase_copy_and_paste(keys):
     keys.press(pygame.K_z, pygame.K_z, mod=CTRL)
     assert keys.shared.toast.text == "Undone: paint 3 bricks"
     assert keys.screen.session.document == before
-    keys.press(pygame.K_y, pygame.K_y, mod=CTRL)
+    russian = {"key": 0x43D, "scancode": pygame.KSCAN_Y, "mod": CTRL, "unicode": "\u043d"}
+    pygame.event.post(pygame.Event(pygame.KEYDOWN, **russian))
+    keys.press(pygame.K_y, mod=CTRL)
     keys.press(LEFT, LEFT, LEFT, pygame.K_INSERT)
     keys.press(pygame.K_0, pygame.K_f, RIGHT)
     keys.press(pygame.K_PAGEDOWN, LEFT)
@@ -139,7 +141,7 @@ def test_keys_alone_make_a_level(keys, tmp_path):
     keys.focus("Palette")
     keys.press(RIGHT)
     open_part(keys, Part.DROPS)
-    keys.choose("One life more")
+    keys.choose("Extra life")
     open_part(keys, Part.WELLS)
     keys.choose("Add well")
     keys.press(ESCAPE, RIGHT)
@@ -185,7 +187,7 @@ def test_the_mouse_alone_makes_a_level(keys, tmp_path):
     heads = parts.item.boxes(parts.box, desk.form.unit((800, 600)))
     desk.click(heads[1].center)
     before = slots(desk)
-    drag(desk, 4 + 0j, 5 + 0j)
+    drag(desk, 4.2 + 0j, 5.2 + 0j)
     assert (level(desk).rings[0].radius, slots(desk)) == (5.0, before)
     item = next(spot for spot in desk.form._laid((800, 600)).spots if getattr(spot.item, "label", "") == "Spin")
     field = item.item.field_box(item.box, desk.form.unit((800, 600)))
@@ -202,7 +204,7 @@ def test_the_mouse_alone_makes_a_level(keys, tmp_path):
     desk.click(heads[2].center)
     let_go(desk)
     drag(desk, 2j, 3j)
-    drag(desk, 3j, 1 + 3j)
+    drag(desk, 3.1j, 1 + 3.1j)
     drag(desk, -2 + 0j, -2 + 0j)
     drag(desk, -2 + 0j, -2 + 0j, button=3)
     (well,) = level(desk).wells
@@ -285,3 +287,42 @@ def test_a_number_that_the_file_leaves_out_is_usual_again_when_its_field_is_empt
     keys.type("x")
     keys.press(ENTER)
     assert keys.screen.session.message == "x: not a number"
+
+
+def finger(desk, kind, pixel):
+    """One event of a finger, and what SDL makes of it for those who know mice only."""
+    (x, y), mouse = pixel, {pygame.FINGERDOWN: pygame.MOUSEBUTTONDOWN, pygame.FINGERUP: pygame.MOUSEBUTTONUP}
+    held = {"rel": (0, 0), "buttons": (1, 0, 0), "button": 1, "pos": pixel, "touch": True}
+    pygame.event.post(pygame.Event(mouse.get(kind, pygame.MOUSEMOTION), **held))
+    pygame.event.post(pygame.Event(kind, touch_id=3, finger_id=0, x=x / 800, y=y / 600, dx=0.0, dy=0.0))
+    desk.wait(FRAME)
+
+
+def test_a_finger_alone_paints_scrolls_and_enters_numbers(keys):
+    """In the arena it is a mouse; a control is used where the finger is lifted again, and a drag scrolls and uses nothing."""
+    start, end = (to_pixel(keys, 4 * direction) for direction in (1 + 0j, 0.87 + 0.5j))
+    keys.press(pygame.K_5)
+    for kind, pixel in ((pygame.FINGERDOWN, start), (pygame.FINGERMOTION, end), (pygame.FINGERUP, end)):
+        finger(keys, kind, pixel)
+    assert slots(keys)[:3] == (5, 5, 1)
+    keys.shared.change(keys.shared.settings._replace(text_size=150))
+    keys.form.open_part(Part.RING)
+    box = keys.box("Spin")
+    field = next(spot for spot in keys.form._laid((800, 600)).spots if spot.box == box).item.field_box(
+        box, keys.form.unit((0, 0))
+    )
+    before = keys.screen.session
+    above = (field.centerx, field.centery - 90)
+    for kind, pixel in ((pygame.FINGERDOWN, field.center), (pygame.FINGERMOTION, above), (pygame.FINGERUP, above)):
+        finger(keys, kind, pixel)
+    assert keys.screen.session == before
+    assert keys.form._scroll > 0.0
+    keys.form._scroll = 0.0
+    for kind in (pygame.FINGERDOWN, pygame.FINGERUP):
+        finger(keys, kind, field.center)
+    assert isinstance(keys.screen, TextEntry)
+    keys.choose("5")
+    keys.choose("Done")
+    assert level(keys).rings[0].spin == 5.0
+    keys.click(field.center)
+    assert keys.form.is_typed_into, "with a mouse there is a keyboard"

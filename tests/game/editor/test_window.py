@@ -93,6 +93,10 @@ def test_what_another_program_writes_is_taken_over_and_an_error_keeps_the_last_g
     assert editor.session.document.text == NEW
     key(editor, pygame.K_s, mod=pygame.KMOD_CTRL)
     assert not editor.session.file_error
+    for text in ("name = ", NEW):
+        path.write_text(text)
+        editor.advance(1.0, SIZE)
+        assert bool(editor.session.file_error) == (text != NEW)
 
 
 def test_a_level_with_a_problem_is_neither_saved_nor_played(editor, tmp_path):
@@ -115,8 +119,13 @@ def test_a_play_test_comes_back_to_the_editor(editor):
     assert playing.answer(Pressed(Action.BACK), SIZE) is editor
     assert playing.answer(Pressed(Action.PAUSE), SIZE) is playing
     assert [entry.label for entry in playing._inner._entries][-1] == "Back to the editor"
+    editor._state.change(editor._state.settings.other_colours())
+    playing.advance(0.1, SIZE)
+    assert playing._own.settings == editor._state.settings
+    playing._own.change(playing._own.settings._replace(volume=3))
     playing.answer(Pressed(Action.UP), SIZE)
     assert playing.answer(Pressed(Action.CONFIRM), SIZE) is editor
+    assert editor._state.settings.volume == 3
     assert playing._inner._state.kept.progress is not editor._state.kept.progress
 
 

@@ -6,21 +6,25 @@ import os
 os.environ["SDL_VIDEODRIVER"] = "dummy"
 
 import numpy as np
-import pygame
 import pytest
 
 from game.drawing import debris as debris_picture
-from game.drawing.palette import DARK, layer_colour
+from game.drawing.palette import DARK
+from game.drawing.piece_colours import PLATES, STREAK_TICKS
 from game.drawing.slots.contents import resting_contents
 from game.drawing.slots.parts import LAYER_HEIGHT, height
 from game.drawing.solid.debris_occlusion import occluded
 from game.effects import NOTHING
 from game.effects.bursts import Burst, BurstOrigin, Matter, lifetime
-from game.effects.debris import THROWS, pieces
+from game.effects.debris import pieces
+from game.effects.piece_paths import NUMBERS_OF_PIECES
 from game.input.view import FLAT, SOLID, Viewpoint
+from game.picture.display_list import DisplayList, primitives, unpacked
+from game.picture.moving.bursts import add_bursts
+from game.picture.view import ArenaView
 from game.scene import scene_at
 from tests.support.games import game_after
-from tests.support.pictures import camera_of, canvas_of
+from tests.support.pictures import camera_of
 
 RADIUS = 10.0
 SIZE = (480, 360)
@@ -42,7 +46,7 @@ def scene_of(level, ticks=0):
 def test_pieces_begin_where_the_burst_is_and_end_too_small_to_see(matter):
     """Every piece begins in the burst's sector, stays above the ground and near its start, and has no size at its end."""
     new = pieces([burst(matter)], RADIUS)
-    assert len(new.position) == THROWS[matter].number
+    assert len(new.position) == NUMBERS_OF_PIECES[matter]
     assert np.all(np.abs(np.abs(new.position) - 4.0) <= 0.2 + 1e-12)
     assert np.all(np.abs(np.angle(new.position) - 1.0) <= 0.1 + 1e-12)
     assert np.all(new.size > 0.0)
@@ -92,7 +96,7 @@ def test_the_same_burst_always_scatters_alike():
     """A burst has the same pieces every time, alone or beside others; with another seed it has other pieces."""
     alone = pieces([burst(age=30)], RADIUS)
     beside = pieces([burst(Matter.BALL, 5, 3), burst(age=30)], RADIUS)
-    count = THROWS[Matter.BRICK].number
+    count = NUMBERS_OF_PIECES[Matter.BRICK]
     mine = beside.burst == 1
     assert mine.sum() == count
     other = pieces([burst(age=30, seed=78)], RADIUS)
@@ -153,27 +157,23 @@ def blocked(scene, camera, point, above):
     return False
 
 
-@pytest.mark.parametrize("view", [FLAT, SOLID], ids=["flat", "tipped"])
-def test_shards_have_the_colour_of_their_layer(view):
-    """On an empty surface every pixel that changes is a shade of it, or of it and white light."""
-    scene = scene_of(0)._replace(layers=tuple([(0,) * len(ring) for ring in scene_of(0).layers]))
-    canvas = canvas_of(scene, SIZE, view)
-    canvas.surface.fill(DARK.ground)
-    debris_picture.draw(canvas, scene._replace(bursts=(burst(age=20),)))
-    pixels = pygame.surfarray.array3d(canvas.surface).reshape(-1, 3).astype(float)
-    drawn = pixels[np.abs(pixels - DARK.ground).max(axis=1) > 60]
-    assert len(drawn) > 30
-    own = np.array(layer_colour(DARK, 2), dtype=float)
-    assert np.all(drawn[:, 2] > drawn[:, 1] - 2.0), "violet or whiter"
-    assert np.min(np.abs(drawn - own).max(axis=1)) < 60
-
-
-def test_nothing_to_draw_draws_nothing():
-    """Without bursts the surface stays as it is, and with pieces that a wall hides, too."""
-    scene = scene_of(4)
-    canvas = canvas_of(scene, SIZE, SOLID)
-    debris_picture.draw(canvas, scene._replace(bursts=()))
-    tower = scene.rings[1]
-    inside = BurstOrigin(tower.radius, 0.0, tower.angle(0), 0.0)
-    debris_picture.draw(canvas, scene._replace(bursts=(burst(origin=inside, direction=0j),)))
-    assert not pygame.surfarray.array3d(canvas.surface).any()
+@pytest.mark.parametrize("view", [FLAT, SOLID], ids=["flat", "solid"])
+@MATTERS
+def test_the_pages_pieces_are_the_first_of_the_desktops(matter, view):
+    """Corners and colours of plates and streaks, from a list of primitives and as computed in arrays."""
+    flown, picture = burst(matter, age=20), DisplayList()
+    scene = scene_of(1)._replace(bursts=(flown,))
+    camera = camera_of(view, scene, SIZE)
+    add_bursts(picture, scene, ArenaView(camera, DARK, 20.0, SIZE))
+    flying = pieces([flown], scene.ground_radius)
+    if matter in PLATES:
+        outlines, colours = debris_picture._plates(flying, camera), debris_picture._glittering(flying, [flown], DARK)
+    else:
+        earlier = pieces([burst(matter, age=20 - STREAK_TICKS)], scene.ground_radius)
+        outlines, colours = debris_picture._streaks(flying, earlier, camera), debris_picture._burning(flying, [flown], DARK)
+    found = list(primitives(picture.numbers))
+    assert len(found) == min(10, len(flying.position))
+    for (_code, packed, _opacity, own), outline, colour in zip(found, outlines, colours, strict=False):
+        corners = np.array(own[1:]).reshape(-1, 2) @ np.array([1.0, 1.0j])
+        assert np.abs(corners - outline).max() < 0.5  # the page's plates do not grow towards the eye from side to side
+        assert np.abs(np.array(unpacked(packed)) - colour).max() < 1.0

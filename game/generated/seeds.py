@@ -24,6 +24,8 @@ _HARDEST = 30
 _LEAST, _LEAST_GROWTH = 60.0, 25.0
 _MOST, _MOST_GROWTH = 125.0, 50.0
 """Layers to be broken in an easy level, at least and at most, and how many more in the hardest."""
+_GUARDED_SHARE = 0.75
+"""Of that most, where bricks grow again: they have to be broken more than once."""
 _TRIES = 200
 _NUMBERS = 256
 """Numbers that a seed has draws for: its levels', and the last one for what is drawn once for all of them."""
@@ -59,7 +61,7 @@ def generated(seed: int, number: int) -> Level:
     chance = random.Random(seed * _NUMBERS + number).random
     for _ in range(_TRIES):
         level = drawn(chance, number, hardness, style, palette)
-        if _LEAST + _LEAST_GROWTH * hardness <= _layers(level) <= _MOST + _MOST_GROWTH * hardness and _is_sound(level):
+        if _is_of_size(level, hardness) and _is_sound(level):
             return level
     raise AssertionError(f"no level for seed {seed}, number {number}")
 
@@ -74,9 +76,11 @@ def _subject(seed: int, number: int) -> _Subject:
     )
 
 
-def _layers(level: Level) -> int:
-    """Layers that have to be broken."""
-    return sum([max(layers, 0) for ring in level.rings if not ring.regrow for layers in ring.slots()])
+def _is_of_size(level: Level, hardness: float) -> bool:
+    """Whether a level has neither too few nor too many layers that have to be broken."""
+    layers = sum([max(layers, 0) for ring in level.rings if not ring.regrow for layers in ring.slots()])
+    share = _GUARDED_SHARE if any([ring.regrow for ring in level.rings]) else 1.0
+    return _LEAST + _LEAST_GROWTH * hardness <= layers <= share * (_MOST + _MOST_GROWTH * hardness)
 
 
 def _is_sound(level: Level) -> bool:
