@@ -6,24 +6,18 @@ import sys
 
 import pytest
 
+from game.web.cffi.backend import DESTRUCTION, Pointer
+
 ASKED = """
 import gc, json, sys
 if sys.argv[1:]:
-    from game.web.cffi.backend import Interface, load_library
-    called = Interface._called
-    Interface._called = lambda self, *given: (gc.collect(), called(self, *given))[1]
+    from game.web.cffi.backend import load_library
     load_library("pymunk", "_chipmunk")
 from physics import Ball, Ring
 from tools.crosscheck.second_engine import Pymunk
 ring, engine = Ring(6.0, 1.0, 0.5, 3, 0.1, 0.3), Pymunk()
 contact = engine.touch(Ball(7.2 + 0.6j, -8.0 - 1.0j, 0.5), ring, range(3))
 positions = engine.flight(Ball(9.0 + 0.5j, -8.0 - 1.0j, 0.5), [ring, ring._replace(radius=12.0)], 1 / 240, 120)
-import pymunk
-space = pymunk.Space()
-for k in range(3):
-    body = pymunk.Body(body_type=pymunk.Body.STATIC)
-    space.add(body, *[pymunk.Circle(body, 1.0, (j, k)) for j in range(3)])
-del body, space
 gc.collect()
 is_cffi = hasattr(sys.modules["_cffi_backend"], "__file__")
 print(json.dumps([repr(contact), repr(engine.shapes(ring, (1,))), repr(positions), is_cffi]))
@@ -44,8 +38,19 @@ def answers():
 
 
 def test_pymunk_answers_the_same_to_the_last_bit(answers):
-    """Contacts, shapes and a flight with bounces; garbage is collected whenever the library calls Python, and ends nothing."""
+    """Contacts, shapes and a flight with bounces; what Chipmunk calls back and its memory are answered, too."""
     with_cffi, without = answers
     assert without[:3] == with_cffi[:3]
     assert "EngineContact" in without[0]
     assert [with_cffi[3], without[3]] == [True, False]
+
+
+def test_a_destructor_waits_until_no_function_of_the_library_runs():
+    """Garbage is collected at any moment; what is taken out of a list that the library goes through would end the process."""
+    done = []
+    pointer = Pointer(None, 7).destroyed_by(lambda one: done.append(one.address))
+    DESTRUCTION.begin()
+    del pointer
+    early = list(done)
+    DESTRUCTION.end()
+    assert (early, done) == ([], [7])

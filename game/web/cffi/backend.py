@@ -41,7 +41,7 @@ class Pointer:
 
     def __del__(self) -> None:
         if self._destructor is not None:
-            _DESTRUCTION.of(self._destructor, Pointer(self.tables, self.address, self.target))
+            DESTRUCTION.of(self._destructor, Pointer(self.tables, self.address, self.target))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Pointer) and self.address == other.address
@@ -95,7 +95,7 @@ class _Destruction:
                 self._running -= 1
 
 
-_DESTRUCTION = _Destruction()
+DESTRUCTION = _Destruction()
 
 
 class Struct:
@@ -260,11 +260,11 @@ def _caller(tables: Tables, signature: Signature, address: int) -> Callable[...,
     result, kinds = signature
 
     def call(*values: object) -> Any:
-        _DESTRUCTION.begin()
+        DESTRUCTION.begin()
         try:
             return _from_c(tables, result, function(*[_to_c(kind, value) for kind, value in zip(kinds, values, strict=True)]))
         finally:
-            _DESTRUCTION.end()
+            DESTRUCTION.end()
 
     return call
 
