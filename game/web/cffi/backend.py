@@ -41,7 +41,7 @@ class Pointer:
 
     def __del__(self) -> None:
         if self._destructor is not None:
-            self._destructor(Pointer(self.tables, self.address, self.target))
+            DESTRUCTION.of(self._destructor, Pointer(self.tables, self.address, self.target))
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Pointer) and self.address == other.address
@@ -56,6 +56,46 @@ class Pointer:
         if self.target is None or name.startswith("__"):
             raise AttributeError(name)
         return getattr(Struct(self.tables, self.tables.type(self.target).made.from_address(self.address)), name)
+
+
+class _Destruction:
+    """Calls destructors while no function of the library runs, nor another destructor.
+
+    Python may collect garbage at any moment, and so in a function that the library calls while it goes through a list. A
+    destructor that takes an entry out of that list then would end the process.
+    """
+
+    def __init__(self) -> None:
+        self._running = 0
+        self._due: list[tuple[Callable[[Pointer], object], Pointer]] = []
+
+    def of(self, destructor: Callable[[Pointer], object], pointer: Pointer) -> None:
+        """Destroy something, now or later."""
+        self._due.append((destructor, pointer))
+        self._destroy()
+
+    def begin(self) -> None:
+        """A function of the library begins."""
+        self._running += 1
+
+    def end(self) -> None:
+        """It has ended."""
+        self._running -= 1
+        if self._due:
+            self._destroy()
+
+    def _destroy(self) -> None:
+        """Call what is due."""
+        while self._due and not self._running:
+            destructor, pointer = self._due.pop(0)
+            self._running += 1
+            try:
+                destructor(pointer)
+            finally:
+                self._running -= 1
+
+
+DESTRUCTION = _Destruction()
 
 
 class Struct:
@@ -220,7 +260,11 @@ def _caller(tables: Tables, signature: Signature, address: int) -> Callable[...,
     result, kinds = signature
 
     def call(*values: object) -> Any:
-        return _from_c(tables, result, function(*[_to_c(kind, value) for kind, value in zip(kinds, values, strict=True)]))
+        DESTRUCTION.begin()
+        try:
+            return _from_c(tables, result, function(*[_to_c(kind, value) for kind, value in zip(kinds, values, strict=True)]))
+        finally:
+            DESTRUCTION.end()
 
     return call
 
