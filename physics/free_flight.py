@@ -148,24 +148,28 @@ def _clear_of_sectors(ball: Ball, ring: Ring, alive: Sequence[int], stretch: Str
 
     turning: rad/s at most. Seen from the centre, at distance d, the ball itself covers asin(r / d) to each side, which is
     at most x + (pi / 2 - 1) x^3 for x = r / d, and its centre moves by L / d^2 rad/s, L = p x v. On one stretch d is
-    least at one of its ends.
+    least at one of its ends and greatest at the other: the centre moves by at least |L| / greatest^2 and at most
+    |L| / least^2, always to the side of L's sign. On that side an end comes nearer by at most the turning and the larger of
+    the two rates; on the other one, which the ball flies away from, by at most the turning less the smaller of them.
     """
     p, v, ball_radius = ball
     start, stop = stretch.start, stretch.stop
     entry = ball.moved(start)
-    nearest = min(length(entry.position), length(p + v * stop))
+    one, other = length(entry.position), length(p + v * stop)
+    nearest, farthest = min(one, other), max(one, other)
     if nearest <= ball_radius:
         return start
     x = ball_radius / nearest
     covered = x + (math.pi / 2.0 - 1.0) * x * x * x + turning * start + ANGLE_SLACK
-    sweep = cross(p, v) / (nearest * nearest)
+    momentum = cross(p, v)
     theta = entry.theta()
     slot = nearest_slot(ring, theta)
     offset = signed_difference(theta, ring.angle(slot))
     clear = stop
     for side in (-1, 1):
-        closing = max(side * sweep, 0.0) + turning
-        end = gap_end(ring, alive, slot, offset, side, 0, covered + closing * (clear - start))
+        ahead = side * momentum
+        closing = turning + (ahead / (nearest * nearest) if ahead > 0.0 else ahead / (farthest * farthest))
+        end = gap_end(ring, alive, slot, offset, side, 0, covered + max(closing, 0.0) * (clear - start))
         if end is not None:
             apart = end.away - covered
             if apart <= 0.0:

@@ -7,7 +7,7 @@ import math
 from array import array
 from collections.abc import Callable
 from functools import lru_cache
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 import pygame
@@ -162,15 +162,26 @@ def _paint_polygon(surface: pygame.Surface, colour: Colour, own: "array[float]")
 
 def _paint_strip(surface: pygame.Surface, colour: Colour, own: "array[float]") -> None:
     """What is between two lines, quadrilateral by quadrilateral, since a polygon with many corners is filled slowly."""
-    lines, fill = np.array(own[1:]).astype(np.float64).view(np.complex128).reshape(-1, 2).T, pygame.draw.polygon
+    quads, borders, edge = _strip_lines(own[1:].tobytes())
+    for corners in quads:
+        pygame.draw.polygon(surface, colour, corners)
+    for border in borders:
+        pygame.draw.lines(surface, colour, False, border)
+    pygame.draw.aalines(surface, colour, True, edge)
+
+
+@lru_cache(maxsize=64)
+def _strip_lines(numbers: bytes) -> tuple[Any, Any, Any]:
+    """The quadrilaterals that fill a strip, the lines that close its gaps, and the one that smooths its edge.
+
+    Cached, as half of all strips do not change from frame to frame, and this takes as long as filling them.
+    """
+    lines = np.frombuffer(numbers, dtype=np.float32).astype(np.float64).view(np.complex128).reshape(-1, 2).T
     across = lines[::-1] - lines
     filled, closing, smooth = lines + across * np.minimum(_INSETS / np.maximum(np.abs(across), 1e-9), 0.5)
     left, right = pairs(filled)
-    for corners in zip(left, left[1:], right[1:], right, strict=False):
-        fill(surface, colour, corners)
-    for border in pairs(closing):
-        pygame.draw.lines(surface, colour, False, border)
-    pygame.draw.aalines(surface, colour, True, pairs(np.concatenate([smooth[0], smooth[1, ::-1]]) - HALF_PIXEL))
+    quads = list(zip(left, left[1:], right[1:], right, strict=False))
+    return quads, pairs(closing), pairs(np.concatenate([smooth[0], smooth[1, ::-1]]) - HALF_PIXEL)
 
 
 def _paint_band(surface: pygame.Surface, _colour: Colour, own: "array[float]") -> None:

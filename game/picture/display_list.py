@@ -9,7 +9,8 @@ Every primitive is its code, its colour (0xRRGGBB, exact in a 32-bit float), its
     LINE      width dash n, then n times x y              dash: length of dashes and gaps, 0 for a solid line
     TEXT      index size x y across bold room             index of the text; across: 0 begins at x, 1 ends there; y: middle;
                                                           bold: 1, letters as the desktop's: bold, and lower than their size
-                                                          says; room: smaller where it would be wider, 0 for any width
+                                                          says; room: smaller where it would be wider, 0 for any width;
+                                                          on a canvas it may be runs of letters (game/lab/typeset/runs.py)
     GLOW      x y across down takes                       half axes of an ellipse of light that fades to its edge; takes: 0, it
                                                           is added; 1, its colour takes the others away
     GRADIENT  x y radius n, then n times share colour     a disc; colours by the share of the radius

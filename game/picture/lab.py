@@ -14,6 +14,7 @@ from game.lab.drawing.wanted_labels import WantedLabel
 from game.lab.kit.handles import Handle
 from game.lab.kit.parameters import Given
 from game.lab.kit.picture import Pane, Toggle
+from game.lab.typeset.runs import runs
 from game.picture.display_list import DisplayList
 
 _LETTERS = 0.95
@@ -111,8 +112,8 @@ def _add_label(out: DisplayList, label: BoxedLabel, seen: SeenLabPane) -> None:
     left, top, width, height = label.box
     pixel = complex(left + width / 2.0, top + height / 2.0)
     for offset in _SEAM:
-        out.text(label.text, seen.size, pixel + offset, seen.theme.ground, bold=0.0)
-    out.text(label.text, seen.size, pixel, label.colour, bold=0.0)
+        out.text(runs(label.text), seen.size, pixel + offset, seen.theme.ground, bold=0.0)
+    out.text(runs(label.text), seen.size, pixel, label.colour, bold=0.0)
 
 
 def _add_lines(out: DisplayList, pane: Pane, seen: SeenLabPane) -> None:

@@ -1,15 +1,15 @@
 """The part of Python's standard library that the page gets: what the game needs, and what computes."""
 
 _LEFT_OUT = """
-    _aix_support _android_support _apple_support _ios_support _osx_support _pydatetime _pydecimal _pyio _pyrepl antigravity
-    argparse bdb cProfile cmd code compileall configparser ctypes curses dbm doctest email ensurepip filecmp fileinput ftplib
-    getpass html http idlelib imaplib ipaddress mailbox mimetypes modulefinder multiprocessing netrc nturl2path optparse pdb
-    pickletools platform plistlib poplib profile profiling pstats pty py_compile pyclbr pydoc pydoc_data quopri rlcompleter
-    runpy sched shelve smtplib socketserver sqlite3 ssl stringprep symtable sysconfig tabnanny tarfile this trace tracemalloc
-    tty turtle turtledemo unittest urllib venv wave webbrowser wsgiref xml xmlrpc zipapp zoneinfo __phello__ asyncio.__main__
-    asyncio.proactor_events asyncio.tools asyncio.windows_events asyncio.windows_utils concurrent.futures.interpreter
-    concurrent.futures.process concurrent.interpreters logging.config logging.handlers pathlib.types pyodide.console
-    pyodide.http site-packages
+    __phello__ _aix_support _android_support _apple_support _ios_support _osx_support _pydatetime _pydecimal _pyio _pyrepl
+    _strptime antigravity argparse bdb calendar cmd code compileall configparser cProfile csv ctypes curses dbm doctest email
+    ensurepip filecmp fileinput ftplib getpass gzip html http idlelib imaplib ipaddress mailbox mimetypes modulefinder
+    multiprocessing netrc nturl2path optparse pdb pickletools platform plistlib poplib profile profiling pstats pty py_compile
+    pyclbr pydoc pydoc_data quopri rlcompleter runpy sched shelve site-packages smtplib socketserver sqlite3 ssl stringprep
+    symtable sysconfig tabnanny tarfile this timeit trace tracemalloc tty turtle turtledemo unittest urllib venv wave
+    webbrowser wsgiref xml xmlrpc zipapp zoneinfo asyncio.__main__ asyncio.proactor_events asyncio.tools
+    asyncio.windows_events asyncio.windows_utils concurrent.futures.interpreter concurrent.futures.process
+    concurrent.interpreters importlib.metadata logging.config logging.handlers pathlib.types pyodide.console pyodide.http
 """
 """Modules and packages for files, networks, processes, terminals and packaging. The page has none of these."""
 _ENCODINGS = "aliases ascii base64_codec cp1252 cp437 charmap hex_codec latin_1 raw_unicode_escape undefined"

@@ -1,9 +1,7 @@
 """Many games of one shape, advanced together."""
 
-import functools
 import math
 from collections.abc import Sequence
-from concurrent.futures import ThreadPoolExecutor, wait
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -12,12 +10,15 @@ import numpy.typing as npt
 from physics.batch.arrays import MOST_LAYERS, Complexes, Floats, Integers, Layers, arena_of, arrays_of
 from physics.batch.compilation import check_subnormals, compiled
 from physics.batch.games import CLEAR, UNKNOWN
-from physics.batch.hits import Rows, new_rows
+from physics.batch.hits import Rows, joined, new_rows
+from physics.batch.threads import shared
 from physics.shapes import PERMANENT, Arena, Ring
 from physics.tolerances import LARGEST, MAX_IMPACTS, SMALLEST
 
 _ROWS = 4096
 """Rows for hits that a step begins with, beside those that one tick may need; more are made as they are needed."""
+_PIECES, _LEAST = 4, 1024
+"""Pieces for each thread, so that one that is held up is helped; games in a piece at least, or cutting would cost too much."""
 
 
 class Steps(NamedTuple):
@@ -61,7 +62,7 @@ class Batch:
         check_subnormals()
         self._compiled = compiled()
         self._games = arrays_of(arenas)
-        self._rows: list[Rows] = []  # those that no thread is filling
+        self._rows: list[Rows] = []  # for each piece of a step
 
     def __len__(self) -> int:
         """How many games there are."""
@@ -108,16 +109,13 @@ class Batch:
             games.steered[games.steered < 0] = 1
             games.free[:] = 0
             np.minimum(games.known, CLEAR, out=games.known)
-        bounds = [len(self) * part // parts for part in range(parts + 1)]
+        pieces = 1 if parts == 1 else max(parts, min(parts * _PIECES, len(self) // _LEAST))
+        while len(self._rows) < pieces:
+            self._rows.append(new_rows(_ROWS + 2 * MAX_IMPACTS * games.positions.shape[1]))
+        bounds = [len(self) * piece // pieces for piece in range(pieces + 1)]
         lost = np.empty(games.positions.shape, np.bool_)
-        jobs = [_pool(parts - 1).submit(self._part, steered, bounds[k], bounds[k + 1], ticks, lost) for k in range(1, parts)]
-        try:
-            hits = self._part(steered, 0, bounds[1], ticks, lost)
-        finally:
-            wait(jobs)
-        if jobs:
-            hits = np.concatenate([hits, *[job.result() for job in jobs]])
-        return Steps(hits, lost, games.dropped.copy(), games.freed.copy())
+        hits = shared(lambda n: self._piece(n, steered, bounds[n], bounds[n + 1], ticks, lost), pieces, parts)
+        return Steps(joined(hits), lost, games.dropped.copy(), games.freed.copy())
 
     def arena(self, game: int) -> Arena:
         """One game as the arena that `physics.advance` takes."""
@@ -164,29 +162,21 @@ class Batch:
         mine.positions[games], mine.velocities[games] = positions, velocities
         mine.known[games], mine.free[games] = UNKNOWN, 0
 
-    def _part(self, spins: Floats | None, first: int, last: int, ticks: int, lost: npt.NDArray[np.bool_]) -> npt.NDArray[Any]:
-        """The hits of some of the games, these advanced. lost: written."""
+    def _piece(
+        self, number: int, spins: Floats | None, first: int, last: int, ticks: int, lost: npt.NDArray[np.bool_]
+    ) -> npt.NDArray[Any]:
+        """The hits of some of the games, these advanced; valid until the next step. number: of the piece. lost: written."""
         check_subnormals()
-        games = self._games
+        games, rows = self._games, self._rows[number]
         if spins is not None:
             self._compiled.steer(games, spins, first, last)
-        rows = self._rows.pop() if self._rows else new_rows(_ROWS + 2 * MAX_IMPACTS * games.positions.shape[1])
         rows.now[0] = 0
         game = -1
         while True:
             game = self._compiled.step(games, first, last, game, ticks, self._dt, self._speed, self._ground_radius, rows, lost)
             if game == last:
-                break
-            rows = Rows(np.concatenate([rows.hits, np.empty_like(rows.hits)]), rows.now)
-        hits: npt.NDArray[Any] = rows.hits[: rows.now[0]].copy()
-        self._rows.append(rows)
-        return hits
-
-
-@functools.cache
-def _pool(threads: int) -> ThreadPoolExecutor:
-    """Threads that wait for the parts of a step: to start them for every step would cost as much as a short one."""
-    return ThreadPoolExecutor(threads, "physics.batch")
+                return rows.hits[: rows.now[0]]
+            rows = self._rows[number] = Rows(joined([rows.hits, np.empty_like(rows.hits)]), rows.now)
 
 
 def _seen(array: npt.NDArray[Any]) -> npt.NDArray[Any]:
@@ -210,12 +200,13 @@ def _whole(name: str, value: int, least: int) -> None:
 
 
 def _checked_spins(spins: Floats, shape: tuple[int, ...]) -> Floats:
-    """Spins as they are stored: those below SMALLEST are 0."""
+    """Spins that lie in a row; ValueError unless they have the shape and can be stored."""
     _check_array("spins", spins, np.dtype(np.float64), shape)
-    if not (np.abs(spins) <= LARGEST).all():
-        game, ring = np.argwhere(~(np.abs(spins) <= LARGEST))[0]
+    size = np.abs(spins)
+    if spins.size > 0 and not size.max() <= LARGEST:
+        game, ring = np.argwhere(~(size <= LARGEST))[0]
         raise ValueError(f"spins must be finite and at most {LARGEST:g}, not {spins[game, ring]} at game {game}, ring {ring}")
-    return np.ascontiguousarray(np.where(np.abs(spins) >= SMALLEST, spins, 0.0))
+    return np.ascontiguousarray(spins)
 
 
 def _check_array(name: str, array: npt.NDArray[Any], dtype: np.dtype[Any], shape: tuple[int, ...]) -> None:

@@ -65,14 +65,14 @@ def check_subnormals() -> None:
 Result = TypeVar("Result")
 
 _LOCK = threading.Lock()
-_REPLACED = {"set_layers", "add_hit", "play_one_tick"}
+_REPLACED = {"set_layers", "add_hit", "play_one_tick", "joined"}
 """Functions in whose place others are compiled."""
 _INLINED = {"answer_impacts", "clear_time", "first_impact", "gap_end", "touched_now"} | {
     *("_answer", "_clear_of_ring", "_clear_of_sectors", "_earliest", "_first_touch", "_next_impact", "_time_to_touch")
 }
 """Functions compiled into their callers, as are those of the loop: they are given lists and arrays, which numba counts in and
 out of every call, atomically. To do so with all of the physics would take four times as long to compile."""
-_NOT_COMPILED = {f"physics.batch{name}" for name in ("", ".arrays", ".batch", ".compilation")}
+_NOT_COMPILED = {f"physics.batch{name}" for name in ("", ".arrays", ".batch", ".compilation", ".threads")}
 
 
 def compiled(progress: Callable[[float], None] | None = None) -> Compiled:

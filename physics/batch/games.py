@@ -14,12 +14,13 @@ import numpy.typing as npt
 
 from physics.batch.arrays import Complexes, Floats, Games
 from physics.batch.hits import Rows
-from physics.broad_phase import has_left
+from physics.broad_phase import has_left, in_band
 from physics.escape import freed
 from physics.free_flight import clear_time, may_be_steered
 from physics.shapes import Ball, Ring
 from physics.step import AT_START, LOOK_AHEAD, Course, answer_impacts
 from physics.tolerances import ANGLE_GRID, MAX_IMPACTS, SMALLEST
+from physics.vectors import length
 
 _STARTED = 0.5 * SMALLEST
 """rad/s: for the free flight, of a ring at rest that may be started. No ring has it: what is below SMALLEST is 0."""
@@ -33,7 +34,8 @@ _AT_ONCE = 4
 UNKNOWN, CLEAR, ENDING = 0, 1, 2
 """What `Games.known` says of a game.
 
-UNKNOWN: nothing. CLEAR: no ball overlaps anything. ENDING: nor that, and after the free ticks something may be touched.
+UNKNOWN: nothing. CLEAR: no ball overlaps anything. ENDING: nor that, and after the free ticks something is touched, as far as
+that can be told.
 """
 
 
@@ -61,12 +63,15 @@ def workspace(games: Games) -> Workspace:
 
 
 def steer(games: Games, spins: Floats, first: int, last: int) -> None:
-    """Give the rings of the games from `first` to below `last` these spins, (G, K), rad/s; forget what that makes untrue."""
+    """Give the rings of the games from `first` to below `last` these spins, (G, K), rad/s; forget what that makes untrue.
+
+    Spins below SMALLEST are stored as 0.
+    """
     room = workspace(games)
     balls, rings = room.balls, room.rings
     for g in range(first, last):
         for k in range(len(rings)):
-            spin = spins[g, k]
+            spin = spins[g, k] if abs(spins[g, k]) >= SMALLEST else 0.0
             if spin != games.spins[g, k]:
                 if games.known[g] != UNKNOWN:
                     for i in range(len(balls)):
@@ -105,7 +110,7 @@ def step(
     return game
 
 
-def _fly_freely(games: Games, first: int, last: int, ticks: int, dt: float) -> None:
+def _fly_freely(games: Games, first: int, last: int, ticks: int, dt: float) -> None:  # noqa: C901  # as `play`
     """Advance the games from `first` to below `last` in which no ball touches anything in `ticks`; the others not at all.
 
     One sum of a ball must wait for the one before it: those of four balls are found in the time of one.
@@ -114,6 +119,7 @@ def _fly_freely(games: Games, first: int, last: int, ticks: int, dt: float) -> N
     phases, spins, free, played = games.phases, games.spins, games.free, games.played
     count, waiting = games.positions.shape[1], 0
     a = b = c = d = 0  # four balls, numbered through all games
+    spin, lines = 0.0, 0  # of the ring before: most turn alike
     for g in range(first, last):
         if free[g] < ticks:
             played[g] = 0
@@ -122,7 +128,10 @@ def _fly_freely(games: Games, first: int, last: int, ticks: int, dt: float) -> N
         free[g] -= ticks
         for k in range(spins.shape[1]):
             if spins[g, k] != 0.0:
-                phases[g, k] = turned(phases[g, k], spins[g, k], ticks, dt)
+                if spins[g, k] != spin:
+                    spin = spins[g, k]
+                    lines = lines_turned(spin, ticks, dt)
+                phases[g, k] = turned(phases[g, k], lines)
         for i in range(count):
             a, b, c, d = b, c, d, g * count + i
             waiting += 1
@@ -151,10 +160,10 @@ def _fly_four(
 
 def _find_lost(games: Games, first: int, last: int, ground_radius: float, lost: npt.NDArray[np.bool_]) -> None:
     """Write which balls of the games from `first` to below `last` are outside of the ground."""
-    positions, radii = games.positions, games.ball_radii
-    for g in range(first, last):
-        for i in range(positions.shape[1]):
-            lost[g, i] = has_left(positions[g, i], radii[g, i], ground_radius)
+    positions, radii, outside = games.positions.ravel(), games.ball_radii.ravel(), lost.ravel()  # views
+    count = games.positions.shape[1]
+    for n in range(first * count, last * count):
+        outside[n] = has_left(positions[n], radii[n], ground_radius)
 
 
 def play(  # noqa: C901, PLR0912  # given to functions, the arrays of the games are counted in and out: twice as slow
@@ -180,7 +189,7 @@ def play(  # noqa: C901, PLR0912  # given to functions, the arrays of the games 
                     positions[g, i] = ball.position
                 for k in range(len(rings)):
                     if spins[g, k] != 0.0:
-                        phases[g, k] = turned(phases[g, k], spins[g, k], number, dt)
+                        phases[g, k] = turned(phases[g, k], lines_turned(spins[g, k], number, dt))
                 free[g] -= number
                 tick += number
                 continue
@@ -224,13 +233,19 @@ def play_one_tick(games: Games, g: int, dt: float, speed: float, rows: Rows, roo
     play(games, g, g + 1, 1, dt, speed, rows, room)
 
 
-def turned(phase: float, spin: float, ticks: int, dt: float) -> float:
-    """The phase of a ring after some ticks, at most LOOK_AHEAD.
+def lines_turned(spin: float, ticks: int, dt: float) -> int:
+    """By how many lines of the angle grid a ring turns in some ticks, at most LOOK_AHEAD, less its whole turns.
 
-    Phases and the turn of a tick lie on the angle grid, on which every sum is exact: one multiplication is all the ticks.
+    The turn of a tick lies on the grid, on which every sum is exact: one multiplication is all the ticks.
     """
     once = Ring(1.0, 0.5, 0.1, 1, 0.0, spin, 0.0).turned(dt).phase  # its other fields do not matter
-    return ((int(phase * ANGLE_GRID) + ticks * int(once * ANGLE_GRID)) % _WHOLE_TURN) / ANGLE_GRID
+    return (ticks * int(once * ANGLE_GRID)) % _WHOLE_TURN
+
+
+def turned(phase: float, lines: int) -> float:
+    """The phase of a ring after a turn by some lines of the angle grid, from 0 to below a whole turn."""
+    there = int(phase * ANGLE_GRID) + lines
+    return (there - _WHOLE_TURN if there >= _WHOLE_TURN else there) / ANGLE_GRID
 
 
 def startable(ring: Ring) -> Ring:
@@ -244,7 +259,22 @@ def _looked_ahead(balls: list[Ball], rings: list[Ring], layers: Any, steered: An
     seconds = horizon
     for ball in balls:
         seconds = clear_time(ball, rings, layers, seconds, steered)
-    return int(seconds / dt), CLEAR if seconds == horizon else ENDING
+    is_known = seconds < horizon and not _may_be_steered_away(balls, rings, steered, seconds, dt)
+    return int(seconds / dt), ENDING if is_known else CLEAR
+
+
+def _may_be_steered_away(balls: list[Ball], rings: list[Ring], steered: Any, seconds: float, dt: float) -> bool:
+    """Whether a ball is near the band of a ring that may be steered, some seconds from now.
+
+    Then what ends its free ticks is most often how fast the ring might have been turned, and not a touch: to look ahead anew
+    costs less than to search a tick for nothing.
+    """
+    for ball in balls:
+        distance, reach = length(ball.moved(seconds).position), ball.radius + length(ball.velocity) * dt
+        for k in range(len(rings)):
+            if steered[k] != 0 and rings[k].spin != 0.0 and in_band(distance, reach, rings[k]):
+                return True
+    return False
 
 
 def _free(balls: list[Ball], rings: list[Ring], layers: Any) -> int:

@@ -113,7 +113,7 @@ def test_a_day_has_a_seed_of_its_own():
 def test_the_levels_of_a_seed_stay_what_they_are():
     """A shared seed must mean the same level in a later version and on every machine; the changelog says why it does not."""
     hashes = [level.content_hash() for seed in SEEDS for level in sequence(seed, 30)]
-    assert hashlib.sha256("".join(hashes).encode()).hexdigest()[:16] == "?"
+    assert hashlib.sha256("".join(hashes).encode()).hexdigest()[:16] == "7a3b26533d89993c"
 
 
 def test_a_recorded_game_on_levels_of_an_earlier_version_still_verifies():

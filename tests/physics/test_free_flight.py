@@ -2,6 +2,7 @@
 
 import cmath
 import math
+from random import Random
 
 import pytest
 from hypothesis import given, settings
@@ -46,6 +47,33 @@ def test_nothing_is_touched_while_it_is_clear(ball, ring, horizon, data):
                 assert gap(moved, turning, later, slots_of(alive)) > 0.0
         time += clear / 4.0
         phase += turning.spin * clear / 4.0
+
+
+@pytest.mark.parametrize("index", range(150))
+def test_no_end_can_catch_up_with_a_ball_while_it_is_clear(index):
+    """In a gap of a wide ring, at every moment and every phase that the ring may have turned to by then."""
+    chance = Random(f"clear {index}")
+    ring = Ring(10.0, chance.choice((0.5, 5.0, 8.0)), chance.uniform(0.1, 0.6), 3, chance.uniform(0.0, math.tau), 0.1)
+    away = chance.uniform(0.0, 0.2) if index % 2 else chance.uniform(0.0, math.tau / 3.0 - 2.0 * ring.half_angle)
+    bearing = ring.phase + chance.choice((-1, 1)) * (ring.half_angle + away)
+    distance = chance.uniform(ring.inner_radius, ring.outer_radius)
+    ball = Ball(cmath.rect(distance, bearing), cmath.rect(SPEED, chance.uniform(0.0, math.tau)), 0.05)
+    clear, top = clear_time(ball, [ring], [(1, 1, 1)], 2.0), SPEED / ring.outer_radius
+    for k in range(1, 17) if clear > 0.0 else ():
+        time = clear * k / 16.0 * (1.0 - 1e-9)
+        for turn in range(-6, 7):
+            turned = ring._replace(phase=ring.phase + top * time * turn / 6.0, spin=0.0)
+            assert gap(ball, turned, time, range(3)) > 0.0
+
+
+@pytest.mark.parametrize("side", [-1, 1])
+def test_a_ball_that_flies_away_from_an_end_is_clear_of_it(side):
+    """Almost as fast around the centre as the ring may be turned: it leaves the band before the end behind it can come."""
+    bearing = side * (PADDLES.half_angle + 0.075)
+    ball = Ball(cmath.rect(10.0, bearing), cmath.rect(SPEED, bearing + side * math.pi / 2.0), 0.25)
+    assert clear_time(ball, [PADDLES], [(1, 1, 1)], 3.0) == 3.0
+    towards = ball._replace(velocity=-ball.velocity)
+    assert clear_time(towards, [PADDLES], [(1, 1, 1)], 3.0) == pytest.approx(0.05 / (SPEED / 10.5 + SPEED / 10.0), rel=0.05)
 
 
 @settings(max_examples=300)

@@ -9,7 +9,7 @@ import pytest
 from game.system.command_line import run
 from physics import advance
 from physics.batch.arrays import arrays_of
-from tests.physics.test_batch import rows
+from tests.physics.batch.test_batch import rows
 from tools.fuzz import campaign
 from tools.fuzz.arenas import TICK, random_case
 from tools.fuzz.checks import PENETRATION, first_fault

@@ -1,6 +1,7 @@
 """Games that were played, in a JSON file: one a line, each with the hash of its level, so that a changed level is noticed."""
 
 from pathlib import Path
+from typing import Any
 
 import msgspec
 
@@ -60,8 +61,9 @@ def saved_games(path: Path) -> Known:
     known: Known = {}
     for line in lines:
         skill = None if line.skill is None else Skill(line.skill.reaction, line.skill.noise)
-        values = [skill if field == "skill" else getattr(line, field) for field in Trial._fields]
-        known[line.level_hash, skill, line.seed] = Trial(*values)
+        fields: dict[str, Any] = {**msgspec.structs.asdict(line), "skill": skill}
+        del fields["level_hash"]
+        known[line.level_hash, skill, line.seed] = Trial(**fields)
     return known
 
 

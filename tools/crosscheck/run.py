@@ -107,15 +107,16 @@ def default_sources(seed: int, ticks: int) -> list[Source]:
     """What is checked where nothing is named.
 
     A game of each classic level by the autopilot, one by a player that meets the ball with any part of a paddle, one under the
-    arcade rules of the last level of each chapter, some random arenas, and a contact of every kind.
+    arcade rules of the last level of each chapter, some random arenas, and a contact of every kind. What takes longest
+    comes first: processes that share the games are done at about the same time.
     """
     levels = [level.name for level in classic()]
-    sources = [Source(None, level, seed + k, ticks) for k, level in enumerate(levels)]
-    sources += [Source(None, level, seed + k, ticks, PLAYERS[1 + k % 2]) for k, level in enumerate(levels)]
     ends = [level.name for level in campaign() if level is _last_of_chapter(level)]
+    sources = [Source(None, AIMED, seed, min(ticks, AIMED_TICKS))]
     sources += [Source(None, level, seed + k, ticks, arcade=DIFFICULTIES[k % 3]) for k, level in enumerate(ends)]
-    sources += [Source(None, RANDOM, seed + k, ticks // 4 + 1) for k in range(_ARENAS)]
-    return [*sources, Source(None, AIMED, seed, min(ticks, AIMED_TICKS))]
+    sources += [Source(None, level, seed + k, ticks) for k, level in enumerate(levels)]
+    sources += [Source(None, level, seed + k, ticks, PLAYERS[1 + k % 2]) for k, level in enumerate(levels)]
+    return [*sources, *[Source(None, RANDOM, seed + k, ticks // 4 + 1) for k in range(_ARENAS)]]
 
 
 def _last_of_chapter(level: Level) -> Level:

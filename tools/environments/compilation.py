@@ -103,8 +103,8 @@ def _compiled_loops() -> CompiledLoops:
     cached = all([sum(loop.stats.cache_hits.values()) > 0 for loop in loops])
     # The compiled functions themselves, which check their arguments' types. numba's dispatcher would first look for the version
     # that is compiled for these types, of which there is one: a call takes 6 µs through it, 2 without.
-    ready = [loop.overloads[loop.signatures[0]].entry_point for loop in loops]
-    return CompiledLoops(*ready, time.perf_counter() - start, cached)
+    to_step, to_begin, to_write, to_paint = [loop.overloads[loop.signatures[0]].entry_point for loop in loops]
+    return CompiledLoops(to_step, to_begin, to_write, to_paint, time.perf_counter() - start, cached)
 
 
 def _register() -> None:

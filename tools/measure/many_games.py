@@ -16,7 +16,7 @@ from tools.measure.contenders import Play
 from tools.measure.standard_arena import BALL_RADIUS, CHECK_EVERY, GROUND, SPEED, TICK, arena, served
 
 _FEW = 256
-_USUAL, _LARGE = 4096, 16_384
+_USUAL, _LARGE = 4096, 65_536
 """Games, and so many that a short step of them is worth being shared by threads."""
 
 

@@ -39,7 +39,7 @@ app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_mar
 _WARM_UP = 1000
 _QUICK_ROUNDS, _QUICK_TICKS = 3, 400
 _FLOOR_GAMES = 4096
-_BATCHES = (16, 4096), (4, 4096), (4, 1024), (4000, 1024), (16, 16_384)
+_BATCHES = (16, 4096), (4, 4096), (4, 1024), (4000, 1024), (16, 65_536)
 """Bricks a row, games: few and many bricks with as many games; the last are shared by threads, too."""
 _MOST_BYTES = 2**20
 

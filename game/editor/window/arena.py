@@ -19,7 +19,7 @@ from game.scene import scene_at, still
 
 _ARC_DEGREES = 3.0
 """An arc is drawn as a line with a corner at least so often."""
-_CHOSEN_WIDTH, _SLOT_WIDTH, _CURSOR_WIDTH = 0.12, 0.16, 0.26
+_PLAIN_WIDTH, _SLOT_WIDTH, _CURSOR_WIDTH = 0.12, 0.16, 0.26
 """Of outlines, in units of text."""
 _HANDLE = 0.6
 """Radius of a circle around a gravity well's middle, in units of text."""
@@ -31,17 +31,15 @@ def draw_arena(canvas: Canvas, painter: Painter, level: Level) -> None:
     painter.paint(canvas, scene)
 
 
-def draw_outlines(canvas: Canvas, session: EditorSession, at: tuple[int, int] | None, colour: Colour) -> None:
-    """The chosen ring's edges, and in a colour the slots that a stroke would paint. at: ring and slot of it; None for none."""
-    rings = session.document.level.rings
-    draw_ring(canvas, rings[session.ring], canvas.theme.faint)
-    if at is not None:
-        ring, middle = at
-        for slot in images(rings[ring], middle, session.symmetry):
-            _draw_slot(canvas, rings[ring], slot, _CURSOR_WIDTH if slot == middle else _SLOT_WIDTH, colour)
+def draw_outlines(canvas: Canvas, session: EditorSession, at: tuple[int, int], colour: Colour) -> None:
+    """The slots that a stroke would paint. at: ring and slot of it."""
+    number, middle = at
+    ring = session.document.level.rings[number]
+    for slot in images(ring, middle, session.symmetry):
+        _draw_slot(canvas, ring, slot, _CURSOR_WIDTH if slot == middle else _SLOT_WIDTH, colour)
 
 
-def draw_ring(canvas: Canvas, ring: RingSpec, colour: Colour, width: float = _CHOSEN_WIDTH) -> None:
+def draw_ring(canvas: Canvas, ring: RingSpec, colour: Colour, width: float) -> None:
     """A ring's edges. width: of the line, units of text."""
     for radius in (ring.radius - ring.half_width, ring.radius + ring.half_width):
         _draw_circle(canvas, radius, colour, width)
@@ -51,7 +49,7 @@ def draw_wells(canvas: Canvas, session: EditorSession, pointed: int | None, colo
     """Where all gravity wells end, the chosen one's in a colour. pointed: index of the one that the mouse is on."""
     for index, well in enumerate(session.document.level.wells):
         chosen, middle = index == session.well, position_of(well)
-        shown, width = (colour, _SLOT_WIDTH) if chosen or index == pointed else (canvas.theme.faint, _CHOSEN_WIDTH)
+        shown, width = (colour, _SLOT_WIDTH) if chosen or index == pointed else (canvas.theme.faint, _PLAIN_WIDTH)
         for radius in (well.reach, canvas.unit * _HANDLE / canvas.camera.scale):
             _draw_circle(canvas, radius, shown, width, middle)
 

@@ -264,7 +264,7 @@ def _buttons(names: tuple[str, ...], do: Reactions) -> list[Row]:
         ButtonItem(
             tr(COMMANDS[name].label),
             partial(do.command, name),
-            tip=_tip(COMMANDS[name].key, tr(COMMANDS[name].tip)),
+            tip=_tip(tr(COMMANDS[name].key), tr(COMMANDS[name].tip)),
             centred=True,
         )
         for name in names
@@ -274,7 +274,7 @@ def _buttons(names: tuple[str, ...], do: Reactions) -> list[Row]:
 
 def _long_button(name: str, do: Reactions, label: str) -> ButtonItem:
     """A button that says what it would do, with its key."""
-    return ButtonItem(label, lambda: do.command(name), note=COMMANDS[name].key, framed=True)
+    return ButtonItem(label, lambda: do.command(name), note=tr(COMMANDS[name].key), framed=True)
 
 
 def _tip(key: str, meaning: str) -> str:

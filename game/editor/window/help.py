@@ -29,8 +29,8 @@ KEYS = (
     ("P", tr_noop("brush: what is under the cursor")),
     ("R, M", tr_noop("repeat a stroke around the ring; mirror it")),
     ("F", tr_noop("fill the chosen ring with the brush")),
-    ("Ctrl+C, Ctrl+V", tr_noop("copy the ring's bricks, paste them; both from the cursor on")),
-    ("C, Ins; Del", tr_noop("copy the chosen ring outward; remove it")),
+    (tr_noop("Ctrl+C, Ctrl+V"), tr_noop("copy the ring's bricks, paste them; both from the cursor on")),
+    (tr_noop("C, Ins; Del"), tr_noop("copy the chosen ring outward; remove it")),
     (
         tr_noop("In the part Wells"),
         tr_noop("arrows move the well, with Shift ten steps; Space, Ins: add; Backspace, Del: remove"),
@@ -45,9 +45,9 @@ KEYS = (
         tr_noop("up, down: choose; left, right: change, with Shift ten steps at once; Page up, Page down: another part"),
     ),
     (tr_noop("Enter there"), tr_noop("type a number, Enter again takes it over; or press a button")),
-    ("Ctrl+Z, Ctrl+Y", tr_noop("undo, redo")),
+    (tr_noop("Ctrl+Z, Ctrl+Y"), tr_noop("undo, redo")),
     ("F5", tr_noop("play the level; Esc there comes back")),
-    ("Ctrl+S", tr_noop("save; comments in the file stay")),
+    (tr_noop("Ctrl+S"), tr_noop("save; comments in the file stay")),
     ("Esc", tr_noop("leave; asks where changes are not saved")),
 )
 """Keys, and what they do."""

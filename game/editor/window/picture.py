@@ -17,8 +17,8 @@ from game.levels import Level
 from game.screens.app_state import AppState
 from game.screens.still_picture import StillPicture
 
-_CHOSEN_RING = 0.3
-"""Width of the chosen ring's edges where rings are edited, in units of text."""
+_RING, _CHOSEN_RING = 0.12, 0.3
+"""Widths of a ring's edges, and of the chosen one's where rings are edited, in units of text."""
 
 
 class Shown(NamedTuple):
@@ -83,11 +83,12 @@ def _draw_marks(canvas: Canvas, shown: Shown) -> None:
     if shown.part is Part.WELLS:
         pointed = well_near(shown.session.document.level, shown.point) if by_mouse and shown.point is not None else None
         draw_wells(canvas, shown.session, pointed, colour)
-    elif shown.part is Part.RING and by_mouse:
-        if shown.slot is not None:
-            draw_ring(canvas, rings[shown.slot[0]], canvas.theme.text)
-        draw_ring(canvas, rings[shown.session.ring], colour, _CHOSEN_RING)
-    else:
+        return
+    chosen, of_rings = rings[shown.session.ring], shown.part is Part.RING
+    draw_ring(canvas, chosen, *(colour, _CHOSEN_RING) if of_rings else (canvas.theme.faint, _RING))
+    if shown.slot is not None and of_rings and by_mouse:
+        draw_ring(canvas, rings[shown.slot[0]], canvas.theme.text, _RING)
+    elif shown.slot is not None:
         draw_outlines(canvas, shown.session, shown.slot, colour)
 
 

@@ -54,7 +54,17 @@ class Piece(NamedTuple):
     gap: float = 0.0
 
 
-class _Token(NamedTuple):
+class Symbol(NamedTuple):
+    """A variable: Δv'_n is the change of the vector v with one prime, and n below it."""
+
+    letter: str
+    is_vector: bool
+    is_change: bool
+    primes: int
+    below: str
+
+
+class Token(NamedTuple):
     """kind: the name of a group of _TOKEN, or "tex" for what is set already. text: as it was written."""
 
     kind: str
@@ -64,7 +74,7 @@ class _Token(NamedTuple):
 
 def pieces(line: str) -> tuple[Piece, ...]:
     """A line as pieces in its order: numbers, and what is between them."""
-    tokens = _with_fractions(_with_roots(_tokens(line)))
+    tokens = _with_fractions(_with_roots(tokens_of(line)))
     found: list[Piece] = []
     space = ""
     for index, token in enumerate(tokens):
@@ -87,36 +97,36 @@ def pieces(line: str) -> tuple[Piece, ...]:
 
 def tex_line(line: str) -> str:
     """A line as one formula, with its dollar signs."""
-    return f"${_joined(_with_fractions(_with_roots(_tokens(line))))}$"
+    return f"${_joined(_with_fractions(_with_roots(tokens_of(line))))}$"
 
 
 def has_symbols(text: str) -> bool:
     """Whether a text has a variable in it, such as v_p; one in words alone has none."""
-    return any([token.kind == "symbol" for token in _tokens(text)])
+    return any([token.kind == "symbol" for token in tokens_of(text)])
 
 
-def _tokens(line: str) -> list[_Token]:
+def tokens_of(line: str) -> list[Token]:
     """The parts of a line; a minus that belongs to a number is a part of it."""
-    tokens: list[_Token] = []
+    tokens: list[Token] = []
     for match in _TOKEN.finditer(line):
         kind, text = str(match.lastgroup), match.group()
         if text in {"a", "A"} and _ARTICLE.match(line, match.start()):
             kind = "word"
         signed = kind == "number" and tokens and tokens[-1].text == "-" and _begins(tokens[:-1])
         if signed:
-            tokens[-1] = _Token("number", f"-{text}", "")
+            tokens[-1] = Token("number", f"-{text}", "")
         else:
-            tokens.append(_Token(kind, text, _tex(kind, text, tokens)))
+            tokens.append(Token(kind, text, _tex(kind, text, tokens)))
     return tokens
 
 
-def _begins(tokens: Sequence[_Token]) -> bool:
+def _begins(tokens: Sequence[Token]) -> bool:
     """Whether what follows is the beginning of a term, so that a minus there is a sign."""
     last = next((token for token in reversed(tokens) if token.kind != "space"), None)
     return last is None or last.text in _RELATIONS or last.text in {"(", ",", ":", "["}
 
 
-def _tex(kind: str, text: str, before: Sequence[_Token]) -> str:
+def _tex(kind: str, text: str, before: Sequence[Token]) -> str:
     """The TeX of a token; empty for a number, which is set by its digits."""
     match kind:
         case "symbol":
@@ -135,17 +145,25 @@ def _tex(kind: str, text: str, before: Sequence[_Token]) -> str:
 
 def _symbol(text: str, before: str) -> str:
     """A variable with its accents and its index. before: the token before it."""
+    symbol = symbol_of(text, before)
+    letter, index = symbol.letter, symbol.below
+    tex = rf"\{_GREEK[letter]}" if letter in _GREEK else letter
+    tex = rf"\mathbf{{{tex}}}" if symbol.is_vector else f"{{{tex}}}"
+    tex = rf"\{_ACCENTS[letter]}{{{tex}}}" if symbol.is_vector and letter in _ACCENTS else tex
+    below = "" if not index else f"_{{{_index(index)}}}"
+    return (r"\Delta " if symbol.is_change else "") + tex + _PRIME * symbol.primes + below
+
+
+def symbol_of(text: str, before: str = "") -> Symbol:
+    """What a variable is made of. before: the token before it."""
     name, _, index = text.partition("_")
     base = name.rstrip("'")
-    primes, delta = name[len(base) :], base.startswith("Δ") and len(base) > 1
-    letter = base[1:] if delta else base
+    primes, is_change = len(name) - len(base), base.startswith("Δ") and len(base) > 1
+    letter = base[1:] if is_change else base
     is_count = letter == "n" and not index and before in {"/", "mod", "round"}
-    bold = letter in _VECTORS and index not in _SCALAR_INDICES and not is_count and not (primes and letter == "p" and not index)
-    tex = rf"\{_GREEK[letter]}" if letter in _GREEK else letter
-    tex = rf"\mathbf{{{tex}}}" if bold else f"{{{tex}}}"
-    tex = rf"\{_ACCENTS[letter]}{{{tex}}}" if bold and letter in _ACCENTS else tex
-    below = "" if not index else f"_{{{_index(index)}}}"
-    return (r"\Delta " if delta else "") + tex + _PRIME * len(primes) + below
+    is_point = primes and letter == "p" and not index
+    is_vector = letter in _VECTORS and index not in _SCALAR_INDICES and not is_count and not is_point
+    return Symbol(letter, is_vector, is_change, primes, index)
 
 
 def _index(index: str) -> str:
@@ -155,9 +173,9 @@ def _index(index: str) -> str:
     return index if len(index) == 1 else rf"\mathrm{{{index}}}"
 
 
-def _with_roots(tokens: list[_Token]) -> list[_Token]:
+def _with_roots(tokens: list[Token]) -> list[Token]:
     """`sqrt(x)` and `√(x)` as roots."""
-    done: list[_Token] = []
+    done: list[Token] = []
     index = 0
     while index < len(tokens):
         is_root = tokens[index].text in {"sqrt", "√"} and index + 1 < len(tokens) and tokens[index + 1].text == "("
@@ -166,12 +184,12 @@ def _with_roots(tokens: list[_Token]) -> list[_Token]:
             done.append(tokens[index])
             index += 1
         else:
-            done.append(_Token("tex", "", rf"\sqrt{{{_joined(tokens[index + 2 : end])}}}"))
+            done.append(Token("tex", "", rf"\sqrt{{{_joined(tokens[index + 2 : end])}}}"))
             index = end + 1
     return done
 
 
-def _with_fractions(tokens: list[_Token]) -> list[_Token]:
+def _with_fractions(tokens: list[Token]) -> list[Token]:
     """` / ` between two terms as a fraction; a slash without spaces, as in rad/s, stays."""
     for index, token in enumerate(tokens):
         spaced = 0 < index < len(tokens) - 1 and tokens[index - 1].kind == tokens[index + 1].kind == "space"
@@ -181,12 +199,12 @@ def _with_fractions(tokens: list[_Token]) -> list[_Token]:
         if start is None or end is None:
             continue
         above, below = (_bare(part) for part in (tokens[start : index - 1], tokens[index + 2 : end]))
-        fraction = _Token("tex", "", rf"\dfrac{{{_joined(above)}}}{{{_joined(below)}}}")
+        fraction = Token("tex", "", rf"\dfrac{{{_joined(above)}}}{{{_joined(below)}}}")
         return _with_fractions([*tokens[:start], fraction, *tokens[end:]])
     return tokens
 
 
-def _term_before(tokens: Sequence[_Token], end: int) -> int | None:
+def _term_before(tokens: Sequence[Token], end: int) -> int | None:
     """Where the term begins that ends before an index: a symbol, a number, or brackets; with what it is dotted with."""
     index = end - 1
     if index < 0 or (tokens[index].kind not in {"symbol", "number", "tex"} and tokens[index].text not in _PAIRS):
@@ -205,7 +223,7 @@ def _term_before(tokens: Sequence[_Token], end: int) -> int | None:
     return _term_before(tokens, index - 3) if dotted else index
 
 
-def _term_after(tokens: Sequence[_Token], start: int) -> int | None:
+def _term_after(tokens: Sequence[Token], start: int) -> int | None:
     """Where the term ends that begins at an index, with its exponent."""
     if start >= len(tokens):
         return None
@@ -217,7 +235,7 @@ def _term_after(tokens: Sequence[_Token], start: int) -> int | None:
     return end + 1 if end is not None and end < len(tokens) and tokens[end].text in {"²", "³"} else end
 
 
-def _closing(tokens: Sequence[_Token], start: int) -> int | None:
+def _closing(tokens: Sequence[Token], start: int) -> int | None:
     """Where the bracket or bar at an index is closed."""
     opening = tokens[start].text
     depth = 0
@@ -229,13 +247,13 @@ def _closing(tokens: Sequence[_Token], start: int) -> int | None:
     return None
 
 
-def _bare(tokens: Sequence[_Token]) -> Sequence[_Token]:
+def _bare(tokens: Sequence[Token]) -> Sequence[Token]:
     """A term of a fraction without the brackets around all of it."""
     around = len(tokens) > 2 and tokens[0].text == "(" and _closing(tokens, 0) == len(tokens) - 1
     return tokens[1:-1] if around else tokens
 
 
-def _joined(tokens: Sequence[_Token]) -> str:
+def _joined(tokens: Sequence[Token]) -> str:
     """Tokens as TeX, their numbers included."""
     parts = []
     for index, token in enumerate(tokens):
@@ -252,12 +270,12 @@ def _number(text: str) -> str:
     return text.replace("°", r"^\circ").replace("-", "\\mathrm{\u2013}", 1 if text.startswith("-") else 0)
 
 
-def _neighbours(tokens: Sequence[_Token], index: int) -> tuple[_Token | None, _Token | None]:
+def _neighbours(tokens: Sequence[Token], index: int) -> tuple[Token | None, Token | None]:
     """The token before and the token after."""
     return tokens[index - 1] if index > 0 else None, tokens[index + 1] if index + 1 < len(tokens) else None
 
 
-def _spacing(text: str, before: _Token | None, after: _Token | None) -> str:
+def _spacing(text: str, before: Token | None, after: Token | None) -> str:
     """A space as TeX: wide where several were written, none beside an operator, which brings its own."""
     if before is None or after is None:
         return ""

@@ -1,1 +1,1 @@
-"""What all panels of the game, and the lab's side, are made of: items that are used by keys, mouse, touch and gamepad alike."""
+"""What panels, and the sides of lab and editor, are made of: items that are used by keys, mouse, touch and gamepad alike."""

@@ -14,6 +14,17 @@ const LIGHT = [[0, "ff"], [0.2, "d7"], [0.4, "80"], [0.6, "33"], [0.8, "0c"], [1
 const blocks = new Blocks();
 const textures = new Map();
 
+// Of runs of letters by their signs: letters, size, and how far below the middle of the words.
+const INDEX = "\x13", WORD_INDEX = "\x14", PRIME = "\x15";
+const RUNS = {
+  "\x10": ["normal", 1, 0],
+  "\x11": ["italic", 1, 0],
+  "\x12": ["bold", 1, 0],
+  [INDEX]: ["italic", 0.72, 0.32],
+  [WORD_INDEX]: ["normal", 0.72, 0.32],
+  [PRIME]: ["normal", 0.8, -0.2],
+};
+
 function font(size, bold) {
   return bold ? `700 ${size * DESKTOP_EM}px ${DESKTOP_FONT}` : `${size}px ${FONT}`;
 }
@@ -185,9 +196,33 @@ function shapes(context, numbers, texts) {
   if (clipped) context.restore();
 }
 
+/** Words that are runs of letters, each after the sign of how they are: an index is below what is before it, a prime above. */
+function runs(context, words, size, x, y, across) {
+  const placed = [];
+  let end = 0, primed = 0;
+  for (const [, sign, letters] of words.matchAll(/([\x10-\x15])([^\x10-\x15]*)/g)) {
+    const [look, height, down] = RUNS[sign], begin = sign === INDEX || sign === WORD_INDEX ? end - primed : end;
+    context.font = `${look} ${size * height}px ${FONT}`;
+    const { width } = context.measureText(letters);
+    placed.push([context.font, letters, begin, size * down]);
+    end = Math.max(end, begin + width);
+    primed = sign === PRIME ? width : 0;
+  }
+  context.textAlign = "left";
+  for (const [own, letters, begin, down] of placed) {
+    context.font = own;
+    context.fillText(letters, x + begin - across * end, y + down);
+  }
+}
+
 function text(context, numbers, at, style, words) {
   const across = numbers[at + 4], bold = numbers[at + 5], room = numbers[at + 6];
   context.fillStyle = colour(style);
+  if (words[0] in RUNS) {
+    context.textBaseline = "middle";
+    runs(context, words, numbers[at + 1], numbers[at + 2], numbers[at + 3], across);
+    return;
+  }
   context.font = font(numbers[at + 1], bold);
   context.textBaseline = "middle";
   context.textAlign = across === 0 ? "left" : across === 1 ? "right" : "center";

@@ -18,7 +18,7 @@ from game.drawing.palette import DARK, contrast, layer_colour, mixed
 from game.drawing.raster.annulus import annulus_pixels
 from game.drawing.slots.contents import ContentKind, SlotContent
 from game.drawing.slots.parts import DOT_SHADE, SlotShape, dots, parts
-from game.effects import Effects
+from game.effects import Effects, after
 from game.levels import classic
 from game.replays.state_hash import state_hash
 from game.rules import PADDLES, new_game, tick
@@ -183,15 +183,15 @@ def test_the_ball_is_drawn_at_its_place():
 
 
 def test_a_cached_picture_equals_a_fresh_one():
-    """Over thousands of ticks and a change of level, a used painter draws what a new one draws."""
-    game, pilot, painter = new_game(classic()[:3], 5), Autopilot(), Painter()
+    """Over thousands of ticks and a change of level, a used painter draws what a new one draws, also in the light of hits."""
+    game, pilot, painter, effects = new_game(classic()[:3], 5), Autopilot(), Painter(), Effects()
     compared = 0
     levels = set()
     for number in range(16_000):
         done = tick(game, pilot.controls(game))
-        game = done.game
+        game, effects = done.game, after(effects, done)
         if number % 200 == 0 or (done.step.hits and number % 7 == 0):
-            scene = scene_at(done, 0.5, Effects())
+            scene = scene_at(done, 0.5, effects)
             cached, _ = painted(scene, (240, 180), painter=painter)
             fresh, _ = painted(scene, (240, 180))
             assert pygame.image.tobytes(cached, "RGB") == pygame.image.tobytes(fresh, "RGB")

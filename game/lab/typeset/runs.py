@@ -1,0 +1,37 @@
+"""A label in a picture as runs of letters, for canvases: v_p is a bold v with a small p below."""
+
+from functools import lru_cache
+
+from game.lab.typeset.tex import has_symbols, symbol_of, tokens_of
+
+UPRIGHT, SLANTED, BOLD, INDEX, WORD_INDEX, PRIME = "\x10\x11\x12\x13\x14\x15"
+"""What a run begins with: how its letters are; the last three are small, two below and one above what is before them."""
+_MOST_LABELS = 512
+_SIGNS = {"-": "\u2212"}
+_HAT = "\u0302"
+
+
+@lru_cache(maxsize=_MOST_LABELS)
+def runs(label: str) -> str:
+    """A label with a variable in it as runs, each after the sign of its letters; any other as it is."""
+    if not has_symbols(label):
+        return label
+    found, before, words = "", "", False
+    for token in tokens_of(label):
+        if token.kind == "symbol":
+            found += _symbol(token.text, before)
+        else:
+            found += ("" if words else UPRIGHT) + _SIGNS.get(token.text, token.text)
+        words = token.kind != "symbol"
+        before = token.text if token.kind != "space" else before
+    return found
+
+
+def _symbol(text: str, before: str) -> str:
+    """The runs of a variable."""
+    letter, is_vector, is_change, primes, index = symbol_of(text, before)
+    hat = _HAT if is_vector and letter == "q" else ""
+    base = f"{BOLD if is_vector else SLANTED}{letter}{hat}"
+    prime = f"{PRIME}{chr(0x2032) * primes}" if primes else ""
+    below = f"{INDEX if len(index) == 1 else WORD_INDEX}{index}" if index else ""
+    return (f"{UPRIGHT}Δ" if is_change else "") + base + prime + below

@@ -1,0 +1,71 @@
+"""Work on the games of one step, shared by threads that wait for it: to start them anew would cost as much as a short step."""
+
+import os
+import threading
+from collections import deque
+from collections.abc import Callable
+from functools import partial
+from queue import SimpleQueue
+from typing import TypeVar
+
+Result = TypeVar("Result")
+Call = Callable[[], None]
+
+_WAITING: list[SimpleQueue[Call]] = []
+"""What each of the threads beside the caller's is to do; they are started when they are first needed."""
+if hasattr(os, "register_at_fork"):
+    os.register_at_fork(after_in_child=_WAITING.clear)  # a child has none of its parent's threads
+
+
+def shared(work: Callable[[int], Result], pieces: int, threads: int) -> list[Result]:
+    """The results of `work` for the pieces 0 to below `pieces`, in that order, by this thread and `threads` - 1 others.
+
+    Each thread begins with a run of pieces of its own, the same in every call, so that its processor's cache holds them still.
+    Who is done takes the last piece of whoever has most left. What a piece raises is raised here, once all are done.
+    """
+    if threads == 1:
+        return [work(piece) for piece in range(pieces)]
+    left = [deque(range(pieces * k // threads, pieces * (k + 1) // threads)) for k in range(threads)]
+    results: dict[int, Result] = {}
+    errors: list[BaseException] = []
+    done: SimpleQueue[int] = SimpleQueue()
+
+    def take_part(number: int) -> None:
+        while (piece := _taken(left, number)) is not None:
+            try:
+                results[piece] = work(piece)
+            except BaseException as error:  # noqa: BLE001  # it is raised in the caller's thread
+                errors.append(error)
+            done.put(piece)
+
+    for number in range(1, threads):
+        _waiting(number - 1).put(partial(take_part, number))
+    take_part(0)
+    for _ in range(pieces):
+        done.get()
+    if errors:
+        raise errors[0]
+    return [results[piece] for piece in range(pieces)]
+
+
+def _taken(left: list[deque[int]], number: int) -> int | None:
+    """The next piece for a thread, taken from what is left for each; None where there is none."""
+    try:
+        return left[number].popleft() if left[number] else max(left, key=len).pop()
+    except IndexError:  # another thread was faster
+        return None
+
+
+def _waiting(number: int) -> SimpleQueue[Call]:
+    """Where a thread finds what it is to do."""
+    while len(_WAITING) <= number:
+        calls: SimpleQueue[Call] = SimpleQueue()
+        threading.Thread(target=_serve, args=(calls,), name=f"physics.batch {len(_WAITING)}", daemon=True).start()
+        _WAITING.append(calls)
+    return _WAITING[number]
+
+
+def _serve(calls: SimpleQueue[Call]) -> None:
+    """The life of a thread."""
+    while True:
+        calls.get()()
