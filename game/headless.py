@@ -12,6 +12,7 @@ from game.system.ending import pending
 from physics import advance as swept_advance
 
 _PROGRESS_STEP = 1000
+_ENDED = (Phase.WON, Phase.OVER)
 
 
 def autopilot_game(
@@ -30,7 +31,7 @@ def autopilot_game(
     game, pilot = new_game(levels, seed, ruleset), Autopilot()
     for start in _with_progress(range(0, ticks, _PROGRESS_STEP)):
         for _ in range(min(_PROGRESS_STEP, ticks - start)):
-            if game.phase is Phase.WON or game.phase is Phase.OVER or pending():  # a set is made anew in every tick
+            if game.phase in _ENDED or pending():
                 return game
             controls = pilot.controls(game)
             done = tick(game, controls, advance)

@@ -77,11 +77,13 @@ def clear_time(
     layers: Sequence[Sequence[int]],
     horizon: float,
     steered: Sequence[int] | None = None,
+    order: Sequence[int] | None = None,
 ) -> float:
     """Seconds, at most `horizon`, for which a ball certainly touches no living sector; 0 where it may touch one now.
 
     layers: per ring and slot, 0 where nothing is. horizon: seconds, >= 0, finite. steered: per ring, not 0 where its spin may
-    change meanwhile; None for all that turn. The others are taken to keep their spin.
+    change meanwhile; None for all that turn. The others are taken to keep their spin. order: all rings' numbers, as they are
+    asked; None as they come. It decides nothing, but what lies behind a ring that is touched need not be searched.
     """
     p, v, ball_radius = ball
     distance, speed, outward = length(p), length(v), dot(p, v) >= 0.0
@@ -89,7 +91,8 @@ def clear_time(
         return 0.0
     slack = CLEARANCE * (distance + ball_radius + speed * horizon)
     clear = horizon
-    for k in range(len(rings)):
+    for n in range(len(rings)):
+        k = n if order is None else order[n]
         ring = rings[k]
         larger = ball_radius + slack + 2.0 * TOUCH * (ring.radius + ring.half_width + ball_radius)
         leaving = outward and distance > ring.radius  # it does not come back

@@ -2,7 +2,7 @@
 
 The agent is a linear function of four numbers of the state, the ball's position and velocity. It says in which direction the
 nearest paddle shall go. Every environment of a generation is played by another agent; the next generation is drawn around the
-best. Needs the extra [rl] and numpy, nothing else; runs from the repository's root.
+best. Needs the project installed with the extra [rl], and numpy, nothing else.
 """
 
 import argparse

@@ -5,6 +5,7 @@ from typing import NamedTuple
 
 from game.autopilot.prediction import LOOK, crossing, pointer_to, without_paddles
 from game.rules import TICK, Controls, Game, Phase, paddle_ring
+from game.rules.state import PLAYING
 from physics import Arena, Ball, angle_of, collision_response, direction, length, normalize_angle, signed_difference
 
 _CUT_TIME = 0.35
@@ -40,11 +41,9 @@ class SourcePilot:
 
     def controls(self, game: Game) -> Controls:
         """What to do in this tick."""
-        if game.phase == Phase.SERVING:
+        if game.phase is not PLAYING:
             self._velocity = None
-            return Controls(serve=game.phase_tick >= SERVE_WAIT + serve_delay(game))
-        if game.phase != Phase.PLAYING:
-            return Controls(serve=True)
+            return Controls(serve=game.phase != Phase.SERVING or game.phase_tick >= SERVE_WAIT + serve_delay(game))
         balls = game.arena.balls
         ball = balls[0] if len(balls) == 1 else _outermost(balls)
         if ball.velocity != self._velocity:

@@ -35,6 +35,9 @@ from game.rules.versus import with_lost_ball
 from game.rules.wells import pulled
 from physics import Arena, Ball, Outcome, broad_phase_outcome
 
+_GAME_OVER = Outcome.GAME_OVER
+"""A name of its own, as `PLAYING` is one."""
+
 
 def played(game: Game, moving: Arena, controls: Controls, advance: Advance) -> Ticked:
     """A tick with balls in play. moving: the arena with the paddles' new spin."""
@@ -92,12 +95,19 @@ def _level_cleared(game: Game, events: list[Event]) -> Game:
 
 
 def _without_lost_balls(game: Game, events: list[Event], *, give_up: bool) -> Game:
-    """The game without the balls that left the ground or are given up: the last costs a life, the last life the game."""
-    balls = game.arena.balls
-    kept = [ball for ball in balls if _outcome(game, ball) is not Outcome.GAME_OVER]
+    """The game without the balls that left the ground or are given up: the last costs a life, the last life the game.
+
+    The source's broad phase says whether a ball has left, and if not, what it may touch where it is.
+    """
+    balls, rings, ground_radius = game.arena.balls, game.arena.rings, game.level.ground_radius
+    paddles, bricks = rings[PADDLES], rings[PADDLES + 1 :]
+    kept: tuple[Ball, ...] = ()
+    for ball in balls:
+        if broad_phase_outcome(ball[0], ball[2], ground_radius, paddles, bricks) is not _GAME_OVER:
+            kept += (ball,)
     if len(kept) == len(balls) and not give_up:
         return game
-    staying = () if give_up else tuple(kept)
+    staying = () if give_up else kept
     if len(staying) == len(balls) and not game.held:
         return game
     lost = [ball for ball in balls if ball not in staying] + [*(held_balls(game) if give_up else ())]
@@ -111,9 +121,3 @@ def _without_lost_balls(game: Game, events: list[Event], *, give_up: bool) -> Ga
         events.append(Event(EventKind.GAME_OVER))
         return in_phase(game._replace(drops=()), Phase.OVER)
     return before_serve(game)
-
-
-def _outcome(game: Game, ball: Ball) -> Outcome:
-    """The source's broad phase: whether a ball has left the ground, and if not, what it may touch where it is."""
-    rings = game.arena.rings
-    return broad_phase_outcome(ball.position, ball.radius, game.level.ground_radius, rings[PADDLES], rings[PADDLES + 1 :])

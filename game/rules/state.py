@@ -2,7 +2,7 @@
 
 from collections.abc import Callable
 from enum import IntEnum
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 from game.levels import Level
 from game.rules.power_up import ActivePower, Drop, PowerUp
@@ -50,6 +50,13 @@ class Phase(IntEnum):
     CLEARED = 2
     WON = 3
     OVER = 4
+
+
+PLAYING = Phase.PLAYING
+"""What every tick compares with, by a name that is found in a fifth of the time.
+
+Python 3.11 calls a function for every member of an enumeration. Three names instead of them are 2 % of a headless game.
+"""
 
 
 class HeldBall(NamedTuple):
@@ -177,8 +184,8 @@ class Game(NamedTuple):
         return None
 
 
-_WAITED = Game._fields.index("waited") - Game._fields.index("flight") - 1
-"""Index among the fields after `flight`."""
+_TICK, _PHASE_TICK, _ARENA, _FLIGHT, _WAITED = map(Game._fields.index, ("tick", "phase_tick", "arena", "flight", "waited"))
+"""Indices of the fields that every tick changes."""
 
 
 class EventKind(IntEnum):
@@ -291,10 +298,11 @@ def in_phase(game: Game, phase: Phase) -> Game:
 
 
 def one_tick_on(game: Game, arena: Arena, flight: FreeFlight | None, waited: int) -> Game:
-    """The game with its ticks counted on, and with these fields: `_replace` in a third of its time, as every tick needs it."""
-    levels, number, seed, draws, tick, phase, phase_tick, _, score, lives, combo, idle, _, *others = game
-    others[_WAITED] = waited
-    fields = (levels, number, seed, draws, tick + 1, phase, phase_tick + 1, arena, score, lives, combo, idle, flight, *others)
+    """The game with its ticks counted on, and with these fields: `_replace` in a quarter of its time."""
+    fields: list[Any] = [*game]
+    fields[_TICK] += 1
+    fields[_PHASE_TICK] += 1
+    fields[_ARENA], fields[_FLIGHT], fields[_WAITED] = arena, flight, waited
     return unchecked(Game, fields)
 
 

@@ -7,7 +7,7 @@ and of points.
 import math
 
 from game.rules.speed import fastest_spin
-from game.rules.state import PADDLES, POINTER_STEPS, TICK, Controls, Game, paddle_ring, paddle_rings
+from game.rules.state import PADDLES, POINTER_STEPS, TICK, Controls, Game, paddle_rings
 from game.rules.versus import spin_within
 from physics import Arena, Ring, nearest_slot, signed_difference
 
@@ -23,7 +23,7 @@ def steered(game: Game, controls: Controls) -> Arena:
     if turn == 0:
         turn = controls.second_turn
         pointer = controls.second_pointer if pointer is None else pointer
-    return _with_spin(game.arena, PADDLES, _spin(game, paddle_ring(game), turn, pointer))
+    return _with_spin(game.arena, PADDLES, _spin(game, game.arena.rings[PADDLES], turn, pointer))
 
 
 def _both_steered(game: Game, controls: Controls) -> Arena:
@@ -40,7 +40,9 @@ def _with_spin(arena: Arena, k: int, spin: float) -> Arena:
     """The arena with another spin of a ring; the arena itself where it has it already."""
     if spin == arena.rings[k].spin:
         return arena
-    return Arena(arena.balls, (*arena.rings[:k], arena.rings[k].steered(spin), *arena.rings[k + 1 :]), arena.layers)
+    rings = [*arena.rings]
+    rings[k] = rings[k].steered(spin)
+    return Arena(arena.balls, tuple(rings), arena.layers)
 
 
 def _spin(game: Game, paddles: Ring, turn: int, pointer: int | None) -> float:

@@ -6,7 +6,7 @@ from game.rules.playing import played
 from game.rules.ruleset import SOURCE_RULES, Ruleset
 from game.rules.serving import before_serve, serving
 from game.rules.shape import arcade_arena
-from game.rules.state import TICK, Advance, Controls, Event, EventKind, Game, Phase, Statistics, Tally, Ticked
+from game.rules.state import PLAYING, TICK, Advance, Controls, Event, EventKind, Game, Phase, Statistics, Tally, Ticked
 from game.rules.steering import steered
 from game.rules.versus import sides
 from physics import Arena, Step
@@ -38,7 +38,7 @@ def continued(game: Game) -> Game:
 def tick(game: Game, controls: Controls, advance: Advance = physics.advance) -> Ticked:
     """The game one tick later. advance: the physics that is flown, any function of the shape of `physics.advance`."""
     arena = steered(game, controls)
-    if game.phase == Phase.PLAYING:
+    if game.phase is PLAYING:
         return played(game, arena, controls, advance)
     step = advance(arena._replace(balls=()), TICK, game.speed, None)
     later = game._replace(tick=game.tick + 1, phase_tick=game.phase_tick + 1, arena=step.arena)

@@ -199,7 +199,7 @@ def _workspace_type() -> Any:
     from numba import typeof  # noqa: PLC0415
     from numba.core import types  # noqa: PLC0415  # an extra
 
-    examples = Ball(0j, 0j, 1.0), Ring(1.0, 0.5, 0.1, 1), AT_START
+    examples = Ball(0j, 0j, 1.0), Ring(1.0, 0.5, 0.1, 1), AT_START, 0, 0
     return types.NamedTuple([types.List(typeof(example)) for example in examples], Workspace)
 
 

@@ -18,7 +18,7 @@ from physics.broad_phase import has_left, in_band
 from physics.escape import freed
 from physics.free_flight import clear_time, may_be_steered
 from physics.shapes import Ball, Ring
-from physics.step import AT_START, LOOK_AHEAD, Course, answer_impacts
+from physics.step import AT_START, Course, answer_impacts
 from physics.tolerances import ANGLE_GRID, MAX_IMPACTS, SMALLEST
 from physics.vectors import length
 
@@ -26,6 +26,8 @@ _STARTED = 0.5 * SMALLEST
 """rad/s: for the free flight, of a ring at rest that may be started. No ring has it: what is below SMALLEST is 0."""
 _WHOLE_TURN = int(math.tau * ANGLE_GRID)
 """In lines of the angle grid."""
+_LOOK_AHEAD = 1024
+"""Ticks: how far ahead the free flight is computed. So many turns of a tick, in lines of the angle grid, are below 2^63."""
 _MARGIN = 1e-6
 """Ticks. How much longer than whole ticks the look-ahead is, so that no rounding takes a tick from it."""
 
@@ -46,11 +48,15 @@ class Workspace(NamedTuple):
         balls: of the game.
         rings: of the game.
         courses: one for each ball.
+        outward: the rings' numbers, the innermost first.
+        order: the rings' numbers, as the free flight asks them.
     """
 
     balls: list[Ball]
     rings: list[Ring]
     courses: list[Course]
+    outward: list[int]
+    order: list[int]
 
 
 def workspace(games: Games) -> Workspace:
@@ -59,7 +65,19 @@ def workspace(games: Games) -> Workspace:
         [Ball(games.positions[0, i], games.velocities[0, i], games.ball_radii[0, i]) for i in range(games.positions.shape[1])],
         [ring_of(games, 0, k) for k in range(games.spins.shape[1])],
         [AT_START for _ in range(games.positions.shape[1])],
+        _outward(games),
+        [k for k in range(games.spins.shape[1])],  # noqa: C416  # what compiles
     )
+
+
+def _outward(games: Games) -> list[int]:
+    """The rings' numbers, the innermost first."""
+    numbers = [k for k in range(games.spins.shape[1])]  # noqa: C416  # what compiles
+    for last in range(1, len(numbers)):
+        for n in range(last, 0, -1):
+            if games.ring_radii[numbers[n]] < games.ring_radii[numbers[n - 1]]:
+                numbers[n], numbers[n - 1] = numbers[n - 1], numbers[n]
+    return numbers
 
 
 def steer(games: Games, spins: Floats, first: int, last: int) -> None:
@@ -176,6 +194,7 @@ def play(  # noqa: C901, PLR0912  # given to functions, the arrays of the games 
     known, free, positions, velocities, radii = games.known, games.free, games.positions, games.velocities, games.ball_radii
     phases, spins, all_layers, steered = games.phases, games.spins, games.layers, games.steered
     balls, rings, courses, now, played = room.balls, room.rings, room.courses, rows.now, games.played
+    outward, order = room.outward, room.order
     most = len(rows.hits) - 2 * MAX_IMPACTS * len(balls)
     for g in range(first, last):
         tick = played[g]
@@ -205,7 +224,7 @@ def play(  # noqa: C901, PLR0912  # given to functions, the arrays of the games 
             if known[g] != ENDING:
                 moved = _free(balls, rings, layers) if known[g] == UNKNOWN else 0
                 if moved == 0:
-                    free[g], known[g] = _looked_ahead(balls, rings, layers, steered, dt)
+                    free[g], known[g] = _looked_ahead(balls, rings, layers, steered, dt, outward, order)
                     if free[g] > 0:
                         continue
             now[1], now[2] = g, tick
@@ -234,7 +253,7 @@ def play_one_tick(games: Games, g: int, dt: float, speed: float, rows: Rows, roo
 
 
 def lines_turned(spin: float, ticks: int, dt: float) -> int:
-    """By how many lines of the angle grid a ring turns in some ticks, at most LOOK_AHEAD, less its whole turns.
+    """By how many lines of the angle grid a ring turns in some ticks, at most _LOOK_AHEAD, less its whole turns.
 
     The turn of a tick lies on the grid, on which every sum is exact: one multiplication is all the ticks.
     """
@@ -253,14 +272,30 @@ def startable(ring: Ring) -> Ring:
     return ring if ring.spin != 0.0 else with_turn(ring, ring.phase, _STARTED)
 
 
-def _looked_ahead(balls: list[Ball], rings: list[Ring], layers: Any, steered: Any, dt: float) -> tuple[int, int]:
+def _looked_ahead(
+    balls: list[Ball], rings: list[Ring], layers: Any, steered: Any, dt: float, outward: list[int], order: list[int]
+) -> tuple[int, int]:
     """How many ticks are free of any touch, and what is known then. No ball overlaps anything."""
-    horizon = (LOOK_AHEAD + _MARGIN) * dt
+    horizon = (_LOOK_AHEAD + _MARGIN) * dt
     seconds = horizon
     for ball in balls:
-        seconds = clear_time(ball, rings, layers, seconds, steered)
+        _order_from(length(ball.position), rings, outward, order)
+        seconds = clear_time(ball, rings, layers, seconds, steered, order)
     is_known = seconds < horizon and not _may_be_steered_away(balls, rings, steered, seconds, dt)
     return int(seconds / dt), ENDING if is_known else CLEAR
+
+
+def _order_from(distance: float, rings: list[Ring], outward: list[int], order: list[int]) -> None:
+    """Order the rings as a ball at a distance from the centre comes to them: inward those below it, then outward the others."""
+    n = 0
+    for m in range(len(outward) - 1, -1, -1):
+        if rings[outward[m]].radius <= distance:
+            order[n] = outward[m]
+            n += 1
+    for k in outward:
+        if rings[k].radius > distance:
+            order[n] = k
+            n += 1
 
 
 def _may_be_steered_away(balls: list[Ball], rings: list[Ring], steered: Any, seconds: float, dt: float) -> bool:

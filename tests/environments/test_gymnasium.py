@@ -157,6 +157,48 @@ def test_wrong_actions_change_nothing(options, actions, named):
     assert [env.game(index) for index in range(2)] == before
 
 
+@pytest.mark.parametrize(
+    ("seed", "named"),
+    [
+        ([1, 2, 3], r"seed must be one whole number, or 2 of them, not \[1, 2, 3\]"),
+        (1.5, "seed must be one whole number"),
+        (-1, "seed must be one whole number"),
+        ([1, -2], "seed must be whole numbers from 0 up, or None, not -2"),
+        ([None, 0.5], "seed must be whole numbers from 0 up, or None, not 0.5"),
+    ],
+)
+def test_a_wrong_seed_is_named(seed, named):
+    """ValueError says what was expected."""
+    with pytest.raises(ValueError, match=named):
+        PolarBreakoutVectorEnv(2).reset(seed=seed)
+
+
+def test_numpys_numbers_are_seeds():
+    """The same as Python's, alone and in an array."""
+    env = PolarBreakoutVectorEnv(2)
+    assert (env.reset(seed=np.int64(3))[0] == env.reset(seed=3)[0]).all()
+    env.reset(seed=np.array([4, 5]))
+    seeds = [env.game(index).seed for index in range(2)]
+    env.reset(seed=[4, 5])
+    assert seeds == [env.game(index).seed for index in range(2)]
+
+
+@pytest.mark.parametrize(
+    ("options", "action", "named"),
+    [
+        ({}, 3, "actions must be from 0 to 2, not 3 to 3"),
+        ({}, [1], r"action must be of shape \(\), not \[1\]"),
+        ({"actions": "continuous"}, 1.0, r"action must be of shape \(2,\), not 1.0"),
+    ],
+)
+def test_a_wrong_action_of_a_single_environment_is_named(options, action, named):
+    """With the shape that one action has."""
+    env = PolarBreakoutEnv(**options)
+    env.reset(seed=1)
+    with pytest.raises(ValueError, match=named):
+        env.step(action)
+
+
 def test_a_step_without_an_episode_asks_for_a_reset():
     """Before the first, and after an end that nothing resets."""
     single, many = PolarBreakoutEnv(max_ticks=4), PolarBreakoutVectorEnv(2, max_ticks=4, autoreset_mode=AutoresetMode.DISABLED)

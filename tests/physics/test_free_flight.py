@@ -76,6 +76,15 @@ def test_a_ball_that_flies_away_from_an_end_is_clear_of_it(side):
     assert clear_time(towards, [PADDLES], [(1, 1, 1)], 3.0) == pytest.approx(0.05 / (SPEED / 10.5 + SPEED / 10.0), rel=0.05)
 
 
+@pytest.mark.parametrize("bearing", [0.0, 1.0, 2.6, 3.0])
+def test_the_order_in_which_rings_are_asked_decides_nothing(bearing):
+    """To within rounding, whichever ring is touched first."""
+    ball = Ball(6 + 0j, cmath.rect(SPEED, bearing), 0.25)
+    one, other = [clear_time(ball, (PADDLES, BRICKS), ((1,) * 3, (1,) * 8), 3.0, [0, 0], order) for order in ((0, 1), (1, 0))]
+    assert one == pytest.approx(other, rel=1e-12)
+    assert 0.0 < one < 3.0
+
+
 @settings(max_examples=300)
 @given(balls(), rings(), st.floats(0.001, 3.0), st.data())
 def test_a_ring_that_keeps_its_spin_is_clear_until_the_very_touch(ball, ring, horizon, data):

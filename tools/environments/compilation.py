@@ -86,7 +86,7 @@ def _compiled_loops() -> CompiledLoops:
         to_paint(games, cells, only, pictures)
 
     examples = (
-        LevelNumbers(0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0.0, 0, 0, 0.0, 0.0, 0.0),
+        LevelNumbers(0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0.0, 0, 0.0, 0.0, 0.0),
         no_games(),
         np.empty(0, EPISODE),
         new_rows(0),

@@ -34,10 +34,6 @@ DISCRETE_ACTIONS = 3
 """To rest, to turn counter-clockwise, clockwise."""
 
 
-_SURELY = 1.0 - 1e-9
-"""Of its level's speed a ball has at least so much: after a bounce it differs by rounding."""
-
-
 class Options(NamedTuple):
     """How environments are played.
 
@@ -285,7 +281,6 @@ def _numbers(level: Level, options: Options, *, resets: bool) -> LevelNumbers:
         options.max_ticks,
         float(options.repeat_action_probability),
         int(resets),
-        int(top * (level.paddles.radius + level.paddles.half_width) > _SURELY * level.ball.speed),
         1.0 / (level.ground_radius + level.ball.radius),
         1.0 / level.ball.speed,
         1.0 / top,

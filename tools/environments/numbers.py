@@ -91,7 +91,6 @@ class LevelNumbers(NamedTuple):
         longest: ticks of an episode at most.
         repeat: probability that an action is not taken, and the one before it held.
         resets: 1 where the step after an episode's end begins the next one.
-        outrun: 1 where the paddles' rim may be faster than the ball, and so end a free flight.
         near, pace, turn: what positions, velocities and spins are multiplied by to lie in [-1, 1].
     """
 
@@ -105,7 +104,6 @@ class LevelNumbers(NamedTuple):
     longest: int
     repeat: float
     resets: int
-    outrun: int
     near: float
     pace: float
     turn: float

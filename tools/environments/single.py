@@ -54,10 +54,13 @@ class PolarBreakoutEnv(gymnasium.Env[npt.NDArray[Any], Any]):
         return self._seen(), self._info()
 
     def step(self, action: Any) -> tuple[npt.NDArray[Any], float, bool, bool, dict[str, Any]]:
-        """Take an action for `frame_skip` ticks."""
+        """Take an action for `frame_skip` ticks. Raises ValueError for a wrong one; then nothing is changed."""
         if not self._environments.begun or self._environments.episodes["ended"][0]:
             raise ResetNeeded("the episode is over, or none has begun: call reset")
-        done = self._environments.step(np.asarray(action)[np.newaxis])
+        taken = np.asarray(action)
+        if self.action_space.shape != taken.shape:
+            raise ValueError(f"action must be of shape {self.action_space.shape}, not {action!r}")
+        done = self._environments.step(taken[np.newaxis])
         return self._seen(), float(done.rewards[0]), bool(done.over[0]), bool(done.cut_off[0]), self._info()
 
     def render(self) -> npt.NDArray[np.uint8] | None:

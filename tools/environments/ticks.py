@@ -16,10 +16,9 @@ from game.rules.scoring import POINTS_PER_LIFE, layer_points
 from game.rules.serving import served_ball, swung_aim
 from game.rules.steering import keyed_spin, spin_to_pointer
 from physics.batch.arrays import Games, Integers
-from physics.batch.games import UNKNOWN, play_one_tick, ring_of, startable, with_turn, workspace
+from physics.batch.games import UNKNOWN, play_one_tick, ring_of, with_turn, workspace
 from physics.batch.hits import Rows
 from physics.broad_phase import has_left
-from physics.free_flight import may_be_steered
 from physics.shapes import PERMANENT, Ball, Ring
 from physics.vectors import dot
 from tools.environments.numbers import BRICKS, CUT_OFF, FINISHED, PLAY, LevelNumbers, Results
@@ -73,6 +72,7 @@ def _fly(
 ) -> None:
     """Take the actions; tick for tick until an environment's ball may touch anything, or is to be served.
 
+    However the paddles are steered, a free flight holds: no level's paddles are faster than its ball.
     No function here is given an array: numba would count each in and out, which takes as long as the flight.
     """
     positions, velocities, phases, spins, free = games.positions, games.velocities, games.phases, games.spins, games.free
@@ -90,7 +90,7 @@ def _fly(
             ball = Ball(positions[g, 0], velocities[g, 0], numbers.ball_radius)
             spin = _steered_spin(numbers, e, paddles)
             position = ball.moved(TICK).position
-            if _ends_flight(numbers, paddles, spin, ball) or _may_have_left(numbers, position):
+            if _may_have_left(numbers, position):
                 break
             spins[g, PADDLES], phases[g, PADDLES] = spin, with_turn(model, paddles.phase, spin).turned(TICK).phase
             if turning:
@@ -190,13 +190,6 @@ def _steered_spin(numbers: LevelNumbers, e: Any, paddles: Ring) -> float:
     return keyed_spin(paddles.spin, e.turn, numbers.top, numbers.change)
 
 
-def _ends_flight(numbers: LevelNumbers, paddles: Ring, spin: float, ball: Ball) -> bool:
-    """Whether what is known of the ball's free flight does not hold for another spin."""
-    if numbers.outrun == 0 or spin == paddles.spin:
-        return False
-    return not may_be_steered(startable(paddles), with_turn(paddles, paddles.phase, spin), (ball,))
-
-
 def _may_have_left(numbers: LevelNumbers, position: complex) -> bool:
     """Whether the ball's centre is outside of the ground: no root is needed to say so."""
     return dot(position, position) > numbers.ground_radius * numbers.ground_radius
@@ -204,11 +197,7 @@ def _may_have_left(numbers: LevelNumbers, position: complex) -> bool:
 
 def _steer(numbers: LevelNumbers, games: Games, e: Any, g: int) -> None:
     """Give the paddles their spin for this tick."""
-    paddles = ring_of(games, g, PADDLES)
-    spin = _steered_spin(numbers, e, paddles)
-    if _ends_flight(numbers, paddles, spin, Ball(games.positions[g, 0], games.velocities[g, 0], games.ball_radii[g, 0])):
-        games.known[g], games.free[g] = UNKNOWN, 0
-    games.spins[g, PADDLES] = spin
+    games.spins[g, PADDLES] = _steered_spin(numbers, e, ring_of(games, g, PADDLES))
 
 
 def _serve(numbers: LevelNumbers, games: Games, e: Any, g: int) -> None:

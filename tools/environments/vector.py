@@ -1,8 +1,9 @@
 """Many environments that are played together, by Gymnasium's `VectorEnv`."""
 
 from collections.abc import Sequence
+from numbers import Integral
 from pathlib import Path
-from typing import Any
+from typing import Any, SupportsInt, TypeGuard
 
 import gymnasium
 import numpy as np
@@ -69,14 +70,17 @@ class PolarBreakoutVectorEnv(gymnasium.vector.VectorEnv[Array, Array, Array]):
         `PolarBreakoutEnv` with that seed, None to go on with the one before. Raises ValueError, naming the argument.
         """
         mask = self._mask(options)
-        if isinstance(seed, int):
-            super().reset(seed=seed)
-            self._environments.seed([base_seed(seed, index) for index in range(self.num_envs)], mask)
+        if _is_seed(seed):
+            super().reset(seed=int(seed))
+            self._environments.seed([base_seed(int(seed), index) for index in range(self.num_envs)], mask)
         elif seed is not None:
-            if len(seed) != self.num_envs:
-                raise ValueError(f"seed must be one number, or {self.num_envs} of them, not {len(seed)}")
+            if not isinstance(seed, Sequence | np.ndarray) or len(seed) != self.num_envs:
+                raise ValueError(f"seed must be one whole number, or {self.num_envs} of them, not {seed!r}")
+            wrong = [one for one in seed if one is not None and not _is_seed(one)]
+            if wrong:
+                raise ValueError(f"seed must be whole numbers from 0 up, or None, not {wrong[0]!r}")
             given = np.array([one is not None for one in seed])
-            self._environments.seed([0 if one is None else base_seed(one, 0) for one in seed], mask & given)
+            self._environments.seed([0 if one is None else base_seed(int(one), 0) for one in seed], mask & given)
         elif not self._environments.begun:
             self._environments.seed([base_seed(self.np_random_seed or 0, index) for index in range(self.num_envs)], mask)
         self._environments.begin(mask)
@@ -150,6 +154,11 @@ class PolarBreakoutVectorEnv(gymnasium.vector.VectorEnv[Array, Array, Array]):
             said = f"{mask.dtype} of shape {mask.shape}" if isinstance(mask, np.ndarray) else type(mask).__name__
             raise ValueError(f"options['reset_mask'] must be bools of shape {(self.num_envs,)}, one of them True, not {said}")
         return mask
+
+
+def _is_seed(value: Any) -> TypeGuard[SupportsInt]:
+    """Whether a value is a whole number from 0 up, of Python or numpy."""
+    return isinstance(value, Integral) and not isinstance(value, bool) and int(value) >= 0
 
 
 _INFO = {"score": "score", "lives": "lives", "ticks": "tick"}

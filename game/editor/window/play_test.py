@@ -19,10 +19,11 @@ class PlayTest:
 
     def __init__(self, state: AppState, editor: Screen, level: Level) -> None:
         """Start at the first serve."""
-        self._editor, kept = editor, Kept(None)
+        self._editor, self._state, kept = editor, state, Kept(None)
         own = replace(state, open_title=lambda _: editor, open_levels=None, home=tr_noop("Back to the editor"))
-        own = replace(own, recorder=None, kept=kept, told=set(kept.problems))
-        self._inner: Screen = PlayScreen(own, (level,))
+        self._own = replace(own, recorder=None, kept=kept, told=set(kept.problems))
+        self._settings = state.settings
+        self._inner: Screen = PlayScreen(self._own, (level,))
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
         """Let the game answer; Esc leads back from it, not to a pause."""
@@ -31,7 +32,8 @@ class PlayTest:
         return self._followed(self._inner.answer(signal, size))
 
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
-        """Let the game go on."""
+        """Let the game go on, with settings that a key may have changed."""
+        self._share_settings()
         return self._followed(self._inner.advance(seconds, size))
 
     def draw(self, surface: pygame.Surface) -> None:
@@ -40,7 +42,14 @@ class PlayTest:
 
     def _followed(self, screen: Screen | None) -> Screen:
         """This screen with what the game shows next, or the editor."""
+        self._share_settings()
         if screen is None or screen is self._editor:
             return self._editor
         self._inner = screen
         return self
+
+    def _share_settings(self) -> None:
+        """Settings that were changed in the game or outside of it hold in both."""
+        if self._own.settings != self._settings:
+            self._state.change(self._own.settings)
+        self._own.settings = self._settings = self._state.settings

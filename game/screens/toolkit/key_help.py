@@ -10,7 +10,7 @@ from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.toolkit.focus import Focus
 from game.screens.toolkit.items import Item, TextItem
-from game.screens.toolkit.layout import Content, Row
+from game.screens.toolkit.layout import FROM_TOP, Content, Row
 from game.screens.toolkit.menu import back_row
 from game.screens.toolkit.panel import Panel
 
@@ -46,7 +46,8 @@ class KeyHelp(Panel):
         ]
         if self._words.note:
             rows += [(Item(),), (TextItem(self._words.note, 1.0, faint=True),)]
-        return Content(self._words.title, tuple(rows), back_row(self._words.back, self.back), names, self._tab, 46.0)
+        footer, tall = back_row(self._words.back, self.back), FROM_TOP if names else 0.0
+        return Content(self._words.title, tuple(rows), footer, names, self._tab, 46.0, tall=tall)
 
     def first(self) -> Focus | None:
         """The button that closes it."""

@@ -119,8 +119,13 @@ def test_a_play_test_comes_back_to_the_editor(editor):
     assert playing.answer(Pressed(Action.BACK), SIZE) is editor
     assert playing.answer(Pressed(Action.PAUSE), SIZE) is playing
     assert [entry.label for entry in playing._inner._entries][-1] == "Back to the editor"
+    editor._state.change(editor._state.settings.other_colours())
+    playing.advance(0.1, SIZE)
+    assert playing._own.settings == editor._state.settings
+    playing._own.change(playing._own.settings._replace(volume=3))
     playing.answer(Pressed(Action.UP), SIZE)
     assert playing.answer(Pressed(Action.CONFIRM), SIZE) is editor
+    assert editor._state.settings.volume == 3
     assert playing._inner._state.kept.progress is not editor._state.kept.progress
 
 
