@@ -238,7 +238,7 @@ def _rate(screen: Screen | None, rate: int, *, away: bool) -> int:
     if away:
         return _IDLE_RATE
     if isinstance(screen, Still):
-        return min(rate or _STILL_RATE, int(getattr(screen, "rate", _STILL_RATE)))
+        return min(rate, int(getattr(screen, "rate", _STILL_RATE)))
     return rate
 
 

@@ -132,7 +132,7 @@ def test_other_games_are_not_gone_on_with(capsys, tmp_path):
         (["--out", "table.txt"], "--out table.txt: expected a name that ends in .csv or .parquet"),
         (["--out", "no/folder/table.csv"], "there is no folder no/folder"),
         (["--out", "table.csv", "--resume"], "--resume: there is no table.csv.journal"),
-        (["--out", "table.csv", "--players", "nobody"], "expected autopilot, or MS/DEG"),
+        (["--out", "table.csv", "--players", "nobody"], "expected MS/DEG"),
         (["--out", "table.csv", "--top-speed", "1,fast"], "--top-speed 1,fast: expected numbers from 0.1 to 10"),
         (["--out", "table.csv", "--friction", "1.5"], "--friction 1.5: expected numbers from 0 to 1"),
         (["--out", "table.csv", "--rules", "nice"], "--rules nice: expected one of source, easy, normal, hard"),

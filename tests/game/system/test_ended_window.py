@@ -53,7 +53,7 @@ def test_a_signal_in_play_keeps_the_game_and_the_settings(monkeypatch, tmp_path,
 
     monkeypatch.setattr(app, "frame", looked)
     monkeypatch.setattr(app.pygame, "quit", interrupted)
-    monkeypatch.setattr(app.display, "refresh_rate", lambda: 0)
+    monkeypatch.setattr(app.display, "refresh_rate", lambda: 1000)
     code = run(command, "polar-breakout", ["--autopilot", "--seed", "3", "--record", str(file)])
     out, err = capsys.readouterr()
     assert (code, out, err) == (128 + number, "", f"polar-breakout: {ending.WORDS[number.name]}\n")
