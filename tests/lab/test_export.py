@@ -121,7 +121,7 @@ def test_every_formula_of_every_scene_can_be_set():
         ("(p - A) · (B - A) / |B - A|²", r"$\dfrac{(\mathbf{p}-{A})\cdot ({B}-{A})}{|{B}-{A}|^2}$"),
         ("2 π / n", r"$2\,\dfrac{{\pi}}{{n}}$"),
         ("sqrt(v_0² - u²)", r"$\sqrt{{v}_{0}^2-{u}^2}$"),
-        ("10 rad/s", r"$10\ \mathrm{rad}/{s}$"),
+        ("10 rad/s", r"$10\ \mathrm{rad/s}$"),
         ("q", r"$\hat{\mathbf{q}}$"),
         ("a corner", r"$\mathrm{a}\ \mathrm{corner}$"),
     ],
