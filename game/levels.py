@@ -158,10 +158,10 @@ def level_schema() -> str:
 
 
 def _suggestion(what: str) -> str:
-    """The known key most like the unknown one that an error names."""
+    """The known key most like the unknown one that an error names; none for a key that belongs to another table."""
     unknown = what.partition("unknown field `")[2].rstrip("`")
     known = [field for table in _TABLES for field in table.__struct_fields__]
-    near = difflib.get_close_matches(unknown, known, 1) if unknown else []
+    near = difflib.get_close_matches(unknown, known, 1) if unknown and unknown not in known else []
     return f"; did you mean `{near[0]}`?" if near else ""
 
 

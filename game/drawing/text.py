@@ -30,7 +30,7 @@ class Type:
 
     def rendered(self, text: str, size: float, colour: Colour, spacing: float = 0.0) -> pygame.Surface:
         """A line of text on a transparent surface. size: pixels; spacing: between letters, as a share of the size."""
-        pixels = _pixels(size)
+        pixels, text = _pixels(size), _drawable(text)
         key = (text, pixels, colour, spacing)
         if key in self._lines:
             self._lines.move_to_end(key)
@@ -61,6 +61,7 @@ class Type:
         size: of the letters, pixels. pixel: where the box's point named by `anchor` is, as in pygame.Rect. spacing: between
         letters, as a share of their size. opacity: 0 to 1.
         """
+        text = _drawable(text)
         line = self.rendered(text, size, colour, spacing)
         box = line.get_rect(**{anchor: (round(pixel.real), round(pixel.imag))})
         if anchor.startswith("top"):
@@ -70,7 +71,7 @@ class Type:
 
     def wrapped(self, text: str, size: float, width: float) -> list[str]:
         """The text in lines no wider than `width` pixels, as far as words allow."""
-        key = (text, _pixels(size), width)
+        key = (_drawable(text), _pixels(size), width)
         if key in self._wrapped:
             self._wrapped.move_to_end(key)
         else:
@@ -145,6 +146,11 @@ def _above(font: pygame.font.Font, text: str) -> int:
         return 0
     highest = max([metrics[3] for metrics in font.metrics(text) if metrics is not None], default=0)
     return max(highest - font.get_ascent(), 0)
+
+
+def _drawable(text: str) -> str:
+    """The text without null characters, which a level's name may have and pygame refuses."""
+    return text.replace("\0", "\N{REPLACEMENT CHARACTER}")
 
 
 def _pixels(size: float) -> int:

@@ -45,7 +45,7 @@ class WatchedFile:
         stamp = _stamp(self.path)
         if stamp == self._stamp:
             return None
-        before = self._text
+        before, self._text = self._text, None  # what comes after a file that cannot be read is news, even if it is the same
         text = self.read()
         return None if text == before else text
 

@@ -17,6 +17,8 @@ from physics.tolerances import LARGEST, MAX_IMPACTS, SMALLEST
 
 _ROWS = 4096
 """Rows for hits that a step begins with, beside those that one tick may need; more are made as they are needed."""
+_LARGEST_WHOLE = 2**63 - 1
+"""That compiled code takes."""
 _PIECES, _LEAST = 4, 1024
 """Pieces for each thread, so that one that is held up is helped; games in a piece at least, or cutting would cost too much."""
 
@@ -96,7 +98,7 @@ class Batch:
     def step(self, spins: Floats | None = None, ticks: int = 1, threads: int = 1) -> Steps:
         """Advance every game by some ticks.
 
-        spins: (games, rings), rad/s, float64, finite, for all of these ticks; None to leave them. ticks: at least 0.
+        spins: (games, rings), rad/s, float64, finite, for all of these ticks; None to leave them. ticks: from 0 to 2**63 - 1.
         threads: at least 1; the result does not depend on it. Raises ValueError, naming the argument; then nothing is changed.
         """
         _whole("ticks", ticks, 0)
@@ -194,9 +196,11 @@ def _positive(name: str, value: float) -> float:
 
 
 def _whole(name: str, value: int, least: int) -> None:
-    """Refuse what is not a whole number from `least` up."""
+    """Refuse what is not a whole number from `least` up, or does not fit into 64 bits."""
     if not isinstance(value, int) or isinstance(value, bool) or value < least:
         raise ValueError(f"{name} must be a whole number from {least} up, not {value!r}")
+    if value > _LARGEST_WHOLE:
+        raise ValueError(f"{name} must be at most {_LARGEST_WHOLE}, not {value}")
 
 
 def _checked_spins(spins: Floats, shape: tuple[int, ...]) -> Floats:

@@ -21,7 +21,9 @@ def shared(work: Callable[[int], Result], pieces: int, threads: int) -> list[Res
     """The results of `work` for the pieces 0 to below `pieces`, in that order, by this thread and `threads` - 1 others.
 
     Each thread begins with a run of pieces of its own, the same in every call, so that its processor's cache holds them still.
-    Who is done takes the last piece of whoever has most left. What a piece raises is raised here, once all are done.
+    Who is done takes the last piece of whoever has most left. What a piece raises is raised here, once all are done. Where the
+    caller is interrupted meanwhile (Ctrl-C), no further piece is begun, and the others have ended theirs before it is raised:
+    else they would still write where the next call does.
     """
     if threads == 1:
         return [work(piece) for piece in range(pieces)]
@@ -29,23 +31,38 @@ def shared(work: Callable[[int], Result], pieces: int, threads: int) -> list[Res
     results: dict[int, Result] = {}
     errors: list[BaseException] = []
     done: SimpleQueue[int] = SimpleQueue()
+    at_work = [threading.Lock() for _ in range(threads)]
 
     def take_part(number: int) -> None:
-        while (piece := _taken(left, number)) is not None:
-            try:
-                results[piece] = work(piece)
-            except BaseException as error:  # noqa: BLE001  # it is raised in the caller's thread
-                errors.append(error)
-            done.put(piece)
+        with at_work[number]:
+            while (piece := _taken(left, number)) is not None:
+                try:
+                    results[piece] = work(piece)
+                except BaseException as error:  # noqa: BLE001  # it is raised in the caller's thread
+                    errors.append(error)
+                done.put(piece)
 
-    for number in range(1, threads):
-        _waiting(number - 1).put(partial(take_part, number))
-    take_part(0)
-    for _ in range(pieces):
-        done.get()
+    try:
+        for number in range(1, threads):
+            _waiting(number - 1).put(partial(take_part, number))
+        take_part(0)
+        for _ in range(pieces):
+            done.get()
+    except BaseException:
+        _stop(left, at_work)
+        raise
     if errors:
         raise errors[0]
     return [results[piece] for piece in range(pieces)]
+
+
+def _stop(left: list[deque[int]], at_work: list[threading.Lock]) -> None:
+    """Let no thread begin another piece; return once none is at one."""
+    for pieces in left:
+        pieces.clear()
+    for lock in at_work:
+        with lock:
+            pass
 
 
 def _taken(left: list[deque[int]], number: int) -> int | None:

@@ -136,7 +136,9 @@ def test_a_recorded_game_is_played_and_verified_by_the_game(tmp_path, actions):
         ({"max_ticks": 1.5}, "max_ticks must be a whole number from 1 up, not 1.5"),
         ({"repeat_action_probability": 1.5}, r"repeat_action_probability must lie in \[0, 1\], not be 1.5"),
         ({"num_envs": 0}, "num_envs must be a whole number from 1 up, not 0"),
+        ({"max_ticks": 2**63}, "max_ticks must be at most 2147483647, not 9223372036854775808"),
         ({"recorded": [2]}, "recorded must be numbers of environments, from 0 to 1, not 2"),
+        ({"recorded": [0.5]}, "recorded must be numbers of environments, from 0 to 1, not 0.5"),
         ({"render_mode": "human"}, "render_mode must be one of"),
     ],
 )
@@ -172,6 +174,7 @@ def test_wrong_actions_change_nothing(options, actions, named):
         ([1, 2, 3], r"seed must be one whole number, or 2 of them, not \[1, 2, 3\]"),
         (1.5, "seed must be one whole number"),
         (-1, "seed must be one whole number"),
+        (np.array(5), r"seed must be one whole number, or 2 of them, not array\(5\)"),
         ([1, -2], "seed must be whole numbers from 0 up, or None, not -2"),
         ([None, 0.5], "seed must be whole numbers from 0 up, or None, not 0.5"),
     ],

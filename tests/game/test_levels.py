@@ -28,6 +28,7 @@ def test_the_good_level_is_good():
         (changed('name = "Test"', "name = 7"), r"name: Expected `str`, got `int`"),
         (changed('name = "Test"', ""), r"missing required field `name`"),
         (changed('name = "Test"', 'name = "Test"\nraduis = 3.0'), r"unknown field `raduis`; did you mean `radius`\?"),
+        (changed("speed = 9.0", "speed = 9.0\nrings = 1"), "ball: .*unknown field `rings`$"),
         (changed("speed = 9.0", "speeed = 9.0"), r"ball: .*`speeed`; did you mean `speed`\?"),
         (changed("speed = 9.0", "speed = nan"), r"ball\.speed"),
         (changed("speed = 9.0", "speed = inf"), r"ball\.speed"),

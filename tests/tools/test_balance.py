@@ -9,11 +9,11 @@ from game.system.command_line import run
 from game.system.errors import BadInputError
 from tests.support.paths import ROOT
 from tools.balance.commands import app
-from tools.balance.games_file import saved_games
+from tools.balance.games_file import known_game, level_hash, saved_games
 from tools.balance.human import AVERAGE, GOOD, SLOW, Skill
 from tools.balance.page import rows
 from tools.balance.players import parsed_seeds, parsed_skills
-from tools.balance.trial import standard_error, trial
+from tools.balance.trial import Job, Trial, standard_error, trial
 
 GAMES = ROOT / "tests" / "reference" / "balance.json"
 COMMAND = "python -m tools.balance --seeds 4,12,4 --json tests/reference/balance.json --page docs/campaign.md"
@@ -68,6 +68,32 @@ def test_the_command_prints_a_line_a_player_and_writes_every_game_and_plays_know
     path.write_text("[{}]")
     assert run(app, "balance", [*arguments, "--known", str(path)]) == 2
     assert "not a file of games" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("page", "said"), [(b"# Levels\n", "no table of levels"), (b"caf\xe9\n| 1 Sunrise |\n", "not UTF-8 at byte 3")]
+)
+def test_a_page_without_a_table_is_refused_before_a_game_is_played(page, said, tmp_path, capsys):
+    path = tmp_path / "page.md"
+    path.write_bytes(page)
+    assert run(app, "balance", ["--level", "1", "--page", str(path)]) == 2
+    shown = capsys.readouterr()
+    assert said in shown.err
+    assert not shown.out
+    assert path.read_bytes() == page
+
+
+def test_levels_of_the_same_name_are_refused(capsys):
+    """Their games could not be told apart."""
+    assert run(app, "balance", ["--level", "1", "--level", "2", "--level", "Sunrise"]) == 2
+    assert "two levels are called Sunrise" in capsys.readouterr().err
+
+
+def test_a_known_game_is_of_the_level_that_its_hash_says():
+    """The name of the level in the file does not count."""
+    level = classic()[0]
+    known = {(level_hash(level), None, 0): Trial("Another", None, 0, True, 1.0, 0, 0, 1.0, 10)}
+    assert known_game(known, Job(level, None, 0)).level == level.name
 
 
 def lost(skill):

@@ -16,9 +16,10 @@ from game.rules import Difficulty, Ruleset
 from game.system.errors import BadInputError
 from game.system.files import check_target, read_input, write_text
 from game.system.output import tell
+from game.system.wording import quoted, quoted_path
 from tools.balance.games_file import Known, known_game, save_games, saved_games
 from tools.balance.human import Skill
-from tools.balance.page import with_table
+from tools.balance.page import has_table, with_table
 from tools.balance.players import parsed_seeds, parsed_skills, player_name
 from tools.balance.trial import Job, Summary, Trial, played, summary
 from tools.executor import Where, results, sure
@@ -62,7 +63,7 @@ def balance(
     """Let simulated humans with endless lives play the levels, and print what they lose and how long they take."""
     check_target(json, "--json", ".json")
     check_target(page, "--page", ".md")
-    text = None if page is None else read_input(page, "page", _LARGEST_PAGE).decode()
+    text = None if page is None else _page_text(page)
     levels, skills = _levels(level, endless, count), parsed_skills(players)
     numbers, ruleset = parsed_seeds(seeds, len(skills)), Ruleset(Difficulty[difficulty.upper()])
     games = saved_games(known) if known is not None else {}
@@ -89,7 +90,24 @@ def _levels(names: list[str] | None, endless: int | None, count: int) -> tuple[L
         raise BadInputError("--level and --endless: choose one of them")
     if endless is not None:
         return sequence(endless, count)
-    return campaign() if names is None else tuple([chosen(name)[0] for name in names])
+    if names is None:
+        return campaign()
+    levels = tuple([chosen(name)[0] for name in names])
+    for number, level in enumerate(levels):
+        if level.name in [before.name for before in levels[:number]]:  # names tell the games apart
+            raise BadInputError(f"--level: two levels are called {quoted(level.name)}")
+    return levels
+
+
+def _page_text(path: Path) -> str:
+    """The text of a page with a table of levels; BadInputError for any other file, before a game is played."""
+    try:
+        text = read_input(path, "page", _LARGEST_PAGE).decode()
+    except UnicodeDecodeError as error:
+        raise BadInputError(f"{quoted_path(path)}: not UTF-8 at byte {error.start}") from None
+    if not has_table(text):
+        raise BadInputError(f"{quoted_path(path)}: no table of levels; expected a line that begins with | 1")
+    return text
 
 
 def _play(jobs: list[Job], known: Known, executor: Where, told: Callable[[Trial], None]) -> None:

@@ -47,8 +47,9 @@ def level_hash(level: Level) -> str:
 
 
 def known_game(known: Known, job: Job) -> Trial | None:
-    """The game that a job asks for, if it is known."""
-    return known.get((level_hash(job.level), job.skill, job.seed))
+    """The game that a job asks for, if it is known. The hash says of which level it is, whatever name a file gives it."""
+    game = known.get((level_hash(job.level), job.skill, job.seed))
+    return None if game is None else game._replace(level=job.level.name)
 
 
 def saved_games(path: Path) -> Known:

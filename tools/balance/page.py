@@ -4,13 +4,18 @@ from game.levels import Level
 from tools.balance.human import Skill
 from tools.balance.trial import Trial, summary
 
+_FIRST_ROW = "| 1 "
+
+
+def has_table(page: str) -> bool:
+    """Whether a page has a table of levels."""
+    return any([line.startswith(_FIRST_ROW) for line in page.splitlines()])
+
 
 def with_table(page: str, levels: tuple[Level, ...], skills: tuple[Skill | None, ...], trials: list[Trial]) -> str:
-    """The page with the rows of its table of levels replaced; whatever else it says stays."""
+    """The page with the rows of its table of levels, which it has, replaced; whatever else it says stays."""
     lines = page.splitlines()
-    first = next((k for k, line in enumerate(lines) if line.startswith("| 1 ")), None)
-    if first is None:
-        return page
+    first = next(k for k, line in enumerate(lines) if line.startswith(_FIRST_ROW))
     last = next((k for k in range(first, len(lines)) if not lines[k].startswith("|")), len(lines))
     return "\n".join([*lines[:first], *rows(levels, skills, trials), *lines[last:]]) + "\n"
 

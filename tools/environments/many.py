@@ -3,6 +3,7 @@
 import hashlib
 import math
 from collections.abc import Sequence
+from numbers import Integral
 from pathlib import Path
 from typing import Any, Literal, NamedTuple
 
@@ -26,6 +27,8 @@ from tools.environments.observation import Cells, numbers_of_state, square_cells
 Observation = Literal["state", "rings", "pixels"]
 Actions = Literal["discrete", "continuous"]
 
+_LARGEST_NUMBER = 2**31 - 1
+"""Of environments and ticks: the compiled loops add such numbers in 64 bits."""
 _PIXELS = 84
 _RING_ROWS, _RING_COLUMNS = 48, 96
 PICTURE_SHAPES = {"rings": (_RING_ROWS, _RING_COLUMNS), "pixels": (_PIXELS, _PIXELS)}
@@ -292,6 +295,8 @@ def _check(count: int, options: Options, recorded: Sequence[int]) -> None:
     for name, value in (("num_envs", count), ("frame_skip", options.frame_skip), ("max_ticks", options.max_ticks)):
         if not isinstance(value, int) or isinstance(value, bool) or value < 1:
             raise ValueError(f"{name} must be a whole number from 1 up, not {value!r}")
+        if value > _LARGEST_NUMBER:
+            raise ValueError(f"{name} must be at most {_LARGEST_NUMBER}, not {value}")
     if options.observation not in {"state", *PICTURE_SHAPES}:
         raise ValueError(f"observation must be 'state', 'rings' or 'pixels', not {options.observation!r}")
     if options.actions not in {"discrete", "continuous"}:
@@ -299,7 +304,7 @@ def _check(count: int, options: Options, recorded: Sequence[int]) -> None:
     if not 0.0 <= options.repeat_action_probability <= 1.0:
         raise ValueError(f"repeat_action_probability must lie in [0, 1], not be {options.repeat_action_probability}")
     for index in recorded:
-        if not 0 <= index < count:
+        if not isinstance(index, Integral) or not 0 <= index < count:
             raise ValueError(f"recorded must be numbers of environments, from 0 to {count - 1}, not {index}")
 
 

@@ -74,13 +74,14 @@ class PolarBreakoutVectorEnv(gymnasium.vector.VectorEnv[Array, Array, Array]):
             super().reset(seed=int(seed))
             self._environments.seed([base_seed(int(seed), index) for index in range(self.num_envs)], mask)
         elif seed is not None:
-            if not isinstance(seed, Sequence | np.ndarray) or len(seed) != self.num_envs:
+            seeds: Any = seed.tolist() if isinstance(seed, np.ndarray) else seed
+            if not isinstance(seeds, Sequence) or len(seeds) != self.num_envs:
                 raise ValueError(f"seed must be one whole number, or {self.num_envs} of them, not {seed!r}")
-            wrong = [one for one in seed if one is not None and not _is_seed(one)]
+            wrong = [one for one in seeds if one is not None and not _is_seed(one)]
             if wrong:
                 raise ValueError(f"seed must be whole numbers from 0 up, or None, not {wrong[0]!r}")
-            given = np.array([one is not None for one in seed])
-            self._environments.seed([0 if one is None else base_seed(int(one), 0) for one in seed], mask & given)
+            given = np.array([one is not None for one in seeds])
+            self._environments.seed([0 if one is None else base_seed(int(one), 0) for one in seeds], mask & given)
         elif not self._environments.begun:
             self._environments.seed([base_seed(self.np_random_seed or 0, index) for index in range(self.num_envs)], mask)
         self._environments.begin(mask)

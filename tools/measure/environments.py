@@ -16,6 +16,7 @@ import numpy as np
 import typer
 from rich.console import Console
 
+from game.levels import chosen
 from game.system.command_line import run
 from game.system.errors import EnvironmentMissingError
 
@@ -45,6 +46,7 @@ def speed(
         from tools.environments import PolarBreakoutVectorEnv  # noqa: PLC0415  # an extra
     except ImportError as error:
         raise EnvironmentMissingError(str(error)) from None
+    chosen(level)  # refuses, in one line, what is none
     console = Console()
     with console.status("compiling, or loading what was compiled before"):
         env = PolarBreakoutVectorEnv(games, level=level, frame_skip=frame_skip, copy=False)

@@ -204,7 +204,7 @@ class Editor:
         try:
             text = self._file.news()
         except BadInputError as error:
-            self.session = self.session._replace(file_error=str(error))
+            self.session = self.session._replace(file_error=str(error), saved="")  # nothing that is known is in the file
             return
         if text is not None:
             self.session = editing.reloaded(self.session, text)

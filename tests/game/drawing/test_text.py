@@ -33,3 +33,13 @@ def test_accents_on_capitals_do_not_move_a_line(accented, spacing):
         rows = pygame.surfarray.array3d(surface).max(axis=(0, 2))
         lowest.append(max([row for row in range(60) if rows[row] > 60]))
     assert lowest[0] == lowest[1]
+
+
+def test_a_null_character_is_drawn_as_the_replacement_character():
+    """A level's name may have one; pygame draws none."""
+    type_ = Type()
+    for spacing in (0.0, 0.03):
+        drawn, replaced = [type_.rendered(text, 20.0, (0, 0, 0), spacing) for text in ("a\0b", "a\N{REPLACEMENT CHARACTER}b")]
+        assert drawn.get_size() == replaced.get_size()
+    assert type_.wrapped("a\0b", 20.0, 100.0) == ["a\N{REPLACEMENT CHARACTER}b"]
+    type_.write(pygame.Surface((60, 40), 0, 32), "\0Č", 20.0, (0, 0, 0), 0j)

@@ -99,6 +99,21 @@ def test_what_another_program_writes_is_taken_over_and_an_error_keeps_the_last_g
         assert bool(editor.session.file_error) == (text != NEW)
 
 
+def test_a_level_whose_file_was_removed_is_asked_about_and_the_same_file_is_news(editor, tmp_path):
+    """Else the only copy of the level would go with the window, or the error would stay when the file is back."""
+    path = tmp_path / "mine.toml"
+    key(editor, pygame.K_s, mod=pygame.KMOD_CTRL)
+    data = path.read_bytes()
+    path.unlink()
+    editor.advance(1.0, SIZE)
+    assert "cannot read level" in editor.session.file_error
+    assert isinstance(key(editor, pygame.K_ESCAPE), Menu)
+    path.write_bytes(data)
+    editor.advance(1.0, SIZE)
+    assert not editor.session.file_error
+    assert not editor.session.changed
+
+
 def test_a_level_with_a_problem_is_neither_saved_nor_played(editor, tmp_path):
     key(editor, pygame.K_0, "0")
     key(editor, pygame.K_f)

@@ -221,6 +221,7 @@ def nan_at(shape, where):
         ({"spins": nan_at((2, 5), (1, 0))}, "spins must be finite .* not nan at game 1, ring 0"),
         ({"spins": np.full((2, 5), math.inf)}, "spins must be finite .* not inf at game 0, ring 0"),
         ({"ticks": -1}, "ticks must be a whole number from 0 up, not -1"),
+        ({"ticks": 2**63}, "ticks must be at most 9223372036854775807, not 9223372036854775808"),
         ({"ticks": 1.0}, "ticks must be .* not 1.0"),
         ({"threads": 0}, "threads must be a whole number from 1 up, not 0"),
     ],

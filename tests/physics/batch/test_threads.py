@@ -3,9 +3,11 @@
 import subprocess
 import sys
 import threading
+import time
 
 import pytest
 
+from physics.batch import threads
 from physics.batch.threads import shared
 from tests.support.paths import ROOT
 
@@ -62,3 +64,27 @@ def test_a_forked_process_starts_threads_of_its_own():
     """It has none of its parent's; without its own it would wait for ever."""
     command = [sys.executable, "-W", "ignore", "-c", AFTER_A_FORK]
     assert subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout == "0\n"
+
+
+def test_nothing_is_at_work_any_more_when_the_caller_is_interrupted(monkeypatch):
+    """Here since no further thread can be started, as by Ctrl-C: what was begun is done, and nothing else is begun."""
+    begun, ended, first = [], [], threading.Event()
+    queue_of = threads._waiting
+
+    def work(piece):
+        begun.append(piece)
+        first.set()
+        time.sleep(0.05)
+        ended.append(piece)
+
+    def one_thread(number):
+        if number == 0:
+            return queue_of(number)
+        first.wait(PATIENCE)
+        raise RuntimeError("can't start new thread")
+
+    monkeypatch.setattr(threads, "_waiting", one_thread)
+    with pytest.raises(RuntimeError, match="new thread"):
+        shared(work, 9, 3)
+    assert len(begun) == 1
+    assert ended == begun
