@@ -9,8 +9,10 @@ from gymnasium.vector import AutoresetMode
 
 from game.replays.file import load
 from game.replays.verify import verified
+from game.system.command_line import run
 from tools.environments import ENVIRONMENT, PolarBreakoutEnv, PolarBreakoutVectorEnv
 from tools.environments.checker import check_vector_env
+from tools.measure.environments import app
 
 pytestmark = pytest.mark.deep
 
@@ -241,3 +243,9 @@ def test_a_picture_shows_ball_paddles_and_bricks():
     row, column = int(abs(ball.position) / ground * 48), int(np.angle(ball.position) % (2 * np.pi) / (2 * np.pi) * 96)
     assert seen[row, column] == 255
     assert {0, 200, 255} < set(seen.ravel().tolist())
+
+
+def test_a_level_that_is_none_is_refused_by_the_measurement(capsys):
+    """In one line, as every command does."""
+    assert run(app, "measure", ["--level", "99"]) == 2
+    assert "--level 99: no such level" in capsys.readouterr().err
