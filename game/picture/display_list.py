@@ -12,8 +12,8 @@ Every primitive is its code, its colour (0xRRGGBB, exact in a 32-bit float), its
                                                           lower than their size; room: greatest width, for which the size is
                                                           reduced, 0 for any; on a canvas the text may be runs of letters
                                                           (game/lab/typeset/runs.py)
-    GLOW      x y across down takes                       half axes of an ellipse of light that fades to its edge; takes: 0 if it
-                                                          is added to what is below, 1 if it is multiplied with it
+    GLOW      x y across down takes                       half axes of an ellipse of light that fades to its edge; takes: 0 if
+                                                          it is added to what is below, 1 if it is multiplied with it
     GRADIENT  x y radius n, then n times share colour     a disc; colours by the share of the radius
     CELLS     x y width height columns rows, then colours a grid of cells, row by row from the top, smoothed
     CLIP      x y width height                            what follows is drawn inside this box only; a width of 0 ends that
@@ -40,8 +40,9 @@ equations of `game.drawing.camera.Camera`, so that a list stays the same while t
               light_x light_y dimmest brightest           towards the light; brightness, as a share of the colour, of a side
                                                           that faces away from the light, and of one that faces it
     SLOT      angle                                       the prisms that follow are rotated by it about the arena's centre
-    PRISM     bottom top n, then n times x y              the top in the colour, the sides that face the eye in shades of it; the
-                                                          outline is clockwise; with bottom equal to top only the top is drawn
+    PRISM     bottom top n, then n times x y              the top in the colour, the sides that face the eye in shades of it;
+                                                          the outline is clockwise; with bottom equal to top only the top is
+                                                          drawn
     SHADOWS   x y n m, then n times x y, then             the shadows of m prisms with one outline: each is the area that the
               m times angle height                        outline, rotated by the angle, sweeps when moved by height times x, y
 """
@@ -247,7 +248,7 @@ class DisplayList:
         self.numbers.extend((Primitive.TEXTURED, 0.0, 1.0, centre.real, centre.imag, radius, number))
 
     def camera(self, camera: Camera, light: complex, shares: tuple[float, float]) -> None:
-        """The projection of prisms and shadows. light: unit vector towards it; shares: of the dimmest and the brightest side."""
+        """The projection of prisms and shadows. light: unit vector towards it; shares: of the dimmest, the brightest side."""
         centre, *rest = camera
         self.numbers.extend((Primitive.CAMERA, 0.0, 1.0, centre.real, centre.imag, *rest, light.real, light.imag, *shares))
 
