@@ -12,7 +12,7 @@ Arrays = NDArray[np.floating[Any]]
 
 
 def _picked(numbers: Sequence[float], index: Arrays) -> Arrays:
-    """The numbers of some indices, rounded down."""
+    """The number at each index; indices are rounded down."""
     return np.array(numbers, dtype=index.dtype)[index.astype(np.int64)]
 
 

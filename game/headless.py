@@ -46,8 +46,8 @@ def autopilot_game(
 def result_line(game: Game, physics: str = "swept") -> str:
     """The one line that says how a game stands.
 
-    level: its number among those that come with the game, as the window shows it. layers: still to be broken in it.
-    physics: name of what flew the balls, as `--physics` takes it. Of two players against each other each has a score and lives.
+    level: its number among the levels that come with the game, as the window shows it. layers: still to be broken in it.
+    physics: as `--physics` takes it. If two players play against each other, the line has a score and lives of each.
     """
     number, _ = number_of(game.level, game.levels)
     sides = [f"player_{k}_score={side.score} player_{k}_lives={side.lives} " for k, side in enumerate(game.sides, 1)]

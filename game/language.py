@@ -58,12 +58,12 @@ def tr_noop(message: str) -> str:
 
 
 def grouped(number: int) -> str:
-    """A number with its thousands apart, as they are written in the player's language."""
+    """A number with its thousands separated as in the player's language."""
     return f"{number:,}".replace(",", _THOUSANDS[current()])
 
 
 def decimal(number: float, digits: int) -> str:
-    """A number with so many digits behind the point, which is the one of the player's language."""
+    """A number with some decimal digits and the decimal point of the player's language."""
     return f"{number:.{digits}f}".replace(".", _POINT[current()])
 
 

@@ -1,4 +1,4 @@
-"""The functions of formulas that hold for numbers and for arrays: so one description serves where there is no numpy, too."""
+"""Functions for formulas that take numbers or arrays, so that the same formula also works where there is no numpy."""
 
 import math
 from collections.abc import Callable, Sequence
@@ -14,7 +14,7 @@ Planes = tuple[Values, Values, Values]
 
 
 class Maths(NamedTuple, Generic[Values]):
-    """The functions, by numpy's names. pick: of some numbers the one of an index, which is rounded down."""
+    """The functions, by numpy's names. pick: the number at an index, which is rounded down."""
 
     sin: Callable[[Values], Values]
     cos: Callable[[Values], Values]
@@ -38,7 +38,7 @@ def _least(one: float, other: float) -> float:
 
 
 def _pick(numbers: Sequence[float], index: float) -> float:
-    """The number of an index, rounded down."""
+    """The number at an index; the index is rounded down."""
     return numbers[int(index)]
 
 

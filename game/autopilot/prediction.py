@@ -43,7 +43,7 @@ def crossing(arena: Arena, track: float, speed: float) -> tuple[float, Arena, in
 def _flown_freely(arena: Arena, turning: tuple[int, ...], steps: int) -> Arena:
     """The arena after some steps in which nothing is touched: the bits of `advance` in each.
 
-    turning: indices of rings. With a call of `advance` for each of these steps a prediction takes a seventh longer.
+    turning: indices of the rings that turn. Calling `advance` for each of these steps would make a prediction a seventh slower.
     """
     balls, rings, layers = arena
     position, velocity, radius = balls[0]

@@ -39,12 +39,12 @@ _ANCHORS = {0.0: "midleft", 0.5: "center", 1.0: "midright"}
 
 
 class DisplayListPainter:
-    """Paints lists; caches sprites, and the lights that were scaled up last: most look the same for a few frames."""
+    """Paints lists. Caches sprites and the lights that were scaled up last, since most look the same for a few frames."""
 
     def __init__(self) -> None:
         """Start with nothing cached."""
         self._sprites: dict[bytes, pygame.Surface] = {}
-        self._lights: dict[tuple[object, ...], _ScaledLight] = {}  # the one that was seen last comes last
+        self._lights: dict[tuple[object, ...], _ScaledLight] = {}  # least recently used first
 
     def paint(self, surface: pygame.Surface, letters: Type, picture: DisplayList) -> None:
         """Paint a list on a 32-bit surface. Raises ValueError for a primitive that only a canvas paints."""
@@ -97,7 +97,7 @@ class DisplayListPainter:
     ) -> pygame.Surface:
         """A part of a small picture, scaled up to a size. look: what the small one depends on.
 
-        The memory of the light that was seen the longest ago is used again, for new memory costs more than scaling.
+        The least recently used light gives its memory to a new one, since allocating memory takes longer than scaling.
         """
         key = (*look, *part, *size)
         found = self._lights.pop(key, None)
@@ -114,16 +114,16 @@ class DisplayListPainter:
 
 
 class _ScaledLight(NamedTuple):
-    """A light as large as it is seen. memory: a surface that its picture is a part of."""
+    """A light at its size on the screen. memory: a surface that its picture is a part of."""
 
     memory: pygame.Surface
     picture: pygame.Surface
 
 
 def _seen(whole: pygame.Rect, clip: pygame.Rect, small: "_SmallLight") -> tuple[pygame.Rect, pygame.Rect]:
-    """The part of a small light that shines where it is seen when it is scaled up, and where that part lies on the surface.
+    """The visible part of a small light, in its own pixels, and the box of that part on the surface once it is scaled up.
 
-    whole: where all of the small picture lies.
+    whole: the box of the whole light on the surface.
     """
     side, shining = small.picture.width, small.shining
     across, down = whole.width / side, whole.height / side
@@ -174,7 +174,7 @@ def _paint_strip(surface: pygame.Surface, colour: Colour, own: "array[float]") -
 def _strip_lines(numbers: bytes) -> tuple[Any, Any, Any]:
     """The quadrilaterals that fill a strip, the lines that close its gaps, and the one that smooths its edge.
 
-    Cached, as half of all strips do not change from frame to frame, and this takes as long as filling them.
+    Cached, because half of all strips stay the same from frame to frame, and computing them takes as long as filling them.
     """
     lines = np.frombuffer(numbers, dtype=np.float32).astype(np.float64).view(np.complex128).reshape(-1, 2).T
     across = lines[::-1] - lines
@@ -259,7 +259,7 @@ def _sprite(reach: float, numbers: "array[float]") -> pygame.Surface:
 
 
 class _SmallLight(NamedTuple):
-    """The square picture that a light is scaled up from. shining: the part of it that changes what it lies on."""
+    """The square picture that a light is scaled up from. shining: the part of it that changes what is below."""
 
     picture: pygame.Surface
     shining: pygame.Rect
@@ -267,7 +267,7 @@ class _SmallLight(NamedTuple):
 
 @lru_cache(maxsize=256)
 def _small_light(side: int, step: int, colour: Colour, *, takes: bool) -> _SmallLight:
-    """A round light. step: of its strength, up to _STRENGTHS; takes: whether its colour takes the others away."""
+    """A round light. step: of its strength, up to _STRENGTHS; takes: whether it is multiplied with what is below."""
     light = _fall_off(side) * np.float32(step / _STRENGTHS)
     own = np.array(colour, dtype=np.float32)[:, None, None]
     rgb = np.rint(255.0 - (255.0 - own) * light if takes else own * light)

@@ -1,4 +1,4 @@
-"""Sizes of the game's letters, without any font: how large words are, and sizes that change from frame to frame."""
+"""Sizes of the game's letters, estimated without a font: width of texts, and sizes that change from frame to frame."""
 
 import unicodedata
 
@@ -30,7 +30,7 @@ _HINTING = 1.04
 
 
 def width(words: str) -> float:
-    """Width of words in shares of their letters' size, at least what it is on the screen: to a few hundredths."""
+    """Width of a text divided by the size of its letters: a few hundredths more than on the screen, never less."""
     plain = [letter for letter in unicodedata.normalize("NFD", words) if not unicodedata.combining(letter)]
     return _HINTING * sum([_BY_LETTER.get(letter, _OTHERS) for letter in plain])
 

@@ -1,4 +1,4 @@
-"""How flying pieces look: how plates are shaped and glitter, how sparks burn out. Holds for numbers and for arrays."""
+"""The look of flying pieces: shape and light of plates, colours of sparks. The formulas take numbers or arrays."""
 
 from game.drawing.light import LIGHT
 from game.drawing.palette import Colour, Theme, layer_colour
@@ -29,7 +29,7 @@ def burst_colour(burst: Burst, theme: Theme) -> Colour:
 
 
 def unevenness(maths: Maths[Values], shape: Values, corner: int) -> Values:
-    """How far a corner of a plate, 0 to 3, is from its middle, in half diagonals. shape: 0 to 1."""
+    """Distance of a plate's corner, 0 to 3, from its centre, in half diagonals. shape: the plate's random number, 0 to 1."""
     return 0.65 + 0.35 * maths.cos(7.0 * shape + corner * 2.2)
 
 
@@ -40,7 +40,7 @@ def plate_light(maths: Maths[Values], turn: Values, tumble: Values) -> Values:
 
 
 def glittering(maths: Maths[Values], own: Values, light: Values) -> Values:
-    """A plate's red, green or blue, which is its matter's own one in some light."""
+    """A plate's red, green or blue. own: that of its material; light: 0 to 1."""
     shade: Values = own * (_DIMMEST + (1.0 - _DIMMEST) * maths.clip(1.4 * light, 0.0, 1.0))
     glitter: Values = maths.clip(2.0 * light - 1.0, 0.0, 1.0) ** _GLITTER
     bright: Values = shade + (255.0 - shade) * _WHITEST * glitter
@@ -48,7 +48,7 @@ def glittering(maths: Maths[Values], own: Values, light: Values) -> Values:
 
 
 def burning(maths: Maths[Values], own: Values, hot: Values, cold: Values, share: Values) -> Values:
-    """A spark's red, green or blue after a share of its life: bright at first, the ground's at last."""
+    """A spark's red, green or blue after a share of its life. hot: at first; own: then; cold: at last, the ground's."""
     bright = own + (hot - own) * maths.clip(1.0 - 3.0 * share, 0.0, 1.0)
     left: Values = bright + (cold - bright) * share * share
     return left

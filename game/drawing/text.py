@@ -58,8 +58,8 @@ class Type:
     ) -> pygame.Rect:
         """Draw a line of text and return its box, pixels.
 
-        size: of the letters, pixels. pixel: where the box's point named by `anchor` is, as in pygame.Rect. spacing: between
-        letters, as a share of their size. opacity: 0 to 1.
+        size: of the letters, pixels. pixel: position of the box's point that `anchor` names, as in pygame.Rect. spacing:
+        between letters, as a share of their size. opacity: 0 to 1.
         """
         text = _drawable(text)
         line = self.rendered(text, size, colour, spacing)
@@ -81,12 +81,12 @@ class Type:
         return list(self._wrapped[key])
 
     def _broken(self, text: str, pixels: int, width: float) -> list[str]:
-        """As `wrapped`: every word is measured, which for a panel full of text takes a millisecond."""
+        """As `wrapped`, without a cache: measuring every word of a panel full of text takes a millisecond."""
         lines: list[str] = []
         font = self._font(pixels)
         for word in text.split():
             longer = f"{lines[-1]} {word}" if lines else word
-            if lines and _scaled(font.size(longer)[0], pixels) <= width:  # as wide as `rendered` would make it
+            if lines and _scaled(font.size(longer)[0], pixels) <= width:  # the width that `rendered` would give
                 lines[-1] = longer
             else:
                 lines.append(word)
@@ -103,7 +103,7 @@ class Type:
 
 
 def _spaced(font: pygame.font.Font, text: str, colour: Colour, gap: int) -> pygame.Surface:
-    """A line in which all gaps between letters are the same, for large words. gap: pixels of the font."""
+    """A line with the same gap between all letters, for large words. gap: pixels of the font."""
     letters = [font.render(letter, True, colour) for letter in text]
     inked, lower = [letter.subsurface(_ink(letter)) for letter in letters], [_above(font, letter) for letter in text]
     height = font.render(text, True, colour).get_height()
@@ -117,7 +117,7 @@ def _spaced(font: pygame.font.Font, text: str, colour: Colour, gap: int) -> pyga
 
 
 def blit_faded(surface: pygame.Surface, picture: pygame.Surface, box: pygame.Rect, opacity: float) -> None:
-    """Draw a picture that may be cached, more or less transparent. opacity: 0 to 1."""
+    """Draw a picture with some opacity, 0 to 1. The picture may be a cached one: it is left as it was."""
     if opacity >= 1.0:
         surface.blit(picture, box)
         return
@@ -127,9 +127,9 @@ def blit_faded(surface: pygame.Surface, picture: pygame.Surface, box: pygame.Rec
 
 
 def _levelled(line: pygame.Surface, height: int, above: int) -> pygame.Surface:
-    """The line with so much room below that its letters are as far from its middle as those of a line without accents.
+    """The line with space added below, so that its letters are at the same distance from its middle as without accents.
 
-    height: of a line without accents; above: how far the letters are lower, as `_above` says; pixels.
+    height: of a line without accents; above: how much lower the letters are, as `_above` returns it; pixels.
     """
     missing = height + 2 * above - line.get_height()
     if not above or missing <= 0:
@@ -141,7 +141,7 @@ def _levelled(line: pygame.Surface, height: int, above: int) -> pygame.Surface:
 
 
 def _above(font: pygame.font.Font, text: str) -> int:
-    """How far accents on capitals reach beyond the top of a font's lines, which moves the letters down. Pixels."""
+    """How far accents on capitals extend above a font's line, which moves the letters down by as much, pixels."""
     if text.isascii():
         return 0
     highest = max([metrics[3] for metrics in font.metrics(text) if metrics is not None], default=0)
@@ -165,7 +165,7 @@ def _font_pixels(pixels: int) -> int:
 
 
 def _scaled(length: int, pixels: int) -> int:
-    """How long something is on the screen that has so many pixels in the font for letters of a size."""
+    """Length on the screen of what has a length in pixels of the font. pixels: size of the letters on the screen."""
     return -(-length * pixels // _font_pixels(pixels))
 
 

@@ -1,4 +1,4 @@
-"""What a change has changed, in words: read from the levels before and after it, so that nothing has to be noted meanwhile."""
+"""Changes of a level in words, found by comparing the levels before and after: so the commands need not describe themselves."""
 
 from typing import Any
 
@@ -15,17 +15,17 @@ _LONGEST = 24
 
 
 def undo_words(history: EditHistory) -> str:
-    """What undo would take back; nothing where there is nothing."""
+    """What undo would take back; "" if there is nothing to undo."""
     return described(history.past[-1].level, history.present.level) if history.past else ""
 
 
 def redo_words(history: EditHistory) -> str:
-    """What redo would do again; nothing where there is nothing."""
+    """What redo would do again; "" if there is nothing to redo."""
     return described(history.present.level, history.future[-1].level) if history.future else ""
 
 
 def described(before: Level, after: Level) -> str:
-    """What turns one level into another, in the player's language."""
+    """The change from one level to another, in the player's language."""
     more = (
         (_has_one_more(after.rings, before.rings), tr("add ring")),
         (_has_one_more(after.wells, before.wells), tr("add well")),
@@ -51,12 +51,12 @@ def described(before: Level, after: Level) -> str:
 
 
 def _has_one_more(longer: list[Any], shorter: list[Any]) -> bool:
-    """Whether a list is another one with one thing more."""
+    """Whether a list equals another one but for one additional element."""
     return len(longer) == len(shorter) + 1 and any([longer[:at] + longer[at + 1 :] == shorter for at in range(len(longer))])
 
 
 def _painted_words(before: Level, after: Level) -> str:
-    """What was done to how many bricks."""
+    """What a stroke did, and to how many bricks."""
     pairs = [
         (old, new)
         for old_ring, new_ring in zip(before.rings, after.rings, strict=True)
@@ -74,7 +74,7 @@ def _painted_words(before: Level, after: Level) -> str:
 
 
 def _value_words(path: Path, changed: dict[Path, tuple[Any, Any]]) -> str:
-    """What a key was and is, where that is short."""
+    """The value of a key before and after, if both are short."""
     field = field_at(path)
     label = named(path) if field is None else tr(field.label)
     if path not in changed:
@@ -86,14 +86,14 @@ def _value_words(path: Path, changed: dict[Path, tuple[Any, Any]]) -> str:
 
 
 def _shown(value: object) -> str:
-    """A value; nothing for one that has no short form."""
+    """A value as text; "" for one that has no short form."""
     if isinstance(value, bool) or not isinstance(value, int | float | str):
         return ""
     return value if isinstance(value, str) else f"{value:.10g}"
 
 
 def _changed(before: Any, after: Any, path: Path = ()) -> dict[Path, tuple[Any, Any]]:
-    """(before, after) of every value in nested tables that is not the same, by path."""
+    """(before, after) of every value that differs in two nested tables, by path."""
     if isinstance(before, dict) and isinstance(after, dict):
         pairs = [(key, before.get(key), after.get(key)) for key in {**before, **after}]
     elif isinstance(before, list) and isinstance(after, list) and len(before) == len(after):

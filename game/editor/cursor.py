@@ -20,7 +20,7 @@ def moved_across(session: EditorSession, steps: int) -> EditorSession:
 
 
 def with_brush_of_slot(session: EditorSession) -> EditorSession:
-    """The session with what stands under the cursor as the brush, layers and colour."""
+    """The session whose brush has the layers and the colour of the slot under the cursor."""
     return session._replace(brush=stacks(session.document.level.rings[session.ring])[session.slot], message="")
 
 

@@ -30,13 +30,13 @@ Value = float | str | list[int] | list[str] | None
 
 
 class Stack(NamedTuple):
-    """What a brush puts into a slot. layers: 1 to 9; 0 is a gap, -1 never breaks; None leaves them. tint: None leaves it."""
+    """What a brush puts into a slot. layers: 1 to 9; 0 is a gap, -1 never breaks. None leaves the layers, or the tint."""
 
     layers: int | None
     tint: int | None = None
 
     def over(self, old: "Stack") -> "Stack":
-        """What a slot has after it was put over what was there."""
+        """What a slot contains after this stack was painted over another one."""
         return Stack(old.layers if self.layers is None else self.layers, old.tint if self.tint is None else self.tint)
 
 
@@ -100,7 +100,7 @@ def painted(document: Document, ring: int, slots: Collection[int], stack: Stack)
 
 
 def with_stacks(document: Document, ring: int, after: Sequence[Stack]) -> Document:
-    """The document with all stacks of a ring set; what is the same all around is written as one number."""
+    """The document with all stacks of a ring set; if all are equal, the file has a single number."""
     spec = document.level.rings[ring]
     values: dict[Path, Value] = {}
     layers, tints = [stack.layers or 0 for stack in after], [stack.tint or 0 for stack in after]
@@ -130,17 +130,17 @@ def with_count(document: Document, ring: int, count: int) -> Document:
 
 
 def stacks(ring: RingSpec) -> tuple[Stack, ...]:
-    """What stands in every slot of a ring."""
+    """The stacks of a ring, slot by slot."""
     return tuple([Stack(layers, ring.tint_at(slot)) for slot, layers in enumerate(ring.slots())])
 
 
 def ring_added(document: Document, ring: RingSpec) -> Document:
-    """The document with another ring, as its last one."""
+    """The document with a ring added at the end."""
     return _added(document, "rings", ring)
 
 
 def well_added(document: Document, well: WellSpec) -> Document:
-    """The document with another gravity well, as its last one."""
+    """The document with a gravity well added at the end."""
     return _added(document, "wells", well)
 
 
@@ -157,7 +157,7 @@ def well_removed(document: Document, well: int) -> Document:
 
 
 def _added(document: Document, name: str, spec: RingSpec | WellSpec) -> Document:
-    """The document with another table of a kind, without the keys that are at their defaults."""
+    """The document with a table added. name: of the list of tables. Keys with default values are left out."""
     toml, table = _tables(document.text), tomlkit.table()
     for field in msgspec.structs.fields(spec):
         value = getattr(spec, field.name)
@@ -173,7 +173,7 @@ def _added(document: Document, name: str, spec: RingSpec | WellSpec) -> Document
 
 
 def _removed(document: Document, name: str, index: int) -> Document:
-    """The document without one table of a kind."""
+    """The document without one table. name: of the list of tables."""
     toml = _tables(document.text)
     tables: Any = toml[name]
     del tables[index]
@@ -198,7 +198,7 @@ def _tables(text: str) -> tomlkit.TOMLDocument:
 
 
 def _put(table: Any, key: str, value: Value) -> None:
-    """Set a key of a table, or take it out; the comment behind its old value stays."""
+    """Set a key of a table, or remove it; a comment behind the old value stays."""
     old = table.get(key)
     if value is None:
         if old is not None:
@@ -219,7 +219,7 @@ def _item(value: float | str | list[int] | list[str]) -> Item:
 
 
 def _shortest_tint(tints: list[int]) -> int | list[int]:
-    """Tints of all slots as a file says them: the shortest list that gives them when it is repeated around the ring."""
+    """The tints of all slots as a file has them: the shortest list that gives them when it is repeated around the ring."""
     count = len(tints)
     length = next(size for size in range(1, count + 1) if tints == tints[:size] * (count // size))
     return tints[0] if length == 1 else tints[:length]
@@ -231,7 +231,7 @@ def _rounded(value: Any) -> Any:
 
 
 def _set_apart(text: str, head: str) -> str:
-    """The text with an empty line before and after the last table that has a head."""
+    """The text with an empty line before and after the last table with a head. head: as in `[[rings]]`."""
     lines = text.rstrip().split("\n")
     at = max([index for index, line in enumerate(lines) if line.strip() == head])
     before, table = lines[:at], lines[at:]

@@ -1,4 +1,4 @@
-"""Every key of the level format as the editor shows it: what it is called, what it means, and the numbers that it may have."""
+"""Every key of the level format as the editor shows it: label, meaning, and range of numbers."""
 
 from enum import Enum
 from functools import cache
@@ -37,8 +37,8 @@ class Part(Enum):
 class Field(NamedTuple):
     """One key of a table.
 
-    table: its name, as in `TABLES`. key: as in the file. label: what the player reads. meaning: a sentence, or nothing.
-    step: that one press of a key changes a number by; 0 for what is no number.
+    table: its name, as in `TABLES`. key: as in the file. label: what the player reads. meaning: a sentence, or "".
+    step: by which one press of a key changes a number; 0 if the value is no number.
     """
 
     table: str
@@ -48,13 +48,13 @@ class Field(NamedTuple):
     step: float = 0.0
 
     def path(self, index: int = 0) -> Path:
-        """Of the value in a level. index: of the ring or well."""
+        """The path of the value in a level. index: of the ring or well."""
         if self.table in ("rings", "wells"):
             return self.table, index, self.key
         return (self.table, self.key) if self.table else (self.key,)
 
     def tip(self, path: Path) -> str:
-        """What it means, its key and its range. path: of the value in the level."""
+        """A line with the meaning, the key and the range. path: of the value in the level."""
         limits = range_of(self.table, self.key)
         key = named(path) + (
             "" if limits is None else tr(": {low} to {high}").format(low=f"{limits[0]:.10g}", high=f"{limits[1]:.10g}")
@@ -128,7 +128,7 @@ def named(path: Path) -> str:
 
 
 def field_at(path: Path) -> Field | None:
-    """The key at a path; None where it is none of the format's."""
+    """The key at a path; None if the format has no such key."""
     table = str(path[0]) if len(path) > 1 else ""
     every = [field for fields in PART_FIELDS.values() for field in fields]
     return next((field for field in every if (field.table, field.key) == (table, path[-1])), None)
@@ -136,7 +136,7 @@ def field_at(path: Path) -> Field | None:
 
 @cache
 def range_of(table: str, key: str) -> tuple[float, float] | None:
-    """The least and the greatest number that a key may have; None for what is no number with limits."""
+    """The least and the greatest number of a key; None if its value is no number or has no limits."""
     kind = _type_of(table, key)
     if not isinstance(kind, inspect.FloatType | inspect.IntType) or kind.ge is None or kind.le is None:
         return None
@@ -145,13 +145,13 @@ def range_of(table: str, key: str) -> tuple[float, float] | None:
 
 @cache
 def longest(table: str, key: str) -> int:
-    """Characters that a text may have; 0 for what is no text."""
+    """The greatest number of characters of a text; 0 if the value is no text."""
     kind = _type_of(table, key)
     return kind.max_length or 0 if isinstance(kind, inspect.StrType) else 0
 
 
 def is_whole(table: str, key: str) -> bool:
-    """Whether a key has whole numbers."""
+    """Whether the value of a key is a whole number."""
     return isinstance(_type_of(table, key), inspect.IntType)
 
 
@@ -163,7 +163,7 @@ def is_optional(table: str, key: str) -> bool:
 
 @cache
 def _type_of(table: str, key: str) -> inspect.Type:
-    """What the format says about a key's values; of several kinds the first."""
+    """The type that the format has for a key's values; the first one of several."""
     kind = _field_of(table, key).type
     while isinstance(kind, inspect.Metadata | inspect.UnionType):
         kind = kind.type if isinstance(kind, inspect.Metadata) else kind.types[0]
@@ -171,7 +171,7 @@ def _type_of(table: str, key: str) -> inspect.Type:
 
 
 def _field_of(table: str, key: str) -> inspect.Field:
-    """What the format says about a key."""
+    """The format's description of a key."""
     struct = inspect.type_info(TABLES[table])
     assert isinstance(struct, inspect.StructType)
     return next(field for field in struct.fields if field.name == key)

@@ -9,9 +9,9 @@ _LONGEST = 500
 
 
 class EditHistory(NamedTuple):
-    """The document being edited, with those that undo and redo lead to.
+    """The edited document, with the documents that undo and redo return to.
 
-    past, future: the nearest of them last. stepped: the number that the last change was a step of; None for another change.
+    past, future: the nearest ones last. stepped: path of the number that the last change stepped; None after any other change.
     """
 
     present: Document
@@ -20,9 +20,9 @@ class EditHistory(NamedTuple):
     stepped: Path | None = None
 
     def changed(self, document: Document, stepped: Path | None = None) -> "EditHistory":
-        """The history after a change; one that changes no letter leaves it as it is.
+        """The history after a change; if the text stays the same, so does the history.
 
-        stepped: the number that it is a step of. Steps of the same number, one after the other, are undone as a whole.
+        stepped: path of the number that is stepped. Steps of the same number in a row are undone together.
         """
         if document.text == self.present.text:
             return self

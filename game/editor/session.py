@@ -35,12 +35,12 @@ class EditorSession(NamedTuple):
     """The state of the editor.
 
     history: of documents.
-    ring: index of the chosen ring. slot: of it: the cursor. well: index of the chosen gravity well.
-    brush: what a stroke puts. symmetry: of a stroke.
-    message: what the last command could not do; empty where it could.
-    saved: the text that the file has.
-    file_error: why what another program has written into the file could not be taken over; empty where it could.
-    copied: what the slots of a ring have, from the cursor on; empty before the first copy.
+    ring: index of the chosen ring. slot: the cursor's slot on that ring. well: index of the chosen gravity well.
+    brush: what a stroke paints. symmetry: of a stroke.
+    message: why the last command failed; "" if it did not.
+    saved: the text in the file.
+    file_error: why the text that another program wrote into the file cannot be used; "" if it can.
+    copied: the stacks of a ring from the cursor on; empty before the first copy.
     """
 
     history: EditHistory
@@ -75,8 +75,8 @@ def stroked(
 ) -> EditorSession:
     """The session after a stroke on a slot and its images.
 
-    stack: to put there, the brush where None. before: the history when the drag began that the stroke belongs to, so that
-    undo takes back the drag as a whole, and nothing else; None for a stroke of its own.
+    stack: what is painted; None for the brush. before: the history at the beginning of the drag that the stroke belongs to, so
+    that undo takes back the whole drag and nothing else; None for a single stroke.
     """
     slots = images(session.document.level.rings[ring], slot, session.symmetry)
     try:
@@ -88,17 +88,17 @@ def stroked(
 
 
 def value_of(session: EditorSession, field: Field) -> Any:
-    """The value of a key, of the chosen ring or well where it is one of those. None: the file leaves it out."""
+    """The value of a key; a key of rings or wells is that of the chosen one. None if the file leaves it out."""
     return value_at(session.document, path_of(session, field))
 
 
 def path_of(session: EditorSession, field: Field) -> Path:
-    """The path of a key, of the chosen ring or well where it is one of those."""
+    """The path of a key; a key of rings or wells is that of the chosen one."""
     return field.path(session.well if field.table == "wells" else session.ring)
 
 
 def stepped(session: EditorSession, field: Field, steps: float) -> EditorSession:
-    """The session after a number was changed by some steps, as far as the format lets it."""
+    """The session after a number was changed by some steps, within the format's limits."""
     value = value_of(session, field)
     if value is None:
         value = USUAL_TOP * session.document.level.ball.speed
@@ -107,9 +107,9 @@ def stepped(session: EditorSession, field: Field, steps: float) -> EditorSession
 
 
 def entered(session: EditorSession, field: Field, value: Value, step: Path | None = None) -> EditorSession:
-    """The session with a key set, or left out of the file with None. What the format refuses stays, with a message.
+    """The session with a key set; None removes it from the file. A value that the format refuses gives a message instead.
 
-    step: the path of the number that this is a step of, as in `EditHistory.changed`.
+    step: the path of the number if this is a step of it, as in `EditHistory.changed`.
     """
     path = path_of(session, field)
     if isinstance(value, float) and is_whole(field.table, field.key):
@@ -160,7 +160,7 @@ def tinted(session: EditorSession, tint: int | None) -> EditorSession:
 
 
 def _with_brush(session: EditorSession, brush: Stack) -> EditorSession:
-    """The session with another brush; one that would change nothing paints a layer."""
+    """The session with another brush; if it would leave both layers and colour, it paints one layer instead."""
     return session._replace(brush=BRUSH if brush == Stack(None) else brush, message="")
 
 
@@ -206,7 +206,7 @@ def after(session: EditorSession, document: Document, step: Path | None = None) 
 
 
 def _within(session: EditorSession) -> EditorSession:
-    """The session with a ring chosen, a slot of it and a well, that there are."""
+    """The session with the chosen ring, slot and well limited to those that exist."""
     level = session.document.level
     ring, well = min(session.ring, len(level.rings) - 1), min(session.well, max(len(level.wells) - 1, 0))
     return session._replace(ring=ring, slot=session.slot % level.rings[ring].count, well=well)

@@ -20,18 +20,18 @@ _SNAP = 2
 
 
 def chosen_well(session: EditorSession, offset: int) -> EditorSession:
-    """The session with another well chosen, round at the end."""
+    """The session with the well chosen that is `offset` after the chosen one; the first follows the last."""
     count = len(session.document.level.wells)
     return session._replace(well=(session.well + offset) % count, message="") if count else session
 
 
 def position_of(well: WellSpec) -> complex:
-    """Where a well is."""
+    """The position of a well."""
     return cmath.rect(well.distance, math.radians(well.angle))
 
 
 def with_well_added(session: EditorSession, at: complex | None = None) -> EditorSession:
-    """The session with another well like the chosen one, and it chosen. at: its position; None beside the chosen one."""
+    """The session with a copy of the chosen well added and chosen. at: its position; None for one beside the chosen well."""
     wells, turn = session.document.level.wells, _NEXT
     if session.symmetry.fold > 1:
         turn = 360.0 / session.symmetry.fold
@@ -48,7 +48,7 @@ def with_well_added(session: EditorSession, at: complex | None = None) -> Editor
 
 
 def with_well_removed(session: EditorSession) -> EditorSession:
-    """The session without the chosen well, the one before it chosen."""
+    """The session without the chosen well; the well before it is chosen."""
     if not session.document.level.wells:
         return session
     removed = after(session, well_removed(session.document, session.well))
@@ -56,7 +56,7 @@ def with_well_removed(session: EditorSession) -> EditorSession:
 
 
 def with_well_at(session: EditorSession, at: complex, before: EditHistory | None = None) -> EditorSession:
-    """The session with the chosen well somewhere else. before: as in `stroked`."""
+    """The session with the chosen well moved to a position. before: as in `stroked`."""
     path: Path = ("wells", session.well)
     distance, angle = _polar(at)
     values: dict[Path, Value] = {(*path, "distance"): distance, (*path, "angle"): angle}
@@ -65,17 +65,17 @@ def with_well_at(session: EditorSession, at: complex, before: EditHistory | None
 
 
 def _first(level: Level) -> WellSpec:
-    """The first well of a level."""
+    """The well that is added to a level without wells."""
     reach = round(_REACH * level.ground_radius, _SNAP)
     strength = round(_PULL * level.ball.speed * level.ball.speed / reach, _SNAP)
     return WellSpec(round(_DISTANCE * level.ground_radius, _SNAP), strength, reach, 90.0)
 
 
 def _polar(at: complex) -> tuple[float, float]:
-    """Distance and angle of a point, as files say them."""
+    """Distance and angle of a point, as in a level file."""
     return round(abs(at), _SNAP), round(_angle(math.degrees(cmath.phase(at))), _SNAP)
 
 
 def _angle(degrees: float) -> float:
-    """An angle from 0 to 360."""
+    """An angle reduced to 0 to below 360 degrees."""
     return degrees % 360.0

@@ -83,7 +83,7 @@ _STEADY: Shown = frozenset({EffectKind.SWIRL, EffectKind.LIGHTS})
 
 
 def at_start(shown: Shown) -> Effects:
-    """The effects before a game's first tick: where the wall is built up, nothing of it stands. shown: as in `after`."""
+    """The effects before a game's first tick. If the wall is to be built up, none of it is visible. shown: as in `after`."""
     return Effects(entry=0 if EffectKind.ENTRY in shown else None, steady=shown & _STEADY)
 
 

@@ -68,12 +68,12 @@ def pieces(bursts: Sequence[Burst], ground_radius: float) -> Pieces:
 
 
 def _reals(values: Arrays) -> Reals:
-    """The same numbers, which are 64 bits long as all here."""
+    """The same numbers, typed as the 64-bit floats that they are."""
     return np.asarray(values, dtype=np.float64)
 
 
 class _Thrown(NamedTuple):
-    """Every piece of some bursts as it begins, one a row.
+    """Every piece of some bursts at its beginning, one a row.
 
     position: world units. velocity: along the ground, hundredths of the ground's radius per second.
     drag: of the air, per second. life: seconds. burst: as in `Pieces`.

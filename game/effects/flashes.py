@@ -1,4 +1,4 @@
-"""Sectors that light up for a moment after a hit, paddles about the hit alone."""
+"""Sectors that light up for a moment after a hit; paddles light up only around the hit."""
 
 from typing import NamedTuple
 
@@ -16,9 +16,9 @@ class Flash(NamedTuple):
     ring, slot: of the sector that was hit.
     layers: left after the hit.
     age: 0 new to 1 gone.
-    lit: whether the sector itself lights up, or of a paddle the part that was hit.
+    lit: whether the sector itself lights up, or the part of a paddle that was hit.
     echoed: whether light runs around the rest of its ring.
-    offset: of a paddle's hit from the paddle's middle, radians, counter-clockwise.
+    offset: angle from a paddle's middle to the hit, radians, counter-clockwise.
     """
 
     ring: int

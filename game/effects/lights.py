@@ -79,7 +79,7 @@ def after_tick(lights: tuple[Light, ...], ticked: Ticked) -> tuple[Light, ...]:
 
 
 def _last_brick(game: Game) -> complex | None:
-    """Where the last layer of a level is; None while there are more, and outside of play."""
+    """The position of the last layer of a level; None if there are more, or no ball is in play."""
     if game.phase != Phase.PLAYING or layers_left(game) != 1:
         return None
     for k in range(PADDLES + 1, len(game.level.rings) + 1):

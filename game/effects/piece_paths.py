@@ -1,10 +1,10 @@
-"""The pieces of a burst: thrown, slowed by the air, pulled down, bounced once, and at last too small to see. Needs no numpy.
+"""The paths of a burst's pieces: they fly, slowed by drag and pulled down, bounce once, and shrink. Needs no numpy.
 
-With k the air's drag and g the gravity, a piece thrown from p with velocity v is, after t seconds, over
+With drag k and gravity g, a piece that starts at p with velocity v, at height z and with upward speed u, is after t seconds at
 
-    p + v (1 - e^(-k t)) / k        at the height    z + u t - g t^2 / 2,    mirrored and damped below the ground.
+    p + v (1 - e^(-k t)) / k        and the height    z + u t - g t^2 / 2,    after the bounce with a smaller upward speed.
 
-The formulas hold for numbers and for arrays: `game.maths`.
+The formulas take numbers or arrays: `game.maths`.
 """
 
 import math
@@ -16,13 +16,13 @@ from game.maths import Maths, Values
 
 
 class Throw(NamedTuple, Generic[Values]):
-    """How pieces of one matter fly; lengths in hundredths of the ground's radius, speeds in those per second.
+    """How pieces of one material fly; lengths in hundredths of the ground's radius, speeds in these per second.
 
-    along: speed in the burst's direction, at most.
-    apart: speed in any direction that is added to it, at most.
-    up: speed upwards, at most.
+    along: greatest speed in the burst's direction.
+    apart: greatest speed in a random direction, added to it.
+    up: greatest speed upwards.
     drag: of the air, per second.
-    size: half a plate's diagonal, at most.
+    size: greatest half diagonal of a plate.
     """
 
     along: Values
@@ -55,13 +55,13 @@ _FIRST, _SECOND = 0xBF58476D1CE4E5B9, 0x94D049BB133111EB
 
 
 class Scattered(NamedTuple, Generic[Values]):
-    """A piece as it begins; lengths in hundredths of the ground's radius.
+    """A piece at its beginning; lengths in hundredths of the ground's radius.
 
-    out, aside: where in the sector it begins, in its half widths and in its half angles from the middle.
-    along: speed in the burst's direction. apart: speed that is added in the direction of an angle, apart_angle.
+    out, aside: position in the sector, in half widths and in half angles from its middle.
+    along: speed in the burst's direction. apart: speed that is added in the direction of apart_angle, radians.
     height: above the ground. up: speed upwards. size: half a plate's diagonal.
     turn, tumble: angles about the vertical and about a horizontal axis, radians; spin: radians per second.
-    shape: a number from 0 to 1 that tells how uneven a plate is. life: in shares of the burst's.
+    shape: a number from 0 to 1 that decides the shape of a plate. life: as a share of the burst's.
     """
 
     out: Values
@@ -99,12 +99,12 @@ def scattered(throw: Throw[Values], chance: Sequence[Values]) -> Scattered[Value
 
 
 def reach(maths: Maths[Values], drag: Values, time: Values) -> Values:
-    """How far a piece has come, in what it would fly in a second without any air."""
+    """Distance that a piece has flown, divided by its first speed. time: seconds."""
     return -maths.expm1(-drag * time) / drag
 
 
 def height(maths: Maths[Values], start: Values, up: Values, time: Values) -> Values:
-    """Height above the ground; a piece that comes down bounces once and then lies. start: where it began."""
+    """Height above the ground; a piece that lands bounces once and then lies. start: its first height; up: its upward speed."""
     landing = (up + maths.sqrt(up * up + 2.0 * _GRAVITY * start)) / _GRAVITY
     again = _BOUNCE * (_GRAVITY * landing - up)
     before, later = maths.minimum(time, landing), maths.clip(time - landing, 0.0, math.inf)
@@ -113,17 +113,17 @@ def height(maths: Maths[Values], start: Values, up: Values, time: Values) -> Val
 
 
 def shrunk(maths: Maths[Values], share: Values) -> Values:
-    """The share of its size that a piece has left after a share of its life."""
+    """Size of a piece as a share of its first size. share: of its life that is over."""
     return maths.clip((1.0 - share) / (1.0 - _SHRINKING), 0.0, 1.0)
 
 
 def tumbled(piece_tumble: Values, spin: Values, time: Values) -> Values:
-    """The angle about a horizontal axis after some time."""
+    """The angle of a piece about a horizontal axis after some time."""
     return piece_tumble + 1.6 * spin * time
 
 
 def chances(seed: int, number: int) -> tuple[float, ...]:
-    """Numbers from -1 to 1, the same for the same seed and the same number of a piece: the mixing steps of SplitMix64."""
+    """CHANCES numbers from -1 to 1, a hash (SplitMix64) of the seed and the number of a piece."""
     found = []
     for row in range(1, CHANCES + 1):
         mixed = (seed * _OF_SEED + number * _OF_NUMBER + row * _STEP) & _BITS

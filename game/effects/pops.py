@@ -78,7 +78,7 @@ def _covered(pop: Pop, new: list[Pop]) -> bool:
 
 
 def _position(event: Event, ticked: Ticked) -> complex:
-    """Where the words of an event belong: those of what a paddle caught or did beyond it, so that nothing is hidden."""
+    """The position of an event's words. Those of a paddle are outside of it, where they hide no ball."""
     position = event.position
     if event.kind == EventKind.SPEED_UP:
         position = next((other.position for other in ticked.events if other.kind == EventKind.PADDLE_HIT), position)

@@ -1,4 +1,4 @@
-"""Levels made from a seed: the same seed is the same sequence of levels for everyone, and a day has a seed of its own."""
+"""Levels generated from a seed: the same seed gives the same sequence of levels to everyone, and every day has a seed."""
 
 from game.generated.seeds import SEQUENCE, daily_seed, generated, sequence
 

@@ -32,7 +32,7 @@ _GROUNDS: tuple[GroundPattern, ...] = get_args(GroundPattern)
 
 
 def drawn(chance: Chance, number: int, hardness: float, style: Style, palette: Palette) -> Level:
-    """A level that may still break a rule. number: from 0, what it may have; hardness: 0 to 1; style: of its wall's figure."""
+    """A level that may still break a rule. number: from 0, decides what it may have; hardness: 0 to 1; style: of its figure."""
     traits = Traits(
         hardness,
         turning=number >= _TURNING_FROM and chance() < 0.4 + 0.4 * hardness,
@@ -55,7 +55,7 @@ def drawn(chance: Chance, number: int, hardness: float, style: Style, palette: P
 
 
 def _paddles(chance: Chance, hardness: float, speed: float) -> PaddleSpec:
-    """The paddles: most often four, that cover less of the track with every level."""
+    """The paddles: most often four. The harder the level, the less of the track they cover."""
     count = one_of(chance, (3, 4, 4, 4, 5))
     cover = _COVER - _LESS_COVER * hardness
     fastest = math.degrees(speed / (_TRACK + _TRACK_HALF_WIDTH))
@@ -70,13 +70,13 @@ def _paddles(chance: Chance, hardness: float, speed: float) -> PaddleSpec:
 
 
 def _drops(chance: Chance, number: int) -> DropSpec:
-    """What broken bricks leave: in the first levels nothing harmful."""
+    """The power-ups of broken bricks: in the first levels no harmful ones."""
     share = rounded(between(chance, 0.1, 0.18))
     return DropSpec(share, _GOOD_DROPS) if number < _ALL_DROPS_FROM else DropSpec(share)
 
 
 def _wells(chance: Chance, speed: float) -> list[WellSpec]:
-    """A well at the centre, which may push instead, or two to four around it."""
+    """A well at the centre, which may push, or two to four wells around it."""
     pull = between(chance, 0.5, 0.95) * speed * speed
     if chance() < 0.5:
         strength = rounded(pull / _CENTRAL_REACH)

@@ -1,8 +1,8 @@
-"""Figures that a wall is made of: which spots around the centre have a brick, how high, and in which colour.
+"""Figures for walls: a function that says of every spot around the centre whether it has a brick, how high, and its colour.
 
-A figure repeats `fold` times around the centre. A spot's position counts from the nearest of that many axes, so that a figure
-is mirrored at each, unless its rings are turned against each other. A maker draws a figure's measures once, and returns the
-question that is asked of every spot.
+A figure repeats `fold` times around the centre. The position of a spot is measured from the nearest of `fold` axes, so that a
+figure is mirrored at each of them, unless its rings are turned against each other. A maker (`petals`, `rays`, ...) draws the
+random measures of a figure once, and returns the function.
 """
 
 from collections.abc import Callable
@@ -13,11 +13,12 @@ from physics import direction, length
 
 
 class Spot(NamedTuple):
-    """Where a brick may be.
+    """A possible position of a brick.
 
-    radius: of its ring's middle, world units. height: 0 in the figure's innermost ring to 1 in its outermost. row: the ring's
-    number in the figure, from 0. column: bricks between it and the axis. share: its distance from the axis, 1 in the middle
-    between two axes. angle: the same, radians. half: from the axis to the middle between two along the ring, world units.
+    radius: of its ring's middle, world units. height: 0 in the figure's innermost ring to 1 in its outermost. row: index of the
+    ring in the figure. column: number of bricks between it and the axis. share: its distance from the axis, 1 halfway between
+    two axes.
+    angle: the same distance in radians. half: half the distance between two axes along the ring, world units.
     """
 
     radius: float
@@ -35,18 +36,18 @@ class Spot(NamedTuple):
 
 
 class Cell(NamedTuple):
-    """What a spot has. high: whether it belongs to the figure's higher stacks. tint: as in a level file."""
+    """The brick of a spot. high: whether it is one of the figure's higher stacks. tint: as in a level file."""
 
     high: bool
     tint: int
 
 
 Figure = Callable[[Spot], Cell | None]
-"""What a spot has; None for nothing."""
+"""Gives the brick of a spot; None for no brick."""
 
 
 class Colours(NamedTuple):
-    """Three tints that go together: of what is outside, inside and at the middle."""
+    """Three tints that go together: for the outer, the inner and the middle part of a figure."""
 
     outer: int
     inner: int
@@ -122,7 +123,7 @@ def bloom(chance: Chance, colours: Colours) -> Figure:
 
 
 def circles(chance: Chance, colours: Colours) -> Figure:
-    """A circle around a point on every axis, with something in its middle: the window of a cathedral."""
+    """A circle around a point on every axis, with a brick or more in its middle, as in a rose window."""
     distance, share = between(chance, 3.7, 4.1), between(chance, 0.85, 1.1)
     filled = chance() < 0.4
 
@@ -188,12 +189,12 @@ def mosaic(chance: Chance, colours: Colours) -> Figure:
 
 
 def lace(chance: Chance, colours: Colours) -> Figure:
-    """A pattern of chance, mirrored at every axis and evened out, as crystals are."""
+    """A random pattern, smoothed, and mirrored at every axis, as in a crystal."""
     width, height = 7, 9
     drawn = [[chance() < 0.58 for _ in range(width)] for _ in range(height)]
 
     def standing(row: int, column: int) -> bool:
-        """Whether there is a brick: what most of the spot and its neighbours were drawn as."""
+        """Whether there is a brick: the majority among the draws of the spot and its neighbours."""
         spots = ((0, 0), (0, 0), (1, 0), (-1, 0), (0, 1), (0, -1))
         votes = [drawn[(row + r) % height][abs(column + c) % width] for r, c in spots]
         return 2 * sum(votes) > len(votes)
@@ -238,9 +239,9 @@ def arcs(chance: Chance, colours: Colours) -> Figure:
 
 
 class Style(NamedTuple):
-    """A kind of figure. make: its maker. folds: repetitions that suit it. width: a brick's, from and to, world units.
+    """A kind of figure. make: its maker. folds: suitable repetitions. width: of bricks, least and greatest, world units.
 
-    full: whether it begins around the core, without a ring between. twists: whether its rings may be turned to make a spiral.
+    full: whether it begins at the core, without a ring between them. twists: whether its rings may be turned into a spiral.
     """
 
     make: Callable[[Chance, Colours], Figure]

@@ -1,8 +1,8 @@
 """The levels of a seed, one after another.
 
-A level's number decides how hard it is, and what it may have: first pictures at rest, then rings that turn, bumpers, gravity
-wells, steel, and at every fifth level a wall that grows again. The seed's draws decide the rest. They are `random()` alone and
-are used with arithmetic that gives the same bits everywhere, so a seed means the same levels on every machine.
+A level's number decides how hard it is, and what it may have: at first only rings at rest, then rings that turn, bumpers,
+gravity wells, steel, and at every fifth level a ring that grows again. Random numbers from the seed decide the rest. All of
+them come from `random()`, and the arithmetic gives the same bits everywhere, so a seed gives the same levels on every machine.
 """
 
 import datetime as dt
@@ -35,7 +35,7 @@ _PALETTE_STRIDES = (1, 3, 5, 7)
 
 
 class _Subject(NamedTuple):
-    """What the wall of a level shows, and in which colours."""
+    """The kind of figure of a level's wall, and its colours."""
 
     style: Style
     palette: Palette
@@ -54,7 +54,7 @@ def daily_seed(day: dt.date) -> int:
 def generated(seed: int, number: int) -> Level:
     """One level of a sequence. number: from 0; it decides how hard the level is.
 
-    A wall that breaks a rule of the format, or has too few or too many bricks, is drawn again.
+    A level that breaks a rule of the format, or has too few or too many bricks, is discarded, and another one is drawn.
     """
     style, palette = _subject(seed, number)
     hardness = min(number / _HARDEST, 1.0)
@@ -67,7 +67,7 @@ def generated(seed: int, number: int) -> Level:
 
 
 def _subject(seed: int, number: int) -> _Subject:
-    """What a level shows: two that follow each other have neither style nor palette in common."""
+    """The figure and the palette of a level: two levels in a row differ in both."""
     chance = random.Random(seed * _NUMBERS + _NUMBERS - 1).random
     style, stride = below(chance, len(STYLES)), 1 + below(chance, len(STYLES) - 1)
     palette, palette_stride = below(chance, len(_PALETTES)), one_of(chance, _PALETTE_STRIDES)
@@ -77,14 +77,14 @@ def _subject(seed: int, number: int) -> _Subject:
 
 
 def _is_of_size(level: Level, hardness: float) -> bool:
-    """Whether a level has neither too few nor too many layers that have to be broken."""
+    """Whether the number of layers to be broken is within limits."""
     layers = sum([max(layers, 0) for ring in level.rings if not ring.regrow for layers in ring.slots()])
     share = _GUARDED_SHARE if any([ring.regrow for ring in level.rings]) else 1.0
     return _LEAST + _LEAST_GROWTH * hardness <= layers <= share * (_MOST + _MOST_GROWTH * hardness)
 
 
 def _is_sound(level: Level) -> bool:
-    """Whether a level breaks no rule of the format and is not tedious."""
+    """Whether a level breaks no rule of the format and gets none of its warnings."""
     try:
         checked(level, level.name)
     except BadInputError:

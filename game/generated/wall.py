@@ -1,4 +1,4 @@
-"""The wall of a level: a core, a figure around it, and what moves, shields or throws back."""
+"""The wall of a level: a core, a figure around it, and further rings: bumpers, steel, bricks that turn or grow again."""
 
 import math
 from typing import NamedTuple
@@ -36,7 +36,7 @@ _GRIP = 0.4
 
 
 class Traits(NamedTuple):
-    """What a wall has. hardness: 0 to 1. The rest: whether there are turning rings, steel, bumpers, bricks that grow again."""
+    """What a wall may have. hardness: 0 to 1. The others: turning rings, steel, bumpers, bricks that grow again."""
 
     hardness: float
     turning: bool
@@ -46,18 +46,18 @@ class Traits(NamedTuple):
 
 
 class _Band(NamedTuple):
-    """How rings that belong together move. spin: degrees per second; reverse: seconds until they turn round, 0 for never."""
+    """How the rings of a figure turn. spin: degrees per second; reverse: seconds between reversals of the spin, 0 for never."""
 
     spin: float = 0.0
     reverse: float = 0.0
 
     def against(self, factor: float) -> "_Band":
-        """The same the other way round, so many times as fast."""
+        """The opposite spin, `factor` times as fast."""
         return _Band(rounded(-factor * self.spin), self.reverse)
 
 
 def wall(chance: Chance, style: Style, traits: Traits) -> list[RingSpec]:
-    """The rings, from the inside."""
+    """The rings of a wall, the innermost first."""
     colours = _colours(chance)
     fold = one_of(chance, style.folds)
     band = _band(chance, traits) if traits.turning else _Band()
@@ -79,12 +79,12 @@ def wall(chance: Chance, style: Style, traits: Traits) -> list[RingSpec]:
 
 
 def _edge(ring: RingSpec) -> float:
-    """Where a ring ends."""
+    """The radius of a ring's outer face."""
     return ring.radius + ring.half_width
 
 
 def _colours(chance: Chance) -> Colours:
-    """Tints that go together: from dark to bright or from bright to dark, or two that differ much."""
+    """Random tints that go together: from dark to bright, from bright to dark, or two that differ strongly."""
     outer = below(chance, 3)
     return one_of(
         chance,
@@ -143,7 +143,7 @@ def _hub(fold: int, colours: Colours, band: _Band) -> RingSpec:
 def _figure(
     chance: Chance, traits: Traits, style: Style, fold: int, colours: Colours, edge: float, rows: int, band: _Band
 ) -> list[RingSpec]:
-    """The rings of a figure that begins at a radius."""
+    """The rings of a figure, from a radius outwards."""
     figure, width = style.make(chance, colours), between(chance, *style.width)
     twist = sign(chance) * between(chance, 3.0, 9.0) if style.twists and chance() < 0.5 else 0.0
     low = 1 + (chance() < 0.25 * traits.hardness)
@@ -160,7 +160,7 @@ def _figure(
 
 
 def _cells(figure: Figure, fold: int, width: float, radius: float, row: int, rows: int) -> list[Cell | None]:
-    """What the spots of a ring have, from one axis to the next."""
+    """The bricks of a ring's spots, from one axis to the next."""
     half = math.pi * radius / fold
     count = max(round(2.0 * half / width), 2)
     cells = []
@@ -172,7 +172,7 @@ def _cells(figure: Figure, fold: int, width: float, radius: float, row: int, row
 
 
 def _frame(chance: Chance, traits: Traits, fold: int, colours: Colours, edge: float, band: _Band) -> RingSpec:
-    """A ring of bricks outside of the figure, turning against it: teeth, single stones or arcs. It may grow again."""
+    """A ring of bricks outside of the figure, turning against it: teeth, single bricks or arcs. It may grow again."""
     radius = edge + _LANE + _OUTER_HALF_WIDTH
     kind = below(chance, 3)
     count = max(round(2.0 * math.pi * radius / fold / (0.95, 0.6, 0.8)[kind] / 2.0) * 2, 4)
@@ -214,7 +214,7 @@ def _ring(cells: list[Cell | None], heights: tuple[int, int], radius: float, hal
 
 
 def _moving(ring: RingSpec, band: _Band) -> RingSpec:
-    """A ring that moves with a band."""
+    """The ring, turning as a band."""
     if not band.spin:
         return ring
     return msgspec.structs.replace(ring, spin=band.spin, reverse=band.reverse, friction=_GRIP)

@@ -14,7 +14,7 @@ class Players(IntEnum):
 
 
 def players_words(first: str, second: str) -> tuple[tuple[str, str], ...]:
-    """What each choice is called, and what it means, in their order. first, second: names of the players' keys."""
+    """Label and meaning of each choice, in their order. first, second: names of the players' keys."""
     return (
         (tr("One"), tr("Scores and ranks count for a single player only.")),
         (

@@ -1,4 +1,4 @@
-"""Two fingers on a touch screen that move the camera: by dragging both, and by pinching. Needs no pygame."""
+"""Moving the camera with two fingers on a touch screen: by dragging and by pinching. Needs no pygame."""
 
 import math
 from collections.abc import Iterator
@@ -8,7 +8,7 @@ from game.input.view import ZOOM_STEP
 
 
 def two_fingers(before: complex, now: complex, other: complex) -> Iterator[Signal]:
-    """What it means that one of two fingers has moved. before, now: pixels of that one; other: of the one that rests."""
+    """The signals of a movement by one of two fingers. before, now: its pixels; other: the pixel of the finger at rest."""
     yield Dragged((now - before) / 2.0)
     apart, later = abs(before - other), abs(now - other)
     if apart > 0.0 and later > 0.0:

@@ -1,4 +1,4 @@
-"""What the player reads while playing, on the desktop's surface; `game.picture.figures` says what and where."""
+"""Draws score, lives and level on the desktop's surface; `game.picture.figures` describes them."""
 
 from functools import lru_cache
 
@@ -22,7 +22,7 @@ def draw(canvas: Canvas, shown: Readings, layout: Layout) -> None:
 
 @lru_cache(maxsize=8)
 def _picture(shown: Readings, corners: Corners, _language: str) -> DisplayList:
-    """The list of what is drawn: it seldom changes from frame to frame."""
+    """The list of primitives, cached, since it seldom changes from frame to frame."""
     out = DisplayList()
     add_figures(out, shown, corners)
     return out

@@ -1,4 +1,4 @@
-"""The line that says what to do now, on the desktop's surface; `game.picture.notice` says which words and where."""
+"""Draws the line that says what to do now on the desktop's surface; `game.picture.notice` describes it."""
 
 from game.drawing.camera import Layout
 from game.drawing.canvas import Canvas

@@ -51,7 +51,7 @@ def to_newcomer(told: Notice, left: str, right: str) -> Notice:
 
 
 def by_touch(told: Notice, game: Game, *, new: bool) -> Notice:
-    """The same for somebody who plays by touch. new: who has not finished a level yet, and is told how one steers."""
+    """The notice for a player who plays by touch. new: whether no level is finished yet, so that it explains the steering."""
     steering = tr("Drag to where a paddle should go; tap to serve. In 3D two fingers turn and zoom.") if new else ""
     if game.phase == Phase.SERVING:
         lines = [line for line in (told.about, steering) if line]

@@ -7,42 +7,44 @@ Every primitive is its code, its colour (0xRRGGBB, exact in a 32-bit float), its
     SECTOR    x y inner outer angle half_inner half_outer an annular sector; a half angle of pi or more is a whole ring
     POLYGON   n, then n times x y                         filled
     LINE      width dash n, then n times x y              dash: length of dashes and gaps, 0 for a solid line
-    TEXT      index size x y across bold room             index of the text; across: 0 begins at x, 1 ends there; y: middle;
-                                                          bold: 1, letters as the desktop's: bold, and lower than their size
-                                                          says; room: smaller where it would be wider, 0 for any width;
-                                                          on a canvas it may be runs of letters (game/lab/typeset/runs.py)
-    GLOW      x y across down takes                       half axes of an ellipse of light that fades to its edge; takes: 0, it
-                                                          is added; 1, its colour takes the others away
+    TEXT      index size x y across bold room             index: of the text; across: 0 if it begins at x, 1 if it ends there;
+                                                          y: of its middle; bold: 1 for the desktop's bold letters, which are
+                                                          lower than their size; room: greatest width, for which the size is
+                                                          reduced, 0 for any; on a canvas the text may be runs of letters
+                                                          (game/lab/typeset/runs.py)
+    GLOW      x y across down takes                       half axes of an ellipse of light that fades to its edge; takes: 0 if
+                                                          it is added to what is below, 1 if it is multiplied with it
     GRADIENT  x y radius n, then n times share colour     a disc; colours by the share of the radius
     CELLS     x y width height columns rows, then colours a grid of cells, row by row from the top, smoothed
-    CLIP      x y width height                            what follows is seen in this box only; a width of 0 ends that
-    TURN      x y angle                                   what follows is turned about a point, until the next TURN
-    STRIP     n, then n times x y x y                     filled: between two lines, a point of each at a time
-    BAND      n, then n times x y half_width colour       a band through points, as wide as they say; its pieces have the
-                                                          colours of their ends, and where it bends it is round
-    PLATE     index size x y across down edge edge_colour a plate with round ends behind the words of a text whose middle is
-                                                          there, wider and higher by twice across and down; edge: its width
-    SPRITE    x y reach n, then n numbers                 polygons about a point, no farther away than reach on both axes: a
-                                                          picture that is often the same
-    TEXTURE   number columns n, then n colours            a square picture that the painter keeps by its number, row by row from
-                                                          the top
+    CLIP      x y width height                            what follows is drawn inside this box only; a width of 0 ends that
+    TURN      x y angle                                   what follows is rotated about a point, until the next TURN
+    STRIP     n, then n times x y x y                     the filled area between two lines, one point of each at a time
+    BAND      n, then n times x y half_width colour       a line through points, with a width and a colour at each; the colour
+                                                          changes evenly between points, and bends are round
+    PLATE     index size x y across down edge edge_colour a plate with round ends behind a text that is centred at x, y; across
+                                                          and down: margins on each side; edge: width of its line
+    SPRITE    x y reach n, then n numbers                 polygons around a point, within reach of it on both axes; the painter
+                                                          caches them, since the same ones often come again
+    TEXTURE   number columns n, then n colours            a square picture that the painter stores under the number; row by row
+                                                          from the top
     TEXTURED  x y radius number                           a disc filled with a texture, smoothed
-    BOX       x y width height corner edge edge_colour    a rectangle with round corners of a radius; edge: its width, within
-                                                          the rectangle, 0 for none
+    BOX       x y width height corner edge edge_colour    a rectangle with round corners; corner: their radius; edge: width of
+                                                          its line, inside the rectangle, 0 for none
 
 x to the right, y down, pixels; angles in radians, clockwise, from the right.
 
-What stands on the ground aslant is in world units, x to the right, y up, and its angles are counter-clockwise: the painter
-projects it, as `game.drawing.camera.Camera` says, so that a list stays the same while the camera moves and rings turn.
+Blocks in 3D are in world units, x to the right, y up, and their angles are counter-clockwise. The painter projects them, by the
+equations of `game.drawing.camera.Camera`, so that a list stays the same while the camera moves and rings turn.
 
-    CAMERA    x y scale azimuth tilt closeness, then      through what the following is seen, until the next CAMERA; the
-              light_x light_y dimmest brightest           direction towards the light, and which shares of its colour a side
-                                                          shows that is turned from it, and towards it
-    SLOT      angle                                       the prisms that follow are turned by it about the arena's centre
-    PRISM     bottom top n, then n times x y              its top in the colour, its sides that face the eye in the colour's
-                                                          shades; clockwise. The same bottom and top: a top alone
-    SHADOWS   x y n m, then n times x y, then             the shadows of m prisms of one outline: what it passes over when it
-              m times angle height                        is turned by the angle and moved by x, y times the height
+    CAMERA    x y scale azimuth tilt closeness, then      the projection of what follows, until the next CAMERA; the direction
+              light_x light_y dimmest brightest           towards the light; brightness, as a share of the colour, of a side
+                                                          that faces away from the light, and of one that faces it
+    SLOT      angle                                       the prisms that follow are rotated by it about the arena's centre
+    PRISM     bottom top n, then n times x y              the top in the colour, the sides that face the eye in shades of it;
+                                                          the outline is clockwise; with bottom equal to top only the top is
+                                                          drawn
+    SHADOWS   x y n m, then n times x y, then             the shadows of m prisms with one outline: each is the area that the
+              m times angle height                        outline, rotated by the angle, sweeps when moved by height times x, y
 """
 
 import math
@@ -164,9 +166,9 @@ class DisplayList:
         bold: float = 1.0,
         room: float = 0.0,
     ) -> None:
-        """Words. pixel: of the middle of their height; across: where along them it is, 0 at their begin to 1 at their end.
+        """Add a line of text. pixel: at the middle of its height; across: 0 if the text begins there, to 1 if it ends there.
 
-        bold: whether in the desktop's letters. room: pixels that they are at most wide, in smaller letters; 0 for any width.
+        bold: whether in the desktop's letters. room: greatest width, pixels, for which the size is reduced; 0 for any width.
         """
         own = len(self.texts), size, pixel.real, pixel.imag, across, bold, room
         self.numbers.extend((Primitive.TEXT, packed(colour), opacity, *own))
@@ -175,7 +177,7 @@ class DisplayList:
     def glow(
         self, centre: complex, half_axes: tuple[float, float], colour: Colour, strength: float, *, takes: bool = False
     ) -> None:
-        """An ellipse of light. half_axes: across and down. takes: whether its colour takes the others away."""
+        """An ellipse of light. half_axes: across and down. takes: whether it is multiplied with what is below, not added."""
         self.numbers.extend((Primitive.GLOW, packed(colour), strength, centre.real, centre.imag, *half_axes, takes))
 
     def gradient(self, centre: complex, radius: float, stops: Iterable[tuple[float, Colour]]) -> None:
@@ -238,7 +240,7 @@ class DisplayList:
         self.numbers.extend((Primitive.BOX, packed(colour), 1.0, *own))
 
     def texture(self, number: int, columns: int, colours: Sequence[Colour]) -> None:
-        """A square picture that the painter keeps. colours: row by row from the top."""
+        """A square picture that the painter stores under a number. colours: row by row from the top."""
         self.numbers.extend((Primitive.TEXTURE, 0.0, 1.0, number, columns, len(colours), *map(packed, colours)))
 
     def textured(self, centre: complex, radius: float, number: int) -> None:
@@ -246,12 +248,12 @@ class DisplayList:
         self.numbers.extend((Primitive.TEXTURED, 0.0, 1.0, centre.real, centre.imag, radius, number))
 
     def camera(self, camera: Camera, light: complex, shares: tuple[float, float]) -> None:
-        """Through what prisms and shadows are seen. light: unit; shares: of the dimmest and the brightest side."""
+        """The projection of prisms and shadows. light: unit vector towards it; shares: of the dimmest, the brightest side."""
         centre, *rest = camera
         self.numbers.extend((Primitive.CAMERA, 0.0, 1.0, centre.real, centre.imag, *rest, light.real, light.imag, *shares))
 
     def slot(self, angle: float) -> None:
-        """Where the prisms that follow stand."""
+        """Rotate the prisms that follow about the arena's centre. angle: radians, counter-clockwise."""
         self.numbers.extend((Primitive.SLOT, 0.0, 1.0, angle))
 
     def prism(self, outline: Sequence[complex], bottom: float, top: float, colour: Colour) -> None:
@@ -262,7 +264,7 @@ class DisplayList:
     def shadows(
         self, outline: Sequence[complex], moved: complex, standing: Sequence[tuple[float, float]], opacity: float
     ) -> None:
-        """The shadows of prisms. outline: of their feet; moved: by a height of 1; standing: angles and heights."""
+        """The shadows of prisms. outline: of their bases; moved: offset for a height of 1; standing: angles and heights."""
         start = (Primitive.SHADOWS, 0.0, opacity, moved.real, moved.imag, len(outline), len(standing))
         self.numbers.extend(start)
         self._add(outline)

@@ -1,6 +1,6 @@
 """The figures in the corners: score, combo, lives, level, and how many layers are left; for pygame and for a browser.
 
-Of two who play against each other, each has the left corner of the own half; the level is in the upper right corner then.
+If two play against each other, each has a left corner, the one beside their half of the arena; the level is in the upper right.
 """
 
 import cmath
@@ -55,10 +55,10 @@ middle."""
 
 
 class Corners(NamedTuple):
-    """Where figures are put, and how.
+    """Layout and look of the figures.
 
-    layout: of the surface. theme: the colours. unit: size of text, pixels. keys: of those that open the help and turn the
-    sound on, what they are called; "" where that is not said.
+    layout: of the surface. theme: the colours. unit: size of text, pixels. keys: names of the keys that open the help and turn
+    the sound on; "" if they are not shown.
     """
 
     layout: Layout
@@ -79,7 +79,7 @@ def add_figures(out: DisplayList, shown: Readings, corners: Corners) -> None:
 
 
 def paddle_colours(theme: Theme, palette: str) -> tuple[Colour, Colour]:
-    """The colours of the paddles of two who play against each other. palette: name of the arena's colours."""
+    """The colours of the paddles of two opponents. palette: name of the arena's colours."""
     theme = themed(theme, palette)
     return theme.paddle_top, theme.text
 
@@ -104,7 +104,7 @@ def _add_score(out: DisplayList, shown: Readings, corners: Corners) -> None:
 
 
 def _add_player(out: DisplayList, shown: Readings, player: PlayerReadings, colour: Colour, corners: Corners) -> None:
-    """Add a player's sign, name, score and lives, who is ahead, and the combo of the one for whom it counts.
+    """Add a player's mark, name, score and lives; whether the player is ahead; and the combo if it is the player's.
 
     colour: of the player's paddle.
     """
@@ -131,7 +131,7 @@ def _add_player(out: DisplayList, shown: Readings, player: PlayerReadings, colou
 
 
 def _add_level(out: DisplayList, shown: Readings, corners: Corners) -> None:
-    """Add number and name of the level in the lower left corner, or in the upper right one where players have the left ones."""
+    """Add number and name of the level in the lower left corner; in the upper right one if two opponents have the left ones."""
     layout, theme, unit, _ = corners
     number = tr("LEVEL {number} of {count}").format(number=shown.level_number, count=shown.level_count)
     caption, name, gap = unit * _CAPTION * LINE, unit * _LEVEL_NAME * LINE, unit * _ABOVE_NAME
@@ -150,7 +150,7 @@ def _add_level(out: DisplayList, shown: Readings, corners: Corners) -> None:
 
 
 def _add_foot(out: DisplayList, shown: Readings, corners: Corners) -> None:
-    """Add how to get help, the layers that are left, and what else is to be known, in the lower right corner."""
+    """Add the key for help, the remaining layers, and other information, in the lower right corner."""
     layout, theme, unit, (help_key, sound_key) = corners
     muted = tr("sound off ({key})").format(key=sound_key) if shown.muted and sound_key else ""
     lines = (
@@ -166,12 +166,12 @@ def _add_foot(out: DisplayList, shown: Readings, corners: Corners) -> None:
 
 
 def _room(layout: Layout, pixel: complex) -> float:
-    """How far a line may go from a pixel towards the arena until it meets it, pixels; at least a sixth of the surface."""
+    """Length of a horizontal line from a pixel to the arena, pixels; at least a sixth of the surface."""
     return max(_free(layout, pixel), layout.size[0] / 6.0)
 
 
 def _free(layout: Layout, pixel: complex) -> float:
-    """How far a line may go from a pixel towards the arena until it meets it, pixels; less than 0 within it."""
+    """Length of a horizontal line from a pixel to the arena, pixels; negative inside of it."""
     camera, radius = layout.camera, layout.ground_radius * _WITH_GAUGES
     if camera.flat:
         half = math.sqrt(max((radius * camera.scale) ** 2 - (pixel.imag - camera.centre.imag) ** 2, 0.0))
@@ -181,7 +181,7 @@ def _free(layout: Layout, pixel: complex) -> float:
 
 @lru_cache(maxsize=64)
 def _free_aslant(camera: Camera, radius: float, pixel: complex, beside: float) -> float:
-    """The same in 3D. radius: of the arena, world units; beside: what is so far above or below a line is beside it, pixels."""
+    """As `_free`, in 3D. radius: of the arena, world units; beside: half the height of the line, pixels."""
     x, y, middle = pixel.real, pixel.imag, camera.centre.real
     near = [
         abs(rim.real - x)
@@ -198,12 +198,12 @@ def _rim(camera: Camera, radius: float) -> list[complex]:
 
 
 def _combo_room(layout: Layout, corner: complex, unit: float) -> float:
-    """How wide the combo may be, pixels, so that neither words nor dots meet the arena. corner: upper left, pixels."""
+    """Greatest width of the combo, pixels, at which neither words nor dots overlap the arena. corner: upper left, pixels."""
     return min([_free(layout, corner + 1j * unit * down) for down in (_COMBO_HEIGHT, _COMBO_DOTS)])
 
 
 def _add_combo(out: DisplayList, shown: Readings, corner: complex, corners: Corners) -> None:
-    """Add the bricks in a row, and a dot for each that raises the points; nothing for less than two. corner: upper left."""
+    """Add the combo, with a dot for each brick that raises the points; nothing for less than two bricks. corner: upper left."""
     streak = shown.streak if shown.streak.bricks else Streak(shown.combo, BUMP_TICKS)
     if streak.bricks <= 1:
         return
@@ -225,7 +225,7 @@ def _add_combo(out: DisplayList, shown: Readings, corner: complex, corners: Corn
 
 
 def _add_lives(out: DisplayList, end: complex, lives: int, side: float, corners: Corners) -> None:
-    """Add a ball per life; those lost are hollow. end: where their row begins; side: 1.0 to the right of it, -1.0 left."""
+    """Add a disc for each life, a circle for each lost one. end: start of the row; side: 1.0 if it goes right, -1.0 if left."""
     theme, unit = corners.theme, corners.unit
     for index in range(max(LIVES, lives)):
         pixel = end + side * unit * (_LIFE + index * _LIFE_PITCH)
@@ -236,6 +236,6 @@ def _add_lives(out: DisplayList, end: complex, lives: int, side: float, corners:
 
 
 def _add_hollow(out: DisplayList, pixel: complex, radius: float, line: float, colour: Colour) -> None:
-    """Add a circle whose line lies within a radius, at least a pixel wide."""
+    """Add a circle whose line lies inside of a radius and is at least a pixel wide."""
     line = max(line, 1.0)
     out.circle(pixel, radius - line / 2.0, line, colour)

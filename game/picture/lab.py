@@ -46,23 +46,23 @@ class SeenLabPane(NamedTuple):
 
     @property
     def words_area(self) -> LabelBox:
-        """All of the pane."""
+        """The whole pane."""
         corner, extent = self.corner, self.extent
         return LabelBox(round(corner.real), round(corner.imag), round(extent.real), round(extent.imag))
 
     def measured(self, text: str) -> tuple[int, int]:
-        """Width and height of a line of words, pixels, roughly."""
+        """Width and height of a line of text, pixels, estimated."""
         return round(len(text) * self.size * _WIDTH), round(self.size * _HEIGHT)
 
     def wrapped(self, text: str, width: float) -> list[str]:
-        """A text in lines that are no wider, pixels."""
+        """A text wrapped into lines of at most this width, pixels."""
         return textwrap.wrap(text, max(int(width / (self.size * _WIDTH)), 8))
 
 
 def add_pane(out: DisplayList, pane: Pane, seen: SeenLabPane, handles: Sequence[complex] = ()) -> None:
-    """Add a pane: its ground, its marks from back to front, then its words, so that no mark covers them.
+    """Add a pane: its ground, its marks from back to front, then its labels, so that no mark covers them.
 
-    handles: pixels that words leave free if there is room elsewhere.
+    handles: pixels that labels leave free if there is room elsewhere.
     """
     corner, extent, theme = seen.corner, seen.extent, seen.theme
     box = (corner, corner + extent.real, corner + extent, corner + 1j * extent.imag)
@@ -108,7 +108,7 @@ def _add_shape(out: DisplayList, shape: PixelShape) -> None:
 
 
 def _add_label(out: DisplayList, label: BoxedLabel, seen: SeenLabPane) -> None:
-    """Add a label in the middle of its box, with a seam around it."""
+    """Add a label in the middle of its box, with an outline."""
     left, top, width, height = label.box
     pixel = complex(left + width / 2.0, top + height / 2.0)
     for offset in _SEAM:

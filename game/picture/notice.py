@@ -40,7 +40,7 @@ _ROOM = 2.0
 
 
 class _Line(NamedTuple):
-    """A line of words. size: of its letters; middle: of its height below the first line's top; both in units of text."""
+    """A line of words. size: of its letters; middle: offset of its middle below the first line's top; in units of text."""
 
     words: str
     size: float
@@ -49,9 +49,9 @@ class _Line(NamedTuple):
 
 
 class Around(NamedTuple):
-    """What the plate is to leave free, pixels.
+    """What the plate must not cover, pixels.
 
-    wall: height of the upper end of the wall. balls: where they are.
+    wall: y of the wall's upper end. balls: their positions.
     """
 
     wall: float
@@ -59,7 +59,7 @@ class Around(NamedTuple):
 
 
 def around(scene: Scene, camera: Camera) -> Around:
-    """What the plate is to leave free of a scene."""
+    """What the plate must not cover of a scene."""
     others = (PADDLES, scene.shield, scene.second_paddle)
     walls = [ring.outer_radius for k, ring in enumerate(scene.rings) if k not in others]
     away = 1j * max(walls, default=0.0) / camera.turning
@@ -94,9 +94,9 @@ def add_notice(out: DisplayList, notice: Notice, layout: Layout, theme: Theme, u
 def _fitting(
     notice: Notice, surface: tuple[int, int], unit: float, highest: int, *, narrow: bool
 ) -> tuple[float, tuple[_Line, ...], complex]:
-    """A unit of text in which the words fit, their lines, and how wide and how high they are together, pixels.
+    """A unit of text in which the words fit, their lines, and width and height of all together, pixels.
 
-    highest: of the plate, pixels.
+    highest: greatest height of the plate, pixels.
     """
     while True:
         lines, size = _lines(notice, _ABOUT_WIDE[narrow] * surface[0] / unit)
@@ -107,7 +107,7 @@ def _fitting(
 
 
 def _lines(notice: Notice, wide: float) -> tuple[tuple[_Line, ...], complex]:
-    """The lines, and how wide and how high they are together. wide: of what the level is about; in units of text."""
+    """The lines, with width and height of all together. wide: greatest width of the level's description; in units of text."""
     texts = [(notice.title, _TITLE, 0.0)]
     for paragraph in notice.about.splitlines():
         for index, words in enumerate(_balanced(paragraph, wide / _ABOUT)):
@@ -122,7 +122,7 @@ def _lines(notice: Notice, wide: float) -> tuple[tuple[_Line, ...], complex]:
 
 
 def _balanced(paragraph: str, wide: float) -> list[str]:
-    """The words in as few lines as fit, all of them about as long as each other."""
+    """The words in as few lines as possible, all of about the same length."""
     lines = _wrapped(paragraph, wide)
     for _ in range(_TRIES if len(lines) > 1 else 0):
         wide *= _BALANCED
@@ -134,7 +134,7 @@ def _balanced(paragraph: str, wide: float) -> list[str]:
 
 
 def _wrapped(paragraph: str, wide: float) -> list[str]:
-    """The words in lines no wider than that, in shares of their letters' size, as far as words allow."""
+    """The words wrapped to a width, in units of their letters' size; a single longer word has a line of its own."""
     lines = list[str]()
     for word in paragraph.split():
         if lines and width(f"{lines[-1]} {word}") <= wide:

@@ -27,9 +27,9 @@ _WIDEST = math.radians(6.0)
 
 
 class _Piece(NamedTuple):
-    """Something to be drawn: rings from the outermost inwards and out again, and within them from back to front.
+    """A block, or a ball, to be drawn. The order: rings from the outermost inwards and out again, each from back to front.
 
-    angle: at which it stands, for what stands in a slot.
+    angle: of the slot, for a block.
     """
 
     rank: float
@@ -39,9 +39,9 @@ class _Piece(NamedTuple):
 
 
 class _RingLook(NamedTuple):
-    """All that the blocks of a ring look like, wherever the ring has turned.
+    """The look of a ring's blocks, which does not depend on the ring's angle.
 
-    out_of_slot: world units that each slot's content is farther out. falling: layers that each is higher than it will be.
+    out_of_slot: how far each slot's content is moved outwards, world units. falling: how far each still has to fall, layers.
     unit: height of a layer, world units.
     """
 
@@ -54,7 +54,7 @@ class _RingLook(NamedTuple):
 
 
 class SolidBlocks:
-    """Draws blocks and balls; caches the prisms of every ring, which are the same wherever it turns and the camera goes."""
+    """Draws blocks and balls. Caches the prisms of every ring, since they depend neither on its angle nor on the camera."""
 
     def __init__(self) -> None:
         """Start with nothing cached."""
@@ -103,7 +103,7 @@ class SolidBlocks:
 
 
 def _ring_look(scene: Scene, k: int, theme: Theme, contents: tuple[SlotContent, ...]) -> _RingLook:
-    """What a ring's blocks look like now."""
+    """The present look of a ring's blocks."""
     return _RingLook(
         contents,
         slot_shape(scene.rings[k], scene.tallest[k], 0.0),
@@ -116,7 +116,7 @@ def _ring_look(scene: Scene, k: int, theme: Theme, contents: tuple[SlotContent, 
 
 @lru_cache(maxsize=256)
 def _slots(count: int) -> tuple[tuple[float, complex], ...]:
-    """The angle of every slot of a ring that has not turned, and the unit vector at it."""
+    """The angle of every slot of a ring with phase 0, and the unit vector in this direction."""
     angles = [math.tau * slot / count for slot in range(count)]
     return tuple([(angle, cmath.rect(1.0, angle)) for angle in angles])
 

@@ -8,10 +8,9 @@ from game.unlocks import PLAIN_BALL, PLAIN_TRAIL
 
 
 class ArenaView(NamedTuple):
-    """Through what a scene is seen.
+    """Camera and settings by which a scene is shown.
 
-    unit: size of text, pixels. size: of the whole picture, pixels. trail, ball: names of what balls
-    leave behind, and of how they look.
+    unit: size of text, pixels. size: of the whole picture, pixels. trail, ball: names of the balls' trail and skin.
     """
 
     camera: Camera

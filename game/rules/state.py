@@ -298,7 +298,7 @@ def in_phase(game: Game, phase: Phase) -> Game:
 
 
 def one_tick_on(game: Game, arena: Arena, flight: FreeFlight | None, waited: int) -> Game:
-    """The game with its ticks counted on, and with these fields: `_replace` in a quarter of its time."""
+    """The game one tick later, with these fields: the same as `_replace`, in a quarter of the time."""
     fields: list[Any] = [*game]
     fields[_TICK] += 1
     fields[_PHASE_TICK] += 1

@@ -31,9 +31,10 @@ class Still(Protocol):
 
 @runtime_checkable
 class Listener(Protocol):
-    """A screen that hears the events of keyboard and mouse themselves, not what they mean in the game: one can type there.
+    """A screen that receives the events of keyboard and mouse directly, not as signals, so that one can type on it.
 
-    Gamepads and fingers come as signals, as on every screen; of a finger it hears what SDL makes of it for a mouse as well.
+    Gamepads and fingers come as signals, as on every screen. For a finger SDL also makes events of a mouse, which it receives,
+    too.
     """
 
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> "Screen | None":

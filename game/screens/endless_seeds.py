@@ -1,4 +1,4 @@
-"""The seeds of levels that a player asks for. Needs no pygame: the page asks, too."""
+"""The seeds of endless levels. Needs no pygame, since the page in the browser uses it, too."""
 
 import random
 
@@ -9,10 +9,10 @@ _SHARED_DIGITS = 6
 
 
 def seed_of(text: str) -> int:
-    """The seed that a player means: a number as it is, anything else as the number that its bytes are."""
+    """The seed for a player's text: a number itself; any other text as the number that its bytes form."""
     return int(text) if text.isascii() and text.isdigit() else int.from_bytes(text.encode()[:7], "little")
 
 
 def new_seed() -> int:
-    """A seed that nobody has asked for."""
+    """A random seed."""
     return random.SystemRandom().randrange(10 ** (_SHARED_DIGITS - 1), 10**_SHARED_DIGITS)

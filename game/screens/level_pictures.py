@@ -44,7 +44,7 @@ class LevelPictures:
 
     def picture(self, level: Level, side: int, theme: Theme, *, whole: bool = False) -> pygame.Surface | None:
         """A level's picture, `side` pixels square; None where it has to wait for the next frame. whole: the arena as a disc."""
-        key = (msgspec.json.encode(level), side, theme, whole)  # much sooner there than its hash
+        key = (msgspec.json.encode(level), side, theme, whole)  # faster than computing its hash
         if key in self._drawn:
             self._drawn.move_to_end(key)
             return self._drawn[key]

@@ -130,7 +130,7 @@ def _after_game(state: AppState, play: Played, game: Game) -> tuple[Entry, ...]:
 
 
 def ways_out(state: AppState) -> tuple[Entry, ...]:
-    """Where one can go from a game: to the choice of levels, where there is one, and to the title."""
+    """The entries that leave a game: for the choice of levels, if there is one, and for the title."""
     levels = (Entry(tr("All levels"), state.levels),) if state.open_levels is not None else ()
     return (*levels, Entry(tr(state.home), lambda: state.open_title(state)))
 

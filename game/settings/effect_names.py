@@ -1,11 +1,11 @@
-"""What the effects are called, in the player's language. Needs no pygame: the page asks, too."""
+"""Names of the effects in the player's language. Needs no pygame, since the page in the browser uses them, too."""
 
 from game.effects import EffectKind
 from game.language import tr
 
 
 def effect_names() -> dict[EffectKind, tuple[str, str]]:
-    """What every effect is called, and what it is."""
+    """Name and description of every effect."""
     return {
         EffectKind.TRAIL: (tr("Ball trail"), tr("Where the ball has just been; it grows warmer with every brick in a row.")),
         EffectKind.FLASH: (tr("Flashes"), tr("What is struck lights up.")),

@@ -42,7 +42,7 @@ class AnsweringFunctions(Protocol):
 def answers_to(
     functions: AnsweringFunctions, calls: Sequence[tuple[str, Sequence[float]]], *, composed: bool = False
 ) -> list[Reply]:
-    """The answers to calls of the source's functions, each with its flat list of numbers; one that fails has a problem.
+    """The answers to calls of the source's functions, each call with its flat list of numbers; a failed one has a problem.
 
     composed: of the slides' functions with the file's in their place, so that every function has an answer.
     """
@@ -53,7 +53,7 @@ def answers_to(
 
 
 def usable_result(functions: AnsweringFunctions, name: str, reply: Reply) -> object:
-    """The result of one question; None where there is none, and then the functions are rejected. name: of what was asked."""
+    """The result of one call; if it failed, the functions are rejected, and it is None. name: of the called function."""
     if reply.problem is not None or not reply.defined:
         functions.reject(reply.problem or f"{name} is not there")
         return None

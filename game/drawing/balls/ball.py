@@ -33,9 +33,9 @@ _FINER = 4
 class _BallLook(NamedTuple):
     """What a ball's picture depends on.
 
-    theme, light: as everywhere. skin: its name.
+    theme, light: of the picture. skin: its name.
     radius: pixels.
-    across, down: offset of the centre within its pixel, in steps of which there are _OFFSETS per pixel.
+    across, down: offset of the centre within its pixel, in steps of 1 / _OFFSETS pixel.
     """
 
     theme: Theme
@@ -60,7 +60,7 @@ class BallPictures:
             self.draw_ball(canvas, ball, blocks)
 
     def draw_ball(self, canvas: Canvas, ball: Ball, blocks: ProjectedBlocks | None = None) -> None:
-        """One ball. blocks: what may hide it."""
+        """Draw a ball. blocks: those that may hide it."""
         camera = canvas.camera
         centre, radius = _on_screen(ball, camera)
         left, top = math.floor(centre.real), math.floor(centre.imag)
@@ -88,7 +88,7 @@ def _on_screen(ball: Ball, camera: Camera) -> tuple[complex, float]:
 
 
 def _stepped(radius: float) -> float:
-    """The radius that a ball's picture has, pixels: the same picture serves radii that look the same."""
+    """The radius rounded to the steps in which pictures are drawn, pixels: radii that look the same share a picture."""
     steps = _SIZES if radius < _LARGE else _LARGE_SIZES
     return round(radius * steps) / steps
 

@@ -1,4 +1,4 @@
-"""The colour of every point of a ball that is seen: its skin's, in the light that falls on it."""
+"""The colour of every visible point of a ball: its skin's colour, lit."""
 
 from game.drawing.balls.skins import surface_colours
 from game.drawing.light import ScreenLight
@@ -11,7 +11,7 @@ _DARK_SHARE = 0.55
 
 
 def shaded(maths: Maths[Values], skin: str, theme: Theme, light: ScreenLight, right: Values, up: Values) -> Planes[Values]:
-    """Red, green and blue of points. right, up: from the ball's middle, in radii; beyond 1, as at the edge."""
+    """Red, green and blue of points. right, up: from the ball's centre, in radii; points beyond the edge have its colour."""
     away = maths.hypot(right, up)
     out = maths.sqrt(maths.clip(1.0 - away * away, 0.0, 1.0))
     facing = right * light.right + up * light.up + out * light.out
@@ -20,7 +20,7 @@ def shaded(maths: Maths[Values], skin: str, theme: Theme, light: ScreenLight, ri
     shine: Values = gloss * maths.clip(2.0 * out * facing - light.out, 0.0, 1.0) ** 24.0
 
     def lit(colour: Values, dark: float) -> Values:
-        """One of the three."""
+        """Red, green or blue, lit."""
         dimmed: Values = colour + (dark - colour) * in_the_dark
         bright: Values = dimmed + (255.0 - dimmed) * shine
         return bright

@@ -17,9 +17,9 @@ _HALO = 0.78
 
 
 def surface_colours(maths: Maths[Values], skin: str, theme: Theme, right: Values, up: Values) -> tuple[Planes[Values], float]:
-    """Red, green and blue, and how far highlights go to white.
+    """Red, green and blue of points, and how white a highlight is, from 0 to 1.
 
-    right, up: of the points from the middle, in radii; arrays broadcast to a plane.
+    right, up: offset of the points from the centre, in radii; arrays are broadcast against each other.
     """
     return _SKINS[skin](maths, theme, right, up), 0.25 if skin == "eclipse" else _GLOSS
 
@@ -63,7 +63,7 @@ def _prism(maths: Maths[Values], theme: Theme, right: Values, up: Values) -> Pla
 
 
 class _Skin(Protocol):
-    """What gives a skin's colours."""
+    """A function that computes a skin's colours."""
 
     def __call__(self, maths: Maths[Values], theme: Theme, right: Values, up: Values, /) -> Planes[Values]:
         """Red, green and blue of points."""

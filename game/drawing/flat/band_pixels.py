@@ -1,4 +1,4 @@
-"""Which pixels a ring may colour, and where in the picture of its slots each of them looks up its colour."""
+"""The pixels that a ring may colour, and the row of the ring's pictures in which each of them looks up its colour."""
 
 from typing import NamedTuple
 
@@ -14,11 +14,11 @@ class BandKey(NamedTuple):
     size: of the surface, pixels.
     stride: pixels from row to row in the surface's memory.
     centre: of the ring, pixels.
-    radii: the least and the largest of the pixels' middles, pixels.
-    low: radius where the first row of the slots' pictures begins, pixels.
+    radii: the least and the greatest distance of a pixel from the centre, pixels.
+    low: radius at which the first row of the slots' pictures begins, pixels.
     fine: rows of these pictures per pixel.
-    rows: the first and the last of them, or so many more as what is moved needs.
-    columns: of these pictures, all around the ring.
+    rows: the first and the last row, with spare ones on both sides for slots whose content is moved.
+    columns: number of columns of these pictures, all around the ring.
     """
 
     size: tuple[int, int]
@@ -32,12 +32,12 @@ class BandKey(NamedTuple):
 
 
 class BandPixels(NamedTuple):
-    """The pixels of a band, column after column, so that those of neighbouring columns are one piece.
+    """The pixels of a band, column after column: those of neighbouring columns are one slice.
 
-    pixels: of each one its index in the surface's memory, and its row in the slots' pictures: below 0, or beyond the last one,
-    for pixels that only see what is moved.
-    each: how many pixels every column has.
-    first: number of the first pixel of every column, and behind the last.
+    pixels: for each its index in the surface's memory, and its row in the slots' pictures. Rows below 0 or beyond the last one
+    are for pixels that only a moved content reaches.
+    each: number of pixels of every column.
+    first: index of the first pixel of every column, and at last the number of all pixels.
     """
 
     pixels: NDArray[np.int32]

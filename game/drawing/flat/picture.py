@@ -1,7 +1,7 @@
 """The ground and all rings from straight above.
 
-The ground with the wall's rings on it is a backdrop that outlives a frame: of a ring that turns, or whose bricks change, only
-the pixels are drawn again that look different. The paddles are drawn over it in every frame.
+The ground with the wall's rings is a backdrop that is cached from frame to frame. If a ring turns or its bricks change, only
+the pixels whose colour differs are drawn again. The paddles are drawn over the backdrop in every frame.
 """
 
 import math
@@ -26,7 +26,7 @@ _RECOIL = (0.01, 0.035)
 class _Backdrop(NamedTuple):
     """The ground with the wall's rings.
 
-    key: what it depends on, but for the rings' angles and contents.
+    key: what it depends on, except the rings' angles and contents.
     picture: as large as the surface.
     rings: of the wall, by their indices.
     """
@@ -42,7 +42,7 @@ class FlatPicture:
     def __init__(self) -> None:
         """Start with nothing cached."""
         self._backdrop: _Backdrop | None = None
-        self._paddles: dict[tuple[int, float], SlotAtlas] = {}  # by their rings' indices and their half angles
+        self._paddles: dict[tuple[int, float], SlotAtlas] = {}  # by ring index and half angle
         self._bands: dict[BandKey, BandPixels] = {}  # of paddles
 
     def draw(self, canvas: Canvas, scene: Scene, contents: Contents) -> None:
@@ -56,7 +56,7 @@ class FlatPicture:
         self._draw_paddles(canvas, scene, PADDLES, contents, {recoil.slot: recoil.out for recoil in scene.recoils})
 
     def _backdrop_of(self, canvas: Canvas, scene: Scene) -> _Backdrop:
-        """The backdrop, from memory if it is the same but for the rings' angles and contents."""
+        """The backdrop; the cached one if only the rings' angles and contents have changed."""
         ground = Ground(scene.ground_radius, scene.rings[PADDLES].radius, scene.ground)
         wall = {k: ring[:4] for k, ring in enumerate(scene.rings) if k not in (PADDLES, scene.second_paddle)}
         key = (canvas.size, canvas.camera, canvas.theme, ground, scene.tallest, wall)
@@ -70,7 +70,7 @@ class FlatPicture:
         return self._backdrop
 
     def _draw_paddles(self, canvas: Canvas, scene: Scene, k: int, contents: Contents, out: dict[int, float]) -> None:
-        """Draw a ring of paddles over the backdrop. out: those that were struck, and how far they are out of their slots."""
+        """Draw a ring of paddles over the backdrop. out: how far each struck paddle is pushed outwards, by slot."""
         atlas = self._atlas_of_paddles(canvas, scene, k)
         band = self._band(atlas.wide_band if out else atlas.band)
         draw_over(canvas, band, atlas, atlas.columns(canvas.surface, scene.rings[k].phase, contents[k], out))
@@ -82,19 +82,19 @@ class FlatPicture:
         if key not in self._paddles:
             room = _RECOIL[0] * ring.radius, _RECOIL[1] * ring.radius
             atlas = SlotAtlas(_atlas_key(canvas, scene, k)._replace(lane=(0.0, math.inf), room=room))
-            self._band(atlas.wide_band)  # found before it is needed, for that takes long
+            self._band(atlas.wide_band)  # computed in advance, since that takes long
             self._paddles[key] = atlas
         return self._paddles[key]
 
     def _band(self, key: BandKey) -> BandPixels:
-        """The pixels of a band; paddles that grow or shrink have the same."""
+        """The pixels of a band, cached: paddles that grow or shrink keep theirs."""
         if key not in self._bands:
             self._bands[key] = band_pixels(key)
         return self._bands[key]
 
 
 def _atlas_key(canvas: Canvas, scene: Scene, k: int) -> AtlasKey:
-    """The key of the pictures of a ring's slots, which goes as far as to the next rings on both sides."""
+    """The key of the pictures of a ring's slots. They extend to the neighbouring rings on both sides."""
     ring, rim = scene.rings[k], max(scene.ground_radius, *[ring.outer_radius for ring in scene.rings])
     inwards = max([other.outer_radius for other in scene.rings if other.outer_radius < ring.radius], default=0.0)
     outwards = min([other.inner_radius for other in scene.rings if other.inner_radius > ring.radius], default=rim)

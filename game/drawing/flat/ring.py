@@ -1,8 +1,7 @@
 """A ring on the screen at any angle: every pixel of its band looks up its colour by radius and by angle from the ring.
 
-Its edges are as smooth as if drawn for that angle, and it costs the same with few and with many bricks. On the backdrop, which
-outlives a frame, only the pixels are looked up that have changed: most of those within a brick look the same when it has turned
-a little.
+Its edges are as smooth as if they were drawn for that angle, and the cost does not depend on the number of bricks. On the
+cached backdrop only the changed pixels are looked up again: after a small turn most pixels inside of a brick keep their colour.
 """
 
 import numpy as np
@@ -17,13 +16,13 @@ from game.drawing.slots.contents import SlotContent
 
 
 class BackdropRing:
-    """A ring that is a part of a backdrop, and what the backdrop shows of it so far."""
+    """A ring on a backdrop, with the columns that the backdrop shows at present."""
 
     def __init__(self, atlas: SlotAtlas, ground: pygame.Surface) -> None:
-        """Find its pixels. atlas: what its slots look like; ground: what the backdrop shows without rings."""
+        """Find its pixels. atlas: pictures of its slots; ground: the backdrop without rings."""
         self._atlas, self._band = atlas, band_pixels(atlas.band)
         bare = pixels_of(ground).take(self._band.pixels[0])
-        self._pixels = np.concatenate([self._band.pixels, bare.view(np.int32)[None]])  # all that is looked up lies together
+        self._pixels = np.concatenate([self._band.pixels, bare.view(np.int32)[None]])  # one array: looked up together
         self._shown = np.full(len(self._band.each), -1, dtype=np.int64)
 
     def draw(self, backdrop: pygame.Surface, phase: float, contents: tuple[SlotContent, ...]) -> None:
@@ -40,7 +39,7 @@ class BackdropRing:
 
 
 def draw_over(canvas: Canvas, band: BandPixels, atlas: SlotAtlas, columns: NDArray[np.int64]) -> None:
-    """Draw a ring over what a canvas shows already. columns: of the atlas, as it says."""
+    """Draw a ring over what a canvas shows already. columns: as `SlotAtlas.columns` returns them."""
     there = columns != BLANK
     if not there.any():
         return
@@ -53,7 +52,7 @@ def draw_over(canvas: Canvas, band: BandPixels, atlas: SlotAtlas, columns: NDArr
 
 
 def _of_columns(pixels: NDArray[np.int32], band: BandPixels, wanted: NDArray[np.bool_]) -> NDArray[np.int32]:
-    """What is known of the pixels of some columns of a band. pixels: what is known of all."""
+    """The data of the pixels of some columns of a band. pixels: the data of all pixels; wanted: whether, for each column."""
     steps = np.flatnonzero(wanted[1:] != wanted[:-1]) + 1
     first = [0] if wanted[0] else []
     ends = [*first, *band.first[steps].tolist(), *([pixels.shape[1]] if wanted[-1] else [])]
@@ -63,7 +62,7 @@ def _of_columns(pixels: NDArray[np.int32], band: BandPixels, wanted: NDArray[np.
 def _looked_up(
     atlas: SlotAtlas, columns: NDArray[np.int64], band: BandPixels, wanted: NDArray[np.bool_], row: NDArray[np.int32]
 ) -> NDArray[np.uint32]:
-    """The colours of some columns' pixels, 0 where nothing stands. row: of these pixels."""
+    """The colours of some columns' pixels, 0 where nothing stands. row: row of each pixel in the atlas."""
     index = np.repeat(columns[wanted], band.each[wanted])
     index += row
     return atlas.colours.take(index)

@@ -1,6 +1,6 @@
-"""The colours of everything that stands in a ring's slots, by radius and by angle: pictures that fit at any angle of the ring.
+"""Pictures of everything that stands in a ring's slots, in polar coordinates, so that they serve at any angle of the ring.
 
-The light of this view stands over the centre: what stands in a slot throws its shadow outwards, so it turns with the ring.
+In this view the light is above the centre. So the shadow of what stands in a slot falls outwards, and turns with the ring.
 """
 
 import math
@@ -45,13 +45,13 @@ class AtlasKey(NamedTuple):
 
     size: of the surface, pixels.
     stride: pixels from row to row in the surface's memory.
-    camera: a flat one.
+    camera: of the flat view.
     slot: the shape of the ring's slots.
     slots: how many there are.
     ground_radius: world units.
-    lane: radii between which the ring colours pixels, world units.
+    lane: least and greatest radius at which the ring colours pixels, world units.
     shadow: length of the longest shadow of what stands there, world units.
-    room: how far what stands there may be moved, inwards and outwards, world units.
+    room: how far the content of a slot may be moved, inwards and outwards, world units.
     theme: the colours.
     """
 
@@ -68,10 +68,10 @@ class AtlasKey(NamedTuple):
 
 
 def atlas_key(canvas: Canvas, ring: Ring, tallest: int, ground_radius: float, between: tuple[float, float]) -> AtlasKey:
-    """The key of a ring that is a part of the backdrop. tallest: layers of the highest stack that may ever stand there.
+    """The key of a ring on the backdrop. tallest: layers of the highest stack that may ever stand there.
 
-    between: where the next ring inwards ends, and where the next one outwards begins, world units: so far shadows go, and no
-    pixel belongs to two rings.
+    between: radius where the next ring inwards ends, and where the next one outwards begins, world units. Shadows are cut
+    there, so that no pixel belongs to two rings.
     """
     scale = canvas.camera.scale
     border, slot = _BORDER / scale, slot_shape(ring, tallest, 1.0 / scale)
@@ -85,8 +85,8 @@ def atlas_key(canvas: Canvas, ring: Ring, tallest: int, ground_radius: float, be
 class SlotAtlas:
     """The pictures of all contents that a ring's slots have shown.
 
-    They stand column after column: a column has the colours of all radii at one angle of one content, and spare rows for
-    contents that are moved. A 0 is where nothing stands.
+    The colours are stored column after column. A column has the colours of all radii at one angle of one content, with spare
+    rows for contents that are moved. 0 means that nothing stands there.
     """
 
     def __init__(self, key: AtlasKey) -> None:
@@ -114,7 +114,7 @@ class SlotAtlas:
         self.wide_band = self.band._replace(radii=wide, rows=(-fine * inwards, rows - 1 + fine * outwards))
         """Of those that show it while something is moved as far as there is room."""
         self._columns_of: dict[SlotContent, NDArray[np.int64]] = {}
-        self._filled = 1  # columns so far, the first of them blank; their number grows by leaps
+        self._filled = 1  # columns in use, the first of them blank; the arrays are larger, and doubled when they are full
         self._atlas = np.zeros((1, rows + 2 * self._spare), dtype=np.uint32)
         self._contents: tuple[SlotContent, ...] = ()
         self._column_at = np.zeros(0, dtype=np.int64)
@@ -127,10 +127,10 @@ class SlotAtlas:
     def columns(
         self, surface: pygame.Surface, phase: float, contents: tuple[SlotContent, ...], out: dict[int, float] | None = None
     ) -> NDArray[np.int64]:
-        """Where among the colours each column around the ring finds those of its first row; BLANK where nothing stands.
+        """For each column around the ring the index of its first row among `colours`; BLANK where nothing stands.
 
-        surface: what is drawn on. phase: middle angle of slot 0, radians; contents: of every slot. out: slots that are moved
-        outwards, world units, as far as there is room.
+        surface: in whose format colours are stored. phase: middle angle of slot 0, radians; contents: of every slot. out: by
+        slot, how far its content is moved outwards, world units, as far as there is room.
         """
         if out:
             around = self._arranged(surface, contents, out)
@@ -142,7 +142,7 @@ class SlotAtlas:
         return around[turn : turn + self._columns_around]
 
     def _arranged(self, surface: pygame.Surface, contents: tuple[SlotContent, ...], out: dict[int, float]) -> NDArray[np.int64]:
-        """The columns' begins from slot 0 on; twice around, which saves a modulo."""
+        """The index of each column's first row, from slot 0 on; twice around the ring, which saves a modulo."""
         for content in dict.fromkeys(contents):
             if content not in self._columns_of:
                 self._columns_of[content] = self._added(surface, content)
@@ -152,12 +152,12 @@ class SlotAtlas:
         return np.concatenate(around + around)
 
     def _rows_of(self, out: float) -> int:
-        """Rows of the atlas that a slot is moved by."""
+        """The number of rows by which a slot's content is moved. out: world units."""
         inwards, outwards = self._room
         return round(min(max(out, -inwards), outwards) * self._scale * self._fine)
 
     def _added(self, surface: pygame.Surface, content: SlotContent) -> NDArray[np.int64]:
-        """Paint one more content into the atlas, and return where in it the first row of each column of a slot is."""
+        """Paint another content into the atlas; returns the index of the first row of each of its columns."""
         pile, theme = parts(content, self._slot, 0.0, self._theme), self._theme
         angles, column = np.unique(self._grouped(pile), return_inverse=True)
         pixels = PolarPixels(self._scale, self._radii[:, None], angles[None, :])
@@ -175,7 +175,7 @@ class SlotAtlas:
         return self._first_rows(colours)[column]
 
     def _first_rows(self, colours: NDArray[np.uint32]) -> NDArray[np.int64]:
-        """Add columns of colours; where their first rows are. Equal neighbours share one, and what is blank the blank one."""
+        """Add columns of colours; returns the indices of their first rows. Equal neighbours, and all blank ones, share one."""
         blank = ~colours.any(axis=1)
         differs = np.append(True, (colours[1:] != colours[:-1]).any(axis=1)) & ~blank
         first, self._filled = self._filled, self._filled + int(differs.sum())
@@ -186,7 +186,7 @@ class SlotAtlas:
         return np.where(blank, BLANK, number * self._atlas.shape[1] + self._spare)
 
     def _grouped(self, pile: tuple[Part, ...]) -> Floats:
-        """The columns' angles, one for all that look the same: far from the slot's ends and from what is painted on it."""
+        """The columns' angles; all that look the same, far from the slot's ends and from marks on it, have one angle."""
         slot, scale = self._slot, self._scale
         inner = max(slot.inner_radius * scale, 1.0)
         flat = slot.half_angle - math.asin(min((slot.half_width * scale + 1.0) / inner, 1.0))

@@ -131,7 +131,7 @@ def _renamed(contents: tuple[SlotContent, ...], before: ContentKind, after: Cont
 
 @lru_cache(maxsize=16)
 def _paddles(count: int, kind: ContentKind) -> tuple[SlotContent, ...]:
-    """The contents of the paddles' ring. They do not glow as a whole: `game.picture.moving.glints` lights what was hit."""
+    """The contents of the paddles' ring, without the light of hits: `game.picture.moving.glints` adds it where a ball hit."""
     return (SlotContent(kind),) * count
 
 

@@ -122,7 +122,7 @@ class SolidPicture:
         return projected(joined(rings), phase, np.array(partings)[rank], rank + 1, canvas.camera)
 
     def _ring_blocks(self, key: _RingKey) -> Blocks:
-        """The blocks of one ring, from memory if it looked the same before; light changes no more than colours."""
+        """The blocks of one ring, cached; if only the light of hits differs, cached shapes get new colours."""
         found = self._blocks.get(key)
         if found is None:
             unlit = key._replace(contents=_unlit(key.contents))
@@ -164,12 +164,12 @@ def _ring_key(canvas: Canvas, scene: Scene, k: int, contents: tuple[SlotContent,
 
 
 def _cut(key: _RingKey) -> Blocks:
-    """The blocks of a ring."""
+    """Compute the blocks of a ring."""
     return ring_blocks(key.cut, _piles(key))
 
 
 def _piles(key: _RingKey) -> list[tuple[int, tuple[Part, ...]]]:
-    """What stands in the slots of a ring. Lines may be thinner than a pixel, for what is drawn here is scaled down."""
+    """The parts in every slot of a ring. Lines may be thinner than a pixel, since the picture is scaled down afterwards."""
     falling = {stack.slot: stack.height for stack in key.falling}
     cut = key.cut
     shape = SlotShape(cut.radius, cut.half_width, cut.half_angle, key.tallest, finest=0.0)
@@ -178,7 +178,7 @@ def _piles(key: _RingKey) -> list[tuple[int, tuple[Part, ...]]]:
 
 @lru_cache(maxsize=256)
 def _unlit(contents: tuple[SlotContent, ...]) -> tuple[SlotContent, ...]:
-    """The contents of a ring without the light of hits; what is nothing but light stays."""
+    """The contents of a ring without the light of hits; contents that consist of light only stay."""
     return tuple([one if one.kind is ContentKind.GHOST else one._replace(glow=0) for one in contents])
 
 

@@ -126,7 +126,7 @@ def ring_blocks(cut: Cut, piles: list[tuple[int, tuple[Part, ...]]]) -> Blocks:
 
 
 def recoloured(blocks: Blocks, piles: list[tuple[int, tuple[Part, ...]]]) -> Blocks:
-    """The blocks of a ring in other colours. piles: of all slots; the parts are the same but for their colours."""
+    """The blocks of a ring in other colours. piles: the parts of all slots, which differ from the old ones in colour only."""
     first = np.cumsum([0, *[len(pile) for _, pile in piles]])
     return blocks._replace(colours=_colours(_drawn(piles))[first[blocks.slot] + blocks.level])
 
@@ -158,12 +158,12 @@ def _half_angle(cut: Cut, sagitta: float) -> float:
 
 
 def _drawn(piles: list[tuple[int, tuple[Part, ...]]]) -> list[Slab | Bar]:
-    """All parts as they are drawn, pile after pile."""
+    """All parts in the order of drawing, pile after pile."""
     return [_sheet(part) if isinstance(part, FootShade) else part for _, pile in piles for part in pile]
 
 
 def _colours(every: list[Slab | Bar]) -> Reals:
-    """Red, green and blue of parts, one a row."""
+    """Red, green and blue of parts, a row for each."""
     return np.array([part.colour for part in every], dtype=np.float64).reshape(-1, 3)
 
 

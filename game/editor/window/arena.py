@@ -32,7 +32,7 @@ def draw_arena(canvas: Canvas, painter: Painter, level: Level) -> None:
 
 
 def draw_outlines(canvas: Canvas, session: EditorSession, at: tuple[int, int], colour: Colour) -> None:
-    """The slots that a stroke would paint. at: ring and slot of it."""
+    """Outline the slots that a stroke would paint. at: ring and slot of the stroke."""
     number, middle = at
     ring = session.document.level.rings[number]
     for slot in images(ring, middle, session.symmetry):
@@ -40,13 +40,13 @@ def draw_outlines(canvas: Canvas, session: EditorSession, at: tuple[int, int], c
 
 
 def draw_ring(canvas: Canvas, ring: RingSpec, colour: Colour, width: float) -> None:
-    """A ring's edges. width: of the line, units of text."""
+    """Draw a ring's edges. width: of the line, units of text."""
     for radius in (ring.radius - ring.half_width, ring.radius + ring.half_width):
         _draw_circle(canvas, radius, colour, width)
 
 
 def draw_wells(canvas: Canvas, session: EditorSession, pointed: int | None, colour: Colour) -> None:
-    """Where all gravity wells end, the chosen one's in a colour. pointed: index of the one that the mouse is on."""
+    """Draw the rims of all gravity wells, the chosen one's in `colour`. pointed: index of the well under the mouse."""
     for index, well in enumerate(session.document.level.wells):
         chosen, middle = index == session.well, position_of(well)
         shown, width = (colour, _SLOT_WIDTH) if chosen or index == pointed else (canvas.theme.faint, _PLAIN_WIDTH)
@@ -55,7 +55,7 @@ def draw_wells(canvas: Canvas, session: EditorSession, pointed: int | None, colo
 
 
 def _draw_circle(canvas: Canvas, radius: float, colour: Colour, width: float, middle: complex = 0j) -> None:
-    """A circle. radius, middle: world units; width: of the line, units of text."""
+    """Draw a circle. radius, middle: world units; width: of the line, units of text."""
     line = max(canvas.unit * width, 1.0)
     pixels = canvas.camera.scale * radius + line / 2.0
     draw_circle(canvas.surface, canvas.camera.project(middle), max(pixels, 1.0), line, colour)

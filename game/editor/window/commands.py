@@ -20,9 +20,9 @@ TINTS = (None, *range(9))
 
 
 class Command(NamedTuple):
-    """Something that a button or a key does.
+    """What a button or a key does.
 
-    label: what the button says, nothing where it says more. key: what does the same. tip: a sentence.
+    label: of the button; "" if it is composed elsewhere. key: that does the same. tip: a sentence.
     """
 
     label: str
@@ -54,18 +54,18 @@ def _mirrored(session: EditorSession) -> EditorSession:
 
 
 def _folded(session: EditorSession) -> EditorSession:
-    """The session with the next number of rotations."""
+    """The session in which strokes are repeated the next possible number of times around the ring."""
     fold = FOLDS[(FOLDS.index(session.symmetry.fold) + 1) % len(FOLDS)]
     return session._replace(symmetry=session.symmetry._replace(fold=fold))
 
 
 def relayered(session: EditorSession, steps: int) -> EditorSession:
-    """The session with other layers of the brush, so many further, round at the end."""
+    """The session whose brush has layers `steps` after the present ones; the first follows the last."""
     return editing.brushed(session, LAYERS[(LAYERS.index(session.brush.layers) + steps) % len(LAYERS)])
 
 
 def recoloured(session: EditorSession, steps: int) -> EditorSession:
-    """The session with another colour of the brush, so many further, round at the end."""
+    """The session whose brush has the colour `steps` after the present one; the first follows the last."""
     return editing.tinted(session, TINTS[(TINTS.index(session.brush.tint) + steps) % len(TINTS)])
 
 

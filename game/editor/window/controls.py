@@ -48,7 +48,7 @@ _WIDE_TAB, _ABOVE_FOOT = 3.2, 0.3
 
 
 class Controlled(NamedTuple):
-    """What the controls show. theme: in the level's palette. typing: the number that is being typed, if one is."""
+    """What the controls show. theme: with the level's palette. typing: the number that is being typed; None if none is."""
 
     session: EditorSession
     part: Part
@@ -58,11 +58,11 @@ class Controlled(NamedTuple):
 
 
 class Reactions(NamedTuple):
-    """What the controls do.
+    """The functions that the controls call.
 
-    put: goes on with a changed session. command: gives one of `COMMANDS`; the screen to go on with. show: another part.
-    edit: begins to type a number, or puts the caret at so many pixels from its field's left edge. enter: opens a panel for a
-    text.
+    put: takes a changed session. command: runs one of `COMMANDS`, and returns the next screen. show: shows another part.
+    edit: begins to type a number, or puts the caret at a distance from its field's left edge, pixels. enter: opens a panel for
+    a text.
     """
 
     put: Callable[[EditorSession], None]
@@ -73,7 +73,7 @@ class Reactions(NamedTuple):
 
 
 def controls(seen: Controlled, do: Reactions) -> Column:
-    """The level's name and the parts' names above, what is always at hand below, and between them the part that is shown."""
+    """The whole column: at the top the level's name and the names of the parts, then the shown part, then common buttons."""
     session = seen.session
     names = tuple([Chip(tr(part.value)) for part in PARTS])
     parts = ChipsItem(names, PARTS.index(seen.part), lambda index: do.show(PARTS[index]), least=_WIDE_TAB)
@@ -168,7 +168,7 @@ def _paddles(seen: Controlled, do: Reactions) -> tuple[Row, ...]:
 
 
 def _drops(seen: Controlled, do: Reactions) -> tuple[Row, ...]:
-    """What broken bricks leave."""
+    """Power-ups that broken bricks leave."""
     session, kinds = seen.session, value_of(seen.session, fields.KINDS)
     switches: list[Row] = []
     for kind in DROP_KINDS:
@@ -226,7 +226,7 @@ def _number(field: Field, seen: Controlled, do: Reactions) -> NumberItem:
 
 
 def number_text(session: EditorSession, field: Field) -> str:
-    """A number as it is typed; nothing for one that the file leaves out."""
+    """A number as it is typed; "" if the file leaves it out."""
     value = value_of(session, field)
     return "" if value is None else f"{value:.10g}"
 
@@ -248,7 +248,7 @@ def _text_button(field: Field, seen: Controlled, do: Reactions) -> ButtonItem:
 def _name_choice(
     field: Field, names: dict[Palette, str] | dict[GroundPattern, str], seen: Controlled, do: Reactions
 ) -> ChoiceItem:
-    """One of the format's names."""
+    """A choice among the format's names."""
     known: list[str] = list(names)
     words, index = tuple([tr(name) for name in names.values()]), known.index(value_of(seen.session, field))
 
@@ -259,7 +259,7 @@ def _name_choice(
 
 
 def _buttons(names: tuple[str, ...], do: Reactions) -> list[Row]:
-    """Buttons of some commands beside each other."""
+    """Rows of buttons for some commands."""
     items: list[Item] = [
         ButtonItem(
             tr(COMMANDS[name].label),
@@ -273,22 +273,22 @@ def _buttons(names: tuple[str, ...], do: Reactions) -> list[Row]:
 
 
 def _long_button(name: str, do: Reactions, label: str) -> ButtonItem:
-    """A button that says what it would do, with its key."""
+    """A button with a label of its own, and the command's key."""
     return ButtonItem(label, lambda: do.command(name), note=tr(COMMANDS[name].key), framed=True)
 
 
 def _tip(key: str, meaning: str) -> str:
-    """What is said about a control that has a key."""
+    """The tip of a control with a key."""
     return f"{meaning} ({key})" if meaning else key
 
 
 def _layers_label(layers: int | None) -> str:
-    """What a brush's chip says."""
+    """The label of a brush's chip."""
     return "=" if layers is None else "-" if layers == PERMANENT else str(layers)
 
 
 def _layers_colour(theme: Theme, layers: int | None, tint: int) -> Colour | None:
-    """The colour of what a brush puts, seen from above."""
+    """The colour, seen from above, of what a brush paints."""
     if layers is None:
         return None
     if layers > 0:

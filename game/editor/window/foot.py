@@ -1,4 +1,4 @@
-"""The lines below the arena: what is under the cursor, what is wrong, and how to go on."""
+"""The lines below the arena: what is under the cursor, what is wrong with the level, and what can be done."""
 
 import pygame
 
@@ -20,7 +20,7 @@ Line = tuple[str, Colour]
 
 
 def cursor_words(session: EditorSession, part: Part, at: tuple[int, int] | None) -> str:
-    """What is at the cursor or the mouse. at: ring and slot; None for none."""
+    """A line about the slot under the cursor or the mouse. at: ring and slot; None for none."""
     level = session.document.level
     if part is Part.WELLS:
         if not level.wells:
@@ -39,7 +39,7 @@ def cursor_words(session: EditorSession, part: Part, at: tuple[int, int] | None)
 
 
 def draw_foot(canvas: Canvas, box: pygame.Rect, lines: list[Line]) -> None:
-    """Lines below each other in a box, wrapped; in smaller letters where they are too many."""
+    """Draw lines below each other in a box, wrapped; in smaller letters if they would not fit."""
     wrapped: list[Line] = []
     for size in _SIZES:
         wrapped = [
@@ -56,7 +56,7 @@ def draw_foot(canvas: Canvas, box: pygame.Rect, lines: list[Line]) -> None:
 
 
 def _stack_words(layers: int, tint: int) -> str:
-    """What stands in a slot."""
+    """The content of a slot in words."""
     if layers == 0:
         return tr("gap")
     if layers == PERMANENT:

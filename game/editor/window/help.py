@@ -116,7 +116,7 @@ def _mouse_hint(part: Part) -> str:
 
 
 def editor_help(state: AppState, under: Screen) -> KeyHelp:
-    """The panel over the editor, with a part for each of keys, mouse and gamepad."""
+    """The help panel over the editor, with a part each for keys, mouse and gamepad."""
     parts = ((tr("Keys"), _translated(KEYS)), (tr("Mouse"), _translated(MOUSE)), (tr("Gamepad"), pad_lines()))
     return KeyHelp(state, under, HelpWords(tr("The editor"), tr("Back"), tr(_NOTE)), parts)
 

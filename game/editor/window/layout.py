@@ -23,8 +23,8 @@ _FILLED = 0.97
 class EditorLayout(NamedTuple):
     """Boxes of a surface, pixels.
 
-    arena: the arena's part. camera: that shows it there. foot: of the lines below the arena. side: of the controls.
-    unit: size of the controls' text and of those lines'.
+    arena: for the arena. camera: that shows the arena there. foot: for the lines below the arena. side: for the controls.
+    unit: size of text in the controls and in these lines.
     """
 
     arena: pygame.Rect
@@ -35,7 +35,7 @@ class EditorLayout(NamedTuple):
 
 
 def editor_layout(size: tuple[int, int], ground_radius: float, text: float = 1.0) -> EditorLayout:
-    """The layout of a surface of some size, pixels. ground_radius: world units. text: how much larger texts are than usual."""
+    """The layout of a surface. size: pixels. ground_radius: world units. text: factor of the text size."""
     width, height = size
     usual = max(unit_of(size) * _LETTERS, _LEAST)
     unit, margin = usual * text, round(usual * _MARGIN)

@@ -1,4 +1,4 @@
-"""What the editor shows beside its controls: the arena, what the cursor or the mouse is on, and the lines below."""
+"""What the editor draws beside its controls: the arena, marks at the cursor and the mouse, and the lines below."""
 
 from typing import NamedTuple
 
@@ -22,10 +22,10 @@ _RING, _CHOSEN_RING = 0.12, 0.3
 
 
 class Shown(NamedTuple):
-    """What there is to see.
+    """What the editor shows.
 
-    part: of the controls. hand: what the player used last. point: of the world, that the mouse is on; None outside of the
-    arena. in_panel: whether keys and gamepad are the controls'. tip: about the control that has the focus. file: its name.
+    part: of the controls. hand: device that the player used last. point: under the mouse, world units; None outside of the
+    arena. in_panel: whether keys and gamepad act on the controls. tip: about the focused control. file: its name.
     """
 
     session: EditorSession
@@ -39,22 +39,22 @@ class Shown(NamedTuple):
 
     @property
     def slot(self) -> tuple[int, int] | None:
-        """Ring and slot that the cursor or the mouse is on; None for none."""
+        """Ring and slot under the cursor or the mouse; None for none."""
         if self.hand is not Hand.MOUSE:
             return self.session.ring, self.session.slot
         return None if self.point is None else slot_at(self.session.document.level, self.point)
 
 
 class EditorPicture:
-    """Draws it; the arena only when the level has changed."""
+    """Draws what is `Shown`; the level itself is drawn only when it has changed."""
 
     def __init__(self) -> None:
-        """Begin with nothing drawn."""
+        """Start without a cached picture."""
         self._painter, self._still = Painter(), StillPicture()
-        self._drawn: Level | None = None  # the last one that could be drawn
+        self._drawn: Level | None = None  # the last level that could be drawn
 
     def draw(self, surface: pygame.Surface, state: AppState, shown: Shown) -> None:
-        """All of it."""
+        """Draw arena, marks and lines."""
         level, seen = shown.session.document.level, shown.layout
         canvas = state.canvas(surface, seen.camera)._replace(unit=seen.unit)
         self._still.show(
@@ -66,18 +66,18 @@ class EditorPicture:
         surface.set_clip(None)
 
     def _draw_level(self, canvas: Canvas, level: Level) -> None:
-        """The level, or the last one that could be drawn."""
+        """Draw the level; if that is impossible, the last one that could be drawn."""
         canvas.surface.fill(canvas.theme.background)
         try:
             draw_arena(canvas, self._painter, level)
             self._drawn = level
-        except ValueError:  # sizes that the physics does not take; the problem is written below
+        except ValueError:  # sizes that the physics refuses; the lines below name the problem
             if self._drawn is not None:
                 draw_arena(canvas, self._painter, self._drawn)
 
 
 def _draw_marks(canvas: Canvas, shown: Shown) -> None:
-    """What the cursor or the mouse is on, and what is chosen."""
+    """Mark what is under the cursor or the mouse, and what is chosen."""
     by_mouse, rings = shown.hand is Hand.MOUSE, shown.session.document.level.rings
     colour = canvas.theme.accent if by_mouse or not shown.in_panel else canvas.theme.faint
     if shown.part is Part.WELLS:
@@ -93,7 +93,7 @@ def _draw_marks(canvas: Canvas, shown: Shown) -> None:
 
 
 def _draw_lines(canvas: Canvas, shown: Shown) -> None:
-    """The lines below the arena."""
+    """Draw the lines below the arena."""
     theme, session = canvas.theme, shown.session
     wrong = session.message or session.file_error or session.document.problem
     status = "  ·  ".join([words for words in (shown.file, cursor_words(session, shown.part, shown.slot)) if words])

@@ -15,7 +15,7 @@ from game.screens.play import PlayScreen
 
 
 class PlayTest:
-    """Plays one level; wherever the game would go on to the title or out, the editor comes back. Nothing of it is kept."""
+    """Plays one level. Where the game would lead to the title or end the program, it leads to the editor. Nothing is stored."""
 
     def __init__(self, state: AppState, editor: Screen, level: Level) -> None:
         """Start at the first serve."""
@@ -26,13 +26,13 @@ class PlayTest:
         self._inner: Screen = PlayScreen(self._own, (level,))
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
-        """Let the game answer; Esc leads back from it, not to a pause."""
+        """Let the game answer; Esc returns to the editor, and does not pause."""
         if isinstance(self._inner, PlayScreen) and isinstance(signal, Pressed) and signal.action is Action.BACK:
             return self._editor
         return self._followed(self._inner.answer(signal, size))
 
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
-        """Let the game go on, with settings that a key may have changed."""
+        """Let the game advance; settings that a key has changed are shared."""
         self._share_settings()
         return self._followed(self._inner.advance(seconds, size))
 
@@ -49,7 +49,7 @@ class PlayTest:
         return self
 
     def _share_settings(self) -> None:
-        """Settings that were changed in the game or outside of it hold in both."""
+        """Copy settings that were changed in the game to the editor, and the other way round."""
         if self._own.settings != self._settings:
             self._state.change(self._own.settings)
         self._own.settings = self._settings = self._state.settings

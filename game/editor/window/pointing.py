@@ -21,10 +21,10 @@ _SNAP = 0.05
 
 
 class Drag(NamedTuple):
-    """What the mouse, or a held key, does until it is let go.
+    """What the mouse, or a held key, does until it is released.
 
-    part: of the panel, which says what is dragged. before: the history when it began. stack: that is painted. offset: from
-    the ring's radius, or the well's position, to the mouse.
+    part: of the panel, which decides what is dragged. before: the history at its beginning. stack: what is painted. offset:
+    from the ring's radius, or the well's position, to the mouse.
     """
 
     part: Part
@@ -34,7 +34,7 @@ class Drag(NamedTuple):
 
 
 def slot_at(level: Level, point: complex) -> tuple[int, int] | None:
-    """Ring and slot whose part of the turn a point of the world is in; None where there is no ring."""
+    """Ring and slot at a point of the world; None if no ring is there. Gaps between sectors belong to the nearer slot."""
     distance, angle = abs(point), math.degrees(math.atan2(point.imag, point.real))
     for index, ring in enumerate(level.rings):
         if abs(distance - ring.radius) <= ring.half_width:
@@ -43,14 +43,14 @@ def slot_at(level: Level, point: complex) -> tuple[int, int] | None:
 
 
 def well_near(level: Level, point: complex) -> int | None:
-    """Index of the gravity well whose middle is at a point of the world; None where there is none."""
+    """Index of the gravity well whose centre is at a point of the world; None if there is none."""
     near = [(abs(position_of(well) - point), index) for index, well in enumerate(level.wells)]
     distance, index = min(near, default=(math.inf, 0))
     return index if distance <= _CATCH * level.ground_radius else None
 
 
 def pressed(session: EditorSession, part: Part, point: complex, *, erases: bool) -> tuple[EditorSession, Drag | None]:
-    """The session after a press at a point of the world, and what it drags. erases: by the right button."""
+    """The session after a press at a point of the world, and the drag that begins. erases: whether by the right button."""
     if part is Part.WELLS:
         return _well_pressed(session, point, erases=erases)
     at = slot_at(session.document.level, point)
@@ -65,7 +65,7 @@ def pressed(session: EditorSession, part: Part, point: complex, *, erases: bool)
 
 
 def dragged(session: EditorSession, drag: Drag, point: complex) -> EditorSession:
-    """The session with the mouse at a point of the world."""
+    """The session after a drag to a point of the world."""
     unit = _SNAP * session.document.level.ground_radius / 10.0
     if drag.part is Part.WELLS:
         moved = point - drag.offset
@@ -80,7 +80,7 @@ def dragged(session: EditorSession, drag: Drag, point: complex) -> EditorSession
 
 
 def _well_pressed(session: EditorSession, point: complex, *, erases: bool) -> tuple[EditorSession, Drag | None]:
-    """Take hold of a well, remove it with the right button, or add one where there is none."""
+    """Begin to drag a well, remove it with the right button, or add one if there is none at the point."""
     index = well_near(session.document.level, point)
     if index is not None:
         session = session._replace(well=index, message="")
@@ -94,5 +94,5 @@ def _well_pressed(session: EditorSession, point: complex, *, erases: bool) -> tu
 
 
 def _multiple(number: float, unit: float) -> float:
-    """The multiple of a unit that is nearest to a number."""
+    """The multiple of `unit` nearest to a number."""
     return round(number / unit) * unit

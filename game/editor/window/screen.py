@@ -55,8 +55,8 @@ _DISTANCE, _ANGLE = WELL_FIELDS[:2]
 class Editor:
     """Edits one level file.
 
-    Keys and gamepad act on the cursor in the arena, or on the controls beside it. What the cursor and the mouse do there
-    follows from the part of the controls that is shown.
+    Keys and gamepad act on the cursor in the arena, or on the controls beside it. The part of the controls that is shown
+    decides what cursor and mouse do in the arena.
     """
 
     def __init__(
@@ -75,7 +75,7 @@ class Editor:
 
     @property
     def looks(self) -> tuple[object, ...]:
-        """All that its picture depends on."""
+        """Everything that its picture depends on."""
         side = () if self._side is None else self._side.looks_now
         return self._state.appearance, self.session, self._hand, self._pixel, self._drag is not None, side
 
@@ -115,7 +115,7 @@ class Editor:
         return self
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
-        """React to a gamepad, to fingers on the controls, or to a key that was let go. In the arena a finger is a mouse."""
+        """React to a gamepad, to fingers on the controls, or to a released key. In the arena a finger acts as a mouse."""
         if self._held is not None and not is_still_down(self._held[0].position, signal):
             self._held = None
         if isinstance(signal, FocusLost):
@@ -142,7 +142,7 @@ class Editor:
         return self
 
     def _pad_in_arena(self, signal: Signal) -> Screen | None:
-        """A gamepad's button or stick that is not for the controls."""
+        """React to a gamepad's button or stick that acts on the arena."""
         match signal:
             case Pressed(Action.LEFT | Action.RIGHT | Action.UP | Action.DOWN as action):
                 self._hold(signal, 1)
@@ -158,7 +158,7 @@ class Editor:
         return self
 
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
-        """A direction that is held down goes on; look at the file now and then."""
+        """Repeat a direction that is held down, and check the file for changes now and then."""
         self.side(size).advance(seconds, size)
         if self._held is not None:
             signal, steps, repeat = self._held
@@ -173,7 +173,7 @@ class Editor:
         return self
 
     def draw(self, surface: pygame.Surface) -> None:
-        """The arena, the lines below it, and the controls."""
+        """Draw the arena, the lines below it, and the controls."""
         size = surface.get_size()
         side = self.side(size)
         tip, file = side.tip(size), self._file.path.name
@@ -212,7 +212,7 @@ class Editor:
                 self._tell(tr("Taken over from the file"))
 
     def _key(self, event: pygame.Event, size: tuple[int, int]) -> Screen | None:
-        """A key went down: it is for the controls, a command, the brush or the cursor."""
+        """React to a pressed key: it acts on the controls, runs a command, or changes the brush or the cursor."""
         side, ctrl = self.side(size), event.mod & (pygame.KMOD_CTRL | pygame.KMOD_META)
         self._hand = Hand.KEYS
         if event.key in PAGES and not side.is_typed_into and (ctrl or side.has_keys):
@@ -237,7 +237,7 @@ class Editor:
         return self
 
     def _cursor_key(self, event: pygame.Event, size: tuple[int, int]) -> Screen | None:
-        """A key that moves the cursor, paints, takes away, or goes to another ring."""
+        """React to a key that moves the cursor, paints, removes, or chooses another ring."""
         if event.key in DIRECTIONS:
             steps = _STRIDE if event.mod & pygame.KMOD_SHIFT else 1
             signal = Pressed(DIRECTIONS[event.key], position_in(event))
@@ -254,11 +254,11 @@ class Editor:
         return self
 
     def _hold(self, signal: Pressed, steps: int) -> None:
-        """Go on in a direction until it comes up."""
+        """Move in a direction repeatedly until its key is released."""
         self._held = signal, steps, Repeat(signal.position)
 
     def _go(self, action: Action, steps: int) -> None:
-        """Move the cursor, or the chosen gravity well. steps: at once, of a well; 0 for another well."""
+        """Move the cursor, or the chosen gravity well. steps: of a well's movement; 0 to choose another well instead."""
         sign = 1 if action in (Action.RIGHT, Action.UP) else -1
         along = action in (Action.LEFT, Action.RIGHT)
         if self._part is not Part.WELLS:
@@ -270,7 +270,7 @@ class Editor:
             self.session = editing.stepped(self.session, _ANGLE if along else _DISTANCE, sign * steps)
 
     def _scroll(self, sign: int) -> None:
-        """Another brush, or where rings or wells are edited another one of these."""
+        """Choose another brush; in the parts for rings and wells, another ring or well."""
         if self._part is Part.WELLS:
             self.session = chosen_well(self.session, sign)
         elif self._part is Part.RING:
@@ -279,13 +279,13 @@ class Editor:
             self._paint_with(relayered(self.session, sign))
 
     def _paint_with(self, session: EditorSession) -> None:
-        """Go on with another brush, which is seen."""
+        """Take another brush, and show its part of the controls."""
         self.session = session
         if self._side is not None:
             self._side.open_part(Part.BRICKS)
 
     def _begin(self, stack: Stack) -> None:
-        """Begin a stroke at the cursor, which goes on while the key is held and the cursor moves; or add or remove a well."""
+        """Begin a stroke at the cursor, which lasts until the key is released; or add or remove a well."""
         if self._part is Part.WELLS:
             self._command("remove-well" if stack is ERASER else "add-well")
             return
@@ -295,13 +295,13 @@ class Editor:
         self._stroke()
 
     def _stroke(self) -> None:
-        """Paint at the cursor, while a key is held."""
+        """Paint at the cursor while a key is held."""
         if self._drag is not None:
             at, drag = (self.session.ring, self.session.slot), self._drag
             self.session = editing.stroked(self.session, *at, stack=drag.stack, before=drag.before)
 
     def _press(self, button: int, size: tuple[int, int]) -> None:
-        """A mouse button went down in the arena."""
+        """React to a mouse button that was pressed in the arena."""
         point, side = self._point(size), self.side(size)
         if point is None:
             return
@@ -310,14 +310,14 @@ class Editor:
         self.session, self._drag = pressed(self.session, side.part, point, erases=button != 1)
 
     def _point(self, size: tuple[int, int]) -> complex | None:
-        """The point of the world that the mouse is on; None outside of the arena."""
+        """The point of the world under the mouse; None outside of the arena."""
         seen = self.layout(size)
         if self._pixel is None or not seen.arena.collidepoint(self._pixel.real, self._pixel.imag):
             return None
         return seen.camera.unproject(self._pixel)
 
     def _put(self, session: EditorSession) -> None:
-        """Go on with a changed session."""
+        """Take a changed session."""
         self.session = session
 
     def _command(self, name: str | None) -> Screen | None:
@@ -342,7 +342,7 @@ class Editor:
         return self
 
     def _tell(self, words: str) -> None:
-        """Say for a moment what was done."""
+        """Show for a moment what was done."""
         self._state.toast = Toast(words) if words else None
 
     def _play_test(self) -> Screen:

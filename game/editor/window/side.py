@@ -27,7 +27,7 @@ _TOP = 0.4
 
 
 class EditorSide(Side):
-    """The controls of the level that is edited. When the keys come back to it, what had the focus before has it again."""
+    """The controls of the edited level. When it gets the keys back, the control that had the focus has it again."""
 
     def __init__(
         self,
@@ -37,7 +37,7 @@ class EditorSide(Side):
         command: Callable[[str], Screen | None],
         shown: tuple[EditorLayout, EditorSession],
     ) -> None:
-        """The side of a screen. put: goes on with a changed session; command: gives one; shown: as in `show`."""
+        """The side of a screen. put: takes a changed session; command: runs a command; shown: as in `show`."""
         super().__init__(state, screen)
         self._put = put
         self._do = Reactions(put, command, self.open_part, self._edit, self._enter)
@@ -51,12 +51,12 @@ class EditorSide(Side):
 
     @property
     def looks(self) -> tuple[object, ...]:
-        """All that its picture depends on, but for what has the focus."""
+        """Everything that its picture depends on, except the focus."""
         return self._state.appearance, self._layout, self._session, self.part
 
     @property
     def looks_now(self) -> tuple[object, ...]:
-        """All that its picture depends on."""
+        """Everything that its picture depends on."""
         return self.part, self._typing, self._focus, self._scroll, self._has_keys
 
     @property
@@ -65,7 +65,7 @@ class EditorSide(Side):
         return self._typing is not None
 
     def hear_key(self, event: pygame.Event, size: tuple[int, int]) -> tuple[bool, Screen | None]:
-        """As every side; the first digit of a number begins to type it."""
+        """As in every side; in addition, a digit on a number begins to type it."""
         written = getattr(event, "unicode", "")
         if self._typing is None and self._has_keys and written and written in _DIGITS and not event.mod & MODIFIERS:
             spot = spot_at(self._laid(size), self._focus)
@@ -74,16 +74,16 @@ class EditorSide(Side):
         return super().hear_key(event, size)
 
     def show(self, layout: EditorLayout, session: EditorSession) -> None:
-        """Let the controls be those of a level as it stands, in a window that is so divided."""
+        """Show the controls of a session, in a window with this layout."""
         self._layout, self._session = layout, session
 
     def open_part(self, part: Part) -> None:
-        """Show another part, from its beginning."""
+        """Show another part, scrolled to its top."""
         if part is not self.part:
             self.part, self._scroll, self._typing, self._nearest = part, 0.0, None, None
 
     def turn(self, offset: int) -> None:
-        """Show the part so many after this one, its name focused."""
+        """Show the part `offset` after this one, with the focus on its name."""
         self.open_part(PARTS[(PARTS.index(self.part) + offset) % len(PARTS)])
 
     def release(self) -> None:
@@ -92,7 +92,7 @@ class EditorSide(Side):
         super().release()
 
     def tip(self, size: tuple[int, int]) -> str:
-        """What is said about what has the focus."""
+        """The tip of the focused control."""
         laid = self._laid(size)
         spot = spot_at(laid, self._settled(laid))
         return "" if spot is None else spot.item.tip
@@ -102,7 +102,7 @@ class EditorSide(Side):
         return self._layout.unit
 
     def _laid(self, _size: tuple[int, int]) -> Laid:
-        """The controls below each other; what is said about them stands below the arena."""
+        """The controls below each other, without tips: these are drawn below the arena."""
         unit = self._layout.unit
         area = self._layout.side.inflate(0, -round(2.0 * _TOP * unit))
         theme = themed(self._state.theme, self._session.document.level.look.palette)
@@ -112,12 +112,12 @@ class EditorSide(Side):
         return laid._replace(tip=pygame.Rect(0, 0, 0, 0))
 
     def _edit(self, field: Field, pixels: float | None) -> None:
-        """Begin to type a number, or put the caret somewhere."""
+        """Begin to type a number, or put the caret at a distance from the field's left edge, pixels."""
         shown = TextField.all_of(number_text(self._session, field))
         self.edit(Typing(field, shown, lambda text: self._entered(field, text), tr(field.label)), pixels)
 
     def _entered(self, field: Field, text: str) -> Screen:
-        """Set a number from what was typed; an empty field leaves it to the format, where that is possible."""
+        """Set a number from the typed text; an empty field removes an optional key from the file."""
         optional = is_optional(field.table, field.key)
         try:
             self._put(editing.entered(self._session, field, None if optional and not text else float(text.replace(",", "."))))

@@ -52,9 +52,9 @@ class PaneCanvas(NamedTuple):
         return self.unit * self.letters
 
     def measured(self, text: str) -> tuple[int, int]:
-        """Width and height of a line of words, pixels."""
+        """Width and height of a line of text, pixels."""
         return self.type.rendered(text, self.size, self.theme.text).get_size()
 
     def wrapped(self, text: str, width: float) -> list[str]:
-        """A text in lines that are no wider, pixels."""
+        """A text wrapped into lines of at most this width, pixels."""
         return self.type.wrapped(text, self.size, width)

@@ -1,4 +1,4 @@
-"""Where the words of a pane stand, whatever paints them: beside their marks, and nowhere two on top of each other.
+"""Layout of a pane's labels, for every painter: each beside its mark, none on top of another.
 
 Needs neither pygame nor numpy.
 """
@@ -33,11 +33,11 @@ class LabelBox(NamedTuple):
     height: int
 
     def moved(self, aside: float, down: float) -> "LabelBox":
-        """The same box some pixels to the right and down."""
+        """The box moved to the right and down, pixels."""
         return self._replace(left=self.left + int(aside), top=self.top + int(down))
 
     def within(self, area: "LabelBox") -> "LabelBox":
-        """The box moved into an area; in the middle of one that is smaller."""
+        """The box moved into an area; centred on an area that is smaller."""
         left, top = (_clamped(*one) for one in zip(self[:2], self[2:], area[:2], area[2:], strict=True))
         return self._replace(left=left, top=top)
 
@@ -48,7 +48,7 @@ class LabelBox(NamedTuple):
 
 
 class BoxedLabel(NamedTuple):
-    """Words and where they stand."""
+    """A label and its box."""
 
     box: LabelBox
     text: str
@@ -56,25 +56,26 @@ class BoxedLabel(NamedTuple):
 
 
 class LabelledPane(SeenPane, Protocol):
-    """A pane that words are written in."""
+    """A pane that labels are written in."""
 
     @property
     def words_area(self) -> LabelBox:
-        """Where words can be read."""
+        """The part of the pane in which labels can be read."""
 
     def measured(self, text: str) -> tuple[int, int]:
-        """Width and height of a line of words, pixels."""
+        """Width and height of a line of text, pixels."""
 
     def wrapped(self, text: str, width: float) -> list[str]:
-        """A text in lines that are no wider, pixels."""
+        """A text wrapped into lines of at most this width, pixels."""
 
 
 def boxed_labels(
     pane: LabelledPane, marks: Sequence[Mark], title: str = "", handles: Sequence[complex] = ()
 ) -> list[BoxedLabel]:
-    """The title of a pane and the labels of its marks. handles: pixels that are left free if there is room elsewhere.
+    """The title of a pane and the labels of its marks. handles: pixels that labels leave free if there is room elsewhere.
 
-    Earlier marks choose first, so that a label stays while more appear. A label without room near its mark is left out.
+    Labels are placed in the order of their marks, so that a label stays where it is when more marks appear. A label without
+    room near its mark is left out.
     """
     reach = round(pane.unit)
     rings = [LabelBox(round(one.real) - reach // 2, round(one.imag) - reach // 2, reach, reach) for one in handles]
@@ -89,7 +90,7 @@ def boxed_labels(
 def boxed_label(
     pane: LabelledPane, wanted: WantedLabel, taken: Sequence[LabelBox] = (), rings: Sequence[LabelBox] = ()
 ) -> list[BoxedLabel]:
-    """A label where it covers no other, moved into the pane; none where there is no room, or far outside of the pane."""
+    """A label at a position in the pane where it covers no other; None if there is none, or if its mark is far outside."""
     inside, reach = wanted.pixel - pane.corner, _OUTSIDE * pane.size
     if not (-reach <= inside.real < pane.extent.real + reach and -reach <= inside.imag < pane.extent.imag + reach):
         return []
@@ -133,7 +134,7 @@ def _free_box(box: LabelBox, area: LabelBox, taken: Sequence[LabelBox], rings: S
 
 
 def _clamped(start: int, length: int, low: int, room: int) -> int:
-    """Where a stretch begins when it was moved into a room that begins at `low`."""
+    """The start of an interval moved into the interval of length `room` that starts at `low`."""
     if length >= room:
         return low + room // 2 - length // 2
     return min(max(start, low), low + room - length)

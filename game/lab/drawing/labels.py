@@ -1,4 +1,4 @@
-"""The words of a pane with the letters of pygame: where they stand is decided in label_boxes.py."""
+"""The labels of a pane, rendered by pygame at the positions that label_boxes.py chooses."""
 
 from collections.abc import Sequence
 
@@ -15,7 +15,7 @@ from game.lab.kit.picture import Mark
 def placed_labels(
     canvas: PaneCanvas, marks: Sequence[Mark], title: str = "", handles: Sequence[complex] = ()
 ) -> list[PlacedLabel]:
-    """The title of a pane and the labels of its marks; as of `boxed_labels`."""
+    """The title of a pane and the labels of its marks, as `boxed_labels` places them."""
     return [_placed(canvas, one) for one in boxed_labels(canvas, marks, title, handles)]
 
 
@@ -25,5 +25,5 @@ def label_at(canvas: PaneCanvas, pixel: complex, text: str, colour: Colour, anch
 
 
 def _placed(canvas: PaneCanvas, label: BoxedLabel) -> PlacedLabel:
-    """A label in the size and with the seam of its pane."""
+    """A label in the size and with the outline of its pane."""
     return PlacedLabel(pygame.Rect(*label.box), label.text, canvas.size, label.colour, canvas.theme.ground, canvas.plates)

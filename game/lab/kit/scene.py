@@ -52,7 +52,7 @@ class Motion(NamedTuple):
 
 
 class EngineUse(Enum):
-    """What a scene shows of a second engine: nothing; an answer, while its toggle is on; or a comparison with it throughout."""
+    """How a scene uses a second engine: not at all; for an answer while its toggle is on; or for a comparison all the time."""
 
     NONE = "none"
     TOGGLE = "toggle"
@@ -60,7 +60,7 @@ class EngineUse(Enum):
 
 
 class LabScene(NamedTuple):
-    """One idea of the collision detection, to be touched.
+    """A scene of the lab: one idea of the collision detection, with values that can be changed and dragged.
 
     name: in the list and in share lines.
     title: one line.
@@ -71,7 +71,7 @@ class LabScene(NamedTuple):
     view_box: the part of the world that is shown at first.
     shows: the picture of given values, or how the scene runs.
     check: the facts that hold at given values.
-    engine_use: what it shows of a second engine.
+    engine_use: how it uses a second engine.
     rows: of the documentation's table "Beyond the source" that it shows.
     presets: values worth looking at.
     """

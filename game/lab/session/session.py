@@ -74,7 +74,7 @@ def changed(session: Session, clamped: Clamped) -> Session:
 
 
 def with_engine(session: Session, engine: Engine) -> Session:
-    """The same scene at the same tick, with a second engine to ask."""
+    """The same scene at the same tick, with a second engine available."""
     given = session.given._replace(engine=engine)
     return at_tick(session._replace(given=given, states=(started(session.scene, given),)), session.tick)
 

@@ -1,7 +1,7 @@
-"""A formula of the lab as MathML, which browsers set and screen readers read: made of the TeX that mathtext sets.
+"""Translates a formula of the lab from the TeX that matplotlib typesets to MathML, for browsers and screen readers.
 
-Browsers do not break a formula over several lines. So a line becomes several formulas and the words between them, with spaces
-where it may be broken: before a relation, and between words.
+Browsers do not wrap a formula. So a line becomes several formulas and the words between them, with spaces where it may be
+wrapped: before a relation, and between words.
 """
 
 import itertools
@@ -71,7 +71,7 @@ def mathml_line(line: str) -> str:
 
 
 def _stands_alone(atoms: Sequence[_Atom], index: int) -> bool:
-    """Whether a word, a comma or a space belongs to the words between formulas."""
+    """Whether a word, a comma or a space is text between formulas, not part of one."""
     atom = atoms[index]
     before, after = (atoms[k] if 0 <= k < len(atoms) else None for k in (index - 1, index + 1))
     if atom.kind == "space":
@@ -87,13 +87,13 @@ def _math(atoms: Sequence[_Atom]) -> str:
 
 
 def _row(atoms: Sequence[_Atom]) -> str:
-    """Atoms beside each other; a minus is a sign where a term begins."""
+    """Atoms beside each other; a minus at the beginning of a term is marked as a sign."""
     parts = list[str]()
     before: _Atom | None = None
     for atom in atoms:
         if atom.text == _SIGNS["-"] and (before is None or before.kind in {"relation", "open", "comma"}):
             parts.append('<mo form="prefix">\u2212</mo>')
-        elif atom.kind == "relation" and before is None:  # the space before the formula is its own
+        elif atom.kind == "relation" and before is None:  # the space before the formula serves
             parts.append(atom.markup.replace("<mo>", '<mo form="infix" lspace="0">'))
         else:
             parts.append(atom.markup)
@@ -156,23 +156,23 @@ def _sign(sign: str) -> _Atom:
 
 
 def _argument(parts: Iterator[str]) -> _Atom:
-    """What a command is about: a group, or one letter, number or sign."""
+    """The argument of a command: a group, or one letter, number or sign."""
     return _atom(next(parts).rstrip(" "), parts)
 
 
 def _letter(command: str) -> str:
-    """A letter by its command; anything else as it is."""
+    """The letter that a command names; anything else unchanged."""
     return _GREEK.get(command.removeprefix("\\"), command)
 
 
 def _plain(parts: Iterator[str]) -> str:
     """The text in a group."""
-    next(parts)  # its bracket
+    next(parts)  # the group's opening bracket
     return "".join(itertools.takewhile(lambda part: part != "}", parts)).replace(r"\_", "_")
 
 
 def _with_word(atoms: list[_Atom], text: str) -> list[_Atom]:
-    """Atoms and a word: a part of the one before it, where no space is between them; the sign of a number is none."""
+    """The atoms with a text added: a minus as a sign, a word joined to a word directly before it."""
     if text == _MINUS:
         return [*atoms, _Atom("sign", "<mo>\u2212</mo>", _MINUS)]
     whole = (atoms[-1].text if atoms and atoms[-1].kind == "word" else "") + text
@@ -192,12 +192,12 @@ def _scripted(base: _Atom, command: str, script: _Atom) -> _Atom:
 
 
 def _primed(base: _Atom) -> _Atom:
-    """A base with one prime more."""
+    """A base with an additional prime."""
     if base.markup.endswith(_PRIMED):
         return _Atom("term", base.markup.removesuffix(_PRIMED) + _PRIMED.replace(_PRIME, _TWO_PRIMES))
     return _Atom("term", f"<msup>{base.markup}{_PRIMED}")
 
 
 def escaped(text: str) -> str:
-    """A text as HTML has it. The page's Python has no module for it."""
+    """A text escaped for HTML. The page's standard library has no module for it."""
     return text.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;")

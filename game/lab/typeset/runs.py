@@ -13,7 +13,7 @@ _HAT = "\u0302"
 
 @lru_cache(maxsize=_MOST_LABELS)
 def runs(label: str) -> str:
-    """A label with a variable in it as runs, each after the sign of its letters; any other as it is."""
+    """A label with a variable as runs, each after the sign of its style; any other label unchanged."""
     if not has_symbols(label):
         return label
     found, before, words = "", "", False

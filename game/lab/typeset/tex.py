@@ -55,7 +55,7 @@ class Piece(NamedTuple):
 
 
 class Symbol(NamedTuple):
-    """A variable: Δv'_n is the change of the vector v with one prime, and n below it."""
+    """A variable: Δv'_n is the change (Δ) of the vector v, with one prime and the index n."""
 
     letter: str
     is_vector: bool
@@ -155,7 +155,7 @@ def _symbol(text: str, before: str) -> str:
 
 
 def symbol_of(text: str, before: str = "") -> Symbol:
-    """What a variable is made of. before: the token before it."""
+    """The parts of a variable. before: the token before it."""
     name, _, index = text.partition("_")
     base = name.rstrip("'")
     primes, is_change = len(name) - len(base), base.startswith("Δ") and len(base) > 1

@@ -8,6 +8,6 @@ from game.screens.toolkit.key_help import HelpWords, KeyHelp
 
 
 def lab_help(state: AppState, under: Screen) -> KeyHelp:
-    """The panel over the lab."""
+    """The help panel over the lab."""
     lines = (*MORE_HELP, *[("  ".join(code_names(key.keys)), key.meaning) for key in KEYS])
     return KeyHelp(state, under, HelpWords("The lab", "Back"), (("", lines),))

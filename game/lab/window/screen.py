@@ -99,7 +99,7 @@ class Lab:
         return found if self._lesson is None else self._lesson.lowered(found, self._shared.type)
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
-        """React to gamepad and fingers, let go of what is up again; keyboard and mouse are heard as events of the window."""
+        """React to gamepad, fingers and released keys. Keyboard and mouse come as events of the window, to `hear`."""
         if self._repeat is not None and not is_still_down(self._repeat[0].position, signal):
             self._repeat = None
         if isinstance(signal, Moved | Clicked):

@@ -38,7 +38,7 @@ _NARROW = 19.0
 
 
 class LabSide(Side):
-    """The controls of the scene that is shown. An arrow up or down gives them the keys as well as Tab does."""
+    """The controls of the shown scene. Arrow up and arrow down give them the keys, as Tab does."""
 
     entering = (pygame.K_TAB, pygame.K_UP, pygame.K_DOWN)
 
@@ -64,7 +64,7 @@ class LabSide(Side):
 
     @property
     def looks(self) -> tuple[object, ...]:
-        """All that its picture depends on, but for what has the focus."""
+        """Everything that its picture depends on, except the focus."""
         session, shown, available, _ = self._seen
         state = session.scene.name, session.given.values, session.tick, session.playing, session.pace
         return self._state.appearance, self._layout, state, shown, available
@@ -80,7 +80,7 @@ class LabSide(Side):
             self._small_print = self._small_print_height()
 
     def hear_pad(self, signal: Signal, size: tuple[int, int]) -> tuple[bool, Screen | None]:
-        """Whether what a gamepad did is for the controls, and the screen to go on with."""
+        """React to a gamepad. Returns whether the signal acted on the controls, and the next screen."""
         if isinstance(signal, Pressed) and signal.action in (Action.UP, Action.DOWN) and not self._has_keys:
             self._tab(1, size)
             return True, self._screen
@@ -102,7 +102,7 @@ class LabSide(Side):
         return laid
 
     def _edit(self, component: Component, pixels: float | None) -> None:
-        """Begin to type a number, or put the caret somewhere."""
+        """Begin to type a number, or put the caret at a distance from the field's left edge, pixels."""
         field = TextField.all_of(component.text(self._seen.session))
         self.edit(Typing(component, field, lambda text: self._set(component, text), component.parameter.meaning), pixels)
 

@@ -1,4 +1,4 @@
-"""Balls as discs filled with a texture, in the skins of the desktop's: `game.drawing.balls.shading` computes both."""
+"""Balls as discs filled with a texture. Their skins are the desktop's: `game.drawing.balls.shading` computes both."""
 
 import cmath
 import math
@@ -21,14 +21,14 @@ _AROUND = tuple([cmath.rect(1.0, -math.tau * k / 24) for k in range(24)])
 
 
 class BallTextures:
-    """Adds balls to lists; remembers which textures the painter has got."""
+    """Adds textures of balls to lists, and remembers which ones the painter has."""
 
     def __init__(self) -> None:
-        """None yet."""
+        """Start without textures."""
         self._numbers: dict[tuple[str, Theme, ScreenLight], int] = {}
 
     def texture(self, out: DisplayList, camera: Camera, theme: Theme, skin: str) -> int:
-        """The number of the texture that balls have; it is added to the list if the painter does not have it."""
+        """The number of the texture for balls; the texture is added to the list if the painter does not have it."""
         key = skin, theme, ball_light(camera)
         number = self._numbers.get(key)
         if number is None:
@@ -40,20 +40,20 @@ class BallTextures:
 
 
 def add_ball(out: DisplayList, ball: Ball, camera: Camera, texture: int) -> None:
-    """Add a ball. It lies on the ground, so its centre is as high as its radius."""
+    """Add a ball. It lies on the ground, so the height of its centre is its radius."""
     pixel = camera.project(ball.position, ball.radius)
     radius = max(ball.radius * camera.scale_at(ball.position, ball.radius), _LEAST_RADIUS)
     out.textured(pixel, radius, texture)
 
 
 def add_ball_shadow(out: DisplayList, ball: Ball, camera: Camera, theme: Theme) -> None:
-    """Add the shadow of a ball on the ground, among those of blocks."""
+    """Add the shadow of a ball on the ground."""
     middle = ball.position - LIGHT * SHADOW_SLANT * math.sin(camera.tilt) * ball.radius
     out.shadows([middle + ball.radius * point for point in _AROUND], 0j, [(0.0, 0.0)], theme.shadow)
 
 
 def _colours(skin: str, theme: Theme, light: ScreenLight) -> list[Colour]:
-    """The colours of a texture, row by row from the top. What lies beyond the ball is as its edge."""
+    """The colours of a texture, row by row from the top. Beyond the ball's edge the colours of the edge go on."""
     found = []
     across = [(2.0 * k + 1.0) / _SIDE - 1.0 for k in range(_SIDE)]
     for up in reversed(across):

@@ -1,4 +1,4 @@
-"""Pieces that fly off what was struck: fewer than the desktop's, on the same paths and in the same colours.
+"""Pieces that fly off a struck brick or paddle: fewer than the desktop's, on the same paths and in the same colours.
 
 `game.effects.piece_paths` and `game.drawing.piece_colours` have the formulas; the desktop computes hundreds in arrays.
 """
@@ -46,7 +46,7 @@ _MOST = 10
 
 
 class _Piece(NamedTuple):
-    """A piece as it begins.
+    """A piece at its beginning.
 
     position: world units. velocity: along the ground, hundredths of the ground's radius per second. drag: of the air, per
     second. life: seconds.
@@ -89,7 +89,7 @@ def _thrown(burst: Burst) -> tuple[_Piece, ...]:
 
 
 def _at(piece: _Piece, time: float, unit: float) -> tuple[complex, float]:
-    """Where a piece is, and how high, world units."""
+    """Position and height of a piece, world units."""
     position = piece.position + piece.velocity * (unit * reach(NUMBERS, piece.drag, time))
     return position, height(NUMBERS, piece.start.height, piece.start.up, time) * unit
 
@@ -97,7 +97,7 @@ def _at(piece: _Piece, time: float, unit: float) -> tuple[complex, float]:
 def _add_plate(
     out: DisplayList, piece: _Piece, own: Colour, time: float, measures: tuple[float, float], camera: Camera
 ) -> None:
-    """Add a plate: it is turned about the vertical and about one of its own sides. measures: of lengths, and its size."""
+    """Add a plate, rotated about the vertical and about one of its sides. measures: unit of lengths, and size of the plate."""
     unit, size = measures
     start = piece.start
     position, high = _at(piece, time, unit)

@@ -1,4 +1,4 @@
-"""The light on a paddle where a ball has just met it: brightest there, and gone a little to both sides of it."""
+"""The light on a paddle where a ball has just hit it: brightest at the hit, fading out to both sides."""
 
 import cmath
 
@@ -30,11 +30,11 @@ def add_glints(out: DisplayList, scene: Scene, view: ArenaView) -> None:
 
 
 def _add_glint(out: DisplayList, flash: Flash, scene: Scene, view: ArenaView) -> None:
-    """Add one light: a band that is thin and has the paddle's own colour at its ends."""
+    """Add one light: a thin band with the paddle's own colour at its ends."""
     ring, theme, camera = scene.rings[flash.ring], view.theme, view.camera
     if flash.ring == PADDLES:
         paddle, light = theme.paddle_top, _WHITE
-    else:  # the second player's paddle is as bright as a flash
+    else:  # the second player's paddle itself has the brightness of a flash
         paddle, light = theme.text, theme.accent
     pushed = sum([recoil.out for recoil in scene.recoils if flash.ring == PADDLES and recoil.slot == flash.slot])
     radius, left = ring.radius + pushed, (1.0 - flash.age) ** 2

@@ -28,7 +28,7 @@ _FADING_AGE = 0.6
 
 
 def add_words(out: DisplayList, scene: Scene, view: ArenaView) -> None:
-    """Add all words, each on a plate or with a seam in the ground's colour, none beyond the picture's edge."""
+    """Add all words, each on a plate or with an outline in the ground's colour, none beyond the picture's edge."""
     for pop in scene.pops:
         _add_pop(out, pop, view)
 
@@ -38,7 +38,7 @@ def _add_pop(out: DisplayList, pop: Pop, view: ArenaView) -> None:
     theme, unit, size, pixel = view.theme, view.unit, _size(pop) * view.unit, _pixel(pop, view)
     own = theme.danger if pop.bad else mixed(theme.text, theme.accent, pop.weight)
     opacity = min(1.0, (1.0 - pop.age) / (1.0 - _FADING_AGE))
-    if pop.plate:  # so that nothing strikes them through
+    if pop.plate:  # so that no line behind them crosses them
         margin, edge = (_PLATE_MARGIN[0] * unit, _PLATE_MARGIN[1] * unit), mixed(theme.ground_line, own, _PLATE_EDGE_TINT)
         out.plate(pop.text, size, pixel, theme.ground, margin, (_PLATE_EDGE * unit, edge), opacity)
     else:
@@ -58,7 +58,7 @@ def _pixel(pop: Pop, view: ArenaView) -> complex:
 
 
 def _size(pop: Pop) -> float:
-    """Size of the words in units: they spring up and settle; points are larger the more they mean."""
+    """Size of the words in units: they grow, overshoot and settle; the more points, the larger."""
     at_rest = _PLATED if pop.plate else _SMALLEST + (_LARGEST - _SMALLEST) * pop.weight
     spring = 1.0 + _SPRING * math.exp(-pop.age * _CALM) * math.sin(min(pop.age * _CALM, math.pi))
     return stepped(at_rest * spring)

@@ -53,7 +53,7 @@ def every_screen() -> Iterator[tuple[str, Opener]]:
 
 
 def _editors() -> Iterator[tuple[str, Opener]]:
-    """The editor: every part of its controls, what is wrong with a level, its help."""
+    """The editor: every part of its controls, a level with an error, its help."""
     for part in Part:
         yield f"editor-{part.name.lower()}", partial(_editor, part=part)
     yield "editor-problem", partial(_editor, text=NEW.replace(*_UNSOUND))
@@ -161,7 +161,7 @@ def _high_score() -> str:
 
 
 def _editor(state: AppState, text: str = "", part: Part = Part.BRICKS) -> Screen:
-    """The editor with a level of the player's, one like those of the campaign unless its text is given, with some changes."""
+    """The editor with a level of the player's and some changes. text: of the level; "" for one like those of the campaign."""
     folder = state.kept.games.folder
     if folder is None or state.open_editor is None:
         return Title(state)

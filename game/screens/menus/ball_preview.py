@@ -1,4 +1,4 @@
-"""The chosen ball with its trail on a strip of ground, as they look in play."""
+"""A preview of the chosen ball and trail on a strip of ground, as they look in play."""
 
 import pygame
 
@@ -26,12 +26,12 @@ _balls, _lists = BallPictures(), DisplayListPainter()
 
 
 def ball_preview() -> Drawing:
-    """The ball and the trail that a canvas names."""
+    """The drawing of the preview; the canvas has the names of ball and trail."""
     return Drawing(_TALL, _paint)
 
 
 def _paint(canvas: Canvas, box: pygame.Rect) -> None:
-    """The strip, the trail, and the ball at its end."""
+    """Draw the strip, the trail, and the ball at its end."""
     theme, unit = canvas.theme, canvas.unit
     draw_box(canvas.surface, box, unit * _CORNER, theme.ground, theme.panel_edge, unit * _EDGE)
     camera = Camera(complex(box.left + box.width * _ALONG, box.centery), unit * _RADIUS / _BALL.radius)

@@ -1,1 +1,1 @@
-"""What panels, and the sides of lab and editor, are made of: items that are used by keys, mouse, touch and gamepad alike."""
+"""The items of panels, and of the controls beside lab and editor, for keys, mouse, touch and gamepad."""

@@ -1,4 +1,4 @@
-"""One of a few, all of them seen beside each other. Lengths are in units of text unless they are said to be pixels."""
+"""A choice among a few values that are all visible side by side. Lengths are in units of text unless pixels are named."""
 
 import math
 from collections.abc import Callable
@@ -27,7 +27,7 @@ _WHITE, _BLACK = (255, 255, 255), (0, 0, 0)
 
 
 class Chip(NamedTuple):
-    """One of a few. colour: of the chip, None for the panel's."""
+    """One of the values. colour: of the chip, None for the panel's."""
 
     label: str
     colour: Colour | None = None
@@ -35,7 +35,7 @@ class Chip(NamedTuple):
 
 @dataclass(frozen=True)
 class ChipsItem(Item):
-    """A few to choose from. index: of the present one; choose: another one. least: width of a chip; more lines keep to it."""
+    """Chips in one or more lines. index: of the chosen one; choose: called with another index; least: width of a chip."""
 
     chips: tuple[Chip, ...]
     index: int
@@ -46,15 +46,15 @@ class ChipsItem(Item):
 
     @property
     def focusable(self) -> bool:
-        """It is used."""
+        """True: it can be used."""
         return True
 
     def height(self, _type: Type, unit: float, width: float) -> float:
-        """As many lines as the chips take."""
+        """The height of all lines of chips."""
         return len(self._lines(width, unit)) * (_HEIGHT + _GAP) - _GAP + 2.0 * _AROUND
 
     def draw(self, canvas: Canvas, box: pygame.Rect, *, focused: bool) -> None:
-        """The chips, the present one with a strong edge."""
+        """Draw the chips, the chosen one with a thick edge."""
         draw_focus(canvas, box, focused=focused)
         theme, unit = canvas.theme, canvas.unit
         boxes = self.boxes(box, unit)
@@ -71,7 +71,7 @@ class ChipsItem(Item):
             write_fitting(canvas, chip.label, size, letters, complex(*place.center), "center", place.width)
 
     def boxes(self, box: pygame.Rect, unit: float) -> list[pygame.Rect]:
-        """Where every chip is, pixels."""
+        """The box of every chip, pixels."""
         inner = box.inflate(-round(2.0 * _AROUND * unit), -round(2.0 * _AROUND * unit))
         lines, gap = self._lines(box.width, unit), unit * _GAP
         pitch, tall = (inner.width + gap) / lines[0], (inner.height + gap) / len(lines)
@@ -84,24 +84,24 @@ class ChipsItem(Item):
         return found
 
     def stepped(self, steps: int) -> bool:
-        """The one before or the next one, around the ends."""
+        """Choose the chip `steps` after the chosen one; the first follows the last."""
         self.choose((self.index + steps) % len(self.chips))
         return True
 
     def accepted(self, panel: Screen) -> Screen | None:
-        """The next one."""
+        """Choose the next chip."""
         self.stepped(1)
         return panel
 
     def pointed(self, panel: Screen, pixel: complex, box: pygame.Rect, unit: float, *, clicked: bool) -> Screen | None:
-        """The one that is clicked on."""
+        """Choose the chip that is clicked on."""
         index = index_at(self.boxes(box, unit), pixel)
         if clicked and index is not None:
             self.choose(index)
         return panel
 
     def _lines(self, width: float, unit: float) -> list[int]:
-        """Chips in every line."""
+        """The number of chips in every line."""
         count = len(self.chips)
         fitting = max(int((width / unit - 2.0 * _AROUND + _GAP) / (self.least + _GAP)), 1)
         lines = math.ceil(count / fitting)
@@ -110,6 +110,6 @@ class ChipsItem(Item):
 
 
 def _fit(canvas: Canvas, label: str, place: pygame.Rect) -> float:
-    """Share of the usual size of its letters in which a label has room in a chip."""
+    """Factor by which a label's letters are made smaller so that it fits into its chip, at most 1."""
     wide = canvas.type.rendered(label, canvas.unit * _LETTERS, _BLACK).get_width()
     return max((place.width - 2.0 * _ROOM * canvas.unit) / max(wide, 1), _SMALLEST)

@@ -39,11 +39,10 @@ _LINE_WIDTH = 0.05
 
 
 class Item:
-    """One thing on a panel; of itself it is empty room that cannot be used.
+    """An item on a panel. This base class is empty space without a use.
 
-    tip: what is said about it when it has the focus. key: what uses it from anywhere on the panel.
-    share: its part of the row's width, in comparison with the other items of the row. is_typed: whether to accept it begins to
-    type a number.
+    tip: shown while it has the focus. key: that uses it from anywhere on the panel.
+    share: weight of its width among the items of the row. is_typed: whether accepting it begins to type a number.
     """
 
     tip: str = ""
@@ -76,7 +75,7 @@ class Item:
         return None
 
     def held_sign(self, _pixel: complex, _box: pygame.Rect, _unit: float) -> int:
-        """Direction in which the mouse that is held at a pixel steps it again and again: -1, +1, or 0 for none."""
+        """Direction in which a mouse button held at a pixel steps it repeatedly: -1, +1, or 0 for none."""
         return 0
 
     def pointed(self, panel: Screen, _pixel: complex, _box: pygame.Rect, _unit: float, *, clicked: bool) -> Screen | None:
@@ -97,10 +96,10 @@ class Space(Item):
 
 @dataclass(frozen=True)
 class TextItem(Item):
-    """Words in as many lines as they need; a line break begins a paragraph.
+    """A text, wrapped; a line break begins a paragraph.
 
-    size: of the letters. faint: in the second colour. centred: the lines, else they begin at the left. midway: they stand in
-    the middle of the row's height, else at its top.
+    size: of the letters. faint: whether in the second colour. centred: whether lines are centred, not aligned left. midway:
+    whether the text is in the middle of the row's height, not at its top.
     """
 
     text: str
@@ -152,9 +151,9 @@ class Heading(Item):
 
 @dataclass(frozen=True)
 class ButtonItem(Item):
-    """Leads somewhere. chosen: makes the screen to go on with; note: words at its right end; centred: the label.
+    """A button. chosen: called when it is used, returns the next screen; note: words at its right end; centred: of the label.
 
-    framed: it has a frame without the focus as well, as one has whose label is centred.
+    framed: whether it has a frame also without the focus; a button with a centred label always has one.
     """
 
     label: str

@@ -22,7 +22,7 @@ Lines = tuple[tuple[str, str], ...]
 
 
 class HelpWords(NamedTuple):
-    """What the panel says. back: on the button that closes it; note: below all parts."""
+    """The panel's texts. back: label of the button that closes it; note: below all parts."""
 
     title: str
     back: str
@@ -30,10 +30,10 @@ class HelpWords(NamedTuple):
 
 
 class KeyHelp(Panel):
-    """The key that opened it closes it, too."""
+    """The panel. The key that opened it closes it, too."""
 
     def __init__(self, state: AppState, under: Screen, words: HelpWords, parts: tuple[tuple[str, Lines], ...]) -> None:
-        """Open over a screen. parts: by their names; a single one needs none."""
+        """Open over a screen. parts: names and lines; the name of a single part is not shown."""
         super().__init__(state, under)
         self._words, self._parts = words, parts
 
@@ -54,12 +54,12 @@ class KeyHelp(Panel):
         return Focus(len(self.content().body), 1)
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
-        """As every panel; the key for help closes it."""
+        """As in every panel; in addition, the key for help closes it."""
         if isinstance(signal, Pressed) and signal.action is Action.HELP:
             return self.back()
         return super().answer(signal, size)
 
     def typed(self, event: pygame.Event) -> bool:
-        """Take letters: they are no commands here, but for the one that closes it."""
+        """Consume letters: none is a command here, except the one that closes the panel."""
         is_letter = event.type == pygame.KEYDOWN and pygame.K_SPACE < event.key < pygame.K_DELETE
         return is_letter and KEYS.action(position_in(event), event.key) is not Action.HELP

@@ -147,10 +147,10 @@ class Column(NamedTuple):
 def laid_in_column(
     column: Column, area: pygame.Rect, type_: Type, unit: float, scroll: float, *, low_foot: bool = False
 ) -> Laid:
-    """Everything below each other from the top of an area, pixels. unit: size of text. scroll: of the body.
+    """Head, body and foot below each other from the top of an area, pixels. unit: size of text. scroll: of the body.
 
-    Where there is too little room, all rows are made lower, and then the body scrolls; where little would be seen of it,
-    everything scrolls. low_foot: head and foot stay where they are whatever is in the body, the foot at the area's bottom.
+    If there is too little room, first all rows are made lower, then the body scrolls; if too little of it would be visible,
+    everything scrolls. low_foot: the foot is at the area's bottom, so that head and foot do not depend on the body.
     """
     margin = round(COLUMN_MARGIN * unit)
     left, width = area.left + margin, max(area.width - 2 * margin, 1)

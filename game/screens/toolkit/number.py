@@ -1,4 +1,4 @@
-"""A number that is typed into a field, or stepped by the signs beside it. Lengths are in units of text."""
+"""A number that is typed into a field, or stepped by the minus and plus signs beside it. Lengths are in units of text."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -25,10 +25,9 @@ _NARROW, _ROW = 13.5, 2.0
 
 @dataclass(frozen=True)
 class NumberItem(LineItem):
-    """A number. words: as it is shown; step: changes it by so many steps; field: what is being typed, if anything.
+    """A number. words: as it is shown; step: called with a number of steps; field: the text being typed, None if there is none.
 
-    edit: begins to type, or puts the caret at a pixel of the text (pixels from the field's left edge; None for all of it
-    selected).
+    edit: begins to type with the caret at a distance from the field's left edge, pixels; None selects all.
     """
 
     label: str
@@ -40,11 +39,11 @@ class NumberItem(LineItem):
     is_typed = True
 
     def height(self, _type: Type, unit: float, width: float) -> float:
-        """One line, or two where it is narrow."""
+        """The height of one line, or of two where the item is narrow."""
         return _ROW * (2.0 if width < _NARROW * unit else 1.0)
 
     def draw(self, canvas: Canvas, box: pygame.Rect, *, focused: bool) -> None:
-        """The label, and the field between its signs."""
+        """Draw the label, and the field between its signs."""
         theme, unit = canvas.theme, canvas.unit
         draw_focus(canvas, box, focused=focused and self.field is None)
         field, colour = self.field_box(box, unit), theme.accent if focused else theme.faint
@@ -60,7 +59,7 @@ class NumberItem(LineItem):
         write_fitting(canvas, self.label, LABEL, theme.accent if focused else theme.text, pixel, "midleft", room)
 
     def field_box(self, box: pygame.Rect, unit: float) -> pygame.Rect:
-        """Where its field is, pixels."""
+        """The box of its field, pixels."""
         narrow, inset = self._is_narrow(box, unit), round(unit * _INSET)
         wide = box.width - 2.0 * unit * (_MARGIN + _SIGN) if narrow else min(unit * _FIELD, box.width * _FIELD_SHARE)
         tall = box.height // 2 if narrow else box.height
@@ -69,22 +68,22 @@ class NumberItem(LineItem):
         return field
 
     def stepped(self, steps: int) -> bool:
-        """So many steps more or less."""
+        """Change it by some steps."""
         self.step(steps)
         return True
 
     def accepted(self, panel: Screen) -> Screen | None:
-        """Type it."""
+        """Begin to type it."""
         self.edit(None)
         return panel
 
     def held_sign(self, pixel: complex, box: pygame.Rect, unit: float) -> int:
-        """The sign that a pixel is on."""
+        """-1 or +1 for the sign at a pixel, 0 for none."""
         field = self.field_box(box, unit)
         return next((sign for sign in (-1, 1) if self._sign_box(field, unit, sign).collidepoint(pixel.real, pixel.imag)), 0)
 
     def pointed(self, panel: Screen, pixel: complex, box: pygame.Rect, unit: float, *, clicked: bool) -> Screen | None:
-        """A step by a click on a sign; in the field, type."""
+        """A click on a sign steps it, a click in the field begins to type."""
         field = self.field_box(box, unit)
         if not clicked:
             return panel
@@ -99,7 +98,7 @@ class NumberItem(LineItem):
         return box.width < _NARROW * unit
 
     def _sign_box(self, field: pygame.Rect, unit: float, sign: int) -> pygame.Rect:
-        """Where one of the signs is, as far as the mouse is concerned, pixels."""
+        """The box in which a click hits one of the signs, pixels."""
         box = field.inflate(0, round(2.0 * unit * _INSET))
         box.width = round(unit * _SIGN)
         if sign < 0:

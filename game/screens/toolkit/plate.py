@@ -30,7 +30,7 @@ def centred(size: tuple[int, int], width: float, height: float) -> pygame.Rect:
 
 
 def dim(surface: pygame.Surface, theme: Theme) -> None:
-    """Cover a surface with a veil of the background's colour: by two fills, which take a fifth of the time of a blit."""
+    """Dim a surface towards the background's colour: by two fills, which take a fifth of the time of a blit."""
     veil = [round(channel * _VEIL / 255) for channel in theme.background]
     surface.fill((255 - _VEIL,) * 3, special_flags=pygame.BLEND_RGB_MULT)
     surface.fill(veil, special_flags=pygame.BLEND_RGB_ADD)

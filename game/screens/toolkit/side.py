@@ -1,7 +1,7 @@
-"""Controls beside a picture, used by mouse, touch, keys and gamepad: one column of items on a plate.
+"""Controls beside a picture, for mouse, touch, keys and gamepad: one column of items on a plate.
 
-The keys are the picture's until Tab gives them to the controls; Esc, or a click on the picture, takes them back. What the mouse
-is on is framed as well, but gets no keys.
+Keys act on the picture until Tab directs them to the controls; Esc, or a click on the picture, directs them back. The control
+under the mouse is framed as well, but receives no keys.
 """
 
 from collections.abc import Callable, Hashable
@@ -37,7 +37,7 @@ _ENTER = (pygame.K_RETURN, pygame.K_KP_ENTER)
 class Typing(NamedTuple):
     """The number that is being typed.
 
-    name: what it is known by. field: with what is typed. enter: sets it from a text; the screen to go on with.
+    name: identifies the number. field: has the typed text. enter: sets the number from a text, and returns the next screen.
     title: of the panel on which it is entered without a keyboard.
     """
 
@@ -48,7 +48,7 @@ class Typing(NamedTuple):
 
 
 class Side(Form):
-    """What the sides of screens derive from: they say what is on them and where (`_laid`)."""
+    """Base class of the controls beside a screen's picture; a derived class lays out its items (`_laid`)."""
 
     entering: tuple[int, ...] = (pygame.K_TAB,)
     """Keys that give the keys to the controls."""
@@ -62,35 +62,35 @@ class Side(Form):
         self._typing: Typing | None = None
         self._clicked_while: Typing | None = None  # what was typed when the mouse was pressed
         self._has_keys = False
-        self._nearest: Focus | None = None  # where the keys begin; None for the first control
-        self._mouse_held: tuple[Repeat, int] | None = None  # while the mouse is held, and how often it has acted
+        self._nearest: Focus | None = None  # the control that Tab focuses first; None for the topmost one
+        self._mouse_held: tuple[Repeat, int] | None = None  # while a mouse button is held, and how many steps it has made
 
     @property
     def screen(self) -> Screen:
-        """The one that it is on."""
+        """The screen that it belongs to."""
         return self._screen
 
     @property
     def has_keys(self) -> bool:
-        """Whether keys and gamepad are the controls'."""
+        """Whether keys and gamepad act on the controls."""
         return self._has_keys
 
     @property
     def area(self) -> pygame.Rect:
-        """Where its plate is, pixels."""
+        """The box of its plate, pixels."""
         raise NotImplementedError
 
     @property
     def looks(self) -> tuple[object, ...]:
-        """All that its picture depends on, but for what has the focus."""
+        """Everything that its picture depends on, except the focus."""
         raise NotImplementedError
 
     def release(self) -> None:
-        """Give the keys back to the picture, and leave what is typed."""
+        """Give the keys back to the picture, and discard the text being typed."""
         self._typing, self._focus, self._has_keys, self._held = None, None, False, None
 
     def hear_key(self, event: pygame.Event, size: tuple[int, int]) -> tuple[bool, Screen | None]:
-        """Whether a key that went down is for the controls, and the screen to go on with. Alt with Tab is the desktop's."""
+        """React to a pressed key. Returns whether it acted on the controls, and the next screen. Alt+Tab is the desktop's."""
         if self._typing is not None:
             return True, self._screen if event.mod & pygame.KMOD_ALT else self._typed(self._typing, event, size)
         if event.mod & MODIFIERS or not (self._has_keys or event.key in self.entering):
@@ -109,7 +109,7 @@ class Side(Form):
         return True, self._screen
 
     def hear_pad(self, signal: Signal, size: tuple[int, int]) -> tuple[bool, Screen | None]:
-        """Whether what a gamepad did is for the controls, and the screen to go on with. A number is entered on a panel."""
+        """React to a gamepad, with a panel to enter a number. Returns whether it acted on the controls, and the next screen."""
         match signal:
             case Pressed(Action.TIP):
                 self._typing = None
@@ -130,16 +130,16 @@ class Side(Form):
         return True, self._screen
 
     def hear_finger(self, signal: Moved | Clicked, size: tuple[int, int]) -> Screen | None:
-        """What a finger does on the controls: it uses one where it is lifted, or scrolls. A number is entered on a panel."""
+        """React to a finger: it uses the control where it is lifted, or scrolls. A number is entered on a panel."""
         return self._without_keyboard(self.answer(signal, size)) if self._is_inside(signal.pixel) else self._screen
 
     def hear(self, event: pygame.Event, size: tuple[int, int], pixels_per_point: complex) -> tuple[bool, Screen | None]:
-        """Whether another event is for the controls, and the screen to go on with."""
+        """React to another event. Returns whether it acted on the controls, and the next screen."""
         if event.type == pygame.TEXTINPUT and self._typing is not None:
             self._typing = self._typing._replace(field=after_event(self._typing.field, event, _LONGEST))
             return True, self._screen
         if getattr(event, "touch", False) and self._is_inside(_pixel(event, pixels_per_point)):
-            return True, self._screen  # what SDL makes of a finger, which is heard as such
+            return True, self._screen  # made by SDL from a finger, which is handled itself
         if event.type == pygame.MOUSEBUTTONUP:
             self._is_pressed, self._mouse_held = False, None
         signal = translated(event, pixels_per_point)
@@ -162,7 +162,7 @@ class Side(Form):
         return taken, self.answer(signal, size) if taken and signal is not None else self._screen
 
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
-        """What is held down acts again and again: a direction, or the mouse on the sign beside a number."""
+        """Repeat what is held down: a direction, or a mouse button on the sign beside a number."""
         if self._mouse_held is not None and self._is_pressed:
             repeat, count = self._mouse_held
             repeat, acts = repeat.later(seconds)
@@ -172,9 +172,9 @@ class Side(Form):
         return super().advance(seconds, size)
 
     def draw(self, surface: pygame.Surface) -> float | None:
-        """The controls on their plate; where they end, pixels, or None where words about one of them stand below them.
+        """Draw the controls on their plate. Returns their lower end, pixels; None if the tip of a control stands below them.
 
-        While nothing on it changes, the plate is shown from memory.
+        The plate is cached while nothing on it changes.
         """
         area, size = self.area, surface.get_size()
         laid = self._laid(size)
@@ -182,7 +182,7 @@ class Side(Form):
         looks = (*self.looks, area, self._typing, focus, self._scroll)
         if self._drawn is None or self._drawn[0] != looks:
             theme, clip = self._state.theme, surface.get_clip()
-            seen = area.clip(clip)  # nothing, in a window that is too small
+            seen = area.clip(clip)  # empty in a window that is too small
             surface.set_clip(seen)
             surface.fill(theme.panel, area)
             pygame.draw.line(surface, theme.panel_edge, area.topleft, area.bottomleft)
@@ -195,9 +195,9 @@ class Side(Form):
         return float(laid.tip.top) if spot is None or not spot.item.tip else None
 
     def edit(self, typing: Typing, pixels: float | None) -> None:
-        """Begin to type a number, all of it selected; or put the caret where the mouse was pressed.
+        """Begin to type a number, with all of it selected; or put the caret where the mouse was pressed.
 
-        pixels: from the field's left edge to there; None by a key.
+        pixels: from the field's left edge to the mouse; None after a key.
         """
         before = self._clicked_while
         if pixels is not None and before is not None and before.name == typing.name:
@@ -206,24 +206,24 @@ class Side(Form):
         self._typing, self._clicked_while = typing, None
 
     def _settled(self, laid: Laid) -> Focus | None:
-        """What has the focus; nothing unless the mouse is on it or the keys are the controls'."""
+        """The control with a frame: the one under the mouse, or the focused one if keys act on the controls; else None."""
         if self._focus is not None and spot_at(laid, self._focus) is None:
             self._focus = first_focus(laid, self._focus) if self._has_keys else None
         return self._focus
 
     def _hovered(self, pixel: complex, size: tuple[int, int]) -> Screen | None:
-        """Frame what the mouse is on."""
+        """Frame the control under the mouse."""
         if not self._has_keys:
             self._focus = None
         return super()._hovered(pixel, size)
 
     def _clicked(self, pixel: complex, size: tuple[int, int]) -> Screen | None:
-        """A click beside the field leaves what is typed in it."""
+        """React to a click; beside the field it discards the typed text."""
         self._clicked_while, self._typing = self._typing, None
         return super()._clicked(pixel, size)
 
     def _tab(self, step: int, size: tuple[int, int]) -> None:
-        """Focus the next control, or the one before; at first, beginning at the one that the mouse is on."""
+        """Focus the next or the previous control; at first, counted from the one under the mouse."""
         laid = self._laid(size)
         if self._focus is None:
             self._focus = first_focus(laid, self._nearest)
@@ -233,7 +233,7 @@ class Side(Form):
         self._show_focus(size)
 
     def _typed(self, typing: Typing, event: pygame.Event, size: tuple[int, int]) -> Screen | None:
-        """A key while a number is typed: Enter sets it, Tab goes on to the next one, Esc leaves it as it was."""
+        """React to a key while a number is typed: Enter sets it, Tab goes on to the next one, Esc restores it."""
         if event.key in _ENTER or event.key == pygame.K_TAB:
             self._typing = None
             following = typing.enter(typing.field.text.strip())
@@ -250,7 +250,7 @@ class Side(Form):
         return self._screen
 
     def _without_keyboard(self, following: Screen | None) -> Screen | None:
-        """The screen to go on with; a panel to enter the number on that was just begun to be typed."""
+        """The next screen: if typing has just begun, a panel to enter the number on; else `following`."""
         typing, self._typing = self._typing, None
         if typing is None or following is not self._screen:
             return following
@@ -259,17 +259,17 @@ class Side(Form):
         )
 
     def _step_by_mouse(self, steps: int, size: tuple[int, int]) -> None:
-        """Step the number on whose sign the mouse is held."""
+        """Step the number on whose sign a mouse button is held."""
         spot = pointed_spot(self._laid(size), self._pixel)
         sign = 0 if spot is None else spot.item.held_sign(self._pixel, spot.box, self.unit(size))
         if spot is not None and sign:
             spot.item.stepped(sign * steps)
 
     def _is_inside(self, pixel: complex) -> bool:
-        """Whether a pixel is on the side."""
+        """Whether a pixel is on the plate."""
         return self.area.collidepoint(pixel.real, pixel.imag)
 
 
 def _pixel(event: pygame.Event, pixels_per_point: complex) -> complex:
-    """Where an event of the mouse is."""
+    """The pixel of an event of the mouse."""
     return complex(event.pos[0] * pixels_per_point.real, event.pos[1] * pixels_per_point.imag)

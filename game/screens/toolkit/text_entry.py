@@ -39,13 +39,13 @@ class TextEntry(Panel):
         done: Callable[[str], Screen | None],
         letters: tuple[str, ...] = TEXT_KEYS,
     ) -> None:
-        """Open with a text. longest: characters that it may have; done: the screen after it was accepted.
+        """Open with a text. longest: most characters; done: called with the accepted text, returns the next screen.
 
-        letters: of the small keyboard. A number is entered anew: the first letter replaces it.
+        letters: of the on-screen keyboard. The first letter that is entered replaces a number.
         """
         super().__init__(state, under)
         self._title, self._longest, self._done, self._letters = title, longest, done, letters
-        self._small = False  # whether the small keyboard has small letters, and the other signs
+        self._small = False  # whether the on-screen keyboard shows small letters and further signs
         self.field = TextField.all_of(text[:longest])
         if letters == TEXT_KEYS:
             self.field = self.field.moved(longest)
@@ -72,7 +72,7 @@ class TextEntry(Panel):
         return Content(self._title, tuple(keys), footer, width=30.0 if self._letters == TEXT_KEYS else 20.0)
 
     def first(self) -> Focus | None:
-        """The button that accepts, so that one can type and press Enter; the first digit of a number."""
+        """The first focus: the button that accepts, so that one can type and press Enter; for a number, the first digit."""
         return Focus(len(self._lines) + 2, 0) if self._letters == TEXT_KEYS else None
 
     @property
@@ -115,7 +115,7 @@ class TextEntry(Panel):
         return self
 
     def _change_case(self) -> Screen | None:
-        """Small letters on the small keyboard, or capitals again."""
+        """Switch the on-screen keyboard between capitals and small letters."""
         self._small = not self._small
         self._changes += 1
         return self

@@ -49,7 +49,7 @@ def composed(layer: Layer, rate: int) -> Iterator[Loop | None]:
     """The loop of a layer, last; before it None after every note, so that the work can be spread over many frames."""
     for loop in mixed(layer, rate):
         if loop is not None:
-            np.multiply(loop, np.float32(gain_of(layer, loop)), out=loop)  # one more array would be 7 MB more
+            np.multiply(loop, np.float32(gain_of(layer, loop)), out=loop)  # in place: another array would take 7 MB
         yield loop
 
 

@@ -70,10 +70,10 @@ class MusicPlayer:
         self._plays, self._gains = False, SILENT
 
     def _compute(self) -> None:
-        """One more note of the layer that is next; before the first one, the memory for all loops.
+        """Compute another note of the next layer; before the first note, allocate all loops.
 
-        If the loops were made one after the other, they would stand in memory behind what had been needed for computing them,
-        and 20 MB of that could not be given back to the system.
+        If loops were allocated one by one, each would lie in memory behind the temporary arrays of the one before, and 20 MB of
+        these could not be returned to the system.
         """
         if len(self._loops) < CHANNELS:
             self._loops.append(pygame.mixer.Sound(buffer=bytes(4 * length(self._rate))))

@@ -1,4 +1,4 @@
-// Projects what stands on the ground aslant, shades it, and paints it. game/drawing/camera.py has the equations of the projection.
+// Projects, shades and paints the blocks of the 3D view. game/drawing/camera.py has the equations of the projection.
 
 import { colour } from "./colours.js";
 
@@ -7,11 +7,11 @@ const CORNERS = 512; // of one prism at most
 const pixels = { top: new Float64Array(2 * CORNERS), bottom: new Float64Array(2 * CORNERS) };
 const ahead = new Uint8Array(CORNERS);
 
-/** Paints PRISM and SHADOWS as a CAMERA sees them. */
+/** Paints the primitives PRISM and SHADOWS, projected by a CAMERA. Coordinates are those of game/picture/display_list.py. */
 export class Blocks {
   #shades = new Map();
 
-  /** CAMERA. */
+  /** Take the projection and the light of the primitive CAMERA. at: index of its first number, here and below. */
   look(numbers, at) {
     const [x, y, scale, azimuth, tilt, closeness, lightX, lightY, dimmest, brightest] = numbers.subarray(at, at + 10);
     const sine = Math.sin(tilt), cosine = Math.cos(tilt);
@@ -19,7 +19,7 @@ export class Blocks {
     Object.assign(this, { x, y, scale, azimuth, closeness, lightX, lightY, dimmest, brightest, sine, cosine });
   }
 
-  /** SLOT. */
+  /** Take the rotation of the prisms that follow, as the primitive SLOT gives it. */
   stand(angle) {
     this.turnX = Math.cos(angle - this.azimuth);
     this.turnY = Math.sin(angle - this.azimuth);
@@ -27,7 +27,7 @@ export class Blocks {
     this.towardsY = Math.cos(angle) * this.lightY - Math.sin(angle) * this.lightX;
   }
 
-  /** PRISM. at: of its bottom. */
+  /** Paint a prism: its visible sides, then its top. packed: its colour as one number. */
   prism(context, numbers, at, packed) {
     const bottom = numbers[at], top = numbers[at + 1], count = numbers[at + 2], { top: tops, bottom: bottoms } = pixels;
     this.#project(numbers, at + 3, count, top, tops);
@@ -54,7 +54,7 @@ export class Blocks {
     }
   }
 
-  /** The sides that face the eye; neighbours of one shade are one polygon. The side k ends at the corner k. */
+  /** Paint the sides that face the eye. Neighbours of the same shade become one polygon. Side k ends at corner k. */
   #sides(context, numbers, at, count, shades) {
     const { top, bottom } = pixels;
     let first = 0, shade = -1;
@@ -63,7 +63,7 @@ export class Blocks {
       const own = faces(before, k) ? this.#shade(numbers, at, before, k) : -1;
       if (own === shade) continue;
       if (shade >= 0) run(context, first, before, count, shades[shade]);
-      if (own >= 0 && shade >= 0) { // the smooth edges of two polygons let through what is behind their seam
+      if (own >= 0 && shade >= 0) { // a line over the seam: between two antialiased edges the background shows
         context.strokeStyle = shades[own];
         context.lineWidth = 1;
         context.lineCap = "round";
@@ -95,7 +95,7 @@ export class Blocks {
     return shades;
   }
 
-  /** SHADOWS, as subpaths of the context's path; where the numbers end. */
+  /** Add shadows to the context's path, each as a subpath. Returns the index after the last number. */
   shadows(context, numbers, at) {
     const x = numbers[at], y = numbers[at + 1], count = numbers[at + 2], slots = numbers[at + 3];
     const outline = at + 4, angles = outline + 2 * count, end = angles + 2 * slots;
@@ -107,7 +107,10 @@ export class Blocks {
     return end;
   }
 
-  /** What an outline passes over as it is moved: the sides that face that direction are at its end. Moved as before the turn. */
+  /**
+   * Add the area that an outline sweeps when it is moved: the sides that face the movement are at its end, the others at its start.
+   * movedX, movedY: in the coordinates of the outline, before its rotation.
+   */
   #swept(context, numbers, at, count, movedX, movedY) {
     for (let k = 0; k < count; k++) {
       const before = k ? k - 1 : count - 1;
@@ -139,7 +142,7 @@ function faces(before, k) {
   return alongX * downY < alongY * downX;
 }
 
-/** Neighbouring sides of one shade, from a corner to a later one. */
+/** Paint neighbouring sides of one shade, from corner `first` to corner `last`. */
 function run(context, first, last, count, own) {
   const { top, bottom } = pixels, end = last < first ? last + count : last;
   context.fillStyle = own;

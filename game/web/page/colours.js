@@ -1,4 +1,4 @@
-// Colours of lists of primitives, which are one number each, as a canvas has them.
+// Converts a colour from one number, as lists of primitives have it, to CSS, as a canvas needs it.
 
 const styles = new Map();
 

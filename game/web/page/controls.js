@@ -52,7 +52,7 @@ function control(item, use) {
   return made("label", hint, item.label, field, made("button", { type: "button", id: `${name}-enter`, onclick: enter }, "Enter"));
 }
 
-/** A control with what it does below it. */
+/** A control with its description below it. */
 function hinted(own, hint) {
   return made("div", {}, own, made("p", { className: "hint" }, hint));
 }
@@ -91,12 +91,12 @@ export class Controls {
     this.menu.hidden = false;
     this.menu.scrollTop = same ? position : 0;
     const wanted = held || this.#wanted, again = same && wanted ? document.getElementById(wanted) : null;
-    this.#wanted = again?.disabled ? wanted : ""; // a control that cannot be used for a while has the keyboard again afterwards
+    this.#wanted = again?.disabled ? wanted : ""; // a disabled control gets the focus back when it is enabled again
     if (again && this.menu.contains(again)) again.focus({ preventScroll: true });
     else if (!menu.side) this.#controls()[0]?.focus({ preventScroll: true });
   }
 
-  /** The same controls with other values: they stay, so that a slider can be dragged on. */
+  /** Give the same controls new values. The elements are kept, so that a slider can be dragged on. */
   #update(menu) {
     menu.lines.forEach((line, index) => {
       if (this.#lines[index].textContent !== line) this.#lines[index].textContent = line;

@@ -7,11 +7,11 @@ const SCROLLING = new Set(["ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight", " 
 
 export class Input {
   #signals = [];
-  #pads = []; // what every gamepad said last
-  #pressed = []; // which of its buttons are down
+  #pads = []; // the last state of every gamepad
+  #pressed = []; // the buttons that are down on each of them
   #held = new Set();
 
-  /** hurry: called when something was pressed, let go or chosen. steer: called with the number of a gamepad's button that went down. */
+  /** hurry: called when something was pressed, released or chosen. steer: called with the number of a gamepad's button that was pressed. */
   constructor(canvas, hurry, steer) {
     Object.assign(this, { canvas, hurry, steer });
     addEventListener("keydown", (event) => this.#key(event, true));
@@ -25,7 +25,7 @@ export class Input {
     document.addEventListener("visibilitychange", () => document.hidden && this.add({ type: "away" }));
   }
 
-  /** Whether a pointer is down on the picture, or was until what it did is taken. */
+  /** Whether a pointer is down on the picture, or was since the last request took its events. */
   get holds() {
     return this.#held.size > 0;
   }

@@ -1,4 +1,4 @@
-// The page: asks Python in the worker for pictures, paints them, and hands on what the player did.
+// The page: requests pictures from Python in the worker, paints them, and passes on what the player did.
 
 import { Controls } from "./controls.js";
 import { Editor } from "./editor.js";
@@ -20,7 +20,7 @@ const words = new Words(element("step"), element("words"));
 const questions = new Map();
 const HUNG = "Your own functions gave no answer, so the page was opened again without them.";
 let limit = 0, worker = null, grader = null, background = "#000", toldUntil = 0, asked = 0;
-let ready = false, waiting = false, late = false, sentAt = 0, size = null; // late: the next request is due as soon as the reply is there
+let ready = false, waiting = false, late = false, sentAt = 0, size = null; // late: send the next request as soon as the reply is there
 
 function say(words) {
   element("loading").textContent = words;
@@ -78,9 +78,9 @@ function fitted() {
   return [Math.round(full.width * density()), Math.round(height * density())];
 }
 
-/** Ask for a picture of a moment, milliseconds, with all that the player did until now. */
+/** Request the picture of a time, in milliseconds, with everything that the player did since the last request. */
 function request(now) {
-  if (!size && !(input.holds && request.size)) size = fitted(); // it stays while something is dragged
+  if (!size && !(input.holds && request.size)) size = fitted(); // the size does not change while something is dragged
   const seconds = sentAt ? Math.max(now - sentAt, 0) / 1000 : 0, [width, height] = size ?? request.size;
   sentAt = Math.max(now, sentAt);
   [waiting, late] = [true, false];
@@ -88,13 +88,13 @@ function request(now) {
   request.size = [width, height];
 }
 
-/** A key or a button: its picture is asked for at once, without waiting for the browser's next frame. */
+/** After a key or a button: request a picture at once, without waiting for the browser's next frame. */
 function hurry() {
   if (waiting) late = true;
   else if (ready) request(performance.now());
 }
 
-/** It is painted as soon as it is there: the browser's next frame shows it. */
+/** Paint the picture of a reply as soon as it is there: the browser's next frame shows it. */
 function show(reply, [width, height]) {
   if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
   if (reply.backdrop) {

@@ -14,7 +14,7 @@ const LIGHT = [[0, "ff"], [0.2, "d7"], [0.4, "80"], [0.6, "33"], [0.8, "0c"], [1
 const blocks = new Blocks();
 const textures = new Map();
 
-// Of runs of letters by their signs: letters, size, and how far below the middle of the words.
+// Kinds of runs of letters by their sign: font, size, and offset below the middle of the text.
 const INDEX = "\x13", WORD_INDEX = "\x14", PRIME = "\x15";
 const RUNS = {
   "\x10": ["normal", 1, 0],
@@ -169,7 +169,7 @@ function shapes(context, numbers, texts) {
         blocks.prism(context, numbers, at, style);
         at += 3 + 2 * numbers[at + 2];
         break;
-      case SHADOWS: // where those of several rings follow each other, none is darker for lying in two
+      case SHADOWS: // those of several rings are one path, so that overlaps are not darker
         context.fillStyle = colour(style);
         if (before !== SHADOWS) context.beginPath();
         at = blocks.shadows(context, numbers, at);
@@ -196,7 +196,7 @@ function shapes(context, numbers, texts) {
   if (clipped) context.restore();
 }
 
-/** Words that are runs of letters, each after the sign of how they are: an index is below what is before it, a prime above. */
+/** Draw a text of several runs, each with its sign before it: an index is lower than the letter before it, a prime higher. */
 function runs(context, words, size, x, y, across) {
   const placed = [];
   let end = 0, primed = 0;
@@ -327,7 +327,7 @@ function glow(context, numbers, at, style) {
   context.setTransform(before);
 }
 
-/** A canvas of cells, a pixel each. at: of the first colour. */
+/** A canvas with one pixel for every cell. at: index of the first colour. */
 function grid(numbers, at, columns, rows) {
   const small = new OffscreenCanvas(columns, rows), own = small.getContext("2d");
   const image = own.createImageData(columns, rows);

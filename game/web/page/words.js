@@ -1,4 +1,4 @@
-// The words around a scene of the lab: its step above the picture; formulas, the line that decides and the note below it.
+// The words around a scene of the lab: the step above the picture; below it the formulas, the line of code that decides, and the note.
 
 export class Words {
   #scene = "";
@@ -12,7 +12,7 @@ export class Words {
     addEventListener("resize", () => this.#forget());
   }
 
-  /** Show words. Only what differs is made anew, since numbers change in every frame while something is dragged. */
+  /** Show words. Only what differs is replaced, since numbers change in every frame while something is dragged. */
   show({ scene, step, formula, cited, note, scale }) {
     if (scene !== this.#scene) this.#forget();
     this.#scene = scene;

@@ -72,7 +72,7 @@ function frame(request) {
   if (reply.second_engine) loadEngine();
 }
 
-/** What the lab's second opinion needs; the page's Python gets it when it is there. */
+/** Load the files of pymunk, the lab's second engine, and hand them to Python. */
 async function loadEngine() {
   try {
     await addFiles(python, "pymunk");
