@@ -20,7 +20,7 @@ _OF_ENGINE = ("ctypes/__init__.py", "ctypes/_endian.py", "ctypes/_layout.py", "p
 
 
 def needed_by_engine(files: dict[str, bytes]) -> dict[str, bytes]:
-    """What of the standard library is served with the lab's second opinion. files: as of `needed`."""
+    """The part of the standard library that is served with the lab's second engine. files: as for `needed`."""
     return {name: files[name] for name in _OF_ENGINE}
 
 

@@ -1,4 +1,4 @@
-"""A label in a picture as runs of letters, for canvases: v_p is a bold v with a small p below."""
+"""A label divided into runs of letters of one style, for canvases: v_p is a bold v, then a small lowered p."""
 
 from functools import lru_cache
 
