@@ -62,7 +62,7 @@ class Batch:
         check_subnormals()
         self._compiled = compiled()
         self._games = arrays_of(arenas)
-        self._rows: list[Rows] = []  # for each piece of a step
+        self._rows: list[Rows] = []  # one for each piece of a step
 
     def __len__(self) -> int:
         """How many games there are."""
@@ -165,7 +165,7 @@ class Batch:
     def _piece(
         self, number: int, spins: Floats | None, first: int, last: int, ticks: int, lost: npt.NDArray[np.bool_]
     ) -> npt.NDArray[Any]:
-        """The hits of some of the games, these advanced; valid until the next step. number: of the piece. lost: written."""
+        """Advance some of the games. Returns their hits, valid until the next step. number: of the piece. lost: written."""
         check_subnormals()
         games, rows = self._games, self._rows[number]
         if spins is not None:
@@ -200,7 +200,7 @@ def _whole(name: str, value: int, least: int) -> None:
 
 
 def _checked_spins(spins: Floats, shape: tuple[int, ...]) -> Floats:
-    """Spins that lie in a row; ValueError unless they have the shape and can be stored."""
+    """The spins as a contiguous array; ValueError unless they have the shape and can be stored."""
     _check_array("spins", spins, np.dtype(np.float64), shape)
     size = np.abs(spins)
     if spins.size > 0 and not size.max() <= LARGEST:

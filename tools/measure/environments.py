@@ -5,7 +5,7 @@ from game.system.start import prepare
 PROGRAM = "python -m tools.measure.environments"
 
 if __name__ == "__main__":
-    prepare(PROGRAM)  # before what takes time to load
+    prepare(PROGRAM)  # before the slow imports
 
 import statistics
 import sys

@@ -1,7 +1,7 @@
 """What a frame costs: `python -m tools.measure.frame`. Frame after frame of a game in play, and of panels over it.
 
 The first columns are processor time, the last two the clock's; with --window they include handing the picture to the display.
-With --pace the frames come 60 a second, as the game's loop lets them, and how evenly they come is measured instead.
+With --pace frames are drawn 60 a second, by the pace of the game's loop, and the time between them is measured instead.
 """
 
 from game.system.start import prepare
@@ -170,7 +170,7 @@ def timed(case: FrameCase, level: int, count: int, opened: Opened) -> tuple[tupl
 
 
 def paced(case: FrameCase, level: int, count: int, opened: Opened) -> tuple[tuple[int, int], list[float]]:
-    """How large the frames were, pixels, and milliseconds from the begin of each to that of the next, at 60 a second."""
+    """Size of the frames, pixels, and milliseconds from the beginning of each to that of the next, at 60 frames a second."""
     target, following, steps = opened(case.size), case.frames(level), FramePace()
     begun: list[float] = []
     gc.freeze()  # as the game does
@@ -185,7 +185,7 @@ def paced(case: FrameCase, level: int, count: int, opened: Opened) -> tuple[tupl
 
 
 def _print_pace(level: int, count: int, opened: Opened) -> None:
-    """How evenly the frames of games come."""
+    """Print how evenly the frames of games are spaced."""
     table = Table(box=None, pad_edge=False)
     table.add_column("frame")
     for heading in ("pixels", "1 % ms", "median ms", "99 % ms", "longest ms", "late"):
