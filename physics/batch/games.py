@@ -287,7 +287,7 @@ def _looked_ahead(
 
 
 def _order_from(distance: float, rings: list[Ring], outward: list[int], order: list[int]) -> None:
-    """Sort the rings as a ball at a distance from the centre reaches them: inwards the smaller ones, then outwards the others."""
+    """Sort the rings as a ball at a distance from the centre meets them: inwards the smaller ones, then outwards the others."""
     n = 0
     for m in range(len(outward) - 1, -1, -1):
         if rings[outward[m]].radius <= distance:
