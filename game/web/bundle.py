@@ -15,7 +15,7 @@ _PACKAGES = ("game", "physics")
 _GRADING = ("tools.grade.page",)
 """What the worker that grades imports besides."""
 _ENGINE = ("game.web.cffi.backend", "tools.crosscheck.second_engine")
-"""What the lab's second opinion imports besides."""
+"""Additional modules that the lab's second engine imports."""
 
 
 def browser_sources() -> dict[str, bytes]:

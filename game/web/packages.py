@@ -84,7 +84,7 @@ PYMUNK = Package(
     "pip",
     MSGSPEC.options,
 )
-"""The lab's second opinion. It needs cffi, of which there is no wheel for the browser: game/web/cffi takes its place."""
+"""The lab's second engine. It needs cffi, which has no wheel for the browser: game/web/cffi replaces it."""
 
 
 def cache_folder() -> Path:

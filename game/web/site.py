@@ -37,7 +37,7 @@ _LEFT_OUT = (
     "matplotlib_util",
     "/util.py",
 )
-"""Of the wheels: nothing imports these."""
+"""Parts of the wheels that nothing imports."""
 _STAMPED = ("offline.js", "snapshot.js")
 _PAGE = files("game") / "web" / "page"
 _EDITOR_HASHES = {"js": b"HASHES-OF-THE-EDITOR", "css": b"HASHES-OF-ITS-STYLES"}

@@ -18,7 +18,7 @@ from physics.tolerances import LARGEST, MAX_IMPACTS, SMALLEST
 _ROWS = 4096
 """Rows for hits that a step begins with, beside those that one tick may need; more are made as they are needed."""
 _PIECES, _LEAST = 4, 1024
-"""Pieces for each thread, so that one that is held up is helped; games in a piece at least, or cutting would cost too much."""
+"""Pieces for each thread, so that others can help a slow one; and least games in a piece, since each piece has a fixed cost."""
 
 
 class Steps(NamedTuple):

@@ -17,7 +17,7 @@ from tools.balance.trial import trial
 
 SEEDS = (0, 7, 20261126, 2**63 - 1)
 _STEP = 0.12
-"""World units from one ball position to the next that is looked at."""
+"""World units between neighbouring positions of the ball that are tested."""
 
 
 @pytest.mark.parametrize("seed", SEEDS)

@@ -17,7 +17,7 @@ from tools.balance.trial import standard_error, trial
 
 GAMES = ROOT / "tests" / "reference" / "balance.json"
 COMMAND = "python -m tools.balance --seeds 4,12,4 --json tests/reference/balance.json --page docs/campaign.md"
-"""What measured the campaign."""
+"""The command that measures the campaign."""
 
 
 def test_a_better_player_loses_less():

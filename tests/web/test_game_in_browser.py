@@ -34,7 +34,7 @@ SENT = """() => new Promise(done => {
   next(() => next(() => document.getElementById("picture").dispatchEvent(
     new KeyboardEvent("keydown", { code: "ArrowLeft", key: "ArrowLeft", bubbles: true }))));
 })"""
-"""Whether a key was sent by what the browser calls at its frames."""
+"""Whether a key was sent by a callback of the browser's frame."""
 SMALL = b"""
 name = "Small"
 description = "A few bricks."

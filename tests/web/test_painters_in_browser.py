@@ -49,7 +49,7 @@ COUNT = """async ([numbers, width, height]) => {
   }
   return [alphas, colours];
 }"""
-"""What is painted on a transparent canvas: how many pixels have each opacity, and how many of the opaque ones each colour."""
+"""Counts on a transparent canvas: pixels by opacity, and opaque pixels by colour."""
 SQUARE = (-0.5 - 0.5j, -0.5 + 0.5j, 0.5 + 0.5j, 0.5 - 0.5j)
 
 

@@ -9,7 +9,7 @@ FINISHED, CUT_OFF = 1, 2
 """How an episode has ended: won or over; after its last tick."""
 
 PLAY, BRICKS = 1, 2
-"""What of an episode is not yet observed, beside a flight: the ball's velocity, the lives; bricks, too."""
+"""Which observations have to be written besides the ball's position: velocity and lives; bricks as well."""
 
 EPISODE = np.dtype(
     [

@@ -56,7 +56,7 @@ app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_mar
 _WARM_UP = 20
 """Frames drawn before those that are timed."""
 _RATE, _LATE = 60.0, 1.5
-"""Frames per second with --pace; a frame is late that comes so many times as long after the one before it."""
+"""Frames per second with --pace; and the multiple of their distance after which a frame counts as late."""
 _GAMES = 7
 """How many of the cases, the first ones, are games in play."""
 _SERVED_TICKS = 600

@@ -15,9 +15,9 @@ from game.web.cffi.tables import CType, Entry, Signature, Tables, is_constant, i
 _SLOT = 8
 """Bytes for each argument of a function that the library calls."""
 _CALL_PYTHON = 25
-"""Where cffi's exports have the function that the library calls for all those that Python defines."""
+"""Index in cffi's exports of the function by which the library calls functions that Python defines."""
 _INIT = "_init_cffi_1_0_external_module"
-"""What a library calls of cffi's module when it is imported."""
+"""The function of cffi's module that a library calls when it is imported."""
 _CALLBACK: Any = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)
 
 

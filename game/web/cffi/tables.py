@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 _POINTER, _ARRAY, _OPEN_ARRAY, _STRUCT, _ENUM, _FUNCTION, _FUNCTION_END, _NOOP, _TYPENAME = 3, 5, 7, 9, 11, 13, 15, 17, 21
 _PRIMITIVE, _CALLS, _CONSTANTS, _EXTERN_PYTHON = 1, {23, 25, 27}, {11, 31}, 41
-"""Codes of types and of what a library has."""
+"""Operation codes of types and of named entries."""
 _PRIMITIVES = (
     *(None, "bool", "char", "byte", "ubyte", "short", "ushort", "int", "uint", "long", "ulong", "longlong", "ulonglong"),
     *("float", "double", "longdouble", "wchar", "int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64"),
@@ -19,7 +19,7 @@ _PRIMITIVES = (
 """ctypes' names of the primitive types, by their numbers; the first is void."""
 _SIZE = ctypes.sizeof(ctypes.c_void_p)
 _UNKNOWN = (1 << 8 * _SIZE) - 2
-"""Size of a struct without a name: the library does not say it."""
+"""Size that cffi writes for a struct without a name, whose size it does not know."""
 
 
 class CType(NamedTuple):

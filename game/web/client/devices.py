@@ -31,7 +31,7 @@ _SLACK = 0.08
 _DOWN = 0.5
 """From here on a button is pressed."""
 _PAIR = 2
-"""So many fingers move the camera."""
+"""Number of fingers that move the camera."""
 
 
 class PageDevices:

@@ -31,7 +31,7 @@ _STILL_SECONDS = 6.0
 
 
 _GOES_ON = frozenset({"go-on", "next"})
-"""Items that do what going back does: beside them there is none that says so."""
+"""Items with the same effect as going back: a menu with one of them has no further item for it."""
 
 
 class Opened(NamedTuple):

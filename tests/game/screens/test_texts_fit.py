@@ -40,7 +40,7 @@ NAMES = {
     "(Language)",
     *[one.name for one in languages.LANGUAGES],
 }
-"""What is written in Latin letters in every language, or begins like it."""
+"""Words, or beginnings of words, that have Latin letters in every language."""
 PANELS = {name: opened for name, opened in screens.every_screen() if name not in GAMES | NO_PANELS}
 
 

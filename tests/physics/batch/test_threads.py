@@ -10,7 +10,7 @@ from physics.batch.threads import shared
 from tests.support.paths import ROOT
 
 PATIENCE = 60.0
-"""Seconds, after which a thread that waits in vain gives up."""
+"""Seconds after which a waiting thread gives up."""
 AFTER_A_FORK = """
 import os, signal
 from physics.batch.threads import shared

@@ -16,13 +16,13 @@ from game.web.client.messages import PageWords
 _BODY, _SMALLEST = 0.8, 13.0
 """Size of text in the game's; CSS pixels that it has at least."""
 _EM = 0.6875
-"""The em square of the game's own font, in whose sizes a lecture room's are given."""
+"""The em square of the game's own font: text sizes for presenting are multiples of it."""
 _LETTER = 0.52
 """Width of a letter, in shares of its size."""
 _LEAST_LETTERS = 40
 """Letters that a line of a lecture room has at least: on a phone the text is smaller for them."""
 _FLATTEST = 0.75
-"""A canvas that is flatter, since words are below it, has text of the size that one of this height to its width has."""
+"""Least ratio of height to width by which the text size is computed: a canvas above words may be flatter."""
 _MOST_PEN = 1.6
 """Lines and points grow with the text up to this."""
 
