@@ -27,7 +27,7 @@ SYSTEM = "system"
 
 _THOUSANDS = {"en": ",", "de": ".", "cs": "\N{NO-BREAK SPACE}"}
 _POINT = {"en": ".", "de": ",", "cs": ","}
-"""What separates thousands, and what begins the fraction, by language."""
+"""Separator of thousands and decimal point, by language."""
 
 
 class _Reader:

@@ -62,7 +62,7 @@ def _following(
 
 
 def _after_hands(screen: Screen, signals: tuple[Signal, ...], size: tuple[int, int], *, fingers: bool) -> Screen | None:
-    """The screen after what gamepads did, of some signals, also if the player has left. fingers: all of them are of fingers."""
+    """The screen after the signals of gamepads or fingers; None ends the program. fingers: whether all are of fingers."""
     following: Screen | None = screen
     for signal in signals:
         if following is screen and (fingers or isinstance(signal, FocusLost) or pad_of(signal) is not None):

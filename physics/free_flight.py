@@ -81,9 +81,9 @@ def clear_time(
 ) -> float:
     """Seconds, at most `horizon`, for which a ball certainly touches no living sector; 0 where it may touch one now.
 
-    layers: per ring and slot, 0 where nothing is. horizon: seconds, >= 0, finite. steered: per ring, not 0 where its spin may
-    change meanwhile; None for all that turn. The others are taken to keep their spin. order: all rings' numbers, as they are
-    asked; None as they come. It decides nothing, but what lies behind a ring that is touched need not be searched.
+    layers: per ring and slot, 0 where nothing is. horizon: seconds, >= 0, finite. steered: per ring, not 0 if its spin may
+    change meanwhile; None for all that turn. The others are assumed to keep their spin. order: numbers of all rings, in which
+    they are examined; None for 0, 1, 2, ... It only saves time: rings behind a touched ring need no search.
     """
     p, v, ball_radius = ball
     distance, speed, outward = length(p), length(v), dot(p, v) >= 0.0
@@ -152,8 +152,8 @@ def _clear_of_sectors(ball: Ball, ring: Ring, alive: Sequence[int], stretch: Str
     turning: rad/s at most. Seen from the centre, at distance d, the ball itself covers asin(r / d) to each side, which is
     at most x + (pi / 2 - 1) x^3 for x = r / d, and its centre moves by L / d^2 rad/s, L = p x v. On one stretch d is
     least at one of its ends and greatest at the other: the centre moves by at least |L| / greatest^2 and at most
-    |L| / least^2, always to the side of L's sign. On that side an end comes nearer by at most the turning and the larger of
-    the two rates; on the other one, which the ball flies away from, by at most the turning less the smaller of them.
+    |L| / least^2, always in the direction of L's sign. On that side the distance to a sector's end shrinks at most at `turning`
+    plus the larger rate; on the other side, which the ball leaves, at most at `turning` minus the smaller rate.
     """
     p, v, ball_radius = ball
     start, stop = stretch.start, stretch.stop

@@ -40,7 +40,7 @@ time.sleep(1000)
 
 @pytest.mark.skipif(sys.platform != "linux", reason="only Linux tells a child that its parent has ended")
 def test_a_child_does_not_outlive_a_killed_pytest(children):
-    """Nobody is left to call `end` when the process that started the child is killed."""
+    """The child ends although the process that would call `end` is killed."""
     reading, writing = os.pipe()
     starter = children.start([sys.executable, "-c", _STARTER, _GRANDCHILD], stdout=writing, cwd=ROOT)
     os.close(writing)

@@ -9,7 +9,7 @@ LOOK = 1.0 / 20.0
 """Seconds per step when looking ahead; the physics is exact for any step."""
 _HORIZON = 60
 _SURELY = 1.0 - 1e-9
-"""Less than a whole step by far more than rounding."""
+"""Slightly less than a whole step: the margin is far larger than rounding errors."""
 
 
 def without_paddles(arena: Arena, ball: Ball) -> Arena:

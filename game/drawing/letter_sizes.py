@@ -24,9 +24,9 @@ _WIDTHS = {
 """Widths of letters of pygame's own font, in shares of their size."""
 _BY_LETTER = {letter: width for width, letters in _WIDTHS.items() for letter in letters}
 _OTHERS = 0.44
-"""Width of a letter that is not among them, roughly."""
+"""Estimated width of any other letter."""
 _HINTING = 1.04
-"""Small letters are wider than large ones: their widths are whole pixels."""
+"""Factor for the widths: those of small letters are rounded to whole pixels, so that small texts are wider."""
 
 
 def width(words: str) -> float:

@@ -6,19 +6,19 @@ from game.effects.bursts import Burst, Matter
 from game.maths import Maths, Values
 
 PLATES = frozenset({Matter.BRICK, Matter.BALL})
-"""What breaks into plates; all else gives off sparks."""
+"""Materials that break into plates; the others give off sparks."""
 STREAK_TICKS = 9
-"""A streak reaches from where its spark is to where it was this many ticks ago."""
+"""A streak extends from its spark's position to the position this many ticks ago."""
 STREAK_WIDTH, STREAK_FRONT = 0.35, 0.15
-"""Half the width of a streak in its spark's sizes, and how far its blunt end reaches ahead, in its lengths."""
+"""Half the width of a streak in sizes of its spark, and how far its blunt end extends ahead, in lengths of the streak."""
 LEAST_SIZE = 0.35
-"""Pixels; what is smaller is not drawn."""
+"""Pixels; smaller pieces are not drawn."""
 _LIGHT_ABOVE = 0.6
 """Share of a plate's light that comes from above, the rest from the side."""
 _DIMMEST = 0.72
 """Share of its colour that a plate shows while it is edge-on to the light."""
 _GLITTER, _WHITEST = 6.0, 0.6
-"""How suddenly a plate glitters as it turns towards the light, and how far towards white."""
+"""Exponent of a plate's highlight as it turns towards the light, and how far the highlight goes to white."""
 
 
 def burst_colour(burst: Burst, theme: Theme) -> Colour:

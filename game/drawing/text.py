@@ -10,9 +10,9 @@ from game.drawing.palette import Colour
 _SMALLEST, _LARGEST = 6, 400
 """Sizes of letters, pixels."""
 _MOST_LINES, _MOST_FONTS = 256, 32
-"""Lines and fonts cached, at most; texts broken into lines as many as lines."""
+"""Greatest numbers of cached lines (also of cached wrapped texts), and of cached fonts."""
 _FINER = 3
-"""Letters are drawn at least this much larger and scaled down: gaps between them are then right to a fraction of a pixel."""
+"""Letters are drawn larger by at least this factor and scaled down, so that gaps are exact to a fraction of a pixel."""
 _LARGE, _FONT_STEPS = 24, 6
 """From this size on, pixels, letters of several sizes share a font: so many fonts for a size and its double. A font and its
 first letters take about 1 ms, and words that grow would need a font for every frame."""

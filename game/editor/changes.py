@@ -11,7 +11,7 @@ from game.language import ntr, tr
 from game.levels import Level
 
 _LONGEST = 24
-"""Letters of a text that are shown."""
+"""Greatest number of letters of a text that are shown."""
 
 
 def undo_words(history: EditHistory) -> str:

@@ -26,7 +26,7 @@ _LONGEST_ROW = 60
 Path = tuple[str | int, ...]
 """Keys that lead to a value: ("rings", 0, "radius")."""
 Value = float | str | list[int] | list[str] | None
-"""What a key has; None: it is left out, so that the format's default holds."""
+"""The value of a key; None if the file leaves it out, so that the format's default applies."""
 
 
 class Stack(NamedTuple):

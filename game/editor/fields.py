@@ -20,7 +20,7 @@ TABLES: dict[str, type[msgspec.Struct]] = {
     "drops": DropSpec,
     "look": LookSpec,
 }
-"""Of a level file, by name; the first is the file itself."""
+"""The tables of a level file by name; the first is the file itself."""
 
 
 class Part(Enum):
@@ -119,7 +119,7 @@ PART_FIELDS = {
     Part.DROPS: (CHANCE, KINDS),
     Part.LEVEL: (NAME, DESCRIPTION, CHAPTER, GROUND_RADIUS, PALETTE, GROUND),
 }
-"""What is changed in which part of the panel: together, every key of the format."""
+"""The fields of each part of the panel: together, every key of the format."""
 
 
 def named(path: Path) -> str:

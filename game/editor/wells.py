@@ -14,7 +14,7 @@ from game.system.errors import BadInputError
 _DISTANCE, _REACH, _PULL = 0.5, 0.22, 0.4
 """Of the first well: distance and reach in ground radii, and share of the strongest pull that the reach allows at the speed."""
 _NEXT = 120.0
-"""Degrees from a well to its copy, where strokes are not repeated around the ring."""
+"""Degrees from a well to its copy if strokes are not repeated around the ring."""
 _SNAP = 2
 """Decimals of distances and angles that were not typed."""
 

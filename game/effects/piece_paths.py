@@ -40,13 +40,13 @@ THROWS = {
 }
 NUMBERS_OF_PIECES = {Matter.BRICK: 16, Matter.BALL: 20, Matter.STEEL: 14, Matter.PADDLE: 9}
 CHANCES = 8
-"""Numbers that a piece is scattered by."""
+"""Number of random numbers for a piece."""
 _GRAVITY = 150.0
 """Hundredths of the ground's radius per second, per second."""
 _BOUNCE = 0.35
 """Share of its speed that a landing piece keeps."""
 _HEIGHT = 4.5
-"""Height of what bursts, in hundredths of the ground's radius: about a layer's."""
+"""Height of a bursting brick, in hundredths of the ground's radius: about a layer's."""
 _SHRINKING = 0.55
 """From this share of its life on a piece grows smaller."""
 _BITS = (1 << 64) - 1

@@ -6,7 +6,7 @@ from game.language import grouped, tr, tr_noop
 from game.rules import BEST_COMBO, HARMFUL, Event, EventKind, PowerUp, Ticked
 
 POP_TICKS, PLATED_TICKS = 190, 240
-"""How long words are seen: points, and the others, which have to be read."""
+"""How long words are visible: points, and other words, which take longer to read."""
 _WORDS = {
     EventKind.NUDGED: tr_noop("nudged"),
     EventKind.BALL_LOST: tr_noop("lost"),
@@ -35,7 +35,7 @@ _POINTS = frozenset({EventKind.BRICK_HIT, EventKind.BUMPER_HIT})
 _BY_PADDLE = frozenset({EventKind.DROP_CAUGHT, EventKind.LIFE_GAINED, EventKind.SPEED_UP})
 _BAD = frozenset({EventKind.BALL_LOST})
 _BEYOND = 1.07
-"""Words about what a paddle caught or did are at this share of its distance: beyond it, where they hide no ball."""
+"""Distance of a paddle's words from the centre, as a multiple of the paddle's: outside of it, where they hide no ball."""
 _CLOSEST = 1.8
 """World units between the positions of two pops that can be read together."""
 

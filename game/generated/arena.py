@@ -19,14 +19,14 @@ _TRACK, _TRACK_HALF_WIDTH = 9.3, 0.22
 _COVER, _LESS_COVER = 0.87, 0.17
 """Share of the track that paddles cover in the easiest level, and how much less in the hardest."""
 _SPEED_SHARE = 0.9
-"""Of the ball's speed: the paddles' outer faces at their fastest."""
+"""Top speed of the paddles' outer faces, as a share of the ball's speed."""
 _TURNING_FROM, _BUMPERS_FROM, _WELLS_FROM, _STEEL_FROM, _ALL_DROPS_FROM = 1, 2, 3, 4, 6
 """Numbers of the first levels that may have turning rings, bumpers, wells, steel, and all power-ups."""
 _GUARDED = 5
-"""Every so many levels one has a wall that grows again."""
+"""One level among this many has a ring that grows again."""
 _CENTRAL_REACH = 4.8
 _OUTER_DISTANCE, _OUTER_REACH = 4.0, 2.4
-"""Of a well at the centre, and of wells around it, world units."""
+"""Reach of a well at the centre; distance from the centre and reach of the wells around it; world units."""
 _GOOD_DROPS: list[DropKind] = ["wide", "slow", "multi_ball", "shield", "life", "sticky", "pierce"]
 _GROUNDS: tuple[GroundPattern, ...] = get_args(GroundPattern)
 

@@ -17,7 +17,7 @@ from game.levels import Level, checked, warnings
 from game.system.errors import BadInputError
 
 SEQUENCE = 99
-"""Levels of a sequence. The longest of them would take hours."""
+"""Number of levels of a sequence: enough for hours of play."""
 
 _HARDEST = 30
 """From this number on levels grow no harder."""
@@ -25,13 +25,13 @@ _LEAST, _LEAST_GROWTH = 60.0, 25.0
 _MOST, _MOST_GROWTH = 125.0, 50.0
 """Layers to be broken in an easy level, at least and at most, and how many more in the hardest."""
 _GUARDED_SHARE = 0.75
-"""Of that most, where bricks grow again: they have to be broken more than once."""
+"""Share of the greatest number that is allowed if bricks grow again, since these have to be broken more than once."""
 _TRIES = 200
 _NUMBERS = 256
 """Numbers that a seed has draws for: its levels', and the last one for what is drawn once for all of them."""
 _PALETTES: tuple[Palette, ...] = get_args(Palette)
 _PALETTE_STRIDES = (1, 3, 5, 7)
-"""Steps through the palettes that reach all of them."""
+"""Strides through the list of palettes that reach all of them."""
 
 
 class _Subject(NamedTuple):

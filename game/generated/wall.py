@@ -18,17 +18,17 @@ _HUB_RADIUS, _HUB_HALF_WIDTH = 1.58, 0.26
 _ROW, _ROW_HALF_WIDTH = 0.68, 0.3
 """From one ring of a figure to the next, and half of its thickness, world units."""
 _GAP, _LANE = 0.1, 0.34
-"""World units between rings that stand still to each other, and between those that do not."""
+"""World units between rings that turn together, and between others."""
 _OUTER_HALF_WIDTH = 0.24
 """Of the ring outside of a figure, world units."""
 _OUTERMOST = 6.3
-"""Radius that no ring exceeds: beyond it is too little time to answer."""
+"""Radius that no ring exceeds: closer to the paddles a player would have too little time to react."""
 _FILL = 0.92
 """Share of its slot that a brick takes."""
 _BRIGHT, _BRIGHTEST = 5, 8
-"""Tints that a core has: from and to."""
+"""The first and the last tint of a core."""
 _REVERSAL = 5.0
-"""Seconds after which rings turn round that turn to and fro."""
+"""Seconds after which a ring that turns to and fro reverses."""
 _REGROWTH = 8.0
 """Seconds after which a brick grows again."""
 _GRIP = 0.4

@@ -29,18 +29,18 @@ _BELOW_CAPTION, _ABOVE_NAME, _LINE_GAP = 0.1, 0.2, 0.25
 _COMBO, _COMBO_PER_BRICK = 1.2, 0.12
 """Size of the combo's letters for no brick, and how much larger with every brick up to the best combo."""
 _BUMP = 0.45
-"""Share by which the combo is larger when it has just risen."""
+"""Share by which the combo is enlarged just after it has risen."""
 _COMBO_BELOW, _COMBO_HEIGHT, _COMBO_DOTS = 0.3, 1.1, 2.6
 """From the score to the top of the combo's box, and from there to the middle of its words, and to its dots."""
 _COMBO_WIDTH = 6.0
-"""Of words and dots: these are drawn smaller where they would reach into the arena."""
+"""Of words and dots, which are drawn smaller if they would overlap the arena."""
 _COMBO_DOT, _COMBO_DOT_PITCH, _COMBO_DOT_LINE = 0.24, 0.72, 0.07
 """Radius of a dot, from one to the next, and the line of an empty one."""
 _LIFE, _LIFE_PITCH, _LIFE_LINE = 0.42, 1.134, 0.08
 """Radius of a ball that stands for a life, from one to the next, and the line of one that is lost."""
 _LIVES_BELOW_CAPTION = 0.75
 _WITH_GAUGES = 1.08
-"""Radius of the arena with what lasts shown beyond its rim, in ground radii."""
+"""Radius of the arena with the gauges outside of its rim, in ground radii."""
 _BESIDE, _RIM_PIXELS = 1.2, 160
 """What is at most so far above or below a line is beside it; and pixels of the rim that are looked at in 3D."""
 _SWATCH, _SWATCH_GAP = complex(1.5, 0.42), 0.5
@@ -48,7 +48,7 @@ _SWATCH, _SWATCH_GAP = complex(1.5, 0.42), 0.5
 _PLAYER_SCORE, _PLAYER_LIVES, _PLAYER_HEIGHT = 1.1, 3.9, 4.4
 """From the top of a player's figures to the score and to the middle of the lives, and height of them all."""
 _PLAYER_NAME = 0.54
-"""From there to the middle of the name."""
+"""From the top of a player's figures to the middle of the name."""
 _PLAYER_COMBO, _AHEAD = 4.0, 1.1
 """Heights of the combo and of the line that says who is ahead; both are on the side of a player's figures that is nearer to the
 middle."""

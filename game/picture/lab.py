@@ -22,7 +22,7 @@ _LETTERS = 0.95
 _HANDLE, _HANDLE_LINE = 0.42, 0.14
 """Radius of a handle's ring and width of its line, in units."""
 _WIDTH, _HEIGHT = 0.58, 1.3
-"""Width of a letter and height of a line in shares of their size, roughly: a list of primitives does not measure."""
+"""Estimated width of a letter and height of a line, in sizes of the letters, since there is no font to measure with."""
 _SEAM = (-1.2, 1.2, -1.2j, 1.2j)
 """Around words, pixels."""
 _LINES_EDGE, _LINES_HEIGHT = 0.6, 1.25

@@ -16,7 +16,7 @@ from game.scene import Scene
 _TITLE, _ABOUT, _HINT = 1.5, 0.95, 1.0
 """Sizes of letters."""
 _GAP, _LINE_GAP = 0.25, 0.1
-"""Between title, what the level is about, and hint; and between the lines of what it is about."""
+"""Space between title, description of the level, and hint; and between the lines of the description."""
 _MARGIN = complex(0.8, 0.5)
 """From the words to the plate's edges, across and down."""
 _WIDEST, _HIGHEST = (0.52, 0.9), 0.22
@@ -25,18 +25,18 @@ smaller where they need more, for the figures are beside them, or above them on 
 _LEAST_HIGH, _ABOVE_WALL = 0.08, 0.4
 """Share of the surface's height that the plate has at least, and from the plate to the wall."""
 _BALANCED, _TRIES = 0.96, 16
-"""Lines are tried in so much less width, so often, until they would be more: the last is then about as long as the others."""
+"""The width is reduced by this factor, at most so often, as long as the number of lines stays: all are then about equal."""
 _ABOUT_WIDE = 0.44, 0.8
-"""Share of the surface's width in which what the level is about is broken into lines; on a narrow one."""
+"""Share of the surface's width to which the level's description is wrapped; the second one on a narrow surface."""
 _SHRINK, _LEAST = 0.94, 4.0
-"""Letters are tried so much smaller, and at last of so many pixels."""
+"""Factor by which smaller letters are tried, and the least size, pixels."""
 _CORNER, _EDGE_LINE = 0.6, 0.06
 """Radius of the plate's corners, and width of its edge."""
 _TOP, _NARROW_TOP = 0.6, 0.115
 """From the surface's upper edge to the plate: where the figures stand beside the arena; and where they are above it, in
 shares of the height."""
 _ROOM = 2.0
-"""From the plate to a ball that it would hide in a moment."""
+"""Least distance from the plate to a ball."""
 
 
 class _Line(NamedTuple):

@@ -21,7 +21,7 @@ from game.scene import Scene
 from physics import Ball
 
 _SHARES = 0.42, 0.78
-"""Of its colour that a side shows when it is turned from the light, and towards it."""
+"""Brightness, as a share of the colour, of a side that faces away from the light, and of one that faces it."""
 _WIDEST = math.radians(6.0)
 """Angle from corner to corner of a prism's arcs, at most."""
 

@@ -36,7 +36,7 @@ from game.rules.wells import pulled
 from physics import Arena, Ball, Outcome, broad_phase_outcome
 
 _GAME_OVER = Outcome.GAME_OVER
-"""A name of its own, as `PLAYING` is one."""
+"""A module constant, for the same reason as `PLAYING`."""
 
 
 def played(game: Game, moving: Arena, controls: Controls, advance: Advance) -> Ticked:

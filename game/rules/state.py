@@ -53,7 +53,7 @@ class Phase(IntEnum):
 
 
 PLAYING = Phase.PLAYING
-"""What every tick compares with, by a name that is found in a fifth of the time.
+"""The phase that every tick compares with. As a module constant it is found in a fifth of the time.
 
 Python 3.11 calls a function for every member of an enumeration. Three names instead of them are 2 % of a headless game.
 """

@@ -3,9 +3,9 @@
 import random
 
 LONGEST_SEED = 12
-"""Letters of what a player may type."""
+"""Greatest length of the text that a player may type."""
 _SHARED_DIGITS = 6
-"""Digits of a new seed: few enough to be told to somebody."""
+"""Digits of a new seed: few enough to tell somebody."""
 
 
 def seed_of(text: str) -> int:

@@ -15,7 +15,7 @@ _PACKAGES = ("game", "physics")
 _GRADING = ("tools.grade.page",)
 """What the worker that grades imports besides."""
 _ENGINE = ("game.web.cffi.backend", "tools.crosscheck.second_engine")
-"""What the lab's second opinion imports besides."""
+"""Additional modules that the lab's second engine imports."""
 
 
 def browser_sources() -> dict[str, bytes]:
@@ -30,12 +30,12 @@ def grading_sources() -> dict[str, bytes]:
 
 
 def engine_sources() -> dict[str, bytes]:
-    """Every module that the lab's second opinion needs besides, without pymunk."""
+    """The additional modules that the lab's second engine needs, without pymunk's own."""
     return _besides(_ENGINE)
 
 
 def _besides(starts: tuple[str, ...]) -> dict[str, bytes]:
-    """The modules that some need, without those that the browser's start has."""
+    """The modules that some modules need, without those that are loaded at the start."""
     present, wanted = _modules(_STARTS, _PACKAGES), _modules(starts, (*_PACKAGES, "tools"))
     return {name: data for name, data in wanted.items() if name not in present}
 

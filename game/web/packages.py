@@ -1,7 +1,7 @@
-"""The third-party files that the page needs: fetched once by the package clients, held to recorded hashes, then cached.
+"""The third-party files that the page needs: fetched once by the package clients, checked against recorded hashes, then cached.
 
-Nothing of them is part of this project. The runtime is CPython compiled to WebAssembly, from npm; msgspec's and pymunk's
-wheels for it are from the package index.
+None of them is part of this project. The runtime, CPython compiled to WebAssembly, comes from npm; the wheels of msgspec and
+pymunk for it come from the package index.
 """
 
 import hashlib
@@ -84,7 +84,7 @@ PYMUNK = Package(
     "pip",
     MSGSPEC.options,
 )
-"""The lab's second opinion. It needs cffi, of which there is no wheel for the browser: game/web/cffi takes its place."""
+"""The lab's second engine. It needs cffi, which has no wheel for the browser: game/web/cffi replaces it."""
 
 
 def cache_folder() -> Path:

@@ -37,7 +37,7 @@ _LEFT_OUT = (
     "matplotlib_util",
     "/util.py",
 )
-"""Of the wheels: nothing imports these."""
+"""Parts of the wheels that nothing imports."""
 _STAMPED = ("offline.js", "snapshot.js")
 _PAGE = files("game") / "web" / "page"
 _EDITOR_HASHES = {"js": b"HASHES-OF-THE-EDITOR", "css": b"HASHES-OF-ITS-STYLES"}
@@ -79,7 +79,7 @@ def built_site(cache: Path) -> dict[str, bytes]:
 
 
 def _compiled(runtime: dict[str, bytes], wheels: tuple[Path, Path], cache: Path) -> list[dict[str, bytes]]:
-    """The standard library, the game with msgspec, what grades, and pymunk with what asks it: compiled modules and other files.
+    """Compiled modules and other files: the standard library, the game with msgspec, the grading, and pymunk with its caller.
 
     wheels: of msgspec and of pymunk.
     """
@@ -97,7 +97,7 @@ def _compiled(runtime: dict[str, bytes], wheels: tuple[Path, Path], cache: Path)
 
 
 def _modules_of(wheel: Path) -> dict[str, bytes]:
-    """The modules and libraries of a wheel, without its tests and what it has for windows."""
+    """The modules and libraries of a wheel, without its tests and its modules for drawing in windows."""
     files = zip_contents(wheel.read_bytes())
     return {
         name: data
@@ -136,7 +136,7 @@ def _version(site: dict[str, bytes]) -> str:
 
 
 def _notices(wheel: Path, engine: Path, editor_licence: str) -> str:
-    """The licences of what is served beside the project's own files. wheel: of msgspec. engine: of pymunk."""
+    """The licences of the third-party files that are served. wheel: of msgspec. engine: of pymunk."""
     python = Path(sysconfig.get_path("stdlib"), "LICENSE.txt")
     parts = [
         f"The polar breakout {VERSION} is under the MIT licence.\n\nIt is served together with these files:",

@@ -16,11 +16,11 @@ _ENCODINGS = "aliases ascii base64_codec cp1252 cp437 charmap hex_codec latin_1 
 _UNICODE = ("utf_", "unicode_")
 """Of the encodings, which there are."""
 _OF_ENGINE = ("ctypes/__init__.py", "ctypes/_endian.py", "ctypes/_layout.py", "platform.py", "sysconfig/__init__.py")
-"""Files that only the lab's second opinion needs."""
+"""Files that only the lab's second engine needs."""
 
 
 def needed_by_engine(files: dict[str, bytes]) -> dict[str, bytes]:
-    """What of the standard library is served with the lab's second opinion. files: as of `needed`."""
+    """The part of the standard library that is served with the lab's second engine. files: as for `needed`."""
     return {name: files[name] for name in _OF_ENGINE}
 
 

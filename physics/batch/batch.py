@@ -20,7 +20,7 @@ _ROWS = 4096
 _LARGEST_WHOLE = 2**63 - 1
 """That compiled code takes."""
 _PIECES, _LEAST = 4, 1024
-"""Pieces for each thread, so that one that is held up is helped; games in a piece at least, or cutting would cost too much."""
+"""Pieces for each thread, so that others can help a slow one; and least games in a piece, since each piece has a fixed cost."""
 
 
 class Steps(NamedTuple):
@@ -64,7 +64,7 @@ class Batch:
         check_subnormals()
         self._compiled = compiled()
         self._games = arrays_of(arenas)
-        self._rows: list[Rows] = []  # for each piece of a step
+        self._rows: list[Rows] = []  # one for each piece of a step
 
     def __len__(self) -> int:
         """How many games there are."""
@@ -167,7 +167,7 @@ class Batch:
     def _piece(
         self, number: int, spins: Floats | None, first: int, last: int, ticks: int, lost: npt.NDArray[np.bool_]
     ) -> npt.NDArray[Any]:
-        """The hits of some of the games, these advanced; valid until the next step. number: of the piece. lost: written."""
+        """Advance some of the games. Returns their hits, valid until the next step. number: of the piece. lost: written."""
         check_subnormals()
         games, rows = self._games, self._rows[number]
         if spins is not None:
@@ -204,7 +204,7 @@ def _whole(name: str, value: int, least: int) -> None:
 
 
 def _checked_spins(spins: Floats, shape: tuple[int, ...]) -> Floats:
-    """Spins that lie in a row; ValueError unless they have the shape and can be stored."""
+    """The spins as a contiguous array; ValueError unless they have the shape and can be stored."""
     _check_array("spins", spins, np.dtype(np.float64), shape)
     size = np.abs(spins)
     if spins.size > 0 and not size.max() <= LARGEST:

@@ -1,9 +1,9 @@
 """The loop over games and ticks: what is compiled besides the physics itself.
 
-The state of all games is arrays. `play` does for each game what `physics.advance` does in a sequence of ticks, by the same
-functions. Three pieces of `advance` cannot be compiled as they stand, since they build and compare tuples whose length is
-known at run time only, and are written here on arrays and lists: flying freely, moving balls out of material, and remembering
-the free flight (`known`, `free`). `tests/physics/batch/test_batch.py` compares them with `advance` at every tick.
+The state of all games is stored in arrays. `play` does for each game what `physics.advance` does in a sequence of ticks, with
+the same functions. Three parts of `advance` cannot be compiled, since they build and compare tuples of a length unknown to the
+compiler; they are written here on arrays and lists: flying freely, moving balls out of material, and remembering the free
+flight (`known`, `free`). `tests/physics/batch/test_batch.py` compares them with `advance` at every tick.
 """
 
 import math
@@ -42,14 +42,14 @@ that can be told.
 
 
 class Workspace(NamedTuple):
-    """Room for what one game needs, written over for every game: lists that are made anew cost more than all their contents.
+    """Memory for one game, overwritten for every game, since allocating lists costs more than filling them.
 
     Attributes:
         balls: of the game.
         rings: of the game.
         courses: one for each ball.
         outward: the rings' numbers, the innermost first.
-        order: the rings' numbers, as the free flight asks them.
+        order: the rings' numbers, in the order in which the free flight examines them.
     """
 
     balls: list[Ball]
@@ -81,7 +81,7 @@ def _outward(games: Games) -> list[int]:
 
 
 def steer(games: Games, spins: Floats, first: int, last: int) -> None:
-    """Give the rings of the games from `first` to below `last` these spins, (G, K), rad/s; forget what that makes untrue.
+    """Give the rings of the games from `first` to below `last` these spins, (G, K), rad/s; forget free flights that these end.
 
     Spins below SMALLEST are stored as 0.
     """
@@ -131,13 +131,13 @@ def step(
 def _fly_freely(games: Games, first: int, last: int, ticks: int, dt: float) -> None:  # noqa: C901  # as `play`
     """Advance the games from `first` to below `last` in which no ball touches anything in `ticks`; the others not at all.
 
-    One sum of a ball must wait for the one before it: those of four balls are found in the time of one.
+    Every sum of a ball must wait for the sum before it, so that four balls at a time take no longer than one.
     """
     positions, velocities, radii = games.positions.ravel(), games.velocities.ravel(), games.ball_radii.ravel()  # views
     phases, spins, free, played = games.phases, games.spins, games.free, games.played
     count, waiting = games.positions.shape[1], 0
     a = b = c = d = 0  # four balls, numbered through all games
-    spin, lines = 0.0, 0  # of the ring before: most turn alike
+    spin, lines = 0.0, 0  # of the previous ring: most rings have the same spin
     for g in range(first, last):
         if free[g] < ticks:
             played[g] = 0
@@ -253,9 +253,10 @@ def play_one_tick(games: Games, g: int, dt: float, speed: float, rows: Rows, roo
 
 
 def lines_turned(spin: float, ticks: int, dt: float) -> int:
-    """By how many lines of the angle grid a ring turns in some ticks, at most _LOOK_AHEAD, less its whole turns.
+    """The turn of a ring in some ticks, at most _LOOK_AHEAD, as a number of lines of the angle grid, without whole turns.
 
-    The turn of a tick lies on the grid, on which every sum is exact: one multiplication is all the ticks.
+    The turn of a tick lies on the grid, on which sums are exact, so a multiplication gives the same bits as the sum of all
+    ticks.
     """
     once = Ring(1.0, 0.5, 0.1, 1, 0.0, spin, 0.0).turned(dt).phase  # its other fields do not matter
     return (ticks * int(once * ANGLE_GRID)) % _WHOLE_TURN
@@ -268,14 +269,14 @@ def turned(phase: float, lines: int) -> float:
 
 
 def startable(ring: Ring) -> Ring:
-    """The ring as one that may be started where it rests: it turns, if ever so slowly."""
+    """The ring with a tiny spin if it is at rest, so that it counts as one whose spin may change."""
     return ring if ring.spin != 0.0 else with_turn(ring, ring.phase, _STARTED)
 
 
 def _looked_ahead(
     balls: list[Ball], rings: list[Ring], layers: Any, steered: Any, dt: float, outward: list[int], order: list[int]
 ) -> tuple[int, int]:
-    """How many ticks are free of any touch, and what is known then. No ball overlaps anything."""
+    """The number of ticks without any touch, and what is known after them. Before them no ball overlaps anything."""
     horizon = (_LOOK_AHEAD + _MARGIN) * dt
     seconds = horizon
     for ball in balls:
@@ -286,7 +287,7 @@ def _looked_ahead(
 
 
 def _order_from(distance: float, rings: list[Ring], outward: list[int], order: list[int]) -> None:
-    """Order the rings as a ball at a distance from the centre comes to them: inward those below it, then outward the others."""
+    """Sort the rings as a ball at a distance from the centre meets them: inwards the smaller ones, then outwards the others."""
     n = 0
     for m in range(len(outward) - 1, -1, -1):
         if rings[outward[m]].radius <= distance:
@@ -299,10 +300,10 @@ def _order_from(distance: float, rings: list[Ring], outward: list[int], order: l
 
 
 def _may_be_steered_away(balls: list[Ball], rings: list[Ring], steered: Any, seconds: float, dt: float) -> bool:
-    """Whether a ball is near the band of a ring that may be steered, some seconds from now.
+    """Whether after some seconds a ball is near the band of a ring that may be steered.
 
-    Then what ends its free ticks is most often how fast the ring might have been turned, and not a touch: to look ahead anew
-    costs less than to search a tick for nothing.
+    Then the free flight most often ends because the ring might have been turned fast, and not by a touch. Computing another
+    free flight costs less than searching a tick without a hit.
     """
     for ball in balls:
         distance, reach = length(ball.moved(seconds).position), ball.radius + length(ball.velocity) * dt
@@ -313,7 +314,7 @@ def _may_be_steered_away(balls: list[Ball], rings: list[Ring], steered: Any, sec
 
 
 def _free(balls: list[Ball], rings: list[Ring], layers: Any) -> int:
-    """Move the balls that overlap material out of it, in place; how many there were."""
+    """Move the balls that overlap material out of it, in place. Returns how many there were."""
     number = 0
     for i in range(len(balls)):
         ball = freed(balls[i], rings, layers)

@@ -50,7 +50,7 @@ def new_rows(number: int) -> Rows:
 
 
 def joined(parts: Sequence[npt.NDArray[Any]]) -> npt.NDArray[Any]:
-    """A copy of some rows of `HIT`, one part after the other: as bytes, since numpy copies rows field by field."""
+    """The rows of all parts in one array of `HIT`. They are copied as bytes, since numpy copies such rows field by field."""
     return np.concatenate([part.view(np.uint8) for part in parts]).view(HIT)
 
 

@@ -1,4 +1,4 @@
-"""Work on the games of one step, shared by threads that wait for it: to start them anew would cost as much as a short step."""
+"""Shares the work of one step among waiting threads. Starting threads for each step would take as long as a short step."""
 
 import os
 import threading
@@ -12,18 +12,18 @@ Result = TypeVar("Result")
 Call = Callable[[], None]
 
 _WAITING: list[SimpleQueue[Call]] = []
-"""What each of the threads beside the caller's is to do; they are started when they are first needed."""
+"""A queue of calls for each thread but the caller's. Threads are started when they are first needed."""
 if hasattr(os, "register_at_fork"):
     os.register_at_fork(after_in_child=_WAITING.clear)  # a child has none of its parent's threads
 
 
 def shared(work: Callable[[int], Result], pieces: int, threads: int) -> list[Result]:
-    """The results of `work` for the pieces 0 to below `pieces`, in that order, by this thread and `threads` - 1 others.
+    """The results of `work` for the pieces 0 to below `pieces`, in this order, by this thread and `threads` - 1 others.
 
-    Each thread begins with a run of pieces of its own, the same in every call, so that its processor's cache holds them still.
-    Who is done takes the last piece of whoever has most left. What a piece raises is raised here, once all are done. Where the
-    caller is interrupted meanwhile (Ctrl-C), no further piece is begun, and the others have ended theirs before it is raised:
-    else they would still write where the next call does.
+    Each thread begins with pieces of its own, the same ones in every call, so that its processor's cache still holds them.
+    A thread without pieces takes the last one of the thread with the most. An exception is raised here once all are done.
+    When the caller is interrupted (Ctrl-C), no further piece is begun, and the interrupt is raised once the pieces under way
+    have ended: they would write into the arrays that the next call uses.
     """
     if threads == 1:
         return [work(piece) for piece in range(pieces)]
@@ -74,7 +74,7 @@ def _taken(left: list[deque[int]], number: int) -> int | None:
 
 
 def _waiting(number: int) -> SimpleQueue[Call]:
-    """Where a thread finds what it is to do."""
+    """The queue of a thread, which is started if necessary."""
     while len(_WAITING) <= number:
         calls: SimpleQueue[Call] = SimpleQueue()
         threading.Thread(target=_serve, args=(calls,), name=f"physics.batch {len(_WAITING)}", daemon=True).start()
@@ -83,6 +83,6 @@ def _waiting(number: int) -> SimpleQueue[Call]:
 
 
 def _serve(calls: SimpleQueue[Call]) -> None:
-    """The life of a thread."""
+    """Run calls for ever: the function of each thread."""
     while True:
         calls.get()()

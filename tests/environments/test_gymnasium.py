@@ -91,7 +91,7 @@ def test_a_state_that_is_set_goes_on_as_it_did():
 
 
 def test_what_has_changed_is_observed():
-    """A step writes only the numbers that changed: its rows are those of environments that write all of them anew."""
+    """A step writes only the numbers that changed; its rows equal those of environments that write all of them."""
     env, anew = [PolarBreakoutVectorEnv(8, level="Three Rings", max_ticks=900) for _ in range(2)]
     env.reset(seed=6)
     env.action_space.seed(6)
@@ -182,13 +182,13 @@ def test_wrong_actions_change_nothing(options, actions, named):
     ],
 )
 def test_a_wrong_seed_is_named(seed, named):
-    """ValueError says what was expected."""
+    """The ValueError says what was expected."""
     with pytest.raises(ValueError, match=named):
         PolarBreakoutVectorEnv(2).reset(seed=seed)
 
 
 def test_numpys_numbers_are_seeds():
-    """The same as Python's, alone and in an array."""
+    """A seed of numpy gives the same games as Python's, alone and in an array."""
     env = PolarBreakoutVectorEnv(2)
     assert (env.reset(seed=np.int64(3))[0] == env.reset(seed=3)[0]).all()
     env.reset(seed=np.array([4, 5]))
@@ -206,7 +206,7 @@ def test_numpys_numbers_are_seeds():
     ],
 )
 def test_a_wrong_action_of_a_single_environment_is_named(options, action, named):
-    """With the shape that one action has."""
+    """The ValueError names the shape of one action."""
     env = PolarBreakoutEnv(**options)
     env.reset(seed=1)
     with pytest.raises(ValueError, match=named):

@@ -17,7 +17,7 @@ from tools.balance.trial import trial
 
 SEEDS = (0, 7, 20261126, 2**63 - 1)
 _STEP = 0.12
-"""World units from one ball position to the next that is looked at."""
+"""World units between neighbouring positions of the ball that are tested."""
 
 
 @pytest.mark.parametrize("seed", SEEDS)
@@ -28,7 +28,7 @@ def test_every_level_of_a_sequence_is_a_possible_arena_with_wide_gates(seed):
 
 
 def reached(level):
-    """Radii and angles, in steps, at which a ball that comes from the paddles can be, all bricks gone; the angles' number."""
+    """Grid points (radius, angle) that a ball from the paddles can reach without bricks, and the number of angles."""
     track = level.paddles.radius - level.paddles.half_width - level.ball.radius
     radii, angles = int(track / _STEP), 180
     steel = [ring for ring in level.rings if PERMANENT in ring.slots()]
@@ -56,7 +56,7 @@ def reached(level):
 
 @pytest.mark.parametrize("number", range(2, 32))
 def test_a_ball_reaches_every_brick(number):
-    """Between steel and bumpers, as they stand at first, a ball finds to a face of every ring of bricks, at every one."""
+    """With steel and bumpers at their first angles, a ball can reach a face of every brick."""
     level = generated(3, number)
     if not any([PERMANENT in ring.slots() for ring in level.rings]):
         return
@@ -75,7 +75,7 @@ def test_a_level_depends_on_its_seed_and_its_number_alone():
 
 
 def test_every_ring_repeats_itself_around_the_centre():
-    """Two times at least, whatever it is made of, in layers and in colours."""
+    """At least twice, in layers and in colours."""
     for level in sequence(11, 40):
         for ring in level.rings:
             cells = [(layers, ring.tint_at(slot)) for slot, layers in enumerate(ring.slots())]
@@ -84,7 +84,7 @@ def test_every_ring_repeats_itself_around_the_centre():
 
 
 def test_levels_that_follow_each_other_look_different():
-    """Another palette each; within a sequence there is everything that a wall can have."""
+    """Neighbouring levels differ in the palette; a sequence contains every kind of ring that a wall can have."""
     levels = sequence(20261126, 40)
     assert all([one.look.palette != other.look.palette for one, other in pairwise(levels)])
     rings = [ring for level in levels for ring in level.rings]
@@ -111,13 +111,13 @@ def test_a_day_has_a_seed_of_its_own():
 
 
 def test_the_levels_of_a_seed_stay_what_they_are():
-    """A shared seed must mean the same level in a later version and on every machine; the changelog says why it does not."""
+    """A shared seed gives the same level in later versions and on every machine; the changelog names exceptions."""
     hashes = [level.content_hash() for seed in SEEDS for level in sequence(seed, 30)]
     assert hashlib.sha256("".join(hashes).encode()).hexdigest()[:16] == "7a3b26533d89993c"
 
 
 def test_a_recorded_game_on_levels_of_an_earlier_version_still_verifies():
-    """A replay carries its levels: this one is of a daily sequence as it was before the levels of seeds became pictures."""
+    """A replay contains its levels: this one has a daily sequence that the generator no longer makes."""
     recording = load(TESTS / "golden" / "endless" / "20261126.polar")
     assert recording.levels[0] != generated(20261126, 0)
     verdict = verified(recording)
@@ -128,7 +128,7 @@ def test_a_recorded_game_on_levels_of_an_earlier_version_still_verifies():
 @pytest.mark.deep
 @pytest.mark.parametrize("number", range(0, 40, 4))
 def test_the_autopilot_clears_levels_of_a_seed(number):
-    """Within the ten minutes that a measured game may take; `python -m tools.balance --endless` plays more of them."""
+    """It takes less than the ten minutes of a measured game; `python -m tools.balance --endless` plays more of them."""
     done = trial(generated(20261126, number), None, 0)
     assert done.cleared
     assert done.lost <= 3

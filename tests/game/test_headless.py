@@ -34,7 +34,7 @@ def test_the_line_says_what_repeats_the_game():
 
 
 def test_the_line_tells_two_players_apart():
-    """Each player's score and lives; the game's own are the sum of the scores and the lives of whoever has fewer."""
+    """It has each player's score and lives; the game's own are the sum of the scores and the smaller number of lives."""
     game = autopilot_game(classic(), 3, 4000, ruleset=Ruleset(versus=True))
     game = game._replace(sides=(game.sides[0]._replace(lives=2), game.sides[1]))
     said = values(result_line(game))

@@ -1,4 +1,4 @@
-"""Formulas for browsers: MathML made of the TeX that the desktop sets."""
+"""Formulas for browsers: the desktop's TeX translated to MathML."""
 
 import re
 from xml.etree import ElementTree as ET
@@ -14,7 +14,7 @@ NUMBER = re.compile(r"\d+(?:\.\d+)?")
 
 @pytest.mark.parametrize("scene", scenes(), ids=lambda scene: scene.name)
 def test_every_formula_is_whole(scene):
-    """It is well-formed, has all numbers of the line in their order, and nothing of TeX."""
+    """It is well-formed, has all numbers of the line in their order, and contains no TeX."""
     for line in sessions.fresh(scene, None).picture.formula:
         root = ET.fromstring(f"<p>{mathml_line(line)}</p>")  # noqa: S314  # ours
         words = " ".join(root.itertext())
@@ -23,7 +23,7 @@ def test_every_formula_is_whole(scene):
 
 
 def test_a_quotient_an_index_and_a_prime_have_their_elements():
-    """The reset to the fixed speed, and a change along the normal."""
+    """Shown by the reset to the fixed speed, and by a change along the normal."""
     v, v_res = (
         '<mi mathvariant="normal" class="vector">v</mi>',
         '<mi mathvariant="normal" class="vector">v</mi><mtext>res</mtext>',
@@ -35,7 +35,7 @@ def test_a_quotient_an_index_and_a_prime_have_their_elements():
 
 
 def test_a_line_can_be_broken_before_relations_and_between_words():
-    """Words are text, what is in brackets stays together, and a comma is not parted from what it follows."""
+    """Words are text, brackets stay together, and a comma is not separated from what it follows."""
     assert mathml_line("so: broad phase with paddles") == "so: broad phase with paddles"
     parts = re.split(r"(?<=</math>) ", mathml_line("|p| = 9.12,   |p| - r = 8.32"))
     assert len(parts) == 3

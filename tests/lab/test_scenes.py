@@ -89,7 +89,7 @@ def test_the_claims_hold_after_a_thousand_drags(scene):
 
 @SCENES
 def test_pymunk_may_be_asked_anywhere(scene):
-    """With the second engine in the picture, every claim holds after forty random drags; scenes say truly that they have it."""
+    """With a second engine every claim holds after forty random drags; a scene's `engine_use` tells whether it uses one."""
     given, before = lines(scene, Pymunk())[0], lines(scene)[0]
     pictures = [picture_of(scene, one, started(scene, one)) for one in (given, before)]
     expected = EngineUse.ALWAYS if pictures[0].formula != pictures[1].formula else EngineUse.NONE

@@ -138,7 +138,7 @@ def test_copy_and_save_say_what_became_of_it(desk, tmp_path, monkeypatch):
 
 
 def test_help_opens_and_the_same_key_closes_it(desk):
-    """It lists every key of the lab; letters do nothing there."""
+    """The help lists every key of the lab; letters do nothing there."""
     lab, theme = desk.screen, desk.shared.theme
     desk.press(pygame.K_h)
     assert isinstance(desk.screen, KeyHelp)

@@ -51,7 +51,7 @@ def test_nothing_is_touched_while_it_is_clear(ball, ring, horizon, data):
 
 @pytest.mark.parametrize("index", range(150))
 def test_no_end_can_catch_up_with_a_ball_while_it_is_clear(index):
-    """In a gap of a wide ring, at every moment and every phase that the ring may have turned to by then."""
+    """In a gap of a wide ring, at every moment and at every phase that the ring can have reached by then."""
     chance = Random(f"clear {index}")
     ring = Ring(10.0, chance.choice((0.5, 5.0, 8.0)), chance.uniform(0.1, 0.6), 3, chance.uniform(0.0, math.tau), 0.1)
     away = chance.uniform(0.0, 0.2) if index % 2 else chance.uniform(0.0, math.tau / 3.0 - 2.0 * ring.half_angle)
@@ -68,7 +68,7 @@ def test_no_end_can_catch_up_with_a_ball_while_it_is_clear(index):
 
 @pytest.mark.parametrize("side", [-1, 1])
 def test_a_ball_that_flies_away_from_an_end_is_clear_of_it(side):
-    """Almost as fast around the centre as the ring may be turned: it leaves the band before the end behind it can come."""
+    """It moves around the centre almost as fast as the ring may turn, and leaves the band before the end can reach it."""
     bearing = side * (PADDLES.half_angle + 0.075)
     ball = Ball(cmath.rect(10.0, bearing), cmath.rect(SPEED, bearing + side * math.pi / 2.0), 0.25)
     assert clear_time(ball, [PADDLES], [(1, 1, 1)], 3.0) == 3.0
@@ -78,7 +78,7 @@ def test_a_ball_that_flies_away_from_an_end_is_clear_of_it(side):
 
 @pytest.mark.parametrize("bearing", [0.0, 1.0, 2.6, 3.0])
 def test_the_order_in_which_rings_are_asked_decides_nothing(bearing):
-    """To within rounding, whichever ring is touched first."""
+    """The free flight is the same to within rounding, whichever ring is touched first."""
     ball = Ball(6 + 0j, cmath.rect(SPEED, bearing), 0.25)
     one, other = [clear_time(ball, (PADDLES, BRICKS), ((1,) * 3, (1,) * 8), 3.0, [0, 0], order) for order in ((0, 1), (1, 0))]
     assert one == pytest.approx(other, rel=1e-12)

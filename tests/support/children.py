@@ -27,9 +27,9 @@ class Children:
     def start(self, command, **options):
         """A new child; the options are those of `subprocess.Popen`. On Windows only the child itself is ended.
 
-        Its signals are what they are for a program started at a terminal. A shell's background commands ignore Ctrl-C,
-        those of nohup a closed terminal, and without this the child would, too. On Linux it is killed, too, when this
-        process ends before it has called `end`: a killed pytest leaves no game and no X server behind.
+        It has the signal handlers of a program started at a terminal. Without this it would ignore Ctrl-C under a shell's
+        background command, and a closed terminal under nohup. On Linux it is also killed if this process ends without calling
+        `end`: a killed pytest leaves no game and no X server behind.
         """
         if sys.platform != "win32":
             options |= {"start_new_session": True, "preexec_fn": _prepare}
@@ -52,7 +52,7 @@ class Children:
 
 
 def _prepare():
-    """In the child, before its program begins: it ignores no signal, and does not outlive this process."""
+    """Run in the child before its program: reset its signals, and let it end with this process."""
     if _LIBC is not None:
         _LIBC.prctl(_PR_SET_PDEATHSIG, signal.SIGKILL)
     for number in (signal.SIGHUP, signal.SIGINT, signal.SIGQUIT, signal.SIGTERM):

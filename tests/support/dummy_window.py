@@ -65,7 +65,7 @@ class Desk:
 
     @property
     def form(self):
-        """The items in use: those of a panel, or beside the editor's arena."""
+        """The form in use: a panel, or the controls beside the editor's arena."""
         size = self.window.get_surface().get_size()
         return self.screen.side(size) if isinstance(self.screen, Editor) else self.screen
 

@@ -17,7 +17,7 @@ from tools.balance.trial import Job, Trial, standard_error, trial
 
 GAMES = ROOT / "tests" / "reference" / "balance.json"
 COMMAND = "python -m tools.balance --seeds 4,12,4 --json tests/reference/balance.json --page docs/campaign.md"
-"""What measured the campaign."""
+"""The command that measures the campaign."""
 
 
 def test_a_better_player_loses_less():
@@ -55,7 +55,7 @@ def test_levels_of_a_seed_are_played(capsys):
 
 
 def test_the_command_prints_a_line_a_player_and_writes_every_game_and_plays_known_ones_no_more(tmp_path, capsys):
-    """A known game is one of the same level, player and seed; a file that is none of games is refused."""
+    """A known game has the same level, player and seed; a file without games is refused."""
     path = tmp_path / "games.json"
     arguments = ["--level", "1", "--players", "100/1", "--json", str(path)]
     assert run(app, "balance", [*arguments, "--seeds", "1"]) == 0
@@ -108,7 +108,7 @@ def measured(skill=AVERAGE):
 
 
 def test_the_campaign_was_measured_as_it_is_now():
-    """Every level with its numbers of now, and by each player as often as the command says."""
+    """The file has every level with its present numbers, and as many games of each player as the command says."""
     hashes = {level.content_hash()[:16] for level in campaign()}
     assert {level_hash for level_hash, _, _ in saved_games(GAMES)} == hashes
     for skill, count in zip((GOOD, AVERAGE, SLOW), parsed_seeds(COMMAND.split()[4], 3), strict=True):
@@ -116,7 +116,7 @@ def test_the_campaign_was_measured_as_it_is_now():
 
 
 def test_the_page_of_the_campaign_says_what_was_measured():
-    """The command, a row each level with lives lost, their standard error and seconds, and the chapters."""
+    """It has the command, a row for each level with lives lost, standard error and seconds, and the chapters."""
     page = (ROOT / "docs" / "campaign.md").read_text(encoding="utf-8").splitlines()
     assert f"    {COMMAND}" in page
     assert not set(rows(campaign(), (GOOD, AVERAGE, SLOW), list(saved_games(GAMES).values()))) - set(page)
@@ -125,7 +125,7 @@ def test_the_page_of_the_campaign_says_what_was_measured():
 
 
 def test_the_average_player_loses_what_the_curve_asks():
-    """Below 1 life in the first level, 1 to 2 in all others but the last of a chapter; there below 4, on average more."""
+    """Below 1 life in the first level, below 4 in the last of a chapter, 1 to 2 in all others."""
     first, *later = lost(AVERAGE)
     middle = [one for number, one in enumerate(later, 2) if number % 4]
     lasts = lost(AVERAGE)[3::4]
@@ -138,13 +138,13 @@ def test_the_average_player_loses_what_the_curve_asks():
 
 
 def test_the_noise_of_the_measured_losses_is_below_half_a_life_in_the_middle_of_a_chapter():
-    """The standard error of every mean that the curve is held by."""
+    """The standard error of every such mean."""
     errors = [standard_error([game.lost for game in games]) for games in measured()]
     assert max([error for number, error in enumerate(errors, 1) if number % 4]) < 0.5
 
 
 def test_the_curve_rises():
-    """The second half of the campaign costs a tenth more lives and time than the first, and so does the last chapter."""
+    """The second half of the campaign costs a tenth more lives and time than the first, the last chapter than the first one."""
     seconds = [mean([game.seconds for game in games]) for games in measured()]
     for cost in (lost(AVERAGE), seconds):
         assert sum(cost[16:]) > 1.1 * sum(cost[:16])
@@ -152,7 +152,7 @@ def test_the_curve_rises():
 
 
 def test_no_level_is_a_wall_for_a_slow_player():
-    """300 ms and 10 degrees: at most 10 lives in any level; it was 12."""
+    """A player with 300 ms and 10 degrees loses at most 10 lives in any level."""
     assert max(lost(SLOW)) <= 10.0
 
 

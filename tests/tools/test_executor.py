@@ -45,7 +45,7 @@ def dies_once(path):
 
 
 def opens_or_waits(paths):
-    """A job that creates its own file, and then waits for another one's, a minute at most; whether that came."""
+    """A job that creates its own file, then waits for another job's, at most a minute. Returns whether it came."""
     own, awaited = paths
     own.touch()
     for _ in range(6000):
@@ -76,7 +76,7 @@ def test_jobs_may_go_on_for_ever():
 
 
 def test_the_last_job_is_not_left_behind_a_long_one(tmp_path):
-    """The first of three jobs ends only when the third has begun: the process that has done the second one takes it."""
+    """The first of three jobs ends only when the third has begun; so the process that has done the second takes the third."""
     first, third = tmp_path / "first", tmp_path / "third"
     assert list(results(opens_or_waits, [(first, third), (first, first), (third, third)], 2)) == [True, True, True]
 

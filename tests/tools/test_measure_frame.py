@@ -47,7 +47,7 @@ def test_the_table_has_a_row_for_every_case(monkeypatch, capsys):
 
 
 def test_the_distances_between_frames_are_timed(monkeypatch):
-    """One less than there are frames, all of them after the first ones, which fill caches."""
+    """There is one distance less than frames; the first frames, which fill caches, are not counted."""
     monkeypatch.setattr(frames, "_RATE", 1000.0)
     case = frames.FrameCase("nothing", (16, 10), lambda _level: itertools.repeat(lambda _surface: None))
     size, steps = frames.paced(case, 7, 25, frames._plain)

@@ -26,7 +26,7 @@ print(json.dumps([repr(contact), repr(engine.shapes(ring, (1,))), repr(positions
 
 @pytest.fixture(scope="module")
 def answers():
-    """What pymunk answers with cffi, and without."""
+    """pymunk's answers with cffi, and without."""
     commands = [[sys.executable, "-c", ASKED, *argument] for argument in ([], ["without"])]
     children = [subprocess.Popen(command, stdout=subprocess.PIPE, text=True) for command in commands]
     try:
@@ -38,7 +38,7 @@ def answers():
 
 
 def test_pymunk_answers_the_same_to_the_last_bit(answers):
-    """Contacts, shapes and a flight with bounces; what Chipmunk calls back and its memory are answered, too."""
+    """Contacts, shapes and a flight with bounces; Chipmunk's callbacks and its memory work, too."""
     with_cffi, without = answers
     assert without[:3] == with_cffi[:3]
     assert "EngineContact" in without[0]
@@ -46,7 +46,7 @@ def test_pymunk_answers_the_same_to_the_last_bit(answers):
 
 
 def test_a_destructor_waits_until_no_function_of_the_library_runs():
-    """Garbage is collected at any moment; what is taken out of a list that the library goes through would end the process."""
+    """Garbage may be collected at any moment; removing an entry from a list over which the library iterates is a crash."""
     done = []
     pointer = Pointer(None, 7).destroyed_by(lambda one: done.append(one.address))
     DESTRUCTION.begin()

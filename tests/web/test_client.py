@@ -76,7 +76,7 @@ def codes(numbers):
 
 
 def test_both_views_are_lists_of_the_documented_primitives():
-    """The flat view has sectors, the solid one prisms; texts are referred to."""
+    """The flat view has sectors, the solid view has prisms; texts are referred to by index."""
     page = page_playing()
     flat, reply = codes(page.numbers), frame(page)
     assert Primitive.SECTOR in flat

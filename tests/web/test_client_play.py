@@ -25,15 +25,15 @@ class Played:
         return json.loads(self.page.frame(json.dumps(request)))
 
     def choose(self, item, value=""):
-        """The reply to the use of a control."""
+        """The reply after a control was used."""
         return self.frame({"type": "choose", "id": item, "value": value})
 
     def key(self, code, key="", *, down=True):
-        """A key goes down or up."""
+        """Press or release a key."""
         return self.frame({"type": "key", "code": code, "key": key or code, "down": down})
 
     def fingers(self, *moves):
-        """Fingers: phase, number, x, y."""
+        """Move fingers. moves: phase, number, x, y."""
         for phase, number, x, y in moves:
             self.frame({"type": "pointer", "phase": phase, "id": number, "touch": True, "x": x, "y": y})
 
@@ -49,7 +49,7 @@ class Played:
 
     @property
     def view(self):
-        """From where it is seen."""
+        """The view of the arena."""
         return self.page._state.view
 
 
@@ -65,7 +65,7 @@ def items(menu):
 
 
 def versus(played):
-    """A game of two against each other; how far both paddles have turned."""
+    """A game of two opponents, and a function for the angles of both paddles."""
     played.choose("levels")
     played.choose("players", "VERSUS")
     played.choose("level-1")
@@ -93,7 +93,7 @@ def test_two_at_one_keyboard_have_a_paddle_each(played):
 
 
 def test_the_second_gamepad_is_the_second_players(played):
-    """Its stick points the upper paddle; the first one's stays."""
+    """Its stick moves the upper paddle; the first player's paddle stays."""
     turned = versus(played)
     played.frame({**PAD, "pad": 1, "axes": [0.9, -0.5, 0.0, 0.0]})
     played.frame(seconds=0.1)
@@ -101,7 +101,7 @@ def test_the_second_gamepad_is_the_second_players(played):
 
 
 def test_together_both_steer_all_paddles(played):
-    """The keys of either turn them, and no score is asked for."""
+    """The keys of either player turn all paddles, and no name for a score is asked for."""
     played.choose("levels")
     played.choose("players", "TOGETHER")
     played.choose("level-1")
@@ -114,7 +114,7 @@ def test_together_both_steer_all_paddles(played):
 
 
 def test_two_fingers_orbit_and_zoom_in_3d_alone(played):
-    """Dragged together they turn the camera, apart they bring it nearer; from above they only point. Neither serves."""
+    """A drag with both turns the camera, spreading them zooms in; from above they only point. Neither finger serves."""
     played.choose("play")
     apart = [("down", 1, 500, 400), ("down", 2, 700, 400), ("move", 1, 400, 400), ("move", 2, 800, 400)]
     together = [("move", 1, 450, 420), ("move", 2, 850, 420), ("up", 1, 450, 420), ("up", 2, 850, 420)]
@@ -133,7 +133,7 @@ def test_two_fingers_orbit_and_zoom_in_3d_alone(played):
 
 
 def test_who_plays_by_touch_is_told_to_tap():
-    """From the start where fingers are what points, and as soon as one touches the canvas; a mouse brings the keys back."""
+    """From the start on a touch device, else after the first touch; a mouse brings the words for keys back."""
     played = Played(touch=True)
     played.choose("play")
     assert "Tap: serve along the arrow" in played.frame()["texts"]
@@ -142,7 +142,7 @@ def test_who_plays_by_touch_is_told_to_tap():
 
 
 def test_levels_are_called_and_explained_in_the_players_language():
-    """In the list, and in the offer to go on; what opens a level, too."""
+    """In the list of levels and in the button for the next level, with the condition that unlocks a level."""
     played = Played(languages="de")
     menu = played.choose("levels")["menu"]
     labels = items(menu)
@@ -155,7 +155,7 @@ def test_levels_are_called_and_explained_in_the_players_language():
 
 
 def test_levels_without_end_begin_from_a_number_and_have_an_address(played):
-    """The same number is the same levels; the address brings them back."""
+    """The same number gives the same levels; so does the address."""
     played.choose("endless")
     assert played.choose("number", "4711")["fragment"] == "endless/4711"
     level = played.game.level
@@ -166,7 +166,7 @@ def test_levels_without_end_begin_from_a_number_and_have_an_address(played):
 
 
 def test_the_settings_of_the_desktop_are_there(played):
-    """Size of text, colours for one's eyes, single effects, full screen; a trail that is not earned is not offered."""
+    """Text size, colour vision, single effects, full screen; a locked trail is not offered."""
     played.choose("settings")
     played.choose("text_size", "200")
     assert played.page._state.text_unit((1280, 800)) == 2.0 * 800 / 34.0

@@ -52,7 +52,7 @@ def test_a_gamepad_steers_serves_and_pauses(page):
 
 
 def test_a_gamepad_alone_leads_through_the_menus(page):
-    """Its arrows go from control to control and change values, A uses what has the focus, B goes back."""
+    """The directional pad goes from control to control and changes values, A uses the focused control, B goes back."""
     page.tab.evaluate(PAD)
 
     def press(button):

@@ -34,7 +34,7 @@ SENT = """() => new Promise(done => {
   next(() => next(() => document.getElementById("picture").dispatchEvent(
     new KeyboardEvent("keydown", { code: "ArrowLeft", key: "ArrowLeft", bubbles: true }))));
 })"""
-"""Whether a key was sent by what the browser calls at its frames."""
+"""Whether a key was sent by a callback of the browser's frame."""
 SMALL = b"""
 name = "Small"
 description = "A few bricks."
@@ -80,7 +80,7 @@ def test_a_key_moves_the_paddles(page):
 
 
 def test_a_key_is_sent_without_waiting_for_the_browsers_next_frame(page):
-    """The request with it leaves at once, or with the reply to the one before; its picture is painted when it is there."""
+    """The request is sent at once, or after the reply to the previous one; its picture is painted when the reply comes."""
     page.go("classic/1")
     assert page.tab.evaluate(SENT) is False
 

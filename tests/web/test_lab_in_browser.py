@@ -26,7 +26,7 @@ def lines():
 
 @pytest.mark.parametrize("line", lines())
 def test_a_scene_is_the_desktops(page, line):
-    """The same values, the same state hash; so it is where pymunk flies, too, which is loaded then."""
+    """It has the same values and the same state hash, also in the scene that loads and runs pymunk."""
     page.go(f"lab/{line}")
     scene = parsed(line).scene
     expected = sessions.opened(parsed(line, Pymunk() if scene.engine_use is EngineUse.ALWAYS else None))

@@ -44,7 +44,7 @@ def test_without_webassembly_it_says_what_is_needed(browser, site):
 
 
 def test_it_works_offline_after_the_first_visit(browser, site):
-    """The service worker has stored all files: the page plays, grades functions in its editor, and asks pymunk."""
+    """The service worker has stored all files: the page plays, grades functions in its editor, and calls pymunk."""
     context = browser.new_context()
     try:
         with served(site, 0) as address:

@@ -49,7 +49,7 @@ COUNT = """async ([numbers, width, height]) => {
   }
   return [alphas, colours];
 }"""
-"""What is painted on a transparent canvas: how many pixels have each opacity, and how many of the opaque ones each colour."""
+"""Counts on a transparent canvas: pixels by opacity, and opaque pixels by colour."""
 SQUARE = (-0.5 - 0.5j, -0.5 + 0.5j, 0.5 + 0.5j, 0.5 - 0.5j)
 
 
@@ -100,12 +100,12 @@ def test_both_painters_show_the_same(page, view, theme, trail):
 
 
 def counted(page, picture):
-    """What the page paints of a list on a canvas of 400 by 400 pixels."""
+    """The pixels that the page paints for a list on a canvas of 400 by 400."""
     return page.tab.evaluate(COUNT, [picture.numbers.tolist(), 400, 400])
 
 
 def test_a_shadow_is_what_a_foot_passes_over_and_none_is_darker_for_lying_in_two(page):
-    """A square of side 1 that is moved by (2, 1) passes over its own area and over those of the two sides that lead."""
+    """A square of side 1 moved by (2, 1) sweeps its own area and those swept by its two leading sides."""
     camera, picture = Camera(200 + 200j, 40.0), DisplayList()
     picture.camera(camera, 1 + 0j, (0.4, 0.8))
     for foot in (SQUARE, [corner - 3.0 for corner in SQUARE], SQUARE):
@@ -132,9 +132,9 @@ def test_a_prism_is_projected_as_by_the_camera_and_its_sides_are_shaded_by_the_l
 @pytest.mark.parametrize("skin", BALLS)
 @pytest.mark.parametrize("view", [FLAT, SOLID], ids=["flat", "solid"])
 def test_balls_have_the_desktops_skins(page, view, skin):
-    """A texture that fills discs looks as what the desktop shades pixel by pixel, for a far ball and for a near one.
+    """A disc filled with a texture looks like the desktop's ball, which is shaded pixel by pixel, far away and near.
 
-    Their edges differ: one picture of the desktop serves positions and radii that differ by less than a quarter of a pixel.
+    Edges may differ: the desktop uses one picture for positions and radii within a quarter of a pixel.
     """
     game = new_game(classic(), 1, Ruleset())
     scene = scene_at(still(game), 1.0, NOTHING)._replace(balls=(Ball(-3.0 + 2.0j, 1j, 0.6), Ball(3.0 - 4.0j, 1j, 0.6)))

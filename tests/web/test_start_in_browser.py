@@ -30,7 +30,7 @@ FORBIDDEN = "Object.defineProperty(self, 'caches', { get() { throw new DOMExcept
 
 
 def started(page):
-    """Open the page, and play a little: the steps of its start; a hash that differs from game to game, and a random number."""
+    """Open the page and play a little. Returns the steps of its start, the game's hash, and a random number."""
     page.open()
     page.use("play")
     page.wait(lambda: page.standing().get("phase") == "SERVING")
@@ -38,7 +38,7 @@ def started(page):
 
 
 def test_a_second_visit_copies_the_memory_and_its_games_differ(open_page):
-    """Python is not started again; what a snapshot has makes neither two games nor two random numbers the same."""
+    """Python is not started again; after copying a snapshot, games and random numbers differ all the same."""
     with open_page() as page:
         assert IMPORTED in page.timeline()
         assert page.tab.evaluate("[progress.value, progress.hidden]") == [1, True]

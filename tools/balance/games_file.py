@@ -1,4 +1,4 @@
-"""Games that were played, in a JSON file: one a line, each with the hash of its level, so that a changed level is noticed."""
+"""Finished games in a JSON file, one a line, each with the hash of its level, so that a changed level is detected."""
 
 from pathlib import Path
 from typing import Any
@@ -42,18 +42,18 @@ class _Line(msgspec.Struct, forbid_unknown_fields=True):
 
 
 def level_hash(level: Level) -> str:
-    """The first digits of a level's hash: they tell it from the same level with other numbers."""
+    """The first digits of a level's hash: enough to distinguish versions of a level."""
     return level.content_hash()[:_HASH_DIGITS]
 
 
 def known_game(known: Known, job: Job) -> Trial | None:
-    """The game that a job asks for, if it is known. The hash says of which level it is, whatever name a file gives it."""
+    """The game of a job, if the file has it; else None. A level is known by its hash, whatever name the file gives it."""
     game = known.get((level_hash(job.level), job.skill, job.seed))
     return None if game is None else game._replace(level=job.level.name)
 
 
 def saved_games(path: Path) -> Known:
-    """The games of a file; BadInputError for a file that is not one of games."""
+    """The games of a file; BadInputError if the file does not contain games."""
     data = read_input(path, "file of games", _MAX_FILE_SIZE)
     try:
         lines = msgspec.json.decode(data, type=list[_Line])

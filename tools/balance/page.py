@@ -1,4 +1,4 @@
-"""The table of a page about levels: a row each, with what every player lost there and how long it took."""
+"""The table of levels on a page: a row for each level, with the lives that every player lost and the time it took."""
 
 from game.levels import Level
 from tools.balance.human import Skill
@@ -13,7 +13,7 @@ def has_table(page: str) -> bool:
 
 
 def with_table(page: str, levels: tuple[Level, ...], skills: tuple[Skill | None, ...], trials: list[Trial]) -> str:
-    """The page with the rows of its table of levels, which it has, replaced; whatever else it says stays."""
+    """The page with the rows of its table of levels replaced; the rest stays. The page must have the table (`has_table`)."""
     lines = page.splitlines()
     first = next(k for k, line in enumerate(lines) if line.startswith(_FIRST_ROW))
     last = next((k for k in range(first, len(lines)) if not lines[k].startswith("|")), len(lines))
@@ -21,7 +21,7 @@ def with_table(page: str, levels: tuple[Level, ...], skills: tuple[Skill | None,
 
 
 def rows(levels: tuple[Level, ...], skills: tuple[Skill | None, ...], trials: list[Trial]) -> list[str]:
-    """A row for every level, and one for all of them: of each player lives lost with their standard error, and seconds.
+    """A row for every level, and a last one for all levels: each player's lost lives with their standard error, and seconds.
 
     The last column is the longest wait for a brick in any game of the player in the middle.
     """
@@ -41,5 +41,5 @@ def rows(levels: tuple[Level, ...], skills: tuple[Skill | None, ...], trials: li
 
 
 def _games(trials: list[Trial], level: Level, skill: Skill | None) -> list[Trial]:
-    """The games of a player in a level."""
+    """The games of a player in a level. skill: None for the autopilot."""
     return [trial for trial in trials if trial.level == level.name and trial.skill == skill]

@@ -1,4 +1,4 @@
-"""The players and their games that options name: `150/2,220/5,autopilot` and `8,24,8`."""
+"""Parses the options for players, `150/2,220/5,autopilot`, and for their numbers of games, `8,24,8`."""
 
 from game.system.errors import BadInputError
 from game.system.wording import quoted
@@ -11,12 +11,12 @@ _MOST_SEEDS = 10**4
 
 
 def parsed_skills(text: str) -> tuple[Skill | None, ...]:
-    """The players that an option names, None for the autopilot; BadInputError for anything else than MS/DEG in range."""
+    """The players of an option, None for the autopilot; BadInputError for anything but MS/DEG in range."""
     return tuple([_skill(word) for word in text.split(",")])
 
 
 def parsed_seeds(text: str, players: int) -> tuple[int, ...]:
-    """How many games each of the players plays: one number for all, or one for each; BadInputError for anything else."""
+    """The number of games of each player, from one number for all or one for each; BadInputError for anything else."""
     words = text.split(",")
     numbers = tuple([int(word) for word in words if word.isascii() and word.isdigit() and len(word) <= len(str(_MOST_SEEDS))])
     if len(numbers) != len(words) or len(numbers) not in {1, players} or not all([1 <= n <= _MOST_SEEDS for n in numbers]):
@@ -27,12 +27,12 @@ def parsed_seeds(text: str, players: int) -> tuple[int, ...]:
 
 
 def player_name(skill: Skill | None) -> str:
-    """What a player is called in tables."""
+    """The name of a player in tables."""
     return AUTOPILOT if skill is None else f"{skill.reaction * 1000.0:g} ms, {skill.noise:g} deg"
 
 
 def _skill(word: str) -> Skill | None:
-    """The player that a word names."""
+    """The player of one word of the option."""
     if word == AUTOPILOT:
         return None
     milliseconds, _, degrees = word.partition("/")

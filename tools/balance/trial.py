@@ -1,4 +1,4 @@
-"""One player in one level, with as many lives as it takes: a simulated human, or the autopilot."""
+"""A game of one level with unlimited lives, by a simulated human or by the autopilot."""
 
 import math
 from collections.abc import Iterator
@@ -19,13 +19,13 @@ _GIVE_UP = 30.0
 
 
 class Trial(NamedTuple):
-    """How a player did in a level.
+    """The result of a player in a level.
 
     level: its name. skill: of the human, None for the autopilot. seed: of the game and of the human.
-    cleared: whether within the time given. seconds: it took.
-    lost: lives. given_up: of these, balls out of reach that were given up.
-    longest_gap: seconds between two bricks with a ball in play, the longest.
-    score: at the end, without the bonus for a cleared level, which counts the endless lives.
+    cleared: whether within the time limit. seconds: of the whole game.
+    lost: number of lives lost. given_up: how many of these were balls out of reach that the player gave up.
+    longest_gap: longest time between two hit bricks with a ball in play, seconds.
+    score: without the bonus for a cleared level, which would count the unlimited lives.
     """
 
     level: str
@@ -84,7 +84,7 @@ def summary(trials: list[Trial]) -> Summary:
 
 
 def standard_error(numbers: list[int]) -> float:
-    """How far the mean of numbers is from what the mean of infinitely many would be, typically; 0 for a single one."""
+    """The standard error of the mean of numbers; 0 for a single one."""
     return stdev(numbers) / math.sqrt(len(numbers)) if len(numbers) > 1 else 0.0
 
 

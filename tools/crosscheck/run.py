@@ -107,8 +107,8 @@ def default_sources(seed: int, ticks: int) -> list[Source]:
     """What is checked where nothing is named.
 
     A game of each classic level by the autopilot, one by a player that meets the ball with any part of a paddle, one under the
-    arcade rules of the last level of each chapter, some random arenas, and a contact of every kind. What takes longest
-    comes first: processes that share the games are done at about the same time.
+    arcade rules of the last level of each chapter, some random arenas, and a contact of every kind. The longest games come
+    first, so that processes which share them finish at about the same time.
     """
     levels = [level.name for level in classic()]
     ends = [level.name for level in campaign() if level is _last_of_chapter(level)]

@@ -9,7 +9,7 @@ FINISHED, CUT_OFF = 1, 2
 """How an episode has ended: won or over; after its last tick."""
 
 PLAY, BRICKS = 1, 2
-"""What of an episode is not yet observed, beside a flight: the ball's velocity, the lives; bricks, too."""
+"""Which observations have to be written besides the ball's position: velocity and lives; bricks as well."""
 
 EPISODE = np.dtype(
     [
@@ -52,14 +52,14 @@ seed, where some are not taken by chance.
 
 
 class Results(NamedTuple):
-    """What a step did, a number for each environment.
+    """The results of a step, each an array with a number for every environment.
 
     Attributes:
         rewards: the points that were scored.
         over: whether the episode is won or lost.
-        cut_off: whether it has lasted for `max_ticks`.
+        cut_off: whether it has reached `max_ticks`.
         score: of the episode.
-        lives: that are left.
+        lives: left.
         ticks: of the episode.
     """
 
@@ -72,7 +72,7 @@ class Results(NamedTuple):
 
 
 def new_results(count: int) -> Results:
-    """Room for the results of so many environments."""
+    """Arrays for the results of `count` environments."""
     flags, numbers = np.empty((2, count), np.bool_), np.empty((3, count), np.int64)
     return Results(np.empty(count), *flags, *numbers)
 

@@ -72,7 +72,7 @@ def bricks_turn(games: Games) -> bool:
 
 
 def _write_rest(numbers: LevelNumbers, games: Games, e: Any, states: npt.NDArray[np.float32], g: int) -> None:
-    """What not every tick changes."""
+    """Write the numbers that do not change in every tick, if they have changed."""
     velocity = games.velocities[g, 0]
     states[g, 2], states[g, 3] = _within(velocity.real * numbers.pace), _within(velocity.imag * numbers.pace)
     states[g, 7], states[g, 8] = 1.0 if e.phase == _PLAYING else 0.0, e.lives * (1.0 / LIVES)
@@ -97,7 +97,7 @@ def cosine_and_sine(angle: float) -> tuple[float, float]:
     quarters = math.floor(angle * (2.0 / math.pi) + 0.5)
     rest = angle - quarters * (math.pi / 2.0)
     s = rest * rest
-    t = s * s  # both sums are split in two that do not wait for each other
+    t = s * s  # each sum is split into two parts that the processor adds at the same time
     cosine = 1.0 - s * (1 / 2) + t * ((1 / 24 - s * (1 / 720)) + t * (1 / 40320))
     sine = rest + rest * s * ((s * (1 / 120) - 1 / 6) + t * (s * (1 / 362880) - 1 / 5040))
     odd, backward, below = quarters & 1, (quarters + 1) & 2, quarters & 2

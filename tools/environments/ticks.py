@@ -44,18 +44,18 @@ def step(
     busy: Integers,
     begun: int,
 ) -> int:
-    """One action of every environment. -1 where all is done, -2 where an action is none of 0, 1, 2, and nothing was done.
+    """One action of every environment. Returns -1 when all is done, -2 if an action is none of 0, 1, 2; then nothing was done.
 
-    Otherwise a chance must be drawn, for the environment `busy[n]` if n is returned; the step goes on if it is called again
-    with `begun` n. It begins with -1.
-    games: one more than there are environments; the last is as every episode begins.
+    Any other result n means that the environment `busy[n]` needs a random number from Python; call again with `begun` = n to
+    continue the step. The first call has `begun` = -1.
+    games: one more than there are environments; the last one is the start of every episode.
     actions: 0 to rest, 1 to turn counter-clockwise, 2 clockwise. pointers: as in `game.rules.Controls`; -1 is none.
     results: written. states: rows of `observation.write_states`, written.
-    rows: room for the hits of one tick. busy: (environments + 1,), written: those in which more than a free flight happens,
+    rows: memory for the hits of one tick. busy: (environments + 1,), written: the environments with more than a free flight,
     and last their number.
 
-    Those come last, one after another, so that the loop of free flights, which most ticks are, is short: the processor then
-    works on several at once. In one loop a step takes 5 % longer.
+    Busy environments come last, one after another. So the loop of free flights, which most ticks are, is short, and the
+    processor works on several of them at once. In a single loop a step takes 5 % longer.
     """
     if begun < 0:
         if not _are_actions(actions):
@@ -70,10 +70,11 @@ def step(
 def _fly(
     numbers: LevelNumbers, games: Games, episodes: Any, actions: Integers, pointers: Integers, results: Results, busy: Integers
 ) -> None:
-    """Take the actions; tick for tick until an environment's ball may touch anything, or is to be served.
+    """Take the actions, and advance each environment until its ball may touch anything, or has to be served.
 
-    However the paddles are steered, a free flight holds: no level's paddles are faster than its ball.
-    No function here is given an array: numba would count each in and out, which takes as long as the flight.
+    A free flight is valid however the paddles are steered, since no level's paddles are faster than its ball.
+    No function called here has an array as an argument: numba counts references to arrays at each call, which takes as long as
+    the flight.
     """
     positions, velocities, phases, spins, free = games.positions, games.velocities, games.phases, games.spins, games.free
     model, turning, count = ring_of(games, 0, PADDLES), bricks_turn(games), 0
@@ -110,7 +111,7 @@ def _fly(
 
 
 def _play(numbers: LevelNumbers, games: Games, episodes: Any, results: Results, rows: Rows, busy: Integers, begun: int) -> int:
-    """What is left of the step in the busy environments, from number `begun` on; -1, or the one that wants a chance."""
+    """Finish the step of the busy environments from index `begun` on. Returns -1, or the index that needs a random number."""
     room = workspace(games)
     for n in range(begun, busy[len(episodes)]):
         g = busy[n]
@@ -185,13 +186,13 @@ def _act(numbers: LevelNumbers, e: Any, turn: int, pointer: int) -> None:
 
 def _steered_spin(numbers: LevelNumbers, e: Any, paddles: Ring) -> float:
     """The paddles' spin for this tick."""
-    if e.pointer >= 0 and e.turn == 0:  # in this order: the processor foresees the first, which all environments share
+    if e.pointer >= 0 and e.turn == 0:  # the first is the same in all games, so it is predicted
         return spin_to_pointer(paddles, e.pointer, numbers.top)
     return keyed_spin(paddles.spin, e.turn, numbers.top, numbers.change)
 
 
 def _may_have_left(numbers: LevelNumbers, position: complex) -> bool:
-    """Whether the ball's centre is outside of the ground: no root is needed to say so."""
+    """Whether the ball's centre is outside of the ground, computed without a square root."""
     return dot(position, position) > numbers.ground_radius * numbers.ground_radius
 
 
@@ -201,7 +202,7 @@ def _steer(numbers: LevelNumbers, games: Games, e: Any, g: int) -> None:
 
 
 def _serve(numbers: LevelNumbers, games: Games, e: Any, g: int) -> None:
-    """The rings turn, the ball follows its paddle until it is served."""
+    """A tick before the serve: rings turn, and the ball follows its paddle until it is served."""
     for k in range(games.spins.shape[1]):
         games.phases[g, k] = ring_of(games, g, k).turned(TICK).phase
     waited = e.tick - e.phase_start

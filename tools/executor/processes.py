@@ -40,7 +40,7 @@ class _Given(NamedTuple):
 class _Helper:
     """One process, the job it has, and since when.
 
-    It has one at a time: a second one would wait behind a long one while another process had nothing to do.
+    It has one job at a time: a second one would wait behind a long first one while another process had nothing to do.
     """
 
     def __init__(self, function: Callable[[Any], object]) -> None:
@@ -107,7 +107,7 @@ class _Crew:
             if given is None:
                 return
             if place >= len(self._helpers):
-                with deferred():  # or one might be started and not be known of
+                with deferred():  # a signal in between would leave a started process unknown
                     self._helpers.append(_Helper(self._function))
             self._helpers[min(place, len(self._helpers) - 1)].give(given, self.clock())
 
@@ -123,11 +123,11 @@ class _Crew:
         return None
 
     def _look_at(self, helper: _Helper) -> None:
-        """Take what a process answers; if it is dead or too slow, end it, and have its job done again, or lost."""
+        """Take a process's answer. If it is dead or too slow, end it; its job is done again, or counted as lost."""
         given = helper.job
         if given is None:
             if not helper.process.is_alive():
-                self._bury(helper)
+                self._end_helper(helper)
         elif helper.pipe.poll():
             try:
                 self._done[given.number] = helper.pipe.recv()
@@ -138,13 +138,13 @@ class _Crew:
                     self._done[given.number] = Lost(_death(helper.process.exitcode))
                 else:
                     self._again.append(given._replace(deaths=given.deaths + 1))
-                self._bury(helper)
+                self._end_helper(helper)
         elif self._limit is not None and self.clock() - helper.since > self._limit:
             self._done[given.number] = Lost(f"no answer within {self._limit:g} s")
-            self._bury(helper)
+            self._end_helper(helper)
 
-    def _bury(self, helper: _Helper) -> None:
-        """A process is gone, or is to go."""
+    def _end_helper(self, helper: _Helper) -> None:
+        """End a process, and forget it."""
         self._helpers.remove(helper)
         helper.end()
 

@@ -5,7 +5,7 @@ from game.system.start import prepare
 PROGRAM = "python -m tools.measure.environments"
 
 if __name__ == "__main__":
-    prepare(PROGRAM)  # before what takes time to load
+    prepare(PROGRAM)  # before the slow imports
 
 import statistics
 import sys
@@ -23,9 +23,9 @@ from game.system.errors import EnvironmentMissingError
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 
 _WARM_UP = 1000
-"""Steps before the first that is timed: games begin together, and are then in all phases."""
+"""Steps before the timed ones: games begin together, and are in different phases after these steps."""
 _STEPS = 200
-"""In a round."""
+"""Steps in a round."""
 _ACTIONS = 64
 
 

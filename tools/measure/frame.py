@@ -1,7 +1,7 @@
 """What a frame costs: `python -m tools.measure.frame`. Frame after frame of a game in play, and of panels over it.
 
 The first columns are processor time, the last two the clock's; with --window they include handing the picture to the display.
-With --pace the frames come 60 a second, as the game's loop lets them, and how evenly they come is measured instead.
+With --pace frames are drawn 60 a second, by the pace of the game's loop, and the time between them is measured instead.
 """
 
 from game.system.start import prepare
@@ -56,7 +56,7 @@ app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_mar
 _WARM_UP = 20
 """Frames drawn before those that are timed."""
 _RATE, _LATE = 60.0, 1.5
-"""Frames per second with --pace; a frame is late that comes so many times as long after the one before it."""
+"""Frames per second with --pace; and the multiple of their distance after which a frame counts as late."""
 _GAMES = 7
 """How many of the cases, the first ones, are games in play."""
 _SERVED_TICKS = 600
@@ -170,7 +170,7 @@ def timed(case: FrameCase, level: int, count: int, opened: Opened) -> tuple[tupl
 
 
 def paced(case: FrameCase, level: int, count: int, opened: Opened) -> tuple[tuple[int, int], list[float]]:
-    """How large the frames were, pixels, and milliseconds from the begin of each to that of the next, at 60 a second."""
+    """Size of the frames, pixels, and milliseconds from the beginning of each to that of the next, at 60 frames a second."""
     target, following, steps = opened(case.size), case.frames(level), FramePace()
     begun: list[float] = []
     gc.freeze()  # as the game does
@@ -185,7 +185,7 @@ def paced(case: FrameCase, level: int, count: int, opened: Opened) -> tuple[tupl
 
 
 def _print_pace(level: int, count: int, opened: Opened) -> None:
-    """How evenly the frames of games come."""
+    """Print how evenly the frames of games are spaced."""
     table = Table(box=None, pad_edge=False)
     table.add_column("frame")
     for heading in ("pixels", "1 % ms", "median ms", "99 % ms", "longest ms", "late"):

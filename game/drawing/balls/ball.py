@@ -21,7 +21,7 @@ from physics import Ball
 _OFFSETS = 4
 """Positions within a pixel, across and down each, that a ball has a picture for."""
 _SIZES, _LARGE_SIZES, _LARGE = 4, 2, 12.0
-"""Radii within a pixel that a ball has a picture for; and those that a large one has, with a radius of so many pixels."""
+"""Pictures for different radii within a pixel: of small balls, and of balls with a radius of at least `_LARGE` pixels."""
 _MOST_PICTURES = 512
 """Pictures cached: of every radius from the arena's far side to the near one, at every position within a pixel."""
 _MARGIN = 2.0

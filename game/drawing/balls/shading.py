@@ -6,7 +6,7 @@ from game.drawing.palette import Theme
 from game.maths import Maths, Planes, Values
 
 _DARK = (20, 30, 70)
-"""The side turned from the light is this colour's, by the share that follows; the highlight is white."""
+"""Colour of the side that faces away from the light, and its share there; the highlight is white."""
 _DARK_SHARE = 0.55
 
 

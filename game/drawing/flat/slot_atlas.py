@@ -33,9 +33,9 @@ _BORDER = 1.0
 _SHADOW = 0.018
 """Length of the longest shadow, in shares of the ground's radius."""
 _LOW_SHADOW, _SHADOW_PER_LAYER = 0.7, 0.1
-"""Share of it that everything throws, and how much more with every layer of its height."""
+"""Length of a shadow as a share of the longest: of everything, and added for every layer of height."""
 _FLAT_KINDS = frozenset({ContentKind.EMPTY, ContentKind.GHOST})
-"""What has no height, and so no shadow."""
+"""Contents without height, and so without a shadow."""
 BLANK = 0
 """Stands for a column in which nothing stands."""
 

@@ -16,7 +16,7 @@ from physics import PERMANENT
 _ASCII = 128
 LAYERS = (None, *range(1, 10), 0, PERMANENT)
 TINTS = (None, *range(9))
-"""Layers and colours of the brush to choose from; the first of each leaves what is there."""
+"""Layers and colours of the brush to choose from; the first of each leaves a slot's own."""
 
 
 class Command(NamedTuple):
@@ -105,7 +105,7 @@ COMMAND_KEYS = {
     pygame.K_ESCAPE: "leave",
 }
 OF_WELLS = {"add": "add-well", "remove": "remove-well"}
-"""What commands for rings mean where gravity wells are edited."""
+"""The commands that replace those for rings in the part for gravity wells."""
 COLOUR_KEY = pygame.K_t
 CONTROL_KEYS = {
     pygame.K_z: "undo",
@@ -130,8 +130,8 @@ DIRECTIONS = {
     pygame.K_DOWN: Action.DOWN,
 }
 PAGES = {pygame.K_PAGEUP: -1, pygame.K_PAGEDOWN: 1}
-"""Keys that turn to another part of the panel; in the arena, the first one goes outward."""
+"""Keys that show another part of the panel; in the arena, the first one chooses the next ring outward."""
 PAINTING_KEYS = (pygame.K_SPACE, pygame.K_RETURN, pygame.K_KP_ENTER)
 ERASING_KEYS = (pygame.K_BACKSPACE,)
 KNOWN_KEYS = frozenset({*COMMAND_KEYS, *CONTROL_KEYS, COLOUR_KEY})
-"""Letters that are found by their positions on layouts without them."""
+"""Letter keys that keyboard layouts without these letters have at the same positions."""

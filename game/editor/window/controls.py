@@ -44,7 +44,7 @@ GROUNDS: dict[GroundPattern, str] = {
     "spiral": tr_noop("Spiral"),
 }
 _WIDE_TAB, _ABOVE_FOOT = 3.2, 0.3
-"""Least width of the head of a part, and room above what is always at hand; units of text."""
+"""Least width of the head of a part, and space above the common buttons; units of text."""
 
 
 class Controlled(NamedTuple):

@@ -12,7 +12,7 @@ from game.screens.toolkit.plate import write_fitting
 from physics import PERMANENT
 
 _SIZES = (1.0, 0.92, 0.84, 0.76, 0.68, 0.6)
-"""Of the letters, in units of text: the largest in which all lines have room."""
+"""Sizes of the letters, in units of text; the largest one in which all lines fit is used."""
 _LINE = 1.2
 """From line to line, in sizes of the letters."""
 

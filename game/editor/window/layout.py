@@ -9,7 +9,7 @@ from game.drawing.camera import Camera, layout, unit_of
 _LETTERS = 0.7
 """Size of the controls' text in the game's."""
 _LEAST = 12.6
-"""Pixels: smaller letters cannot be read from a chair."""
+"""Pixels: smaller letters are not legible at the usual distance from a screen."""
 _SIDE, _LEAST_SIDE, _MOST_SIDE = 23.0, 0.24, 0.42
 """Width of the side in the controls' text, and the least and the most of it in the window's width."""
 _FOOT, _MARGIN = 4.6, 0.8
@@ -17,7 +17,7 @@ _FOOT, _MARGIN = 4.6, 0.8
 _MOST_FOOT = 0.22
 """Of the window's height."""
 _FILLED = 0.97
-"""Share of the arena's room that its ground takes."""
+"""Size of the ground as a share of the arena's box."""
 
 
 class EditorLayout(NamedTuple):

@@ -12,10 +12,10 @@ from game.editor.wells import position_of, with_well_added, with_well_at, with_w
 from game.levels import Level
 
 ERASER = Stack(0)
-"""What the right button puts."""
+"""The stack that the right button paints."""
 _RADIUS = next(field for field in RING_FIELDS if field.key == "radius")
 _CATCH = 0.04
-"""Ground radii from a well's middle within which a press takes hold of it."""
+"""Greatest distance of a press from a well's centre that drags the well, in ground radii."""
 _SNAP = 0.05
 """A ring's radius and a well's position are multiples of it while they are dragged, world units of ground radius 10."""
 

@@ -15,11 +15,11 @@ from game.lab.kit.picture import Mark
 
 _ASIDE = (0.0, -0.55, 0.55, -1.1, 1.1, -1.7, 1.7)
 _UP = (0.0, -1.0, 1.0, -2.0, 2.0, -3.0, 3.0)
-"""How far a label may be moved from where it would stand, in its widths and heights."""
+"""How far a label may be moved from the wanted position, in its widths and heights."""
 _EDGE = 2
 """Pixels between a label and the border of its pane."""
 _OUTSIDE = 2.0
-"""Sizes of letters that a label may be wanted outside of its pane, to stand at its edge; farther out it is left out."""
+"""A label wanted outside of its pane by up to this many sizes of letters stands at the edge; farther out it is left out."""
 _TITLE_TOP = 0.4
 """From a pane's upper edge to its title, in units."""
 

@@ -21,14 +21,14 @@ _NAMES_OF_GREEK = """
 _GREEK = dict(zip(_NAMES_OF_GREEK.split(), "αβγδεζηθικλμνξοπρστυφχψωφεΔ", strict=True))
 _SIGNS = {r"\cdot": "·", r"\times": "×", r"\leq": "≤", r"\geq": "≥", "-": "\u2212"}
 _SPACES = {r"\quad": "\u2003 ", r"\ ": " ", r"\,": "", r"\;": "", r"\:": ""}
-"""What stands for a space of TeX where a line may be broken; "" where it may not."""
+"""The text for a space of TeX at which a line may be wrapped; "" for the other spaces."""
 _WIDTHS = {r"\quad": 1.0, r"\ ": 0.3, r"\,": 0.17, r"\;": 0.0, r"\:": 0.0}
 """Of spaces within a formula, in sizes of the letters; MathML has spaces of its own beside relations."""
 _TIGHT = frozenset("|,:;.?!/")
-"""Signs without spaces beside them; in TeX, those after a comma are written."""
+"""Signs without space beside them; TeX writes the space after a comma explicitly."""
 _NAMES = frozenset({r"\min", r"\max", r"\sin", r"\cos"})
 _KINDS = {"relation": "=<>≤≥≔", "open": "([", "close": ")]", "comma": ",:;.?!"}
-"""Of signs; all others are only signs."""
+"""The signs of each kind; all others are only signs."""
 _COMMANDS = {
     r"\hat": '<mover accent="true">{}<mo stretchy="false">^</mo></mover>',
     r"\sqrt": "<msqrt>{}</msqrt>",
@@ -37,7 +37,7 @@ _COMMANDS = {
 _PRIME, _TWO_PRIMES = "\u2032", "\u2033"
 _PRIMED = f"<mo>{_PRIME}</mo></msup>"
 _JOINER = "\u2060"
-"""Between a formula and the comma after it: no line is broken there."""
+"""Joins a formula and the comma after it, so that no line is wrapped between them."""
 _MINUS = "\u2013"
 """The sign of a number in the lab's TeX."""
 

@@ -1,11 +1,11 @@
-"""A label in a picture as runs of letters, for canvases: v_p is a bold v with a small p below."""
+"""A label divided into runs of letters of one style, for canvases: v_p is a bold v, then a small lowered p."""
 
 from functools import lru_cache
 
 from game.lab.typeset.tex import has_symbols, symbol_of, tokens_of
 
 UPRIGHT, SLANTED, BOLD, INDEX, WORD_INDEX, PRIME = "\x10\x11\x12\x13\x14\x15"
-"""What a run begins with: how its letters are; the last three are small, two below and one above what is before them."""
+"""The sign at the beginning of a run, for its style; the last three are small: two lowered, one raised."""
 _MOST_LABELS = 512
 _SIGNS = {"-": "\u2212"}
 _HAT = "\u0302"

@@ -14,7 +14,7 @@ from physics import Ball
 _SIDE = 28
 """Rows and columns of a texture."""
 _MOST = 32
-"""Textures that a painter keeps."""
+"""Number of textures that a painter stores."""
 _LEAST_RADIUS = 1.5
 """Pixels."""
 _AROUND = tuple([cmath.rect(1.0, -math.tau * k / 24) for k in range(24)])

@@ -11,15 +11,15 @@ from game.rules import PADDLES
 from game.scene import Scene
 
 _REACH = 0.17
-"""How far a new light goes to either side along the paddle, in ground radii."""
+"""Length of a new light along the paddle to either side of the hit, in ground radii."""
 _WIDTH = 0.8
 """Width of the light in shares of the paddle's."""
 _SHRINKING = 0.45
-"""Share of its reach that a light loses by its end."""
+"""Share of its length that a light loses until it ends."""
 _STEPS = 8
 """Pieces on either side."""
 _WHITE = (255, 255, 255)
-"""In every theme: half way to it a paddle's colour is a lighter one of the same hue."""
+"""The colour of the light in every theme: a paddle's colour mixed half with it is a lighter one of the same hue."""
 
 
 def add_glints(out: DisplayList, scene: Scene, view: ArenaView) -> None:

@@ -10,7 +10,7 @@ from game.picture.view import ArenaView
 from game.scene import Scene
 
 _RISE, _PLATED_RISE = 0.9, 0.3
-"""World units that words rise in their life, and those on a plate, which would come to hide more."""
+"""World units that words rise during their life, and words on a plate, which rise less so that the plate hides less."""
 _SPRING, _CALM = 0.9, 24.0
 """Share by which new words are larger than at rest, and how fast that dies away, per life."""
 _SMALLEST, _LARGEST, _PLATED = 0.9, 1.7, 1.2
@@ -22,9 +22,9 @@ _MARGIN, _LETTER = complex(1.0, 1.0), 0.26
 _PLATE_MARGIN, _PLATE_EDGE = (0.7, 0.25), 0.07
 """From words to the ends of their plate, across and down, and the width of its edge, in units."""
 _PLATE_EDGE_TINT = 0.35
-"""The edge's colour is this share of the way from that of lines on the ground to the words'."""
+"""Colour of the plate's edge: share of the words' colour in a mixture with that of lines on the ground."""
 _FADING_AGE = 0.6
-"""Words, and their plate with them, fade in the rest of their life from this age on."""
+"""Age from which words and their plate fade until the end of their life."""
 
 
 def add_words(out: DisplayList, scene: Scene, view: ArenaView) -> None:

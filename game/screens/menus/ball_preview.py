@@ -18,7 +18,7 @@ _RADIUS = 0.75
 """Of the ball, units of text."""
 _BALL = Ball(0j, 1 + 0j, 0.25)
 _ALONG = 0.62
-"""Where the ball is along the strip, as a share of its width."""
+"""Position of the ball along the strip, as a share of its width."""
 _STEP, _BEND, _POSITIONS = 0.11, 0.16, 17
 """Of the trail: world units from one position to the next, how far its begin is beside the flight, and its positions."""
 _TRAIL = tuple([complex(-_STEP * k, -_BEND * (k / _POSITIONS) ** 2) for k in range(_POSITIONS, 0, -1)])

@@ -15,7 +15,7 @@ from game.screens.toolkit.menu import back_row
 from game.screens.toolkit.panel import Panel
 
 _MEANING = 2.6
-"""Width of what a key does, in widths of its name."""
+"""Width of the column of meanings, in widths of the column of keys."""
 
 Lines = tuple[tuple[str, str], ...]
 """Pairs of keys and what they do."""

@@ -16,9 +16,9 @@ from game.screens.toolkit.text_field import TextField, draw_field
 
 TEXT_KEYS = ("ABCDEFGHIJ", "KLMNOPQRST", "UVWXYZ-_.!", "0123456789")
 NUMBER_KEYS = ("123", "456", "789", "-0.")
-"""Letters of the small keyboard, row by row: for a text, and for a number."""
+"""Letters of the on-screen keyboard, row by row: for a text, and for a number."""
 _OTHER_SIGNS = str.maketrans("-_.!", ",;:?")
-"""The signs that stand beside small letters."""
+"""The signs that are shown with small letters."""
 _FEW_LETTERS = 6
 _NAVIGATION = frozenset(
     {pygame.K_UP, pygame.K_DOWN, pygame.K_LEFT, pygame.K_RIGHT, pygame.K_RETURN, pygame.K_KP_ENTER, pygame.K_ESCAPE}

@@ -1,4 +1,5 @@
-"""What pymunk needs of cffi, for the browser, which has no wheel of it: cffi's module `_cffi_backend` over ctypes.
+"""The part of cffi that pymunk needs, on top of ctypes, since cffi has no wheel for the browser.
 
-cffi writes tables of all types and functions into the libraries that it builds. They are read here, and the functions called.
+cffi writes tables of all types and functions into the libraries that it builds. This package reads them, and calls the
+functions.
 """

@@ -15,16 +15,16 @@ from game.web.cffi.tables import CType, Entry, Signature, Tables, is_constant, i
 _SLOT = 8
 """Bytes for each argument of a function that the library calls."""
 _CALL_PYTHON = 25
-"""Where cffi's exports have the function that the library calls for all those that Python defines."""
+"""Index in cffi's exports of the function by which the library calls functions that Python defines."""
 _INIT = "_init_cffi_1_0_external_module"
-"""What a library calls of cffi's module when it is imported."""
+"""The function of cffi's module that a library calls when it is imported."""
 _CALLBACK: Any = ctypes.CFUNCTYPE(None, ctypes.c_void_p, ctypes.c_void_p)
 
 
 class Pointer:
     """A pointer. address: 0 for none. target: index of the type that it points to; None for void.
 
-    owned: what it keeps alive. A destructor, where there is one, is called with a plain pointer when this one goes.
+    owned: object that it keeps alive. A destructor, if there is one, is called with a plain pointer when this one is collected.
     """
 
     __slots__ = ("__weakref__", "_destructor", "address", "owned", "tables", "target")
@@ -61,8 +61,8 @@ class Pointer:
 class _Destruction:
     """Calls destructors while no function of the library runs, nor another destructor.
 
-    Python may collect garbage at any moment, and so in a function that the library calls while it goes through a list. A
-    destructor that takes an entry out of that list then would end the process.
+    Python may collect garbage at any moment, also in a callback while the library iterates over a list. A destructor that
+    removed an entry from this list would crash the process.
     """
 
     def __init__(self) -> None:
@@ -70,22 +70,22 @@ class _Destruction:
         self._due: list[tuple[Callable[[Pointer], object], Pointer]] = []
 
     def of(self, destructor: Callable[[Pointer], object], pointer: Pointer) -> None:
-        """Destroy something, now or later."""
+        """Call a destructor, now or when no function runs any more."""
         self._due.append((destructor, pointer))
         self._destroy()
 
     def begin(self) -> None:
-        """A function of the library begins."""
+        """Note that a function of the library begins."""
         self._running += 1
 
     def end(self) -> None:
-        """It has ended."""
+        """Note that it has ended, and call the destructors that have waited."""
         self._running -= 1
         if self._due:
             self._destroy()
 
     def _destroy(self) -> None:
-        """Call what is due."""
+        """Call the waiting destructors, unless a function runs."""
         while self._due and not self._running:
             destructor, pointer = self._due.pop(0)
             self._running += 1
@@ -99,12 +99,12 @@ DESTRUCTION = _Destruction()
 
 
 class Struct:
-    """A struct: its fields are attributes."""
+    """A struct of C; its fields are attributes."""
 
     __slots__ = ("tables", "value")
 
     def __init__(self, tables: Tables, value: Any) -> None:
-        """value: ctypes' struct."""
+        """Wrap a struct. value: of ctypes."""
         self.tables, self.value = tables, value
 
     def __getattr__(self, name: str) -> Any:
@@ -128,7 +128,7 @@ class Library:
         return found
 
     def _found(self, entry: Entry) -> Any:
-        """What an entry stands for."""
+        """The function, constant or variable of an entry."""
         tables = self._tables
         if is_function(entry):
             return _caller(tables, tables.signature(entry.kind), entry.function)
@@ -138,7 +138,7 @@ class Library:
             return value.value
         if is_extern_python(entry):
             return Pointer(tables, entry.function)
-        kind = tables.type(entry.kind)  # of a variable, whose address a function gives
+        kind = tables.type(entry.kind)  # a variable; a function returns its address
         variable = ctypes.CFUNCTYPE(ctypes.c_void_p)(entry.address)()
         return _from_c(tables, kind, kind.made.from_address(variable).value)
 
@@ -151,7 +151,7 @@ class Interface:
     _number = 0
 
     def __init__(self, tables: Tables, exports: int) -> None:
-        """exports: address of the list where the library looks for cffi's own functions."""
+        """Create it. exports: address of the list in which the library looks for cffi's functions."""
         self.NULL = Pointer(tables, 0)
         self._tables = tables
         self._externs: dict[str, Callable[..., Any]] = {}
@@ -160,28 +160,28 @@ class Interface:
         ctypes.c_void_p.from_address(slot).value = ctypes.cast(self._callback, ctypes.c_void_p).value
 
     def new(self, declaration: str) -> Pointer:
-        """Memory for a value of "TYPE *"."""
+        """Allocate a value. declaration: "TYPE *"."""
         kind, index = self._tables.named(declaration.removesuffix("*").strip())
         value = kind.made()
         return Pointer(self._tables, ctypes.addressof(value), index, value)
 
     def cast(self, declaration: str, value: object) -> Any:
-        """A number as one of a type; anything else, such as a function, as it is."""
+        """A number converted to a type; anything else, such as a function, unchanged."""
         if not isinstance(value, int):
             return value
         return self._tables.named(declaration)[0].made(value).value
 
     def addressof(self, library: Library, name: str) -> Pointer:
-        """A function of the library, to be handed to it."""
+        """A pointer to a function of the library, as an argument for the library."""
         del library
         return Pointer(self._tables, self._tables.entries[name].function)
 
     def string(self, pointer: Pointer) -> bytes:
-        """A text of the library."""
+        """The text at a pointer."""
         return ctypes.string_at(pointer.address)
 
     def gc(self, pointer: Pointer, destructor: Callable[[Pointer], object]) -> Pointer:
-        """A pointer whose destructor is called when it goes."""
+        """The same pointer; the destructor is called when it is collected."""
         return pointer.destroyed_by(destructor)
 
     def new_handle(self, held: object) -> Pointer:
@@ -196,7 +196,7 @@ class Interface:
         return self._handles[handle.address].owned
 
     def def_extern(self) -> Callable[[Callable[..., Any]], Callable[..., Any]]:
-        """What makes a Python function one that the library calls, by its name."""
+        """A decorator: the library calls the Python function by its name."""
 
         def defined(function: Callable[..., Any]) -> Callable[..., Any]:
             self._externs[function.__name__] = function
@@ -205,7 +205,7 @@ class Interface:
         return defined
 
     def _called(self, extern: int, slots: int) -> None:
-        """The library calls a function of Python. slots: address of its arguments; the result is left there."""
+        """Call a Python function for the library. slots: address of the arguments; the result is written there."""
         name = (ctypes.string_at(ctypes.c_void_p.from_address(extern).value or 0)).decode().rpartition(".")[2]
         signature = self._tables.signature(self._tables.entries[name].kind)
         given = [self._argument(kind, slots + _SLOT * number) for number, kind in enumerate(signature.arguments)]
@@ -215,7 +215,7 @@ class Interface:
             ctypes.memmove(slots, ctypes.addressof(value), ctypes.sizeof(value))
 
     def _argument(self, kind: CType, slot: int) -> Any:
-        """An argument at an address; of a struct there is its own address."""
+        """The argument at an address; a struct is passed by its address."""
         if kind.is_struct:
             address = ctypes.c_void_p.from_address(slot).value
             return Struct(self._tables, kind.made.from_buffer_copy(kind.made.from_address(address)))
@@ -223,10 +223,10 @@ class Interface:
 
 
 def load_library(package: str, name: str) -> None:
-    """Load a library that cffi has built into a package, so that the package finds it with its `ffi` and `lib`.
+    """Load a library of a package that cffi has built, so that the package can import it with its `ffi` and `lib`.
 
-    The library asks cffi's module for the module that it is to be. Python would take none that is not written in C; so the
-    import is ended there.
+    While it is imported, the library calls cffi's module, which should return the finished module. Python accepts only one
+    written in C, so the import is aborted with an exception after this call.
     """
     found = find_spec(package)
     assert found is not None
@@ -235,7 +235,7 @@ def load_library(package: str, name: str) -> None:
     assert spec is not None
 
     def external_module(address: int) -> None:
-        """address: of the library's name, cffi's version, the list for cffi's functions, and the context of the tables."""
+        """Called by the library. address: of its name, cffi's version, the list for cffi's functions, the tables' context."""
         _name, _version, exports, context = (ctypes.c_void_p * 4).from_address(address)
         tables = Tables(context or 0)
         module: Any = ModuleType(spec.name)
@@ -251,11 +251,11 @@ def load_library(package: str, name: str) -> None:
 
 
 class _LoadedError(Exception):
-    """The library is there."""
+    """The library is loaded: ends its import."""
 
 
 def _caller(tables: Tables, signature: Signature, address: int) -> Callable[..., Any]:
-    """A function of the library that takes and returns Python's values."""
+    """A function of the library with Python's values as arguments and result."""
     function = signature.made(address)
     result, kinds = signature
 
@@ -270,7 +270,7 @@ def _caller(tables: Tables, signature: Signature, address: int) -> Callable[...,
 
 
 def _to_c(kind: CType, value: Any) -> Any:
-    """A value as ctypes takes it; a sequence is a struct."""
+    """A value converted for ctypes; a sequence becomes a struct."""
     if isinstance(value, Pointer):
         return value.address
     if isinstance(value, Struct):
@@ -282,7 +282,7 @@ def _to_c(kind: CType, value: Any) -> Any:
 
 
 def _from_c(tables: Tables, kind: CType, value: Any) -> Any:
-    """A value that ctypes gave as Python's."""
+    """A value of ctypes converted to Python's."""
     if kind.made is ctypes.c_void_p:
         return Pointer(tables, value or 0, kind.target)
     if kind.is_struct:

@@ -1,6 +1,6 @@
 """The tables that cffi writes into a library: its types, structs, constants and functions (cffi's parse_c_type.h).
 
-The types are given as those of ctypes.
+Types are converted to those of ctypes.
 """
 
 import ctypes
@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 
 _POINTER, _ARRAY, _OPEN_ARRAY, _STRUCT, _ENUM, _FUNCTION, _FUNCTION_END, _NOOP, _TYPENAME = 3, 5, 7, 9, 11, 13, 15, 17, 21
 _PRIMITIVE, _CALLS, _CONSTANTS, _EXTERN_PYTHON = 1, {23, 25, 27}, {11, 31}, 41
-"""Codes of types and of what a library has."""
+"""Operation codes of types and of named entries."""
 _PRIMITIVES = (
     *(None, "bool", "char", "byte", "ubyte", "short", "ushort", "int", "uint", "long", "ulong", "longlong", "ulonglong"),
     *("float", "double", "longdouble", "wchar", "int8", "uint8", "int16", "uint16", "int32", "uint32", "int64", "uint64"),
@@ -19,11 +19,11 @@ _PRIMITIVES = (
 """ctypes' names of the primitive types, by their numbers; the first is void."""
 _SIZE = ctypes.sizeof(ctypes.c_void_p)
 _UNKNOWN = (1 << 8 * _SIZE) - 2
-"""Size of a struct without a name: the library does not say it."""
+"""Size that cffi writes for a struct without a name, whose size it does not know."""
 
 
 class CType(NamedTuple):
-    """A type. made: ctypes' one; None for void. target: index of the type that a pointer or an array is of; None for others."""
+    """A type. made: that of ctypes; None for void. target: index of the type that a pointer or an array is of, else None."""
 
     made: Any
     target: int | None = None
@@ -35,19 +35,19 @@ class CType(NamedTuple):
 
 
 class Signature(NamedTuple):
-    """Of a function."""
+    """The types of a function's result and arguments."""
 
     result: CType
     arguments: tuple[CType, ...]
 
     @property
     def made(self) -> Callable[[int], Callable[..., Any]]:
-        """ctypes' type: it makes a function of an address."""
+        """The function type of ctypes, which makes a function from an address."""
         return ctypes.CFUNCTYPE(self.result.made, *[one.made for one in self.arguments])
 
 
 class Entry(NamedTuple):
-    """What a library has under a name. kind: index of its type. address: of it, or of what gives it. function: its address."""
+    """A named entry of a library. kind: index of its type. address: of the entry, or of the function that returns it."""
 
     code: int
     kind: int
@@ -105,7 +105,7 @@ class Tables:
     """The tables of one library."""
 
     def __init__(self, address: int) -> None:
-        """address: of the library's context."""
+        """Read the tables. address: of the library's context."""
         self._context = _Context.from_address(address)
 
     @cached_property
@@ -121,7 +121,7 @@ class Tables:
         return {one.name.decode(): one.type_index for one in found}
 
     def named(self, name: str) -> tuple[CType, int | None]:
-        """A type by its name, and its index; that of a primitive has none."""
+        """A type by its name, with its index; None as the index of a primitive type."""
         if name in self._names:
             return self.type(self._names[name]), self._names[name]
         return CType(getattr(ctypes, f"c_{name.replace('uintptr_t', 'size_t')}")), None
@@ -136,7 +136,7 @@ class Tables:
         return self._derived(code, argument, index)
 
     def _derived(self, code: int, argument: int, index: int) -> CType:
-        """A type that is made of others."""
+        """A type that is derived from others, as a pointer is."""
         if code in {_POINTER, _OPEN_ARRAY, _FUNCTION}:
             return CType(ctypes.c_void_p, argument)
         if code == _ARRAY:
@@ -151,7 +151,7 @@ class Tables:
         return CType(ctypes.c_int)
 
     def _struct(self, number: int) -> Any:
-        """A struct as ctypes' one; one that the library keeps to itself has no fields."""
+        """A struct as a class of ctypes; an opaque one has no fields."""
         found = self._context.structs[number]
         fields = [self._context.fields[found.first + k] for k in range(found.count)] if found.first >= 0 else []
         members = {one.name.decode(): self.type(_split(one.operation)[1]) for one in fields}
@@ -182,16 +182,16 @@ def is_function(entry: Entry) -> bool:
 
 
 def is_constant(entry: Entry) -> bool:
-    """Whether it is a constant."""
+    """Whether an entry is a constant."""
     return entry.code in _CONSTANTS
 
 
 def is_extern_python(entry: Entry) -> bool:
-    """Whether it is a function that Python defines, and the library calls."""
+    """Whether an entry is a function that Python defines and the library calls."""
     return entry.code == _EXTERN_PYTHON
 
 
 def _split(operation: int) -> tuple[int, int]:
-    """Code and argument of an operation."""
+    """Operation code and argument of an entry of the type table."""
     signed = operation - (1 << 8 * _SIZE) if operation >> (8 * _SIZE - 1) else operation
     return operation & 0xFF, signed >> 8

@@ -31,7 +31,7 @@ _SLACK = 0.08
 _DOWN = 0.5
 """From here on a button is pressed."""
 _PAIR = 2
-"""So many fingers move the camera."""
+"""Number of fingers that move the camera."""
 
 
 class PageDevices:
@@ -40,14 +40,14 @@ class PageDevices:
     def __init__(self) -> None:
         """Nothing is held."""
         self._fingers: dict[int, complex] = {}  # where each came down, pixels; the newest last
-        self._now: dict[int, complex] = {}  # where each is
+        self._now: dict[int, complex] = {}  # the pixel of each finger
         self._moved: set[int] = set()
         self._mouse = 0j
         self._dragging = False
         self._pads: dict[int, _Pad] = {}
 
     def signals(self, message: PageSignal, size: tuple[int, int], *, orbits: bool = False) -> Iterator[Signal]:
-        """What a message means; nothing for most. size: of the canvas, pixels. orbits: two fingers move the camera."""
+        """The signals of a message; most have none. size: of the canvas, pixels. orbits: whether two fingers orbit."""
         match message:
             case KeyChange():
                 action = key_action(message.code, message.key)
@@ -80,12 +80,12 @@ class PageDevices:
         self._mouse = pixel
 
     def _finger(self, message: PointerChange, size: tuple[int, int], *, orbits: bool) -> Iterator[Signal]:
-        """A finger, as `game.input.fingers` has it: the newest one points, one lifted where it came down clicks, two orbit."""
+        """The signals of a finger, as in `game.input.fingers`: the newest one points, a tap clicks, two fingers orbit."""
         pixel, finger = complex(message.x, message.y), message.id
         if message.phase == "down":
             self._fingers[finger] = self._now[finger] = pixel
             if orbits and len(self._fingers) == _PAIR:
-                self._moved |= set(self._fingers)  # neither of them clicks
+                self._moved |= set(self._fingers)  # so neither of them clicks
             else:
                 yield Moved(pixel, held=False)
         elif finger not in self._fingers:
@@ -107,16 +107,16 @@ class PageDevices:
 
 
 class _Pad:
-    """Follows one gamepad."""
+    """The state of one gamepad."""
 
     def __init__(self, number: int) -> None:
-        """Nothing is held. number: of the gamepad, 0 for the first."""
+        """Start with nothing held. number: of the gamepad, 0 for the first."""
         self._number = number
         self._buttons: tuple[bool, ...] = (False,) * len(BUTTONS)
         self._pointing, self._aiming, self._spin = False, False, 0.0
 
     def signals(self, pad: PadState) -> Iterator[Signal]:
-        """Its buttons, the sticks that point, the triggers that turn."""
+        """The signals of its buttons, of its sticks, which point, and of its triggers, which turn."""
         pressed = tuple([value > _DOWN for value in [*pad.buttons, *[0.0] * len(BUTTONS)][: len(BUTTONS)]])
         for button, (now, before, action) in enumerate(zip(pressed, self._buttons, BUTTONS, strict=True)):
             if now != before and action is not None:

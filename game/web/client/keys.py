@@ -49,9 +49,9 @@ BY_KEY = {
 }
 """Keys that mean something by what is written on them."""
 SECOND_PLAYER = ("KeyA", "KeyD")
-"""Where two play, the second player's keys; the first one has the others of the same actions."""
+"""The second player's keys if two play; the first player has the other keys of the same actions."""
 PLAYERS_KEYS = ("←, →", "A, D")
-"""What the keys of both are called."""
+"""Names of both players' keys."""
 BUTTONS = (
     Action.SERVE,
     Action.BACK,

@@ -1,4 +1,4 @@
-"""The menus of the page: title, levels, scores, replays, help. Behind them a game plays itself."""
+"""The menus of the page: title, levels, scores, replays, help. Behind them the autopilot plays."""
 
 import datetime as dt
 from collections.abc import Callable, Iterable
@@ -31,7 +31,7 @@ _STILL_SECONDS = 6.0
 
 
 _GOES_ON = frozenset({"go-on", "next"})
-"""Items that do what going back does: beside them there is none that says so."""
+"""Items with the same effect as going back: a menu with one of them has no further item for it."""
 
 
 class Opened(NamedTuple):
@@ -207,7 +207,7 @@ def levels_menu(state: PageState, screens: Screens) -> MenuScreen:
 
 
 def players_choice(state: PageState, menu: MenuScreen) -> Opened:
-    """The choice of how many play on this machine."""
+    """The choice of the number of players."""
 
     def chosen(value: str) -> PageScreen:
         state.players = next((players for players in Players if players.name == value), state.players)
@@ -307,7 +307,7 @@ def help_menu(state: PageState, back: Callable[[], PageScreen], under: PageScree
 
 
 def _help_lines() -> tuple[str, ...]:
-    """What steers, and what else can be done."""
+    """Lines about the controls."""
     return (
         tr("Left and right arrows, or A and D: turn the paddles. The mouse or a finger: the nearest paddle follows it."),
         tr("Space, a click or a tap: serve along the arrow. G: give up a ball that is out of reach."),

@@ -132,10 +132,10 @@ class PageMenu(msgspec.Struct, frozen=True):
 
 
 class PageWords(msgspec.Struct, frozen=True):
-    """The words around a scene of the lab; without a scene there are none.
+    """The words around a scene of the lab; all are empty without a scene.
 
-    scene: its title. step: what stands above the picture. cited: the line that decides. scale: size of the words, in that of
-    the page's text beside the controls. step, formula, note: HTML with formulas in MathML.
+    scene: its title. step: above the picture. cited: the line of code that decides. scale: text size, relative to the page's
+    text beside the controls. step, formula, note: HTML with formulas in MathML.
     """
 
     scene: str = ""
@@ -154,17 +154,17 @@ class Download(msgspec.Struct, frozen=True):
 
 
 class FrameReply(msgspec.Struct, omit_defaults=True):
-    """What came of it, beside the two lists of primitives.
+    """The reply to a `FrameRequest`; the two lists of primitives are sent beside it.
 
     backdrop: whether the backdrop is a new one. texts: of the frame's list; backdrop_texts: of the backdrop's.
-    background: colour around everything. colours: of the page's controls, by name. menu, toolbar: when they have changed.
-    menu_closed: whether there is no menu any more. sounds: number of the sound, gains of the left and the right ear.
-    said: a sentence for a screen reader. described: what the picture shows. fragment: of the page's address.
-    keep: whether what is stored has changed. download: a file for the player. told: a line to show for a moment.
-    language: code of the texts'. code: a text for the editor, in place of what it holds. grading: a text to be graded.
-    full_screen: whether the page is to fill the screen, or does so no more. second_engine: whether it is to be loaded.
-    words: around the picture, when they have changed. music: gains of its layers, when they have changed. limit: seconds within
-    which the next reply has to come, 0 for any: so long as the player's own functions may hang.
+    background: colour around everything. colours: of the page's controls, by name. menu, toolbar: if they have changed.
+    menu_closed: whether the menu was closed. sounds: number of the sound, gains of the left and the right ear.
+    said: a sentence for a screen reader. described: the picture in words. fragment: of the page's address.
+    keep: whether the stored files have changed. download: a file for the player. told: a line to show for a moment.
+    language: code of the texts' language. code: a text that replaces the editor's. grading: a text to be graded.
+    full_screen: whether to switch full screen on or off. second_engine: whether to load it.
+    words: around the picture, if they have changed. music: gains of its layers, if they have changed. limit: seconds within
+    which the next reply has to come, since the player's own functions may hang; 0 for no limit.
     """
 
     backdrop: bool = False

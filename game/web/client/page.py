@@ -60,10 +60,10 @@ class Page:
     """The game as the page sees it. numbers, backdrop: the lists of primitives of the last frame."""
 
     def __init__(self, sounds: bytes, folder: str, *, calm: bool, languages: str = "", touch: bool = False) -> None:
-        """sounds: a `SoundIndex`. folder: of what is stored, "" for none.
+        """Start the page. sounds: a `SoundIndex`. folder: of stored files, "" for none.
 
-        calm: whether the system prefers no motion; a default of the settings. languages: that the browser prefers, by commas.
-        touch: whether fingers are what points, until something else does.
+        calm: whether the system prefers reduced motion, the default of that setting. languages: that the browser prefers,
+        separated by commas. touch: whether the device is used by touch, until another input comes.
         """
         stored = Path(folder) if folder else None
         settings_file = None if stored is None else SettingsFile(stored / "settings.json")
@@ -120,7 +120,7 @@ class Page:
             return str(error)
 
     def second_engine(self, engine: Engine) -> None:
-        """The lab's second engine was loaded."""
+        """Take the lab's second engine, which was loaded."""
         self._state.engine = engine
         if isinstance(self._screen, LabOnPage):
             self._screen.use_engine(engine)

@@ -57,14 +57,14 @@ class GameOnPage:
     ) -> None:
         """Start a new game at the first of the levels.
 
-        physics: that it is flown on; None for the game's own. endless: the seed of the levels; None for others.
+        physics: that computes the balls' flight; None for the game's own. endless: the seed of the levels; None for others.
         """
         self._physics, self._players = physics, state.players
         self._state, self._screens, self._levels, self.endless = state, screens, levels, endless
         self._ticked = still(new_game(levels, state.seed() if endless is None else endless, state.game_rules))
         self._effects = effects.at_start(state.settings.shown)
         self._hands = Hands()
-        self._second = Hands()  # of the second player; empty where there is one
+        self._second = Hands()  # of the second player; unused if there is only one player
         self._due = Due(0, 0.0)
         self._ready = 0.0  # seconds until play goes on after a pause
         self._stop = 0.0  # seconds of hit-stop left
@@ -124,12 +124,12 @@ class GameOnPage:
             case Pressed(Action.GIVE_UP) if self._untouched < _OFFER_TICKS:
                 return self
         self._hold(signal)
-        if not (isinstance(signal, Pointed) and signal.direction and self.game.phase == Phase.SERVING):  # it aims
+        if not (isinstance(signal, Pointed) and signal.direction and self.game.phase == Phase.SERVING):  # then it aims
             state.view = state.view.after(signal, unit_of(size))
         return self
 
     def _hold(self, signal: Signal) -> None:
-        """Note what a player holds down; where two play, the second one's keys and gamepad are not the first one's."""
+        """Note what a player holds down. If two play, the second player has keys and a gamepad of their own."""
         keys = isinstance(signal, Pressed | Released) and signal.position in second_player_positions()
         if self._players != Players.ONE and (keys or pad_of(signal) == 1):
             self._second = self._second.after(signal)
@@ -263,7 +263,7 @@ class GameOnPage:
         return None
 
     def went_on(self) -> PageScreen:
-        """This game, with the next level at once."""
+        """Start the next level at once, and return this game."""
         self._hands = self._hands.after(Pressed(Action.SERVE))
         return self
 

@@ -1,4 +1,4 @@
-"""What a game on the page leaves behind, and the menus after a level and after a game."""
+"""Records of a game on the page, and the menus after a level and after a game."""
 
 import time
 from dataclasses import dataclass
@@ -20,27 +20,29 @@ from game.web.client.state import PageScreen, PageState
 
 
 class Played(PageScreen, Protocol):
-    """A game on the page, as far as its results lead back to it. endless: the seed of its levels, None for others."""
+    """A game on the page, as the menus of its results use it. endless: the seed of its levels, None for others."""
 
     endless: int | None
 
     @property
     def game(self) -> Game:
-        """The game as it stands."""
+        """The present state of the game."""
 
     def went_on(self) -> PageScreen:
-        """The game, with the next level at once."""
+        """Start the next level at once, and return the game."""
 
     def restarted(self) -> PageScreen:
-        """The same levels from their first serve."""
+        """A new game on the same levels."""
 
 
 @dataclass
 class Counted:
-    """What of a game is kept.
+    """What is recorded of a game.
 
-    levels: of the game. counts: whether bests, scores and the replay are: where one player plays, and until the program does.
-    endless: whether its levels are made from a seed. start: tick at which the level began. speed: the slowest so far, per cent.
+    levels: of the game. counts: whether bests, scores and the replay are stored: only for a single player without the
+    autopilot.
+    endless: whether its levels are made from a seed. start: tick at which the level began. speed: lowest game speed so far, per
+    cent.
     """
 
     state: PageState
@@ -52,11 +54,11 @@ class Counted:
 
     @property
     def ranked(self) -> bool:
-        """Whether the game's score may stand in a table: not with levels that anybody can make."""
+        """Whether the game's score may enter a table: not on a player's own levels, which may be easy."""
         return self.counts and (self.endless or all([level in built_in() for level in self.levels]))
 
     def note_level(self, game: Game) -> None:
-        """A level was finished: note it, where the player has done it."""
+        """Record a finished level, if the game counts."""
         state, result = self.state, game.results[-1]
         state.said.append(tr("Level cleared"))
         if self.counts and game.level in built_in():
@@ -67,7 +69,7 @@ class Counted:
 
 
 def level_results(state: PageState, screens: Screens, play: Played) -> PageScreen:
-    """A level's figures, and the next one."""
+    """The menu after a level: its results, and the next level."""
     game = play.game
     result = game.results[-1]
     points = tr("{score} points, {lost} balls lost, best combo {combo}")
@@ -82,7 +84,7 @@ def level_results(state: PageState, screens: Screens, play: Played) -> PageScree
 
 
 def game_results(state: PageState, screens: Screens, play: Played, record: Counted) -> PageScreen:
-    """A game's figures; the name of who made a high score; its replay; and how to go on."""
+    """The menu after a game: its results, the entry of a name for a high score, its replay, and where to go next."""
     game, won = play.game, play.game.phase == Phase.WON
     last = state.kept.game_done() if record.counts else None
     state.changed = True
@@ -107,7 +109,7 @@ def game_results(state: PageState, screens: Screens, play: Played, record: Count
 
 
 def _name_item(state: PageState, screens: Screens, score: Score) -> Opened:
-    """The entry of the name of who made a high score."""
+    """The field for the name of the player with a high score."""
 
     def entered(value: str) -> PageScreen:
         state.kept.enter(msgspec.structs.replace(score, name=value.strip()[:LONGEST_NAME]))
@@ -120,7 +122,7 @@ def _name_item(state: PageState, screens: Screens, score: Score) -> Opened:
 
 
 def leaving(state: PageState, screens: Screens) -> tuple[Opened, ...]:
-    """Where else to go from a game."""
+    """The entries that leave a game."""
     return (
         Opened(PageItem("levels", tr("All levels")), lambda _value: levels_menu(state, screens)),
         Opened(PageItem("title", tr("Main menu")), lambda _value: screens.title()),

@@ -1,4 +1,4 @@
-"""The settings on the page: the desktop's, but for keys, captions and the ghost, which the page does not have."""
+"""The settings on the page: the desktop's, except for keys, captions and the ghost, which the page does not have."""
 
 from collections.abc import Callable, Iterable
 
@@ -15,7 +15,7 @@ from game.web.client.state import PageScreen, PageState
 
 
 def settings_menu(state: PageState, back: Callable[[], PageScreen], under: PageScreen | None = None) -> MenuScreen:
-    """What can be set."""
+    """The menu of the settings."""
 
     def contents(menu: MenuScreen) -> tuple[Iterable[str], Iterable[Opened]]:
         held, part = state.settings, _Part(state, menu)
@@ -47,10 +47,10 @@ def settings_menu(state: PageState, back: Callable[[], PageScreen], under: PageS
 
 
 class _Part:
-    """Makes the controls of a menu of settings: each is of a field of `Settings`."""
+    """Makes the controls of a settings menu, each for a field of `Settings`."""
 
     def __init__(self, state: PageState, menu: MenuScreen) -> None:
-        """menu: what is shown after a change."""
+        """Create it. menu: shown after a change."""
         self._state, self._menu = state, menu
 
     def switch(self, name: str, label: str) -> Opened:
@@ -59,7 +59,7 @@ class _Part:
         return Opened(PageItem(name, label, "switch", str(on)), lambda value: self._change(name, value == "True"))
 
     def choice(self, name: str, label: str, options: tuple[tuple[str, str], ...], hint: str = "") -> Opened:
-        """One of several. options: values, and what they are called."""
+        """One of several values. options: values and labels."""
         now = str(getattr(self._state.settings, name))
         item = PageItem(name, label, "choice", now, options, hint=hint)
         return Opened(item, lambda value: self._change(name, value if value in dict(options) else now))
@@ -99,7 +99,7 @@ def _effects_menu(state: PageState, back: Callable[[], PageScreen], under: PageS
 def _unlocked(
     state: PageState, field: str, conditions: dict[str, Condition], names: dict[str, str]
 ) -> tuple[tuple[tuple[str, str], ...], str]:
-    """What the player has earned, with what is chosen, and how to earn the next. field: of `Settings`."""
+    """A choice among the unlocked values of a field of `Settings`, with a line that says how to unlock the next one."""
     earned, now = unlocked(conditions, feats(state.kept.progress.value)), getattr(state.settings, field)
     options = tuple([(name, words) for name, words in names.items() if name in earned or name == now])
     following = next((name for name in conditions if name not in earned), None)
@@ -108,11 +108,11 @@ def _unlocked(
 
 
 def _full_screen(state: PageState, menu: MenuScreen) -> PageScreen:
-    """The page fills the screen, or does so no more."""
+    """Switch full screen on or off."""
     state.full_screen = True
     return menu
 
 
 def _whole(value: str, low: int, high: int, held: int) -> int:
-    """A number within limits; what is held where the text is no number."""
+    """The number in a text, within limits; `held` if the text is no number."""
     return min(max(int(value), low), high) if value.isascii() and value.isdecimal() and len(value) < 5 else held

@@ -74,14 +74,14 @@ class Pictures:
 
 @dataclass
 class PageState:
-    """Shared by the screens. folder: of what is stored; None where nothing can be.
+    """The state that all screens share. folder: of stored files; None if nothing can be stored.
 
     players: how many steer the paddles of new games. levels: of the campaign. own: the player's, by the names of their files.
     density: pixels of the canvas per CSS pixel.
     told: lines for the player to read for a moment. said: for a screen reader. started: sounds to be played now.
-    engine: the lab's second one, once it was loaded; asks_engine: whether it is to be loaded now.
+    engine: the lab's second engine, once it is loaded; asks_engine: whether to load it.
     functions: the player's own, in the editor. changed: whether what is stored has changed. download: a file for the player.
-    full_screen: whether the page is to fill the screen, or not to do so any more. touched: whether it is played by touch.
+    full_screen: whether to switch full screen on or off. touched: whether it is played by touch.
     """
 
     sounds: Sounds
@@ -122,7 +122,7 @@ class PageState:
 
     @property
     def game_rules(self) -> Ruleset:
-        """Of new games: two who play against each other need the arcade rules."""
+        """The rules of new games: two opponents need the arcade rules."""
         versus = self.players == Players.VERSUS
         return self.ruleset._replace(versus=versus, arcade=self.ruleset.arcade or versus)
 
@@ -131,7 +131,7 @@ class PageState:
         return self._unit(size) * self.settings.text_size / 100.0
 
     def _unit(self, size: tuple[int, int]) -> float:
-        """The measure of what stands beside the arena, pixels."""
+        """Size of text beside the arena, pixels."""
         return max(unit_of(size), _SMALLEST * self.density)
 
     def choose_difficulty(self, name: str) -> None:

@@ -32,8 +32,8 @@ export class Words {
   }
 
   /**
-   * Formulas stand beside each other where they would not fit below each other. While one scene is shown, nothing shrinks. In a
-   * lecture room those that were revealed first make room, then the note.
+   * Make the words fit: formulas that do not fit below each other are put side by side. The height never shrinks while a scene is
+   * shown. While presenting, the formulas that were revealed first are hidden instead, then the note.
    */
   #fit(presents) {
     const { section } = this, rows = [...this.formula.children], overflows = () => section.scrollHeight > section.clientHeight + 1;

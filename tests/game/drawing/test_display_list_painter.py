@@ -130,7 +130,7 @@ def test_a_plate_is_around_its_words():
 
 
 def test_words_and_their_plate_fade_together():
-    """Half as opaque, both are half way from what is below; and the next ones, opaque again, are as if nothing had faded."""
+    """At half opacity both are halfway to what is below; opaque words afterwards look as if nothing had faded."""
     painter, letters, pictures = DisplayListPainter(), Type(), []
     for opacity in (1.0, 0.5, 1.0):
         picture = DisplayList()

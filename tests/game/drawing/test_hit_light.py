@@ -16,13 +16,13 @@ RING = (*[SlotContent(kind) for kind in KINDS], SlotContent(ContentKind.BRICKS, 
 
 
 def piles(glows):
-    """What stands in a ring's slots, each in as much light."""
+    """The parts in a ring's slots, with the light of hits. glows: of each slot."""
     lit = [content._replace(glow=glow) for content, glow in zip(RING, glows, strict=True)]
     return [(slot, parts(content, SHAPE, 0.0, DARK)) for slot, content in enumerate(lit)]
 
 
 def test_blocks_in_other_colours_are_those_cut_anew():
-    """Of every content, in every light, also in a ring where only some slots are lit."""
+    """Recoloured blocks equal newly computed ones: every content, every light, also if only some slots are lit."""
     dark = ring_blocks(CUT, piles([0] * len(RING)))
     for glow in range(1, GLOW_STEPS + 1):
         lit = piles([glow if slot % 3 else 0 for slot in range(len(RING))])

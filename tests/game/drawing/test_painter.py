@@ -183,7 +183,7 @@ def test_the_ball_is_drawn_at_its_place():
 
 
 def test_a_cached_picture_equals_a_fresh_one():
-    """Over thousands of ticks and a change of level, a used painter draws what a new one draws, also in the light of hits."""
+    """During thousands of ticks and a change of level, a painter with caches draws what a new one draws, also lit by hits."""
     game, pilot, painter, effects = new_game(classic()[:3], 5), Autopilot(), Painter(), Effects()
     compared = 0
     levels = set()

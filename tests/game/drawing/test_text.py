@@ -1,4 +1,4 @@
-"""Lines of text: where they are broken, and that they stand level."""
+"""Lines of text: where they are wrapped, and their height."""
 
 import pygame
 import pytest
@@ -24,7 +24,7 @@ def test_a_line_holds_the_words_that_fit(size, width):
 @pytest.mark.parametrize("spacing", [0.0, 0.03])
 @pytest.mark.parametrize("accented", ["Čas", "sČa", "Úhel"])
 def test_accents_on_capitals_do_not_move_a_line(accented, spacing):
-    """Letters stand as high as those of a line without accents, about the middle by which lines are placed."""
+    """The letters are at the same height as in a line without accents, measured from the line's middle."""
     plain = accented.replace("Č", "C").replace("Ú", "U")
     lowest = []
     for text in (plain, accented):

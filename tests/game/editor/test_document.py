@@ -47,7 +47,7 @@ def ring_field(key):
 
 
 def test_every_key_of_the_format_is_shown_and_can_be_changed_and_undone():
-    """A level of the campaign differs from a new one in keys that the editor sets one by one; nothing else is needed."""
+    """Every key by which a level of the campaign differs from a new one can be set in the editor, and undone."""
     shown = {(field.table, field.key) for fields in PART_FIELDS.values() for field in fields}
     assert shown == {
         (name, key) for name, table in TABLES.items() for key in table.__struct_fields__ if name or key not in TABLES
@@ -60,7 +60,7 @@ def test_every_key_of_the_format_is_shown_and_can_be_changed_and_undone():
 
 
 def test_a_level_of_the_campaign_is_made_from_a_new_one():
-    """By what the panel can do alone: rings, strokes of layers and colours, wells, values."""
+    """The panel's commands suffice: rings, strokes of layers and colours, wells, values."""
     wanted = min([level for level in campaign() if level.wells], key=lambda level: sum([ring.count for ring in level.rings]))
     session = editor.begun(NEW, NEW)
     while len(session.document.level.rings) < len(wanted.rings):
@@ -88,7 +88,7 @@ def test_a_level_of_the_campaign_is_made_from_a_new_one():
 
 
 def test_undo_says_what_it_takes_back():
-    """Read from the levels before and after: strokes by their bricks, a number by its values, a file by how much is other."""
+    """Strokes are described by their bricks, a number by its values, a changed file by the number of differences."""
     begun = editor.begun(TEXT, TEXT)
     spin = ring_field("spin")
     said = []
@@ -126,7 +126,7 @@ def test_undo_says_what_it_takes_back():
 
 
 def test_steps_of_one_number_are_undone_as_a_whole():
-    """Steps back to where it began leave nothing to undo; another number in between ends them."""
+    """Steps back to the first value leave nothing to undo; a step of another number begins a new change."""
     begun, spin, phase = editor.begun(TEXT, TEXT), ring_field("spin"), ring_field("phase")
     spun = editor.stepped(editor.stepped(begun, spin, 1.0), spin, 1.0)
     assert editor.undone(spun).document == begun.document
@@ -136,7 +136,7 @@ def test_steps_of_one_number_are_undone_as_a_whole():
 
 
 def test_new_tables_stand_apart_and_the_rest_of_the_file_stays():
-    """Wells, drops and looks that a file has not had yet; taken out again, the text is what it was."""
+    """Wells, drops and a look are added to a file without them; removed again, the text is the same as before."""
     more = with_values(opened(TEXT), {("look", "palette"): "gold", ("chapter",): "Mine", ("rings", 0, "tint"): [0, 1]})
     more = with_well_at(with_well_added(editor.EditorSession(editor.EditHistory(more), "")), 3j).document
     assert more.text.startswith(TEXT.partition("\n\n")[0] + '\nchapter = "Mine"\n\n')

@@ -55,7 +55,7 @@ def slots(desk, ring=0):
 
 
 def open_part(desk, part):
-    """Go to a part of the panel by the keys for that, which have to be the panel's."""
+    """Go to a part of the panel by its keys; the panel must have the keys."""
     while desk.form.part is not part:
         desk.press(pygame.K_PERIOD if isinstance(desk, PadDesk) else pygame.K_PAGEDOWN)
 
@@ -67,7 +67,7 @@ def to_pixel(desk, point):
 
 
 def drag(desk, start, end, button=1):
-    """Press in the arena, move, let go; the points are of the world."""
+    """Press in the arena, move, release; the points are of the world."""
     held = tuple([int(button == one) for one in (1, 2, 3)])
     first, last = to_pixel(desk, start), to_pixel(desk, end)
     pygame.event.post(pygame.Event(pygame.MOUSEMOTION, pos=first, rel=(0, 0), buttons=(0, 0, 0)))
@@ -78,7 +78,7 @@ def drag(desk, start, end, button=1):
 
 
 def let_go(desk):
-    """Let the mouse button go where it is."""
+    """Release the mouse button where the mouse is."""
     pygame.event.post(pygame.Event(pygame.MOUSEBUTTONUP, pos=(0, 0), button=1))
     desk.wait(FRAME)
 
@@ -121,7 +121,7 @@ def test_keys_paint_erase_copy_and_paste(keys):
 
 
 def test_keys_alone_make_a_level(keys, tmp_path):
-    """Numbers by steps and typed, a name, colours, a well, power-ups, looks; play-test, save, help and the way out."""
+    """Stepped and typed numbers, a name, colours, a well, power-ups, a look; play-test, save, help, leave."""
     keys.press(TAB)
     open_part(keys, Part.RING)
     keys.focus("Spin")
@@ -172,7 +172,7 @@ def test_keys_alone_make_a_level(keys, tmp_path):
 
 
 def test_the_mouse_alone_makes_a_level(keys, tmp_path):
-    """Chips, strokes, rings and wells that are dragged, numbers by the arrow heads, a name letter by letter."""
+    """Chips, strokes, dragged rings and wells, numbers by their signs, a name letter by letter."""
     desk = keys
     chips = next(spot for spot in desk.form._laid((800, 600)).spots if len(getattr(spot.item, "chips", ())) == 12)
     desk.click(chips.item.boxes(chips.box, desk.form.unit((800, 600)))[5].center)
@@ -225,7 +225,7 @@ def test_the_mouse_alone_makes_a_level(keys, tmp_path):
 
 
 def test_a_gamepad_alone_makes_a_level(pad, tmp_path):
-    """Paint on while a button is held, take away, another brush, a number digit by digit, a well, undo; save; play; leave."""
+    """Painting with a held button, removing, another brush, a number digit by digit, a well, undo; save, play, leave."""
     count = len(slots(pad))
     pad.press(pygame.K_PERIOD)
     pad.pad.press(pygame.CONTROLLER_BUTTON_A)
@@ -275,7 +275,7 @@ def test_a_gamepad_alone_makes_a_level(pad, tmp_path):
 
 
 def test_a_number_that_the_file_leaves_out_is_usual_again_when_its_field_is_emptied(keys):
-    """A step begins at the default; an empty field takes the key out of the file; letters are refused."""
+    """A step begins at the default; an empty field removes the key from the file; letters are refused."""
     keys.press(TAB)
     open_part(keys, Part.PADDLES)
     keys.focus("Top speed")
@@ -290,7 +290,7 @@ def test_a_number_that_the_file_leaves_out_is_usual_again_when_its_field_is_empt
 
 
 def finger(desk, kind, pixel):
-    """One event of a finger, and what SDL makes of it for those who know mice only."""
+    """An event of a finger, and the event of a mouse that SDL makes of it."""
     (x, y), mouse = pixel, {pygame.FINGERDOWN: pygame.MOUSEBUTTONDOWN, pygame.FINGERUP: pygame.MOUSEBUTTONUP}
     held = {"rel": (0, 0), "buttons": (1, 0, 0), "button": 1, "pos": pixel, "touch": True}
     pygame.event.post(pygame.Event(mouse.get(kind, pygame.MOUSEMOTION), **held))
@@ -299,7 +299,7 @@ def finger(desk, kind, pixel):
 
 
 def test_a_finger_alone_paints_scrolls_and_enters_numbers(keys):
-    """In the arena it is a mouse; a control is used where the finger is lifted again, and a drag scrolls and uses nothing."""
+    """In the arena it acts as a mouse; a control is used when the finger is lifted; a drag scrolls and uses nothing."""
     start, end = (to_pixel(keys, 4 * direction) for direction in (1 + 0j, 0.87 + 0.5j))
     keys.press(pygame.K_5)
     for kind, pixel in ((pygame.FINGERDOWN, start), (pygame.FINGERMOTION, end), (pygame.FINGERUP, end)):

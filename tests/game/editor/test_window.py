@@ -1,4 +1,4 @@
-"""The editor's window: what is wrong is shown where it is, everything has room, and nothing is lost when it is left."""
+"""The editor's window: errors are marked, everything fits, and nothing is lost when it is closed."""
 
 import pygame
 import pytest
@@ -126,7 +126,7 @@ def test_a_level_with_a_problem_is_neither_saved_nor_played(editor, tmp_path):
 
 
 def test_a_play_test_comes_back_to_the_editor(editor):
-    """By Esc at once, by the pause's only way out, and from the results; nothing of it is kept."""
+    """By Esc at once, by the only exit of the pause, and from the results; nothing of the game is stored."""
     playing = key(editor, pygame.K_F5)
     assert isinstance(playing, PlayTest)
     playing.advance(0.1, SIZE)
@@ -159,7 +159,7 @@ def test_unsaved_changes_are_asked_about_and_kept_where_nobody_could_be_asked(ed
 @pytest.mark.parametrize("text_size", [100, 200])
 @pytest.mark.parametrize("size", [(640, 480), (800, 600), (3840, 2160), (700, 900)])
 def test_every_part_has_room_beside_the_arena(editor, size, text_size):
-    """Arena, lines and controls lie beside each other; some of what scrolls is seen; Save is at the same pixel in all parts."""
+    """Arena, lines and controls do not overlap; some of the scrolled area is visible; Save is at one pixel in all parts."""
     editor._state.change(editor._state.settings._replace(text_size=text_size))
     seen, side = editor.layout(size), editor.side(size)
     assert pygame.Rect((0, 0), size).contains(seen.side.unionall([seen.arena, seen.foot]))
@@ -179,7 +179,7 @@ def test_every_part_has_room_beside_the_arena(editor, size, text_size):
 
 
 def test_a_picture_that_would_be_the_same_is_not_drawn_again(editor):
-    """What it depends on changes with the level, the cursor, the focus and the mouse, and with nothing else."""
+    """The values that it depends on change with the level, the cursor, the focus and the mouse, and with nothing else."""
     editor.draw(pygame.Surface(SIZE, 0, 32))
     seen = [editor.looks]
     editor.advance(0.1, SIZE)

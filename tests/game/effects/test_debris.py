@@ -160,7 +160,7 @@ def blocked(scene, camera, point, above):
 @pytest.mark.parametrize("view", [FLAT, SOLID], ids=["flat", "solid"])
 @MATTERS
 def test_the_pages_pieces_are_the_first_of_the_desktops(matter, view):
-    """Corners and colours of plates and streaks, from a list of primitives and as computed in arrays."""
+    """Corners and colours of plates and streaks agree between the page's list of primitives and the desktop's arrays."""
     flown, picture = burst(matter, age=20), DisplayList()
     scene = scene_of(1)._replace(bursts=(flown,))
     camera = camera_of(view, scene, SIZE)
@@ -175,5 +175,5 @@ def test_the_pages_pieces_are_the_first_of_the_desktops(matter, view):
     assert len(found) == min(10, len(flying.position))
     for (_code, packed, _opacity, own), outline, colour in zip(found, outlines, colours, strict=False):
         corners = np.array(own[1:]).reshape(-1, 2) @ np.array([1.0, 1.0j])
-        assert np.abs(corners - outline).max() < 0.5  # the page's plates do not grow towards the eye from side to side
+        assert np.abs(corners - outline).max() < 0.5  # the page draws a plate without perspective within it
         assert np.abs(np.array(unpacked(packed)) - colour).max() < 1.0

@@ -112,7 +112,7 @@ def test_a_struck_paddle_is_farther_out_in_3d():
 @VIEWS
 @pytest.mark.parametrize("slot", range(3))
 def test_a_struck_paddle_lights_up_where_it_was_hit(view, slot):
-    """New light is the brightest at the hit; it fades; the paddle's other half, and the other paddles, look as before."""
+    """The light is brightest at the hit and fades; the paddle's other half, and the other paddles, look as before."""
     scene = scene_of()
     ring, height = scene.rings[PADDLES], 0.0 if view is FLAT else PADDLE_HEIGHT * LAYER_HEIGHT * scene.ground_radius
     hit = 0.6 * ring.half_angle
@@ -130,7 +130,7 @@ def test_a_struck_paddle_lights_up_where_it_was_hit(view, slot):
 
 
 def test_words_fade_with_their_plate():
-    """A plate is there as long as its words, as opaque as they are; words without one have a seam that fades with them."""
+    """A plate exists as long as its words, at their opacity; words without a plate have an outline that fades with them."""
     scene = scene_of()
     view = canvas_of(scene, SIZE, FLAT).view
     for age, plate in itertools.product((0.0, 0.3, 0.7, 0.99), (True, False)):

@@ -57,14 +57,14 @@ def test_the_wall_is_built_up_brick_by_brick():
 
 
 def test_before_the_first_tick_nothing_of_the_wall_is_seen():
-    """A picture of a game that has just begun does not show for a moment what is built up then."""
+    """The first picture of a new game does not show the wall before it is built up."""
     game = new_game(classic()[4:], 1)
     assert standing(scene_at(still(game), 1.0, at_start(ALL))) <= standing(entering(1))
     assert standing(scene_at(still(game), 1.0, at_start(ALL - {EffectKind.ENTRY}))) == 18
 
 
 def test_the_last_brick_shines():
-    """With one layer left there is a light where it is, again and again, and no other of its kind before."""
+    """The last layer has a light, again and again; no layer before it has one."""
     game, pilot, shown, lit = new_game(classic()[:2], 3, Ruleset()), Autopilot(), Effects(), []
     while game.phase != Phase.CLEARED:
         done = tick(game, pilot.controls(game))

@@ -60,7 +60,7 @@ def test_the_plate_stays_above_the_wall_and_between_the_figures(language, text_s
 
 
 def test_all_words_are_said_in_their_order():
-    """What the level is about stands between its name and the hint, in as many lines as it needs."""
+    """The level's description is between its name and the hint, wrapped into lines."""
     out, told = (
         DisplayList(),
         Notice("Name", "Hint", "What it is about, in so many words that no line has room for all of them.\nSteer"),
@@ -73,7 +73,7 @@ def test_all_words_are_said_in_their_order():
 
 
 def test_the_plate_leaves_a_ball_alone():
-    """It is at the lower edge while a ball is where it would be."""
+    """It is at the lower edge while a ball is at the upper one."""
     tops = []
     for balls in ((), (400 + 40j,), (400 + 560j,)):
         out = DisplayList()
@@ -84,7 +84,7 @@ def test_the_plate_leaves_a_ball_alone():
 
 @pytest.mark.parametrize("words", [level.description for level in campaign()[:6]] + ["Příliš žluťoučký kůň", "LEVEL 12 of 32"])
 def test_words_are_as_wide_as_is_said_without_a_font(words):
-    """On the screen they are never wider, and less than a tenth narrower."""
+    """The estimated width is at least the width on the screen, and less than a tenth above it."""
     for size in (14, 21, 40):
         drawn = Type().rendered(words, size, (255, 255, 255)).get_width()
         assert drawn <= size * width(words) + 1.0 < 1.1 * drawn + 2.0

@@ -90,7 +90,7 @@ def test_every_row_changes_something_and_changes_it_back(desk, monkeypatch):
 
 
 def test_the_chosen_ball_and_trail_are_shown():
-    """The strip below the choices looks different for every ball, and for every trail."""
+    """The preview below the choices looks different for every ball, and for every trail."""
     looks = set()
     for ball, trail in [*[(ball, "comet") for ball in BALLS], *[("pearl", trail) for trail in list(TRAILS)[1:]]]:
         canvas = Canvas(pygame.Surface((400, 80), 0, 32), Camera(0j, 1.0), LIGHT, Type(), 20.0, ball, trail)

@@ -1,4 +1,4 @@
-"""The texts of every language have room, can be read, and none was forgotten."""
+"""In every language all texts fit, are legible, and are translated."""
 
 import gettext
 import itertools
@@ -40,21 +40,21 @@ NAMES = {
     "(Language)",
     *[one.name for one in languages.LANGUAGES],
 }
-"""What is written in Latin letters in every language, or begins like it."""
+"""Words, or beginnings of words, that have Latin letters in every language."""
 PANELS = {name: opened for name, opened in screens.every_screen() if name not in GAMES | NO_PANELS}
 
 
 def ground_of(surface, box):
-    """The colour that most of a box has."""
+    """The most frequent colour in a box."""
     colours, counts = np.unique(pygame.surfarray.array2d(surface.subsurface(box)), return_counts=True)
     return surface.unmap_rgb(int(colours[counts.argmax()]))[:3]
 
 
 @pytest.fixture
 def written(monkeypatch):
-    """Every line that is written on the window and not into a picture, with its box, as far as it is seen.
+    """Every line that is written on the window and not into a picture, with the visible part of its box.
 
-    Beside it is the contrast of its colour to what was there before.
+    With each line comes the contrast of its colour to the background.
     """
     lines = []
     plain, nowhere = Type.write, pygame.Surface((1, 1))
@@ -85,7 +85,7 @@ def state(tmp_path_factory):
 @pytest.mark.parametrize(("language", "colours"), list(zip(CODES, THEMES, strict=True)))
 @pytest.mark.parametrize("text_size", [100, 200])
 def test_every_line_can_be_read(state, written, language, colours, text_size):
-    """On every panel each line is inside of the window and apart from all others, has its end, and enough contrast."""
+    """On every panel each line is inside of the window, overlaps no other, is not cut off, and has enough contrast."""
     state.change(state.settings._replace(language=language, text_size=text_size, colours=colours))
     surface = pygame.Surface(SMALLEST, 0, 32)
     for name, opened in PANELS.items():
@@ -103,12 +103,12 @@ def test_every_line_can_be_read(state, written, language, colours, text_size):
 
 
 class Greek(gettext.NullTranslations):
-    """Translations in which every Latin letter outside of braces is another one."""
+    """Translations in which every Latin letter outside of braces is replaced by a Greek one."""
 
     letters = str.maketrans({chr(code): chr(0x370 + code) for code in range(ord("A"), ord("z") + 1) if chr(code).isalpha()})
 
     def gettext(self, message):
-        """A text in other letters, placeholders as they were."""
+        """A text in Greek letters, placeholders unchanged."""
         return "".join(
             [part if part.startswith("{") else part.translate(self.letters) for part in re.split("({.*?})", message)]
         )
@@ -119,7 +119,7 @@ class Greek(gettext.NullTranslations):
 
 
 def test_no_text_is_left_untranslated(state, written, monkeypatch):
-    """In a made-up language every word on a panel is in that language's letters, but for names."""
+    """With these translations every word on a panel is in Greek letters, except names."""
     monkeypatch.setattr(languages, "catalogue", lambda _code: Greek())
     state.change(state.settings._replace(text_size=100))
     surface = pygame.Surface(SMALLEST, 0, 32)

@@ -1,4 +1,4 @@
-"""Pieces of work shared by threads: in order, none waits behind another, what one raises is raised."""
+"""Pieces of work shared by threads: results in order, no piece waits behind another, exceptions are raised."""
 
 import subprocess
 import sys
@@ -12,7 +12,7 @@ from physics.batch.threads import shared
 from tests.support.paths import ROOT
 
 PATIENCE = 60.0
-"""Seconds, after which a thread that waits in vain gives up."""
+"""Seconds after which a waiting thread gives up."""
 AFTER_A_FORK = """
 import os, signal
 from physics.batch.threads import shared
@@ -27,13 +27,13 @@ print(os.waitpid(child, 0)[1])
 
 @pytest.mark.parametrize(("pieces", "threads"), [(1, 1), (7, 1), (2, 2), (9, 2), (9, 4), (3, 3)])
 def test_the_results_are_in_the_order_of_the_pieces(pieces, threads):
-    """Whoever did them."""
+    """Whichever thread did them."""
     assert shared(lambda piece: piece * piece, pieces, threads) == [piece * piece for piece in range(pieces)]
 
 
 @pytest.mark.parametrize("slow", [0, 2])
 def test_who_is_done_helps_a_thread_that_is_held_up(slow):
-    """The first piece of one of two threads ends only when its second piece is done: the other thread does that one."""
+    """The first piece of one of two threads ends only when its second piece is done; so the other thread does the second."""
     helped = threading.Event()
 
     def work(piece):
@@ -45,7 +45,7 @@ def test_who_is_done_helps_a_thread_that_is_held_up(slow):
 
 
 def test_what_a_piece_raises_is_raised_when_all_are_done():
-    """Also those after it; the threads are there for the next call."""
+    """The pieces after it are done, too; the threads serve the next call."""
     done = []
 
     def work(piece):
@@ -61,7 +61,7 @@ def test_what_a_piece_raises_is_raised_when_all_are_done():
 
 @pytest.mark.skipif(sys.platform == "win32", reason="Windows has no fork")
 def test_a_forked_process_starts_threads_of_its_own():
-    """It has none of its parent's; without its own it would wait for ever."""
+    """It has none of its parent's threads; without threads of its own it would wait for ever."""
     command = [sys.executable, "-W", "ignore", "-c", AFTER_A_FORK]
     assert subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=True).stdout == "0\n"
 

@@ -105,7 +105,7 @@ def _value_items(parameter: Parameter, value: complex) -> list[PageItem]:
 
 
 def _toggle_items(scene: LabScene, picture: Picture, shown: frozenset[Toggle]) -> list[PageItem]:
-    """A switch for everything that can be hidden, and for pymunk's answer, whether or not pymunk was loaded."""
+    """A switch for everything that can be hidden, and for pymunk's answer, also while pymunk is not loaded yet."""
     asked = {Toggle.PYMUNK} if scene.engine_use is EngineUse.TOGGLE else set[Toggle]()
     return [
         PageItem(f"toggle:{toggle.value}", toggle.value, "switch", str(toggle in shown))

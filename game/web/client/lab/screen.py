@@ -115,7 +115,7 @@ class LabOnPage:
 
     @property
     def described(self) -> str:
-        """The title, and the step; the formulas are read as the words that they are."""
+        """The title and the step for a screen reader; formulas are read from the page itself."""
         step = reveals.step_words(self._reveal, self._picture)
         return ". ".join([part for part in (self._session.scene.title, step) if part])
 
@@ -199,7 +199,7 @@ class LabOnPage:
         return self
 
     def draw(self, out: Pictures, size: tuple[int, int]) -> None:
-        """The panes with their handles."""
+        """Draw the panes with their handles."""
         picture, layout = self._seen, self._layout(size)
         out.backdrop = self._empty
         for pane, seen in zip(picture.panes, self._panes(layout), strict=True):
@@ -313,11 +313,11 @@ class LabOnPage:
         return self
 
     def use_engine(self, engine: Engine) -> None:
-        """The second engine was loaded: let it answer."""
+        """Take the second engine, which was loaded."""
         self._session = sessions.with_engine(self._session, engine)
 
     def _ask_engine(self) -> None:
-        """Have the second engine loaded, if what is shown needs it and it is not there yet."""
+        """Request the second engine if the scene needs it and it is not loaded yet."""
         use = self._session.scene.engine_use
         wanted = use is EngineUse.ALWAYS or (use is EngineUse.TOGGLE and Toggle.PYMUNK in self._toggles)
         if wanted and self._state.engine is None:
@@ -325,7 +325,7 @@ class LabOnPage:
             self._state.told.append("pymunk is being loaded")
 
     def _parsed(self, line: str) -> SharedScene:
-        """What a share line names. BadInputError where it names nothing."""
+        """The scene of a share line; BadInputError if there is none."""
         return parsed(line, self._state.engine)
 
     def open(self, line: str) -> None:

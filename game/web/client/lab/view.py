@@ -1,4 +1,4 @@
-"""How a scene of the lab is laid out on the page's canvas: its panes. The words around it are the page's own."""
+"""Layout of a scene's panes on the page's canvas. The words around them are elements of the page."""
 
 from collections.abc import Sequence
 from typing import NamedTuple
@@ -16,13 +16,13 @@ from game.web.client.messages import PageWords
 _BODY, _SMALLEST = 0.8, 13.0
 """Size of text in the game's; CSS pixels that it has at least."""
 _EM = 0.6875
-"""The em square of the game's own font, in whose sizes a lecture room's are given."""
+"""The em square of the game's own font: text sizes for presenting are multiples of it."""
 _LETTER = 0.52
 """Width of a letter, in shares of its size."""
 _LEAST_LETTERS = 40
 """Letters that a line of a lecture room has at least: on a phone the text is smaller for them."""
 _FLATTEST = 0.75
-"""A canvas that is flatter, since words are below it, has text of the size that one of this height to its width has."""
+"""Least ratio of height to width by which the text size is computed: a canvas above words may be flatter."""
 _MOST_PEN = 1.6
 """Lines and points grow with the text up to this."""
 
@@ -56,7 +56,7 @@ class PaneArea(NamedTuple):
 
 
 class LabLayout(NamedTuple):
-    """Where everything is. unit: size of text, pixels. pen: the measure of lines and points, pixels."""
+    """Positions of everything. unit: size of text, pixels. pen: unit for the width of lines and points, pixels."""
 
     unit: float
     pen: float
@@ -66,7 +66,7 @@ class LabLayout(NamedTuple):
 def layout_of(size: tuple[int, int], density: float, panes: int, scale: int | None = None) -> LabLayout:
     """The layout of a canvas with some panes. density: pixels per CSS pixel.
 
-    scale: of a lecture room's text, an index of TEXT_SCALES; None beside the controls.
+    scale: index into TEXT_SCALES while presenting; None beside the controls.
     """
     width, height = size
     body = max(unit_of((width, max(height, round(_FLATTEST * width)))) * _BODY, _SMALLEST * density)
@@ -77,7 +77,7 @@ def layout_of(size: tuple[int, int], density: float, panes: int, scale: int | No
 
 
 def words_of(title: str, picture: Picture, reveal: Reveal, whole: Picture, scale: int | None) -> PageWords:
-    """The words around what is shown of a picture. whole: all of it. scale: as of `layout_of`; a step has words only there."""
+    """The words around a picture. reveal: the steps shown so far; whole: the picture with all; scale: as in `layout_of`."""
     formula = tuple([mathml_line(line) for line in picture.formula])
     note = _html(picture.note)
     if scale is not None:
@@ -87,7 +87,7 @@ def words_of(title: str, picture: Picture, reveal: Reveal, whole: Picture, scale
 
 
 def _html(words: str) -> str:
-    """A sentence as HTML; one with a variable in it has formulas."""
+    """A sentence as HTML; variables in it become formulas."""
     return mathml_line(words) if has_symbols(words) else escaped(words)
 
 
@@ -100,7 +100,7 @@ def handle_at(handles: Sequence[Handle], given: Given, point: complex, reach: fl
 
 
 def _panes(size: tuple[int, int], count: int) -> tuple[PaneArea, ...]:
-    """The panes: side by side; on a narrow canvas one above the other."""
+    """The areas of the panes: side by side; on a narrow canvas one above the other."""
     room = complex(*size)
     beside = room.real >= room.imag
     extent = complex(room.real / count, room.imag) if beside else complex(room.real, room.imag / count)
