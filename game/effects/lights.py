@@ -53,7 +53,7 @@ _LIGHTS = {
     EventKind.BALLS_MET: Light(LightSource.STEEL, 0j, 0.16, 0.5, 50),
     EventKind.BUMPER_HIT: Light(LightSource.GOOD, 0j, 0.36, 0.9, 110),
     EventKind.LIFE_GAINED: Light(LightSource.GOOD, 0j, 0.36, 0.9, 110),
-    EventKind.BALL_LOST: Light(LightSource.BAD, 0j, 0.5, 1.0, 200),
+    EventKind.BALL_LOST: Light(LightSource.BAD, 0j, 0.4, 1.0, 200),
     EventKind.BRICK_REGROWN: Light(LightSource.GOOD, 0j, 0.16, 0.6, 90),
     EventKind.DROP_CAUGHT: Light(LightSource.POWER, 0j, 0.4, 0.9, 120),
     EventKind.DROP_LOST: Light(LightSource.POWER, 0j, 0.2, 0.5, 90),
