@@ -70,7 +70,10 @@ class WebPage:
 
     def title(self):
         """The heading of the menu that is open; "" for none."""
-        return self.tab.inner_text("#menu-title") if self.tab.is_visible("#menu") else ""
+        # One question: between two, the menu may be closed.
+        return self.tab.evaluate(
+            "(() => { const h = document.getElementById('menu-title'); return h?.checkVisibility() ? h.innerText : '' })()"
+        )
 
     def to_title(self):
         """Leave whatever is open."""

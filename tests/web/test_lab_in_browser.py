@@ -98,6 +98,26 @@ def test_a_scene_is_revealed_step_by_step_and_presented(page):
     page.wait(lambda: page.title().startswith("Narrow phase, case 2"))
 
 
+_OTHER_SLIDER = """(() => {
+  const slider = document.getElementById("item-value:ball.y").parentElement.querySelector("[type=range]");
+  slider.value = 2;
+  slider.dispatchEvent(new Event("input"));
+})()"""
+
+
+def test_a_number_that_is_being_typed_is_not_replaced(page):
+    """It stays while another value changes, and is taken when its field is left."""
+    page.go("lab/broad-phase")
+    field = page.tab.locator("[id='item-value:ball.x']")
+    field.fill("7.25")
+    before = page.standing()["line"]
+    page.tab.evaluate(_OTHER_SLIDER)
+    page.wait(lambda: page.standing()["line"] != before)
+    assert field.input_value() == "7.25"
+    page.tab.keyboard.press("Tab")
+    page.wait(lambda: "7.25" in page.standing()["line"], page.standing)
+
+
 def test_the_course_asks_and_sees_a_goal_reached(page):
     """A question is answered; the exercise after it is solved by typed values, and is done after a reload."""
     page.go("lab/polar")

@@ -12,7 +12,10 @@ function made(tag, properties = {}, ...children) {
 /** A number's name, what it means, a slider, and a field; the two follow each other. */
 function number(item, name, use) {
   const limits = { min: item.low, max: item.high, step: item.step || "any", value: item.value };
-  const field = made("input", { type: "number", id: name, ...limits, onchange: () => use(item.id, field.value) });
+  const field = made("input", { type: "number", id: name, ...limits });
+  field.oninput = () => { field.dataset.typed = "yes"; };
+  field.onchange = () => use(item.id, field.value);
+  field.onblur = () => { delete field.dataset.typed; };
   const slider = made("input", { type: "range", ...limits, step: item.step || (item.high - item.low) / SLIDER_STEPS });
   slider.setAttribute("aria-label", `${item.label} ${item.hint ?? ""}`);
   slider.oninput = () => use(item.id, slider.value);
@@ -20,10 +23,10 @@ function number(item, name, use) {
   return made("div", { className: "number" }, words, slider, field);
 }
 
-/** Let a control show another value, if nobody is typing in it. */
+/** Let a control show another value, unless somebody is typing in it. A number that was typed stays until its field is left. */
 function update(element, item) {
   for (const field of element.querySelectorAll("select, input")) {
-    if (field === document.activeElement && field.type === "text") continue;
+    if (field.dataset.typed || (field === document.activeElement && field.type === "text")) continue;
     if (field.type === "checkbox") field.checked = item.value === "True";
     else if (field.value !== item.value) field.value = item.value;
   }
