@@ -30,10 +30,8 @@ def autopilot_game(
     """
     game, pilot = new_game(levels, seed, ruleset), Autopilot()
     for start in _with_progress(range(0, ticks, _PROGRESS_STEP)):
-        if pending():
-            return game
         for _ in range(min(_PROGRESS_STEP, ticks - start)):
-            if game.phase in _ENDED:
+            if game.phase in _ENDED or pending():
                 return game
             controls = pilot.controls(game)
             done = tick(game, controls, advance)
