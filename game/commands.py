@@ -197,7 +197,7 @@ def edit_level(
     """Open the level editor."""
     path = file_to_edit(file)
     check_pygame()
-    from game.app import Services, edit  # noqa: PLC0415  # pygame, only where it is needed
+    from game.loop.app import Services, edit  # noqa: PLC0415  # pygame, only where it is needed
 
     with _settings() as settings:
         edit(path, Services(settings=settings, lost=_say_lost))
@@ -260,7 +260,7 @@ def watch_replay(
         raise BadInputError(f"replay: {len(files)} files to watch; expected one")
     recording = replay.load(files[0])
     check_pygame()
-    from game.app import Services, watch  # noqa: PLC0415  # pygame, only where it is needed
+    from game.loop.app import Services, watch  # noqa: PLC0415  # pygame, only where it is needed
 
     with _settings() as settings:
         watch(recording, Services(_second_opinion(), _second_engine, settings, lost=_say_lost))
@@ -289,8 +289,8 @@ def _refuse_physics(context: typer.Context, physics: str, own: Path | None, reco
 def _play_in_window(chosen_game: ChosenGame, *, autopilot: bool) -> None:
     """The game in its window; without a display, a short demonstration and a picture of it instead."""
     check_pygame()
-    from game.app import Services  # noqa: PLC0415  # pygame, only where it is needed
-    from game.app import play as play_in_window  # noqa: PLC0415
+    from game.loop.app import Services  # noqa: PLC0415  # pygame, only where it is needed
+    from game.loop.app import play as play_in_window  # noqa: PLC0415
 
     levels, seed, ruleset, record, physics, own, players = chosen_game
     kept = Kept(data_folder(), record)

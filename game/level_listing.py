@@ -7,7 +7,7 @@ from rich.console import Console
 from rich.table import Table
 
 from game.levels import Level, built_in
-from game.own_levels import own_levels, own_levels_folder
+from game.levels.own import own_levels, own_levels_folder
 from game.system.errors import BadInputError
 from game.system.files import write_whole
 from game.system.output import say, tell

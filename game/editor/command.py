@@ -5,7 +5,7 @@ from pathlib import Path
 from game.editor.document import opened
 from game.editor.file_watch import WatchedFile
 from game.editor.session import EditorSession, begun
-from game.own_levels import own_levels_folder
+from game.levels.own import own_levels_folder
 from game.system.errors import BadInputError
 from game.system.files import check_target, free_path, write_text
 from game.system.output import say

@@ -21,14 +21,14 @@ from game.input.view import FLAT, Viewpoint
 from game.kept.store import Kept
 from game.language import choose, tr_noop
 from game.levels import Level
+from game.levels.own import OwnLevels
+from game.loop.session_seed import game_seed
 from game.overlay.toast import Toast
-from game.own_levels import OwnLevels
 from game.rules import SOURCE_RULES, Controls, Game, Ruleset, Ticked
 from game.screens.base import Screen
 from game.screens.difficulty_names import SOURCE
 from game.screens.level_pictures import LevelPictures
 from game.second_opinion import Compare, NormalPair
-from game.session_seed import game_seed
 from game.settings.file import SettingsFile
 from game.settings.values import LOUDEST, Settings
 from game.sound.mixer import Audio

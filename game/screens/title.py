@@ -6,20 +6,20 @@ from game.drawing.camera import Camera, unit_of
 from game.drawing.canvas import Canvas
 from game.input.keys import Action
 from game.language import tr
-from game.level_names import level_name
 from game.levels import from_level
+from game.levels.names import level_name
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.demo import Demo
 from game.screens.menus.credits import Credits
 from game.screens.menus.endless import endless_menu
-from game.screens.menus.help import Help
+from game.screens.menus.help.panel import Help
 from game.screens.menus.high_scores import HighScores
 from game.screens.menus.level_select import LevelSelect, next_level
 from game.screens.menus.replays import Replays
-from game.screens.menus.settings_panel import SettingsPanel
-from game.screens.play import PlayScreen
-from game.screens.toolkit.items import ButtonItem, Item
+from game.screens.menus.settings.panel import SettingsPanel
+from game.screens.play.screen import PlayScreen
+from game.screens.toolkit.items.basic import ButtonItem, Item
 from game.screens.toolkit.layout import Content, Laid
 from game.screens.toolkit.menu import Entry, Menu
 from game.screens.toolkit.panel import Panel

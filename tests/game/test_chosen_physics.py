@@ -6,15 +6,16 @@ import msgspec
 import pygame
 import pytest
 
-from game import app, commands
+from game import commands
 from game.chosen_physics import SOURCE, SWEPT
 from game.kept import games as kept_games
 from game.kept.store import Kept
 from game.levels import Level, classic, parse
-from game.screens.play import PlayScreen
+from game.loop import app
+from game.screens.play.screen import PlayScreen
 from tests.support.command_line import polar
-from tests.support.dummy_window import FRAME, SIZE, Desk, shared
 from tests.support.level_text import GOOD
+from tests.support.windows.dummy_window import FRAME, SIZE, Desk, shared
 
 HEADLESS = ("--headless", "--autopilot", "--seed", "3", "--ticks", "2000")
 

@@ -17,11 +17,11 @@ from game.language import tr, tr_noop
 from game.level_format.specs import DROP_KINDS, DropKind, GroundPattern, Palette
 from game.rules import PowerUp
 from game.screens.base import Screen
-from game.screens.toolkit.chips import Chip, ChipsItem
-from game.screens.toolkit.items import ButtonItem, ChoiceItem, Heading, Item, Space, Switch, TextItem
-from game.screens.toolkit.label import LabelItem
+from game.screens.toolkit.items.basic import ButtonItem, ChoiceItem, Heading, Item, Space, Switch, TextItem
+from game.screens.toolkit.items.chips import Chip, ChipsItem
+from game.screens.toolkit.items.label import LabelItem
+from game.screens.toolkit.items.number import NumberItem
 from game.screens.toolkit.layout import Column, Row
-from game.screens.toolkit.number import NumberItem
 from game.screens.toolkit.side import Typing
 from physics import PERMANENT
 

@@ -11,7 +11,7 @@ from game.language import tr_noop
 from game.levels import Level
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.play import PlayScreen
+from game.screens.play.screen import PlayScreen
 
 
 class PlayTest:

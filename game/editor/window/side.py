@@ -14,10 +14,10 @@ from game.language import tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.toolkit.form import spot_at
+from game.screens.toolkit.items.text_field import TextField
 from game.screens.toolkit.layout import Laid, laid_in_column
 from game.screens.toolkit.side import MODIFIERS, Side, Typing
 from game.screens.toolkit.text_entry import TextEntry
-from game.screens.toolkit.text_field import TextField
 
 _NARROW = 13.5
 """A side that is narrower has one switch in a row, in units of text."""

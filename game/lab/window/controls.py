@@ -13,12 +13,12 @@ from game.lab.session.commands import Command
 from game.lab.session.session import PACES, Session
 from game.lab.window.commands import KEYS, TOGGLE_KEYS
 from game.screens.base import Screen
-from game.screens.toolkit.drop_down import DropDown, Option, Options
-from game.screens.toolkit.items import ButtonItem, Item, Space, Switch
-from game.screens.toolkit.label import LabelItem
+from game.screens.toolkit.items.basic import ButtonItem, Item, Space, Switch
+from game.screens.toolkit.items.drop_down import DropDown, Option, Options
+from game.screens.toolkit.items.label import LabelItem
+from game.screens.toolkit.items.slider import FieldSlider
 from game.screens.toolkit.layout import Column, Row
 from game.screens.toolkit.side import Typing
-from game.screens.toolkit.slider import FieldSlider
 
 _LIST_SHARE = 6.0
 """Widths of the list of scenes and of the clock, in those of the buttons beside them."""

@@ -24,10 +24,10 @@ from game.lab.window.layout import WindowLayout
 from game.lab.window.words import small_print_height
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.toolkit.drop_down import Option, OptionList, Options
+from game.screens.toolkit.items.drop_down import Option, OptionList, Options
+from game.screens.toolkit.items.text_field import TextField
 from game.screens.toolkit.layout import Laid, laid_in_column
 from game.screens.toolkit.side import Side, Typing
-from game.screens.toolkit.text_field import TextField
 
 _LETTERS = 0.87
 """The toolkit's unit in the lab's: what items are called is about as large as body text then."""

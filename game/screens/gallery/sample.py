@@ -21,7 +21,7 @@ from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.editors import OpenEditors
 from game.screens.menus.level_select import LevelSelect
-from game.screens.play import PlayScreen
+from game.screens.play.screen import PlayScreen
 from game.screens.title import Title
 from game.screens.watch import Watch
 from game.settings.values import Settings

@@ -21,13 +21,13 @@ from game.screens.base import Screen
 from game.screens.gallery.sample import SIZE, begun, cleared, last_life, later, lost, played, raced, watched, with_power_ups
 from game.screens.menus.credits import Credits
 from game.screens.menus.endless import endless_menu
-from game.screens.menus.help import Help
+from game.screens.menus.help.panel import Help
 from game.screens.menus.high_scores import HighScores
-from game.screens.menus.key_capture import KeyCapture, Wanted
 from game.screens.menus.level_select import LevelSelect
 from game.screens.menus.replays import Replays
-from game.screens.menus.settings_panel import SettingsPanel
-from game.screens.menus.settings_rows import PARTS
+from game.screens.menus.settings.key_capture import KeyCapture, Wanted
+from game.screens.menus.settings.panel import SettingsPanel
+from game.screens.menus.settings.rows import PARTS
 from game.screens.title import Title
 from game.screens.toolkit.panel import Panel
 from game.screens.toolkit.text_entry import TextEntry

@@ -7,7 +7,7 @@ from game.input.players import Players, players_words
 from game.language import tr
 from game.screens.app_state import AppState
 from game.screens.difficulty_names import DIFFICULTIES, difficulty_name, ruleset_of
-from game.screens.toolkit.items import ChoiceItem
+from game.screens.toolkit.items.basic import ChoiceItem
 
 
 def players_choice(state: AppState) -> ChoiceItem:

@@ -2,14 +2,14 @@
 
 from game.kept.scores import ENDLESS, Score
 from game.language import grouped, tr
-from game.level_names import level_name
+from game.levels.names import level_name
 from game.overlay.toast import Toast
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.difficulty_names import DIFFICULTIES, difficulty_name
 from game.screens.menus.replay_file import opened_replay
 from game.screens.toolkit.focus import Focus
-from game.screens.toolkit.items import ButtonItem, Cells, Item, TextItem
+from game.screens.toolkit.items.basic import ButtonItem, Cells, Item, TextItem
 from game.screens.toolkit.layout import FROM_TOP, Content
 from game.screens.toolkit.menu import Entry, back_row
 from game.screens.toolkit.panel import Panel

@@ -12,19 +12,19 @@ from game.drawing.raster.primitives import draw_box
 from game.drawing.text import Type
 from game.kept.progress import RANKS, Best
 from game.language import grouped, ntr, tr
-from game.level_names import level_name
 from game.levels import Level, from_level
+from game.levels.names import level_name
 from game.overlay.toast import Toast
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.difficulty_names import difficulty_name
-from game.screens.menus.control_rows import WIDE_TEXT
 from game.screens.menus.difficulty import difficulty_choice, players_choice
-from game.screens.play import PlayScreen
-from game.screens.play_record import record_name
+from game.screens.menus.settings.control_rows import WIDE_TEXT
+from game.screens.play.record import record_name
+from game.screens.play.screen import PlayScreen
 from game.screens.toolkit.focus import Focus
 from game.screens.toolkit.icons import draw_lock
-from game.screens.toolkit.items import ButtonItem, Heading, Item
+from game.screens.toolkit.items.basic import ButtonItem, Heading, Item
 from game.screens.toolkit.layout import Content, Row
 from game.screens.toolkit.menu import Entry, Menu
 from game.screens.toolkit.panel import Panel

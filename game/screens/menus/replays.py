@@ -8,13 +8,13 @@ import platformdirs
 
 from game.kept.games import MOST, KeptGame
 from game.language import grouped, tr
-from game.level_names import level_name
+from game.levels.names import level_name
 from game.overlay.toast import Toast
 from game.screens.base import Screen
 from game.screens.difficulty_names import difficulty_name
 from game.screens.menus.level_select import clock
 from game.screens.menus.replay_file import opened_replay
-from game.screens.toolkit.items import Cells, Item, TextItem
+from game.screens.toolkit.items.basic import Cells, Item, TextItem
 from game.screens.toolkit.layout import Content
 from game.screens.toolkit.menu import Entry, Menu, back_row
 from game.screens.toolkit.panel import Panel

@@ -12,7 +12,7 @@ from game.input.signals import Clicked, Pressed, Signal
 from game.language import grouped, tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.toolkit.items import Cells, Drawing, Heading, Item, TextItem
+from game.screens.toolkit.items.basic import Cells, Drawing, Heading, Item, TextItem
 from game.screens.toolkit.layout import Content
 from game.screens.toolkit.menu import Entry, buttons_of
 from game.screens.toolkit.panel import Panel

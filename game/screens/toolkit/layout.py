@@ -5,7 +5,7 @@ from typing import NamedTuple
 import pygame
 
 from game.drawing.text import Type
-from game.screens.toolkit.items import Item
+from game.screens.toolkit.items.basic import Item
 from game.screens.toolkit.plate import centred
 
 Row = tuple[Item, ...]

@@ -17,10 +17,10 @@ from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.toolkit.focus import Focus, first_focus, moved_focus
 from game.screens.toolkit.form import Form, pointed_spot, spot_at
+from game.screens.toolkit.items.slider import FIELD_LETTERS
+from game.screens.toolkit.items.text_field import TextField, after_event, caret_at
 from game.screens.toolkit.layout import Laid
-from game.screens.toolkit.slider import FIELD_LETTERS
 from game.screens.toolkit.text_entry import NUMBER_KEYS, TextEntry
-from game.screens.toolkit.text_field import TextField, after_event, caret_at
 
 _LONGEST = 32
 """Characters that can be typed into a field."""

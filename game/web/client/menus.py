@@ -11,8 +11,8 @@ from game.input.signals import Pressed, Signal
 from game.kept.progress import RANKS
 from game.kept.scores import ENDLESS
 from game.language import grouped, tr
-from game.level_names import level_name
 from game.levels import Level, classic
+from game.levels.names import level_name
 from game.picture.display_list import DisplayList
 from game.screens.demo import Demo
 from game.screens.difficulty_names import DIFFICULTIES, difficulty_name

@@ -7,13 +7,13 @@ from game.drawing.palette import Colour
 from game.effects import EffectKind
 from game.effects.hit_stop import hit_stop_seconds
 from game.effects.slow_motion import pace
-from game.fixed_step import Due, due
 from game.input.actions import Action
 from game.input.hands import Hands, controls_of_two
 from game.input.players import Players
 from game.input.signals import FocusLost, Pointed, Pressed, Released, Signal, pad_of
 from game.language import tr
 from game.levels import Level, classic, number_of
+from game.loop.fixed_step import Due, due
 from game.overlay.notice_words import Notice, by_touch, notice, ready, to_newcomer, who_steers
 from game.overlay.readings import readings
 from game.picture.display_list import DisplayList

@@ -9,11 +9,11 @@ import msgspec
 from game.kept.progress import RANKS, Best
 from game.kept.scores import ENDLESS, LONGEST_NAME, Score
 from game.language import grouped, tr
-from game.level_names import level_name
 from game.levels import Level, built_in
+from game.levels.names import level_name
 from game.overlay.readings import player_name
 from game.rules import Game, Phase, winner
-from game.screens.versus import verdict
+from game.screens.play.versus import verdict
 from game.web.client.menus import MenuScreen, Opened, Screens, levels_menu
 from game.web.client.messages import PageItem
 from game.web.client.state import PageScreen, PageState

@@ -13,8 +13,8 @@ from game.input.repeat import FIRST, NEXT
 from game.levels import load_file
 from game.screens.toolkit.key_help import KeyHelp
 from game.screens.toolkit.text_entry import TextEntry
-from tests.support.dummy_window import FRAME, Desk, shared
-from tests.support.pad_desk import PadDesk
+from tests.support.windows.dummy_window import FRAME, Desk, shared
+from tests.support.windows.pad_desk import PadDesk
 
 UP, DOWN, LEFT, RIGHT = pygame.K_UP, pygame.K_DOWN, pygame.K_LEFT, pygame.K_RIGHT
 SPACE, TAB, ENTER, ESCAPE = pygame.K_SPACE, pygame.K_TAB, pygame.K_RETURN, pygame.K_ESCAPE

@@ -15,11 +15,11 @@ from game.lab.registry import scenes
 from game.lab.session import session
 from game.lab.window.screen import Lab
 from game.rules import Phase, paddle_ring
-from game.screens.play import PlayScreen
+from game.screens.play.screen import PlayScreen
 from game.screens.title import Title
 from game.screens.toolkit.menu import Menu
-from tests.support.dummy_window import FRAME, Desk, shared
-from tests.support.virtual_pad import VirtualPad, library
+from tests.support.windows.dummy_window import FRAME, Desk, shared
+from tests.support.windows.virtual_pad import VirtualPad, library
 
 X, Y = pygame.CONTROLLER_AXIS_LEFTX, pygame.CONTROLLER_AXIS_LEFTY
 SDL = library()

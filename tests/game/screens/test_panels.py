@@ -10,16 +10,16 @@ import pytest
 
 from game.input.signals import Action, Clicked, Pressed, Zoomed
 from game.levels import classic
-from game.screens.menus.help import Help
-from game.screens.menus.settings_panel import SettingsPanel
-from game.screens.play import PlayScreen
+from game.screens.menus.help.panel import Help
+from game.screens.menus.settings.panel import SettingsPanel
+from game.screens.play.screen import PlayScreen
 from game.screens.toolkit.focus import TABS
-from game.screens.toolkit.items import ButtonItem
+from game.screens.toolkit.items.basic import ButtonItem
 from game.screens.toolkit.layout import Content
 from game.screens.toolkit.menu import Entry, Menu
 from game.screens.toolkit.panel import Panel
 from game.screens.toolkit.text_entry import TextEntry
-from tests.support.dummy_window import Desk, shared
+from tests.support.windows.dummy_window import Desk, shared
 
 SIZE = (640, 400)
 

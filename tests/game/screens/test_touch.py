@@ -8,12 +8,12 @@ import pytest
 from game.drawing.camera import layout
 from game.input.view import SOLID
 from game.rules import Phase, paddle_ring
-from game.screens import play_buttons
-from game.screens.menus.settings_panel import SettingsPanel
-from game.screens.play import PlayScreen
+from game.screens.menus.settings.panel import SettingsPanel
+from game.screens.play import buttons as play_buttons
+from game.screens.play.screen import PlayScreen
 from game.screens.title import Title
-from game.screens.toolkit.slider import Slider
-from tests.support.dummy_window import FRAME, Desk, shared
+from game.screens.toolkit.items.slider import Slider
+from tests.support.windows.dummy_window import FRAME, Desk, shared
 
 SIZE = (480, 300)
 

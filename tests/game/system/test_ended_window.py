@@ -9,10 +9,10 @@ os.environ["SDL_AUDIODRIVER"] = "dummy"
 
 import pytest
 
-from game import app
 from game.commands import app as command
 from game.kept import games as kept_games
 from game.kept.store import Kept
+from game.loop import app
 from game.replays import file as replay
 from game.replays.verify import verified
 from game.settings.file import SettingsFile

@@ -5,8 +5,8 @@ import pytest
 from game.kept.scores import objection
 from game.kept.store import Kept
 from game.levels import load_file
-from tests.support.real_window import NO_SERVER, Keys, Mouse, Pad, RealGame, started_server
-from tests.support.virtual_pad import library
+from tests.support.windows.real_window import NO_SERVER, Keys, Mouse, Pad, RealGame, started_server
+from tests.support.windows.virtual_pad import library
 
 pytestmark = [pytest.mark.window, NO_SERVER]
 

@@ -5,12 +5,12 @@ import pytest
 from game.editor import command
 from game.kept import games as kept_games
 from game.kept.store import Kept
-from game.own_levels import own_levels
+from game.levels.own import own_levels
 from game.rules import Ruleset
 from game.screens.editors import OpenEditors
 from game.screens.title import Title
-from tests.support.dummy_window import FRAME, Desk, shared
-from tests.support.pad_desk import PadDesk
+from tests.support.windows.dummy_window import FRAME, Desk, shared
+from tests.support.windows.pad_desk import PadDesk
 
 
 @pytest.fixture

@@ -7,20 +7,20 @@ from game.kept.store import Kept
 from game.levels import classic
 from game.replays.file import load
 from game.replays.verify import verified
-from game.screens import play_buttons
 from game.screens.menus.credits import Credits
-from game.screens.menus.help import Help
+from game.screens.menus.help.panel import Help
 from game.screens.menus.high_scores import HighScores
 from game.screens.menus.level_select import LevelSelect
 from game.screens.menus.replays import Replays
 from game.screens.menus.results import Results
-from game.screens.menus.settings_panel import SettingsPanel
-from game.screens.play import PlayScreen
+from game.screens.menus.settings.panel import SettingsPanel
+from game.screens.play import buttons as play_buttons
+from game.screens.play.screen import PlayScreen
 from game.screens.title import Title
 from game.screens.toolkit.menu import Menu
 from game.screens.toolkit.text_entry import TextEntry
 from game.screens.watch import Watch
-from tests.support.sessions import lose, visit
+from tests.support.windows.sessions import lose, visit
 
 
 def test_by_keys_alone(desk, tmp_path):

@@ -6,8 +6,8 @@ from game.editor.window.screen import Editor
 from game.input.keys import KEYS, Action
 from game.input.players import Players
 from game.kept.store import Kept
-from game.screens.menus.key_capture import KeyCapture
-from game.screens.play import PlayScreen
+from game.screens.menus.settings.key_capture import KeyCapture
+from game.screens.play.screen import PlayScreen
 from game.screens.watch import Watch
 
 
