@@ -14,9 +14,6 @@ from game.chosen_physics import SWEPT, flown_on, functions_of
 from game.editor.command import file_to_edit
 from game.headless import result_line
 from game.input.players import Players
-from game.kept.folder import data_folder
-from game.kept.score_listing import tell_scores
-from game.kept.store import Kept
 from game.lab.commands import LabServices, lab_command
 from game.lab.kit.second_engine import Engine
 from game.levels import chosen, level_schema, warnings
@@ -27,6 +24,9 @@ from game.rules import SOURCE_RULES, Difficulty, Ruleset, Ticked
 from game.second_opinion import Compare, NormalPair
 from game.settings.file import SettingsFile
 from game.settings.folder import settings_path
+from game.storage.folder import data_folder
+from game.storage.score_listing import tell_scores
+from game.storage.storage import Storage
 from game.system.command_line import refuse_ignored
 from game.system.ending import deferred
 from game.system.errors import BadInputError, EnvironmentMissingError
@@ -235,7 +235,7 @@ def save_screens(
 @app.command("replays")
 def list_replays() -> None:
     """List the games kept from the window, newest first."""
-    for path in Kept(data_folder()).games.paths():
+    for path in Storage(data_folder()).games.paths():
         tell(str(path))
 
 
@@ -244,7 +244,7 @@ def list_scores(
     verify: Annotated[bool, typer.Option("--verify", help="Play every score's replay again and compare the points.")] = False,
 ) -> None:
     """List the high scores, best first; with --verify, prove them."""
-    tell_scores(Kept(data_folder()), verify=verify)
+    tell_scores(Storage(data_folder()), verify=verify)
 
 
 @app.command("replay")
@@ -293,19 +293,19 @@ def _play_in_window(chosen_game: ChosenGame, *, autopilot: bool) -> None:
     from game.loop.app import play as play_in_window  # noqa: PLC0415
 
     levels, seed, ruleset, record, physics, own, players = chosen_game
-    kept = Kept(data_folder(), record)
-    games = kept.games if physics is SWEPT else None  # replays are verified with the swept physics
+    storage = Storage(data_folder(), record)
+    games = storage.games if physics is SWEPT else None  # replays are verified with the swept physics
 
     def lost() -> None:
         """Xlib ends the program: what there is of the game is written at once."""
-        _close(kept)
+        _close(storage)
         told = "" if games is None else "; games of five seconds and more are kept (polar-breakout replays)"
         say(f"polar-breakout: the display is gone{told}")
 
     with deferred():
         try:
             with _settings() as settings:
-                services = Services(_second_opinion(), _second_engine, settings, kept, lost, own)
+                services = Services(_second_opinion(), _second_engine, settings, storage, lost, own)
                 play_in_window(
                     levels,
                     seed,
@@ -320,13 +320,13 @@ def _play_in_window(chosen_game: ChosenGame, *, autopilot: bool) -> None:
             say(f"polar-breakout: {error}; playing 20 s without a window instead")
             demonstrate(chosen_game)
         finally:
-            _close(kept)
+            _close(storage)
 
 
-def _close(kept: Kept) -> None:
+def _close(storage: Storage) -> None:
     """Write the game that is being played, and say what could not be read or written."""
-    kept.game_done()
-    for line in kept.problems:
+    storage.game_done()
+    for line in storage.problems:
         say(f"polar-breakout: {line}")
 
 

@@ -14,14 +14,14 @@ from pathlib import Path
 from random import Random
 from typing import NamedTuple
 
-from game.kept.kept_file import KeptFile
-from game.kept.progress import VERSION, Best, Progress
 from game.levels import classic
 from game.replays.file import Recorder, encoded, load, save
 from game.rules import Controls, new_game, tick
 from game.settings import file as settings_file
 from game.settings.file import SettingsFile
 from game.settings.values import Settings
+from game.storage.progress import VERSION, Best, Progress
+from game.storage.stored_file import StoredFile
 from game.system.errors import BadInputError
 from game.system.files import sweep, write_new
 
@@ -86,9 +86,9 @@ def _save_for_ever(settings: Path, record: Path, history: Path, recorder: Record
             write_new(history, "2026-01-01 00-00-00.polar", encoded(recording))
 
 
-def _progress(folder: Path) -> KeptFile[Progress]:
+def _progress(folder: Path) -> StoredFile[Progress]:
     """The progress kept in a folder."""
-    return KeptFile(folder / "progress.json", Progress, VERSION)
+    return StoredFile(folder / "progress.json", Progress, VERSION)
 
 
 def _with_best(score: int) -> Callable[[Progress], Progress]:

@@ -14,7 +14,6 @@ from game.input.keys import Action
 from game.input.players import Players
 from game.input.signals import Pressed
 from game.input.view import SOLID
-from game.kept.store import Kept
 from game.language import grouped, tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
@@ -31,6 +30,7 @@ from game.screens.menus.settings.rows import PARTS
 from game.screens.title import Title
 from game.screens.toolkit.panel import Panel
 from game.screens.toolkit.text_entry import TextEntry
+from game.storage.storage import Storage
 
 Opener = Callable[[AppState], Screen]
 _EDITED = "20-orbit.toml"
@@ -69,7 +69,7 @@ def _around_the_game() -> Iterator[tuple[str, Opener]]:
     yield "levels-first", lambda state: LevelSelect(_new_player(state), Title(state))
     yield "levels-own", lambda state: _moved(LevelSelect(_new_player(state), Title(state)), Action.UP, 2)
     yield "endless", lambda state: endless_menu(state, Title(state))
-    yield "scores", lambda state: HighScores(state, Title(state), state.kept.scores.value.entries[1])
+    yield "scores", lambda state: HighScores(state, Title(state), state.storage.scores.value.entries[1])
     yield "scores-none", lambda state: HighScores(_new_player(state), Title(state))
     yield "replays", lambda state: Replays(state, Title(state))
     yield "replays-one", lambda state: _pressed(_moved(Replays(state, Title(state)), Action.DOWN, 1), Action.CONFIRM)
@@ -146,7 +146,7 @@ def _with(state: AppState, players: Players) -> AppState:
 
 def _new_player(state: AppState) -> AppState:
     """Somebody who has not played yet."""
-    return replace(state, kept=Kept(None))
+    return replace(state, storage=Storage(None))
 
 
 def _captioned(state: AppState) -> Screen:
@@ -162,7 +162,7 @@ def _high_score() -> str:
 
 def _editor(state: AppState, text: str = "", part: Part = Part.BRICKS) -> Screen:
     """The editor with a level of the player's and some changes. text: of the level; "" for one like those of the campaign."""
-    folder = state.kept.games.folder
+    folder = state.storage.games.folder
     if folder is None or state.open_editor is None:
         return Title(state)
     file = folder.parent / "my-level.toml"

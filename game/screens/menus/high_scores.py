@@ -1,6 +1,5 @@
 """The table of high scores, a part for every difficulty; a line leads to its replay."""
 
-from game.kept.scores import ENDLESS, Score
 from game.language import grouped, tr
 from game.levels.names import level_name
 from game.overlay.toast import Toast
@@ -13,6 +12,7 @@ from game.screens.toolkit.items.basic import ButtonItem, Cells, Item, TextItem
 from game.screens.toolkit.layout import FROM_TOP, Content
 from game.screens.toolkit.menu import Entry, back_row
 from game.screens.toolkit.panel import Panel
+from game.storage.scores import ENDLESS, Score
 
 _TABLES = (*DIFFICULTIES, ENDLESS)
 _COLUMNS = ((0.6, "right"), (0.2, "left"), (3.6, "left"), (2.0, "right"), (0.6, "left"), (3.6, "left"), (2.2, "right"))
@@ -32,7 +32,7 @@ class HighScores(Panel):
 
     def content(self) -> Content:
         """The table of one difficulty."""
-        table = self.state.kept.scores.value.table(_TABLES[self._tab])
+        table = self.state.storage.scores.value.table(_TABLES[self._tab])
         heads = ("#", "", tr("Name"), tr("Score"), "", tr("Reached"), tr("Date"))
         rows: list[tuple[Item, ...]] = [(Cells(self._cells(heads), faint=True),)] if table else []
         rows += [(self._line(number, score),) for number, score in enumerate(table, 1)]

@@ -6,8 +6,6 @@ from typing import Protocol
 
 import msgspec
 
-from game.kept.progress import RANKS, Best
-from game.kept.scores import LONGEST_NAME, Score
 from game.language import decimal, grouped, ntr, tr
 from game.levels.names import level_name
 from game.overlay.readings import player_name
@@ -20,6 +18,8 @@ from game.screens.play.record import PlayRecord
 from game.screens.play.versus import verdict
 from game.screens.toolkit.menu import Entry
 from game.screens.toolkit.text_entry import TextEntry
+from game.storage.progress import RANKS, Best
+from game.storage.scores import LONGEST_NAME, Score
 
 
 class Played(Screen, Protocol):
@@ -70,7 +70,7 @@ def level_results(state: AppState, play: Played, game: Game, record: PlayRecord)
 
 def game_results(state: AppState, play: Played, game: Game, record: PlayRecord) -> Screen:
     """After a game: its figures; the name of who made a high score; and how to go on."""
-    kept_game = state.kept.game_done() if record.counts else None
+    kept_game = state.storage.game_done() if record.counts else None
     state.tell_problem()
     won = game.phase == Phase.WON
     tally = game.statistics.game
@@ -95,7 +95,7 @@ def game_results(state: AppState, play: Played, game: Game, record: PlayRecord) 
         line = tr("{line} These levels have the number {seed}.").format(line=line, seed=play.endless)
     entries = _after_game(state, play, game)
     menu = Results(state, play, title, line, figures, entries, back=lambda: state.open_title(state))
-    if not record.ranked or not state.kept.scores.value.qualifies(game.score, record.table):
+    if not record.ranked or not state.storage.scores.value.qualifies(game.score, record.table):
         return menu
     last = game.level.name if play.endless is None else f"{game.level.name} ({play.endless})"
     first, date = game.levels[0].name, time.strftime("%Y-%m-%d")
@@ -140,11 +140,11 @@ def _name_entry(state: AppState, play: Played, score: Score, entries: tuple[Entr
 
     def opened() -> Screen:
         title = tr("A high score: {score}").format(score=grouped(score.score))
-        return TextEntry(state, play, title, state.kept.scores.value.last_name, LONGEST_NAME, done)
+        return TextEntry(state, play, title, state.storage.scores.value.last_name, LONGEST_NAME, done)
 
     def done(name: str) -> Screen:
         entered = msgspec.structs.replace(score, name=name)
-        state.kept.enter(entered)
+        state.storage.enter(entered)
         state.tell_problem()
         return HighScores(state, play, entered, entries)
 

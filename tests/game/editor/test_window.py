@@ -141,7 +141,7 @@ def test_a_play_test_comes_back_to_the_editor(editor):
     playing.answer(Pressed(Action.UP), SIZE)
     assert playing.answer(Pressed(Action.CONFIRM), SIZE) is editor
     assert editor._state.settings.volume == 3
-    assert playing._inner._state.kept.progress is not editor._state.kept.progress
+    assert playing._inner._state.storage.progress is not editor._state.storage.progress
 
 
 def test_unsaved_changes_are_asked_about_and_kept_where_nobody_could_be_asked(editor, tmp_path, capsys):

@@ -18,7 +18,6 @@ import sys
 
 from game.__main__ import main
 from game.editor.window.screen import Editor
-from game.kept import games as kept_games
 from game.loop import app
 from game.rules import TICK
 from game.screens.play import buttons as play_buttons
@@ -26,6 +25,7 @@ from game.screens.play.screen import PlayScreen
 from game.screens.toolkit.panel import Panel
 from game.screens.toolkit.text_entry import TextEntry
 from game.screens.watch import Watch
+from game.storage import games as kept_games
 from tests.support.windows.virtual_pad import VirtualPad, library
 
 _FRAMES = 2

@@ -10,7 +10,6 @@ from game.drawing.palette import LIGHT
 from game.drawing.raster.primitives import draw_box
 from game.drawing.text import Type
 from game.effects import EffectKind
-from game.kept.progress import Best
 from game.screens.menus.settings.ball_preview import ball_preview
 from game.screens.menus.settings.panel import SettingsPanel
 from game.screens.menus.settings.rows import PARTS, effect_names
@@ -21,6 +20,7 @@ from game.screens.toolkit.items.slider import Slider
 from game.screens.toolkit.menu import Menu
 from game.settings.file import SettingsFile
 from game.settings.values import Settings
+from game.storage.progress import Best
 from game.unlocks import BALLS, TRAILS
 from tests.support.windows.dummy_window import FRAME, SIZE, Desk, shared
 
@@ -63,7 +63,7 @@ def test_every_row_changes_something_and_changes_it_back(desk, monkeypatch):
     """Whatever can be set on any part is reached by arrow keys, changed by Enter, and can be set back."""
     monkeypatch.setattr(SettingsPanel, "draw", lambda *_: None)  # what it looks like is not asked here
     for number in range(30):  # every ball and trail is earned
-        desk.shared.kept.level_done(Best(f"level {number}", "hard", 5000, 3))
+        desk.shared.storage.level_done(Best(f"level {number}", "hard", 5000, 3))
     changed = 0
     for index in range(len(PARTS)):
         desk.press(pygame.K_o)

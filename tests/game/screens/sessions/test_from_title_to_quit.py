@@ -3,7 +3,6 @@
 import pygame
 
 from game.editor.window.screen import Editor
-from game.kept.store import Kept
 from game.levels import classic
 from game.replays.file import load
 from game.replays.verify import verified
@@ -20,6 +19,7 @@ from game.screens.title import Title
 from game.screens.toolkit.menu import Menu
 from game.screens.toolkit.text_entry import TextEntry
 from game.screens.watch import Watch
+from game.storage.storage import Storage
 from tests.support.windows.sessions import lose, visit
 
 
@@ -44,7 +44,7 @@ def test_by_keys_alone(desk, tmp_path):
     desk.type("Mo")
     desk.choose("Done")
     assert isinstance(desk.screen, HighScores)
-    (entry,) = Kept(tmp_path).scores.value.entries
+    (entry,) = Storage(tmp_path).scores.value.entries
     assert (entry.name, entry.score, entry.difficulty) == ("Mo", score, "normal")
     desk.choose("1    Mo")
     assert isinstance(desk.screen, Watch)
@@ -88,10 +88,10 @@ def test_by_mouse_alone(desk, tmp_path):
     for letter in "MO":
         desk.click_on(letter)
     desk.click_on("Done")
-    assert [entry.name for entry in Kept(tmp_path).scores.value.entries] == ["MO"]
+    assert [entry.name for entry in Storage(tmp_path).scores.value.entries] == ["MO"]
     desk.click_on("Main menu")
     desk.click_on("Replays")
-    (game,) = desk.shared.kept.games.listed()
+    (game,) = desk.shared.storage.games.listed()
     desk.click_on(game.date)
     desk.click_on("Rename")
     desk.click_on("Z")
@@ -106,7 +106,7 @@ def test_by_mouse_alone(desk, tmp_path):
     desk.click_on("Z")
     desk.click_on("Delete")
     desk.click_on("Delete")
-    assert Kept(tmp_path).games.listed() == []
+    assert Storage(tmp_path).games.listed() == []
     close()
     desk.click_on("Quit")
     assert desk.screen is None
@@ -130,7 +130,7 @@ def test_by_gamepad_alone(pad_desk, tmp_path):
     desk.choose("Enter your name")
     for letter in ("M", "O", "Done"):
         desk.choose(letter)
-    (entry,) = Kept(tmp_path).scores.value.entries
+    (entry,) = Storage(tmp_path).scores.value.entries
     assert entry.name == "MO"
     desk.choose("1    MO")
     assert isinstance(desk.screen, Watch)

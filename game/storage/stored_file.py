@@ -28,7 +28,7 @@ class _Version(msgspec.Struct):
     version: int = 1
 
 
-class KeptFile(Generic[T]):
+class StoredFile(Generic[T]):
     """One session's hold on one file. Nothing here raises."""
 
     def __init__(self, path: Path | None, kind: type[T], version: int) -> None:
