@@ -7,7 +7,7 @@ import sys
 
 import pytest
 
-from game.storage import progress
+from game.storage import progress, stored_file
 from game.storage.folder import data_folder
 from game.storage.progress import Best, Progress
 from game.storage.scores import MOST, Score, Scores
