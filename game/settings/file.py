@@ -17,7 +17,7 @@ from game.effects import EffectKind
 from game.language import CODES, SYSTEM
 from game.settings.own_keys import decoded_keys, encoded_keys
 from game.settings.values import LOUDEST, SPEEDS, TEXT_SIZES, THEMES, Settings
-from game.system.files import sweep, write_whole
+from game.system.files import remove_temporaries, write_atomically
 from game.system.wording import quoted_path
 from game.unlocks import BALLS, TRAILS
 
@@ -38,7 +38,7 @@ class SettingsFile:
 
     def load(self) -> Settings:
         """The settings that were kept; the defaults where there are none."""
-        sweep(self._path.parent)
+        remove_temporaries(self._path.parent)
         self._kept = self._read()
         return self._kept
 
@@ -48,7 +48,7 @@ class SettingsFile:
             return
         try:
             self._path.parent.mkdir(parents=True, exist_ok=True)
-            write_whole(self._path, encoded(settings))
+            write_atomically(self._path, encoded(settings))
             self._kept = settings
         except OSError as error:
             self.problem = f"settings not saved: {quoted_path(self._path)}: {error.strerror or error}"

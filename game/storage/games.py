@@ -16,7 +16,7 @@ from game.storage.progress import Count, Digest, Word
 from game.storage.stored_file import StoredFile
 from game.system.ending import deferred
 from game.system.errors import BadInputError
-from game.system.files import sweep, write_new
+from game.system.files import remove_temporaries, write_new
 from game.system.wording import quoted_path
 
 VERSION = 1
@@ -73,7 +73,7 @@ class GameFiles:
         self._written: str | None = None
         self.last: StoredGame | None = None
         if folder is not None:
-            sweep(folder)
+            remove_temporaries(folder)
 
     @property
     def problem(self) -> str | None:

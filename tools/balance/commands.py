@@ -15,7 +15,7 @@ from game.levels import Level, campaign, chosen
 from game.rules import Difficulty, Ruleset
 from game.system.errors import BadInputError
 from game.system.files import check_target, read_input, write_text
-from game.system.output import tell
+from game.system.output import print_line
 from game.system.wording import quoted, quoted_path
 from tools.balance.games_file import Known, known_game, save_games, saved_games
 from tools.balance.human import Skill
@@ -146,7 +146,7 @@ def _print(levels: tuple[Level, ...], skills: tuple[Skill | None, ...], trials: 
     if trials:
         Console(width=120).print(table)
     else:
-        tell("no game was played to its end")
+        print_line("no game was played to its end")
 
 
 def _add(table: Table, name: str, skill: Skill | None, part: Summary) -> None:

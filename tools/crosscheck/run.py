@@ -87,17 +87,17 @@ def check_game(job: Job) -> Checked:
         return checked_ticks(ticks_of(job.source), Wanted(job.facets, options, job.only, job.recorded, job.enough))
 
 
-def checked_games(jobs: Sequence[Job], workers: Where, tell: Callable[[RunResult], None]) -> RunResult:
+def checked_games(jobs: Sequence[Job], workers: Where, on_progress: Callable[[RunResult], None]) -> RunResult:
     """All games, each by a worker process; after Ctrl-C what there is until then, marked as partial.
 
-    tell: called after each game.
+    on_progress: called after each game.
     """
     result = RunResult(jobs)
     try:
         with closing(results_of(check_game, jobs, workers)) as results:
             for number, checked in results:
                 result.take(jobs[number].source, checked)
-                tell(result)
+                on_progress(result)
     except KeyboardInterrupt:
         result.partial = True
     return result

@@ -10,7 +10,7 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 from game.system.command_line import refuse_ignored
 from game.system.errors import BadInputError, EnvironmentMissingError
-from game.system.output import tell
+from game.system.output import print_line
 from game.system.wording import quoted
 from tools.executor import Where, results, sure
 from tools.executor.options import ClusterOption, WorkersOption, where
@@ -77,7 +77,7 @@ def _played_by(*, compiled: bool) -> Callable[[int, int], Tally]:
     except ImportError as error:
         raise EnvironmentMissingError(f"--compiled: {error}") from None
     if not done.cached:
-        tell(f"compiled in {done.seconds:.0f} s")
+        print_line(f"compiled in {done.seconds:.0f} s")
     return play_compiled
 
 
@@ -121,11 +121,11 @@ def _impacts(count: int, seed: int, workers: Where) -> int:
                 if faults:
                     break
     except KeyboardInterrupt:
-        tell(_impacts_line(seed, done, touches, len(faults), _STOPPED))
+        print_line(_impacts_line(seed, done, touches, len(faults), _STOPPED))
         raise
-    tell(_impacts_line(seed, done, touches, len(faults), "done"))
+    print_line(_impacts_line(seed, done, touches, len(faults), "done"))
     for index, what in faults:
-        tell(f"  impact {seed}:{index}: {what}")
+        print_line(f"  impact {seed}:{index}: {what}")
     return 1 if faults else 0
 
 
@@ -144,18 +144,18 @@ def _verdict(tally: Tally, *, compiled: bool) -> int:
 
 def _show(failure: Failure, option: str) -> None:
     """The smallest arena that fails, and the commands that show it."""
-    tell(f"case {failure.seed}:{failure.number} fails at tick {failure.tick}: {failure.what}")
-    tell(f"again: python -m tools.fuzz --case {failure.seed}:{failure.number}{option}")
+    print_line(f"case {failure.seed}:{failure.number} fails at tick {failure.tick}: {failure.what}")
+    print_line(f"again: python -m tools.fuzz --case {failure.seed}:{failure.number}{option}")
     if checked_tick(failure.arena, failure.speed)[0] is None:
         return  # it needs the ticks before, or the compiler
     least = smallest(failure)
-    tell(f"its smallest form fails in one tick, advance(arena, {TICK!r}, {least.speed!r}): {least.what}")
-    tell(f"arena = {least.arena!r}")
+    print_line(f"its smallest form fails in one tick, advance(arena, {TICK!r}, {least.speed!r}): {least.what}")
+    print_line(f"arena = {least.arena!r}")
 
 
 def _say(name: str, tally: Tally, how: str) -> None:
     """The line that sums a run up."""
-    tell(
+    print_line(
         f"{name}: {tally.cases} cases, {tally.steps} ball-steps, {tally.hits} hits, {tally.dropped} dropped at the bound, "
         f"{tally.freed} squeezed and freed, {len(tally.failures)} failed; {how}"
     )

@@ -23,7 +23,7 @@ from game.settings.values import Settings
 from game.storage.progress import VERSION, Best, Progress
 from game.storage.stored_file import StoredFile
 from game.system.errors import BadInputError
-from game.system.files import sweep, write_new
+from game.system.files import remove_temporaries, write_new
 
 _LONGEST = 0.02
 """Seconds that a child saves, at most."""
@@ -56,7 +56,7 @@ def kills(count: int, seed: int, folder: Path) -> Iterator[Kill]:
         left = _temporary(folder)
         torn = _torn(settings, record, history) + bool(_progress(folder).problem)
         SettingsFile(settings).load()  # the next start
-        sweep(history)
+        remove_temporaries(history)
         yield Kill(torn, left, _temporary(folder))
         for kept in history.iterdir():
             kept.unlink()

@@ -76,7 +76,7 @@ def test_a_full_disk_loses_nothing_once_there_is_room_again(tmp_path, monkeypatc
         raise OSError(28, "No space left on device")
 
     with monkeypatch.context() as patched:
-        patched.setattr(stored_file, "write_whole", full)
+        patched.setattr(stored_file, "write_atomically", full)
         storage.level_done(Best("A", "easy", 7))
     assert storage.progress.value.finished("A")
     assert "No space left" in storage.problems[0]

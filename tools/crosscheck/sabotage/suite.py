@@ -52,13 +52,15 @@ def suite_jobs(names: Sequence[str], seed: int, facets: int) -> list[Job]:
     return [Job(source, facets, None, name, False, _ENOUGH) for name in names for source in sources]
 
 
-def sabotage_results(jobs: Sequence[Job], workers: Where, tell: Callable[[int], None] = lambda _: None) -> list[SabotageResult]:
+def sabotage_results(
+    jobs: Sequence[Job], workers: Where, on_progress: Callable[[int], None] = lambda _: None
+) -> list[SabotageResult]:
     """The results of all jobs by mistake. tell: called with the number of games done."""
     answers: dict[int, Checked | Lost] = {}
     with closing(results_of(check_game, jobs, workers)) as results:
         for number, answer in results:
             answers[number] = answer
-            tell(len(answers))
+            on_progress(len(answers))
     by_name: dict[str, list[Checked | Lost]] = {}
     for number, job in enumerate(jobs):
         by_name.setdefault(job.sabotage or "", []).append(answers[number])
