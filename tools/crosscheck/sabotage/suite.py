@@ -55,7 +55,7 @@ def suite_jobs(names: Sequence[str], seed: int, facets: int) -> list[Job]:
 def sabotage_results(
     jobs: Sequence[Job], workers: Where, on_progress: Callable[[int], None] = lambda _: None
 ) -> list[SabotageResult]:
-    """The results of all jobs by mistake. tell: called with the number of games done."""
+    """The results of all jobs by mistake. on_progress: called with the number of games done."""
     answers: dict[int, Checked | Lost] = {}
     with closing(results_of(check_game, jobs, workers)) as results:
         for number, answer in results:
