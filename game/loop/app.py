@@ -26,7 +26,7 @@ from game.replays.file import Recording
 from game.replays.playback import Playback
 from game.rules import Ruleset
 from game.screens.app_state import AppState, Recorder
-from game.screens.base import Screen, Still
+from game.screens.base import CachedScreen, Screen
 from game.screens.difficulty_names import ruleset_of
 from game.screens.editors import OpenEditors
 from game.screens.menus.level_select import LevelSelect
@@ -237,7 +237,7 @@ def _rate(screen: Screen | None, rate: int, *, away: bool) -> int:
     """Frames per second of a screen. rate: of the display. away: the player is in another window."""
     if away:
         return _IDLE_RATE
-    if isinstance(screen, Still):
+    if isinstance(screen, CachedScreen):
         return min(rate, int(getattr(screen, "rate", _STILL_RATE)))
     return rate
 
@@ -273,19 +273,19 @@ def frame(
 
 def _draw(window: pygame.Window, state: AppState, screen: Screen, surface: pygame.Surface) -> None:
     """Show a screen, unless it is one that looks as it did in the frame before."""
-    if isinstance(screen, Still) and _looks(state, screen, surface) == state.shown:
+    if isinstance(screen, CachedScreen) and _appearance(state, screen, surface) == state.shown:
         return
     screen.draw(surface)
     if state.toast is not None:
         toast.draw(state.words(state.canvas(surface)), state.toast)
     _flip(window)
-    state.shown = _looks(state, screen, surface) if isinstance(screen, Still) else None
+    state.shown = _appearance(state, screen, surface) if isinstance(screen, CachedScreen) else None
 
 
-def _looks(state: AppState, screen: Still, surface: pygame.Surface) -> tuple[object, ...]:
+def _appearance(state: AppState, screen: CachedScreen, surface: pygame.Surface) -> tuple[object, ...]:
     """All that the picture on the window depends on."""
     told = None if state.toast is None else (state.toast.text, state.toast.level)
-    return screen, surface.get_size(), screen.looks, told
+    return screen, surface.get_size(), screen.appearance, told
 
 
 def _surface(window: pygame.Window) -> pygame.Surface:

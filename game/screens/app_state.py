@@ -145,8 +145,8 @@ class AppState:
 
     def canvas(self, surface: pygame.Surface, camera: Camera = _PIXELS) -> Canvas:
         """A canvas in the settings' colours. camera: of what is drawn, unless it is text and boxes alone."""
-        looks = self.settings.ball, self.settings.trail
-        return Canvas(surface, camera, self.theme, self.type, unit_of(surface.get_size()), *looks)
+        skins = self.settings.ball, self.settings.trail
+        return Canvas(surface, camera, self.theme, self.type, unit_of(surface.get_size()), *skins)
 
     def words(self, canvas: Canvas) -> Canvas:
         """The same canvas for words that are as large as the player wants them."""

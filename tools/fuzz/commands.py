@@ -15,7 +15,7 @@ from game.system.wording import quoted
 from tools.executor import Where, results, sure
 from tools.executor.options import ClusterOption, WorkersOption, where
 from tools.fuzz.arenas import TICK
-from tools.fuzz.campaign import Failure, Tally, checked_tick, play, smallest, tallies
+from tools.fuzz.campaign import CampaignTally, Failure, checked_tick, play, smallest, tallies
 from tools.fuzz.impacts import checked_chunk, multiprecision
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
@@ -64,7 +64,7 @@ def _numbers(case: str) -> tuple[int, int]:
     return int(seed), int(index)
 
 
-def _played_by(*, compiled: bool) -> Callable[[int, int], Tally]:
+def _played_by(*, compiled: bool) -> Callable[[int, int], CampaignTally]:
     """What plays a case. The compiled loops are compiled here, before other processes would, each for itself."""
     if not compiled:
         return play
@@ -81,7 +81,7 @@ def _played_by(*, compiled: bool) -> Callable[[int, int], Tally]:
     return play_compiled
 
 
-def _again(seed: int, index: int, one: Callable[[int, int], Tally], *, compiled: bool) -> int:
+def _again(seed: int, index: int, one: Callable[[int, int], CampaignTally], *, compiled: bool) -> int:
     """Play one case."""
     tally = one(seed, index)
     _say(f"case {seed}:{index}", tally, "done")
@@ -90,7 +90,7 @@ def _again(seed: int, index: int, one: Callable[[int, int], Tally], *, compiled:
 
 def _campaign(steps: int, seed: int, first: int, workers: Where, *, compiled: bool) -> int:
     """Play cases until the steps are done, one fails, or a signal ends it: then what was done until then is still told."""
-    total, one = Tally(), _played_by(compiled=compiled)
+    total, one = CampaignTally(), _played_by(compiled=compiled)
     try:
         with _bar() as bar:
             task = bar.add_task("ball-steps", total=steps)
@@ -134,7 +134,7 @@ def _impacts_line(seed: int, done: int, touches: int, wrong: int, how: str) -> s
     return f"seed {seed}: {done} times of impact, {touches} of them touches, {wrong} wrong; {how}"
 
 
-def _verdict(tally: Tally, *, compiled: bool) -> int:
+def _verdict(tally: CampaignTally, *, compiled: bool) -> int:
     """The exit code, after the shortest failure and how to see it again."""
     if not tally.failures:
         return 0
@@ -153,7 +153,7 @@ def _show(failure: Failure, option: str) -> None:
     print_line(f"arena = {least.arena!r}")
 
 
-def _say(name: str, tally: Tally, how: str) -> None:
+def _say(name: str, tally: CampaignTally, how: str) -> None:
     """The line that sums a run up."""
     print_line(
         f"{name}: {tally.cases} cases, {tally.steps} ball-steps, {tally.hits} hits, {tally.dropped} dropped at the bound, "

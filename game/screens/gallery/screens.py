@@ -6,7 +6,7 @@ from functools import partial
 from importlib.resources import files
 
 from game.editor.command import NEW
-from game.editor.fields import Part
+from game.editor.fields import PanelPart
 from game.editor.session import brushed, stroked, tinted
 from game.editor.window.help import editor_help
 from game.editor.window.screen import Editor
@@ -24,7 +24,7 @@ from game.screens.menus.help.panel import Help
 from game.screens.menus.high_scores import HighScores
 from game.screens.menus.level_select import LevelSelect
 from game.screens.menus.replays import Replays
-from game.screens.menus.settings.key_capture import KeyCapture, Wanted
+from game.screens.menus.settings.key_capture import CaptureTarget, KeyCapture
 from game.screens.menus.settings.panel import SettingsPanel
 from game.screens.menus.settings.rows import PARTS
 from game.screens.title import Title
@@ -54,7 +54,7 @@ def every_screen() -> Iterator[tuple[str, Opener]]:
 
 def _editors() -> Iterator[tuple[str, Opener]]:
     """The editor: every part of its controls, a level with an error, its help."""
-    for part in Part:
+    for part in PanelPart:
         yield f"editor-{part.name.lower()}", partial(_editor, part=part)
     yield "editor-problem", partial(_editor, text=NEW.replace(*_UNSOUND))
     for index in range(3):
@@ -117,7 +117,7 @@ def _tab_opener(kind: Callable[[AppState, Screen], Panel], index: int) -> Opener
 
 def _key_capture(state: AppState) -> Screen:
     """The question for a key."""
-    wanted = Wanted(Action.LEFT, tr("Left, clockwise"), 0, of_pad=False)
+    wanted = CaptureTarget(Action.LEFT, tr("Left, clockwise"), 0, of_pad=False)
     return KeyCapture(state, _tab_opener(SettingsPanel, 3)(state), wanted)
 
 
@@ -160,7 +160,7 @@ def _high_score() -> str:
     return tr("A high score: {score}").format(score=grouped(12_340))
 
 
-def _editor(state: AppState, text: str = "", part: Part = Part.BRICKS) -> Screen:
+def _editor(state: AppState, text: str = "", part: PanelPart = PanelPart.BRICKS) -> Screen:
     """The editor with a level of the player's and some changes. text: of the level; "" for one like those of the campaign."""
     folder = state.storage.games.folder
     if folder is None or state.open_editor is None:

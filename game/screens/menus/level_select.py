@@ -112,9 +112,9 @@ class LevelSelect(Panel):
         self._own = state.own_levels()
 
     @property
-    def looks(self) -> tuple[object, ...]:
+    def appearance(self) -> tuple[object, ...]:
         """The choices above the levels are kept elsewhere."""
-        return *super().looks, self.state.difficulty, self.state.players
+        return *super().appearance, self.state.difficulty, self.state.players
 
     def content(self) -> Content:
         """The difficulty, and the chapters."""
@@ -150,7 +150,7 @@ class LevelSelect(Panel):
         """Draw one more picture, if one is missing."""
         if self._shows_next:
             self._shows_next = False
-            self._settled(self._laid(size))
+            self._settled(self._form_layout(size))
             self._show_focus(size)
         if self.state.pictures.next_frame():
             self._changes += 1

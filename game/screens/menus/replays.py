@@ -13,7 +13,7 @@ from game.screens.base import Screen
 from game.screens.difficulty_names import difficulty_name
 from game.screens.menus.level_select import clock
 from game.screens.menus.replay_file import opened_replay
-from game.screens.toolkit.items.basic import Cells, Item, TextItem
+from game.screens.toolkit.items.basic import Item, TableRow, TextItem
 from game.screens.toolkit.layout import Content
 from game.screens.toolkit.menu import Entry, Menu, back_row
 from game.screens.toolkit.panel import Panel
@@ -38,14 +38,14 @@ class Replays(Panel):
         games = self.state.storage.games.listed()
         if games:
             heads = (tr("Game"), tr("Reached"), tr("Score"), tr("Time"), tr("Kept"))
-            rows.append((Cells(self._cells(heads), faint=True),))
+            rows.append((TableRow(self._cells(heads), faint=True),))
         else:
             rows.append((TextItem(tr("None yet: games of five seconds or more are kept when they end."), 1.1),))
         rows += [(self._line(game),) for game in games]
         footer = back_row(tr("Back"), self.back)
         return Content(tr("Replays"), tuple(rows), footer, width=44.0)
 
-    def _line(self, game: StoredGame) -> Cells:
+    def _line(self, game: StoredGame) -> TableRow:
         """A game's line."""
         until = tr("the end") if game.won else level_name(game.last)
         words = (
@@ -58,7 +58,7 @@ class Replays(Panel):
         tip = tr("Watch, rename, keep, copy or delete it.")
         if self.has_large_text:
             tip = f"{until}. {tip}"
-        return Cells(self._cells(words), lambda: self._menu(game), tip)
+        return TableRow(self._cells(words), lambda: self._menu(game), tip)
 
     def _cells(self, words: tuple[str, ...]) -> tuple[tuple[str, float, str], ...]:
         """The words of the columns for which there is room."""

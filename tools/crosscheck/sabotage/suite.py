@@ -8,7 +8,7 @@ from typing import NamedTuple
 from tools.crosscheck.comparisons.game import Checked
 from tools.crosscheck.games.sources import AIMED, RANDOM, Source
 from tools.crosscheck.results.measurements import Comparison, ContactVerdict
-from tools.crosscheck.results.rows import Rows
+from tools.crosscheck.results.rows import ContactRows
 from tools.crosscheck.run import Job, check_game
 from tools.crosscheck.sabotage.catalogue import MISTAKES, Mistake
 from tools.crosscheck.workers import results_of
@@ -69,7 +69,7 @@ def sabotage_results(
 
 def _result(mistake: Mistake, answers: list[Checked | Lost]) -> SabotageResult:
     """What the games played with one mistake gave together."""
-    rows = Rows()
+    rows = ContactRows()
     lost = ""
     for answer in answers:
         if isinstance(answer, Lost):

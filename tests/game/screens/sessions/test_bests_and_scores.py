@@ -10,7 +10,7 @@ from game.rules import Phase, Ruleset, new_game, tick
 from game.screens.endless_seeds import seed_of
 from game.screens.gallery.sample import sample_state
 from game.screens.menus.level_select import next_level
-from game.screens.menus.results import Results
+from game.screens.menus.results import ResultsPanel
 from game.screens.play.record import record_name
 from game.screens.play.screen import PlayScreen, ghost
 from game.screens.title import Title
@@ -40,7 +40,7 @@ def test_a_cleared_level_shows_its_results_and_opens_the_next(desk, tmp_path):
     desk.press(pygame.K_SPACE)
     play._ticked = play._ticked._replace(game=with_one_brick(play._ticked.game))
     desk.wait(3.0)
-    assert isinstance(desk.screen, Results)
+    assert isinstance(desk.screen, ResultsPanel)
     storage = Storage(tmp_path)
     (best,) = storage.progress.value.bests
     result = play._ticked.game.results[-1]

@@ -11,7 +11,7 @@ from game.screens.menus.help.panel import Help
 from game.screens.menus.high_scores import HighScores
 from game.screens.menus.level_select import LevelSelect
 from game.screens.menus.replays import Replays
-from game.screens.menus.results import Results
+from game.screens.menus.results import ResultsPanel
 from game.screens.menus.settings.panel import SettingsPanel
 from game.screens.play import buttons as play_buttons
 from game.screens.play.screen import PlayScreen
@@ -36,7 +36,7 @@ def test_by_keys_alone(desk, tmp_path):
     assert isinstance(desk.screen, PlayScreen)
     visit(desk, (lambda: desk.press(pygame.K_p), Menu, esc), (lambda: desk.press(pygame.K_o), SettingsPanel, esc))
     lose(desk, lambda: desk.press(pygame.K_SPACE))
-    assert isinstance(desk.screen, Results)
+    assert isinstance(desk.screen, ResultsPanel)
     score = desk.screen._under._ticked.game.score
     desk.press(pygame.K_RETURN)  # the figures need not be waited for
     desk.choose("Enter your name")
@@ -61,7 +61,7 @@ def test_by_keys_alone(desk, tmp_path):
 
 def test_by_mouse_alone(desk, tmp_path):
     """The same without a key: what a key opens has a button, and every panel has a cross."""
-    close = lambda: desk.click(desk.screen._laid(desk.window.size).close.center)  # noqa: E731
+    close = lambda: desk.click(desk.screen._form_layout(desk.window.size).close.center)  # noqa: E731
     panels = (("High scores", HighScores), ("Replays", Replays), ("How to play", Help), ("Settings", SettingsPanel))
     visit(desk, *[(lambda label=label: desk.click_on(label), kind, close) for label, kind in (*panels, ("Credits", Credits))])
     desk.click_on("Levels")
@@ -125,7 +125,7 @@ def test_by_gamepad_alone(pad_desk, tmp_path):
     visit(desk, (lambda: desk.choose("Settings"), SettingsPanel, esc))
     desk.choose("Continue")
     lose(desk, lambda: desk.press(pygame.K_SPACE))
-    assert isinstance(desk.screen, Results)
+    assert isinstance(desk.screen, ResultsPanel)
     desk.press(pygame.K_RETURN)  # the figures need not be waited for
     desk.choose("Enter your name")
     for letter in ("M", "O", "Done"):

@@ -21,8 +21,12 @@ def test_a_gamepad_alone_sets_and_binds(pad_desk):
     desk.press(pygame.K_LEFT)
     assert desk.shared.settings.volume < volume
     desk.press(pygame.K_TAB)
-    spots = desk.screen._laid(desk.window.size).spots
-    row = next(spot.row for spot in spots if [cell[0] for cell in getattr(spot.item, "cells", ())] == ["Give up a ball"])
+    items = desk.screen._form_layout(desk.window.size).items
+    row = next(
+        positioned.row
+        for positioned in items
+        if [cell[0] for cell in getattr(positioned.item, "cells", ())] == ["Give up a ball"]
+    )
     while desk.screen._focus.row != row:
         desk.press(pygame.K_DOWN)
     desk.press(pygame.K_RIGHT, pygame.K_RIGHT, pygame.K_RETURN)
