@@ -50,7 +50,7 @@ class LabSidePanel(SidePanel):
         layout: WindowLayout,
         seen: LabControls,
     ) -> None:
-        """The side panel of a screen. ask: does what a control asks for; the screen to go on with. layout, seen: as in `show`."""
+        """The side panel of a screen. ask: does what a control asks for; the next screen. layout, seen: as in `show`."""
         super().__init__(state, screen)
         self._ask = ask
         self._callbacks = LabCallbacks(ask, self._edit, self._scenes, self._presets)
