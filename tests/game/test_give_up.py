@@ -5,8 +5,8 @@ import pytest
 
 from game.levels import classic
 from game.rules import LIVES, TICK, Controls, Event, EventKind, Phase, new_game, tick
-from game.screens.play.screen import PlayScreen
 from game.screens.play import screen as play
+from game.screens.play.screen import PlayScreen
 from tests.support.windows.dummy_window import FRAME, Desk, shared
 
 
