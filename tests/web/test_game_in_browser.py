@@ -170,16 +170,16 @@ def test_both_views_are_drawn_and_the_tab_pauses_when_it_is_hidden(page):
 def test_a_broken_link_is_refused_in_one_line_and_the_rest_works(page, fragment, words):
     """The title stays."""
     page.go(fragment)
-    page.wait(lambda: words in page.told(), page.told)
+    page.wait(lambda: words in page.notification(), page.notification)
     assert page.title() == "Polar Breakout"
 
 
 @pytest.mark.parametrize(("name", "data"), [("a.polar", b"nothing"), ("a.toml", b"name = 1"), ("a.txt", b"")])
 def test_a_broken_file_is_refused_in_one_line(page, name, data):
     """It is named."""
-    page.tab.evaluate("document.getElementById('told').hidden = true")
+    page.tab.evaluate("document.getElementById('notification').hidden = true")
     page.drop(name, data)
-    page.wait(lambda: name in page.told(), page.told)
+    page.wait(lambda: name in page.notification(), page.notification)
     assert page.title() == "Polar Breakout"
 
 

@@ -294,7 +294,7 @@ def _watches(state: PageState, screens: Screens, file: str) -> Callable[[str], P
         try:
             data = b"" if folder is None else (folder / file).read_bytes()
         except OSError as error:
-            state.told.append(f"{file}: {error.strerror}")
+            state.notifications.append(f"{file}: {error.strerror}")
             return screens.title()
         return screens.replay(file, data)
 

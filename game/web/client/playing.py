@@ -248,7 +248,7 @@ class GameOnPage:
             elif event.kind == EventKind.LEVEL_CLEARED:
                 self._record.note_level(self.game)
             elif event.kind == EventKind.BALL_LOST:
-                state.said.append(tr("Ball lost. {lives} lives left.").format(lives=self.game.lives))
+                state.announcements.append(tr("Ball lost. {lives} lives left.").format(lives=self.game.lives))
 
     def _results(self) -> PageScreen | None:
         """The menu after a level or the game, once its end has been seen for a moment."""

@@ -60,7 +60,7 @@ class Counted:
     def note_level(self, game: Game) -> None:
         """Record a finished level, if the game counts."""
         state, result = self.state, game.results[-1]
-        state.said.append(tr("Level cleared"))
+        state.announcements.append(tr("Level cleared"))
         if self.counts and game.level in built_in():
             done = Best(game.level.name, state.difficulty, result.score, int(result.rank), result.ticks, start=self.start)
             state.storage.level_done(done)

@@ -77,8 +77,8 @@ class PageState:
     """The state that all screens share. folder: of stored files; None if nothing can be stored.
 
     players: how many steer the paddles of new games. levels: of the campaign. own: the player's, by the names of their files.
-    density: pixels of the canvas per CSS pixel.
-    told: lines for the player to read for a moment. said: for a screen reader. started: sounds to be played now.
+    density: pixels of the canvas per CSS pixel. notifications: lines for the player to read for a moment.
+    announcements: for a screen reader. started: sounds to be played now.
     engine: the lab's second engine, once it is loaded; asks_engine: whether to load it.
     functions: the player's own, in the editor. changed: whether what is stored has changed. download: a file for the player.
     full_screen: whether to switch full screen on or off. touched: whether it is played by touch.
@@ -97,8 +97,8 @@ class PageState:
     view: Viewpoint = FLAT
     density: float = 1.0
     arena: ArenaPicture = field(default_factory=ArenaPicture)
-    told: list[str] = field(default_factory=list)
-    said: list[str] = field(default_factory=list)
+    notifications: list[str] = field(default_factory=list)
+    announcements: list[str] = field(default_factory=list)
     started: list[tuple[int, float, float]] = field(default_factory=list)
     changed: bool = False
     music: MusicOnPage = field(default_factory=MusicOnPage)
@@ -170,4 +170,4 @@ class PageState:
         for line in self.storage.problems:
             if line not in self.problems:
                 self.problems.add(line)
-                self.told.append(line)
+                self.notifications.append(line)

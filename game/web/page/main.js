@@ -8,7 +8,7 @@ import { paint } from "./painter.js";
 import { Speaker } from "./speaker.js";
 import { Words } from "./words.js";
 
-const TOLD_SECONDS = 7;
+const NOTIFICATION_SECONDS = 7;
 const LARGEST_FILE = 16 * 1024 * 1024;
 const element = (id) => document.getElementById(id);
 const canvas = element("picture"), context = canvas.getContext("2d", { alpha: false });
@@ -19,7 +19,7 @@ const backdrop = document.createElement("canvas"), backdropContext = backdrop.ge
 const words = new Words(element("step"), element("words"));
 const questions = new Map();
 const HUNG = "Your own functions gave no answer, so the page was opened again without them.";
-let limit = 0, worker = null, grader = null, background = "#000", toldUntil = 0, asked = 0;
+let limit = 0, worker = null, grader = null, background = "#000", notifiedUntil = 0, asked = 0;
 let ready = false, waiting = false, late = false, sentAt = 0, size = null; // late: send the next request as soon as the reply is there
 
 function say(words) {
@@ -33,10 +33,10 @@ function fail(words) {
   say(words);
 }
 
-function tell(words) {
-  element("told").textContent = words;
-  element("told").hidden = false;
-  toldUntil = performance.now() + 1000 * TOLD_SECONDS;
+function notify(words) {
+  element("notification").textContent = words;
+  element("notification").hidden = false;
+  notifiedUntil = performance.now() + 1000 * NOTIFICATION_SECONDS;
 }
 
 /** A control was used. */
@@ -129,10 +129,10 @@ function heed(reply) {
   if (reply.sounds) speaker.play(reply.sounds);
   limit = reply.limit ?? 0;
   if (reply.music) speaker.follow(reply.music);
-  if (reply.said) element("said").textContent = reply.said;
+  if (reply.announcement) element("announcement").textContent = reply.announcement;
   if (reply.described && canvas.getAttribute("aria-label") !== reply.described) canvas.setAttribute("aria-label", reply.described);
   if (reply.fragment !== undefined && reply.fragment !== null) replaceFragment(reply.fragment);
-  if (reply.told) tell(reply.told);
+  if (reply.notification) notify(reply.notification);
   if (reply.download) download(reply.download);
   if (reply.full_screen) fillScreen();
 }
@@ -151,7 +151,7 @@ function openFragment() {
   try {
     fragment = decodeURIComponent(fragment);
   } catch {
-    tell("the address of this page has a broken fragment");
+    notify("the address of this page has a broken fragment");
     return;
   }
   if (fragment) input.add({ type: "link", fragment });
@@ -159,8 +159,8 @@ function openFragment() {
 
 function fillScreen() {
   const done = document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen?.();
-  if (done) done.catch(() => tell("the browser lets this page not fill the screen"));
-  else tell("this browser has no full screen for pages");
+  if (done) done.catch(() => notify("the browser lets this page not fill the screen"));
+  else notify("this browser has no full screen for pages");
 }
 
 function download({ name, data }) {
@@ -174,7 +174,7 @@ function download({ name, data }) {
 
 async function give(file) {
   if (file.size > LARGEST_FILE) {
-    tell(`${file.name}: larger than 16 MB`);
+    notify(`${file.name}: larger than 16 MB`);
     return;
   }
   const bytes = new Uint8Array(await file.arrayBuffer());
@@ -185,7 +185,7 @@ async function give(file) {
 
 function turn(now) {
   requestAnimationFrame(turn);
-  if (now > toldUntil) element("told").hidden = true;
+  if (now > notifiedUntil) element("notification").hidden = true;
   if (!waiting) return request(now);
   late = true;
   if (limit && now - sentAt > 1000 * limit) openAgain(HUNG);
@@ -195,7 +195,7 @@ function turn(now) {
 /** Nothing else ends a loop within a function written in C. What is stored is there again, and the address says the rest. */
 function openAgain(words) {
   worker.terminate();
-  history.replaceState({ told: words }, "");
+  history.replaceState({ notification: words }, "");
   location.reload();
 }
 
@@ -203,7 +203,7 @@ function heard({ data }) {
   if (data.kind === "ready") {
     element("loading").hidden = true;
     element("progress").hidden = true;
-    if (history.state?.told) tell(history.state.told);
+    if (history.state?.notification) notify(history.state.notification);
     history.replaceState(null, "");
     openFragment();
     ready = true;
@@ -223,8 +223,8 @@ function heard({ data }) {
   } else if (data.kind === "answer") {
     questions.get(data.number)(data.answer);
     questions.delete(data.number);
-  } else if (data.kind === "told") {
-    tell(data.words);
+  } else if (data.kind === "notification") {
+    notify(data.words);
   } else {
     fail(`The game cannot go on: ${data.words}`);
   }

@@ -48,7 +48,7 @@ function synced(reads) {
 let saving = Promise.resolve();
 
 function save() {
-  if (stored) saving = saving.then(() => synced(false)).catch((error) => self.postMessage({ kind: "told", words: `not stored: ${error.message ?? error}` }));
+  if (stored) saving = saving.then(() => synced(false)).catch((error) => self.postMessage({ kind: "notification", words: `not stored: ${error.message ?? error}` }));
   return saving;
 }
 
@@ -84,7 +84,7 @@ Pymunk()
 `);
     page.second_engine(engine);
   } catch (error) {
-    self.postMessage({ kind: "told", words: `pymunk cannot be loaded: ${error.message ?? error}` });
+    self.postMessage({ kind: "notification", words: `pymunk cannot be loaded: ${error.message ?? error}` });
   }
 }
 
