@@ -12,8 +12,6 @@ from game.chosen_physics import SWEPT, ChosenPhysics
 from game.input.events import keyboard_state
 from game.input.players import Players
 from game.input.signals import KeyboardState
-from game.kept.store import Kept
-from game.kept.window import WindowBox
 from game.lab.kit.second_engine import Engine
 from game.lab.registry import scenes
 from game.lab.session import session
@@ -28,7 +26,7 @@ from game.replays.file import Recording
 from game.replays.playback import Playback
 from game.rules import Ruleset
 from game.screens.app_state import AppState, Recorder
-from game.screens.base import Screen, Still
+from game.screens.base import CachedScreen, Screen
 from game.screens.difficulty_names import ruleset_of
 from game.screens.editors import OpenEditors
 from game.screens.menus.level_select import LevelSelect
@@ -38,6 +36,8 @@ from game.screens.watch import Watch
 from game.second_opinion import Compare
 from game.settings.file import SettingsFile
 from game.sound.mixer import Audio
+from game.storage.storage import Storage
+from game.storage.window import WindowBox
 from game.student.functions_file import FunctionsFile
 from game.system import window as display
 from game.system.display_lost import on_display_lost
@@ -57,7 +57,7 @@ class Services(NamedTuple):
 
     compare: asks another engine about a tick's contacts.
     engine: makes the engine that the lab compares with.
-    settings: the file of the player's settings. kept: scores, progress and finished games.
+    settings: the file of the player's settings. storage: scores, progress and finished games.
     lost: told when the display is gone and the program is about to end without returning from here.
     functions: the player's own, for the lab to show beside ours.
     """
@@ -65,7 +65,7 @@ class Services(NamedTuple):
     compare: Compare | None = None
     engine: Callable[[], Engine] | None = None
     settings: SettingsFile | None = None
-    kept: Kept | None = None
+    storage: Storage | None = None
     lost: Callable[[], None] | None = None
     functions: FunctionsFile | None = None
 
@@ -148,10 +148,10 @@ def _state(catalogue: tuple[Level, ...], services: Services, chosen: int, seed: 
     state = AppState(catalogue, chosen, seed, Title, compare=services.compare, settings_file=services.settings)
     state.open_lab, state.functions = _lab_opener(services.engine), services.functions
     state.open_levels = lambda state: LevelSelect(state, Title(state))
-    if services.kept is not None:
-        state.kept = services.kept
+    if services.storage is not None:
+        state.storage = services.storage
         state.tell_problem()
-    state.ruleset = ruleset_of(state.kept.progress.value.last_difficulty)
+    state.ruleset = ruleset_of(state.storage.progress.value.last_difficulty)
     return state
 
 
@@ -179,7 +179,7 @@ def _shown(
 
     audio: opens the sound, where there is some. full_screen: whether the window begins as large as the desktop.
     """
-    box = state.kept.window.value
+    box = state.storage.window.value
     window = display.open_window(_TITLE, (box.width, box.height) if box.width else None, (box.left, box.top))
     if full_screen:
         toggle_full_screen(window, state)
@@ -209,8 +209,8 @@ def _keep_window(window: pygame.Window, state: AppState) -> None:
         return
     if not state.full_screen:
         box = WindowBox(left=left, top=top, width=width, height=height)
-        if box != state.kept.window.value:
-            state.kept.window.update(lambda _: box)
+        if box != state.storage.window.value:
+            state.storage.window.update(lambda _: box)
 
 
 def _save(state: AppState, lost: Callable[[], None] | None) -> None:
@@ -237,7 +237,7 @@ def _rate(screen: Screen | None, rate: int, *, away: bool) -> int:
     """Frames per second of a screen. rate: of the display. away: the player is in another window."""
     if away:
         return _IDLE_RATE
-    if isinstance(screen, Still):
+    if isinstance(screen, CachedScreen):
         return min(rate, int(getattr(screen, "rate", _STILL_RATE)))
     return rate
 
@@ -273,19 +273,19 @@ def frame(
 
 def _draw(window: pygame.Window, state: AppState, screen: Screen, surface: pygame.Surface) -> None:
     """Show a screen, unless it is one that looks as it did in the frame before."""
-    if isinstance(screen, Still) and _looks(state, screen, surface) == state.shown:
+    if isinstance(screen, CachedScreen) and _appearance(state, screen, surface) == state.shown:
         return
     screen.draw(surface)
     if state.toast is not None:
         toast.draw(state.words(state.canvas(surface)), state.toast)
     _flip(window)
-    state.shown = _looks(state, screen, surface) if isinstance(screen, Still) else None
+    state.shown = _appearance(state, screen, surface) if isinstance(screen, CachedScreen) else None
 
 
-def _looks(state: AppState, screen: Still, surface: pygame.Surface) -> tuple[object, ...]:
+def _appearance(state: AppState, screen: CachedScreen, surface: pygame.Surface) -> tuple[object, ...]:
     """All that the picture on the window depends on."""
     told = None if state.toast is None else (state.toast.text, state.toast.level)
-    return screen, surface.get_size(), screen.looks, told
+    return screen, surface.get_size(), screen.appearance, told
 
 
 def _surface(window: pygame.Window) -> pygame.Surface:

@@ -18,7 +18,7 @@ import typer
 
 from game.system.command_line import run
 from game.system.errors import EnvironmentMissingError
-from game.system.output import tell
+from game.system.output import print_line
 from game.system.start import prepare
 
 if TYPE_CHECKING:
@@ -100,9 +100,9 @@ def web(
     from game.web.site import built_site  # noqa: PLC0415
 
     site = built_site(cache_folder())
-    tell(f"download: {sum(map(len, site.values())) / 1e6:.2f} MB in {len(site)} files")
+    print_line(f"download: {sum(map(len, site.values())) / 1e6:.2f} MB in {len(site)} files")
     for name, data in sorted(site.items(), key=lambda file: -len(file[1]))[:5]:
-        tell(f"  {len(data) / 1e6:.2f} MB {name}")
+        print_line(f"  {len(data) / 1e6:.2f} MB {name}")
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
         for _ in range(visits - 1):
@@ -114,10 +114,10 @@ def web(
             page.evaluate(_WATCH)
             for key, view in (("1", "from above"), ("2", "in 3D")):
                 page.keyboard.press(key)
-                tell(f"{view}: {_rate(page)}")
-                tell(f"{view}, from a key to its picture: {_input_delay(page)}")
+                print_line(f"{view}: {_rate(page)}")
+                print_line(f"{view}, from a key to its picture: {_input_delay(page)}")
             _play_on(page, minutes)
-            tell(f"after {minutes:g} minutes: {_memory(browser, page)}")
+            print_line(f"after {minutes:g} minutes: {_memory(browser, page)}")
         browser.close()
     return 0
 
@@ -125,10 +125,10 @@ def web(
 def _two_visits(browser: "Browser", address: str) -> "Page":
     """Visit the page with nothing stored, wait until it has stored what it does, and visit it again."""
     page = browser.new_context(viewport={"width": 1280, "height": 800}).new_page()
-    tell(f"first frame: {_visit(page, address)}")
+    print_line(f"first frame: {_visit(page, address)}")
     page.evaluate("polarBreakout.ask('snapshot')")
     page.evaluate("navigator.serviceWorker.ready.then(() => true)")
-    tell(f"first frame, second visit: {_visit(page, address)}")
+    print_line(f"first frame, second visit: {_visit(page, address)}")
     return page
 
 

@@ -25,7 +25,7 @@ def difficulty_choice(state: AppState) -> ChoiceItem:
 
     def choose(index: int) -> None:
         state.ruleset = ruleset_of(DIFFICULTIES[index])
-        state.kept.progress.update(lambda held: msgspec.structs.replace(held, last_difficulty=DIFFICULTIES[index]))
+        state.storage.progress.update(lambda held: msgspec.structs.replace(held, last_difficulty=DIFFICULTIES[index]))
 
     names = tuple([difficulty_name(name) for name in DIFFICULTIES])
     tip = tr("Easy: slower balls, wider paddles, more lives. Source's rules: one speed, no power-ups. Each has its own scores.")

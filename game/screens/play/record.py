@@ -4,14 +4,14 @@ from functools import cache
 
 from game.chosen_physics import SWEPT
 from game.input.players import Players
-from game.kept.progress import OWN, Best
-from game.kept.scores import ENDLESS
 from game.levels import Level, built_in
 from game.replays.file import load
 from game.rules import EventKind, Game, Ticked
 from game.screens.app_state import AppState
 from game.screens.earned import earned
 from game.screens.play.ghost import Ghost
+from game.storage.progress import OWN, Best
+from game.storage.scores import ENDLESS
 from game.system.errors import BadInputError
 
 
@@ -40,7 +40,7 @@ class PlayRecord:
         self.before: Best | None = None
         self.earned: tuple[str, ...] = ()
         self.ghost: Ghost | None = None
-        state.kept.game_done()
+        state.storage.game_done()
         self._open_ghost(0)
 
     def prepare(self) -> None:
@@ -66,16 +66,16 @@ class PlayRecord:
         result = game.results[-1]
         difficulty = self._state.difficulty
         self.done = Best(record_name(game.level), difficulty, result.score, int(result.rank), result.ticks, start=self._start)
-        earned_before = earned(self._state.kept.progress.value)
-        self.before = self._state.kept.level_done(self.done)
-        self.earned = tuple([name for name in earned(self._state.kept.progress.value) if name not in earned_before])
+        earned_before = earned(self._state.storage.progress.value)
+        self.before = self._state.storage.level_done(self.done)
+        self.earned = tuple([name for name in earned(self._state.storage.progress.value) if name not in earned_before])
         self._state.tell_problem()
 
     def _open_ghost(self, number: int) -> None:
         """The best run of a level, where its replay is still there."""
         self.ghost = None
-        kept, folder = self._state.kept, self._state.kept.games.folder
-        best = kept.progress.value.best(record_name(self._levels[number]), self._state.difficulty)
+        storage, folder = self._state.storage, self._state.storage.games.folder
+        best = storage.progress.value.best(record_name(self._levels[number]), self._state.difficulty)
         if not self._has_bests or folder is None or best is None or not best.replay:
             return
         try:

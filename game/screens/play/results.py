@@ -6,8 +6,6 @@ from typing import Protocol
 
 import msgspec
 
-from game.kept.progress import RANKS, Best
-from game.kept.scores import LONGEST_NAME, Score
 from game.language import decimal, grouped, ntr, tr
 from game.levels.names import level_name
 from game.overlay.readings import player_name
@@ -15,14 +13,16 @@ from game.rules import Game, Phase, winner
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.menus.high_scores import HighScores
-from game.screens.menus.results import Figure, Results
+from game.screens.menus.results import Figure, ResultsPanel
 from game.screens.play.record import PlayRecord
 from game.screens.play.versus import verdict
 from game.screens.toolkit.menu import Entry
 from game.screens.toolkit.text_entry import TextEntry
+from game.storage.progress import RANKS, Best
+from game.storage.scores import LONGEST_NAME, Score
 
 
-class Played(Screen, Protocol):
+class PlayedGame(Screen, Protocol):
     """A game on the screen, as far as its results lead back to it. endless: the seed of its levels, None for others."""
 
     endless: int | None
@@ -43,7 +43,7 @@ def clock(ticks: int) -> str:
     return f"{tenths // 600}:{decimal(tenths % 600 / 10.0, 1).zfill(4)}"
 
 
-def level_results(state: AppState, play: Played, game: Game, record: PlayRecord) -> Results:
+def level_results(state: AppState, play: PlayedGame, game: Game, record: PlayRecord) -> ResultsPanel:
     """After a level: its figures, and the next one."""
     result = game.results[-1]
     before = record.before
@@ -65,12 +65,12 @@ def level_results(state: AppState, play: Played, game: Game, record: PlayRecord)
         line = tr("{level}. {player} is ahead.").format(level=line, player=player_name(ahead))
     if record.earned:
         line = tr("{level}. Unlocked in the settings: {things}").format(level=line, things=", ".join(record.earned))
-    return Results(state, play, tr("Level cleared"), line, figures, entries, rank, back=play.went_on)
+    return ResultsPanel(state, play, tr("Level cleared"), line, figures, entries, rank, back=play.went_on)
 
 
-def game_results(state: AppState, play: Played, game: Game, record: PlayRecord) -> Screen:
+def game_results(state: AppState, play: PlayedGame, game: Game, record: PlayRecord) -> Screen:
     """After a game: its figures; the name of who made a high score; and how to go on."""
-    kept_game = state.kept.game_done() if record.counts else None
+    kept_game = state.storage.game_done() if record.counts else None
     state.tell_problem()
     won = game.phase == Phase.WON
     tally = game.statistics.game
@@ -94,8 +94,8 @@ def game_results(state: AppState, play: Played, game: Game, record: PlayRecord) 
     if play.endless is not None:
         line = tr("{line} These levels have the number {seed}.").format(line=line, seed=play.endless)
     entries = _after_game(state, play, game)
-    menu = Results(state, play, title, line, figures, entries, back=lambda: state.open_title(state))
-    if not record.ranked or not state.kept.scores.value.qualifies(game.score, record.table):
+    menu = ResultsPanel(state, play, title, line, figures, entries, back=lambda: state.open_title(state))
+    if not record.ranked or not state.storage.scores.value.qualifies(game.score, record.table):
         return menu
     last = game.level.name if play.endless is None else f"{game.level.name} ({play.endless})"
     first, date = game.levels[0].name, time.strftime("%Y-%m-%d")
@@ -103,7 +103,7 @@ def game_results(state: AppState, play: Played, game: Game, record: PlayRecord) 
     if kept_game is not None:
         score = msgspec.structs.replace(score, replay=kept_game.file, sha256=kept_game.sha256)
     entered = Entry(tr("Enter your name"), _name_entry(state, play, score, entries))
-    return Results(state, play, title, line, figures, (entered, *entries), back=lambda: state.open_title(state))
+    return ResultsPanel(state, play, title, line, figures, (entered, *entries), back=lambda: state.open_title(state))
 
 
 def _scores(game: Game) -> tuple[Figure, ...]:
@@ -119,7 +119,7 @@ def _with_lives(lives: int) -> Callable[[int], str]:
     return lambda points: f"{grouped(points)}  ({left})"
 
 
-def _after_game(state: AppState, play: Played, game: Game) -> tuple[Entry, ...]:
+def _after_game(state: AppState, play: PlayedGame, game: Game) -> tuple[Entry, ...]:
     """Where to go after a game."""
     again = Entry(tr("This level again"), play.again)
     first = Entry(tr("From the first level"), play.restarted)
@@ -135,16 +135,16 @@ def ways_out(state: AppState) -> tuple[Entry, ...]:
     return (*levels, Entry(tr(state.home), lambda: state.open_title(state)))
 
 
-def _name_entry(state: AppState, play: Played, score: Score, entries: tuple[Entry, ...]) -> Callable[[], Screen]:
+def _name_entry(state: AppState, play: PlayedGame, score: Score, entries: tuple[Entry, ...]) -> Callable[[], Screen]:
     """Opens the entry of the name; then the table with the new line, and from there on as after any game."""
 
     def opened() -> Screen:
         title = tr("A high score: {score}").format(score=grouped(score.score))
-        return TextEntry(state, play, title, state.kept.scores.value.last_name, LONGEST_NAME, done)
+        return TextEntry(state, play, title, state.storage.scores.value.last_name, LONGEST_NAME, done)
 
     def done(name: str) -> Screen:
         entered = msgspec.structs.replace(score, name=name)
-        state.kept.enter(entered)
+        state.storage.enter(entered)
         state.tell_problem()
         return HighScores(state, play, entered, entries)
 

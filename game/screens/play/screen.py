@@ -173,7 +173,7 @@ class PlayScreen:
         told = words_now(game, key_name(Action.SERVE))
         if self._state.players != Players.ONE:
             told = who_steers(game, *players_keys(), key_name(Action.SERVE)) or told
-        elif told is not None and not self._state.kept.progress.value.bests:
+        elif told is not None and not self._state.storage.progress.value.bests:
             told = to_newcomer(told, key_name(Action.LEFT), key_name(Action.RIGHT))
         if told is None and self._may_give_up:
             words = tr("{key}: give up this ball; it costs a life").format(key=key_name(Action.GIVE_UP))

@@ -74,7 +74,7 @@ class GameOnPage:
         self._untouched = 0  # ticks with a ball in play since a paddle touched it
         self._told = -1  # number of the level whose results were shown last
         self._ended = False
-        state.kept.game_done()
+        state.storage.game_done()
 
     @property
     def game(self) -> Game:
@@ -211,7 +211,7 @@ class GameOnPage:
         if self._players != Players.ONE:
             told = who_steers(self.game, *PLAYERS_KEYS, _SERVE_KEY) or told
         elif told is not None:
-            new = not self._state.kept.progress.value.bests
+            new = not self._state.storage.progress.value.bests
             if self._state.touched:
                 told = by_touch(told, self.game, new=new)
             elif new:
@@ -241,7 +241,7 @@ class GameOnPage:
         self._effects = effects.after(self._effects, self._ticked, state.settings.shown)
         state.play_sounds(self._ticked, seen.camera)
         if self._record.counts:
-            state.kept.games(controls, self.game)
+            state.storage.games(controls, self.game)
         for event in events:
             if event.kind == EventKind.LEVEL_STARTED:
                 self._record.start = self.game.tick

@@ -58,8 +58,10 @@ def tap(desk, pad, button):
 def choose(desk, pad, label):
     """Go down to a button and accept it."""
     for _ in range(20):
-        spots = desk.screen._laid(desk.window.size).spots
-        if any((spot.row, spot.column) == desk.screen._focus and spot.item.label == label for spot in spots):
+        items = desk.screen._form_layout(desk.window.size).items
+        if any(
+            (positioned.row, positioned.column) == desk.screen._focus and positioned.item.label == label for positioned in items
+        ):
             break
         tap(desk, pad, pygame.CONTROLLER_BUTTON_DPAD_DOWN)
     tap(desk, pad, pygame.CONTROLLER_BUTTON_A)

@@ -9,7 +9,7 @@ from game.loop.session_seed import game_seed
 from game.replays.state_hash import state_hash
 from game.rules import Phase, new_game, tick
 from game.screens.menus.help.panel import Help
-from game.screens.menus.results import Results
+from game.screens.menus.results import ResultsPanel
 from game.screens.menus.settings.panel import SettingsPanel
 from game.screens.play import buttons as play_buttons
 from game.screens.play.screen import PlayScreen
@@ -143,7 +143,7 @@ def test_the_buttons_beside_the_arena_are_keys(playing, ticks):
         playing.move(box.center)
         playing.click(box.center)
         assert type(playing.screen) is kind
-        playing.click(playing.screen._laid(SIZE).close.center)
+        playing.click(playing.screen._form_layout(SIZE).close.center)
         assert isinstance(playing.screen, PlayScreen)
     playing.wait(0.1)
     assert {controls.serve for controls, _ in ticks} == {False}
@@ -220,7 +220,7 @@ def test_losing_every_ball_ends_the_game(playing, ticks):
         playing.wait(FRAME)
     assert ticks[-1][1].phase == Phase.OVER
     assert ticks[-1][1].phase_tick >= 200
-    assert isinstance(playing.screen, Results)
+    assert isinstance(playing.screen, ResultsPanel)
     playing.wait(5.0)
     playing.choose("This level again")
     playing.wait(0.1)

@@ -26,10 +26,10 @@ from game.lab.kit.picture import (
     Arrow,
     Circle,
     Disc,
-    Field,
     Line,
     PointMark,
     Role,
+    ScalarField,
     Stroke,
     Toggle,
     Words,
@@ -228,7 +228,7 @@ class Quarters:
 
 def test_a_field_is_coloured_by_its_sign(canvas):
     """Positions above 0, below 0 and of 0 have three colours; it covers what it says."""
-    draw_marks(canvas, [Field(-1 - 1j, 3 + 3j, Quarters(), 1.0)])
+    draw_marks(canvas, [ScalarField(-1 - 1j, 3 + 3j, Quarters(), 1.0)])
 
     def at(point):
         pixel = canvas.camera.project(point)

@@ -10,12 +10,12 @@ from game.lab.kit.picture import Toggle
 from game.lab.registry import scenes
 from game.lab.session import session
 from game.lab.session.share import parsed
-from game.lab.window.controls import Controlled
+from game.lab.window.controls import LabControls
 from game.lab.window.layout import layout_of
 from game.lab.window.screen import SHOWN, Lab
-from game.lab.window.side import LabSide
+from game.lab.window.side_panel import LabSidePanel
 from game.lab.window.words import small_print_height
-from game.screens.toolkit.form import spot_at
+from game.screens.toolkit.form import focused_item
 from game.screens.toolkit.items.basic import ButtonItem, Switch
 from game.screens.toolkit.items.drop_down import OptionList
 from game.screens.toolkit.items.label import LabelItem
@@ -103,8 +103,8 @@ def test_the_list_of_scenes_is_used_by_keys_and_by_mouse():
     desk.shared.open_lab = lambda *_: None
     desk.click_on("free-run")
     assert isinstance(desk.screen, OptionList)
-    laid = desk.screen._laid(SIZE)
-    assert laid.body.contains(spot_at(laid, desk.screen._focus).box)
+    layout = desk.screen._form_layout(SIZE)
+    assert layout.body.contains(focused_item(layout, desk.screen._focus).box)
     desk.press(pygame.K_l, pygame.K_DOWN, pygame.K_ESCAPE)
     assert desk.session.scene.name == "free-run"
     assert desk.side._focus is None
@@ -113,11 +113,15 @@ def test_the_list_of_scenes_is_used_by_keys_and_by_mouse():
     desk.press(pygame.K_RETURN)
     assert desk.session.scene.name == "case-1"
     desk.click_on("case-1")
-    laid = desk.screen._laid(SIZE)
-    spot = next(spot for spot in laid.spots if spot.item.focusable and laid.body.contains(spot.box) and spot.row > 3)
-    desk.click(spot.box.center)
+    layout = desk.screen._form_layout(SIZE)
+    positioned = next(
+        positioned
+        for positioned in layout.items
+        if positioned.item.focusable and layout.body.contains(positioned.box) and positioned.row > 3
+    )
+    desk.click(positioned.box.center)
     assert isinstance(desk.screen, Lab)
-    assert desk.session.scene.name == spot.item.cells[0][0]
+    assert desk.session.scene.name == positioned.item.cells[0][0]
     desk.close()
 
 
@@ -134,7 +138,7 @@ def test_toggles_by_key_and_by_switch(desk):
     for on in (True, False, True):
         desk.press(pygame.K_7)
         assert (Toggle.PYMUNK in desk.screen._shown) is on
-        assert desk.spot("7  pymunk").item.on is on
+        assert desk.positioned("7  pymunk").item.on is on
     for shown in (False, True):
         desk.click_on("7  pymunk")
         assert (Toggle.PYMUNK in desk.screen._shown) is shown
@@ -145,19 +149,19 @@ def test_toggles_by_key_and_by_switch(desk):
 @pytest.mark.usefixtures("unseen")
 def test_all_controls_are_used_by_keys_alone(desk):
     """Tab goes through them and around; arrows step a slider, with Shift by ten; Enter types, presses, opens; Esc ends."""
-    spots = [spot for spot in desk.side._laid(SIZE).spots if spot.item.focusable]
+    items = [positioned for positioned in desk.side._form_layout(SIZE).items if positioned.item.focusable]
     desk.press(pygame.K_RETURN)
     desk.press(pygame.K_TAB, mod=pygame.KMOD_LALT)
     assert desk.side._focus is None, "the keys are the scene's at first"
     seen = []
-    for _ in spots:
+    for _ in items:
         desk.press(pygame.K_TAB)
         seen.append(desk.side._focus)
-    assert seen == [(spot.row, spot.column) for spot in spots]
+    assert seen == [(positioned.row, positioned.column) for positioned in items]
     desk.press(pygame.K_TAB)
     desk.press(pygame.K_TAB, mod=pygame.KMOD_LSHIFT)
     assert desk.side._focus == seen[-1]
-    while desk.side._focus != next((spot.row, spot.column) for spot in spots if spot.item.label == "r"):
+    while desk.side._focus != next((positioned.row, positioned.column) for positioned in items if positioned.item.label == "r"):
         desk.press(pygame.K_UP)
     desk.press(pygame.K_RIGHT, pygame.K_RIGHT, pygame.K_LEFT)
     assert desk.values.number("r") == 0.95
@@ -184,7 +188,7 @@ def test_all_controls_are_used_by_keys_alone(desk):
 @pytest.mark.usefixtures("unseen")
 def test_a_held_arrow_moves_a_slider_on(desk):
     """It repeats until it comes up; a slider that has reached the end of its range stays there, without a note."""
-    while desk.side._focus is None or desk.spot("half_width")[2:4] != desk.side._focus:
+    while desk.side._focus is None or desk.positioned("half_width")[2:4] != desk.side._focus:
         desk.press(pygame.K_TAB)
     desk.hold(pygame.K_RIGHT)
     desk.wait(FRAME)
@@ -221,12 +225,12 @@ def test_a_gamepad_uses_the_controls(desk):
     desk.choose("Done")
     assert desk.values.point("ball").real == 7.0
     desk.pad(Action.UP, Action.UP, Action.UP)
-    assert spot_at(desk.side._laid(SIZE), desk.side._focus).item.label == "Colours"
+    assert focused_item(desk.side._form_layout(SIZE), desk.side._focus).item.label == "Colours"
     theme = desk.shared.theme
     desk.pad(Action.SERVE)
     assert desk.shared.theme is not theme
     desk.pad(Action.TIP)
-    assert spot_at(desk.side._laid(SIZE), desk.side._focus).item.label == "Help"
+    assert focused_item(desk.side._form_layout(SIZE), desk.side._focus).item.label == "Help"
     desk.pad(Action.BACK)
     assert isinstance(desk.screen, Lab)
     assert desk.side._focus is None
@@ -264,9 +268,9 @@ def test_buttons_do_what_their_keys_do_and_say_which(desk):
     before = desk.session.scene.name
     desk.click_on(">")
     assert desk.session.scene.name != before
-    spot = desk.spot("Help")
-    assert spot.item.tip.endswith("(H  F1)")
-    desk.move(spot.box.center)
+    positioned = desk.positioned("Help")
+    assert positioned.item.tip.endswith("(H  F1)")
+    desk.move(positioned.box.center)
     desk.wait(FRAME)
     assert desk.side.draw(desk.window.get_surface()) is None, "they stand where the small print was"
     desk.move((5, 300))
@@ -299,19 +303,19 @@ def test_every_change_is_seen_at_once(desk):
 def test_what_does_not_fit_scrolls():
     """In a low window the wheel shows the numbers further down; the buttons stay."""
     desk = LabDesk("own-arena", (800, 600))
-    spots = [desk.spot(name).box for name in ("r_g", "Help")]
-    desk.wheel(spots[0].center, -1)
-    moved = [desk.spot(name).box for name in ("r_g", "Help")]
-    assert moved[0].top < spots[0].top
-    assert moved[1] == spots[1]
+    items = [desk.positioned(name).box for name in ("r_g", "Help")]
+    desk.wheel(items[0].center, -1)
+    moved = [desk.positioned(name).box for name in ("r_g", "Help")]
+    assert moved[0].top < items[0].top
+    assert moved[1] == items[1]
     desk.wheel((100, 300), -1)
-    assert desk.spot("r_g").box == moved[0]
-    while desk.side._focus is None or desk.spot("r_g")[2:4] != desk.side._focus:
+    assert desk.positioned("r_g").box == moved[0]
+    while desk.side._focus is None or desk.positioned("r_g")[2:4] != desk.side._focus:
         desk.press(pygame.K_TAB)
     assert desk.side._scroll == 0.0, "what the first number means is seen, too"
     desk.shared.settings = desk.shared.settings._replace(text_size=200)
     desk.press(pygame.K_LEFTBRACKET)
-    desk.wheel(spots[0].center, -1)
+    desk.wheel(items[0].center, -1)
     assert desk.side._scroll > 0.0
     desk.press(pygame.K_RIGHTBRACKET)
     assert desk.side._scroll == 0.0
@@ -329,20 +333,20 @@ def test_the_controls_fit_their_side(size, text):
     app, type_, layout = shared(), Type(), layout_of(size, text=text)
     app.settings = app.settings._replace(text_size=round(100 * text))
     smallest = 0.95 if text == 1.0 else 0.57
-    shown = [Controlled(session.fresh(scene, None), SHOWN, frozenset()) for scene in scenes()]
-    side = LabSide(app, None, None, layout, shown[0])
+    shown = [LabControls(session.fresh(scene, None), SHOWN, frozenset()) for scene in scenes()]
+    side = LabSidePanel(app, None, None, layout, shown[0])
     assert side.unit(size) == pytest.approx(0.87 * text * layout.unit)
     for seen in shown:
         side.show(layout, seen)
-        laid, unit = side._laid(size), side.unit(size)
+        layout, unit = side._form_layout(size), side.unit(size)
         lines = "state hash", seen.session.line
-        assert laid.tip.top + small_print_height(type_, layout, lines) <= max(size[1], 480)
-        assert laid.over == 0 or laid.body.height > 7.0 * unit
-        assert all([spot.box.height > 1.4 * unit for spot in laid.spots if spot.item.focusable])
-        for spot in laid.spots if size != (640, 480) else ():
-            words, size_, taken = said(spot.item, spot.box.height / unit)
+        assert layout.tip.top + small_print_height(type_, layout, lines) <= max(size[1], 480)
+        assert layout.over == 0 or layout.body.height > 7.0 * unit
+        assert all([positioned.box.height > 1.4 * unit for positioned in layout.items if positioned.item.focusable])
+        for positioned in layout.items if size != (640, 480) else ():
+            words, size_, taken = said(positioned.item, positioned.box.height / unit)
             wide = type_.rendered(words, unit * size_ * smallest, (0, 0, 0)).get_width() if words else 0
-            assert wide + taken * unit <= spot.box.width + 1, spot.item
+            assert wide + taken * unit <= positioned.box.width + 1, positioned.item
 
 
 def said(item, height):

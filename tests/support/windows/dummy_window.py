@@ -72,18 +72,18 @@ class Desk:
     def box(self, label):
         """Where the item of a panel is that says something."""
         size = self.window.get_surface().get_size()
-        spots = self.form._laid(size).spots
-        return next(spot.box for spot in spots if label in _words(spot.item))
+        items = self.form._form_layout(size).items
+        return next(positioned.box for positioned in items if label in _words(positioned.item))
 
     def click_on(self, label):
         """Click on the item of a panel that says something; the wheel brings it into view."""
         size = self.window.get_surface().get_size()
         for _ in range(60):
-            laid = self.form._laid(size)
-            spot = next(spot for spot in laid.spots if label in _words(spot.item))
-            if not spot.in_body or laid.body.collidepoint(spot.box.center):
+            layout = self.form._form_layout(size)
+            positioned = next(positioned for positioned in layout.items if label in _words(positioned.item))
+            if not positioned.in_body or layout.body.collidepoint(positioned.box.center):
                 break
-            steps = -1.0 if spot.box.centery > laid.body.centery else 1.0
+            steps = -1.0 if positioned.box.centery > layout.body.centery else 1.0
             pygame.event.post(pygame.Event(pygame.MOUSEWHEEL, precise_y=steps, x=0, y=0))
             self.wait(FRAME)
         self.move(self.box(label).center)
@@ -96,10 +96,10 @@ class Desk:
 
     def focus(self, label):
         """Go to the item of a panel that says something, with arrow keys alone."""
-        laid = self.form._laid(self.window.get_surface().get_size())
-        wanted = next(spot for spot in laid.spots if label in _words(spot.item))
+        layout = self.form._form_layout(self.window.get_surface().get_size())
+        wanted = next(positioned for positioned in layout.items if label in _words(positioned.item))
         for _ in range(100):
-            focus = self.form._settled(laid)
+            focus = self.form._settled(layout)
             if focus == (wanted.row, wanted.column):
                 return
             sideways = pygame.K_LEFT if focus.column > wanted.column else pygame.K_RIGHT

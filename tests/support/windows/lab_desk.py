@@ -79,14 +79,22 @@ class LabDesk(Desk):
         """The controls as they are now."""
         return self.screen._controls(self.size)
 
-    def spot(self, label):
+    def positioned(self, label):
         """The control that says something, and its box; of a point's two sliders the x."""
-        return next(spot for spot in self.side._laid(self.size).spots if getattr(spot.item, "label", None) == label)
+        return next(
+            positioned
+            for positioned in self.side._form_layout(self.size).items
+            if getattr(positioned.item, "label", None) == label
+        )
 
     def slider(self, name, coordinate=0):
         """The slider of a number: its item, its bar and its field's box, and the pixel of its knob."""
-        spots = [spot for spot in self.side._laid(self.size).spots if getattr(spot.item, "label", None) == name]
-        item, box, unit = spots[coordinate].item, spots[coordinate].box, self.side.unit(self.size)
+        items = [
+            positioned
+            for positioned in self.side._form_layout(self.size).items
+            if getattr(positioned.item, "label", None) == name
+        ]
+        item, box, unit = items[coordinate].item, items[coordinate].box, self.side.unit(self.size)
         bar = item.bar(box, unit)
         return Slid(item, bar, item.field_box(box, unit), (round(bar.left + bar.width * item.level), bar.centery))
 
@@ -108,7 +116,7 @@ class LabDesk(Desk):
 
     def click_on(self, label):
         """Click in the middle of the control that says something."""
-        self.click(self.spot(label).box.center)
+        self.click(self.positioned(label).box.center)
 
     def pad(self, *actions, held=False):
         """Press a gamepad's buttons that mean some actions, and release them unless they are held."""

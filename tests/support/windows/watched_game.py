@@ -18,7 +18,6 @@ import sys
 
 from game.__main__ import main
 from game.editor.window.screen import Editor
-from game.kept import games as kept_games
 from game.loop import app
 from game.rules import TICK
 from game.screens.play import buttons as play_buttons
@@ -26,6 +25,7 @@ from game.screens.play.screen import PlayScreen
 from game.screens.toolkit.panel import Panel
 from game.screens.toolkit.text_entry import TextEntry
 from game.screens.watch import Watch
+from game.storage import games as kept_games
 from tests.support.windows.virtual_pad import VirtualPad, library
 
 _FRAMES = 2
@@ -83,7 +83,7 @@ class _Told:
 def _looks(screen):
     """What a screen's description depends on."""
     if isinstance(screen, Panel):
-        return Panel.looks.fget(screen)
+        return Panel.appearance.fget(screen)
     if isinstance(screen, PlayScreen):
         return screen._ticked.game.phase, _steers(screen), _is_kept(screen)
     if isinstance(screen, Watch):
@@ -109,14 +109,16 @@ def _described(screen, size):
 
 def _panel(panel, size):
     """A panel's items."""
-    laid = panel._laid(size)
-    focus, items, focused = panel._settled(laid), {}, None
-    for spot in laid.spots:
-        if spot.item.focusable and (words := _words(spot.item)):
-            items.setdefault(words, [*spot.box.center, spot.row, spot.column, spot.in_body, _state(spot.item)])
-            focused = words if (spot.row, spot.column) == focus else focused
-    view, text = [laid.body.top, laid.body.bottom], {"text": panel.text} if isinstance(panel, TextEntry) else {}
-    return {"items": items, "focus": focused, "view": view, "close": laid.close.center} | text
+    layout = panel._form_layout(size)
+    focus, controls, focused = panel._settled(layout), {}, None
+    for positioned in layout.items:
+        if positioned.item.focusable and (words := _words(positioned.item)):
+            controls.setdefault(
+                words, [*positioned.box.center, positioned.row, positioned.column, positioned.in_body, _state(positioned.item)]
+            )
+            focused = words if (positioned.row, positioned.column) == focus else focused
+    view, text = [layout.body.top, layout.body.bottom], {"text": panel.text} if isinstance(panel, TextEntry) else {}
+    return {"items": controls, "focus": focused, "view": view, "close": layout.close.center} | text
 
 
 def _words(item):

@@ -9,7 +9,7 @@ from game.screens.base import Screen
 from game.screens.menus.help import pictures
 from game.screens.menus.help.powers import power_rows
 from game.screens.toolkit.focus import Focus
-from game.screens.toolkit.items.basic import Cells, Drawing, Item, TextItem
+from game.screens.toolkit.items.basic import Drawing, Item, TableRow, TextItem
 from game.screens.toolkit.layout import FROM_TOP, Content, Row
 from game.screens.toolkit.menu import back_row
 from game.screens.toolkit.panel import Panel
@@ -47,7 +47,7 @@ class Help(Panel):
     def _key_rows(self, keys: tuple[tuple[str, str], ...]) -> tuple[Row, ...]:
         """A line for each, two where texts are large."""
         if not self.has_large_text:
-            return tuple([(Cells(((names, 1.0, "left"), (meaning, 2.0, "left"))),) for names, meaning in keys])
+            return tuple([(TableRow(((names, 1.0, "left"), (meaning, 2.0, "left"))),) for names, meaning in keys])
         words = [(TextItem(names, 1.0, faint=True), TextItem(meaning, 1.1), Item()) for names, meaning in keys]
         return tuple([(item,) for items in words for item in items])
 

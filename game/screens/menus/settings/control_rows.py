@@ -9,8 +9,8 @@ from game.input.keys import KEYS
 from game.language import tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.menus.settings.key_capture import KeyCapture, Wanted
-from game.screens.toolkit.items.basic import ButtonItem, Cells, Heading, Item
+from game.screens.menus.settings.key_capture import CaptureTarget, KeyCapture
+from game.screens.toolkit.items.basic import ButtonItem, Heading, Item, TableRow
 from game.screens.toolkit.layout import Row
 
 _SLOTS = 2
@@ -27,7 +27,7 @@ def control_rows(state: AppState, panel: Screen) -> tuple[Row, ...]:
     for title, actions in action_groups():
         rows.append((Heading(title, "" if len(rows) > 1 else tr("keys, gamepad")),))
         for action, name in actions.items():
-            label: Item = Cells(((name, 1.0, "left"),))
+            label: Item = TableRow(((name, 1.0, "left"),))
             keys = _keys(state, panel, action, name)
             rows += [(label,), keys] if state.text_scale > WIDE_TEXT else [(label, *keys)]
     return tuple(rows)
@@ -38,14 +38,17 @@ def _keys(state: AppState, panel: Screen, action: Action, name: str) -> Row:
     positions, buttons = positions_in_use(action), KEYS.binding(action).buttons
     keys = [position_name(positions[slot]) if slot < len(positions) else NO_KEY for slot in range(_SLOTS)]
     pad = button_name(buttons[0]) if buttons else NO_KEY
-    wanted = [*[Wanted(action, name, slot, of_pad=False) for slot in range(_SLOTS)], Wanted(action, name, 0, of_pad=True)]
+    wanted = [
+        *[CaptureTarget(action, name, slot, of_pad=False) for slot in range(_SLOTS)],
+        CaptureTarget(action, name, 0, of_pad=True),
+    ]
     tip = tr("Enter: choose another key. Pressing the same one again removes it.")
     shown = zip([*keys, pad], wanted, strict=True)
     cells = [ButtonItem(words, _capture(state, panel, one), tip=tip, centred=True, share=_KEY_SHARE) for words, one in shown]
     return tuple(cells)
 
 
-def _capture(state: AppState, panel: Screen, wanted: Wanted) -> Callable[[], Screen | None]:
+def _capture(state: AppState, panel: Screen, wanted: CaptureTarget) -> Callable[[], Screen | None]:
     """Opens the question for a key."""
     return lambda: KeyCapture(state, panel, wanted)
 

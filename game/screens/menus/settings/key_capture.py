@@ -21,7 +21,7 @@ from game.screens.toolkit.panel import Panel
 _TOLD_SECONDS = 4.0
 
 
-class Wanted(NamedTuple):
+class CaptureTarget(NamedTuple):
     """What is asked for. name: of the action, in the player's language. slot: index of the key. of_pad: a gamepad's button."""
 
     action: Action
@@ -33,7 +33,7 @@ class Wanted(NamedTuple):
 class KeyCapture(Panel):
     """Waits for a key or a button. Esc, and B on a gamepad, lead back; so does a click."""
 
-    def __init__(self, state: AppState, under: Screen, wanted: Wanted) -> None:
+    def __init__(self, state: AppState, under: Screen, wanted: CaptureTarget) -> None:
         """Open over the settings."""
         super().__init__(state, under)
         self._wanted = wanted

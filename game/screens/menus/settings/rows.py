@@ -78,7 +78,7 @@ def _picture(state: AppState, _panel: Screen) -> tuple[Row, ...]:
 def _unlockable(state: AppState, label: str, field: str, conditions: dict[str, Condition], names: dict[str, str]) -> Item:
     """A choice among what the player has earned, or words on how to earn some. field: of `Settings`; what it holds stays."""
     now = str(getattr(state.settings, field))
-    earned = unlocked(conditions, feats(state.kept.progress.value))
+    earned = unlocked(conditions, feats(state.storage.progress.value))
     open_ones = [name for name in conditions if name in earned or name == now]
     following = next((name for name in conditions if name not in earned), None)
     tip = tr("All of them are unlocked.") if following is None else f"{names[following]}: {conditions[following].text}"

@@ -307,7 +307,7 @@ class ChoiceItem(LineItem):
 
 
 @dataclass(frozen=True)
-class Cells(Item):
+class TableRow(Item):
     """A row of a table. cells: words, their part of the width, and where they stand: left, right or centre.
 
     chosen: where it leads; None for a row that cannot be used. strong: in the accent's colour.

@@ -10,7 +10,7 @@ from game.drawing.canvas import Canvas
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.toolkit.focus import Focus
-from game.screens.toolkit.items.basic import Cells, Heading, Item, LineItem
+from game.screens.toolkit.items.basic import Heading, Item, LineItem, TableRow
 from game.screens.toolkit.layout import Content, Row
 from game.screens.toolkit.panel import Panel
 from game.screens.toolkit.plate import LABEL, draw_focus, write_fitting
@@ -86,7 +86,7 @@ class OptionList(Panel):
         """At first, so far scrolled that the present one is seen."""
         if not self._drawn:
             self._drawn, size = True, surface.get_size()
-            self._settled(self._laid(size))
+            self._settled(self._form_layout(size))
             self._show_focus(size)
         super().draw(surface)
 
@@ -122,4 +122,4 @@ class OptionList(Panel):
     def _line(self, option: Option) -> Item:
         """An option's line."""
         cells = ((option.name, 1.0, "left"), (option.note, _NOTE, "left"))
-        return Cells(cells, lambda: self._choose(option), strong=option.name == self._present)
+        return TableRow(cells, lambda: self._choose(option), strong=option.name == self._present)

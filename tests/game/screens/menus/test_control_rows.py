@@ -97,7 +97,7 @@ def test_a_button_is_chosen_by_gamepad_and_a_click_leads_back(desk):
     pad(desk, pygame.CONTROLLER_BUTTON_B)
     assert isinstance(desk.screen, SettingsPanel)
     asked(desk, PAUSE_ROW, 1)
-    (leave,) = [spot for spot in desk.screen._laid(desk.window.size).spots if spot.item.focusable]
+    (leave,) = [positioned for positioned in desk.screen._form_layout(desk.window.size).items if positioned.item.focusable]
     desk.click(leave.box.center)
     assert isinstance(desk.screen, SettingsPanel)
 

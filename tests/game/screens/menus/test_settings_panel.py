@@ -10,7 +10,6 @@ from game.drawing.palette import LIGHT
 from game.drawing.raster.primitives import draw_box
 from game.drawing.text import Type
 from game.effects import EffectKind
-from game.kept.progress import Best
 from game.screens.menus.settings.ball_preview import ball_preview
 from game.screens.menus.settings.panel import SettingsPanel
 from game.screens.menus.settings.rows import PARTS, effect_names
@@ -21,6 +20,7 @@ from game.screens.toolkit.items.slider import Slider
 from game.screens.toolkit.menu import Menu
 from game.settings.file import SettingsFile
 from game.settings.values import Settings
+from game.storage.progress import Best
 from game.unlocks import BALLS, TRAILS
 from tests.support.windows.dummy_window import FRAME, SIZE, Desk, shared
 
@@ -63,26 +63,28 @@ def test_every_row_changes_something_and_changes_it_back(desk, monkeypatch):
     """Whatever can be set on any part is reached by arrow keys, changed by Enter, and can be set back."""
     monkeypatch.setattr(SettingsPanel, "draw", lambda *_: None)  # what it looks like is not asked here
     for number in range(30):  # every ball and trail is earned
-        desk.shared.kept.level_done(Best(f"level {number}", "hard", 5000, 3))
+        desk.shared.storage.level_done(Best(f"level {number}", "hard", 5000, 3))
     changed = 0
     for index in range(len(PARTS)):
         desk.press(pygame.K_o)
         desk.screen.open_tab(index)
         panel = desk.screen
-        for spot in panel._laid(desk.window.size).spots:
-            if not isinstance(spot.item, Switch | ChoiceItem | Slider) or spot.item.label == "Full screen":
+        for positioned in panel._form_layout(desk.window.size).items:
+            if not isinstance(positioned.item, Switch | ChoiceItem | Slider) or positioned.item.label == "Full screen":
                 continue
-            if isinstance(spot.item, ChoiceItem) and len(spot.item.options) == 1:  # the others are not unlocked yet
+            if isinstance(positioned.item, ChoiceItem) and len(positioned.item.options) == 1:  # the others are not unlocked yet
                 continue
             before = desk.shared.settings
-            desk.focus(spot.item.label)
-            desk.press(pygame.K_LEFT if isinstance(spot.item, Slider) and spot.item.level == 1.0 else pygame.K_RETURN)
-            assert desk.shared.settings != before, spot.item.label
-            options = len(spot.item.options) if isinstance(spot.item, ChoiceItem) else 2
+            desk.focus(positioned.item.label)
+            desk.press(
+                pygame.K_LEFT if isinstance(positioned.item, Slider) and positioned.item.level == 1.0 else pygame.K_RETURN
+            )
+            assert desk.shared.settings != before, positioned.item.label
+            options = len(positioned.item.options) if isinstance(positioned.item, ChoiceItem) else 2
             for _ in range(options - 1):
                 back = pygame.K_RIGHT if before.speed > desk.shared.settings.speed else pygame.K_LEFT
-                desk.press(back if isinstance(spot.item, Slider) else pygame.K_RETURN)
-            assert desk.shared.settings == before, spot.item.label
+                desk.press(back if isinstance(positioned.item, Slider) else pygame.K_RETURN)
+            assert desk.shared.settings == before, positioned.item.label
             changed += 1
         desk.press(pygame.K_ESCAPE)
     assert changed >= 5 + len(EffectKind)
@@ -107,8 +109,10 @@ def test_the_volume_follows_keys_and_mouse(desk):
     assert desk.shared.settings.volume == 60
     desk.press(pygame.K_RIGHT, pygame.K_EQUALS, pygame.K_MINUS)
     assert desk.shared.settings.volume == 70
-    spot = next(spot for spot in desk.screen._laid(desk.window.size).spots if isinstance(spot.item, Slider))
-    bar = spot.item.bar(spot.box, desk.screen.unit(desk.window.size))
+    positioned = next(
+        positioned for positioned in desk.screen._form_layout(desk.window.size).items if isinstance(positioned.item, Slider)
+    )
+    bar = positioned.item.bar(positioned.box, desk.screen.unit(desk.window.size))
     desk.click((bar.left + bar.width // 4, bar.centery))
     assert desk.shared.settings.volume == pytest.approx(25, abs=1)
     desk.move((bar.right + 1, bar.centery), held=True)
@@ -204,11 +208,13 @@ def test_items_are_inside_the_panel_and_apart(desk, size):
     panel = SettingsPanel(desk.shared, desk.screen)
     for index in range(len(PARTS)):
         panel.open_tab(index)
-        laid = panel._laid(size)
-        assert pygame.Rect(0, 0, *size).contains(laid.plate)
-        assert laid.plate.contains(laid.body)
-        for boxes in ([spot.box for spot in laid.spots if spot.in_body is inside] for inside in (True, False)):
-            assert all(laid.plate.contains(box) for box in boxes) or laid.over
+        layout = panel._form_layout(size)
+        assert pygame.Rect(0, 0, *size).contains(layout.plate)
+        assert layout.plate.contains(layout.body)
+        for boxes in (
+            [positioned.box for positioned in layout.items if positioned.in_body is inside] for inside in (True, False)
+        ):
+            assert all(layout.plate.contains(box) for box in boxes) or layout.over
             assert all(len(box.collidelistall(boxes)) == 1 for box in boxes)
 
 

@@ -36,8 +36,8 @@ def sliders():
 
 def bar(panel, index):
     """A slider's bar."""
-    spot = panel._laid(SIZE).spots[index]
-    return spot.item.bar(spot.box, panel.unit(SIZE))
+    positioned = panel._form_layout(SIZE).items[index]
+    return positioned.item.bar(positioned.box, panel.unit(SIZE))
 
 
 def put(panel, *signals):
@@ -56,7 +56,7 @@ def test_a_finger_drags_the_knob_that_it_came_down_on(sliders):
     put(sliders, Clicked(second), Moved(second, held=False), Moved(second, held=True), Moved(second - 10.0, held=True))
     assert sliders.levels[0] == before
     assert sliders.levels[1] == pytest.approx(0.5 - 10.0 / bar(sliders, 1).width)
-    label = complex(sliders._laid(SIZE).body.left + 5, second.imag)
+    label = complex(sliders._form_layout(SIZE).body.left + 5, second.imag)
     put(sliders, Moved(label, held=False), Moved(label - 20j, held=True), Moved(label - 30j, held=True))
     assert sliders._scroll == 30.0
     assert sliders.levels[2:] == [0.5] * 38
@@ -64,10 +64,10 @@ def test_a_finger_drags_the_knob_that_it_came_down_on(sliders):
 
 def test_the_scroll_bar_is_held_wherever_the_mouse_goes(sliders):
     """Pressed on the bar and moved away from it sideways, the mouse still scrolls along it."""
-    laid = sliders._laid(SIZE)
-    x = laid.bar - 1
-    put(sliders, Clicked(complex(x, laid.body.top + 1)), Moved(complex(x - 200, laid.body.bottom), held=True))
-    assert sliders._scroll == laid.over > 0
-    put(sliders, Moved(complex(x - 200, laid.body.top), held=True))
+    layout = sliders._form_layout(SIZE)
+    x = layout.bar - 1
+    put(sliders, Clicked(complex(x, layout.body.top + 1)), Moved(complex(x - 200, layout.body.bottom), held=True))
+    assert sliders._scroll == layout.over > 0
+    put(sliders, Moved(complex(x - 200, layout.body.top), held=True))
     assert sliders._scroll == 0.0
     assert sliders.levels == [0.5] * 40

@@ -16,10 +16,10 @@ from game.input.signals import Clicked, Moved, Pressed, Released, Signal, Zoomed
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.toolkit.focus import Focus, first_focus, moved_focus
-from game.screens.toolkit.form import Form, pointed_spot, spot_at
+from game.screens.toolkit.form import Form, focused_item, pointed_item
 from game.screens.toolkit.items.slider import FIELD_LETTERS
 from game.screens.toolkit.items.text_field import TextField, after_event, caret_at
-from game.screens.toolkit.layout import Laid
+from game.screens.toolkit.layout import FormLayout
 from game.screens.toolkit.text_entry import NUMBER_KEYS, TextEntry
 
 _LONGEST = 32
@@ -47,14 +47,14 @@ class Typing(NamedTuple):
     title: str
 
 
-class Side(Form):
-    """Base class of the controls beside a screen's picture; a derived class lays out its items (`_laid`)."""
+class SidePanel(Form):
+    """Base class of the controls beside a screen's picture; a derived class lays out its items (`_form_layout`)."""
 
     entering: tuple[int, ...] = (pygame.K_TAB,)
     """Keys that give the keys to the controls."""
 
     def __init__(self, state: AppState, screen: Screen) -> None:
-        """The side of a screen."""
+        """The side panel of a screen."""
         super().__init__()
         self._state, self._screen = state, screen
         self._pointer = -1 - 1j  # pixels
@@ -81,7 +81,7 @@ class Side(Form):
         raise NotImplementedError
 
     @property
-    def looks(self) -> tuple[object, ...]:
+    def appearance(self) -> tuple[object, ...]:
         """Everything that its picture depends on, except the focus."""
         raise NotImplementedError
 
@@ -177,22 +177,22 @@ class Side(Form):
         The plate is cached while nothing on it changes.
         """
         area, size = self.area, surface.get_size()
-        laid = self._laid(size)
-        focus = self._settled(laid)
-        looks = (*self.looks, area, self._typing, focus, self._scroll)
-        if self._drawn is None or self._drawn[0] != looks:
+        layout = self._form_layout(size)
+        focus = self._settled(layout)
+        appearance = (*self.appearance, area, self._typing, focus, self._scroll)
+        if self._drawn is None or self._drawn[0] != appearance:
             theme, clip = self._state.theme, surface.get_clip()
             seen = area.clip(clip)  # empty in a window that is too small
             surface.set_clip(seen)
             surface.fill(theme.panel, area)
             pygame.draw.line(surface, theme.panel_edge, area.topleft, area.bottomleft)
-            self.draw_items(self._state.canvas(surface)._replace(unit=self.unit(size)), laid, focus)
+            self.draw_items(self._state.canvas(surface)._replace(unit=self.unit(size)), layout, focus)
             surface.set_clip(clip)
-            self._drawn = looks, surface.subsurface(seen).copy() if seen else pygame.Surface((0, 0))
+            self._drawn = appearance, surface.subsurface(seen).copy() if seen else pygame.Surface((0, 0))
         else:
             surface.blit(self._drawn[1], area)
-        spot = spot_at(laid, focus)
-        return float(laid.tip.top) if spot is None or not spot.item.tip else None
+        positioned = focused_item(layout, focus)
+        return float(layout.tip.top) if positioned is None or not positioned.item.tip else None
 
     def edit(self, typing: Typing, pixels: float | None) -> None:
         """Begin to type a number, with all of it selected; or put the caret where the mouse was pressed.
@@ -205,10 +205,10 @@ class Side(Form):
             typing = typing._replace(field=before.field.moved(caret_at(self._state.type, *letters, pixels)))
         self._typing, self._clicked_while = typing, None
 
-    def _settled(self, laid: Laid) -> Focus | None:
+    def _settled(self, layout: FormLayout) -> Focus | None:
         """The control with a frame: the one under the mouse, or the focused one if keys act on the controls; else None."""
-        if self._focus is not None and spot_at(laid, self._focus) is None:
-            self._focus = first_focus(laid, self._focus) if self._has_keys else None
+        if self._focus is not None and focused_item(layout, self._focus) is None:
+            self._focus = first_focus(layout, self._focus) if self._has_keys else None
         return self._focus
 
     def _hovered(self, pixel: complex, size: tuple[int, int]) -> Screen | None:
@@ -224,11 +224,11 @@ class Side(Form):
 
     def _tab(self, step: int, size: tuple[int, int]) -> None:
         """Focus the next or the previous control; at first, counted from the one under the mouse."""
-        laid = self._laid(size)
+        layout = self._form_layout(size)
         if self._focus is None:
-            self._focus = first_focus(laid, self._nearest)
+            self._focus = first_focus(layout, self._nearest)
         else:
-            self._focus = moved_focus(laid, self._focus, Action.RIGHT if step > 0 else Action.LEFT, None)
+            self._focus = moved_focus(layout, self._focus, Action.RIGHT if step > 0 else Action.LEFT, None)
         self._has_keys = True
         self._show_focus(size)
 
@@ -240,9 +240,9 @@ class Side(Form):
             if event.key == pygame.K_TAB:
                 self._has_keys = True
                 self._tab(-1 if event.mod & pygame.KMOD_SHIFT else 1, size)
-                spot = spot_at(self._laid(size), self._focus)
-                if spot is not None and spot.item.is_typed:
-                    spot.item.accepted(self._screen)
+                positioned = focused_item(self._form_layout(size), self._focus)
+                if positioned is not None and positioned.item.is_typed:
+                    positioned.item.accepted(self._screen)
             return following
         self._typing = (
             None if event.key == pygame.K_ESCAPE else typing._replace(field=after_event(typing.field, event, _LONGEST))
@@ -260,10 +260,10 @@ class Side(Form):
 
     def _step_by_mouse(self, steps: int, size: tuple[int, int]) -> None:
         """Step the number on whose sign a mouse button is held."""
-        spot = pointed_spot(self._laid(size), self._pixel)
-        sign = 0 if spot is None else spot.item.held_sign(self._pixel, spot.box, self.unit(size))
-        if spot is not None and sign:
-            spot.item.stepped(sign * steps)
+        positioned = pointed_item(self._form_layout(size), self._pixel)
+        sign = 0 if positioned is None else positioned.item.held_sign(self._pixel, positioned.box, self.unit(size))
+        if positioned is not None and sign:
+            positioned.item.stepped(sign * steps)
 
     def _is_inside(self, pixel: complex) -> bool:
         """Whether a pixel is on the plate."""

@@ -7,9 +7,9 @@ from typing import Annotated
 import msgspec
 from msgspec import Meta
 
-from game.kept.progress import Count, Digest, Word
 from game.replays.file import decoded
 from game.replays.verify import verified
+from game.storage.progress import Count, Digest, Word
 from game.system.errors import BadInputError
 from game.system.files import read_input
 

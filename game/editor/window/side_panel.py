@@ -1,4 +1,4 @@
-"""The side of the editor's window: its controls."""
+"""The side panel of the editor: its controls."""
 
 from collections.abc import Callable
 
@@ -6,17 +6,17 @@ import pygame
 
 from game.drawing.palettes import themed
 from game.editor import session as editing
-from game.editor.fields import Field, Part, is_optional, longest
+from game.editor.fields import Field, PanelPart, is_optional, longest
 from game.editor.session import EditorSession, value_of
-from game.editor.window.controls import PARTS, Controlled, Reactions, controls, number_text
+from game.editor.window.controls import PARTS, EditorCallbacks, EditorControls, controls, number_text
 from game.editor.window.layout import EditorLayout
 from game.language import tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.toolkit.form import spot_at
+from game.screens.toolkit.form import focused_item
 from game.screens.toolkit.items.text_field import TextField
-from game.screens.toolkit.layout import Laid, laid_in_column
-from game.screens.toolkit.side import MODIFIERS, Side, Typing
+from game.screens.toolkit.layout import FormLayout, column_layout
+from game.screens.toolkit.side_panel import MODIFIERS, SidePanel, Typing
 from game.screens.toolkit.text_entry import TextEntry
 
 _NARROW = 13.5
@@ -26,7 +26,7 @@ _TOP = 0.4
 """Above and below the controls, in units of text."""
 
 
-class EditorSide(Side):
+class EditorSidePanel(SidePanel):
     """The controls of the edited level. When it gets the keys back, the control that had the focus has it again."""
 
     def __init__(
@@ -37,12 +37,12 @@ class EditorSide(Side):
         command: Callable[[str], Screen | None],
         shown: tuple[EditorLayout, EditorSession],
     ) -> None:
-        """The side of a screen. put: takes a changed session; command: runs a command; shown: as in `show`."""
+        """The side panel of a screen. put: takes a changed session; command: runs a command; shown: as in `show`."""
         super().__init__(state, screen)
         self._put = put
-        self._do = Reactions(put, command, self.open_part, self._edit, self._enter)
+        self._callbacks = EditorCallbacks(put, command, self.open_part, self._edit, self._enter)
         self._layout, self._session = shown
-        self.part = Part.BRICKS
+        self.part = PanelPart.BRICKS
 
     @property
     def area(self) -> pygame.Rect:
@@ -50,12 +50,12 @@ class EditorSide(Side):
         return self._layout.side
 
     @property
-    def looks(self) -> tuple[object, ...]:
+    def appearance(self) -> tuple[object, ...]:
         """Everything that its picture depends on, except the focus."""
         return self._state.appearance, self._layout, self._session, self.part
 
     @property
-    def looks_now(self) -> tuple[object, ...]:
+    def full_appearance(self) -> tuple[object, ...]:
         """Everything that its picture depends on."""
         return self.part, self._typing, self._focus, self._scroll, self._has_keys
 
@@ -65,19 +65,19 @@ class EditorSide(Side):
         return self._typing is not None
 
     def hear_key(self, event: pygame.Event, size: tuple[int, int]) -> tuple[bool, Screen | None]:
-        """As in every side; in addition, a digit on a number begins to type it."""
+        """As in every side panel; in addition, a digit on a number begins to type it."""
         written = getattr(event, "unicode", "")
         if self._typing is None and self._has_keys and written and written in _DIGITS and not event.mod & MODIFIERS:
-            spot = spot_at(self._laid(size), self._focus)
-            if spot is not None and spot.item.is_typed:
-                return True, spot.item.accepted(self._screen)
+            positioned = focused_item(self._form_layout(size), self._focus)
+            if positioned is not None and positioned.item.is_typed:
+                return True, positioned.item.accepted(self._screen)
         return super().hear_key(event, size)
 
     def show(self, layout: EditorLayout, session: EditorSession) -> None:
         """Show the controls of a session, in a window with this layout."""
         self._layout, self._session = layout, session
 
-    def open_part(self, part: Part) -> None:
+    def open_part(self, part: PanelPart) -> None:
         """Show another part, scrolled to its top."""
         if part is not self.part:
             self.part, self._scroll, self._typing, self._nearest = part, 0.0, None, None
@@ -93,23 +93,23 @@ class EditorSide(Side):
 
     def tip(self, size: tuple[int, int]) -> str:
         """The tip of the focused control."""
-        laid = self._laid(size)
-        spot = spot_at(laid, self._settled(laid))
-        return "" if spot is None else spot.item.tip
+        layout = self._form_layout(size)
+        positioned = focused_item(layout, self._settled(layout))
+        return "" if positioned is None else positioned.item.tip
 
     def unit(self, _size: tuple[int, int]) -> float:
         """Size of the controls' text, pixels."""
         return self._layout.unit
 
-    def _laid(self, _size: tuple[int, int]) -> Laid:
+    def _form_layout(self, _size: tuple[int, int]) -> FormLayout:
         """The controls below each other, without tips: these are drawn below the arena."""
         unit = self._layout.unit
         area = self._layout.side.inflate(0, -round(2.0 * _TOP * unit))
         theme = themed(self._state.theme, self._session.document.level.look.palette)
-        seen = Controlled(self._session, self.part, theme, self._typing, area.width < _NARROW * unit)
-        laid = laid_in_column(controls(seen, self._do), area, self._state.type, unit, self._scroll, low_foot=True)
-        self._scroll = min(self._scroll, float(laid.over))
-        return laid._replace(tip=pygame.Rect(0, 0, 0, 0))
+        seen = EditorControls(self._session, self.part, theme, self._typing, area.width < _NARROW * unit)
+        layout = column_layout(controls(seen, self._callbacks), area, self._state.type, unit, self._scroll, low_foot=True)
+        self._scroll = min(self._scroll, float(layout.over))
+        return layout._replace(tip=pygame.Rect(0, 0, 0, 0))
 
     def _edit(self, field: Field, pixels: float | None) -> None:
         """Begin to type a number, or put the caret at a distance from the field's left edge, pixels."""

@@ -13,7 +13,7 @@ import msgspec
 
 from game.system.ending import deferred
 from game.system.file_lock import locked
-from game.system.files import free_path, sweep, write_whole
+from game.system.files import free_path, remove_temporaries, write_atomically
 from game.system.wording import quoted_path
 
 _LARGEST = 4 * 1024 * 1024
@@ -28,7 +28,7 @@ class _Version(msgspec.Struct):
     version: int = 1
 
 
-class KeptFile(Generic[T]):
+class StoredFile(Generic[T]):
     """One session's hold on one file. Nothing here raises."""
 
     def __init__(self, path: Path | None, kind: type[T], version: int) -> None:
@@ -42,7 +42,7 @@ class KeptFile(Generic[T]):
         self._newer = False
         self.problem: str | None = None
         if path is not None:
-            sweep(path.parent)
+            remove_temporaries(path.parent)
             self._held = self._read(path)
 
     @property
@@ -76,7 +76,7 @@ class KeptFile(Generic[T]):
             for change in self._unwritten:
                 held = change(held)
             if not self._newer:
-                write_whole(path, _encoded(held))
+                write_atomically(path, _encoded(held))
             self._held = held
             self._unwritten.clear()
 

@@ -4,26 +4,26 @@ from pathlib import Path
 
 import msgspec
 
-from game.kept import progress, scores, window
-from game.kept.games import GameFiles, KeptGame
-from game.kept.kept_file import KeptFile
-from game.kept.progress import Best, Progress
-from game.kept.scores import Score, Scores
-from game.kept.window import WindowBox
+from game.storage import progress, scores, window
+from game.storage.games import GameFiles, StoredGame
+from game.storage.progress import Best, Progress
+from game.storage.scores import Score, Scores
+from game.storage.stored_file import StoredFile
+from game.storage.window import WindowBox
 
 NO_FOLDER = "no folder of the user's: nothing is saved"
 
 
-class Kept:
+class Storage:
     """The files of a session. folder: that they are in; None keeps everything in memory alone."""
 
     def __init__(self, folder: Path | None, record: Path | None = None) -> None:
         """Read what there is. record: a file that gets the last game of the session as well."""
         self._homeless = folder is None
         self._finished: list[Best] = []
-        self.scores = KeptFile(None if folder is None else folder / "scores.json", Scores, scores.VERSION)
-        self.progress = KeptFile(None if folder is None else folder / "progress.json", Progress, progress.VERSION)
-        self.window = KeptFile(None if folder is None else folder / "window.json", WindowBox, window.VERSION)
+        self.scores = StoredFile(None if folder is None else folder / "scores.json", Scores, scores.VERSION)
+        self.progress = StoredFile(None if folder is None else folder / "progress.json", Progress, progress.VERSION)
+        self.window = StoredFile(None if folder is None else folder / "window.json", WindowBox, window.VERSION)
         self.games = GameFiles(None if folder is None else folder / "replays", self.needed, record)
 
     @property
@@ -40,7 +40,7 @@ class Kept:
         self._finished.append(best)
         return before
 
-    def game_done(self) -> KeptGame | None:
+    def game_done(self) -> StoredGame | None:
         """Write the game that was played and let the levels finished in it refer to its replay; None where none was kept."""
         self.games.close()
         last, finished, self._finished = self.games.last, self._finished, []

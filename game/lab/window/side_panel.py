@@ -1,4 +1,4 @@
-"""The side of the lab's window: its controls, used by mouse, touch, keys and gamepad."""
+"""The side panel of the lab: its controls, used by mouse, touch, keys and gamepad."""
 
 from collections.abc import Callable
 
@@ -10,10 +10,10 @@ from game.lab.kit.parameters import defaults
 from game.lab.session.share import SharedScene, share_line
 from game.lab.window.controls import (
     Component,
-    Controlled,
+    LabCallbacks,
+    LabControls,
     NumberRefused,
     PresetChosen,
-    Reactions,
     Request,
     SceneChosen,
     controls,
@@ -26,8 +26,8 @@ from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.toolkit.items.drop_down import Option, OptionList, Options
 from game.screens.toolkit.items.text_field import TextField
-from game.screens.toolkit.layout import Laid, laid_in_column
-from game.screens.toolkit.side import Side, Typing
+from game.screens.toolkit.layout import FormLayout, column_layout
+from game.screens.toolkit.side_panel import SidePanel, Typing
 
 _LETTERS = 0.87
 """The toolkit's unit in the lab's: what items are called is about as large as body text then."""
@@ -37,7 +37,7 @@ _NARROW = 19.0
 """A side that is narrower has fewer controls in a row, in the toolkit's units."""
 
 
-class LabSide(Side):
+class LabSidePanel(SidePanel):
     """The controls of the shown scene. Arrow up and arrow down give them the keys, as Tab does."""
 
     entering = (pygame.K_TAB, pygame.K_UP, pygame.K_DOWN)
@@ -48,12 +48,12 @@ class LabSide(Side):
         screen: Screen,
         ask: Callable[[Request], Screen | None],
         layout: WindowLayout,
-        seen: Controlled,
+        seen: LabControls,
     ) -> None:
-        """The side of a screen. ask: does what a control asks for; the screen to go on with. layout, seen: as in `show`."""
+        """The side panel of a screen. ask: does what a control asks for; the next screen. layout, seen: as in `show`."""
         super().__init__(state, screen)
         self._ask = ask
-        self._do = Reactions(ask, self._edit, self._scenes, self._presets)
+        self._callbacks = LabCallbacks(ask, self._edit, self._scenes, self._presets)
         self._layout, self._seen = layout, seen
         self._small_print = self._small_print_height()
 
@@ -63,13 +63,13 @@ class LabSide(Side):
         return self._layout.side
 
     @property
-    def looks(self) -> tuple[object, ...]:
+    def appearance(self) -> tuple[object, ...]:
         """Everything that its picture depends on, except the focus."""
         session, shown, available, _ = self._seen
         state = session.scene.name, session.given.values, session.tick, session.playing, session.pace
         return self._state.appearance, self._layout, state, shown, available
 
-    def show(self, layout: WindowLayout, seen: Controlled) -> None:
+    def show(self, layout: WindowLayout, seen: LabControls) -> None:
         """Let the controls be those of a scene as it stands, in a window that is so divided."""
         is_other = self._seen.session.scene is not seen.session.scene
         if is_other:
@@ -90,16 +90,16 @@ class LabSide(Side):
         """Size of the toolkit's text, pixels."""
         return self._layout.unit * _LETTERS * self._state.text_scale
 
-    def _laid(self, size: tuple[int, int]) -> Laid:
+    def _form_layout(self, size: tuple[int, int]) -> FormLayout:
         """The controls below each other."""
         unit, area = self._layout.unit, self._layout.side.copy()
         area.top += round(unit * _TOP)
         area.height -= round(unit * _TOP + self._small_print)
         letters = self.unit(size)
-        rows = controls(self._seen._replace(typing=self._typing), self._do, narrow=area.width < _NARROW * letters)
-        laid = laid_in_column(rows, area, self._state.type, letters, self._scroll)
-        self._scroll = min(self._scroll, float(laid.over))
-        return laid
+        rows = controls(self._seen._replace(typing=self._typing), self._callbacks, narrow=area.width < _NARROW * letters)
+        layout = column_layout(rows, area, self._state.type, letters, self._scroll)
+        self._scroll = min(self._scroll, float(layout.over))
+        return layout
 
     def _edit(self, component: Component, pixels: float | None) -> None:
         """Begin to type a number, or put the caret at a distance from the field's left edge, pixels."""

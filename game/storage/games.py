@@ -10,13 +10,13 @@ from typing import Annotated
 import msgspec
 from msgspec import Meta
 
-from game.kept.kept_file import KeptFile
-from game.kept.progress import Count, Digest, Word
 from game.replays.file import Recorder, encoded, save
 from game.rules import TICK, Controls, Game, Phase
+from game.storage.progress import Count, Digest, Word
+from game.storage.stored_file import StoredFile
 from game.system.ending import deferred
 from game.system.errors import BadInputError
-from game.system.files import sweep, write_new
+from game.system.files import remove_temporaries, write_new
 from game.system.wording import quoted_path
 
 VERSION = 1
@@ -27,7 +27,7 @@ _SHORTEST = 5.0
 SUFFIX = ".polar"
 
 
-class KeptGame(msgspec.Struct, frozen=True):
+class StoredGame(msgspec.Struct, frozen=True):
     """What the list says about a game, so that it needs not be played again to be listed.
 
     file: its name in the folder. title: that the player gave it. kept: whether it stays until the player deletes it.
@@ -48,11 +48,11 @@ class KeptGame(msgspec.Struct, frozen=True):
     sha256: Digest = ""
 
 
-class KeptGames(msgspec.Struct, frozen=True):
+class StoredGames(msgspec.Struct, frozen=True):
     """The list of the games."""
 
     version: int = VERSION
-    games: Annotated[list[KeptGame], Meta(max_length=10_000)] = []
+    games: Annotated[list[StoredGame], Meta(max_length=10_000)] = []
 
 
 class GameFiles:
@@ -67,13 +67,13 @@ class GameFiles:
         record: a file that gets the last game of the session as well.
         """
         self.folder, self._needed, self._record = folder, needed, record
-        self._index = KeptFile(None if folder is None else folder / "games.json", KeptGames, VERSION)
+        self._index = StoredFile(None if folder is None else folder / "games.json", StoredGames, VERSION)
         self._recorder: Recorder | None = None
         self._game: Game | None = None
         self._written: str | None = None
-        self.last: KeptGame | None = None
+        self.last: StoredGame | None = None
         if folder is not None:
-            sweep(folder)
+            remove_temporaries(folder)
 
     @property
     def problem(self) -> str | None:
@@ -114,10 +114,10 @@ class GameFiles:
             except OSError as error:
                 self._written = f"{quoted_path(self.folder)}: {error.strerror or error}"
 
-    def listed(self) -> list[KeptGame]:
+    def listed(self) -> list[StoredGame]:
         """The games that there are, newest first; of files that the list does not know, the name alone."""
         known = {game.file: game for game in self._index.value.games}
-        return [known.get(path.name) or KeptGame(path.name, kept=True, date=path.stem[:16]) for path in self.paths()]
+        return [known.get(path.name) or StoredGame(path.name, kept=True, date=path.stem[:16]) for path in self.paths()]
 
     def paths(self) -> list[Path]:
         """The files of the games, newest first; what is no file, or a link to nothing, is left out."""
@@ -129,11 +129,11 @@ class GameFiles:
                         ages.append((path.stat().st_mtime_ns, path.name, path))
         return [path for _, _, path in sorted(ages, reverse=True)]
 
-    def change(self, game: KeptGame) -> None:
+    def change(self, game: StoredGame) -> None:
         """Put other words about a game in the list: another title, whether it is kept."""
         self._index.update(lambda held: _with(held, game))
 
-    def delete(self, game: KeptGame) -> str | None:
+    def delete(self, game: StoredGame) -> str | None:
         """Remove a game and its file; what went wrong."""
         if self.folder is None or Path(game.file).name != game.file:
             return "not there"
@@ -144,7 +144,7 @@ class GameFiles:
         self._index.update(lambda held: _without(held, {game.file}))
         return None
 
-    def export(self, game: KeptGame, folder: Path) -> Path:
+    def export(self, game: StoredGame, folder: Path) -> Path:
         """Copy a game's file into a folder, under its title where it has one: the new path. OSError if it cannot be."""
         if self.folder is None:
             raise FileNotFoundError(game.file)
@@ -165,9 +165,9 @@ class GameFiles:
             self._index.update(lambda held: _without(held, gone))
 
 
-def _described(name: str, game: Game, sha256: str) -> KeptGame:
+def _described(name: str, game: Game, sha256: str) -> StoredGame:
     """What the list says about a game that has just ended."""
-    return KeptGame(
+    return StoredGame(
         name,
         score=game.score,
         ticks=game.tick,
@@ -180,7 +180,7 @@ def _described(name: str, game: Game, sha256: str) -> KeptGame:
     )
 
 
-def _with(held: KeptGames, game: KeptGame | None) -> KeptGames:
+def _with(held: StoredGames, game: StoredGame | None) -> StoredGames:
     """The list with a game, in place of what it said about the same file."""
     if game is None:
         return held
@@ -188,6 +188,6 @@ def _with(held: KeptGames, game: KeptGame | None) -> KeptGames:
     return msgspec.structs.replace(held, games=[*others, game])
 
 
-def _without(held: KeptGames, files: set[str]) -> KeptGames:
+def _without(held: StoredGames, files: set[str]) -> StoredGames:
     """The list without some files."""
     return msgspec.structs.replace(held, games=[game for game in held.games if game.file not in files])

@@ -7,12 +7,12 @@ import sys
 
 import pytest
 
-from game.kept import kept_file, progress
-from game.kept.folder import data_folder
-from game.kept.kept_file import KeptFile
-from game.kept.progress import Best, Progress
-from game.kept.scores import MOST, Score, Scores
-from game.kept.store import NO_FOLDER, Kept
+from game.storage import progress, stored_file
+from game.storage.folder import data_folder
+from game.storage.progress import Best, Progress
+from game.storage.scores import MOST, Score, Scores
+from game.storage.storage import NO_FOLDER, Storage
+from game.storage.stored_file import StoredFile
 from tests.support.paths import ROOT
 
 
@@ -23,7 +23,7 @@ def names(folder):
 
 def bests(folder):
     """The levels of the progress in a folder."""
-    return [best.level for best in Kept(folder).progress.value.bests]
+    return [best.level for best in Storage(folder).progress.value.bests]
 
 
 @pytest.mark.parametrize(
@@ -48,12 +48,12 @@ def bests(folder):
 def test_a_damaged_file_is_put_aside(tmp_path, data):
     """The game starts as for the first time, the file is kept under another name, one line says so, and saving works."""
     (tmp_path / "progress.json").write_bytes(data)
-    kept = Kept(tmp_path)
-    assert kept.progress.value == Progress()
+    storage = Storage(tmp_path)
+    assert storage.progress.value == Progress()
     (aside,) = [name for name in names(tmp_path) if ".bad-" in name]
     assert (tmp_path / aside).read_bytes() == data
-    assert [line.startswith("progress not readable: moved to") for line in kept.problems] == [True]
-    kept.level_done(Best("A", "easy", 7))
+    assert [line.startswith("progress not readable: moved to") for line in storage.problems] == [True]
+    storage.level_done(Best("A", "easy", 7))
     assert bests(tmp_path) == ["A"]
 
 
@@ -61,27 +61,27 @@ def test_a_file_of_a_newer_version_is_left_alone(tmp_path):
     """It is not overwritten, what happens holds for the session, and one line says so."""
     newer = json.dumps({"version": progress.VERSION + 1, "bests": "another format"})
     (tmp_path / "progress.json").write_text(newer)
-    kept = Kept(tmp_path)
-    kept.level_done(Best("A", "easy", 7))
-    assert kept.progress.value.finished("A")
+    storage = Storage(tmp_path)
+    storage.level_done(Best("A", "easy", 7))
+    assert storage.progress.value.finished("A")
     assert (tmp_path / "progress.json").read_text() == newer
-    assert "newer version" in kept.problems[0]
+    assert "newer version" in storage.problems[0]
 
 
 def test_a_full_disk_loses_nothing_once_there_is_room_again(tmp_path, monkeypatch):
     """What could not be written holds for the session, is told, and is written with the next change."""
-    kept = Kept(tmp_path)
+    storage = Storage(tmp_path)
 
     def full(_path, _data):
         raise OSError(28, "No space left on device")
 
     with monkeypatch.context() as patched:
-        patched.setattr(kept_file, "write_whole", full)
-        kept.level_done(Best("A", "easy", 7))
-    assert kept.progress.value.finished("A")
-    assert "No space left" in kept.problems[0]
+        patched.setattr(stored_file, "write_atomically", full)
+        storage.level_done(Best("A", "easy", 7))
+    assert storage.progress.value.finished("A")
+    assert "No space left" in storage.problems[0]
     assert bests(tmp_path) == []
-    kept.level_done(Best("B", "easy", 7))
+    storage.level_done(Best("B", "easy", 7))
     assert bests(tmp_path) == ["A", "B"]
 
 
@@ -90,26 +90,26 @@ def test_without_a_folder_the_session_goes_on(tmp_path, monkeypatch):
     monkeypatch.setattr("platformdirs.user_data_path", lambda *_, **__: (_ for _ in ()).throw(RuntimeError("no home")))
     assert data_folder() is None
     (tmp_path / "file").write_text("")
-    for kept in (Kept(None), Kept(tmp_path / "file" / "data")):
-        kept.enter(Score("Ada", 10, "easy"))
-        kept.level_done(Best("A", "easy", 7))
-        assert [score.name for score in kept.scores.value.table("easy")] == ["Ada"]
-        assert kept.progress.value.finished("A")
-    assert Kept(None).problems == [NO_FOLDER]
-    assert len(kept.problems) == 2
+    for storage in (Storage(None), Storage(tmp_path / "file" / "data")):
+        storage.enter(Score("Ada", 10, "easy"))
+        storage.level_done(Best("A", "easy", 7))
+        assert [score.name for score in storage.scores.value.table("easy")] == ["Ada"]
+        assert storage.progress.value.finished("A")
+    assert Storage(None).problems == [NO_FOLDER]
+    assert len(storage.problems) == 2
 
 
 def test_a_folder_that_cannot_be_written_to_is_told(tmp_path):
     """Read-only: what is there is read, and changes hold for the session."""
     if os.geteuid() == 0:
         pytest.skip("nothing is read-only for root")
-    Kept(tmp_path).enter(Score("Ada", 10, "easy"))
+    Storage(tmp_path).enter(Score("Ada", 10, "easy"))
     tmp_path.chmod(0o500)
     try:
-        kept = Kept(tmp_path)
-        kept.enter(Score("Bea", 20, "easy"))
-        assert [score.name for score in kept.scores.value.table("easy")] == ["Bea", "Ada"]
-        assert "not saved" in kept.problems[0]
+        storage = Storage(tmp_path)
+        storage.enter(Score("Bea", 20, "easy"))
+        assert [score.name for score in storage.scores.value.table("easy")] == ["Bea", "Ada"]
+        assert "not saved" in storage.problems[0]
     finally:
         tmp_path.chmod(0o700)
 
@@ -117,10 +117,11 @@ def test_a_folder_that_cannot_be_written_to_is_told(tmp_path):
 def test_two_games_that_save_at_once_lose_nothing(tmp_path):
     """Two processes enter 40 levels each, in turns that nobody orders: all 80 are there."""
     program = (
-        "import sys; from pathlib import Path; from game.kept.store import Kept; from game.kept.progress import Best\n"
-        "kept = Kept(Path(sys.argv[1]))\n"
-        "for number in range(40): kept.level_done(Best(f'{sys.argv[2]}{number}', 'easy', number))\n"
-        "assert not kept.problems, kept.problems"
+        "import sys; from pathlib import Path\n"
+        "from game.storage.storage import Storage; from game.storage.progress import Best\n"
+        "storage = Storage(Path(sys.argv[1]))\n"
+        "for number in range(40): storage.level_done(Best(f'{sys.argv[2]}{number}', 'easy', number))\n"
+        "assert not storage.problems, storage.problems"
     )
     children = [subprocess.Popen([sys.executable, "-c", program, str(tmp_path), side], cwd=ROOT) for side in ("left", "right")]
     assert [child.wait(60) for child in children] == [0, 0]
@@ -137,9 +138,9 @@ def test_the_best_of_a_level_is_the_best_of_each(tmp_path):
         (best,) = found.bests
         assert (best.score, best.rank, best.ticks, best.replay) == (80, 3, 500, "b")
     assert Progress().after(Best("A", "hard", 1)).best("A", "easy") is None
-    kept = Kept(tmp_path)
-    assert kept.level_done(runs[0]) is None
-    assert kept.level_done(runs[2]) == runs[0]
+    storage = Storage(tmp_path)
+    assert storage.level_done(runs[0]) is None
+    assert storage.level_done(runs[2]) == runs[0]
 
 
 def test_levels_open_one_after_the_other():
@@ -165,7 +166,7 @@ def test_the_table_keeps_the_ten_best_of_each_difficulty():
 def test_a_document_in_memory_reads_and_writes_nothing(tmp_path, monkeypatch):
     """Without a path there are no files, and no problems."""
     monkeypatch.chdir(tmp_path)
-    held = KeptFile(None, Scores, 1)
+    held = StoredFile(None, Scores, 1)
     held.update(lambda scores: scores.after(Score("Ada", 1, "easy")))
     assert [score.name for score in held.value.entries] == ["Ada"]
     assert held.problem is None

@@ -4,11 +4,11 @@ import hashlib
 
 import pytest
 
-from game.kept import games as kept
-from game.kept.games import GameFiles, KeptGame
 from game.levels import classic
 from game.replays.file import load
 from game.rules import Controls, Phase, new_game, tick
+from game.storage import games as kept
+from game.storage.games import GameFiles, StoredGame
 
 
 @pytest.fixture(autouse=True)
@@ -34,7 +34,7 @@ def test_of_games_that_nobody_keeps_the_last_twenty_stay(tmp_path):
     for number in range(24):
         play(games, 5 + number)
         if number == 0:
-            games.change(KeptGame(games.last.file, "The first", kept=True))
+            games.change(StoredGame(games.last.file, "The first", kept=True))
         if number == 1:
             needed.add(games.last.file)
     assert games.problem is None
@@ -85,14 +85,14 @@ def test_games_are_renamed_copied_and_deleted(tmp_path):
     """A copy is named after the title and takes no other's place; a deleted game is gone from folder and list."""
     games, share = GameFiles(tmp_path / "replays"), tmp_path / "share"
     play(games, 5)
-    titled = KeptGame(games.last.file, "../Best: yet", kept=True, ticks=5)
+    titled = StoredGame(games.last.file, "../Best: yet", kept=True, ticks=5)
     games.change(titled)
     copies = [games.export(titled, share) for _ in range(2)]
     assert [path.name for path in copies] == ["Best yet.polar", "Best yet-2.polar"]
     assert all(load(path).ticks == 5 for path in copies)
     assert games.delete(titled) is None
     assert games.listed() == []
-    assert games.delete(KeptGame("../share/Best yet.polar")) is not None
+    assert games.delete(StoredGame("../share/Best yet.polar")) is not None
     assert copies[0].exists()
 
 

@@ -5,7 +5,7 @@ from collections.abc import Callable
 import pygame
 
 
-class StillPicture:
+class CachedPicture:
     """Shows what a drawing function drew, from memory as long as the same things are to be seen."""
 
     def __init__(self) -> None:
