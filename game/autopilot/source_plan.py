@@ -9,6 +9,7 @@ from typing import NamedTuple
 from game.autopilot.prediction import LOOK, Ahead, ball_of, crossing
 from game.rules import TICK
 from physics import Ball, Ring, angle_of, collision_response, direction, length, normalize_angle, signed_difference
+from physics.vectors import quarter_turn
 
 _CUT_TIME = 0.35
 """Seconds of steady paddle motion before a hit, so that its friction turns the ball."""
@@ -84,7 +85,7 @@ def _worth(there: Ahead, paddles: Ring, spin: float, speed: float, top: float) -
     """How good a return is: bricks it breaks, less what the next catch asks of the paddles beyond their reach."""
     ball = ball_of(there)
     normal = direction(angle_of(ball.position) + math.pi)
-    surface = paddles.steered(spin).surface_velocity(ball.position)
+    surface = quarter_turn(ball.position) * spin
     velocity = collision_response(ball.velocity, normal, surface, paddles.friction, speed)
     inside = Ball(ball.position + normal * (LOOK * speed * 0.01), velocity, ball.radius)
     returned = crossing(there, inside, paddles.inner_radius - ball.radius, speed)
