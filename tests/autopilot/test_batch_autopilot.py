@@ -2,12 +2,6 @@
 
 import pytest
 
-from game.autopilot.source_pilot import SourcePilot
-from game.levels import chosen
-from game.rules import TICK, Phase, new_game, tick
-from physics.batch import Batch
-from tools.autopilot import BatchAutopilot
-
 pytestmark = pytest.mark.deep
 
 
