@@ -122,7 +122,7 @@ def test_torn_files_are_found(tmp_path, monkeypatch):
 
     monkeypatch.setattr("game.settings.file.write_atomically", in_place)
     monkeypatch.setattr("game.replays.file.write_atomically", in_place)
-    monkeypatch.setattr(saving, "sweep", lambda _: None)
+    monkeypatch.setattr(saving, "remove_temporaries", lambda _: None)
     torn = behind = 0
     for kill in saving.kills(1000, 1, tmp_path):
         torn, behind = torn + kill.torn, behind + kill.behind
