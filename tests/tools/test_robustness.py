@@ -51,7 +51,7 @@ def test_an_exception_is_found(name, tmp_path, monkeypatch):
     def broken(*_):
         raise ZeroDivisionError("broken")
 
-    for module, function in (("game.levels", "parse"), ("game.replays.file", "decoded")):
+    for module, function in (("game.levels.reading", "parse"), ("game.replays.file", "decoded")):
         monkeypatch.setattr(f"{module}.{function}", broken)
     monkeypatch.setattr(inputs, "parsed", broken)
     monkeypatch.setattr("game.settings.file.decoded", broken)
