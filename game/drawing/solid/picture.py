@@ -13,7 +13,6 @@ import numpy as np
 import pygame
 
 from game.drawing.canvas import Canvas
-from game.drawing.ground.measures import Ground
 from game.drawing.ground.picture import draw_pattern, ground_picture
 from game.drawing.palette import Theme, mixed
 from game.drawing.raster.pixels import packed
@@ -24,6 +23,7 @@ from game.drawing.solid.faces import Faces, ProjectedBlocks, projected, shadows,
 from game.drawing.solid.painters_order import widest
 from game.drawing.solid.prisms import Blocks, Cut, joined, pushed, recoloured, ring_blocks
 from game.effects import FallingStack
+from game.picture.ground.measures import ground_of
 from game.rules import PADDLES
 from game.scene import Scene
 
@@ -76,7 +76,7 @@ class SolidPicture:
 
     def draw_ground(self, canvas: Canvas, scene: Scene) -> None:
         """Cover the surface with the ground and what is around it."""
-        ground = Ground(scene.ground_radius, scene.rings[PADDLES].radius, scene.ground)
+        ground = ground_of(scene)
         unturned = canvas._replace(camera=canvas.camera._replace(azimuth=0.0))
         key = (canvas.size, unturned.camera, canvas.theme, ground)
         if self._bare is None or self._bare.key != key:

@@ -54,6 +54,15 @@ export class Blocks {
     }
   }
 
+  /** Begin the path of a polygon of the ground. at: index of its first corner. */
+  polygon(context, numbers, at, count) {
+    const { top } = pixels;
+    this.stand(0);
+    this.#project(numbers, at, count, 0, top);
+    context.beginPath();
+    for (let k = 0; k < count; k++) context.lineTo(top[2 * k], top[2 * k + 1]);
+  }
+
   /** Paint the sides that face the eye. Neighbours of the same shade become one polygon. Side k ends at corner k. */
   #sides(context, numbers, at, count, shades) {
     const { top, bottom } = pixels;
