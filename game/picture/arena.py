@@ -15,7 +15,7 @@ from game.picture.moving.glints import add_glints
 from game.picture.moving.layers import add_in_air, add_on_ground
 from game.picture.moving.words import add_words
 from game.picture.slots import add_content, add_shadow, flat_ring
-from game.picture.solid import SolidBlocks
+from game.picture.solid.blocks import SolidBlocks
 from game.picture.view import ArenaView
 from game.rules import PADDLES
 from game.scene import Scene
@@ -59,7 +59,7 @@ class ArenaPicture:
         else:
             add_on_ground(out, scene, view)
             texture = self._textures.texture(out, camera, theme, view.ball)
-            self._blocks.add(out, scene, camera, theme, contents, texture)
+            self._blocks.add(out, scene, camera, theme, contents, texture, [])
         add_glints(out, scene, view)
         add_bursts(out, scene, view)
         if camera.flat:

@@ -56,13 +56,20 @@ equations of `game.drawing.camera.Camera`, so that a list stays the same while t
 
     CAMERA    x y scale azimuth tilt closeness, then      the projection of what follows, until the next CAMERA; the direction
               light_x light_y dimmest brightest           towards the light; brightness, as a share of the colour, of a side
-                                                          that faces away from the light, and of one that faces it
-    SLOT      angle                                       the prisms that follow are rotated by it about the arena's centre
-    PRISM     bottom top n, then n times x y              the top in the colour, the sides that face the eye in shades of it;
-                                                          the outline is clockwise; with bottom equal to top only the top is
-                                                          drawn
-    SHADOWS   x y n m, then n times x y, then             the shadows of m prisms with one outline: each is the area that the
-              m times angle height                        outline, rotated by the angle, sweeps when moved by height times x, y
+              shadow_x shadow_y                           that faces away from the light, and of one that faces it; in between
+                                                          the cosine of the angle counts; offset of a shadow from what throws
+                                                          it, for each unit of that one's height
+    SLOT      angle out                                   the prisms and shadows that follow are rotated by it about the
+                                                          arena's centre, and each of their points is moved away from it
+    PRISM     bottom top ends even n, then n times x y    the top in the colour, the sides that face the eye in shades of it;
+                                                          with bottom equal to top only the top is drawn. The outline is
+                                                          clockwise: half of its corners are on an inner arc, the others on an
+                                                          outer one. ends: which of the two sides between the arcs there are, 1
+                                                          the first, 2 the second, 3 both; even: 1 if the sides of an arc have
+                                                          one shade, the one of a side at angle 0
+    SHADOWS   n m, then n times x y, then m times         the shadows of m prisms with one outline: each is the area that the
+              angle low high                              outline, rotated by the angle, sweeps while its height goes from
+                                                          low to high
 
 So is the ground; a CAMERA comes before it.
 
@@ -131,8 +138,8 @@ _LENGTHS = {
     Primitive.CLIP.value: 4,
     Primitive.TURN.value: 3,
     Primitive.PLATE.value: 8,
-    Primitive.CAMERA.value: 10,
-    Primitive.SLOT.value: 1,
+    Primitive.CAMERA.value: 12,
+    Primitive.SLOT.value: 2,
     Primitive.BOX.value: 7,
     Primitive.TEXTURED.value: 4,
     Primitive.FOOT.value: 8,
@@ -150,7 +157,7 @@ _COUNTED = {
     Primitive.STRIP.value: (0, 4),
     Primitive.BAND.value: (0, 4),
     Primitive.SPRITE.value: (3, 1),
-    Primitive.PRISM.value: (2, 2),
+    Primitive.PRISM.value: (4, 2),
     Primitive.TEXTURE.value: (2, 1),
     Primitive.GROUND_DISC.value: (2, 3),
     Primitive.GROUND_MARK.value: (0, 2),
@@ -334,26 +341,29 @@ class DisplayList:
         """A disc filled with a texture."""
         self.numbers.extend((Primitive.TEXTURED, 0.0, 1.0, centre.real, centre.imag, radius, number))
 
-    def camera(self, camera: Camera, light: complex, shares: tuple[float, float]) -> None:
-        """The projection of prisms and shadows. light: unit vector towards it; shares: of the dimmest, the brightest side."""
+    def camera(self, camera: Camera, light: complex, shares: tuple[float, float], shadow: complex) -> None:
+        """The projection of prisms and shadows.
+
+        light: unit vector towards it. shares: of the dimmest, the brightest side. shadow: offset for each unit of height.
+        """
         centre, *rest = camera
-        self.numbers.extend((Primitive.CAMERA, 0.0, 1.0, centre.real, centre.imag, *rest, light.real, light.imag, *shares))
+        own = light.real, light.imag, *shares, shadow.real, shadow.imag
+        self.numbers.extend((Primitive.CAMERA, 0.0, 1.0, centre.real, centre.imag, *rest, *own))
 
-    def slot(self, angle: float) -> None:
-        """Rotate the prisms that follow about the arena's centre. angle: radians, counter-clockwise."""
-        self.numbers.extend((Primitive.SLOT, 0.0, 1.0, angle))
+    def slot(self, angle: float, out: float = 0.0) -> None:
+        """Rotate what follows about the arena's centre, and move it away from there. out: world units."""
+        self.numbers.extend((Primitive.SLOT, 0.0, 1.0, angle, out))
 
-    def prism(self, outline: Sequence[complex], bottom: float, top: float, colour: Colour) -> None:
-        """A prism. outline: clockwise, world units, in a slot at angle 0; colour: of its top."""
-        self.numbers.extend((Primitive.PRISM, packed(colour), 1.0, bottom, top, len(outline)))
+    def prism(
+        self, outline: Sequence[complex], bottom: float, top: float, colour: Colour, ends: int = 3, *, even: bool = False
+    ) -> None:
+        """A prism. outline: clockwise, world units, in a slot at angle 0; colour: of its top; ends, even: as in PRISM."""
+        self.numbers.extend((Primitive.PRISM, packed(colour), 1.0, bottom, top, ends, even, len(outline)))
         self._add(outline)
 
-    def shadows(
-        self, outline: Sequence[complex], moved: complex, standing: Sequence[tuple[float, float]], opacity: float
-    ) -> None:
-        """The shadows of prisms. outline: of their bases; moved: offset for a height of 1; standing: angles and heights."""
-        start = (Primitive.SHADOWS, 0.0, opacity, moved.real, moved.imag, len(outline), len(standing))
-        self.numbers.extend(start)
+    def shadows(self, outline: Sequence[complex], standing: Sequence[tuple[float, float, float]], opacity: float) -> None:
+        """The shadows of prisms. outline: of their bases; standing: angle, lower and upper height of each."""
+        self.numbers.extend((Primitive.SHADOWS, 0.0, opacity, len(outline), len(standing)))
         self._add(outline)
         self.numbers.extend([number for each in standing for number in each])
 
@@ -376,7 +386,7 @@ def primitives(numbers: "array[float]") -> Iterator[tuple[int, int, float, "arra
         elif code == Primitive.CELLS:
             behind = own + 6 + int(numbers[own + 4] * numbers[own + 5])
         elif code == Primitive.SHADOWS:
-            behind = own + 4 + 2 * int(numbers[own + 2] + numbers[own + 3])
+            behind = own + 2 + 2 * int(numbers[own]) + 3 * int(numbers[own + 1])
         else:
             index, each = _COUNTED[code]
             behind = own + index + 1 + each * int(numbers[own + index])

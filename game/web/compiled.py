@@ -13,7 +13,7 @@ from importlib.resources import files
 from pathlib import Path
 
 from game.system.errors import EnvironmentMissingError
-from game.system.files import write_whole
+from game.system.files import write_atomically
 from game.web.archives import zip_archive, zip_contents
 
 _SCRIPT = "compile.mjs"
@@ -65,7 +65,7 @@ def _cache(found: dict[str, bytes], path: Path) -> None:
     """Store a result, and remove those that have not been used for long; a cache that cannot be written is done without."""
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        write_whole(path, zip_archive(found, zipfile.ZIP_DEFLATED))
+        write_atomically(path, zip_archive(found, zipfile.ZIP_DEFLATED))
         for other in path.parent.glob("compiled-*.zip"):
             if time.time() - other.stat().st_mtime > _CACHED_SECONDS:
                 other.unlink(missing_ok=True)

@@ -162,9 +162,10 @@ def counted(page, picture):
 def test_a_shadow_is_what_a_foot_passes_over_and_none_is_darker_for_lying_in_two(page):
     """A square of side 1 moved by (2, 1) sweeps its own area and those swept by its two leading sides."""
     camera, picture = Camera(200 + 200j, 40.0), DisplayList()
-    picture.camera(camera, 1 + 0j, (0.4, 0.8))
+    picture.camera(camera, 1 + 0j, (0.4, 0.8), 1.0 + 0.5j)
+    picture.slot(0.0)
     for foot in (SQUARE, [corner - 3.0 for corner in SQUARE], SQUARE):
-        picture.shadows(foot, 1.0 + 0.5j, [(0.0, 2.0)], 0.5)
+        picture.shadows(foot, [(0.0, 0.0, 2.0)], 0.5)
     alphas, _colours = counted(page, picture)
     assert alphas.keys() <= {str(alpha) for alpha in range(129)}
     assert alphas["128"] == pytest.approx(2.0 * (1.0 + 2.0 + 1.0) * camera.scale**2, rel=0.05)
@@ -174,7 +175,7 @@ def test_a_shadow_is_what_a_foot_passes_over_and_none_is_darker_for_lying_in_two
 def test_a_prism_is_projected_as_by_the_camera_and_its_sides_are_shaded_by_the_light(page, light, share):
     """A cube seen from the side and above: its top, and the one side that faces the eye, in the colour's shade."""
     camera, picture = Camera(200 + 200j, 100.0, tilt=math.radians(60.0)), DisplayList()
-    picture.camera(camera, light, (0.4, 0.8))
+    picture.camera(camera, light, (0.4, 0.8), 0j)
     picture.slot(math.pi / 2.0)
     picture.prism(SQUARE, 0.0, 1.0, (200, 100, 50))
     _alphas, colours = counted(page, picture)

@@ -3,7 +3,7 @@
 from functools import lru_cache
 
 from game.drawing.camera import Camera
-from game.drawing.light import LIGHT
+from game.drawing.light import LIGHT, shadow_offset, side_shares
 from game.drawing.palette import Theme, mixed
 from game.picture.display_list import DisplayList
 from game.picture.ground.colours import FARTHEST, around_shade, ground_shade, mark_shade, rounded
@@ -42,6 +42,6 @@ def pattern_list(ground: Ground, theme: Theme) -> DisplayList:
 
 def add_ground(out: DisplayList, camera: Camera, theme: Theme, ground: Ground) -> None:
     """Add the ground with its pattern, as a camera sees it."""
-    out.camera(camera, LIGHT, (1.0, 1.0))
+    out.camera(camera, LIGHT, side_shares(theme), shadow_offset(camera))
     out.extend(ground_list(ground, theme, camera.scale))
     out.extend(pattern_list(ground, theme))

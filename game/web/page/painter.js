@@ -152,21 +152,22 @@ function shapes(context, numbers, texts) {
       }
       case CAMERA:
         blocks.look(numbers, at);
-        at += 10;
+        at += 12;
         break;
       case SLOT:
-        blocks.stand(numbers[at]);
-        at += 1;
+        blocks.stand(numbers[at], numbers[at + 1]);
+        at += 2;
+        code = before;
         break;
       case PRISM:
         blocks.prism(context, numbers, at, style);
-        at += 3 + 2 * numbers[at + 2];
+        at += 5 + 2 * numbers[at + 4];
         break;
       case SHADOWS: // those of several rings are one path, so that overlaps are not darker
         context.fillStyle = colour(style);
         if (before !== SHADOWS) context.beginPath();
         at = blocks.shadows(context, numbers, at);
-        if (numbers[at] !== SHADOWS) context.fill();
+        if (numbers[numbers[at] === SLOT ? at + 5 : at] !== SHADOWS) context.fill();
         break;
       case BOX:
         box(context, numbers, at, style);

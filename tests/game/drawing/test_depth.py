@@ -24,7 +24,7 @@ from game.picture.ground.lists import ground_list
 from game.picture.ground.measures import Ground
 from game.picture.ground.patterns import NAMES, marks
 from game.scene import scene_at
-from tests.support.games import game_after
+from tests.support.games.autopilot_games import game_after
 from tests.support.pictures import canvas_of
 
 SIZE = (900, 700)

@@ -27,7 +27,7 @@ from game.rules import PADDLES, new_game, tick
 from game.scene import scene_at
 from game.screenshot import save_screenshot
 from physics import PERMANENT
-from tests.support.games import game_after
+from tests.support.games.autopilot_games import game_after
 from tests.support.pictures import PLAIN_DARK, PLAIN_LIGHT, canvas_of
 
 SIZE = (900, 700)
