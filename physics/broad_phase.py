@@ -33,9 +33,9 @@ def broad_phase_outcome(p: complex, ball_radius: float, ground_radius: float, pa
     wall, any number.
     The engine asks the same questions of every ring: a fast ball can meet paddles and bricks in one tick.
     """
-    if has_left(p, ball_radius, ground_radius):
-        return Outcome.GAME_OVER
     distance = length(p)
+    if distance - ball_radius > ground_radius:  # `has_left`, with the distance that the bands need, too
+        return Outcome.GAME_OVER
     if in_band(distance, ball_radius, paddles):
         return Outcome.PADDLES
     for ring in bricks:

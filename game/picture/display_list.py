@@ -4,7 +4,8 @@ Every primitive is its code, its colour (0xRRGGBB, exact in a 32-bit float), its
 
     DISC      x y radius
     CIRCLE    x y radius width                            the line of a circle
-    SECTOR    x y inner outer angle half_inner half_outer an annular sector; a half angle of pi or more is a whole ring
+    SECTOR    x y inner outer angle half inset            an annular sector, each of its sides moved inwards by an inset; half:
+                                                          its half angle, pi for a whole ring, which has no ends
     POLYGON   n, then n times x y                         filled
     LINE      width dash n, then n times x y              dash: length of dashes and gaps, 0 for a solid line
     TEXT      index size x y across bold room             index: of the text; across: 0 if it begins at x, 1 if it ends there;
@@ -33,6 +34,23 @@ Every primitive is its code, its colour (0xRRGGBB, exact in a 32-bit float), its
 
 x to the right, y down, pixels; angles in radians, clockwise, from the right.
 
+What stands in a slot of the flat view has light and shade. Their numbers begin with those of its sector without the inset: x y
+inner outer angle half. The depth of a point is its distance from the nearest side, inside the sector. The light is above x, y.
+
+    FOOT      sector, inset reach                         the shade at the foot of a smaller sector on this one: black, in full
+                                                          at the depth inset, linearly to nothing at the depth inset - reach,
+                                                          and nothing beside the sector
+    RELIEF    sector, edge at_faces at_ends slope         white where light falls on the sector, black where it is in the shade;
+                                                          from 1 at a side to 0 at the depth edge: at_faces on the inner face,
+                                                          -at_faces on the outer one, at_ends on the ends; added to that from
+                                                          slope on the inner face, linearly to -slope on the outer one
+    CAST      sector, inwards outwards aside              the shadow around the sector: black, its opacity is multiplied by the
+                                                          square of a share that falls linearly, from 1 on the faces to 0 at
+                                                          these distances, and by one from 1 on the ends to 0 aside of them
+    BAR       x y angle inner start outer end half_width  straight from the radius inner and the angle start to the radius outer
+                                                          and the angle end; these angles from angle on, counter-clockwise;
+                                                          half_width: along the arc
+
 Blocks in 3D are in world units, x to the right, y up, and their angles are counter-clockwise. The painter projects them, by the
 equations of `game.drawing.camera.Camera`, so that a list stays the same while the camera moves and rings turn.
 
@@ -51,9 +69,13 @@ import math
 from array import array
 from collections.abc import Iterable, Iterator, Sequence
 from enum import IntEnum
+from typing import NamedTuple
 
 from game.drawing.camera import Camera
 from game.drawing.palette import Colour
+
+WHOLE = math.pi * 0.999
+"""Half angle from which a sector is a whole ring, which has no ends."""
 
 
 class Primitive(IntEnum):
@@ -81,6 +103,10 @@ class Primitive(IntEnum):
     BOX = 20
     TEXTURE = 21
     TEXTURED = 22
+    FOOT = 23
+    RELIEF = 24
+    CAST = 25
+    BAR = 26
 
 
 _LENGTHS = {
@@ -96,6 +122,10 @@ _LENGTHS = {
     Primitive.SLOT.value: 1,
     Primitive.BOX.value: 7,
     Primitive.TEXTURED.value: 4,
+    Primitive.FOOT.value: 8,
+    Primitive.RELIEF.value: 10,
+    Primitive.CAST.value: 9,
+    Primitive.BAR.value: 8,
 }
 """Numbers of the primitives that always have as many."""
 _COUNTED = {
@@ -109,6 +139,24 @@ _COUNTED = {
     Primitive.TEXTURE.value: (2, 1),
 }
 """Of the others the position of the count among their numbers, and how many follow it for each."""
+
+
+class Sector(NamedTuple):
+    """An annular sector.
+
+    centre: of its circles. radii: inner and outer. angle: of its middle, counter-clockwise as in the world.
+    half_angle: pi for a whole ring.
+    """
+
+    centre: complex
+    radii: tuple[float, float]
+    angle: float
+    half_angle: float
+
+    @property
+    def numbers(self) -> tuple[float, ...]:
+        """As a list has it."""
+        return (self.centre.real, self.centre.imag, *self.radii, -self.angle, self.half_angle)
 
 
 class DisplayList:
@@ -127,23 +175,28 @@ class DisplayList:
         """The line of a circle."""
         self.numbers.extend((Primitive.CIRCLE, packed(colour), opacity, centre.real, centre.imag, radius, width))
 
-    def sector(
-        self,
-        centre: complex,
-        radii: tuple[float, float],
-        angle: float,
-        half_angles: tuple[float, float],
-        colour: Colour,
-        opacity: float = 1.0,
-    ) -> None:
-        """A filled annular sector.
+    def sector(self, sector: "Sector", inset: float, colour: Colour) -> None:
+        """An annular sector, each of its sides moved inwards by an inset."""
+        self.numbers.extend((Primitive.SECTOR, packed(colour), 1.0, *sector.numbers, inset))
 
-        radii: inner and outer. angle: of its middle, counter-clockwise as in the world. half_angles: at both radii.
-        """
-        inner, outer = radii
-        self.numbers.extend(
-            (Primitive.SECTOR, packed(colour), opacity, centre.real, centre.imag, inner, outer, -angle, *half_angles)
-        )
+    def foot(self, sector: "Sector", inset: float, reach: float, opacity: float) -> None:
+        """The shade on a sector at the foot of a smaller one. inset: of that one; reach: of the shade."""
+        self.numbers.extend((Primitive.FOOT, 0.0, opacity, *sector.numbers, inset, reach))
+
+    def relief(self, sector: "Sector", edge: float, at_faces: float, at_ends: float, slope: float, opacity: float) -> None:
+        """The light on a sector. edge: width of its bright and dark edges; the others: strengths, 0 to 1."""
+        self.numbers.extend((Primitive.RELIEF, 0.0, opacity, *sector.numbers, edge, at_faces, at_ends, slope))
+
+    def cast(self, sector: "Sector", inwards: float, outwards: float, aside: float, opacity: float) -> None:
+        """The shadow around a sector. inwards, outwards, aside: how far it goes beyond the faces and the ends."""
+        self.numbers.extend((Primitive.CAST, 0.0, opacity, *sector.numbers, inwards, outwards, aside))
+
+    def bar(
+        self, centre: complex, angle: float, ends: tuple[float, float, float, float], half_width: float, colour: Colour
+    ) -> None:
+        """A bar. ends: radius and angle of the inner one, then of the outer one; angles from `angle` on."""
+        place = centre.real, centre.imag, -angle
+        self.numbers.extend((Primitive.BAR, packed(colour), 1.0, *place, *ends, half_width))
 
     def polygon(self, points: Sequence[complex], colour: Colour, opacity: float = 1.0) -> None:
         """A filled polygon."""
@@ -310,6 +363,6 @@ def unpacked(colour: float) -> Colour:
 
 def inset_half_angle(half_angle: float, radius: float, inset: float) -> float:
     """Half the angle of a sector's arc when its straight ends are moved inwards by an inset; a whole ring stays one."""
-    if half_angle >= math.pi * 0.999:
+    if half_angle >= WHOLE:
         return math.pi
     return half_angle - math.asin(min(inset / max(radius, 1e-9), 1.0))

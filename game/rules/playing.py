@@ -34,6 +34,7 @@ from game.rules.turn import paddle_hits_answered, released
 from game.rules.versus import with_lost_ball
 from game.rules.wells import pulled
 from physics import Arena, Ball, Outcome, broad_phase_outcome
+from physics.shapes import unchecked
 
 _GAME_OVER = Outcome.GAME_OVER
 """A module constant, for the same reason as `PLAYING`."""
@@ -60,7 +61,7 @@ def played(game: Game, moving: Arena, controls: Controls, advance: Advance) -> T
         game = _level_cleared(game, events)
     else:
         game = _without_lost_balls(game, events, give_up=controls.give_up)
-    return Ticked(game, tuple(events), step, flown, speed)
+    return unchecked(Ticked, (game, tuple(events), step, flown, speed))
 
 
 def _by_arcade_rules(game: Game, controls: Controls, flown: Ticked, events: list[Event]) -> Game:
@@ -99,18 +100,17 @@ def _without_lost_balls(game: Game, events: list[Event], *, give_up: bool) -> Ga
 
     The source's broad phase says whether a ball has left, and if not, what it may touch where it is.
     """
-    balls, rings, ground_radius = game.arena.balls, game.arena.rings, game.level.ground_radius
-    paddles, bricks = rings[PADDLES], rings[PADDLES + 1 :]
-    kept: tuple[Ball, ...] = ()
+    balls, rings, _ = game.arena
+    paddles, bricks, ground_radius = rings[PADDLES], rings[PADDLES + 1 :], game.level.ground_radius
+    lost: tuple[Ball, ...] = ()
     for ball in balls:
-        if broad_phase_outcome(ball[0], ball[2], ground_radius, paddles, bricks) is not _GAME_OVER:
-            kept += (ball,)
-    if len(kept) == len(balls) and not give_up:
+        if broad_phase_outcome(ball[0], ball[2], ground_radius, paddles, bricks) is _GAME_OVER:
+            lost += (ball,)
+    if give_up:
+        lost = (*balls, *held_balls(game))
+    if not lost:
         return game
-    staying = () if give_up else kept
-    if len(staying) == len(balls) and not game.held:
-        return game
-    lost = [ball for ball in balls if ball not in staying] + [*(held_balls(game) if give_up else ())]
+    staying = tuple([ball for ball in balls if ball not in lost])
     events.extend([Event(EventKind.BALL_LOST, position=ball.position) for ball in lost])
     game = game._replace(arena=game.arena._replace(balls=staying), held=() if give_up else game.held)
     if staying or game.held:

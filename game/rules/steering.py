@@ -77,4 +77,5 @@ def spin_to_pointer(paddles: Ring, pointer: int, top: float) -> float:
             offset = signed_difference(wanted, paddles.angle(slot))
             if abs(offset) < abs(nearest):
                 nearest = offset
-    return min(max(nearest / TICK, -top), top)
+    spin = nearest / TICK
+    return spin if -top <= spin <= top else math.copysign(top, spin)

@@ -4,7 +4,7 @@ import time
 from collections.abc import Callable
 from pathlib import Path
 
-from game.system.files import write_whole
+from game.system.files import write_atomically
 
 _SECONDS = 30 * 86400.0
 """Results that nobody has asked for this long are removed."""
@@ -25,7 +25,7 @@ def cached(path: Path, build: Callable[[], bytes], is_whole: Callable[[bytes], b
     built = build()
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
-        write_whole(path, built)
+        write_atomically(path, built)
         for other in path.parent.glob(f"{path.name.partition('-')[0]}-*{path.suffix}"):
             if time.time() - other.stat().st_mtime > _SECONDS:
                 other.unlink(missing_ok=True)

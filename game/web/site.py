@@ -14,7 +14,7 @@ import msgspec
 
 from game import VERSION
 from game.system.errors import BadInputError, EnvironmentMissingError
-from game.system.files import write_whole
+from game.system.files import write_atomically
 from game.system.wording import quoted_path
 from game.web.archives import compressed, page_archive, zip_archive, zip_contents
 from game.web.bundle import browser_sources, engine_sources, grading_sources
@@ -122,7 +122,7 @@ def write_site(site: dict[str, bytes], folder: Path) -> None:
         for name, data in site.items():
             path = folder / name
             path.parent.mkdir(parents=True, exist_ok=True)
-            write_whole(path, data)
+            write_atomically(path, data)
     except OSError as error:
         raise BadInputError(f"{quoted_path(folder)}: cannot be written; {error.strerror}") from None
 

@@ -120,8 +120,8 @@ def test_torn_files_are_found(tmp_path, monkeypatch):
                 file.write(data[start : start + 16])
                 file.flush()
 
-    monkeypatch.setattr("game.settings.file.write_whole", in_place)
-    monkeypatch.setattr("game.replays.file.write_whole", in_place)
+    monkeypatch.setattr("game.settings.file.write_atomically", in_place)
+    monkeypatch.setattr("game.replays.file.write_atomically", in_place)
     monkeypatch.setattr(saving, "sweep", lambda _: None)
     torn = behind = 0
     for kill in saving.kills(1000, 1, tmp_path):

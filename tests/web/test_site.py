@@ -26,7 +26,7 @@ def test_the_sources_hold_what_the_page_imports_and_nothing_that_needs_pygame():
     names = browser_sources()
     assert {"game/web/client/page.py", "game/lab/scenes/runs/nudge.py", "game/languages/de.mo"} <= names.keys()
     assert any([name.startswith("game/levels/classic/1-") for name in names])
-    assert not [name for name in names if name.startswith(("game/app.py", "game/drawing/painter", "physics/batch"))]
+    assert not [name for name in names if name.startswith(("game/loop/app.py", "game/drawing/painter", "physics/batch"))]
 
 
 def test_the_worker_that_grades_needs_modules_of_the_tools_alone():

@@ -19,7 +19,7 @@ from physics.batch.compilation import sources_hash, with_progress
 from physics.batch.hits import new_rows
 from tools import environments
 from tools.environments import observation, ticks
-from tools.environments.numbers import EPISODE, LevelNumbers, new_results
+from tools.environments.numbers import EPISODE, LevelConstants, new_results
 
 
 class CompiledLoops(NamedTuple):
@@ -86,7 +86,7 @@ def _compiled_loops() -> CompiledLoops:
         to_paint(games, cells, only, pictures)
 
     examples = (
-        LevelNumbers(0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0.0, 0, 0.0, 0.0, 0.0),
+        LevelConstants(0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0.0, 0, 0.0, 0.0, 0.0),
         no_games(),
         np.empty(0, EPISODE),
         new_rows(0),

@@ -21,7 +21,7 @@ from physics.shapes import Ball
 from physics.tolerances import MAX_IMPACTS
 from tools.environments.compilation import compiled_loops
 from tools.environments.history import History
-from tools.environments.numbers import BRICKS, EPISODE, LevelNumbers, Results, new_results
+from tools.environments.numbers import BRICKS, EPISODE, LevelConstants, TickResults, new_results
 from tools.environments.observation import Cells, numbers_of_state, square_cells, unrolled_cells
 
 Observation = Literal["state", "rings", "pixels"]
@@ -37,7 +37,7 @@ DISCRETE_ACTIONS = 3
 """To rest, to turn counter-clockwise, clockwise."""
 
 
-class Options(NamedTuple):
+class EnvironmentOptions(NamedTuple):
     """How environments are played.
 
     Attributes:
@@ -73,7 +73,7 @@ class ManyEnvironments:
     episode's end begins the next. Raises ValueError, naming the argument; ImportError, naming the extra, without numba.
     """
 
-    def __init__(self, count: int, options: Options, recorded: Sequence[int] = (), *, resets: bool = False) -> None:
+    def __init__(self, count: int, options: EnvironmentOptions, recorded: Sequence[int] = (), *, resets: bool = False) -> None:
         _check(count, options, recorded)
         self.options, self.level = options, _level(options.level)
         check_subnormals()
@@ -131,7 +131,7 @@ class ManyEnvironments:
             if mask[index]:
                 history.begin()
 
-    def step(self, actions: npt.NDArray[Any]) -> Results:
+    def step(self, actions: npt.NDArray[Any]) -> TickResults:
         """Take one action in every environment."""
         discrete, pointers = self._controls(actions)
         results = new_results(len(self))
@@ -269,11 +269,11 @@ def _level(wanted: str) -> Level:
         raise ValueError(f"level: {error}") from None
 
 
-def _numbers(level: Level, options: Options, *, resets: bool) -> LevelNumbers:
+def _numbers(level: Level, options: EnvironmentOptions, *, resets: bool) -> LevelConstants:
     """What the compiled loops are given."""
     bricks = sum([layers > 0 for ring in level.rings for layers in ring.slots()])
     top, change = math.radians(level.paddles.top_speed), math.radians(level.paddles.acceleration) * TICK
-    return LevelNumbers(
+    return LevelConstants(
         top,
         change,
         level.ball.radius,
@@ -290,7 +290,7 @@ def _numbers(level: Level, options: Options, *, resets: bool) -> LevelNumbers:
     )
 
 
-def _check(count: int, options: Options, recorded: Sequence[int]) -> None:
+def _check(count: int, options: EnvironmentOptions, recorded: Sequence[int]) -> None:
     """ValueError, naming the argument, for what makes no environments."""
     for name, value in (("num_envs", count), ("frame_skip", options.frame_skip), ("max_ticks", options.max_ticks)):
         if not isinstance(value, int) or isinstance(value, bool) or value < 1:

@@ -51,7 +51,7 @@ seed, where some are not taken by chance.
 """
 
 
-class Results(NamedTuple):
+class TickResults(NamedTuple):
     """The results of a step, each an array with a number for every environment.
 
     Attributes:
@@ -71,13 +71,13 @@ class Results(NamedTuple):
     ticks: npt.NDArray[np.int64]
 
 
-def new_results(count: int) -> Results:
+def new_results(count: int) -> TickResults:
     """Arrays for the results of `count` environments."""
     flags, numbers = np.empty((2, count), np.bool_), np.empty((3, count), np.int64)
-    return Results(np.empty(count), *flags, *numbers)
+    return TickResults(np.empty(count), *flags, *numbers)
 
 
-class LevelNumbers(NamedTuple):
+class LevelConstants(NamedTuple):
     """What is the same in all environments.
 
     Attributes:

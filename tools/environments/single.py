@@ -9,7 +9,7 @@ import numpy.typing as npt
 from gymnasium.error import ResetNeeded
 
 from game.rules import Game
-from tools.environments.many import Actions, ManyEnvironments, Observation, Options, State, base_seed
+from tools.environments.many import Actions, EnvironmentOptions, ManyEnvironments, Observation, State, base_seed
 from tools.environments.spaces import action_space, frame, observation_space
 
 _ONE = np.ones(1, np.bool_)
@@ -35,7 +35,7 @@ class PolarBreakoutEnv(gymnasium.Env[npt.NDArray[Any], Any]):
         max_ticks: int = 72_000,
         render_mode: str | None = None,
     ) -> None:
-        options = Options(level, observation, actions, frame_skip, repeat_action_probability, max_ticks)
+        options = EnvironmentOptions(level, observation, actions, frame_skip, repeat_action_probability, max_ticks)
         self._environments = ManyEnvironments(1, options, recorded=[0])
         self.action_space = action_space(self._environments)
         self.observation_space = observation_space(self._environments)

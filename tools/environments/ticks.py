@@ -21,7 +21,7 @@ from physics.batch.hits import Rows
 from physics.broad_phase import has_left
 from physics.shapes import PERMANENT, Ball, Ring
 from physics.vectors import dot
-from tools.environments.numbers import BRICKS, CUT_OFF, FINISHED, PLAY, LevelNumbers, Results
+from tools.environments.numbers import BRICKS, CUT_OFF, FINISHED, PLAY, LevelConstants, TickResults
 from tools.environments.observation import bricks_turn, write_states
 
 _SERVING, _PLAYING, _WON, _OVER = int(Phase.SERVING), int(Phase.PLAYING), int(Phase.WON), int(Phase.OVER)
@@ -33,12 +33,12 @@ _FIRST, _SECOND = np.uint64(0xBF58476D1CE4E5B9), np.uint64(0x94D049BB133111EB)
 
 
 def step(
-    numbers: LevelNumbers,
+    numbers: LevelConstants,
     games: Games,
     episodes: Any,
     actions: Integers,
     pointers: Integers,
-    results: Results,
+    results: TickResults,
     states: npt.NDArray[np.float32],
     rows: Rows,
     busy: Integers,
@@ -68,7 +68,13 @@ def step(
 
 
 def _fly(
-    numbers: LevelNumbers, games: Games, episodes: Any, actions: Integers, pointers: Integers, results: Results, busy: Integers
+    numbers: LevelConstants,
+    games: Games,
+    episodes: Any,
+    actions: Integers,
+    pointers: Integers,
+    results: TickResults,
+    busy: Integers,
 ) -> None:
     """Take the actions, and advance each environment until its ball may touch anything, or has to be served.
 
@@ -110,7 +116,9 @@ def _fly(
     busy[len(episodes)] = count
 
 
-def _play(numbers: LevelNumbers, games: Games, episodes: Any, results: Results, rows: Rows, busy: Integers, begun: int) -> int:
+def _play(
+    numbers: LevelConstants, games: Games, episodes: Any, results: TickResults, rows: Rows, busy: Integers, begun: int
+) -> int:
     """Finish the step of the busy environments from index `begun` on. Returns -1, or the index that needs a random number."""
     room = workspace(games)
     for n in range(begun, busy[len(episodes)]):
@@ -142,7 +150,7 @@ def _play(numbers: LevelNumbers, games: Games, episodes: Any, results: Results, 
     return -1
 
 
-def begin(numbers: LevelNumbers, games: Games, episodes: Any, g: int) -> None:
+def begin(numbers: LevelConstants, games: Games, episodes: Any, g: int) -> None:
     """The next episode of an environment: the ball on its paddle, no tick played."""
     e, start = episodes[g], len(episodes)
     e.number += 1
@@ -173,7 +181,7 @@ def _are_actions(actions: Integers) -> bool:
     return wrong == 0
 
 
-def _act(numbers: LevelNumbers, e: Any, turn: int, pointer: int) -> None:
+def _act(numbers: LevelConstants, e: Any, turn: int, pointer: int) -> None:
     """Take an action, or hold the one before it, by chance."""
     e.played = 0
     if numbers.repeat > 0.0:
@@ -184,24 +192,24 @@ def _act(numbers: LevelNumbers, e: Any, turn: int, pointer: int) -> None:
     e.turn, e.pointer = turn, pointer
 
 
-def _steered_spin(numbers: LevelNumbers, e: Any, paddles: Ring) -> float:
+def _steered_spin(numbers: LevelConstants, e: Any, paddles: Ring) -> float:
     """The paddles' spin for this tick."""
     if e.pointer >= 0 and e.turn == 0:  # the first is the same in all games, so it is predicted
         return spin_to_pointer(paddles, e.pointer, numbers.top)
     return keyed_spin(paddles.spin, e.turn, numbers.top, numbers.change)
 
 
-def _may_have_left(numbers: LevelNumbers, position: complex) -> bool:
+def _may_have_left(numbers: LevelConstants, position: complex) -> bool:
     """Whether the ball's centre is outside of the ground, computed without a square root."""
     return dot(position, position) > numbers.ground_radius * numbers.ground_radius
 
 
-def _steer(numbers: LevelNumbers, games: Games, e: Any, g: int) -> None:
+def _steer(numbers: LevelConstants, games: Games, e: Any, g: int) -> None:
     """Give the paddles their spin for this tick."""
     games.spins[g, PADDLES] = _steered_spin(numbers, e, ring_of(games, g, PADDLES))
 
 
-def _serve(numbers: LevelNumbers, games: Games, e: Any, g: int) -> None:
+def _serve(numbers: LevelConstants, games: Games, e: Any, g: int) -> None:
     """A tick before the serve: rings turn, and the ball follows its paddle until it is served."""
     for k in range(games.spins.shape[1]):
         games.phases[g, k] = ring_of(games, g, k).turned(TICK).phase
@@ -236,7 +244,7 @@ def _nudge(games: Games, e: Any, g: int) -> None:
     e.draws, e.idle, e.waiting = e.draws + 1, IDLE_AFTER_NUDGE, 0
 
 
-def _end(numbers: LevelNumbers, games: Games, e: Any, g: int) -> None:
+def _end(numbers: LevelConstants, games: Games, e: Any, g: int) -> None:
     """What ends with a tick: the level with its last brick, else a life with its ball, the game with its last life."""
     if e.phase == _PLAYING:
         if e.left == 0:
@@ -254,7 +262,7 @@ def _end(numbers: LevelNumbers, games: Games, e: Any, g: int) -> None:
         e.ended = CUT_OFF
 
 
-def _hold(numbers: LevelNumbers, games: Games, e: Any, g: int) -> None:
+def _hold(numbers: LevelConstants, games: Games, e: Any, g: int) -> None:
     """A new ball on its paddle, to be served after a number of ticks that the game's seed and its lives decide."""
     e.serve_at = np.int64(mixed(np.uint64(e.seed) * _FIRST + np.uint64(e.lives) * _STEP) >> np.uint64(1)) % _LONGEST_WAIT
     games.known[g], games.free[g] = UNKNOWN, 0

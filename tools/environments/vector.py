@@ -13,7 +13,7 @@ from gymnasium.vector import AutoresetMode
 from gymnasium.vector.utils import batch_space
 
 from game.rules import Game
-from tools.environments.many import Actions, ManyEnvironments, Observation, Options, State, base_seed
+from tools.environments.many import Actions, EnvironmentOptions, ManyEnvironments, Observation, State, base_seed
 from tools.environments.spaces import action_space, frame, observation_space
 
 Array = npt.NDArray[Any]
@@ -44,7 +44,7 @@ class PolarBreakoutVectorEnv(gymnasium.vector.VectorEnv[Array, Array, Array]):
         copy: bool = True,
     ) -> None:
         self._mode = AutoresetMode(autoreset_mode)
-        options = Options(level, observation, actions, frame_skip, repeat_action_probability, max_ticks)
+        options = EnvironmentOptions(level, observation, actions, frame_skip, repeat_action_probability, max_ticks)
         self._environments = ManyEnvironments(num_envs, options, recorded, resets=self._mode is AutoresetMode.NEXT_STEP)
         self.num_envs = num_envs
         self.metadata = {"render_modes": ["rgb_array"], "render_fps": 60, "autoreset_mode": self._mode}

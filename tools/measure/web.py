@@ -20,7 +20,7 @@ import typer
 
 from game.system.command_line import run
 from game.system.errors import EnvironmentMissingError
-from game.system.output import tell
+from game.system.output import print_line
 from game.system.start import prepare
 
 if TYPE_CHECKING:
@@ -98,9 +98,9 @@ def web(
     from game.web.site import built_site  # noqa: PLC0415
 
     site = built_site(cache_folder())
-    tell(f"download: {sum(map(len, site.values())) / 1e6:.2f} MB in {len(site)} files")
+    print_line(f"download: {sum(map(len, site.values())) / 1e6:.2f} MB in {len(site)} files")
     for name, data in sorted(site.items(), key=lambda file: -len(file[1]))[:5]:
-        tell(f"  {len(data) / 1e6:.2f} MB {name}")
+        print_line(f"  {len(data) / 1e6:.2f} MB {name}")
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
         for _ in range(visits - 1):
@@ -111,11 +111,11 @@ def web(
             _play(page, level)
             for key, view in (("1", "from above"), ("2", "in 3D")):
                 page.keyboard.press(key)
-                tell(f"{view}: {_rate(page)}")
-                tell(f"{view}, from a key to its picture: {_input_delay(page)}")
+                print_line(f"{view}: {_rate(page)}")
+                print_line(f"{view}, from a key to its picture: {_input_delay(page)}")
             for more in (min(1.0, minutes), max(minutes - 1.0, 0.0)):
                 _play_on(page, more)
-                tell(f"memory after {more:g} more minutes: {_memory(browser, page)}")
+                print_line(f"memory after {more:g} more minutes: {_memory(browser, page)}")
         browser.close()
     return 0
 
@@ -124,10 +124,10 @@ def _two_visits(browser: "Browser", address: str) -> "Page":
     """Visit the page with nothing stored, wait until it has stored what it does, and visit it again."""
     page = browser.new_context(viewport={"width": 1280, "height": 800}).new_page()
     page.add_init_script(_WATCH)
-    tell(f"first frame: {_visit(page, address)}")
+    print_line(f"first frame: {_visit(page, address)}")
     page.evaluate("polarBreakout.ask('snapshot')")
     page.evaluate("navigator.serviceWorker.ready.then(() => true)")
-    tell(f"first frame, second visit: {_visit(page, address)}")
+    print_line(f"first frame, second visit: {_visit(page, address)}")
     return page
 
 

@@ -9,7 +9,6 @@ import msgspec
 
 from game.drawing.palette import Theme
 from game.generated import sequence
-from game.kept.store import Kept
 from game.lab.kit.second_engine import Engine
 from game.lab.session.session import state_hash as hash_of_session
 from game.language import choose, current, system_prefers
@@ -22,6 +21,7 @@ from game.screens.endless_seeds import LONGEST_SEED, seed_of
 from game.settings.file import SettingsFile
 from game.settings.values import Settings
 from game.sound.music.mood import SILENT
+from game.storage.storage import Storage
 from game.student.own_physics import OwnPhysics
 from game.system.errors import BadInputError
 from game.web.client.devices import PageDevices
@@ -72,10 +72,10 @@ class Page:
             settings = Settings(reduced_motion=calm)
         system_prefers(languages.split(","))
         choose(settings.language)
-        chance = random.SystemRandom()
-        self._state = PageState(Sounds(sounds), stored, Kept(stored), settings_file, settings, lambda: chance.getrandbits(32))
+        storage, chance = Storage(stored), random.SystemRandom()
+        self._state = PageState(Sounds(sounds), stored, storage, settings_file, settings, lambda: chance.getrandbits(32))
         self._state.functions, self._state.touched = OwnFunctionsPanel(stored), touch
-        self._state.choose_difficulty(self._state.kept.progress.value.last_difficulty)
+        self._state.choose_difficulty(storage.progress.value.last_difficulty)
         self._screens = Screens(self._title, self._game, self._replay, self._lab, self._flight, self._settings, self._endless)
         self._screen: PageScreen = self._title()
         self._devices = PageDevices()

@@ -11,7 +11,6 @@ from game.drawing.palette import Theme
 from game.input.players import Players
 from game.input.signals import Signal
 from game.input.view import FLAT, Viewpoint
-from game.kept.store import Kept
 from game.lab.kit.second_engine import Engine
 from game.language import choose
 from game.levels import Level, campaign
@@ -23,6 +22,7 @@ from game.scene import Scene
 from game.screens.difficulty_names import SOURCE, ruleset_of
 from game.settings.file import SettingsFile
 from game.settings.values import Settings
+from game.storage.storage import Storage
 from game.web.client.functions.panel import OwnFunctionsPanel
 from game.web.client.messages import Download, PageItem, PageMenu
 from game.web.client.music import MusicOnPage
@@ -86,7 +86,7 @@ class PageState:
 
     sounds: Sounds
     folder: Path | None
-    kept: Kept
+    storage: Storage
     settings_file: SettingsFile | None
     settings: Settings
     seed: Callable[[], int]
@@ -167,7 +167,7 @@ class PageState:
 
     def tell_problems(self) -> None:
         """Say once what could not be read or written."""
-        for line in self.kept.problems:
+        for line in self.storage.problems:
             if line not in self.problems:
                 self.problems.add(line)
                 self.notifications.append(line)

@@ -2,10 +2,11 @@
 
 import { Blocks } from "./blocks.js";
 import { colour } from "./colours.js";
+import { bar, cast, foot, relief, sector } from "./slots.js";
 
 const DISC = 1, CIRCLE = 2, SECTOR = 3, POLYGON = 4, LINE = 5, TEXT = 6, GLOW = 7, GRADIENT = 8, CELLS = 9, CLIP = 10, TURN = 11,
-  STRIP = 12, BAND = 13, PLATE = 14, SPRITE = 15, CAMERA = 16, SLOT = 17, PRISM = 18, SHADOWS = 19, BOX = 20, TEXTURE = 21, TEXTURED = 22;
-const WHOLE = Math.PI * 0.999;
+  STRIP = 12, BAND = 13, PLATE = 14, SPRITE = 15, CAMERA = 16, SLOT = 17, PRISM = 18, SHADOWS = 19, BOX = 20, TEXTURE = 21, TEXTURED = 22,
+  FOOT = 23, RELIEF = 24, CAST = 25, BAR = 26;
 const FONT = "system-ui, sans-serif", DESKTOP_FONT = `Arial, Helvetica, "Liberation Sans", ${FONT}`;
 const DESKTOP_EM = 0.71; // of the desktop's letters, in shares of their size
 const BEND = 0.02, OVERLAP = 0.6;
@@ -189,6 +190,23 @@ function shapes(context, numbers, texts) {
         textured(context, numbers, at);
         at += 4;
         break;
+      case FOOT:
+        foot(context, numbers, at, numbers[at - 1]);
+        at += 8;
+        break;
+      case RELIEF:
+        relief(context, numbers, at, numbers[at - 1]);
+        at += 10;
+        break;
+      case CAST:
+        cast(context, numbers, at, numbers[at - 1]);
+        at += 9;
+        break;
+      case BAR:
+        context.fillStyle = colour(style);
+        bar(context, numbers, at);
+        at += 8;
+        break;
       default:
         throw new Error(`primitive ${code} at ${at - 3}`);
     }
@@ -231,21 +249,6 @@ function text(context, numbers, at, style, words) {
     if (width > room) context.font = font((numbers[at + 1] * room) / width, bold);
   }
   context.fillText(words, numbers[at + 2], numbers[at + 3]);
-}
-
-function sector(context, numbers, at) {
-  const x = numbers[at], y = numbers[at + 1], inner = numbers[at + 2], outer = numbers[at + 3];
-  const angle = numbers[at + 4], halfInner = numbers[at + 5], halfOuter = numbers[at + 6];
-  context.beginPath();
-  if (halfOuter >= WHOLE) {
-    context.arc(x, y, outer, 0, 2 * Math.PI);
-    context.arc(x, y, inner, 2 * Math.PI, 0, true);
-  } else {
-    context.arc(x, y, outer, angle - halfOuter, angle + halfOuter);
-    context.arc(x, y, inner, angle + halfInner, angle - halfInner, true);
-  }
-  context.closePath();
-  context.fill();
 }
 
 function path(context, numbers, at, count) {

@@ -21,7 +21,7 @@ from game.effects import NOTHING, Light, LightSource
 from game.input.view import FLAT, SOLID
 from game.level_format.specs import GroundPattern, Palette
 from game.scene import scene_at
-from tests.support.games import game_after
+from tests.support.games.autopilot_games import game_after
 from tests.support.pictures import canvas_of
 
 SIZE = (900, 700)

@@ -13,11 +13,12 @@ import pytest
 from game.drawing.camera import Camera
 from game.drawing.display_list_painter import DisplayListPainter
 from game.drawing.text import Type
-from game.picture.display_list import DisplayList, Primitive, packed, primitives, unpacked
+from game.picture.display_list import DisplayList, Primitive, Sector, packed, primitives, unpacked
 
 SIDE, FINER = 200, 8
 MIDDLE = 100.3 + 100.7j
 WHITE, GREY = (255, 255, 255), (90, 90, 90)
+SECTOR = Sector(0j, (1.0, 2.0), 0.0, 0.1)
 AROUND = [cmath.rect(1.0, math.tau * k / 120) for k in range(121)]
 
 
@@ -156,7 +157,7 @@ def test_a_list_is_read_as_it_was_written():
     chip.disc(0j, 1.0, WHITE)
     out.disc(0j, 1.0, (255, 254, 253))
     out.circle(0j, 1.0, 1.0, GREY)
-    out.sector(0j, (1.0, 2.0), 0.0, (0.1, 0.1), GREY)
+    out.sector(SECTOR, 0.1, GREY)
     out.polygon((0j, 1 + 0j, 1j), GREY)
     out.line((0j, 1 + 0j), 1.0, GREY)
     out.text("x", 9.0, 0j, GREY)
@@ -176,6 +177,10 @@ def test_a_list_is_read_as_it_was_written():
     out.box(0j, 4 + 2j, 1.0, GREY, (1.0, WHITE))
     out.texture(1, 2, [GREY, WHITE, GREY, WHITE])
     out.textured(0j, 1.0, 1)
+    out.foot(SECTOR, 0.2, 0.1, 0.5)
+    out.relief(SECTOR, 0.1, 0.3, 0.2, 0.1, 0.5)
+    out.cast(SECTOR, 0.1, 0.2, 0.1, 0.5)
+    out.bar(0j, 0.0, (1.0, 0.0, 2.0, 0.1), 0.1, GREY)
     found = list(primitives(out.numbers))
     assert [code for code, *_ in found] == list(Primitive)
     assert unpacked(found[0][1]) == (255, 254, 253)

@@ -21,7 +21,7 @@ from game.input.view import SOLID, Viewpoint
 from game.levels import classic
 from game.rules import new_game, tick
 from game.scene import scene_at
-from tests.support.games import game_after
+from tests.support.games.autopilot_games import game_after
 from tests.support.pictures import canvas_of
 
 SIZE = (480, 360)

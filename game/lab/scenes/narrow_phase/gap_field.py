@@ -11,12 +11,12 @@ from game.lab.kit.parameters import Given, Number, Point
 from game.lab.kit.picture import (
     Arc,
     Arrow,
-    Field,
     Line,
     Mark,
     Picture,
     Prediction,
     Role,
+    ScalarField,
     Stroke,
     Toggle,
     Words,
@@ -100,7 +100,7 @@ def _picture(given: Given) -> Picture:
     """Bands of equal gap, normals on a coarse grid, the borders between faces, ends and corners, and the ball."""
     ball, ring, found = _ball_and_sector(given)
     bands = _BandedGap(_Outline.of(ring), ball.radius)
-    field: list[Mark] = [Field(_BOX.centre - _HALF, _BOX.centre + _HALF, bands, _SPAN, Toggle.BANDS), *_sides(ring)]
+    field: list[Mark] = [ScalarField(_BOX.centre - _HALF, _BOX.centre + _HALF, bands, _SPAN, Toggle.BANDS), *_sides(ring)]
     p, q = ball.position, found.point
     closest, drawn_gap, normal, *touch = contact_marks(ball, found)
     gap = (

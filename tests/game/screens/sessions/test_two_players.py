@@ -6,7 +6,7 @@ from game.input.actions import OwnKeys
 from game.input.keys import Action
 from game.levels import classic
 from game.rules import paddle_rings
-from tests.support.sessions import lose
+from tests.support.windows.sessions import lose
 
 
 def test_two_players_steer_the_same_paddles(desk):
