@@ -1,4 +1,4 @@
-"""Who made the game, and after whose notes."""
+"""The credits: who made the game, and whose lecture it follows."""
 
 from game import VERSION
 from game.language import tr
@@ -8,10 +8,10 @@ from game.screens.toolkit.panel import Panel
 
 
 class Credits(Panel):
-    """A page of text."""
+    """The panel of the credits."""
 
     def content(self) -> Content:
-        """What the game owes to whom."""
+        """The text."""
         body = (
             (TextItem(tr("A circular Breakout whose collision detection is written by hand, in polar coordinates."), 1.2),),
             (Heading(tr("The idea")),),

@@ -1,4 +1,4 @@
-"""The ghost: the best run of a level, played again beside the present one, and drawn as a pale ball and pale paddles."""
+"""The ghost: the best run of a level, replayed beside the present game and drawn as a pale ball and pale paddles."""
 
 import time
 from collections.abc import Iterator
@@ -25,7 +25,7 @@ _EDGE, _ABOVE_NAME, _CAPTION, _FIGURE = 0.8, 4.6, 0.9, 1.5
 
 
 class Ghost:
-    """A recorded game from the first serve of one level on, a tick for every tick of the player's after the first serve."""
+    """A recorded game from the first serve of one level on. It advances one tick for every tick of the player's game."""
 
     def __init__(self, recording: Recording, start: int, number: int) -> None:
         """start: tick of the recording at which the level began. number: of the level in the present game."""
@@ -37,17 +37,17 @@ class Ghost:
 
     @property
     def game(self) -> Game | None:
-        """How it stands; None before it is ready and after its level's end."""
+        """The ghost's game now; None before its first serve is reached, and after the end of its level."""
         return None if self._over or not self._running else self._game
 
     def prepare(self) -> None:
-        """Play the recording on towards the level's first serve, for a few milliseconds."""
+        """Advance the recording towards the level's first serve, for a few milliseconds, so that no frame waits for it."""
         until = time.perf_counter() + _BUDGET
         while not self._is_ready() and not self._over and time.perf_counter() < until:
             self._step()
 
     def after_tick(self, game: Game) -> None:
-        """A tick of the player's game has passed: the ghost's runs once the player has served for the first time."""
+        """Advance the ghost after a tick of the player's game, once the player has served."""
         if not self._is_ready() or self._over or game.phase not in (Phase.PLAYING, Phase.SERVING):
             return
         if not self._running and game.phase == Phase.PLAYING:
@@ -58,7 +58,7 @@ class Ghost:
                 self._over = True
 
     def _is_ready(self) -> bool:
-        """Whether the recording stands at the level's first serve or later."""
+        """Whether the recording has reached the level's first serve."""
         game = self._game
         return game is not None and game.tick > self._start and (self._running or game.phase != Phase.SERVING)
 
@@ -74,7 +74,7 @@ class Ghost:
 
 
 def draw(canvas: Canvas, game: Game) -> None:
-    """The outlines of balls and paddles, pale; the bricks are not shown, as they would be taken for the player's."""
+    """Draw pale outlines of balls and paddles. The bricks are left out: they would be taken for the player's."""
     camera, theme = canvas.camera, canvas.theme
     colour = mixed(theme.ground, theme.text, _PALE)
     width = max(round(canvas.unit * 0.09), 1)
@@ -94,7 +94,7 @@ def draw(canvas: Canvas, game: Game) -> None:
 
 
 def draw_lead(canvas: Canvas, game: Game, ghost: Game, layout: Layout) -> None:
-    """How many points of the level the player is ahead of the ghost, at the left edge above the level's name."""
+    """Write how many points the player is ahead of the ghost, at the left edge above the level's name."""
     theme, unit = canvas.theme, canvas.unit
     lead = (game.score - game.score_before) - (ghost.score - ghost.score_before)
     colour = theme.accent if lead > 0 else theme.danger if lead < 0 else theme.text

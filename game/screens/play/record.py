@@ -1,4 +1,4 @@
-"""What a game in the window leaves behind while it is played: finished levels, and the ghost that it races."""
+"""What is stored of a game while it is played, its finished levels; and the ghost that it races."""
 
 from functools import cache
 
@@ -16,10 +16,10 @@ from game.system.errors import BadInputError
 
 
 class PlayRecord:
-    """Follows one game.
+    """Stores the finished levels of one game and runs its ghost.
 
-    counts: whether bests and scores are kept. Games of the autopilot and of the editor do not count, nor do those of a physics
-    that no replay can be verified with.
+    counts: whether bests and scores are stored. Games of the autopilot and of the editor do not count, nor do those on a
+    physics other than the game's own, since their replays cannot be verified.
     """
 
     def __init__(self, state: AppState, levels: tuple[Level, ...], *, endless: bool) -> None:
@@ -44,13 +44,13 @@ class PlayRecord:
         self._open_ghost(0)
 
     def prepare(self) -> None:
-        """Note how slow the game is played now, and bring the ghost a little nearer to its start."""
+        """Note the game speed in use, and prepare the ghost."""
         self.speed = min(self.speed, self._state.settings.speed)
         if self.ghost is not None:
             self.ghost.prepare()
 
     def after_tick(self, ticked: Ticked) -> None:
-        """Note the begin and the end of a level."""
+        """Note whether a level has begun or ended."""
         game = ticked.game
         if self.ghost is not None:
             self.ghost.after_tick(game)
@@ -62,7 +62,7 @@ class PlayRecord:
                 self._note(game)
 
     def _note(self, game: Game) -> None:
-        """A level was finished."""
+        """Store the result of a finished level."""
         result = game.results[-1]
         difficulty = self._state.difficulty
         self.done = Best(record_name(game.level), difficulty, result.score, int(result.rank), result.ticks, start=self._start)
@@ -72,7 +72,7 @@ class PlayRecord:
         self._state.tell_problem()
 
     def _open_ghost(self, number: int) -> None:
-        """The best run of a level, where its replay is still there."""
+        """Open the best run of a level as the ghost, if its replay still exists."""
         self.ghost = None
         storage, folder = self._state.storage, self._state.storage.games.folder
         best = storage.progress.value.best(record_name(self._levels[number]), self._state.difficulty)
@@ -86,7 +86,7 @@ class PlayRecord:
 
 
 def record_name(level: Level) -> str:
-    """The name under which a level's best is kept: its own, or for a level of the player's what is in it."""
+    """The name under which a level's best is stored: its own; for a level of the player's a hash of its content."""
     return level.name if _is_built_in(level) else f"{OWN}{level.content_hash()}"
 
 

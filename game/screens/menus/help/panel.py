@@ -1,4 +1,4 @@
-"""How to play, over another screen: what the game is about, how one aims, what drops out of bricks, and all keys."""
+"""The help: what the game is about, how to aim, what drops out of bricks, and all keys."""
 
 from game.input.key_names import key_name, play_help
 from game.input.keys import Action
@@ -16,7 +16,7 @@ from game.screens.toolkit.panel import Panel
 
 
 class Help(Panel):
-    """A panel with a part for each question; the key that opened it closes it."""
+    """The panel of the help, with a tab for each topic. The key that opened it closes it."""
 
     def __init__(
         self, state: AppState, under: Screen, title: str = "", keys: tuple[tuple[str, str], ...] | None = None
@@ -45,7 +45,7 @@ class Help(Panel):
         return super().answer(signal, size)
 
     def _key_rows(self, keys: tuple[tuple[str, str], ...]) -> tuple[Row, ...]:
-        """A line for each, two where texts are large."""
+        """A line for each key; two lines if the text is large."""
         if not self.has_large_text:
             return tuple([(TableRow(((names, 1.0, "left"), (meaning, 2.0, "left"))),) for names, meaning in keys])
         words = [(TextItem(names, 1.0, faint=True), TextItem(meaning, 1.1), Item()) for names, meaning in keys]
@@ -53,7 +53,7 @@ class Help(Panel):
 
 
 def _game() -> tuple[Row, ...]:
-    """What it is about."""
+    """The tab about the game's aim."""
     words = (
         tr("Keep the ball inside the circle and break every brick."),
         tr("All paddles move around the rim together. A ball that leaves the circle is lost."),
@@ -69,7 +69,7 @@ def _game() -> tuple[Row, ...]:
 
 
 def _aiming() -> tuple[Row, ...]:
-    """How one steers a ball."""
+    """The tab about steering the ball."""
     return (
         (
             Drawing(10.5, pictures.draw_hit_position, most=pictures.GROUND_HEIGHT),
@@ -87,7 +87,7 @@ def _aiming() -> tuple[Row, ...]:
 
 
 def _controls() -> tuple[Row, ...]:
-    """Keyboard, mouse, gamepad, touch."""
+    """The tab about keyboard, mouse, gamepad and touch."""
     ways = (
         (tr("Keyboard"), tr("Two keys turn the paddles; {key} serves.").format(key=key_name(Action.SERVE))),
         (

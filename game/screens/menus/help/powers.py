@@ -33,7 +33,7 @@ def power_rows() -> tuple[Row, ...]:
 
 
 def _cell(kind: PowerUp) -> tuple[Item, Item]:
-    """A sign, and what it does."""
+    """A power-up's sign and its explanation."""
     words, seconds = _first_upper(tr(POWER_NAMES[kind])), LASTING.get(kind, 0) * TICK
     if seconds:
         words = tr("{power} for {seconds:.0f} s").format(power=words, seconds=seconds)
@@ -51,12 +51,12 @@ def _cell(kind: PowerUp) -> tuple[Item, Item]:
 
 
 def _first_upper(words: str) -> str:
-    """Words that begin a sentence."""
+    """Words with a capital at their beginning."""
     return words[:1].upper() + words[1:]
 
 
 def _meanings() -> dict[PowerUp, str]:
-    """What those do whose names do not say it."""
+    """Explanations of the power-ups whose names do not explain them."""
     return {
         PowerUp.MULTI_BALL: tr("two more balls; only losing the last one costs a life."),
         PowerUp.STICKY: tr("a paddle holds the ball until you serve."),

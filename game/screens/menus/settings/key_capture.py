@@ -1,4 +1,4 @@
-"""The question for a key or a button: the next one that is pressed is given to an action."""
+"""The panel that asks for a key or a button of an action: the next one that is pressed."""
 
 from typing import NamedTuple
 
@@ -47,7 +47,7 @@ class KeyCapture(Panel):
         return Content(self._wanted.name, rows, back_row(tr("Back"), self.back), width=28.0, centred=True)
 
     def typed(self, event: pygame.Event) -> bool:
-        """Take a key or a button before it means anything; whether the event is one."""
+        """Take a pressed key or button, whatever it usually means. Returns whether the event was one."""
         if event.type not in (pygame.KEYDOWN, pygame.CONTROLLERBUTTONDOWN):
             return False
         if not self._answered:
@@ -69,7 +69,7 @@ class KeyCapture(Panel):
             self._give(control)
 
     def _give(self, control: int) -> None:
-        """Give the action its key, and say what that did."""
+        """Give the action the pressed key, and say what that changed."""
         wanted, of_pad = self._wanted, self._wanted.of_pad
         in_use = _in_use(of_pad=of_pad)
         fixed = FIXED_BUTTONS if of_pad else FIXED_KEYS
@@ -95,5 +95,5 @@ class KeyCapture(Panel):
 
 
 def _in_use(*, of_pad: bool) -> dict[Action, tuple[int, ...]]:
-    """What every action has now."""
+    """The keys or buttons of every action now."""
     return {action: KEYS.binding(action).buttons if of_pad else positions_in_use(action) for action in Action}
