@@ -5,7 +5,6 @@ import math
 from game.drawing.camera import Camera
 from game.drawing.palette import Theme
 from game.drawing.palettes import themed
-from game.drawing.slots.contents import Contents, SlotContent, slot_contents
 from game.picture.display_list import DisplayList
 from game.picture.ground.lists import add_ground
 from game.picture.ground.measures import ground_of
@@ -14,7 +13,8 @@ from game.picture.moving.bursts import add_bursts
 from game.picture.moving.glints import add_glints
 from game.picture.moving.layers import add_in_air, add_on_ground
 from game.picture.moving.words import add_words
-from game.picture.slots import add_content, add_shadow, flat_ring
+from game.picture.slots.contents import Contents, SlotContent, slot_contents
+from game.picture.slots.flat import add_content, add_shadow, flat_ring, wall_rings
 from game.picture.solid.blocks import SolidBlocks
 from game.picture.view import ArenaView
 from game.rules import PADDLES
@@ -104,7 +104,7 @@ def _resting(scene: Scene, camera: Camera) -> tuple[int, ...]:
     """The rings that the backdrop shows: in the flat view those that do not turn, once the wall stands."""
     if not camera.flat or scene.entry is not None:
         return ()
-    return tuple([k for k, ring in enumerate(scene.rings) if k not in (PADDLES, scene.second_paddle) and not ring.spin])
+    return tuple([k for k in wall_rings(scene) if not scene.rings[k].spin])
 
 
 def _add_glowing(

@@ -18,12 +18,12 @@ from game.effects.lights import LightSource
 from game.effects.waves import WaveTone
 from game.input.view import FLAT, SOLID
 from game.levels import campaign, classic
-from game.picture import slots
 from game.picture.arena import ArenaPicture
 from game.picture.display_list import DisplayList
 from game.picture.ground import colours, lists, measures
 from game.picture.moving.balls import BallTextures, add_ball
 from game.picture.moving.layers import add_in_air, add_on_ground
+from game.picture.slots import flat
 from game.rules import ActivePower, Drop, PowerUp, Ruleset, new_game
 from game.scene import Aim, Well, scene_at, still
 from game.unlocks import BALLS, PLAIN_TRAIL, TRAILS
@@ -110,7 +110,7 @@ def other_description(monkeypatch):
     """Other dimensions and shares of what one sees from above, as a change of the description would have them."""
     values = {"_EDGE": 0.4, "_AT_FACES": 0.5, "_AT_ENDS": 0.3, "_SLOPE": 0.2, "_SHADOW": 0.04, "_INWARDS": 0.8, "_ASIDE": 0.9}
     for name, value in values.items():
-        monkeypatch.setattr(slots, name, value)
+        monkeypatch.setattr(flat, name, value)
     monkeypatch.setattr(measures, "_RIM", 0.2)
     monkeypatch.setattr(measures, "_TRACK", 0.2)
     monkeypatch.setattr(colours, "_INNER_GLOW", 0.4)

@@ -8,10 +8,10 @@ import pygame
 from game.drawing.flat.sector_colours import PolarPixels, paint_slot
 from game.drawing.palette import Theme
 from game.drawing.raster.pixels import packed, pixels_of
-from game.drawing.slots.contents import wall_contents
-from game.drawing.slots.parts import SlotShape
 from game.picture.display_list import DisplayList
-from game.picture.slots import FlatRing, add_content
+from game.picture.slots.contents import wall_contents
+from game.picture.slots.flat import FlatRing, add_content
+from game.picture.slots.parts import SlotShape
 
 _RADIUS, _HALF_WIDTH, _HALF_ANGLE, _TALLEST = 4.0, 0.45, 0.2, 6
 """Of the ring that the brick might stand in: lengths in world units, the angle in radians, and layers."""

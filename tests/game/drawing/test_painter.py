@@ -16,12 +16,12 @@ from game.drawing.flat.sector_colours import PolarPixels, paint_slot
 from game.drawing.painter import Painter
 from game.drawing.palette import DARK, contrast, layer_colour, mixed
 from game.drawing.raster.annulus import annulus_pixels
-from game.drawing.slots.contents import ContentKind, SlotContent
-from game.drawing.slots.parts import DOT_SHADE, SlotShape, dots
 from game.effects import Effects, after
 from game.levels import classic
 from game.picture.display_list import DisplayList
-from game.picture.slots import FlatRing, add_content
+from game.picture.slots.contents import ContentKind, SlotContent
+from game.picture.slots.flat import FlatRing, add_content
+from game.picture.slots.parts import DOT_SHADE, SlotShape, dots
 from game.replays.state_hash import state_hash
 from game.rules import PADDLES, new_game, tick
 from game.scene import scene_at

@@ -7,9 +7,10 @@ import math
 from typing import NamedTuple
 
 from game.drawing.palette import Theme
-from game.drawing.slots.contents import SlotContent, casts_shadow
-from game.drawing.slots.parts import Bar, FootShade, Part, Slab, SlotShape, height, parts, slot_shape
-from game.picture.display_list import WHOLE, DisplayList, Sector
+from game.picture.display_list import DisplayList, Sector
+from game.picture.slots.contents import SlotContent, casts_shadow
+from game.picture.slots.parts import WHOLE, Bar, FootShade, Part, Slab, SlotShape, height, parts, slot_shape
+from game.rules import PADDLES
 from game.scene import Scene
 
 _EDGE, _EDGE_PIXELS = 0.22, 1.5
@@ -50,6 +51,11 @@ class FlatRing(NamedTuple):
         whole = shape.half_angle >= WHOLE
         radii = (shape.inner_radius + out) * scale, (shape.outer_radius + out) * scale
         return Sector(centre, radii, angle, math.pi if whole else shape.half_angle)
+
+
+def wall_rings(scene: Scene) -> list[int]:
+    """The indices of the rings that are no paddles."""
+    return [k for k in range(len(scene.rings)) if k not in (PADDLES, scene.second_paddle)]
 
 
 def flat_ring(scene: Scene, k: int, scale: float, theme: Theme) -> FlatRing:
