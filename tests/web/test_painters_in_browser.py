@@ -56,6 +56,8 @@ COUNT = """async ([numbers, width, height]) => {
 """Counts on a transparent canvas: pixels by opacity, and opaque pixels by colour."""
 RESTING = (0.55, 28.0)
 """The same of the ground and of what stands on it, which differ in their smooth edges alone."""
+DESCRIPTIONS = (flat._looks, lists.ground_list)
+"""What caches parts of the description."""
 SQUARE = (-0.5 - 0.5j, -0.5 + 0.5j, 0.5 + 0.5j, 0.5 - 0.5j)
 
 
@@ -114,9 +116,11 @@ def other_description(monkeypatch):
     monkeypatch.setattr(measures, "_RIM", 0.2)
     monkeypatch.setattr(measures, "_TRACK", 0.2)
     monkeypatch.setattr(colours, "_INNER_GLOW", 0.4)
-    lists.ground_list.cache_clear()
+    for function in DESCRIPTIONS:
+        function.cache_clear()
     yield
-    lists.ground_list.cache_clear()
+    for function in DESCRIPTIONS:
+        function.cache_clear()
 
 
 def from_above(page, theme, level):
@@ -148,7 +152,8 @@ def test_both_painters_follow_a_change_of_the_description(page, monkeypatch):
     desktop, on_page = from_above(page, DARK, level)
     assert np.abs(desktop - on_page).mean() < RESTING[0]
     monkeypatch.undo()
-    lists.ground_list.cache_clear()
+    for function in DESCRIPTIONS:
+        function.cache_clear()
     before = from_above(page, DARK, level)
     assert np.abs(desktop - before[0]).mean() > 1.0
     assert np.abs(on_page - before[1]).mean() > 1.0
