@@ -30,6 +30,10 @@ _LEAST = 1e-3
 """Pixels; the least length of a shadow."""
 
 
+_Sizes = tuple[tuple[float, float, float, int], ...]
+"""Radius, half width, half angle and count of every ring."""
+
+
 class FlatRing(NamedTuple):
     """What the slots of a ring look like from above, whatever stands in them.
 
@@ -69,13 +73,13 @@ def flat_rings(scene: Scene, scale: float, theme: Theme) -> tuple[FlatRing, ...]
 
 @lru_cache(maxsize=16)
 def _looks(
-    rings: tuple[tuple[float, float, float, int], ...],
+    rings: _Sizes,
     tallest: tuple[int, ...],
     ground_radius: float,
     scale: float,
     theme: Theme,
 ) -> tuple[FlatRing, ...]:
-    """The same without what moves. rings: radius, half width, half angle and count of each."""
+    """The same, from what does not move."""
     looks = []
     for (radius, half_width, half_angle, count), layers in zip(rings, tallest, strict=True):
         lane = _lane(rings, radius, ground_radius)
@@ -85,7 +89,7 @@ def _looks(
     return tuple(looks)
 
 
-def _lane(rings: tuple[tuple[float, float, float, int], ...], radius: float, ground_radius: float) -> tuple[float, float]:
+def _lane(rings: _Sizes, radius: float, ground_radius: float) -> tuple[float, float]:
     """Where the next ring inwards ends, and where the next one outwards begins, world units; else the centre and the rim."""
     outer, inner = ([at + side * half_width for at, half_width, *_ in rings] for side in (1.0, -1.0))
     rim = max(ground_radius, *outer)
