@@ -81,7 +81,6 @@ So is the ground; a CAMERA comes before it.
     GROUND_MARK    n, then n times x y                    a polygon
 """
 
-import math
 from array import array
 from collections.abc import Iterable, Iterator, Sequence
 from enum import IntEnum
@@ -89,9 +88,6 @@ from typing import NamedTuple
 
 from game.drawing.camera import Camera
 from game.drawing.palette import Colour
-
-WHOLE = math.pi * 0.999
-"""Half angle from which a sector is a whole ring, which has no ends."""
 
 
 class Primitive(IntEnum):
@@ -403,10 +399,3 @@ def unpacked(colour: float) -> Colour:
     """A colour that is one number."""
     number = int(colour)
     return number >> 16, number >> 8 & 255, number & 255
-
-
-def inset_half_angle(half_angle: float, radius: float, inset: float) -> float:
-    """Half the angle of a sector's arc when its straight ends are moved inwards by an inset; a whole ring stays one."""
-    if half_angle >= WHOLE:
-        return math.pi
-    return half_angle - math.asin(min(inset / max(radius, 1e-9), 1.0))

@@ -11,8 +11,6 @@ import pytest
 from game.drawing import debris as debris_picture
 from game.drawing.palette import DARK
 from game.drawing.piece_colours import PLATES, STREAK_TICKS
-from game.drawing.slots.contents import resting_contents
-from game.drawing.slots.parts import LAYER_HEIGHT, height
 from game.drawing.solid.debris_occlusion import occluded
 from game.effects import NOTHING
 from game.effects.bursts import Burst, BurstOrigin, Matter, lifetime
@@ -21,6 +19,8 @@ from game.effects.piece_paths import NUMBERS_OF_PIECES
 from game.input.view import FLAT, SOLID, Viewpoint
 from game.picture.display_list import DisplayList, primitives, unpacked
 from game.picture.moving.bursts import add_bursts
+from game.picture.slots.contents import resting_contents
+from game.picture.slots.parts import LAYER_HEIGHT, height
 from game.picture.view import ArenaView
 from game.scene import scene_at
 from tests.support.games.autopilot_games import game_after
