@@ -10,7 +10,6 @@ import numpy as np
 import pygame
 
 from game.drawing.canvas import Canvas
-from game.drawing.ground.measures import Ground
 from game.drawing.ground.picture import draw_pattern, ground_picture
 from game.drawing.light import side_shares
 from game.drawing.palette import mixed
@@ -19,8 +18,8 @@ from game.drawing.raster.quads import FinePixels, QuadRaster, fill_quads
 from game.drawing.slots.contents import Contents
 from game.drawing.solid.arena_blocks import ArenaBlocks
 from game.drawing.solid.faces import Faces, ProjectedBlocks, shadows, visible_faces
+from game.picture.ground.measures import ground_of
 from game.picture.solid.rings import ring_looks
-from game.rules import PADDLES
 from game.scene import Scene
 
 _MOST_FINE_PIXELS = 6_000_000
@@ -51,7 +50,7 @@ class SolidPicture:
 
     def draw_ground(self, canvas: Canvas, scene: Scene) -> None:
         """Cover the surface with the ground and what is around it."""
-        ground = Ground(scene.ground_radius, scene.rings[PADDLES].radius, scene.ground)
+        ground = ground_of(scene)
         unturned = canvas._replace(camera=canvas.camera._replace(azimuth=0.0))
         key = (canvas.size, unturned.camera, canvas.theme, ground)
         if self._bare is None or self._bare.key != key:

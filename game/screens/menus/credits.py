@@ -2,7 +2,7 @@
 
 from game import VERSION
 from game.language import tr
-from game.screens.toolkit.items import Heading, TextItem
+from game.screens.toolkit.items.basic import Heading, TextItem
 from game.screens.toolkit.layout import Content
 from game.screens.toolkit.panel import Panel
 

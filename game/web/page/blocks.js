@@ -57,6 +57,15 @@ export class Blocks {
     }
   }
 
+  /** Begin the path of a polygon of the ground. at: index of its first corner. */
+  polygon(context, numbers, at, count) {
+    const { top } = pixels;
+    this.stand(0, 0);
+    this.#project(numbers, at, count, 0, top);
+    context.beginPath();
+    for (let k = 0; k < count; k++) context.lineTo(top[2 * k], top[2 * k + 1]);
+  }
+
   /** By how much the distance of a point from the arena's centre is multiplied, so that the point is farther out. */
   #grown(numbers, at) {
     return this.out ? 1 + this.out / Math.hypot(numbers[at], numbers[at + 1]) : 1;

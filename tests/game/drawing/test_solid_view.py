@@ -35,7 +35,7 @@ from game.rules import new_game, tick
 from game.scene import scene_at
 from game.screenshot import save_screenshot
 from physics import Ball, Ring, contact
-from tests.support.games import game_after
+from tests.support.games.autopilot_games import game_after
 from tests.support.paths import REFERENCE
 from tests.support.pictures import camera_of, canvas_of
 

@@ -21,7 +21,7 @@ from game.levels import classic
 from game.picture.solid.order import back_to_front
 from game.rules import new_game, tick
 from game.scene import scene_at
-from tests.support.games import game_after
+from tests.support.games.autopilot_games import game_after
 from tests.support.pictures import canvas_of
 
 SIZE = (480, 360)

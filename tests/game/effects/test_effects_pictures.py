@@ -28,9 +28,9 @@ from game.picture.moving.waves import add_waves
 from game.picture.moving.words import add_words
 from game.rules import PADDLES, EventKind, new_game, tick
 from game.scene import scene_at
-from tests.support.dummy_window import shared
-from tests.support.games import game_after
+from tests.support.games.autopilot_games import game_after
 from tests.support.pictures import canvas_of
+from tests.support.windows.dummy_window import shared
 
 SIZE = (900, 700)
 VIEWS = pytest.mark.parametrize("view", [FLAT, SOLID], ids=["flat", "tipped"])
