@@ -9,7 +9,7 @@ from game.picture.display_list import DisplayList
 from game.picture.ground.lists import add_ground
 from game.picture.ground.measures import ground_of
 from game.picture.moving.balls import BallTextures, add_ball
-from game.picture.moving.bursts import add_bursts
+from game.picture.moving.bursts import flying_pieces
 from game.picture.moving.glints import add_glints
 from game.picture.moving.layers import add_in_air, add_on_ground
 from game.picture.moving.words import add_words
@@ -60,10 +60,11 @@ class ArenaPicture:
         else:
             add_on_ground(out, scene, view)
             texture = self._textures.texture(out, camera, theme, view.ball)
-            self._blocks.add(out, scene, camera, theme, contents, texture, [])
+            self._blocks.add(out, scene, camera, theme, contents, texture, flying_pieces(scene, view))
         add_glints(out, scene, view)
-        add_bursts(out, scene, view)
         if camera.flat:
+            for _, piece in flying_pieces(scene, view):
+                out.extend(piece)
             texture = self._textures.texture(out, camera, theme, view.ball)
             for ball in scene.balls:
                 add_ball(out, ball, camera, texture)
