@@ -60,7 +60,7 @@ _WATCH = """(() => {
     return post.call(this, message, ...rest);
   };
 })()"""
-"""Notes when the browser's frames begin, when pictures are painted, and for every key its event and the picture requested by it.
+"""Notes when the browser's frames begin, when pictures are painted, and which picture was the first that heeds a key.
 
 Replies come in the order of their requests. Times are in milliseconds.
 """
