@@ -10,7 +10,8 @@ import pygame
 
 from game.chosen_physics import SWEPT, ChosenPhysics
 from game.frame_pace import FramePace
-from game.input.events import keyboard_state
+from game.input.events import keyboard_state, system_layout
+from game.input.key_names import use_layout
 from game.input.players import Players
 from game.input.signals import KeyboardState
 from game.kept.store import Kept
@@ -181,6 +182,7 @@ def _shown(
     """
     box = state.kept.window.value
     window = display.open_window(_TITLE, (box.width, box.height) if box.width else None, (box.left, box.top))
+    use_layout(system_layout())
     if full_screen:
         toggle_full_screen(window, state)
     handler = on_display_lost(lambda: _save(state, services.lost))  # noqa: F841  # must live as long as the window

@@ -9,7 +9,7 @@ import pygame
 
 from game.app import frame
 from game.editor.window.screen import Editor
-from game.input.keys import position_of
+from game.input.scancodes import position_of
 from game.input.signals import KeyboardState
 from game.levels import classic
 from game.screens.app_state import AppState

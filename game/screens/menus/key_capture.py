@@ -6,8 +6,9 @@ import pygame
 
 from game.input.action_names import action_names
 from game.input.actions import Action, OwnKeys
+from game.input.events import position_in
 from game.input.key_names import button_name, position_name, positions_in_use
-from game.input.keys import KEYS, position_in
+from game.input.keys import KEYS
 from game.input.rebinding import FIXED_BUTTONS, FIXED_KEYS, Refused, cleared, rebound, with_buttons, with_keys
 from game.language import tr
 from game.overlay.toast import Toast
