@@ -93,7 +93,7 @@ def _answered_here(signal: Signal, window: pygame.Window, state: AppState) -> bo
         case PadChanged(name, there):
             state.toast = Toast((tr("Gamepad: {name}") if there else tr("Gamepad gone: {name}")).format(name=name))
         case Pressed(action) if (now := changed(state.settings, action)) is not None:
-            state.change(*now)
+            state.change(now.settings, Toast(now.words, now.level))
         case _:
             return False
     return True

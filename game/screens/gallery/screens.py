@@ -10,6 +10,7 @@ from game.editor.fields import Part
 from game.editor.session import brushed, stroked, tinted
 from game.editor.window.help import editor_help
 from game.editor.window.screen import Editor
+from game.input.key_choice import Wanted
 from game.input.keys import Action
 from game.input.players import Players
 from game.input.signals import Pressed
@@ -23,7 +24,7 @@ from game.screens.menus.credits import Credits
 from game.screens.menus.endless import endless_menu
 from game.screens.menus.help import Help
 from game.screens.menus.high_scores import HighScores
-from game.screens.menus.key_capture import KeyCapture, Wanted
+from game.screens.menus.key_capture import KeyCapture
 from game.screens.menus.level_select import LevelSelect
 from game.screens.menus.replays import Replays
 from game.screens.menus.settings_panel import SettingsPanel

@@ -10,7 +10,7 @@ import pygame
 from game.drawing.canvas import Canvas
 from game.drawing.raster.primitives import draw_box
 from game.drawing.text import Type
-from game.kept.progress import RANKS, Best
+from game.kept.progress import RANKS, Best, record_name
 from game.language import grouped, ntr, tr
 from game.level_names import level_name
 from game.levels import Level, from_level
@@ -21,7 +21,6 @@ from game.screens.difficulty_names import difficulty_name
 from game.screens.menus.control_rows import WIDE_TEXT
 from game.screens.menus.difficulty import difficulty_choice, players_choice
 from game.screens.play import PlayScreen
-from game.screens.play_record import record_name
 from game.screens.toolkit.focus import Focus
 from game.screens.toolkit.icons import draw_lock
 from game.screens.toolkit.items import ButtonItem, Heading, Item

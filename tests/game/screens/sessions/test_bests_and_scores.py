@@ -5,18 +5,17 @@ import pygame
 
 from game.autopilot import Autopilot
 from game.generated import sequence
-from game.kept.progress import Best
+from game.kept import ghost
+from game.kept.progress import Best, record_name
 from game.kept.scores import ENDLESS, objection
 from game.kept.store import Kept
 from game.levels import classic
 from game.rules import Phase, Ruleset, new_game, tick
-from game.screens import ghost
 from game.screens.endless_seeds import seed_of
 from game.screens.gallery.sample import sample_state
 from game.screens.menus.level_select import next_level
 from game.screens.menus.results import Results
 from game.screens.play import PlayScreen
-from game.screens.play_record import record_name
 from game.screens.title import Title
 from physics import direction
 from tests.support.sessions import lose
