@@ -22,7 +22,7 @@ from game.lab.session import session
 from game.lab.session.share import parsed
 from game.language import system_prefers
 from game.levels import Level, built_in
-from game.overlay import toast
+from game.overlay import toast, toast_drawing
 from game.own_levels import own_levels
 from game.replays.file import Recording
 from game.replays.playback import Playback
@@ -279,7 +279,7 @@ def _draw(window: pygame.Window, state: AppState, screen: Screen, surface: pygam
         return
     screen.draw(surface)
     if state.toast is not None:
-        toast.draw(state.words(state.canvas(surface)), state.toast)
+        toast_drawing.draw(state.words(state.canvas(surface)), state.toast)
     _flip(window)
     state.shown = _looks(state, screen, surface) if isinstance(screen, Still) else None
 

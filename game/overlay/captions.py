@@ -1,6 +1,7 @@
 """Captions: words for the sounds that matter, and from where on the screen they come. `game.picture.captions` shows them."""
 
 import math
+from collections.abc import Iterable
 from typing import NamedTuple
 
 from game.drawing.camera import Camera
@@ -54,6 +55,20 @@ _DIRECTIONS = (
 )
 
 
+_RARE = frozenset(
+    {
+        EventKind.GAME_OVER,
+        EventKind.DROP_CAUGHT,
+        EventKind.POWER_ENDED,
+        EventKind.LIFE_GAINED,
+        EventKind.BALL_CAUGHT,
+        EventKind.SHIELD_HIT,
+        EventKind.CORE_BROKEN,
+    }
+)
+"""Events that come once in many seconds; lost balls and finished levels are said in whole sentences."""
+
+
 class Caption(NamedTuple):
     """A sound in words.
 
@@ -81,6 +96,11 @@ def after(captions: tuple[Caption, ...], ticked: Ticked, camera: Camera) -> tupl
         if event.kind in _WORDS:
             captions = _with(captions, event, camera)
     return captions
+
+
+def rare(events: Iterable[Event]) -> list[str]:
+    """Words for those events of a tick that come so seldom that a screen reader may say them all."""
+    return [Caption(event.kind, None).text for event in events if event.kind in _RARE]
 
 
 def later(captions: tuple[Caption, ...], seconds: float) -> tuple[Caption, ...]:

@@ -18,7 +18,7 @@ from game.input.signals import Clicked, FocusLost, Moved, Pressed, Signal
 from game.language import decimal, tr
 from game.overlay import hud
 from game.overlay.readings import readings
-from game.overlay.toast import draw_bar
+from game.overlay.toast_drawing import draw_bar
 from game.rules import TICK, Game, Ticked
 from game.scene import scene_at, still
 from game.screens import play_buttons

@@ -82,7 +82,7 @@ def test_two_at_one_keyboard_have_a_paddle_each(played):
     hint = next(item["hint"] for item in reply["menu"]["items"] if item["id"] == "players")
     assert "the upper one A, D" in hint
     turned = versus(played)
-    assert "Player 1: ←, →. Player 2: A, D. Space: serve" in played.frame()["texts"]
+    assert "Player 1: Left, Right. Player 2: A, D. Space: serve" in played.frame()["texts"]
     played.key("KeyA", "a")
     played.frame(seconds=0.1)
     assert turned() == [False, True]
