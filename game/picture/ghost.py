@@ -10,14 +10,13 @@ from physics import direction
 
 _PALE = 0.4
 """Share of the way from the ground's colour to the text's."""
-_ARC_STEPS = 12
+_ARC_STEPS = 24
 _LEAST_RADIUS = 2.0
 """Of a ball, pixels."""
 # Lengths are in units of text.
 _PADDLE_LINE, _BALL_LINE = 0.06, 0.09
-_EDGE, _ABOVE_NAME, _BELOW_SCORE, _CAPTION, _FIGURE = 0.8, 4.6, 3.7, 0.9, 1.5
-"""From the words to the surface's left edge, to its lower edge, and to its upper one where the figures are above and below the
-arena; and sizes of letters."""
+_EDGE, _ABOVE_NAME, _CAPTION, _FIGURE = 0.8, 4.6, 0.9, 1.5
+"""From the words to the surface's left and lower edges, and sizes of letters."""
 
 
 def add_ghost(out: DisplayList, game: Game, camera: Camera, theme: Theme, unit: float) -> None:
@@ -36,12 +35,15 @@ def add_ghost(out: DisplayList, game: Game, camera: Camera, theme: Theme, unit: 
         out.circle(camera.project(ball.position), radius - width / 2.0, width, colour)
 
 
-def add_lead(out: DisplayList, game: Game, ghost: Game, layout: Layout, theme: Theme, unit: float) -> None:
-    """Add by how many points of the level the player is ahead: above its name, or below the score on a narrow surface."""
+def add_lead(out: DisplayList, game: Game, ghost: Game, layout: Layout, theme: Theme, unit: float, foot: float = 0.0) -> None:
+    """Add by how many points of the level the player is ahead, above the level's name.
+
+    foot: height of what is in the lower left corner, pixels, where that is more than the level's name.
+    """
     lead = (game.score - game.score_before) - (ghost.score - ghost.score_before)
     colour = theme.accent if lead > 0 else theme.danger if lead < 0 else theme.text
     caption, figure = unit * _CAPTION * LINE, unit * _FIGURE * LINE
-    top = layout.size[1] - unit * _ABOVE_NAME - caption - figure if layout.beside else unit * _BELOW_SCORE
+    top = layout.size[1] - max(unit * _ABOVE_NAME, foot) - caption - figure
     left, edge = unit * _EDGE, min(layout.left_edge(top), layout.left_edge(top + caption))
     out.text(tr("BEST RUN"), unit * _CAPTION, complex(left, top + caption / 2.0), theme.faint, 0.0, room=edge - left)
     out.text(f"{lead:+,}", unit * _FIGURE, complex(left, top + caption + figure / 2.0), colour, 0.0)

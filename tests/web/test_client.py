@@ -10,9 +10,8 @@ import pytest
 
 from game.input.actions import Action, OwnKeys
 from game.input.events import system_layout
-from game.input.key_names import use_layout
-from game.input.keys import BINDINGS, KEYS, KeyTable
-from game.input.scancodes import CONTROL_CODES, NAMED_KEY, SCANCODES, US_CODES
+from game.input.keys import BINDINGS, KeyTable
+from game.input.scancodes import CONTROL_CODES, NAMED_KEY, SCANCODES
 from game.picture.display_list import DisplayList, Primitive, primitives
 from game.system.errors import EnvironmentMissingError
 from game.web import packages
@@ -23,14 +22,6 @@ from tools.grade.page import PageGrader
 NAMED = {"space": " ", "return": "Enter", "escape": "Escape", "up": "ArrowUp", "down": "ArrowDown", "pause": "Pause"}
 NAMED |= {"break": "Pause", "home": "Home", "end": "End", "f1": "F1", "page up": "PageUp", "page down": "PageDown"}
 """What browsers call what is written on a key, by pygame's name for it."""
-
-
-@pytest.fixture(autouse=True)
-def default_keys():
-    """The desktop's keys, afterwards."""
-    yield
-    KEYS.change(BINDINGS)
-    use_layout(US_CODES)
 
 
 def test_keys_mean_what_they_mean_on_the_desktop():

@@ -6,7 +6,6 @@ from typing import NamedTuple
 from game.input.actions import Action
 from game.input.signals import Pressed, Signal
 from game.language import tr
-from game.picture.display_list import DisplayList
 from game.screens.demo import Demo
 from game.web.client.messages import PageItem, PageMenu
 from game.web.client.state import PageScreen, PageState, Pictures
@@ -14,8 +13,8 @@ from game.web.client.state import PageScreen, PageState, Pictures
 _DEMO_SEED = 5
 _ASIDE = 0.17
 """How far to the right the demonstration is, in shares of a wide canvas: the menu stands at the left."""
-_STILL_SECONDS = 6.0
-"""With reduced motion: the moment of the demonstration that is shown."""
+_STILL_SECONDS, _STEP = 6.0, 0.25
+"""With reduced motion: the moment of the demonstration that is shown, and how it is reached."""
 
 
 _GOES_ON = frozenset({"go-on", "next"})
@@ -54,8 +53,6 @@ class MenuScreen:
         """
         self._focus, self._uncaptured = focus, uncaptured
         self.state, self._title, self._contents, self._back, self._under = state, title, contents, back, under
-        self._demo = None if under is not None else Demo(state.levels[0], _DEMO_SEED)
-        self._shown_still = False
         self._menu: PageMenu | None = None
         self._used: dict[str, Callable[[str], PageScreen] | None] = {}
 
@@ -108,29 +105,31 @@ class MenuScreen:
         return self if used is None else used(value)
 
     def advance(self, seconds: float, size: tuple[int, int]) -> PageScreen:
-        """Let the demonstration play; with reduced motion it stands still at some moment."""
+        """Let the demonstration play, unless motion is reduced."""
         del size
-        if self._demo is None:
-            return self
-        if self.state.settings.reduced_motion:
-            if not self._shown_still:
-                self._shown_still = True
-                for _ in range(round(_STILL_SECONDS * 4)):
-                    self._demo.advance(0.25, self.state.settings.shown)
-        else:
-            self._demo.advance(seconds, self.state.settings.shown)
-        if self._demo.ended:
-            self._demo = Demo(self.state.levels[0], _DEMO_SEED)
+        if self._under is None and not self.state.settings.reduced_motion:
+            demo = _demo(self.state)
+            demo.advance(seconds, self.state.settings.shown)
+            if demo.ended:
+                self.state.demo = None
         return self
 
     def draw(self, out: Pictures, size: tuple[int, int]) -> None:
         """What is behind the menu."""
         if self._under is not None:
             self._under.draw(out, size)
-        elif self._demo is not None:
-            scene = self._demo.scene()
+        else:
+            scene = _demo(self.state).scene()
             seen = self.state.layout(size, scene.ground_radius)
             aside = _ASIDE * size[0] if seen.beside else 0.0
             self.state.draw_scene(out, scene, seen.camera._replace(centre=seen.camera.centre + aside), size)
-        else:
-            out.frame = DisplayList()
+
+
+def _demo(state: PageState) -> Demo:
+    """The demonstration behind all menus; with reduced motion it stands still at some moment."""
+    if state.demo is None:
+        state.demo = Demo(state.levels[0], _DEMO_SEED)
+        if state.settings.reduced_motion:
+            for _ in range(round(_STILL_SECONDS / _STEP)):
+                state.demo.advance(_STEP, state.settings.shown)
+    return state.demo

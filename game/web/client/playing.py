@@ -199,12 +199,12 @@ class GameOnPage:
         racing = None if self._record.ghost is None or not state.settings.ghost else self._record.ghost.game
         if racing is not None:
             add_ghost(out.frame, racing, seen.camera, state.theme, state.scene_unit(size))
-            add_lead(out.frame, self.game, racing, seen, state.theme, unit)
+            add_lead(out.frame, self.game, racing, seen, state.theme, unit, state.buttons_below(size))
         add_figures(out.frame, shown, corners)
         told = self._notice()
         if told is not None:
             add_notice(out.frame, told, seen, state.theme, unit, around(scene, seen.camera))
-        foot = foot_height(shown, corners) if seen.beside else None  # the page's buttons are in the upper right there
+        foot = None if state.buttons_below(size) else foot_height(shown, corners)  # else the buttons are in the upper right
         add_captions(out.frame, self._captions, seen, state.theme, unit, foot)
         if self._physics is not None:
             _add_note(out.frame, self._physics.note, size, state.theme.accent, unit)

@@ -22,6 +22,7 @@ from game.picture.display_list import DisplayList
 from game.picture.view import ArenaView
 from game.rules import Ruleset, Ticked
 from game.scene import Scene
+from game.screens.demo import Demo
 from game.screens.difficulty_names import SOURCE, ruleset_of
 from game.settings.file import SettingsFile
 from game.settings.values import Settings
@@ -33,6 +34,9 @@ from game.web.client.sounds import Sounds
 
 _SMALLEST = 16.0
 """CSS pixels of the unit of text, at least."""
+_NARROW, _LOW, _BUTTONS = 640.0, 480.0, 136.0
+"""CSS pixels: width up to which the buttons are at the lower edge, unless the page is at most so high; and from that edge to
+the top of buttons with two lines."""
 
 
 class PageScreen(Protocol):
@@ -85,7 +89,7 @@ class PageState:
     engine: the lab's second engine, once it is loaded; asks_engine: whether to load it.
     functions: the player's own, in the editor. changed: whether what is stored has changed. download: a file for the player.
     full_screen: whether to switch full screen on or off. touched: whether it is played by touch.
-    toast: words about a key, which are drawn for a moment.
+    toast: words about a key, which are drawn for a moment. demo: the demonstration behind menus.
     """
 
     sounds: Sounds
@@ -114,6 +118,7 @@ class PageState:
     asks_engine: bool = False
     problems: set[str] = field(default_factory=set)
     toast: Toast | None = None
+    demo: Demo | None = None
 
     @property
     def theme(self) -> Theme:
@@ -138,6 +143,12 @@ class PageState:
     def scene_unit(self, size: tuple[int, int]) -> float:
         """Size of text beside the arena, pixels."""
         return max(unit_of(size), _SMALLEST * self.density)
+
+    def buttons_below(self, size: tuple[int, int]) -> float:
+        """Height of the page's buttons with what is below them, if its style sheet has them at the lower edge; else 0."""
+        width, height = size[0] / self.density, size[1] / self.density
+        below = width <= height or (width <= _NARROW and height > _LOW)
+        return _BUTTONS * self.density if below else 0.0
 
     def choose_difficulty(self, name: str) -> None:
         """Let new games be of a difficulty."""

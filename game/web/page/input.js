@@ -2,6 +2,7 @@
 
 const MOST_PADS = 2;
 const TYPED = new Set(["INPUT", "SELECT", "TEXTAREA"]);
+const LEFT_BY_ESCAPE = new Set(["INPUT", "SELECT"]);
 const CONTROLS = new Set(["INPUT", "SELECT", "TEXTAREA", "BUTTON", "A"]);
 const SCROLLING = new Set(["ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight", " ", "Home", "End", "F1"]);
 
@@ -56,7 +57,8 @@ export class Input {
       this.add({ type: "key", code: event.code, key: event.key, down });
       return;
     }
-    if (TYPED.has(event.target.tagName) || event.target.isContentEditable) return;
+    const typed = TYPED.has(event.target.tagName) || event.target.isContentEditable;
+    if (typed && (event.key !== "Escape" || !LEFT_BY_ESCAPE.has(event.target.tagName))) return;
     if (inControl && (event.key === " " || event.key === "Enter")) return;
     if ((SCROLLING.has(event.key) || event.key.length === 1) && !inControl) event.preventDefault(); // some browsers search a page for what is typed
     this.add({ type: "key", code: event.code, key: event.key, down });
