@@ -166,6 +166,9 @@ class Page:
             "paddle": paddle_ring(game).phase,
             "results": len(game.results),
             "hash": state_hash(game),
+            "since_serve": game.phase_tick,
+            "captions": screen.captions,
+            "ghost": "" if screen.ghost is None else state_hash(screen.ghost),
         }
         return msgspec.json.encode(standing).decode()
 

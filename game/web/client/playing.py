@@ -89,6 +89,17 @@ class GameOnPage:
         return self._ticked.game
 
     @property
+    def ghost(self) -> Game | None:
+        """The best run of the level as it is shown; None while it is not."""
+        shown = self._state.settings.ghost and self._pilot is None
+        return self._record.ghost.game if shown and self._record.ghost is not None else None
+
+    @property
+    def captions(self) -> list[str]:
+        """The words for sounds that are shown."""
+        return [caption.text for caption in self._captions]
+
+    @property
     def toolbar(self) -> tuple[PageItem, ...]:
         """What can be done at any time."""
         seen = tr("View from above") if self._state.view.goal else tr("View in 3D")
@@ -196,7 +207,7 @@ class GameOnPage:
         badge = aids.badge(state.settings) if self._pilot is None else tr("autopilot")
         shown = readings(self.game, self._effects.streak, badge=badge)
         corners = Corners(seen, state.theme, unit)
-        racing = None if self._record.ghost is None or not state.settings.ghost else self._record.ghost.game
+        racing = self.ghost
         if racing is not None:
             add_ghost(out.frame, racing, seen.camera, state.theme, state.scene_unit(size))
             add_lead(out.frame, self.game, racing, seen, state.theme, unit, state.buttons_below(size))
