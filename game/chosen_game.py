@@ -17,7 +17,7 @@ from game.student.functions_file import FunctionsFile
 from game.system.ending import deferred
 from game.system.errors import BadInputError
 from game.system.files import free_path
-from game.system.output import say, tell
+from game.system.output import print_error, print_line
 
 _DEMO_TICKS = 240 * 20
 
@@ -63,17 +63,17 @@ def play_headless(chosen_game: ChosenGame, ticks: int) -> PlayedGame:
             replay.save(recorder.recording(), record)
         if cut_short:
             ticks_were = "1 tick was" if cut_short == 1 else f"{cut_short} ticks were"
-            say(f"polar-breakout: {ticks_were} cut short: a ball is held in a lane too narrow")
+            print_error(f"polar-breakout: {ticks_were} cut short: a ball is held in a lane too narrow")
     return PlayedGame(game, passed)
 
 
 def demonstrate(chosen_game: ChosenGame) -> None:
     """A short game of the autopilot and a picture of how it stands."""
     last = play_headless(chosen_game, _DEMO_TICKS)
-    tell(result_line(last.game, "swept" if chosen_game.physics is SWEPT else "source"))
+    print_line(result_line(last.game, "swept" if chosen_game.physics is SWEPT else "source"))
     for folder in picture_folders():
         path = free_path(folder, "polar-breakout.png")
         with suppress(BadInputError):
             save_picture(last, path, (1280, 800))
-            tell(f"picture: {path.absolute()}")
+            print_line(f"picture: {path.absolute()}")
             return

@@ -14,9 +14,6 @@ from game.chosen_physics import SWEPT, flown_on, functions_of
 from game.editor.command import file_to_edit
 from game.headless import result_line
 from game.input.players import Players
-from game.kept.folder import data_folder
-from game.kept.score_listing import tell_scores
-from game.kept.store import Kept
 from game.lab.commands import LabServices, lab_command
 from game.lab.kit.second_engine import Engine
 from game.levels import chosen, level_schema, warnings
@@ -27,11 +24,14 @@ from game.rules import SOURCE_RULES, Difficulty, Ruleset, Ticked
 from game.second_opinion import Compare, NormalPair
 from game.settings.file import SettingsFile
 from game.settings.folder import settings_path
+from game.storage.folder import data_folder
+from game.storage.score_listing import tell_scores
+from game.storage.storage import Storage
 from game.system.command_line import refuse_ignored
 from game.system.ending import deferred
 from game.system.errors import BadInputError, EnvironmentMissingError
 from game.system.files import check_target
-from game.system.output import say, tell
+from game.system.output import print_error, print_line
 from game.system.pygame_ce import check_pygame
 from game.system.wording import quoted, quoted_path
 
@@ -116,7 +116,7 @@ def play(
         refuse_ignored(context, f"is not for the command {context.invoked_subcommand}", *_GAME_OPTIONS)
         return
     if version:
-        tell(f"polar-breakout {VERSION}")
+        print_line(f"polar-breakout {VERSION}")
         return
     pixels = size_of(size)
     if not headless:
@@ -132,7 +132,7 @@ def play(
     check_target(screenshot, "--screenshot", ".png")
     levels = chosen(level)
     for line in warnings(levels[0]):
-        say(f"polar-breakout: warning: {quoted(level)}: {line}")
+        print_error(f"polar-breakout: warning: {quoted(level)}: {line}")
     if headless and not autopilot:
         raise BadInputError("--headless: nobody plays; add --autopilot")
     if seed is None:
@@ -145,7 +145,7 @@ def play(
         last = play_headless(game, ticks)
         if screenshot is not None:
             save_picture(last, screenshot, pixels, solid=view == "solid")
-        tell(result_line(last.game, physics if own is None else "own"))
+        print_line(result_line(last.game, physics if own is None else "own"))
 
 
 def _ruleset(context: typer.Context, rules: str | None, difficulty: str | None, physics: str) -> Ruleset | None:
@@ -179,7 +179,7 @@ def show_levels(
     from game.level_listing import list_levels, save_pictures  # noqa: PLC0415  # not for a game, which starts the sooner
 
     if schema:
-        tell(level_schema())
+        print_line(level_schema())
     elif pictures is None:
         list_levels()
     else:
@@ -197,7 +197,7 @@ def edit_level(
     """Open the level editor."""
     path = file_to_edit(file)
     check_pygame()
-    from game.app import Services, edit  # noqa: PLC0415  # pygame, only where it is needed
+    from game.loop.app import Services, edit  # noqa: PLC0415  # pygame, only where it is needed
 
     with _settings() as settings:
         edit(path, Services(settings=settings, lost=_say_lost))
@@ -227,7 +227,7 @@ def save_screens(
     try:
         pictures.mkdir(parents=True, exist_ok=True)
         for path in save_pictures(pictures, pixels, settings, only):
-            tell(str(path))
+            print_line(str(path))
     except OSError as error:
         raise BadInputError(f"--pictures {quoted_path(pictures)}: cannot write; {error.strerror or error}") from None
 
@@ -235,8 +235,8 @@ def save_screens(
 @app.command("replays")
 def list_replays() -> None:
     """List the games kept from the window, newest first."""
-    for path in Kept(data_folder()).games.paths():
-        tell(str(path))
+    for path in Storage(data_folder()).games.paths():
+        print_line(str(path))
 
 
 @app.command("scores")
@@ -244,7 +244,7 @@ def list_scores(
     verify: Annotated[bool, typer.Option("--verify", help="Play every score's replay again and compare the points.")] = False,
 ) -> None:
     """List the high scores, best first; with --verify, prove them."""
-    tell_scores(Kept(data_folder()), verify=verify)
+    tell_scores(Storage(data_folder()), verify=verify)
 
 
 @app.command("replay")
@@ -260,7 +260,7 @@ def watch_replay(
         raise BadInputError(f"replay: {len(files)} files to watch; expected one")
     recording = replay.load(files[0])
     check_pygame()
-    from game.app import Services, watch  # noqa: PLC0415  # pygame, only where it is needed
+    from game.loop.app import Services, watch  # noqa: PLC0415  # pygame, only where it is needed
 
     with _settings() as settings:
         watch(recording, Services(_second_opinion(), _second_engine, settings, lost=_say_lost))
@@ -289,23 +289,23 @@ def _refuse_physics(context: typer.Context, physics: str, own: Path | None, reco
 def _play_in_window(chosen_game: ChosenGame, *, autopilot: bool) -> None:
     """The game in its window; without a display, a short demonstration and a picture of it instead."""
     check_pygame()
-    from game.app import Services  # noqa: PLC0415  # pygame, only where it is needed
-    from game.app import play as play_in_window  # noqa: PLC0415
+    from game.loop.app import Services  # noqa: PLC0415  # pygame, only where it is needed
+    from game.loop.app import play as play_in_window  # noqa: PLC0415
 
     levels, seed, ruleset, record, physics, own, players = chosen_game
-    kept = Kept(data_folder(), record)
-    games = kept.games if physics is SWEPT else None  # replays are verified with the swept physics
+    storage = Storage(data_folder(), record)
+    games = storage.games if physics is SWEPT else None  # replays are verified with the swept physics
 
     def lost() -> None:
         """Xlib ends the program: what there is of the game is written at once."""
-        _close(kept)
+        _close(storage)
         told = "" if games is None else "; games of five seconds and more are kept (polar-breakout replays)"
-        say(f"polar-breakout: the display is gone{told}")
+        print_error(f"polar-breakout: the display is gone{told}")
 
     with deferred():
         try:
             with _settings() as settings:
-                services = Services(_second_opinion(), _second_engine, settings, kept, lost, own)
+                services = Services(_second_opinion(), _second_engine, settings, storage, lost, own)
                 play_in_window(
                     levels,
                     seed,
@@ -317,17 +317,17 @@ def _play_in_window(chosen_game: ChosenGame, *, autopilot: bool) -> None:
                     players=players,
                 )
         except EnvironmentMissingError as error:
-            say(f"polar-breakout: {error}; playing 20 s without a window instead")
+            print_error(f"polar-breakout: {error}; playing 20 s without a window instead")
             demonstrate(chosen_game)
         finally:
-            _close(kept)
+            _close(storage)
 
 
-def _close(kept: Kept) -> None:
+def _close(storage: Storage) -> None:
     """Write the game that is being played, and say what could not be read or written."""
-    kept.game_done()
-    for line in kept.problems:
-        say(f"polar-breakout: {line}")
+    storage.game_done()
+    for line in storage.problems:
+        print_error(f"polar-breakout: {line}")
 
 
 @contextlib.contextmanager
@@ -339,7 +339,7 @@ def _settings() -> Iterator[SettingsFile]:
             yield settings
         finally:
             if settings.problem is not None:
-                say(f"polar-breakout: {settings.problem}")
+                print_error(f"polar-breakout: {settings.problem}")
 
 
 def _second_opinion() -> Compare:
@@ -355,7 +355,7 @@ def _second_opinion() -> Compare:
 
 def _say_lost() -> None:
     """Xlib ends the program: there is nothing to be saved."""
-    say("polar-breakout: the display is gone")
+    print_error("polar-breakout: the display is gone")
 
 
 def _second_engine() -> Engine:

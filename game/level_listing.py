@@ -7,10 +7,10 @@ from rich.console import Console
 from rich.table import Table
 
 from game.levels import Level, built_in
-from game.own_levels import own_levels, own_levels_folder
+from game.levels.own import own_levels, own_levels_folder
 from game.system.errors import BadInputError
-from game.system.files import write_whole
-from game.system.output import say, tell
+from game.system.files import write_atomically
+from game.system.output import print_error, print_line
 from game.system.wording import quoted_path
 
 _SIDE = 640
@@ -22,10 +22,10 @@ def list_levels() -> None:
     _print_table(built_in(), [str(number) for number in range(1, len(built_in()) + 1)])
     own = own_levels()
     if own.levels:
-        tell(f"\nown levels, in {quoted_path(own_levels_folder())}")
+        print_line(f"\nown levels, in {quoted_path(own_levels_folder())}")
         _print_table(own.levels, [path.name for path in own.paths])
     for problem in own.problems:
-        say(f"polar-breakout: {problem}")
+        print_error(f"polar-breakout: {problem}")
 
 
 def save_pictures(folder: Path) -> None:
@@ -45,10 +45,10 @@ def save_pictures(folder: Path) -> None:
         path = folder / f"{name}.png"
         try:
             folder.mkdir(parents=True, exist_ok=True)
-            write_whole(path, picture.getvalue())
+            write_atomically(path, picture.getvalue())
         except OSError as error:
             raise BadInputError(f"--pictures {quoted_path(path)}: cannot be written; {error.strerror or error}") from None
-        tell(str(path))
+        print_line(str(path))
 
 
 def _print_table(levels: tuple[Level, ...], labels: list[str]) -> None:

@@ -16,7 +16,7 @@ from game.overlay import hud
 from game.overlay.readings import readings
 from game.rules import Game
 from game.scene import scene_at, still
-from game.system.files import write_whole
+from game.system.files import write_atomically
 
 
 def save_screenshot(
@@ -34,4 +34,4 @@ def save_screenshot(
     hud.draw(canvas, readings(game, effects.streak), seen)
     picture = io.BytesIO()
     pygame.image.save(canvas.surface, picture, "screenshot.png")
-    write_whole(path, picture.getvalue())
+    write_atomically(path, picture.getvalue())

@@ -9,13 +9,20 @@ from physics.tolerances import JOINT
 from physics.vectors import dot, length, quarter_turn, unit
 
 
-class _NearestEnd(NamedTuple):
-    """The end of a sector that a ball can touch, and its point q nearest to the ball (the slide's A, B and q)."""
+class NearestEnd(NamedTuple):
+    """The end of a sector that a ball can touch (the slide's A, B and q).
+
+    Attributes:
+        a: its inner corner.
+        b: its outer corner.
+        q: its point nearest to the ball. All in world units.
+        outward: unit vector at a right angle to AB, out of the sector.
+    """
 
     a: complex
     b: complex
     q: complex
-    outward: complex  # unit, at a right angle to AB, out of the sector
+    outward: complex
 
 
 def contact(ball: Ball, ring: Ring, slot: int) -> Contact:
@@ -74,10 +81,15 @@ def narrow_phase_case_2(
     Touching means a distance in [0, ball_radius). At the distance 0, which the source leaves out, the normal is the end's own.
     Which end is decided by the side of the sector's middle on which theta lies; that is right however wide the sector is.
     """
-    end = _nearest_end(p, theta, radius, angle, half_width, half_angle)
+    end = nearest_end(p, theta, radius, angle, half_width, half_angle)
     distance = length(p - end.q)
     if distance >= ball_radius:
         return None
+    return end_normal(p, end, distance)
+
+
+def end_normal(p: complex, end: NearestEnd, distance: float) -> complex:
+    """Unit vector from the nearest point of an end to the ball's centre p, `distance` away; on AB the end's own normal."""
     return unit(p - end.q) if end.q in (end.a, end.b) and distance > 0.0 else end.outward
 
 
@@ -127,18 +139,18 @@ def end_contact(ball: Ball, ring: Ring, slot: int, theta: float) -> Contact:
     angle = ring.angle(slot)
     normal = narrow_phase_case_2(p, math.inf, theta, radius, angle, half_width, half_angle)
     assert normal is not None, "an infinite ball touches every end"
-    end = _nearest_end(p, theta, radius, angle, half_width, half_angle)
+    end = nearest_end(p, theta, radius, angle, half_width, half_angle)
     feature = Feature.CORNER if end.q in (end.a, end.b) else Feature.END
     # The normal is made anew because a compiler of these functions cannot know from the assertion that it is no None.
     return Contact(complex(normal.real, normal.imag), end.q, length(p - end.q) - ball_radius, feature)
 
 
-def _nearest_end(p: complex, theta: float, radius: float, angle: float, half_width: float, half_angle: float) -> _NearestEnd:
+def nearest_end(p: complex, theta: float, radius: float, angle: float, half_width: float, half_angle: float) -> NearestEnd:
     """The end on theta's side of the sector's middle: A, B, and the point nearest to p."""
     side = 1 if on_left(theta, angle) else -1
     along = to_cartesian(1.0, end_angle(angle, half_angle, side))
     a, b = along * (radius - half_width), along * (radius + half_width)
-    return _NearestEnd(a, b, closest_point_on_line(a, b, p), quarter_turn(along) * side)
+    return NearestEnd(a, b, closest_point_on_line(a, b, p), quarter_turn(along) * side)
 
 
 def _inside_contact(ball: Ball, ring: Ring, angle: float, theta: float, face: Contact) -> Contact:
@@ -147,6 +159,6 @@ def _inside_contact(ball: Ball, ring: Ring, angle: float, theta: float, face: Co
     Where a corner is the nearest point of that end, the face that ends there is nearer still.
     """
     p, _, ball_radius = ball
-    end = _nearest_end(p, theta, ring.radius, angle, ring.half_width, ring.half_angle)
+    end = nearest_end(p, theta, ring.radius, angle, ring.half_width, ring.half_angle)
     gap = -length(p - end.q) - ball_radius
     return face if end.q in (end.a, end.b) or gap <= face.gap else Contact(end.outward, end.q, gap, Feature.END)

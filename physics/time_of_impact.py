@@ -12,7 +12,7 @@ from collections.abc import Sequence
 from typing import NamedTuple
 
 from physics.broad_phase import nearest_slot
-from physics.narrow_phase import contact_above, end_contact, is_over
+from physics.narrow_phase import contact_above, end_contact, is_over, nearest_end
 from physics.polar import signed_difference
 from physics.shapes import Ball, Contact, Feature, Ring
 from physics.sweep.band import Stretch, band_stretches
@@ -144,7 +144,9 @@ def time_to_end(ball: Ball, ring: Ring, end: End, span: float) -> float | None:
 
 def gap_of_end(ball: Ball, ring: Ring, end: End) -> float:
     """World units between the ball and one end, < 0 where they overlap."""
-    return _contact_with(ball, ring, end).gap
+    angle = ring.angle(end.slot)
+    nearest = nearest_end(ball.position, angle_of_end(ring, end), ring.radius, angle, ring.half_width, ring.half_angle)
+    return length(ball.position - nearest.q) - ball.radius
 
 
 def _contact_with(ball: Ball, ring: Ring, end: End) -> Contact:

@@ -23,7 +23,7 @@ LINT = [sys.executable, "-c", "from importlinter.cli import lint_imports; raise 
 WRONG = {
     "Nothing imports the tests": {
         "physics/polar.py": "import tests.support.strategies",
-        "game/levels.py": "def f():\n    from tests import support",
+        "game/levels/reading.py": "def f():\n    from tests import support",
     },
     "The physics knows neither the game nor the tools": {"physics/vectors.py": "def f():\n    from game import VERSION"},
     "The physics is plain Python: arrays and compiled code are the batch's alone": {
@@ -35,15 +35,15 @@ WRONG = {
         "game/rules/speed.py": "def f():\n    from physics.batch import Batch",
     },
     "The game runs on the hand-written physics: a second engine reaches it through its command line alone": {
-        "game/app.py": "def f():\n    from tools import bench",
+        "game/loop/app.py": "def f():\n    from tools import bench",
         "game/commands.py": "from tools.crosscheck import run",
-        "game/fixed_step.py": "import numba",
+        "game/loop/fixed_step.py": "import numba",
         "game/second_opinion.py": "import pymunk",
     },
     "What plays without a window needs no pygame, neither directly nor through others": {
         "game/system/files.py": "import pygame",
         "game/autopilot/source_pilot.py": "def f():\n    import game.overlay.hud",
-        "game/lab/kit/marks.py": "import game.app",
+        "game/lab/kit/marks.py": "import game.loop.app",
         "tools/bench.py": "import pygame.draw",
     },
     "What runs in a browser needs the standard library and msgspec alone": {

@@ -4,9 +4,9 @@ from functools import cache
 
 import pytest
 
-from tests.support.kinds import Names
 from tests.support.paths import ROOT
-from tests.support.same_bits import findings
+from tests.support.source_code.kinds import Names
+from tests.support.source_code.same_bits import findings
 
 RULES_OF_THE_GAME = ("rules", "autopilot")
 

@@ -61,7 +61,7 @@ def test_the_zipped_lab_has_every_scene(archive, tmp_path):
 def test_a_zipped_title_opens_a_window(archive, tmp_path):
     """The whole game, closed after its first picture."""
     program = (
-        f"import sys; sys.path.insert(0, {str(archive)!r}); import game.app as app; from game.__main__ import main\n"
+        f"import sys; sys.path.insert(0, {str(archive)!r}); import game.loop.app as app; from game.__main__ import main\n"
         "flip = app._flip\n"
         "def first(window):\n"
         "    flip(window); print('shown', flush=True); raise KeyboardInterrupt\n"

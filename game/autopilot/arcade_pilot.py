@@ -3,14 +3,14 @@
 import math
 from typing import NamedTuple
 
-from game.autopilot.prediction import LOOK, crossing, pointer_to, without_paddles
-from game.autopilot.source_pilot import SERVE_WAIT, serve_delay
+from game.autopilot.prediction import LOOK, Ahead, ball_of, crossing, pointer_to, without_paddles
+from game.autopilot.source_pilot import ticks_before_serve
 from game.rules import HARMFUL, TICK, Controls, Drop, Game, Phase, PowerUp, paddle_ring
 from game.rules.pierce import without_bricks
 from game.rules.state import player_at
 from game.rules.steering import top_spin
 from game.rules.turn import place_turn, turned
-from physics import Arena, Ball, Ring, angle_of, direction, length, normalize_angle, signed_difference
+from physics import Ball, Ring, angle_of, direction, length, normalize_angle, signed_difference
 
 _SHARES = (0.0, 0.4, -0.4, 0.75, -0.75)
 """Where on the paddle to meet the ball, in shares of its half angle from its middle."""
@@ -31,14 +31,14 @@ _CALM = 0.7
 class _Arrival(NamedTuple):
     """Where and when a ball comes to the paddles' track.
 
-    time: seconds from when it was computed; tick: of the game. arena: at that moment, with this ball alone and without paddles.
+    time: seconds from when it was computed; tick: of the game. there: this ball and the bricks at that moment.
     broken: bricks that it hits before, after which it is another flight.
     """
 
     time: float
     tick: int
     bearing: float
-    arena: Arena
+    there: Ahead
     broken: int
 
 
@@ -65,7 +65,7 @@ class ArcadePilot:
         """What to do in this tick."""
         if game.phase == Phase.SERVING:
             self._known, self._chosen = {}, None
-            return Controls(serve=game.phase_tick >= SERVE_WAIT + serve_delay(game))
+            return Controls(serve=game.phase_tick >= ticks_before_serve(game))
         if game.phase != Phase.PLAYING:
             return Controls(serve=True)
         coming = self._coming(game)
@@ -119,11 +119,11 @@ def _holds(known: _Known, ball: Ball, game: Game) -> bool:
 def _arrival(game: Game, ball: Ball) -> _Arrival | None:
     """When a ball comes to the track, wells left aside; None within the horizon."""
     arena = game.arena if game.power(PowerUp.PIERCE) is None else without_bricks(game.arena)
-    found = crossing(without_paddles(arena, ball), paddle_ring(game).inner_radius - ball.radius, game.speed)
+    found = crossing(without_paddles(arena), ball, paddle_ring(game).inner_radius - ball.radius, game.speed)
     if found is None:
         return None
     time, there, broken = found
-    return _Arrival(time, game.tick + int(time / TICK), angle_of(there.balls[0].position), there, broken)
+    return _Arrival(time, game.tick + int(time / TICK), angle_of(ball_of(there).position), there, broken)
 
 
 def _best_target(game: Game, first: _Arrival, others: list[_Arrival]) -> float:
@@ -149,7 +149,7 @@ def _way(paddles: Ring, target: float) -> float:
 
 def _worth(game: Game, first: _Arrival, share: float, top: float) -> float:
     """How good a return is: bricks that it breaks, less what the catch after it asks of the paddles beyond their reach."""
-    paddles, ball = paddle_ring(game), first.arena.balls[0]
+    paddles, ball = paddle_ring(game), ball_of(first.there)
     outward = direction(first.bearing)
     speed = length(ball.velocity)
     across = complex(-outward.imag, outward.real)
@@ -158,12 +158,12 @@ def _worth(game: Game, first: _Arrival, share: float, top: float) -> float:
     mirrored = across * along - outward * radial
     velocity = turned(mirrored, -outward, place_turn(game, share * paddles.half_angle), speed)
     inside = Ball(ball.position - outward * (LOOK * speed * 0.01), velocity, ball.radius)
-    returned = crossing(first.arena._replace(balls=(inside,)), paddles.inner_radius - ball.radius, speed)
+    returned = crossing(first.there, inside, paddles.inner_radius - ball.radius, speed)
     if returned is None:
         return 0.0
     time, later, broken = returned
     target = normalize_angle(first.bearing - share * paddles.half_angle)
-    away = _away(paddles, target, angle_of(later.balls[0].position))
+    away = _away(paddles, target, angle_of(ball_of(later).position))
     return min(broken, 4) - 10.0 * max(0.0, away - top * time) - 0.02 * abs(share)
 
 

@@ -1,9 +1,15 @@
-"""Where a ball will come to the paddles' track."""
+"""Where a ball will come to the paddles' track.
+
+`crossing` is compiled as it stands for many games at once; the five functions of an `Ahead` that it calls are then replaced by
+those of `tools/autopilot/outlook.py`, which do the same on arrays.
+"""
 
 import math
+from typing import NamedTuple
 
 from game.rules import PADDLES, POINTER_STEPS
 from physics import Arena, Ball, FreeFlight, advance, cross, dot, normalize_angle
+from physics.escape import all_freed
 
 LOOK = 1.0 / 20.0
 """Seconds per step when looking ahead; the physics is exact for any step."""
@@ -12,49 +18,98 @@ _SURELY = 1.0 - 1e-9
 """Slightly less than a whole step: the margin is far larger than rounding errors."""
 
 
-def without_paddles(arena: Arena, ball: Ball) -> Arena:
-    """One ball and the bricks."""
-    return Arena((ball,), arena.rings[PADDLES + 1 :], arena.layers[PADDLES + 1 :])
+class Ahead(NamedTuple):
+    """One ball and the bricks, at a moment that was looked ahead to.
+
+    arena: without paddles. flight: what `advance` is handed next; it decides nothing. hits: of the last step.
+    """
+
+    arena: Arena
+    flight: FreeFlight | None
+    hits: int
 
 
-def crossing(arena: Arena, track: float, speed: float) -> tuple[float, Arena, int] | None:
-    """Time, arena and bricks hit when the ball's centre comes to the track from inside; None beyond the horizon."""
-    hits = step = 0
-    flight: FreeFlight | None = None
+class Crossing(NamedTuple):
+    """How a ball comes to the paddles' track.
+
+    time: seconds until then. there: the ball and the bricks at that moment. broken: hits before, after each of which it is
+    another flight.
+    """
+
+    time: float
+    there: Ahead
+    broken: int
+
+
+def without_paddles(arena: Arena) -> Ahead:
+    """The bricks of an arena, for `crossing`."""
+    return Ahead(Arena((), arena.rings[PADDLES + 1 :], arena.layers[PADDLES + 1 :]), None, 0)
+
+
+def crossing(bricks: Ahead, ball: Ball, track: float, speed: float) -> Crossing | None:
+    """How the ball's centre comes to the track from inside; None beyond the horizon of 3 s.
+
+    bricks: as they are now; the ball of this `Ahead` is left aside. track: world units from the centre.
+    """
+    now = with_ball(bricks, ball)
+    broken = step = 0
     while step < _HORIZON:
-        left = _time_to_radius(arena.balls[0], track)
+        left = _time_to_radius(ball_of(now), track)
         if left <= LOOK:
-            reached = advance(arena, max(left, 0.0), speed, flight)
-            if not reached.hits:
-                return step * LOOK + left, reached.arena, hits
-        elif flight is not None:
-            _, seconds, turning = flight
-            free = min(int(min(seconds, left) / LOOK * _SURELY), _HORIZON - step)
+            reached = flown(now, max(left, 0.0), speed)
+            if reached.hits == 0:
+                return Crossing(step * LOOK + left, reached, broken)
+        else:
+            free = min(int(min(free_seconds(now), left) / LOOK * _SURELY), _HORIZON - step)
             if free > 0:
-                arena, step = _flown_freely(arena, turning, free), step + free
-                flight = arena, seconds - free * LOOK, turning
+                now, step = flown_freely(now, free), step + free
                 continue
-        done = advance(arena, LOOK, speed, flight)
-        hits += len(done.hits)
-        arena, flight, step = done.arena, done.flight, step + 1
+        now = flown(now, LOOK, speed)
+        broken, step = broken + now.hits, step + 1
     return None
 
 
-def _flown_freely(arena: Arena, turning: tuple[int, ...], steps: int) -> Arena:
-    """The arena after some steps in which nothing is touched: the bits of `advance` in each.
+def with_ball(bricks: Ahead, ball: Ball) -> Ahead:
+    """The ball among the bricks."""
+    arena = Arena((ball,), bricks.arena.rings, bricks.arena.layers)
+    # That nothing overlaps is all that is known; without that, `advance` would compute a free flight for the first step alone.
+    return Ahead(arena, (arena, 0.0, ()) if all_freed(arena) is arena else None, 0)
 
-    turning: indices of the rings that turn. Calling `advance` for each of these steps would make a prediction a seventh slower.
+
+def ball_of(ahead: Ahead) -> Ball:
+    """The ball that is looked at."""
+    return ahead.arena.balls[0]
+
+
+def flown(ahead: Ahead, seconds: float, speed: float) -> Ahead:
+    """So much later. speed: of the ball after a bounce."""
+    done = advance(ahead.arena, seconds, speed, ahead.flight)
+    return Ahead(done.arena, done.flight, len(done.hits))
+
+
+def free_seconds(ahead: Ahead) -> float:
+    """For how long nothing is touched, as far as that is known."""
+    return 0.0 if ahead.flight is None else ahead.flight[1]
+
+
+def flown_freely(ahead: Ahead, steps: int) -> Ahead:
+    """Some steps of LOOK later, in which nothing is touched: the bits of `advance` in each.
+
+    Calling `advance` for each of these steps would make a prediction a seventh slower.
     """
-    balls, rings, layers = arena
+    (balls, rings, layers), flight, _ = ahead
+    assert flight is not None, "nothing is known of the steps"
+    _, seconds, turning = flight
     position, velocity, radius = balls[0]
-    flown = velocity * LOOK
+    flown_once = velocity * LOOK
     for _ in range(steps):
-        position += flown
+        position += flown_once
     turned = [*rings]
     for k in turning:
         for _ in range(steps):
             turned[k] = turned[k].turned(LOOK)
-    return Arena((Ball(position, velocity, radius),), tuple(turned), layers)
+    arena = Arena((Ball(position, velocity, radius),), tuple(turned), layers)
+    return Ahead(arena, (arena, seconds - steps * LOOK, turning), 0)
 
 
 def _time_to_radius(ball: Ball, radius: float) -> float:

@@ -5,10 +5,10 @@ from pathlib import Path
 from game.editor.document import opened
 from game.editor.file_watch import WatchedFile
 from game.editor.session import EditorSession, begun
-from game.own_levels import own_levels_folder
+from game.levels.own import own_levels_folder
 from game.system.errors import BadInputError
 from game.system.files import check_target, free_path, write_text
-from game.system.output import say
+from game.system.output import print_error
 from game.system.wording import quoted_path
 
 NEW = """name = "My level"
@@ -74,6 +74,6 @@ def keep_unsaved(session: EditorSession, path: Path) -> None:
     try:
         write_text(beside, session.document.text)
     except BadInputError as error:
-        say(f"polar-breakout: changes not saved: {error}")
+        print_error(f"polar-breakout: changes not saved: {error}")
         return
-    say(f"polar-breakout: changes that were not saved are in {quoted_path(beside)}")
+    print_error(f"polar-breakout: changes that were not saved are in {quoted_path(beside)}")

@@ -23,7 +23,7 @@ TABLES: dict[str, type[msgspec.Struct]] = {
 """The tables of a level file by name; the first is the file itself."""
 
 
-class Part(Enum):
+class PanelPart(Enum):
     """A part of the panel beside the arena; its value is the part's name."""
 
     BRICKS = tr_noop("Bricks")
@@ -112,12 +112,12 @@ TINT = Field(
     "rings", "tint", tr_noop("Colour"), tr_noop("How many of the palette's colours the lowest layer skips; = leaves it.")
 )
 PART_FIELDS = {
-    Part.BRICKS: (LAYERS, TINT),
-    Part.RING: RING_FIELDS,
-    Part.WELLS: WELL_FIELDS,
-    Part.PADDLES: (*BALL_FIELDS, *PADDLE_FIELDS),
-    Part.DROPS: (CHANCE, KINDS),
-    Part.LEVEL: (NAME, DESCRIPTION, CHAPTER, GROUND_RADIUS, PALETTE, GROUND),
+    PanelPart.BRICKS: (LAYERS, TINT),
+    PanelPart.RING: RING_FIELDS,
+    PanelPart.WELLS: WELL_FIELDS,
+    PanelPart.PADDLES: (*BALL_FIELDS, *PADDLE_FIELDS),
+    PanelPart.DROPS: (CHANCE, KINDS),
+    PanelPart.LEVEL: (NAME, DESCRIPTION, CHAPTER, GROUND_RADIUS, PALETTE, GROUND),
 }
 """The fields of each part of the panel: together, every key of the format."""
 

@@ -8,8 +8,8 @@ from game.generated.figures import Style
 from game.generated.wall import Traits, wall
 from game.language import tr_noop
 from game.level_format.specs import DropKind, GroundPattern, Palette
-from game.level_names import GENERATED
 from game.levels import BallSpec, DropSpec, Level, LookSpec, PaddleSpec, WellSpec
+from game.levels.names import GENERATED
 
 _GROUND_RADIUS = 10.0
 _BALL_RADIUS = 0.25

@@ -13,7 +13,7 @@ SLOTS = 2
 """Keys of an action that are shown."""
 
 
-class Wanted(NamedTuple):
+class CaptureTarget(NamedTuple):
     """What is asked for. name: of the action, in the player's language. slot: index of the key. of_pad: a gamepad's button."""
 
     action: Action
@@ -30,19 +30,19 @@ class Wanted(NamedTuple):
         return button_name(controls[self.slot]) if self.of_pad else position_name(controls[self.slot])
 
 
-def wanted(action: Action, name: str) -> tuple[Wanted, ...]:
+def wanted(action: Action, name: str) -> tuple[CaptureTarget, ...]:
     """What can be asked for an action: its keys, and its button. name: what the action is called."""
-    keys = [Wanted(action, name, slot, of_pad=False) for slot in range(SLOTS)]
-    return *keys, Wanted(action, name, 0, of_pad=True)
+    keys = [CaptureTarget(action, name, slot, of_pad=False) for slot in range(SLOTS)]
+    return *keys, CaptureTarget(action, name, 0, of_pad=True)
 
 
-def question(asked: Wanted) -> tuple[str, str]:
+def question(asked: CaptureTarget) -> tuple[str, str]:
     """What to do, and how to leave it."""
     words = tr("Press a button of the gamepad.") if asked.of_pad else tr("Press a key.")
     return words, tr("Esc, or B on a gamepad: change nothing.")
 
 
-def given(own: OwnKeys, asked: Wanted, control: int) -> tuple[OwnKeys, str]:
+def given(own: OwnKeys, asked: CaptureTarget, control: int) -> tuple[OwnKeys, str]:
     """The choices with a key or a button given to what was asked for, and what that did, in words.
 
     control: the key's position, or the button. The choices stay where it is refused.

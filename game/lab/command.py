@@ -17,7 +17,7 @@ from game.lab.yours.calls import calls_of
 from game.levels import load_file
 from game.student.functions_file import FunctionsFile
 from game.system.errors import BadInputError, CheckFailedError
-from game.system.output import say, tell
+from game.system.output import print_error, print_line
 from game.system.wording import quoted_path
 
 _SEED = 1
@@ -41,7 +41,7 @@ def list_scenes() -> None:
         for scene in chapter_scenes:
             table.add_row(scene.name, scene.title, ", ".join([str(row) for row in scene.rows]))
     Console().print(table)
-    tell('"Beyond the source" is a table in docs/algorithm.md')
+    print_line('"Beyond the source" is a table in docs/algorithm.md')
 
 
 def check_scenes(line: str | None, drags: int, engine: Engine | None) -> None:
@@ -88,7 +88,7 @@ def check_yours(line: str | None, drags: int, functions: FunctionsFile) -> None:
     first = {one.call.function: (shared, one) for shared, one in reversed(found)}
     for shared, one in first.values():
         why = one.problem or f"yours {one.yours}, ours {one.ours}"
-        say(f'polar-breakout: {one.call.function}: {why}: python -m game lab "{share_line(shared)}"')
+        print_error(f'polar-breakout: {one.call.function}: {why}: python -m game lab "{share_line(shared)}"')
     functions.check()
     if found:
         raise CheckFailedError(f"lab: {len(found):,} answers of {functions.name} differ")
@@ -115,7 +115,7 @@ def save_picture(
         save_screenshot(shared, path, size, theme, functions, presents=presents)
     except OSError as error:
         raise BadInputError(f"--screenshot {quoted_path(path)}: cannot write; {error.strerror or error}") from None
-    tell(f"picture: {path.absolute()}")
+    print_line(f"picture: {path.absolute()}")
 
 
 def export(line: str | None, folder: Path, kind: str, size: tuple[int, int], theme: str, *, steps: bool) -> None:
@@ -128,7 +128,7 @@ def export(line: str | None, folder: Path, kind: str, size: tuple[int, int], the
     shared = [parsed(scene.name) for scene in scenes()] if line is None else [parsed(line)]
     kinds = tuple([one for one in FILE_KINDS if kind in {one, "all"}])
     files = export_scenes(shared, folder, ExportWish(kinds, size, theme, steps))
-    tell(f"{len(files)} pictures in {folder.absolute()}")
+    print_line(f"{len(files)} pictures in {folder.absolute()}")
 
 
 def _raise_failures(reports: list[Report]) -> None:
@@ -136,6 +136,6 @@ def _raise_failures(reports: list[Report]) -> None:
     failed = [one for one in reports if one.failures]
     for one in failed:
         for failure in one.failures[:3]:
-            say(f'polar-breakout: "{failure.fact}" does not hold: python -m game lab "{failure.line}"')
+            print_error(f'polar-breakout: "{failure.fact}" does not hold: python -m game lab "{failure.line}"')
     if failed:
         raise CheckFailedError(f"lab: {len(failed)} of {len(reports)} scenes failed")

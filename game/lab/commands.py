@@ -139,7 +139,7 @@ def _add_pack(path: Path) -> None:
 def _open_window(services: LabServices, wish: _LabWish) -> None:
     """Open the lab's window."""
     check_pygame()
-    from game.app import Services, lab  # noqa: PLC0415  # pygame, only where it is needed
+    from game.loop.app import Services, lab  # noqa: PLC0415  # pygame, only where it is needed
 
     with services.settings() as settings:
         given = Services(engine=services.engine, settings=settings, lost=services.lost, functions=wish.own)

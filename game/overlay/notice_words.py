@@ -3,7 +3,7 @@
 from typing import NamedTuple
 
 from game.language import ntr, tr
-from game.level_names import level_name
+from game.levels.names import level_name
 from game.overlay.readings import player_name
 from game.rules import LIVES, Game, Phase
 

@@ -5,8 +5,8 @@ from typing import NamedTuple
 from game.effects import Streak
 from game.effects.streaks import NO_STREAK
 from game.language import tr
-from game.level_names import level_name
 from game.levels import number_of
+from game.levels.names import level_name
 from game.rules import Game, layers_left, winner
 
 

@@ -3,28 +3,25 @@
 import math
 
 from game.drawing.camera import Camera
-from game.drawing.ground.measures import Ground
 from game.drawing.palette import Theme
 from game.drawing.palettes import themed
-from game.drawing.slots.contents import ContentKind, Contents, SlotContent, resting_contents, slot_contents
-from game.drawing.slots.parts import SlotShape, slot_shape
+from game.drawing.slots.contents import Contents, SlotContent, slot_contents
 from game.picture.display_list import DisplayList
-from game.picture.ground import add_ground
+from game.picture.ground.lists import add_ground
+from game.picture.ground.measures import ground_of
 from game.picture.moving.balls import BallTextures, add_ball
 from game.picture.moving.bursts import add_bursts
 from game.picture.moving.glints import add_glints
 from game.picture.moving.layers import add_in_air, add_on_ground
 from game.picture.moving.words import add_words
-from game.picture.slots import add_shadow, add_slot
-from game.picture.solid import SolidBlocks
+from game.picture.slots import add_content, add_shadow, flat_ring
+from game.picture.solid.blocks import SolidBlocks
 from game.picture.view import ArenaView
 from game.rules import PADDLES
 from game.scene import Scene
 
 _MOST_RINGS = 64
 """Pictures of rings that are cached."""
-_EVERYWHERE = (-1e5 - 1e5j, 1e5 - 1e5j, 1e5 + 1e5j, -1e5 + 1e5j)
-"""Corners of a square that covers every canvas, pixels."""
 
 
 class ArenaPicture:
@@ -42,22 +39,14 @@ class ArenaPicture:
         """The ground, and in the flat view the rings that rest: the very same list as long as it has not changed."""
         theme = themed(view.theme, scene.palette)
         resting = _resting(scene, view.camera)
-        ground = Ground(scene.ground_radius, scene.rings[PADDLES].radius, scene.ground)
-        key = (
-            view.camera,
-            theme,
-            ground,
-            resting,
-            tuple([(scene.layers[k], scene.rings[k].phase) for k in resting]),
-            scene.tints,
-        )
+        ground = ground_of(scene)
+        contents = slot_contents(scene._replace(flashes=()))
+        key = (view.camera, theme, ground, resting, tuple([(contents[k], scene.rings[k].phase) for k in resting]))
         if key != self._key:
             self._key, self._backdrop = key, DisplayList()
-            self._backdrop.polygon(_EVERYWHERE, theme.background)
             add_ground(self._backdrop, view.camera, theme, ground)
-            contents = resting_contents(scene.layers, scene.tints)
             for k in resting:
-                self._add_ring(self._backdrop, scene, view.camera, theme, k, _standing(scene, k, contents))
+                self._add_ring(self._backdrop, scene, view.camera, theme, k, contents[k])
         return self._backdrop
 
     def frame(self, scene: Scene, view: ArenaView) -> DisplayList:
@@ -70,7 +59,7 @@ class ArenaPicture:
         else:
             add_on_ground(out, scene, view)
             texture = self._textures.texture(out, camera, theme, view.ball)
-            self._blocks.add(out, scene, camera, theme, contents, texture)
+            self._blocks.add(out, scene, camera, theme, contents, texture, [])
         add_glints(out, scene, view)
         add_bursts(out, scene, view)
         if camera.flat:
@@ -96,16 +85,16 @@ class ArenaPicture:
         self, out: DisplayList, scene: Scene, camera: Camera, theme: Theme, k: int, contents: tuple[SlotContent, ...]
     ) -> None:
         """Add a whole ring, as it was cached for phase 0, turned to where it is."""
-        ring, shape = scene.rings[k], _shape(scene, k, camera)
-        key = (shape, contents, ring.count, camera.centre, camera.scale, theme)
+        ring, look = scene.rings[k], flat_ring(scene, k, camera.scale, theme)
+        key = (look, contents, camera.centre)
         cached = self._rings.get(key)
         if cached is None:
             if len(self._rings) >= _MOST_RINGS:
                 self._rings.clear()
             cached = self._rings[key] = DisplayList()
-            for add in (add_shadow, add_slot):
+            for add in (add_shadow, add_content):
                 for slot, content in enumerate(contents):
-                    add(cached, camera.centre, camera.scale, shape, content, theme, math.tau * slot / ring.count)
+                    add(cached, look, content, look.sector(camera.centre, math.tau * slot / ring.count))
         out.turn(camera.centre, ring.phase)
         out.extend(cached)
         out.turn(camera.centre, 0.0)
@@ -118,38 +107,20 @@ def _resting(scene: Scene, camera: Camera) -> tuple[int, ...]:
     return tuple([k for k, ring in enumerate(scene.rings) if k not in (PADDLES, scene.second_paddle) and not ring.spin])
 
 
-def _standing(scene: Scene, k: int, contents: Contents) -> tuple[SlotContent, ...]:
-    """The contents of a ring without any glow, of the kinds that the ring's bricks have."""
-    kinds = {ContentKind.BRICKS: ContentKind.BRICKS, ContentKind.STEEL: ContentKind.STEEL}
-    if k == scene.shield:
-        kinds[ContentKind.BRICKS] = ContentKind.SHIELD
-    elif k in scene.bumpers:
-        kinds[ContentKind.STEEL] = ContentKind.BUMPER
-    elif k in scene.growing:
-        kinds[ContentKind.BRICKS] = ContentKind.GROWING
-    return tuple([content._replace(kind=kinds.get(content.kind, content.kind)) for content in contents[k]])
-
-
 def _add_glowing(
     out: DisplayList, scene: Scene, camera: Camera, theme: Theme, k: int, contents: tuple[SlotContent, ...]
 ) -> None:
     """Add the slots of a resting ring that glow: they cover what the backdrop has there."""
-    shape = _shape(scene, k, camera)
+    look = flat_ring(scene, k, camera.scale, theme)
     for slot, content in enumerate(contents):
         if content.glow:
-            add_slot(out, camera.centre, camera.scale, shape, content, theme, scene.rings[k].angle(slot))
+            add_content(out, look, content, look.sector(camera.centre, scene.rings[k].angle(slot)))
 
 
 def _add_paddles(out: DisplayList, scene: Scene, camera: Camera, theme: Theme, contents: tuple[SlotContent, ...]) -> None:
     """Add the paddles, each as far out of its slot as a hit has pushed it."""
-    ring, shape = scene.rings[PADDLES], _shape(scene, PADDLES, camera)
+    ring, look = scene.rings[PADDLES], flat_ring(scene, PADDLES, camera.scale, theme)
     out_of_slot = {recoil.slot: recoil.out for recoil in scene.recoils}
-    for add in (add_shadow, add_slot):
+    for add in (add_shadow, add_content):
         for slot, content in enumerate(contents):
-            moved = shape._replace(radius=shape.radius + out_of_slot.get(slot, 0.0))
-            add(out, camera.centre, camera.scale, moved, content, theme, ring.angle(slot))
-
-
-def _shape(scene: Scene, k: int, camera: Camera) -> SlotShape:
-    """The shape of a ring's slots."""
-    return slot_shape(scene.rings[k], scene.tallest[k], 1.0 / camera.scale)
+            add(out, look, content, look.sector(camera.centre, ring.angle(slot), out_of_slot.get(slot, 0.0)))

@@ -1,92 +1,101 @@
-"""What stands in a slot of the flat view, as sectors and polygons: the same parts that the desktop paints."""
+"""What stands in a slot of the flat view, with its light and its shadow: the same primitives for every painter.
 
-import cmath
+The light of this view is above the arena's centre. So inner faces are bright, and shadows fall outwards and turn with the ring.
+"""
+
 import math
+from typing import NamedTuple
 
 from game.drawing.palette import Theme
-from game.drawing.slots.contents import ContentKind, SlotContent
-from game.drawing.slots.parts import Bar, FootShade, Part, Slab, SlotShape, height, parts
-from game.picture.display_list import DisplayList, inset_half_angle
+from game.drawing.slots.contents import SlotContent, casts_shadow
+from game.drawing.slots.parts import Bar, FootShade, Part, Slab, SlotShape, height, parts, slot_shape
+from game.picture.display_list import WHOLE, DisplayList, Sector
+from game.scene import Scene
 
-_WHITE, _BLACK = (255, 255, 255), (0, 0, 0)
-_EDGE = 0.22
-"""Width of the edge that catches the light, in half widths."""
-_INNER_LIGHT, _OUTER_SHADE = 0.26, 0.26
-"""Opacities of the light on the inner edge and of the shade on the outer one."""
-_FOOT_STEPS = 3
-"""Sectors that the shade at the foot of a terrace is made of."""
-_SHADOW_STEPS, _SHADOW_LENGTH = 3, 0.16
-"""Sectors that a shadow on the ground is made of, and its reach for every layer of height, world units."""
+_EDGE, _EDGE_PIXELS = 0.22, 1.5
+"""Width of the edges that catch the light: in half widths, and at least so many pixels."""
+_AT_FACES, _AT_ENDS, _SLOPE = 0.34, 0.085, 0.10
+"""Strength of the light on the edges along a sector's faces and its ends, and between one face and the other."""
+_SHADOW = 0.018
+"""Length of the longest shadow, in shares of the ground's radius."""
+_GAP_PIXELS = 3.0
+"""Pixels between a shadow and the next ring outwards, at least."""
+_LOW_SHADOW, _SHADOW_PER_LAYER = 0.7, 0.1
+"""Length of a shadow as a share of the longest: of everything, and added for every layer of height."""
+_INWARDS, _ASIDE = 0.3, 0.6
+"""How far a shadow goes towards the centre and beyond the ends, in shares of its length outwards."""
+_LEAST = 1e-3
+"""Pixels; the least length of a shadow."""
 
 
-def add_slot(
-    out: DisplayList, centre: complex, scale: float, shape: SlotShape, content: SlotContent, theme: Theme, angle: float
-) -> None:
-    """Add what stands in a slot. centre: pixel of the arena's; scale: pixels per world unit; angle: of the slot's middle."""
-    if content.kind is ContentKind.EMPTY:
+class FlatRing(NamedTuple):
+    """What the slots of a ring look like from above, whatever stands in them.
+
+    shape: of the slots.
+    slots: how many there are.
+    scale: pixels per world unit.
+    shadow: length of the longest shadow, world units.
+    theme: the colours.
+    """
+
+    shape: SlotShape
+    slots: int
+    scale: float
+    shadow: float
+    theme: Theme
+
+    def sector(self, centre: complex, angle: float, out: float = 0.0) -> Sector:
+        """A slot's sector, pixels. angle: of its middle; out: world units by which it is moved outwards."""
+        shape, scale = self.shape, self.scale
+        whole = shape.half_angle >= WHOLE
+        radii = (shape.inner_radius + out) * scale, (shape.outer_radius + out) * scale
+        return Sector(centre, radii, angle, math.pi if whole else shape.half_angle)
+
+
+def flat_ring(scene: Scene, k: int, scale: float, theme: Theme) -> FlatRing:
+    """The look of a ring. scale: pixels per world unit. No shadow goes as far as the next ring outwards."""
+    ring = scene.rings[k]
+    between = lane(scene, k)[1] - ring.outer_radius - _GAP_PIXELS / scale
+    shadow = min(_SHADOW * scene.ground_radius, max(between, 0.0))
+    return FlatRing(slot_shape(ring, scene.tallest[k], 1.0 / scale), ring.count, scale, shadow, theme)
+
+
+def lane(scene: Scene, k: int) -> tuple[float, float]:
+    """Where the next ring inwards ends, and where the next one outwards begins, world units; else the centre and the rim."""
+    radius, rim = scene.rings[k].radius, max(scene.ground_radius, *[ring.outer_radius for ring in scene.rings])
+    inwards = max([ring.outer_radius for ring in scene.rings if ring.outer_radius < radius], default=0.0)
+    return inwards, min([ring.inner_radius for ring in scene.rings if ring.inner_radius > radius], default=rim)
+
+
+def add_shadow(out: DisplayList, ring: FlatRing, content: SlotContent, sector: Sector) -> None:
+    """Add the shadow of a slot's content on the ground. sector: of the slot, as `FlatRing.sector` makes it."""
+    theme, scale, shape = ring.theme, ring.scale, ring.shape
+    darkness = theme.shadow * theme.relief
+    if not casts_shadow(content) or darkness <= 0.0:
         return
-    for part in parts(content, shape, 0.0, theme):
-        _add_part(out, centre, scale, shape, part, angle)
-    if theme.relief > 0.0 and content.kind is not ContentKind.GHOST:
-        _add_light(out, centre, scale, shape, angle, theme.relief)
+    reach = ring.shadow * scale * min(_LOW_SHADOW + _SHADOW_PER_LAYER * height(content), 1.0)
+    gap = (math.pi / ring.slots - shape.half_angle) * shape.radius * scale
+    aside = max(min(_ASIDE * reach, gap), 1.0)
+    reach = max(reach, _LEAST)
+    out.cast(sector, _INWARDS * reach, reach, aside, darkness)
 
 
-def add_shadow(
-    out: DisplayList, centre: complex, scale: float, shape: SlotShape, content: SlotContent, theme: Theme, angle: float
-) -> None:
-    """Add the shadow that a slot's content throws outwards on the ground."""
-    if content.kind in (ContentKind.EMPTY, ContentKind.GHOST) or theme.relief <= 0.0:
-        return
-    reach = _SHADOW_LENGTH * (0.6 + 0.4 * height(content))
-    for step in range(_SHADOW_STEPS):
-        far = reach * (1.0 - step / _SHADOW_STEPS)
-        half = shape.half_angle + (0.3 * far / shape.radius if shape.half_angle < math.pi else 0.0)
-        radii = (shape.inner_radius * scale, (shape.outer_radius + far) * scale)
-        out.sector(centre, radii, angle, (half, half), _BLACK, theme.shadow / _SHADOW_STEPS)
+def add_content(out: DisplayList, ring: FlatRing, content: SlotContent, sector: Sector) -> None:
+    """Add what stands in a slot, and the light on it. sector: of the slot, as `FlatRing.sector` makes it."""
+    for part in parts(content, ring.shape, 0.0, ring.theme):
+        _add_part(out, ring.scale, sector, part)
+    if casts_shadow(content) and ring.theme.relief > 0.0:
+        edge = max(_EDGE * ring.shape.half_width * ring.scale, _EDGE_PIXELS)
+        out.relief(sector, edge, _AT_FACES, _AT_ENDS, _SLOPE, ring.theme.relief)
 
 
-def _add_part(out: DisplayList, centre: complex, scale: float, shape: SlotShape, part: Part, angle: float) -> None:
+def _add_part(out: DisplayList, scale: float, sector: Sector, part: Part) -> None:
     """Add one part."""
     match part:
         case Slab(inset=inset, colour=colour):
-            _add_sector(out, centre, scale, shape, inset, angle, colour, 1.0)
+            out.sector(sector, inset * scale, colour)
         case FootShade(inset=inset, reach=reach, darkness=darkness):
-            for step in range(_FOOT_STEPS):
-                at = inset - reach * (1.0 - (step + 0.5) / _FOOT_STEPS)
-                _add_sector(out, centre, scale, shape, max(at, 0.0), angle, _BLACK, darkness / (_FOOT_STEPS + 1.0))
-        case Bar():
-            out.polygon(_bar(part, centre, scale, angle), part.colour)
-
-
-def _add_sector(
-    out: DisplayList,
-    centre: complex,
-    scale: float,
-    shape: SlotShape,
-    inset: float,
-    angle: float,
-    colour: tuple[int, int, int],
-    opacity: float,
-) -> None:
-    """Add a slot's sector, smaller by an inset; nothing where that leaves nothing."""
-    inner, outer = shape.inner_radius + inset, shape.outer_radius - inset
-    halves = inset_half_angle(shape.half_angle, inner, inset), inset_half_angle(shape.half_angle, outer, inset)
-    if inner < outer and min(halves) > 0.0:
-        out.sector(centre, (inner * scale, outer * scale), angle, halves, colour, opacity)
-
-
-def _add_light(out: DisplayList, centre: complex, scale: float, shape: SlotShape, angle: float, strength: float) -> None:
-    """The light of the flat view stands over the arena's centre: inner edges are bright, outer ones dark."""
-    edge, half = _EDGE * shape.half_width, (shape.half_angle, shape.half_angle)
-    inner, outer = shape.inner_radius, shape.outer_radius
-    out.sector(centre, (inner * scale, (inner + edge) * scale), angle, half, _WHITE, _INNER_LIGHT * strength)
-    out.sector(centre, ((outer - edge) * scale, outer * scale), angle, half, _BLACK, _OUTER_SHADE * strength)
-
-
-def _bar(bar: Bar, centre: complex, scale: float, angle: float) -> list[complex]:
-    """The corners of a bar, pixels."""
-    corners = []
-    for (radius, offset), side in ((bar.inner, -1.0), (bar.inner, 1.0), (bar.outer, 1.0), (bar.outer, -1.0)):
-        at = cmath.rect(radius * scale, angle + offset + side * bar.half_width / radius)
-        corners.append(centre + at.conjugate())
-    return corners
+            out.foot(sector, inset * scale, reach * scale, darkness)
+        case Bar(inner=(inner, start), outer=(outer, end)):
+            ends = inner * scale, start, outer * scale, end
+            out.bar(sector.centre, sector.angle, ends, part.half_width * scale, part.colour)

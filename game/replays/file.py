@@ -27,7 +27,7 @@ from game.replays import runs as run_coding
 from game.replays.state_hash import field_checks, fields, state_hash
 from game.rules import SOURCE_RULES, Controls, Game, Ruleset, Ticked, new_game, tick
 from game.system.errors import BadInputError
-from game.system.files import read_input, write_whole
+from game.system.files import read_input, write_atomically
 from game.system.wording import quoted, quoted_message, quoted_path
 from physics import PHYSICS_VERSION
 
@@ -139,7 +139,7 @@ def played(recording: Recording) -> Iterator[Ticked]:
 def save(recording: Recording, path: Path) -> None:
     """Write a replay file, whole or not at all; BadInputError where it cannot be written."""
     try:
-        write_whole(path, encoded(recording))
+        write_atomically(path, encoded(recording))
     except OSError as error:
         raise BadInputError(f"{quoted_path(path)}: cannot write replay; {error.strerror or error}") from None
 

@@ -6,7 +6,7 @@ from game.headless import result_line
 from game.replays.file import load
 from game.replays.verify import verified
 from game.system.errors import CheckFailedError
-from game.system.output import say, tell
+from game.system.output import print_error, print_line
 from game.system.wording import quoted_path
 
 
@@ -16,9 +16,9 @@ def verify_files(files: list[Path]) -> None:
     for file in files:
         verdict = verified(load(file))
         if verdict.divergence is None:
-            tell(f"verified {file}: {result_line(verdict.game)}")
+            print_line(f"verified {file}: {result_line(verdict.game)}")
         else:
             failed.append(f"{quoted_path(file)}: {verdict.divergence}")
-            say(f"polar-breakout: {failed[-1]}")
+            print_error(f"polar-breakout: {failed[-1]}")
     if failed:
         raise CheckFailedError(f"{len(failed)} of {len(files)} replays diverged")

@@ -18,21 +18,21 @@ from game.input.keys import KEYS
 from game.input.players import Players
 from game.input.rebinding import bindings, checked
 from game.input.view import FLAT, Viewpoint
-from game.kept.store import Kept
 from game.language import choose, tr_noop
 from game.levels import Level
+from game.levels.own import OwnLevels
+from game.loop.session_seed import game_seed
 from game.overlay.toast import Toast
-from game.own_levels import OwnLevels
 from game.rules import SOURCE_RULES, Controls, Game, Ruleset, Ticked
 from game.screens.base import Screen
 from game.screens.difficulty_names import SOURCE
 from game.screens.level_pictures import LevelPictures
 from game.second_opinion import Compare, NormalPair
-from game.session_seed import game_seed
 from game.settings.file import SettingsFile
 from game.settings.values import LOUDEST, Settings
 from game.sound.mixer import Audio
 from game.sound.music.mood import mood_of
+from game.storage.storage import Storage
 from game.student.functions_file import FunctionsFile
 
 Recorder = Callable[[Controls, Game], None]
@@ -54,7 +54,7 @@ class AppState:
     levels over it; None where there is none.
     own_levels: reads the player's; open_editor: makes the editor's screen for one of their files, None for a new one, with a
     function that leads back; None where there is no editor.
-    kept: scores, progress and finished games.
+    storage: scores, progress and finished games.
     recorder: told every tick that is played; None for nobody.
     autopilot: whether it plays instead of the player.
     physics: that games are flown on. ruleset: of new games. players: how many steer the paddles.
@@ -84,7 +84,7 @@ class AppState:
     open_levels: "Callable[[AppState], Screen] | None" = None
     own_levels: Callable[[], OwnLevels] = lambda: OwnLevels((), (), ())
     open_editor: "Callable[[AppState, Callable[[], Screen | None], Path | None], Screen] | None" = None
-    kept: Kept = field(default_factory=lambda: Kept(None))
+    storage: Storage = field(default_factory=lambda: Storage(None))
     full_screen: bool = False
     wants_full_screen: bool | None = None
     settings_tab: int = 0
@@ -145,8 +145,8 @@ class AppState:
 
     def canvas(self, surface: pygame.Surface, camera: Camera = _PIXELS) -> Canvas:
         """A canvas in the settings' colours. camera: of what is drawn, unless it is text and boxes alone."""
-        looks = self.settings.ball, self.settings.trail
-        return Canvas(surface, camera, self.theme, self.type, unit_of(surface.get_size()), *looks)
+        skins = self.settings.ball, self.settings.trail
+        return Canvas(surface, camera, self.theme, self.type, unit_of(surface.get_size()), *skins)
 
     def words(self, canvas: Canvas) -> Canvas:
         """The same canvas for words that are as large as the player wants them."""
@@ -171,7 +171,7 @@ class AppState:
 
     def tell_problem(self) -> None:
         """Say on the screen what could not be saved, once."""
-        problems = self.kept.problems
+        problems = self.storage.problems
         if problems and problems[-1] not in self.told:
             self.told.add(problems[-1])
             self.toast = Toast(problems[-1], left=_TOLD_SECONDS)

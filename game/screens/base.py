@@ -21,11 +21,11 @@ class Screen(Protocol):
 
 
 @runtime_checkable
-class Still(Protocol):
+class CachedScreen(Protocol):
     """A screen that can say when it looks the same as before: it is not drawn again then, which costs next to nothing."""
 
     @property
-    def looks(self) -> tuple[object, ...]:
+    def appearance(self) -> tuple[object, ...]:
         """All that its picture depends on, but for the surface's size; the same values mean the same picture."""
 
 

@@ -3,8 +3,8 @@
 from game import effects
 from game.autopilot import Autopilot
 from game.effects import EffectKind, Effects, Shown
-from game.fixed_step import Due, due
 from game.levels import Level
+from game.loop.fixed_step import Due, due
 from game.rules import Phase, Ruleset, new_game, tick
 from game.scene import Scene, scene_at, still
 

@@ -1,7 +1,7 @@
 """Which skins and trails the player has earned, by the bests that are kept."""
 
-from game.kept.progress import OWN, Progress
 from game.rules import Rank
+from game.storage.progress import OWN, Progress
 from game.unlocks import BALLS, TRAILS, Feat, ball_names, trail_names, unlocked
 
 

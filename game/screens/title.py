@@ -6,21 +6,21 @@ from game.drawing.camera import Camera, unit_of
 from game.drawing.canvas import Canvas
 from game.input.keys import Action
 from game.language import tr
-from game.level_names import level_name
 from game.levels import from_level
+from game.levels.names import level_name
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.demo import Demo
 from game.screens.menus.credits import Credits
 from game.screens.menus.endless import endless_menu
-from game.screens.menus.help import Help
+from game.screens.menus.help.panel import Help
 from game.screens.menus.high_scores import HighScores
 from game.screens.menus.level_select import LevelSelect, next_level
 from game.screens.menus.replays import Replays
-from game.screens.menus.settings_panel import SettingsPanel
-from game.screens.play import PlayScreen
-from game.screens.toolkit.items import ButtonItem, Item
-from game.screens.toolkit.layout import Content, Laid
+from game.screens.menus.settings.panel import SettingsPanel
+from game.screens.play.screen import PlayScreen
+from game.screens.toolkit.items.basic import ButtonItem, Item
+from game.screens.toolkit.layout import Content, FormLayout
 from game.screens.toolkit.menu import Entry, Menu
 from game.screens.toolkit.panel import Panel
 
@@ -58,9 +58,9 @@ class Title(Panel):
         self._demo = self._new_demo()
 
     @property
-    def looks(self) -> tuple[object, ...]:
+    def appearance(self) -> tuple[object, ...]:
         """The demonstration moves."""
-        return *super().looks, self._shown
+        return *super().appearance, self._shown
 
     def content(self) -> Content:
         """Where one can go."""
@@ -117,7 +117,7 @@ class Title(Panel):
         canvas = state.canvas(surface, _demo_camera(size, self.unit(size), scene.ground_radius))
         state.painter.paint(canvas, scene)
 
-    def draw_plate(self, canvas: Canvas, _content: Content, laid: Laid) -> None:
+    def draw_plate(self, canvas: Canvas, _content: Content, layout: FormLayout) -> None:
         """The name in place of a plate."""
         unit, wide = unit_of(canvas.size), _is_wide(canvas.size)
         canvas = canvas._replace(unit=unit)
@@ -125,7 +125,7 @@ class Title(Panel):
             x = unit * _LEFT if wide else canvas.size[0] / 2.0
             pixel = complex(x, unit * (_NAME_TOP + _NAME_PITCH * index))
             canvas.write(word, _NAME, colour, pixel, "topleft" if wide else "midtop", _NAME_SPACING)
-        laid.close.size = (0, 0)
+        layout.close.size = (0, 0)
 
     def _play(self) -> Screen:
         """The campaign from the first level that was not finished yet."""

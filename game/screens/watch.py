@@ -11,22 +11,22 @@ from game.drawing.camera import Layout, layout, unit_of
 from game.drawing.canvas import Canvas
 from game.drawing.raster.primitives import draw_dot
 from game.effects import LONGEST, Effects
-from game.fixed_step import LONGEST_FRAME
 from game.input.key_names import key_name, watch_help
 from game.input.keys import Action
 from game.input.signals import Clicked, FocusLost, Moved, Pressed, Signal
 from game.language import decimal, tr
+from game.loop.fixed_step import LONGEST_FRAME
 from game.overlay import hud
 from game.overlay.readings import readings
 from game.overlay.toast_drawing import draw_bar
 from game.rules import TICK, Game, Ticked
 from game.scene import scene_at, still
-from game.screens import play_buttons
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.menus.control_rows import WIDE_TEXT
-from game.screens.menus.help import Help
-from game.screens.menus.settings_panel import SettingsPanel
+from game.screens.menus.help.panel import Help
+from game.screens.menus.settings.control_rows import WIDE_TEXT
+from game.screens.menus.settings.panel import SettingsPanel
+from game.screens.play import buttons as play_buttons
 from game.screens.toolkit.plate import write_fitting
 from game.second_opinion import NormalPair
 

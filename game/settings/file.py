@@ -17,7 +17,7 @@ from game.effects import EffectKind
 from game.language import CODES, SYSTEM
 from game.settings.own_keys import decoded_keys, encoded_keys
 from game.settings.values import LOUDEST, SPEEDS, TEXT_SIZES, THEMES, Settings
-from game.system.files import sweep, write_whole
+from game.system.files import remove_temporaries, write_atomically
 from game.system.wording import quoted_path
 from game.unlocks import BALLS, TRAILS
 
@@ -38,7 +38,7 @@ class SettingsFile:
 
     def load(self) -> Settings:
         """The settings that were kept; the defaults where there are none."""
-        sweep(self._path.parent)
+        remove_temporaries(self._path.parent)
         self._kept = self._read()
         return self._kept
 
@@ -48,7 +48,7 @@ class SettingsFile:
             return
         try:
             self._path.parent.mkdir(parents=True, exist_ok=True)
-            write_whole(self._path, encoded(settings))
+            write_atomically(self._path, encoded(settings))
             self._kept = settings
         except OSError as error:
             self.problem = f"settings not saved: {quoted_path(self._path)}: {error.strerror or error}"
@@ -67,16 +67,16 @@ class SettingsFile:
             self.problem = f"settings not read: {quoted_path(self._path)}: {error.strerror or error}; the defaults are used"
             return Settings()
         try:
-            said = msgspec.json.decode(data, type=dict[str, Any]) if len(data) <= _LARGEST else None
+            stored = msgspec.json.decode(data, type=dict[str, Any]) if len(data) <= _LARGEST else None
         except (msgspec.DecodeError, RecursionError, UnicodeDecodeError):
-            said = None
-        if said is None:
+            stored = None
+        if stored is None:
             self._put_aside()
             return Settings()
-        self._newer = not _is_known(said.get("version", VERSION))
+        self._newer = not _is_known(stored.get("version", VERSION))
         if self._newer:
             self.problem = f"settings of a newer version in {quoted_path(self._path)}: changes will not be saved"
-        return decoded(said)
+        return decoded(stored)
 
     def _put_aside(self) -> None:
         """Rename a file that cannot be read, so that it is not lost when the settings are saved."""
@@ -91,52 +91,52 @@ class SettingsFile:
 def encoded(settings: Settings) -> bytes:
     """The file's bytes."""
     own_keys = encoded_keys(settings.own_keys)
-    said = {"version": VERSION, **settings._asdict(), "off": sorted(settings.off), "own_keys": own_keys}
-    return msgspec.json.format(msgspec.json.encode(said)) + b"\n"
+    stored = {"version": VERSION, **settings._asdict(), "off": sorted(settings.off), "own_keys": own_keys}
+    return msgspec.json.format(msgspec.json.encode(stored)) + b"\n"
 
 
-def decoded(said: dict[str, Any]) -> Settings:
+def decoded(stored: dict[str, Any]) -> Settings:
     """The settings in a file, key by key: the default for what makes no sense, the nearest for what is out of range."""
     default = Settings()
-    off = said.get("off")
+    off = stored.get("off")
     return Settings(
-        colours=_one_of(said, "colours", THEMES, default.colours),
-        sound=_flag(said, "sound", default.sound),
-        volume=_whole(said, "volume", (0, LOUDEST), default.volume),
-        reduced_motion=_flag(said, "reduced_motion", default.reduced_motion),
-        effects=_flag(said, "effects", default.effects),
+        colours=_one_of(stored, "colours", THEMES, default.colours),
+        sound=_flag(stored, "sound", default.sound),
+        volume=_whole(stored, "volume", (0, LOUDEST), default.volume),
+        reduced_motion=_flag(stored, "reduced_motion", default.reduced_motion),
+        effects=_flag(stored, "effects", default.effects),
         off=frozenset([kind for kind in EffectKind if kind in off]) if isinstance(off, list) else default.off,
-        speed=_whole(said, "speed", SPEEDS, default.speed),
-        text_size=_whole(said, "text_size", TEXT_SIZES, default.text_size),
-        one_button=_flag(said, "one_button", default.one_button),
-        captions=_flag(said, "captions", default.captions),
-        ghost=_flag(said, "ghost", default.ghost),
-        vision=_one_of(said, "vision", VISIONS, default.vision),
-        music=_whole(said, "music", (0, LOUDEST), default.music),
-        ball=_one_of(said, "ball", BALLS, default.ball),
-        trail=_one_of(said, "trail", TRAILS, default.trail),
-        language=_one_of(said, "language", (SYSTEM, *CODES), default.language),
-        own_keys=decoded_keys(said.get("own_keys")),
+        speed=_whole(stored, "speed", SPEEDS, default.speed),
+        text_size=_whole(stored, "text_size", TEXT_SIZES, default.text_size),
+        one_button=_flag(stored, "one_button", default.one_button),
+        captions=_flag(stored, "captions", default.captions),
+        ghost=_flag(stored, "ghost", default.ghost),
+        vision=_one_of(stored, "vision", VISIONS, default.vision),
+        music=_whole(stored, "music", (0, LOUDEST), default.music),
+        ball=_one_of(stored, "ball", BALLS, default.ball),
+        trail=_one_of(stored, "trail", TRAILS, default.trail),
+        language=_one_of(stored, "language", (SYSTEM, *CODES), default.language),
+        own_keys=decoded_keys(stored.get("own_keys")),
     )
 
 
-def _one_of(said: dict[str, Any], key: str, known: Container[str], default: str) -> str:
+def _one_of(stored: dict[str, Any], key: str, known: Container[str], default: str) -> str:
     """One of some words."""
-    wanted = said.get(key)
+    wanted = stored.get(key)
     return wanted if isinstance(wanted, str) and wanted in known else default
 
 
-def _whole(said: dict[str, Any], key: str, limits: tuple[int, int], default: int) -> int:
+def _whole(stored: dict[str, Any], key: str, limits: tuple[int, int], default: int) -> int:
     """A number, rounded and brought between its limits."""
-    wanted = said.get(key)
+    wanted = stored.get(key)
     if not isinstance(wanted, int | float) or isinstance(wanted, bool):
         return default
     return round(min(max(wanted, limits[0]), limits[1]))
 
 
-def _flag(said: dict[str, Any], key: str, default: bool) -> bool:  # noqa: FBT001  # the value of a key, not a switch
+def _flag(stored: dict[str, Any], key: str, default: bool) -> bool:  # noqa: FBT001  # the value of a key, not a switch
     """Yes or no."""
-    wanted = said.get(key)
+    wanted = stored.get(key)
     return wanted if isinstance(wanted, bool) else default
 
 

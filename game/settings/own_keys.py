@@ -13,20 +13,20 @@ def encoded_keys(own: OwnKeys) -> dict[str, dict[str, list[int]]]:
     return {kind: {action.name.lower(): list(controls) for action, controls in one} for kind, one in own._asdict().items()}
 
 
-def decoded_keys(said: Any) -> OwnKeys:
+def decoded_keys(stored: Any) -> OwnKeys:
     """As they are in a file, without what makes no sense; whether they leave what must stay is seen when they are applied."""
-    if not isinstance(said, dict):
+    if not isinstance(stored, dict):
         return OwnKeys()
-    return OwnKeys(_choices(said.get("keys")), _choices(said.get("buttons")))
+    return OwnKeys(_choices(stored.get("keys")), _choices(stored.get("buttons")))
 
 
-def _choices(said: Any) -> tuple[Choice, ...]:
+def _choices(stored: Any) -> tuple[Choice, ...]:
     """Choices by action, in the order of actions."""
-    if not isinstance(said, dict):
+    if not isinstance(stored, dict):
         return ()
     found = []
     for action in Action:
-        controls = said.get(action.name.lower())
+        controls = stored.get(action.name.lower())
         if isinstance(controls, list) and all([type(one) is int and 0 <= one <= _LARGEST for one in controls]):
             found.append((action, tuple(controls)))
     return tuple(found)

@@ -14,7 +14,7 @@ from game.sound.music.player import CHANNELS, MusicPlayer
 from game.sound.notes import Note, every_note
 from game.sound.synth import waveform
 from game.sound.tails import tail
-from game.sound.voices import SILENCE, VOICES, Side, Tail, Voice, chorus, cues
+from game.sound.voices import SILENCE, VOICES, Panning, Tail, Voice, chorus, cues
 from game.sound.waves import Waveform
 from game.system.quiet_stderr import quiet_libraries
 
@@ -102,7 +102,7 @@ class Audio:
         elif not self._muted:
             self._music.advance(self._volume)
 
-    def play(self, events: Sequence[Event], side: Side, combo: int) -> None:
+    def play(self, events: Sequence[Event], side: Panning, combo: int) -> None:
         """Make the sounds of some events. side: where they are heard. combo: the game's, after the last of them."""
         if self._muted or not events or not self._is_open():
             return

@@ -113,7 +113,7 @@ class Chorus(NamedTuple):
     new: tuple[int, ...]
 
 
-Side = Callable[[complex], float]
+Panning = Callable[[complex], float]
 """From a position in the world to where it is heard: -1 at the rim's left on the screen to 1 at its right."""
 
 Tail = Sequence[float]
@@ -122,7 +122,7 @@ Tail = Sequence[float]
 SILENCE: tuple[Voice | None, ...] = (None,) * VOICES
 
 
-def cues(events: Sequence[Event], side: Side, combo: int) -> list[Cue]:
+def cues(events: Sequence[Event], side: Panning, combo: int) -> list[Cue]:
     """The sounds of some events, in their order.
 
     side: where on the screen they are heard. combo: the game's, after the last of the events.

@@ -10,7 +10,7 @@ from typer.main import get_command
 
 from game.system import ending
 from game.system.errors import BadInputError, CheckFailedError, DisplayLostError, EnvironmentMissingError
-from game.system.output import lost, say
+from game.system.output import output_problem, print_error
 from game.system.wording import quoted_message
 
 _INTERRUPTED = 130
@@ -33,11 +33,11 @@ def run(app: typer.Typer, program: str, arguments: list[str] | None = None) -> i
     except _Interrupted:
         code = _INTERRUPTED
     if code == _INTERRUPTED:
-        say(f"{program}: {ending.word()}")
+        print_error(f"{program}: {ending.signal_words()}")
         code = ending.exit_code()
-    why = lost()
+    why = output_problem()
     if why is not None:
-        say(f"{program}: cannot write output; {why}")
+        print_error(f"{program}: cannot write output; {why}")
     return code or (0 if why is None else _NO_OUTPUT)
 
 
@@ -49,10 +49,10 @@ def _code(app: typer.Typer, program: str, arguments: list[str] | None) -> int:
         code = command.main(args=arguments, prog_name=program, standalone_mode=False)
     except TyperException as error:
         message = error.format_message().replace(_PYDANTIC, "", 1)
-        say(f"{program}: {quoted_message(message)} (--help lists the options)")
+        print_error(f"{program}: {quoted_message(message)} (--help lists the options)")
         return 2
     except tuple(_EXIT_CODES) as error:
-        say(f"{program}: {error}")
+        print_error(f"{program}: {error}")
         return _EXIT_CODES[type(error)]
     return code if isinstance(code, int) else 0
 

@@ -21,7 +21,7 @@ from enum import Enum, auto
 from types import FrameType, TracebackType
 from typing import Protocol
 
-from game.system.output import lost, say
+from game.system.output import output_problem, print_error
 
 WORDS = {"SIGINT": "interrupted", "SIGTERM": "terminated", "SIGHUP": "hung up"}
 """The signals, and what is said about them."""
@@ -103,8 +103,8 @@ def pending() -> bool:
     return _signals.pending
 
 
-def word() -> str:
-    """What happened, for the line that says so."""
+def signal_words() -> str:
+    """Which signal came, in words: "interrupted" and the like."""
     return WORDS[signal.Signals(_received()).name]
 
 
@@ -180,8 +180,8 @@ def _received() -> int:
 def _end_now() -> None:
     """End the program without another line of Python; with one line on stderr unless everything was said already."""
     if _signals.doing is not _Doing.ENDING:
-        say(f"{_signals.program}: {word()}")
-    lost()  # writes what is still to be written
+        print_error(f"{_signals.program}: {signal_words()}")
+    output_problem()  # writes what is still to be written
     os._exit(exit_code())
 
 

@@ -1,7 +1,8 @@
-"""Files: read without surprises, written whole or not at all.
+"""Files: read without surprises, written atomically: whole or not at all.
 
-Data is written to a temporary file beside its target, which then takes the target's name. A process that is killed on the way
-leaves the temporary file; it holds a lock on it while it lives, so that `sweep` can tell what is left over from what is in use.
+Data is written to a temporary file beside its target, which is then renamed to the target. A process that is killed on the way
+leaves the temporary file behind. It holds a lock on it while it lives: so `remove_temporaries` removes what is left over, and
+nothing that is in use.
 """
 
 import errno
@@ -28,7 +29,7 @@ _NO_WAITING = getattr(os, "O_NONBLOCK", 0) | getattr(os, "O_NOCTTY", 0)
 """To look at a pipe that nobody writes to without waiting for somebody."""
 
 
-def write_whole(path: Path, data: bytes) -> None:
+def write_atomically(path: Path, data: bytes) -> None:
     """Put the data where the path says: a reader finds the old file or the new one, never a part. OSError if it cannot be.
 
     A symbolic link stays, and its target gets the data. A file that exists keeps its permissions; a new one has those that
@@ -40,9 +41,9 @@ def write_whole(path: Path, data: bytes) -> None:
 
 
 def write_text(path: Path, text: str) -> None:
-    """Put a text where the path says, as `write_whole` does; BadInputError, in one line, if it cannot be."""
+    """Put a text where the path says, as `write_atomically` does; BadInputError, in one line, if it cannot be."""
     try:
-        write_whole(path, text.encode())
+        write_atomically(path, text.encode())
     except OSError as error:
         raise BadInputError(f"{quoted_path(path)}: cannot be written; {error.strerror or error}") from None
 
@@ -109,7 +110,7 @@ def check_target(path: Path | None, option: str, suffix: str = "") -> None:
             raise BadInputError(f"{named}: there is no folder {quoted_path(path.parent)}")
         if _permissions(target) is not None and not os.access(target, os.W_OK):
             raise PermissionError(errno.EACCES, os.strerror(errno.EACCES))
-        sweep(target.parent)
+        remove_temporaries(target.parent)
         with deferred(), _written(target.parent, b"", None):
             pass
     except (OSError, ValueError) as error:
@@ -124,7 +125,7 @@ def check_working_directory() -> None:
         raise EnvironmentMissingError(f"no working directory ({error.strerror}); change to a folder that exists") from None
 
 
-def sweep(folder: Path) -> None:
+def remove_temporaries(folder: Path) -> None:
     """Remove the temporary files that killed processes have left in a folder. What cannot be removed stays."""
     with suppress(OSError):
         for path in folder.glob(f"{_PREFIX}*{_SUFFIX}"):

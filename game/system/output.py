@@ -2,7 +2,7 @@
 
 A terminal may be closed, a disk full, a reader gone, a character missing from the encoding. None of this is a reason to stop
 what the command is doing, so the streams made here never raise: a character that cannot be encoded is written as its escape,
-and after the first write that fails the rest is dropped. `lost` tells why, for the exit code.
+and after the first write that fails the rest is dropped. `output_problem` tells why, for the exit code.
 """
 
 import io
@@ -64,17 +64,17 @@ def open_output() -> None:
     sys.stdout, sys.stderr = _unfailing(sys.stdout, 1), _unfailing(sys.stderr, 2)
 
 
-def tell(line: str) -> None:
+def print_line(line: str) -> None:
     """One line on stdout."""
     sys.stdout.write(f"{line}\n")
 
 
-def say(line: str) -> None:
+def print_error(line: str) -> None:
     """One line on stderr, whatever characters it quotes."""
     sys.stderr.write(f"{printable(line)}\n")
 
 
-def lost() -> str | None:
+def output_problem() -> str | None:
     """Why output was dropped, once all of it is written; None if none was, or only because nobody reads on."""
     for stream in (sys.stdout, sys.stderr):
         stream.flush()

@@ -3,7 +3,7 @@
 import time
 import webbrowser
 
-from game.system.output import tell
+from game.system.output import print_line
 from game.web.packages import cache_folder
 from game.web.server import served
 from game.web.site import built_site
@@ -13,7 +13,7 @@ def serve(port: int, *, opens: bool) -> None:
     """Serve the page and open the browser; ends with the signal that interrupts it. Errors are those of `built_site`."""
     site = built_site(cache_folder())
     with served(site, port) as address:
-        tell(f"{address}  (Ctrl+C ends it)")
+        print_line(f"{address}  (Ctrl+C ends it)")
         if opens:
             webbrowser.open(address)
         while True:

@@ -17,7 +17,7 @@ from typing import NamedTuple
 import platformdirs
 
 from game.system.errors import EnvironmentMissingError
-from game.system.files import write_whole
+from game.system.files import write_atomically
 from game.system.wording import quoted_path
 
 _PATIENCE = 300.0
@@ -109,7 +109,7 @@ def fetched(package: Package, cache: Path) -> Path:
             )
         try:
             cache.mkdir(parents=True, exist_ok=True)
-            write_whole(path, brought.read_bytes())
+            write_atomically(path, brought.read_bytes())
         except OSError as error:
             raise EnvironmentMissingError(
                 f"{quoted_path(cache)}: {error.strerror}; a folder for fetched files is needed"

@@ -2,12 +2,12 @@
 
 import math
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, Protocol
 
 import numpy as np
 import numpy.typing as npt
 
-from physics.batch.arrays import MOST_LAYERS, Complexes, Floats, Integers, Layers, arena_of, arrays_of
+from physics.batch.arrays import MOST_LAYERS, Complexes, Floats, Games, Integers, Layers, arena_of, arrays_of
 from physics.batch.compilation import check_subnormals, compiled
 from physics.batch.games import CLEAR, UNKNOWN
 from physics.batch.hits import Rows, joined, new_rows
@@ -37,6 +37,32 @@ class Steps(NamedTuple):
     lost: npt.NDArray[np.bool_]
     dropped: Integers
     freed: Integers
+
+
+class BatchSteering(Protocol):
+    """What gives a ring its spin before every tick: `tools.autopilot.BatchAutopilot`, or another compiled loop."""
+
+    @property
+    def ring(self) -> int:
+        """Index of the ring that is steered."""
+
+    def check(self, games: int, rings: int, dt: float) -> None:
+        """Raise ValueError unless it can steer a batch of so many games and rings in ticks of `dt` seconds."""
+
+    def step(
+        self,
+        games: Games,
+        first: int,
+        last: int,
+        begun: int,
+        ticks: int,
+        dt: float,
+        speed: float,
+        ground_radius: float,
+        rows: Rows,
+        lost: npt.NDArray[np.bool_],
+    ) -> int:
+        """Do what `physics.batch.games.step` does, and steer. Called by several threads, each for other games."""
 
 
 class Batch:
@@ -95,18 +121,28 @@ class Batch:
         """(games, rings, slots of the fullest ring); 0 beyond a ring's count. Read-only, and changed by every step."""
         return _seen(self._games.layers)
 
-    def step(self, spins: Floats | None = None, ticks: int = 1, threads: int = 1) -> Steps:
+    def step(
+        self, spins: Floats | None = None, ticks: int = 1, threads: int = 1, autopilot: BatchSteering | None = None
+    ) -> Steps:
         """Advance every game by some ticks.
 
         spins: (games, rings), rad/s, float64, finite, for all of these ticks; None to leave them. ticks: from 0 to 2**63 - 1.
-        threads: at least 1; the result does not depend on it. Raises ValueError, naming the argument; then nothing is changed.
+        threads: at least 1; the result does not depend on it. autopilot: steers one of the rings before every tick, whatever
+        `spins` says of it; None for nothing. Raises ValueError, naming the argument; then nothing is changed.
         """
         _whole("ticks", ticks, 0)
         _whole("threads", threads, 1)
+        if autopilot is not None:
+            autopilot.check(len(self), len(self._model.rings), self._dt)
         steered = None if spins is None else _checked_spins(spins, self._games.spins.shape)
         games, parts = self._games, min(threads, len(self))
         games.dropped[:] = 0
         games.freed[:] = 0
+        if autopilot is not None:
+            games.steered[autopilot.ring] = games.steered[autopilot.ring] or -1
+            if steered is not None:
+                steered = steered.copy()
+                steered[:, autopilot.ring] = games.spins[:, autopilot.ring]
         if (games.steered < 0).any():
             games.steered[games.steered < 0] = 1
             games.free[:] = 0
@@ -116,7 +152,7 @@ class Batch:
             self._rows.append(new_rows(_ROWS + 2 * MAX_IMPACTS * games.positions.shape[1]))
         bounds = [len(self) * piece // pieces for piece in range(pieces + 1)]
         lost = np.empty(games.positions.shape, np.bool_)
-        hits = shared(lambda n: self._piece(n, steered, bounds[n], bounds[n + 1], ticks, lost), pieces, parts)
+        hits = shared(lambda n: self._piece(n, steered, bounds[n], bounds[n + 1], ticks, lost, autopilot), pieces, parts)
         return Steps(joined(hits), lost, games.dropped.copy(), games.freed.copy())
 
     def arena(self, game: int) -> Arena:
@@ -165,7 +201,14 @@ class Batch:
         mine.known[games], mine.free[games] = UNKNOWN, 0
 
     def _piece(
-        self, number: int, spins: Floats | None, first: int, last: int, ticks: int, lost: npt.NDArray[np.bool_]
+        self,
+        number: int,
+        spins: Floats | None,
+        first: int,
+        last: int,
+        ticks: int,
+        lost: npt.NDArray[np.bool_],
+        autopilot: BatchSteering | None,
     ) -> npt.NDArray[Any]:
         """Advance some of the games. Returns their hits, valid until the next step. number: of the piece. lost: written."""
         check_subnormals()
@@ -173,9 +216,10 @@ class Batch:
         if spins is not None:
             self._compiled.steer(games, spins, first, last)
         rows.now[0] = 0
+        step = self._compiled.step if autopilot is None else autopilot.step
         game = -1
         while True:
-            game = self._compiled.step(games, first, last, game, ticks, self._dt, self._speed, self._ground_radius, rows, lost)
+            game = step(games, first, last, game, ticks, self._dt, self._speed, self._ground_radius, rows, lost)
             if game == last:
                 return rows.hits[: rows.now[0]]
             rows = self._rows[number] = Rows(joined([rows.hits, np.empty_like(rows.hits)]), rows.now)

@@ -6,7 +6,7 @@ radius beside the segment, or the disc of that radius around a corner.
 
 import math
 
-from physics.narrow_phase import end_contact
+from physics.narrow_phase import end_normal, nearest_end
 from physics.polar import to_cartesian
 from physics.shapes import Ball, Ring
 from physics.sweep.gap import End, angle_of_end
@@ -21,11 +21,12 @@ def touch_of_resting_end(ball: Ball, ring: Ring, end: End, span: float) -> float
     """
     p, v, ball_radius = ball
     angle = angle_of_end(ring, end)
-    now = end_contact(ball, ring, end.slot, angle)
-    if dot(now.normal, v) >= 0.0:
+    near = nearest_end(p, angle, ring.radius, ring.angle(end.slot), ring.half_width, ring.half_angle)
+    distance = length(p - near.q)
+    if dot(end_normal(p, near, distance), v) >= 0.0:
         return None  # the distance to a convex set, seen from a straight path, grows for good once it grows
     inner, outer = ring.radius - ring.half_width, ring.radius + ring.half_width
-    if now.gap <= TOUCH * (outer + ball_radius):
+    if distance - ball_radius <= TOUCH * (outer + ball_radius):
         return 0.0
     along = to_cartesian(1.0, angle)
     height, climb = cross(along, p), cross(along, v)

@@ -13,7 +13,7 @@ pytest.importorskip("flint", reason="the proofs need python-flint, the extra [pr
 from flint import arb
 
 from physics import Ball, Ring
-from tests.support.impact_oracle import gap
+from tests.support.oracles.impact_oracle import gap
 from tests.support.strategies import angles, points, reals
 from tools.certify.exact_geometry import exact_ball, exact_ring, moment, sector, use_precision
 from tools.certify.exclusion import ring_is_far, sectors_near

@@ -11,7 +11,7 @@ from tools.crosscheck.games.aimed import SPECIAL
 from tools.crosscheck.games.sources import AIMED, Source, ticks_of
 from tools.crosscheck.games.trajectory import one_bounce
 from tools.crosscheck.pymunk_model.ring_model import Part
-from tools.crosscheck.results.coverage import ALL_CELLS, NAMES, Cell, Judged, cell_of, empty_cells, margins
+from tools.crosscheck.results.coverage import ALL_CELLS, NAMES, CoverageCell, Judged, cell_of, empty_cells, margins
 from tools.crosscheck.run import AIMED_TICKS, Job, check_game
 
 PLAIN = Judged(Part.OUTER_CIRCLE, 0.5, 1.0 + 0.0j, 0j, -8.0 + 0.0j, 0.0, 0.2, 1)
@@ -79,7 +79,7 @@ def test_the_same_seed_aims_the_same_contacts():
 
 def test_an_empty_cell_is_named():
     """Of a single contact's cells all others are empty; the margins add up to it."""
-    cell = Cell(1, 2, 3, 0, 1, 2, 1)
+    cell = CoverageCell(1, 2, 3, 0, 1, 2, 1)
     cells = Counter({cell: 5})
     assert len(empty_cells(cells)) == len(ALL_CELLS) - 1
     assert cell not in empty_cells(cells)

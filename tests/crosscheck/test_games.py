@@ -8,7 +8,7 @@ from game.levels import classic
 from physics import PERMANENT, Arena, Ball, Ring, advance
 from tests.support.crosscheck import what
 from tools.crosscheck.comparisons.contact_check import ContactCheck
-from tools.crosscheck.comparisons.game import Wanted, checked_ticks
+from tools.crosscheck.comparisons.game import WantedChecks, checked_ticks
 from tools.crosscheck.comparisons.hit_frame import CheckedTick, geometry_of, moment_of
 from tools.crosscheck.comparisons.normals import compare_normals
 from tools.crosscheck.comparisons.rules import MOST_BOUNCES
@@ -17,11 +17,11 @@ from tools.crosscheck.games.sources import AIMED, RANDOM, Source, ticks_of
 from tools.crosscheck.games.trajectory import Tick, flight_paths
 from tools.crosscheck.pymunk_model.ring_model import RingModel
 from tools.crosscheck.results.measurements import ANYWHERE, Comparison, ContactVerdict
-from tools.crosscheck.results.rows import Rows
+from tools.crosscheck.results.rows import ContactRows
 from tools.crosscheck.run import Job, check_game
 
 FACETS = 64
-WANTED = Wanted(FACETS, "")
+WANTED = WantedChecks(FACETS, "")
 
 
 def checked(level, seed, ticks, player="autopilot", arcade=None):
@@ -31,7 +31,7 @@ def checked(level, seed, ticks, player="autopilot", arcade=None):
 @pytest.fixture(scope="module")
 def rows():
     """Ten seconds on every level, by three players; a game by the arcade rules; arenas drawn at random; some aimed contacts."""
-    total = Rows()
+    total = ContactRows()
     for number, level in enumerate(classic(), 1):
         total.merge(checked(level.name, number, 2400, ("autopilot", "mouse", "keys")[number % 3]))
     total.merge(checked("Revolving Door", 3, 9600, arcade="hard"))

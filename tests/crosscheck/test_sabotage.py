@@ -12,7 +12,7 @@ from physics import Ring
 from tests.support.crosscheck import what
 from tools.crosscheck.games.sources import AIMED, RANDOM, Source
 from tools.crosscheck.results.measurements import Comparison
-from tools.crosscheck.results.rows import Rows
+from tools.crosscheck.results.rows import ContactRows
 from tools.crosscheck.run import Job, check_game
 from tools.crosscheck.sabotage import in_bounces, in_ticks
 from tools.crosscheck.sabotage.catalogue import MISTAKES
@@ -30,7 +30,7 @@ GAMES = (
 
 def played_with(name, enough=3):
     """What the harness finds in the first game in which it finds anything."""
-    rows = Rows()
+    rows = ContactRows()
     for source in GAMES:
         rows = check_game(Job(source, 8, None, name, enough=enough)).rows
         if rows.unexplained:
@@ -176,7 +176,7 @@ def test_the_suite_plays_every_mistake_on_every_kind_of_game():
 
 def test_the_number_of_contacts_before_the_first_finding_is_told():
     """Also over several games: those without a finding count in full."""
-    clean, spoiled = Rows(), check_game(Job(Source(None, "4", 5, 1500), 8, None, "weak-mirror")).rows
+    clean, spoiled = ContactRows(), check_game(Job(Source(None, "4", 5, 1500), 8, None, "weak-mirror")).rows
     clean.contacts = 7
     assert spoiled.before_first == 0
     clean.merge(spoiled)

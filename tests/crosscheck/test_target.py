@@ -8,7 +8,7 @@ import pytest
 from game.levels import classic
 from physics import PERMANENT, Arena, Ball, Feature, Ring, advance
 from tests.support.crosscheck import what
-from tools.crosscheck.comparisons.game import Wanted, checked_ticks
+from tools.crosscheck.comparisons.game import WantedChecks, checked_ticks
 from tools.crosscheck.comparisons.phases import PhaseBook
 from tools.crosscheck.comparisons.target import LayerBook
 from tools.crosscheck.games.level_numbers import UNBREAKABLE, LevelNumbers, RingNumbers, numbers_of_arena, numbers_of_level
@@ -29,7 +29,7 @@ def one_hit(change=lambda hit: hit, layers=(2, 1, 1, 1)):
     left[hit.ring][hit.slot] = hit.layers
     step = step._replace(hits=(hit,), arena=step.arena._replace(layers=tuple(map(tuple, left))))
     tick = Tick(0, arena, DT, step, numbers_of_arena(arena, 60.0))
-    return what(checked_ticks([tick], Wanted(64, "")).rows, Comparison.TARGET)
+    return what(checked_ticks([tick], WantedChecks(64, "")).rows, Comparison.TARGET)
 
 
 def test_a_right_hit_is_right():
@@ -61,7 +61,7 @@ def test_a_wrong_ring_is_said():
     arena = Arena((Ball(6.5 + 0j, -60.0 + 0j, 0.7),), rings, ((1,) * 4, (1,) * 4))
     step = advance(arena, DT, 60.0)
     step = step._replace(hits=(step.hits[0]._replace(ring=1),), arena=step.arena._replace(layers=((1,) * 4, (0, 1, 1, 1))))
-    rows = checked_ticks([Tick(0, arena, DT, step, numbers_of_arena(arena, 60.0))], Wanted(64, "")).rows
+    rows = checked_ticks([Tick(0, arena, DT, step, numbers_of_arena(arena, 60.0))], WantedChecks(64, "")).rows
     assert "the game names ring 1, pymunk touches ring 0 first" in what(rows, Comparison.TARGET)
 
 
@@ -76,7 +76,7 @@ def test_layers_that_change_without_a_hit_are_noticed():
             step = step._replace(arena=step.arena._replace(layers=((1,) * 4, (1, 0, 1, 1))))
         ticks.append(Tick(number, arena, DT, step, level))
         arena = step.arena
-    rows = checked_ticks(ticks, Wanted(64, "")).rows
+    rows = checked_ticks(ticks, WantedChecks(64, "")).rows
     assert what(rows) == {"at the tick's end ring 1, slot 1 has no brick in the game, 1 layers by the hits"}
     assert rows.elsewhere == 1
 

@@ -6,7 +6,7 @@ import pytest
 from game.levels import built_in
 from game.replays.state_hash import state_hash
 from game.rules import SOURCE_RULES, Controls, Phase, new_game, tick
-from tools.environments.many import ManyEnvironments, Options, base_seed
+from tools.environments.many import EnvironmentOptions, ManyEnvironments, base_seed
 
 pytestmark = pytest.mark.deep
 
@@ -16,7 +16,7 @@ EVERY = np.ones(COUNT, np.bool_)
 
 def environments(level, actions):
     """So many environments of a level, at their first episode."""
-    many = ManyEnvironments(COUNT, Options(level, "state", actions, 1), resets=True)
+    many = ManyEnvironments(COUNT, EnvironmentOptions(level, "state", actions, 1), resets=True)
     many.seed([base_seed(9, index) for index in range(COUNT)], EVERY)
     many.begin(EVERY)
     return many

@@ -6,15 +6,16 @@ import msgspec
 import pygame
 import pytest
 
-from game import app, commands
+from game import commands
 from game.chosen_physics import SOURCE, SWEPT
-from game.kept import games as kept_games
-from game.kept.store import Kept
 from game.levels import Level, classic, parse
-from game.screens.play import PlayScreen
+from game.loop import app
+from game.screens.play.screen import PlayScreen
+from game.storage import games as kept_games
+from game.storage.storage import Storage
 from tests.support.command_line import polar
-from tests.support.dummy_window import FRAME, SIZE, Desk, shared
 from tests.support.level_text import GOOD
+from tests.support.windows.dummy_window import FRAME, SIZE, Desk, shared
 
 HEADLESS = ("--headless", "--autopilot", "--seed", "3", "--ticks", "2000")
 
@@ -55,7 +56,7 @@ def test_a_game_in_the_window_is_kept_only_if_it_can_be_verified(capsys, monkeyp
     code, _, err = polar(capsys, "--autopilot", "--physics", physics)
     assert (code, err) == (0, "")
     assert set(flown) == {{"swept": SWEPT, "source": SOURCE}[physics]}
-    assert len(Kept(tmp_path).games.paths()) == (physics == "swept")
+    assert len(Storage(tmp_path).games.paths()) == (physics == "swept")
 
 
 def flown_in_a_window(physics, seconds, size=SIZE):

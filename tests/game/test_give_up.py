@@ -5,9 +5,9 @@ import pytest
 
 from game.levels import classic
 from game.rules import LIVES, TICK, Controls, Event, EventKind, Phase, new_game, tick
-from game.screens import play
-from game.screens.play import PlayScreen
-from tests.support.dummy_window import FRAME, Desk, shared
+from game.screens.play import screen as play
+from game.screens.play.screen import PlayScreen
+from tests.support.windows.dummy_window import FRAME, Desk, shared
 
 
 def served():

@@ -6,7 +6,7 @@ import pytest
 from game import language
 from game.generated import generated
 from game.language import CODES, ENGLISH, LANGUAGES, SYSTEM, choose, ntr, system_prefers, tr
-from game.level_names import level_name
+from game.levels.names import level_name
 from tools.translations.check import FOLDER, Text, problems, texts
 
 

@@ -10,7 +10,7 @@ import pytest
 from game.student.engine_functions import EngineFunctions
 from game.student.signatures import OUTCOMES, SIGNATURES, agrees, answer
 from game.system.command_line import run
-from tests.support import source_oracle
+from tests.support.oracles import source_oracle
 from tools.vectors.commands import app
 from tools.vectors.files import COLUMNS, FORMAT, csv_text, json_text
 from tools.vectors.inputs.angles import angle_plans

@@ -6,8 +6,8 @@ from game.lab.kit.parameters import defaults
 from game.lab.session import session
 from game.lab.session.share import SharedScene
 from game.lab.window.screen import Lab
-from tests.support.lab_desk import LabDesk
 from tests.support.lab_scenes import counting_scene
+from tests.support.windows.lab_desk import LabDesk
 
 
 @pytest.fixture

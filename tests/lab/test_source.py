@@ -5,7 +5,7 @@ import math
 from hypothesis import assume, given
 
 from game.lab import source
-from tests.support import source_oracle
+from tests.support.oracles import source_oracle
 from tests.support.strategies import angles, points, reals
 
 

@@ -15,7 +15,7 @@ from tests.game.student.conftest import own  # noqa: F401  # a fixture
 from tests.grade.wrong_files import RIGHT
 from tests.support.children import eventually
 from tests.support.command_line import polar
-from tests.support.lab_desk import LabDesk
+from tests.support.windows.lab_desk import LabDesk
 
 WRONG = RIGHT.read_text(encoding="utf-8").replace("return -n if abs(p) < r_p else n", "return n")
 

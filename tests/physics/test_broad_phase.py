@@ -21,7 +21,7 @@ from physics import (
     signed_difference,
     to_cartesian,
 )
-from tests.support import source_oracle
+from tests.support.oracles import source_oracle
 from tests.support.strategies import angles, balls_beside_an_end, points, reals, rings
 
 PADDLES = Ring(10.0, 0.5, 0.3, 3)

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from physics import PERMANENT, Ball, Ring
 from physics.escape import freed
 from physics.tolerances import OVERLAP
-from tests.support.impact_oracle import gap
+from tests.support.oracles.impact_oracle import gap
 from tests.support.strategies import angles, reals, rings
 
 R = 0.25

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from physics import PERMANENT, Arena, Ball, Ring, advance
 from physics.free_flight import clear_time, may_be_steered
-from tests.support.impact_oracle import gap
+from tests.support.oracles.impact_oracle import gap
 from tests.support.strategies import balls, rings
 from tools.fuzz.arenas import TICK, random_case, steered, with_lost_balls_back
 

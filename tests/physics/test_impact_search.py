@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from physics import Ball, Ring, time_of_impact
 from physics.sweep import turning_end
-from tests.support.impact_oracle import EXACT, checked_impact, gap, mirrored_scene
+from tests.support.oracles.impact_oracle import EXACT, checked_impact, gap, mirrored_scene
 from tests.support.strategies import angles, reals, rings
 from tools.fuzz.impacts import check_impacts
 

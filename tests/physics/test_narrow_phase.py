@@ -16,7 +16,7 @@ from physics import (
     narrow_phase_case_1,
     narrow_phase_case_2,
 )
-from tests.support import source_oracle
+from tests.support.oracles import source_oracle
 from tests.support.strategies import angles, balls_beside_an_end, points, reals, units
 
 LINES = {

@@ -9,7 +9,7 @@ from hypothesis import strategies as st
 
 from physics import collision_response, cross, direction, dot, length
 from physics.response import leaving_at
-from tests.support import source_oracle
+from tests.support.oracles import source_oracle
 from tests.support.strategies import angles, points, reals, units
 
 SPEED = 5.0

@@ -6,7 +6,7 @@ import math
 import pytest
 
 from physics import Ball, Feature, Ring, direction, time_of_impact
-from tests.support.impact_oracle import SPINS, TURNS, checked_impact, gap, mirrored_scene, turned_scene
+from tests.support.oracles.impact_oracle import SPINS, TURNS, checked_impact, gap, mirrored_scene, turned_scene
 
 TICK = 1.0 / 240.0
 R = 0.25

@@ -3,9 +3,9 @@
 import base64
 
 from game.autopilot import Autopilot
-from game.kept.progress import Best, record_name
-from game.kept.store import Kept
 from game.rules import Phase, Ruleset, new_game, tick
+from game.storage.progress import Best, record_name
+from game.storage.storage import Storage
 
 
 def stored_run(folder, levels, ticks=1300, *, name=None):
@@ -13,16 +13,16 @@ def stored_run(folder, levels, ticks=1300, *, name=None):
 
     name: under which the best is stored, instead of the level's.
     """
-    kept, pilot, game = Kept(folder), Autopilot(), new_game(levels, 5, Ruleset())
+    storage, pilot, game = Storage(folder), Autopilot(), new_game(levels, 5, Ruleset())
     played = []
     for _ in range(ticks):
         controls = pilot.controls(game)
         game = tick(game, controls).game
-        kept.games(controls, game)
+        storage.games(controls, game)
         if played or game.phase == Phase.PLAYING:
             played.append(game)
-    kept.level_done(Best(name or record_name(levels[0]), "normal", 5))
-    kept.game_done()
+    storage.level_done(Best(name or record_name(levels[0]), "normal", 5))
+    storage.game_done()
     return played
 
 

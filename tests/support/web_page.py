@@ -102,9 +102,9 @@ class WebPage:
         self.tab.evaluate(f"polarBreakout.give(new File([new Uint8Array({letters})], {name!r}))")
         self.frames(3)
 
-    def told(self):
+    def notification(self):
         """The line that is shown for a moment; "" for none."""
-        return self.tab.inner_text("#told") if self.tab.is_visible("#told") else ""
+        return self.tab.inner_text("#notification") if self.tab.is_visible("#notification") else ""
 
     def _logged(self, message):
         """Note an error."""

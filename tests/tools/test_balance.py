@@ -13,7 +13,7 @@ from tools.balance.games_file import known_game, level_hash, saved_games
 from tools.balance.human import AVERAGE, GOOD, SLOW, Skill
 from tools.balance.page import rows
 from tools.balance.players import parsed_seeds, parsed_skills
-from tools.balance.trial import Job, Trial, standard_error, trial
+from tools.balance.trial import Trial, TrialJob, standard_error, trial
 
 GAMES = ROOT / "tests" / "reference" / "balance.json"
 COMMAND = "python -m tools.balance --seeds 4,12,4 --json tests/reference/balance.json --page docs/campaign.md"
@@ -93,7 +93,7 @@ def test_a_known_game_is_of_the_level_that_its_hash_says():
     """The name of the level in the file does not count."""
     level = classic()[0]
     known = {(level_hash(level), None, 0): Trial("Another", None, 0, True, 1.0, 0, 0, 1.0, 10)}
-    assert known_game(known, Job(level, None, 0)).level == level.name
+    assert known_game(known, TrialJob(level, None, 0)).level == level.name
 
 
 def lost(skill):

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 from hypothesis.stateful import RuleBasedStateMachine, initialize, invariant, precondition, rule
 
 from physics import PERMANENT, Arena, Ball, Ring, Step, advance
-from tests.support.impact_oracle import gap
+from tests.support.oracles.impact_oracle import gap
 from tests.support.strategies import angles, reals
 from tools.fuzz.checks import first_fault
 

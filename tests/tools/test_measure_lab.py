@@ -4,7 +4,7 @@ import re
 
 from game.lab.registry import scenes
 from game.system.command_line import run
-from tests.lab.test_scenes import counting_scene
+from tests.lab.scenes.test_scenes import counting_scene
 from tools.measure.lab import app, scene_cost
 
 

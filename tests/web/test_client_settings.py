@@ -8,13 +8,13 @@ from game.input.actions import Action
 from game.input.key_names import key_names
 from game.input.keys import KEYS, PadButton
 from game.input.scancodes import SCANCODES
-from game.kept import ghost
 from game.levels import campaign
 from game.overlay.captions import SECONDS
 from game.picture.display_list import DisplayList
 from game.picture.ghost import add_ghost
 from game.rules import Phase
 from game.settings.file import SettingsFile
+from game.storage import ghost
 from tests.support.best_run import stored_run
 from tests.support.played_page import PlayedPage
 
@@ -43,7 +43,7 @@ def test_a_chosen_key_turns_the_paddles_is_named_and_is_there_again(tmp_path):
     assert "Tab" in question["uncaptured"]
     assert "menu" not in played.key("Tab")
     reply = played.key("KeyK", "k")
-    assert reply["told"] == "Left, clockwise: K"
+    assert reply["notification"] == "Left, clockwise: K"
     assert reply["keep"]
     assert reply["menu"]["focus"] == "key-left-0"
     assert SettingsFile(tmp_path / "settings.json").load().own_keys.keys == ((Action.LEFT, (14, 4)),)
@@ -66,7 +66,7 @@ def test_a_conflict_is_said_as_on_the_desktop(played):
     said = []
     for key in ("KeyM", "Enter", "KeyM", "Escape"):
         asked(played, "pause-0")
-        said.append(played.key(key, key.removeprefix("Key").lower() if key.startswith("Key") else key).get("told", ""))
+        said.append(played.key(key, key.removeprefix("Key").lower() if key.startswith("Key") else key).get("notification", ""))
         played.key("Escape")
         played.key("Escape")
     assert said == ["Pause: M, no longer Sound on or off", "Enter is reserved: Confirm", "Pause: key removed", ""]
@@ -78,7 +78,7 @@ def test_a_button_of_a_gamepad_is_chosen_and_b_leads_back(played):
     asked(played, "give_up-2")
     buttons = [0.0] * 17
     buttons[3] = 1.0
-    assert played.frame({**PAD, "buttons": buttons})["told"] == "Give up a ball: Y, no longer Tip the camera"
+    assert played.frame({**PAD, "buttons": buttons})["notification"] == "Give up a ball: Y, no longer Tip the camera"
     assert KEYS.button_action(PadButton.Y) is Action.GIVE_UP
     played.frame(PAD)
     played.choose("key-pause", "0")
@@ -110,7 +110,7 @@ def test_keys_change_settings_on_every_screen(played):
     """A word about it is drawn for a moment, a screen reader says it, and the menu that shows the setting follows."""
     played.choose("settings")
     reply = played.key("KeyE", "e")
-    assert reply["said"] == "Effects off"
+    assert reply["announcement"] == "Effects off"
     assert "Effects off" in reply["texts"]
     assert next(item["value"] for item in reply["menu"]["items"] if item["id"] == "effects") == "False"
     assert "Effects off" not in played.frame(seconds=2.0).get("texts", [])
@@ -140,7 +140,7 @@ def test_a_caption_is_shown_with_its_event_and_for_its_time(played):
     serve(played, "classic/1")
     reply = after_a_brick(played)
     assert "brick struck" in reply["texts"]
-    assert "brick" not in reply.get("said", "")
+    assert "brick" not in reply.get("announcement", "")
     shown = [played.frame(seconds=0.25)["texts"] for _ in range(round(SECONDS / 0.25) + 1)]
     assert not [words for words in shown[-1] if words == "brick struck"]
     played.change(captions=False)

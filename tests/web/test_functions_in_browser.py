@@ -44,7 +44,7 @@ def test_functions_that_hang_in_the_lab_alone_open_the_page_again(page):
     page.go("functions")
     graded(page, f"import itertools\n{text}")
     page.tab.evaluate("location.hash = '#lab/case-1?radius=7.77'")
-    page.wait(lambda: page.told().startswith("Your own functions gave no answer"), page.told)
+    page.wait(lambda: page.notification().startswith("Your own functions gave no answer"), page.notification)
     page.wait(lambda: page.tab.evaluate("polarBreakout.firstFrame > 0"))
     page.go("lab/case-1?radius=7.77")
     assert page.standing()["panes"] == [""]

@@ -32,7 +32,7 @@ def test_a_scene_is_the_desktops(page, line):
     expected = sessions.opened(parsed(line, Pymunk() if scene.engine_use is EngineUse.ALWAYS else None))
     page.wait(lambda: page.standing().get("line") == expected.line, page.standing)
     if expected.given.engine is not None:
-        page.wait(lambda: page.standing()["engine"] == "pymunk", page.told)
+        page.wait(lambda: page.standing()["engine"] == "pymunk", page.notification)
     assert page.standing()["hash"] == sessions.state_hash(expected)
     formulas = [row.inner_html() for row in page.tab.query_selector_all("#words > div > p")]
     assert formulas[0].count("<math>") == mathml_line(expected.picture.formula[0]).count("<math>")

@@ -27,7 +27,7 @@ def test_a_phone_plays_by_touch(open_page):
 def test_without_storage_it_plays_on_and_says_so(open_page):
     """IndexedDB is gone from the worker."""
     with open_page(lambda page: page.begin_with("worker.js", GONE)) as page:
-        page.wait(lambda: "nothing can be stored" in page.told(), page.told)
+        page.wait(lambda: "nothing can be stored" in page.notification(), page.notification)
         page.use("play")
         page.wait(lambda: page.standing().get("phase") == "SERVING")
 
@@ -60,7 +60,7 @@ def test_it_works_offline_after_the_first_visit(browser, site):
         page.use("grade")
         page.wait(lambda: "no wrap" in page.tab.inner_text("#menu"), lambda: page.tab.inner_text("#menu"))
         page.go("lab/free-run")
-        page.wait(lambda: page.standing().get("engine") == "pymunk", page.told)
+        page.wait(lambda: page.standing().get("engine") == "pymunk", page.notification)
         assert page.foreign == []
     finally:
         context.close()

@@ -43,7 +43,7 @@ def test_a_key_is_chosen_by_keyboard_alone_a_conflict_is_said_and_a_reload_keeps
     assert page.tab.inner_text("#item-key-left-0") == "K"
     page.use("key-pause-0")
     page.tab.keyboard.press("m")
-    page.wait(lambda: page.told() == "Pause: M, no longer Sound on or off", page.told)
+    page.wait(lambda: page.notification() == "Pause: M, no longer Sound on or off", page.notification)
     assert turns(page, "k")
     assert page.ask("save") is True
     page.open()
@@ -70,7 +70,7 @@ def test_a_button_is_chosen_by_gamepad_alone(page):
         press(button)
     assert page.title() == "Left, clockwise"
     press(0)
-    page.wait(lambda: page.told() == "A is reserved: Serve, go on", page.told)
+    page.wait(lambda: page.notification() == "A is reserved: Serve, go on", page.notification)
     assert held(page) == "item-key-left-2"
     press(0)
     press(1)

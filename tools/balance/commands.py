@@ -15,13 +15,13 @@ from game.levels import Level, campaign, chosen
 from game.rules import Difficulty, Ruleset
 from game.system.errors import BadInputError
 from game.system.files import check_target, read_input, write_text
-from game.system.output import tell
+from game.system.output import print_line
 from game.system.wording import quoted, quoted_path
 from tools.balance.games_file import Known, known_game, save_games, saved_games
 from tools.balance.human import Skill
 from tools.balance.page import has_table, with_table
 from tools.balance.players import parsed_seeds, parsed_skills, player_name
-from tools.balance.trial import Job, Summary, Trial, played, summary
+from tools.balance.trial import Trial, TrialJob, TrialSummary, played, summary
 from tools.executor import Where, results, sure
 from tools.executor.options import ClusterOption, WorkersOption, where
 
@@ -68,7 +68,7 @@ def balance(
     numbers, ruleset = parsed_seeds(seeds, len(skills)), Ruleset(Difficulty[difficulty.upper()])
     games = saved_games(known) if known is not None else {}
     jobs = [
-        Job(one, skill, seed, ruleset)
+        TrialJob(one, skill, seed, ruleset)
         for one in levels
         for skill, number in zip(skills, numbers, strict=True)
         for seed in range(number)
@@ -110,7 +110,7 @@ def _page_text(path: Path) -> str:
     return text
 
 
-def _play(jobs: list[Job], known: Known, executor: Where, told: Callable[[Trial], None]) -> None:
+def _play(jobs: list[TrialJob], known: Known, executor: Where, told: Callable[[Trial], None]) -> None:
     """Play the games that are not known; `told` is given every game."""
     console = Console(stderr=True)
     for job in jobs:
@@ -132,7 +132,7 @@ def _print(levels: tuple[Level, ...], skills: tuple[Skill | None, ...], trials: 
     table = Table(box=None, pad_edge=False)
     for heading in ("level", "player", "games", "cleared", "lives lost", "seconds", "longest gap", "given up", "score"):
         table.add_column(heading, justify="left" if heading in {"level", "player"} else "right")
-    whole: dict[Skill | None, list[Summary]] = {skill: [] for skill in skills}
+    whole: dict[Skill | None, list[TrialSummary]] = {skill: [] for skill in skills}
     for level in levels:
         for skill in skills:
             found = [trial for trial in trials if trial.level == level.name and trial.skill == skill]
@@ -146,10 +146,10 @@ def _print(levels: tuple[Level, ...], skills: tuple[Skill | None, ...], trials: 
     if trials:
         Console(width=120).print(table)
     else:
-        tell("no game was played to its end")
+        print_line("no game was played to its end")
 
 
-def _add(table: Table, name: str, skill: Skill | None, part: Summary) -> None:
+def _add(table: Table, name: str, skill: Skill | None, part: TrialSummary) -> None:
     """One line of the table."""
     table.add_row(
         name,

@@ -10,7 +10,7 @@ from game.system.errors import BadInputError
 from game.system.files import read_input, write_text
 from game.system.wording import quoted_message, quoted_path
 from tools.balance.human import Skill
-from tools.balance.trial import Job, Trial
+from tools.balance.trial import Trial, TrialJob
 
 Known = dict[tuple[str, Skill | None, int], Trial]
 """Games by the hash of their level, their player and their seed."""
@@ -46,7 +46,7 @@ def level_hash(level: Level) -> str:
     return level.content_hash()[:_HASH_DIGITS]
 
 
-def known_game(known: Known, job: Job) -> Trial | None:
+def known_game(known: Known, job: TrialJob) -> Trial | None:
     """The game of a job, if the file has it; else None. A level is known by its hash, whatever name the file gives it."""
     game = known.get((level_hash(job.level), job.skill, job.seed))
     return None if game is None else game._replace(level=job.level.name)

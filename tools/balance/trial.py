@@ -39,7 +39,7 @@ class Trial(NamedTuple):
     score: int
 
 
-class Job(NamedTuple):
+class TrialJob(NamedTuple):
     """A game to be played; `skill` as in `Trial`."""
 
     level: Level
@@ -48,7 +48,7 @@ class Job(NamedTuple):
     ruleset: Ruleset = NORMAL_RULES
 
 
-class Summary(NamedTuple):
+class TrialSummary(NamedTuple):
     """Means over the games of one player in one level; the gap and the score are medians.
 
     games: how many. cleared: share of them. error: the standard error of `lost`, 0 for a single game. The rest as in `Trial`.
@@ -64,14 +64,14 @@ class Summary(NamedTuple):
     score: float
 
 
-def played(job: Job) -> Trial:
+def played(job: TrialJob) -> Trial:
     """The game that a job asks for."""
     return trial(*job)
 
 
-def summary(trials: list[Trial]) -> Summary:
+def summary(trials: list[Trial]) -> TrialSummary:
     """What games have in common. trials: one at least."""
-    return Summary(
+    return TrialSummary(
         len(trials),
         mean([trial.cleared for trial in trials]),
         mean([trial.lost for trial in trials]),

@@ -8,7 +8,7 @@ from rich.console import Console
 from rich.progress import BarColumn, Progress, TextColumn, TimeElapsedColumn
 
 from game.system.files import check_target, check_working_directory, write_text
-from game.system.output import tell
+from game.system.output import print_line
 from tools.certify.boxes.catalogue import boxes
 from tools.certify.boxes.subdivision import proof_of
 from tools.certify.exact_geometry import use_precision
@@ -26,7 +26,7 @@ def certify(names: tuple[str, ...], impacts: int, seed: int, workers: Where, jso
     named = [ClaimSource(name).checked() for name in names]
     done = _with_progress(named or SourcePlan(seed, impacts), None if named else impacts, workers)
     for line in lines(done, every_case=every_case):
-        tell(line)
+        print_line(line)
     if json is not None:
         options = {"sources": list(names), "impacts": impacts, "seed": seed}
         write_text(json, json_text(done, options))
@@ -45,7 +45,7 @@ def certify_functions(pieces: int, json: Path | None) -> int:
     with console.status("subdividing") if console.is_terminal else nullcontext():
         proofs = [proof_of(box, pieces) for box in boxes()]
     for line in functions_lines(proofs):
-        tell(line)
+        print_line(line)
     if json is not None:
         write_text(json, functions_json_text(proofs, pieces))
     return 0 if all([proof.wrong is None and proof.proved > 0.0 for proof in proofs]) else 1

@@ -18,12 +18,12 @@ class CertificationRun(NamedTuple):
 
 
 def outcome(
-    sources: Sequence[ClaimSource], impacts: int | None, workers: Where, tell: Callable[[int, Totals], None]
+    sources: Sequence[ClaimSource], impacts: int | None, workers: Where, on_progress: Callable[[int, Totals], None]
 ) -> CertificationRun:
     """The sources in their order, until `impacts` are reached; None: all of them.
 
     The same for any number of workers: results are taken in the order of the sources. After a signal, what there is until then.
-    tell: is called after each source, with its number from 1 on and the tally.
+    on_progress: is called after each source, with its number from 1 on and the tally.
     """
     total, lost = no_totals(), list[tuple[str, str]]()
     try:
@@ -33,7 +33,7 @@ def outcome(
                     lost.append((sources[number].name, result.why))
                 else:
                     total = total.plus(result)
-                tell(number + 1, total)
+                on_progress(number + 1, total)
                 if impacts is not None and total.impacts >= impacts:
                     break
     except KeyboardInterrupt:

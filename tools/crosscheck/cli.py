@@ -69,8 +69,8 @@ def _games(options: Options) -> int:
     recorded = options.json is not None
     mistake = None if options.sabotage == _ALL else options.sabotage
     jobs = [Job(source, options.facets, options.only, mistake, recorded) for source in sources]
-    with _progress("games, {task.fields[count]:,} contacts,", len(jobs)) as tell:
-        result = checked_games(jobs, options.workers, lambda done: tell(done.games + len(done.lost), done.rows.contacts))
+    with _progress("games, {task.fields[count]:,} contacts,", len(jobs)) as on_progress:
+        result = checked_games(jobs, options.workers, lambda done: on_progress(done.games + len(done.lost), done.rows.contacts))
     findings = Findings(result)
     if not result.partial:
         findings = _with_extras(findings, sources, options)
@@ -88,8 +88,8 @@ def _corpus(options: Options, folder: Path) -> int:
     """The fixed list of games."""
     most = options.choice.games
     total = len(corpus_sources()[:most])
-    with _progress("games of the corpus, {task.fields[count]:,} contacts,", total) as tell:
-        corpus = built_corpus(folder, most, options.facets, options.workers, tell)
+    with _progress("games of the corpus, {task.fields[count]:,} contacts,", total) as on_progress:
+        corpus = built_corpus(folder, most, options.facets, options.workers, on_progress)
     print_corpus(Console(), corpus, folder)
     if not corpus.complete and not corpus.lost:
         return 128 + signal.SIGINT
@@ -121,8 +121,8 @@ def _with_extras(findings: Findings, sources: list[Source], options: Options) ->
     choice = options.choice
     if options.sabotage == _ALL:
         suite = suite_jobs(list(MISTAKES), choice.seed, options.facets)
-        with _progress("games with mistakes,", len(suite)) as tell:
-            findings = findings._replace(sabotage=sabotage_results(suite, options.workers, lambda done: tell(done, 0)))
+        with _progress("games with mistakes,", len(suite)) as on_progress:
+            findings = findings._replace(sabotage=sabotage_results(suite, options.workers, lambda done: on_progress(done, 0)))
     mistake = MISTAKES[options.sabotage].change() if options.sabotage in MISTAKES else nullcontext()
     if options.convergence:
         more = [Source(None, level, choice.seed + number, _MORE_TICKS) for number in range(_MORE_GAMES) for level in _RESTING]

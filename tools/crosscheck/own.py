@@ -17,7 +17,7 @@ from game.student.reply import Reply
 from game.student.signatures import SIGNATURES, Result, agrees, answer
 from game.student.slides import SlideFunctions
 from game.system.errors import CheckFailedError
-from game.system.output import say
+from game.system.output import print_error
 from tools.crosscheck.comparisons.bounce import mirrored, with_friction
 from tools.crosscheck.comparisons.hit_frame import CheckedTick, Moment, geometry_of, moment_of
 from tools.crosscheck.comparisons.rules import MOST_BOUNCES, STOPPED
@@ -78,7 +78,7 @@ def compare_own(sources: Sequence[Source], functions: FunctionsFile, console: Co
         table.add_row(row, *[f"{counts[row, verdict]:,}" for verdict in OwnVerdict])
     console.print(table)
     for words in first.values():
-        say(f"polar-crosscheck: {words}")
+        print_error(f"polar-crosscheck: {words}")
     functions.check()
     differing = sum([count for (_, verdict), count in counts.items() if verdict is OwnVerdict.DIFFERS])
     if differing:

@@ -11,11 +11,11 @@ from game import VERSION
 from game.levels import Level, campaign, classic
 from game.system.errors import BadInputError
 from physics import PHYSICS_VERSION
-from tools.crosscheck.comparisons.game import Checked, Wanted, checked_ticks
+from tools.crosscheck.comparisons.game import Checked, WantedChecks, checked_ticks
 from tools.crosscheck.games.aimed import SPECIAL
 from tools.crosscheck.games.sources import AIMED, AUTOPILOT, DIFFICULTIES, PLAYERS, RANDOM, Source, ticks_of
 from tools.crosscheck.results.coverage import ALL_CELLS
-from tools.crosscheck.results.rows import Rows
+from tools.crosscheck.results.rows import ContactRows
 from tools.crosscheck.sabotage.catalogue import MISTAKES
 from tools.crosscheck.workers import results_of
 from tools.executor import Lost, Where
@@ -51,7 +51,7 @@ class RunResult:
     def __init__(self, jobs: Sequence[Job]) -> None:
         """Before the first game."""
         self.jobs = tuple(jobs)
-        self.rows = Rows()
+        self.rows = ContactRows()
         self.games = 0
         self.ticks = 0
         self.playing = 0.0
@@ -84,20 +84,20 @@ def check_game(job: Job) -> Checked:
     if job.sabotage is not None:
         options += f" --sabotage {job.sabotage}"
     with nullcontext() if job.sabotage is None else MISTAKES[job.sabotage].change():
-        return checked_ticks(ticks_of(job.source), Wanted(job.facets, options, job.only, job.recorded, job.enough))
+        return checked_ticks(ticks_of(job.source), WantedChecks(job.facets, options, job.only, job.recorded, job.enough))
 
 
-def checked_games(jobs: Sequence[Job], workers: Where, tell: Callable[[RunResult], None]) -> RunResult:
+def checked_games(jobs: Sequence[Job], workers: Where, on_progress: Callable[[RunResult], None]) -> RunResult:
     """All games, each by a worker process; after Ctrl-C what there is until then, marked as partial.
 
-    tell: called after each game.
+    on_progress: called after each game.
     """
     result = RunResult(jobs)
     try:
         with closing(results_of(check_game, jobs, workers)) as results:
             for number, checked in results:
                 result.take(jobs[number].source, checked)
-                tell(result)
+                on_progress(result)
     except KeyboardInterrupt:
         result.partial = True
     return result

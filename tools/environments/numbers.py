@@ -51,7 +51,7 @@ seed, where some are not taken by chance.
 """
 
 
-class Results(NamedTuple):
+class TickResults(NamedTuple):
     """The results of a step, each an array with a number for every environment.
 
     Attributes:
@@ -71,13 +71,13 @@ class Results(NamedTuple):
     ticks: npt.NDArray[np.int64]
 
 
-def new_results(count: int) -> Results:
+def new_results(count: int) -> TickResults:
     """Arrays for the results of `count` environments."""
     flags, numbers = np.empty((2, count), np.bool_), np.empty((3, count), np.int64)
-    return Results(np.empty(count), *flags, *numbers)
+    return TickResults(np.empty(count), *flags, *numbers)
 
 
-class LevelNumbers(NamedTuple):
+class LevelConstants(NamedTuple):
     """What is the same in all environments.
 
     Attributes:
@@ -90,6 +90,7 @@ class LevelNumbers(NamedTuple):
         frame_skip: ticks that an action is held.
         longest: ticks of an episode at most.
         repeat: probability that an action is not taken, and the one before it held.
+        autopilot: 1 where the autopilot plays, and not the actions.
         resets: 1 where the step after an episode's end begins the next one.
         near, pace, turn: what positions, velocities and spins are multiplied by to lie in [-1, 1].
     """
@@ -103,6 +104,7 @@ class LevelNumbers(NamedTuple):
     frame_skip: int
     longest: int
     repeat: float
+    autopilot: int
     resets: int
     near: float
     pace: float

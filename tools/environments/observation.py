@@ -9,7 +9,7 @@ import numpy.typing as npt
 from game.rules import LIVES, PADDLES, Phase
 from physics.batch.arrays import Floats, Games, Integers
 from physics.shapes import PERMANENT
-from tools.environments.numbers import BRICKS, LevelNumbers
+from tools.environments.numbers import BRICKS, LevelConstants
 
 FIXED_NUMBERS = 9
 """Numbers of the state before those of turning rings and bricks."""
@@ -43,7 +43,7 @@ def numbers_of_state(start: Games) -> int:
     return FIXED_NUMBERS + 2 * len(turning) + int(start.counts[PADDLES + 1 :].sum())
 
 
-def write_states(numbers: LevelNumbers, games: Games, episodes: Any, states: npt.NDArray[np.float32]) -> None:
+def write_states(numbers: LevelConstants, games: Games, episodes: Any, states: npt.NDArray[np.float32]) -> None:
     """The state of every game in its row, in [-1, 1], unless the rows have no columns.
 
     Position (2) and velocity (2) of the ball; cosine and sine of the angle of paddle 0, their spin; 1 with the ball in play, 0
@@ -71,7 +71,7 @@ def bricks_turn(games: Games) -> bool:
     return turning > 0
 
 
-def _write_rest(numbers: LevelNumbers, games: Games, e: Any, states: npt.NDArray[np.float32], g: int) -> None:
+def _write_rest(numbers: LevelConstants, games: Games, e: Any, states: npt.NDArray[np.float32], g: int) -> None:
     """Write the numbers that do not change in every tick, if they have changed."""
     velocity = games.velocities[g, 0]
     states[g, 2], states[g, 3] = _within(velocity.real * numbers.pace), _within(velocity.imag * numbers.pace)

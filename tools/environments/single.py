@@ -9,7 +9,7 @@ import numpy.typing as npt
 from gymnasium.error import ResetNeeded
 
 from game.rules import Game
-from tools.environments.many import Actions, ManyEnvironments, Observation, Options, State, base_seed
+from tools.environments.many import Actions, EnvironmentOptions, ManyEnvironments, Observation, State, base_seed
 from tools.environments.spaces import action_space, frame, observation_space
 
 _ONE = np.ones(1, np.bool_)
@@ -18,9 +18,9 @@ _ONE = np.ones(1, np.bool_)
 class PolarBreakoutEnv(gymnasium.Env[npt.NDArray[Any], Any]):
     """A game on one level, under the source's rules, with three lives. A step's reward is the points that it scored.
 
-    The arguments are those of `tools.environments.many.Options`. An episode ends with the last brick or the last life. The ball
-    is served by itself, a second after a life began at the latest. The same seed gives the same game; without one, a game
-    follows from the seed and the number of the episode.
+    The arguments are those of `tools.environments.many.EnvironmentOptions`. An episode ends with the last brick or the last
+    life. The ball is served by itself, a second after a life began at the latest. The same seed gives the same game; without
+    one, a game follows from the seed and the number of the episode.
     """
 
     metadata: ClassVar[dict[str, Any]] = {"render_modes": ["rgb_array"], "render_fps": 60}  # type: ignore[misc]
@@ -35,7 +35,7 @@ class PolarBreakoutEnv(gymnasium.Env[npt.NDArray[Any], Any]):
         max_ticks: int = 72_000,
         render_mode: str | None = None,
     ) -> None:
-        options = Options(level, observation, actions, frame_skip, repeat_action_probability, max_ticks)
+        options = EnvironmentOptions(level, observation, actions, frame_skip, repeat_action_probability, max_ticks)
         self._environments = ManyEnvironments(1, options, recorded=[0])
         self.action_space = action_space(self._environments)
         self.observation_space = observation_space(self._environments)

@@ -13,7 +13,7 @@ from gymnasium.vector import AutoresetMode
 from gymnasium.vector.utils import batch_space
 
 from game.rules import Game
-from tools.environments.many import Actions, ManyEnvironments, Observation, Options, State, base_seed
+from tools.environments.many import Actions, EnvironmentOptions, ManyEnvironments, Observation, State, base_seed
 from tools.environments.spaces import action_space, frame, observation_space
 
 Array = npt.NDArray[Any]
@@ -25,7 +25,7 @@ class PolarBreakoutVectorEnv(gymnasium.vector.VectorEnv[Array, Array, Array]):
     autoreset_mode: NEXT_STEP, SAME_STEP (then `final_obs` and `final_info` are in the info), or DISABLED (then `reset` takes
     `options={"reset_mask": mask}`). recorded: the environments whose games `record` can write. copy: whether every step returns
     a new array of observations of the kind "state"; if not, the next step overwrites what has changed in it, so callers must
-    not write to it. The other arguments are those of `tools.environments.many.Options`.
+    not write to it. The other arguments are those of `tools.environments.many.EnvironmentOptions`.
     """
 
     def __init__(
@@ -44,7 +44,7 @@ class PolarBreakoutVectorEnv(gymnasium.vector.VectorEnv[Array, Array, Array]):
         copy: bool = True,
     ) -> None:
         self._mode = AutoresetMode(autoreset_mode)
-        options = Options(level, observation, actions, frame_skip, repeat_action_probability, max_ticks)
+        options = EnvironmentOptions(level, observation, actions, frame_skip, repeat_action_probability, max_ticks)
         self._environments = ManyEnvironments(num_envs, options, recorded, resets=self._mode is AutoresetMode.NEXT_STEP)
         self.num_envs = num_envs
         self.metadata = {"render_modes": ["rgb_array"], "render_fps": 60, "autoreset_mode": self._mode}

@@ -29,7 +29,7 @@ class Failure(NamedTuple):
     speed: float
 
 
-class Tally(NamedTuple):
+class CampaignTally(NamedTuple):
     """What happened in a number of cases."""
 
     cases: int = 0
@@ -39,9 +39,9 @@ class Tally(NamedTuple):
     freed: int = 0
     failures: tuple[Failure, ...] = ()
 
-    def plus(self, other: "Tally") -> "Tally":
+    def plus(self, other: "CampaignTally") -> "CampaignTally":
         """Both together."""
-        return Tally(
+        return CampaignTally(
             self.cases + other.cases,
             self.steps + other.steps,
             self.hits + other.hits,
@@ -51,14 +51,14 @@ class Tally(NamedTuple):
         )
 
 
-def play(seed: int, index: int, ticks: int = TICKS) -> Tally:
+def play(seed: int, index: int, ticks: int = TICKS) -> CampaignTally:
     """One case, up to its first fault."""
     arena, speed, chance = random_case(seed, index)
-    tally = Tally(cases=1)
+    tally = CampaignTally(cases=1)
     flight: FreeFlight | None = None
     for tick in range(ticks):
         what, step = checked_tick(arena, speed, flight)
-        tally = tally.plus(Tally(0, len(arena.balls), len(step.hits), step.dropped, step.freed))
+        tally = tally.plus(CampaignTally(0, len(arena.balls), len(step.hits), step.dropped, step.freed))
         if what is not None:
             return tally._replace(failures=(Failure(seed, index, tick, what, arena, speed),))
         arena, flight = steered(with_lost_balls_back(step.arena, speed, chance), speed, chance), step.flight
@@ -77,8 +77,8 @@ def checked_tick(arena: Arena, speed: float, flight: FreeFlight | None = None) -
 
 
 def tallies(
-    seed: int, steps: int, workers: Where, first: int = 0, one: Callable[[int, int], Tally] | None = None
-) -> Iterator[Tally]:
+    seed: int, steps: int, workers: Where, first: int = 0, one: Callable[[int, int], CampaignTally] | None = None
+) -> Iterator[CampaignTally]:
     """Tallies as they come, until the ball-steps are done, a case has failed, or the caller has enough.
 
     first: the first case. one: plays a case of a seed and number, importable by its name; `play` unless given. The cases are
@@ -94,12 +94,12 @@ def tallies(
                 return
 
 
-def _tallies(job: tuple[Callable[[int, int], Tally], int, int, int]) -> list[Tally]:
+def _tallies(job: tuple[Callable[[int, int], CampaignTally], int, int, int]) -> list[CampaignTally]:
     """So many tallies of cases, as far as none fails. job: what plays a case, the seed, the first case, how many tallies."""
     one, seed, start, count = job
     tallies = []
     for first in range(start, start + count * CASES_PER_TALLY, CASES_PER_TALLY):
-        tally = Tally()
+        tally = CampaignTally()
         for index in range(first, first + CASES_PER_TALLY):
             tally = tally.plus(one(seed, index))
         tallies.append(tally)

@@ -10,12 +10,12 @@ from rich.progress import BarColumn, MofNCompleteColumn, Progress, TextColumn, T
 
 from game.system.command_line import refuse_ignored
 from game.system.errors import BadInputError, EnvironmentMissingError
-from game.system.output import tell
+from game.system.output import print_line
 from game.system.wording import quoted
 from tools.executor import Where, results, sure
 from tools.executor.options import ClusterOption, WorkersOption, where
 from tools.fuzz.arenas import TICK
-from tools.fuzz.campaign import Failure, Tally, checked_tick, play, smallest, tallies
+from tools.fuzz.campaign import CampaignTally, Failure, checked_tick, play, smallest, tallies
 from tools.fuzz.impacts import checked_chunk, multiprecision
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
@@ -64,7 +64,7 @@ def _numbers(case: str) -> tuple[int, int]:
     return int(seed), int(index)
 
 
-def _played_by(*, compiled: bool) -> Callable[[int, int], Tally]:
+def _played_by(*, compiled: bool) -> Callable[[int, int], CampaignTally]:
     """What plays a case. The compiled loops are compiled here, before other processes would, each for itself."""
     if not compiled:
         return play
@@ -77,11 +77,11 @@ def _played_by(*, compiled: bool) -> Callable[[int, int], Tally]:
     except ImportError as error:
         raise EnvironmentMissingError(f"--compiled: {error}") from None
     if not done.cached:
-        tell(f"compiled in {done.seconds:.0f} s")
+        print_line(f"compiled in {done.seconds:.0f} s")
     return play_compiled
 
 
-def _again(seed: int, index: int, one: Callable[[int, int], Tally], *, compiled: bool) -> int:
+def _again(seed: int, index: int, one: Callable[[int, int], CampaignTally], *, compiled: bool) -> int:
     """Play one case."""
     tally = one(seed, index)
     _say(f"case {seed}:{index}", tally, "done")
@@ -90,7 +90,7 @@ def _again(seed: int, index: int, one: Callable[[int, int], Tally], *, compiled:
 
 def _campaign(steps: int, seed: int, first: int, workers: Where, *, compiled: bool) -> int:
     """Play cases until the steps are done, one fails, or a signal ends it: then what was done until then is still told."""
-    total, one = Tally(), _played_by(compiled=compiled)
+    total, one = CampaignTally(), _played_by(compiled=compiled)
     try:
         with _bar() as bar:
             task = bar.add_task("ball-steps", total=steps)
@@ -121,11 +121,11 @@ def _impacts(count: int, seed: int, workers: Where) -> int:
                 if faults:
                     break
     except KeyboardInterrupt:
-        tell(_impacts_line(seed, done, touches, len(faults), _STOPPED))
+        print_line(_impacts_line(seed, done, touches, len(faults), _STOPPED))
         raise
-    tell(_impacts_line(seed, done, touches, len(faults), "done"))
+    print_line(_impacts_line(seed, done, touches, len(faults), "done"))
     for index, what in faults:
-        tell(f"  impact {seed}:{index}: {what}")
+        print_line(f"  impact {seed}:{index}: {what}")
     return 1 if faults else 0
 
 
@@ -134,7 +134,7 @@ def _impacts_line(seed: int, done: int, touches: int, wrong: int, how: str) -> s
     return f"seed {seed}: {done} times of impact, {touches} of them touches, {wrong} wrong; {how}"
 
 
-def _verdict(tally: Tally, *, compiled: bool) -> int:
+def _verdict(tally: CampaignTally, *, compiled: bool) -> int:
     """The exit code, after the shortest failure and how to see it again."""
     if not tally.failures:
         return 0
@@ -144,18 +144,18 @@ def _verdict(tally: Tally, *, compiled: bool) -> int:
 
 def _show(failure: Failure, option: str) -> None:
     """The smallest arena that fails, and the commands that show it."""
-    tell(f"case {failure.seed}:{failure.number} fails at tick {failure.tick}: {failure.what}")
-    tell(f"again: python -m tools.fuzz --case {failure.seed}:{failure.number}{option}")
+    print_line(f"case {failure.seed}:{failure.number} fails at tick {failure.tick}: {failure.what}")
+    print_line(f"again: python -m tools.fuzz --case {failure.seed}:{failure.number}{option}")
     if checked_tick(failure.arena, failure.speed)[0] is None:
         return  # it needs the ticks before, or the compiler
     least = smallest(failure)
-    tell(f"its smallest form fails in one tick, advance(arena, {TICK!r}, {least.speed!r}): {least.what}")
-    tell(f"arena = {least.arena!r}")
+    print_line(f"its smallest form fails in one tick, advance(arena, {TICK!r}, {least.speed!r}): {least.what}")
+    print_line(f"arena = {least.arena!r}")
 
 
-def _say(name: str, tally: Tally, how: str) -> None:
+def _say(name: str, tally: CampaignTally, how: str) -> None:
     """The line that sums a run up."""
-    tell(
+    print_line(
         f"{name}: {tally.cases} cases, {tally.steps} ball-steps, {tally.hits} hits, {tally.dropped} dropped at the bound, "
         f"{tally.freed} squeezed and freed, {len(tally.failures)} failed; {how}"
     )

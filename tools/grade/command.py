@@ -9,7 +9,7 @@ from typing import NamedTuple
 from game.student.program import Limits, Student, Wait, next_line, python_host
 from game.system.errors import BadInputError
 from game.system.files import check_target, write_text
-from game.system.output import tell
+from game.system.output import print_line
 from tools.grade.findings import all_findings
 from tools.grade.grading import grade
 from tools.grade.pictures import drawn
@@ -49,13 +49,13 @@ def grade_program(
         raise BadInputError("none of the source's functions is written yet; docs/grading.md has their names")
     findings = all_findings(found)
     for line in report_lines(found, findings):
-        tell(line)
+        print_line(line)
     if json is not None:
         write_text(json, json_text(found, findings))
     if junit is not None:
         write_text(junit, junit_text(found, findings))
     for picture in () if pictures is None else drawn(findings, pictures, program.file):
-        tell(f"picture: {picture}")
+        print_line(f"picture: {picture}")
     return 0 if found.right else 1
 
 

@@ -5,7 +5,7 @@ from pathlib import Path
 from game.student.template import TEMPLATE
 from game.system.errors import BadInputError
 from game.system.files import write_text
-from game.system.output import tell
+from game.system.output import print_line
 
 
 def write_template(path: Path) -> None:
@@ -13,4 +13,4 @@ def write_template(path: Path) -> None:
     if path.exists():
         raise BadInputError(f"--template {path}: there is such a file already")
     write_text(path, TEMPLATE)
-    tell(f"written: {path}; its first lines say how it is graded, seen and flown")
+    print_line(f"written: {path}; its first lines say how it is graded, seen and flown")

@@ -31,20 +31,20 @@ from game.drawing.painter import Painter
 from game.drawing.palette import DARK
 from game.drawing.text import Type
 from game.effects import Effects, after
-from game.frame_pace import FramePace
 from game.input.keys import Action
 from game.input.signals import Pressed
 from game.input.view import FLAT, SOLID, Viewpoint
 from game.levels import built_in
+from game.loop.frame_pace import FramePace
 from game.overlay import hud
 from game.overlay.readings import readings
 from game.rules import ActivePower, Drop, PowerUp, Ruleset, Ticked, new_game, tick
 from game.scene import scene_at, still
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.menus.help import Help
-from game.screens.menus.settings_panel import SettingsPanel
-from game.screens.play import PlayScreen
+from game.screens.menus.help.panel import Help
+from game.screens.menus.settings.panel import SettingsPanel
+from game.screens.play.screen import PlayScreen
 from game.screens.title import Title
 from game.system import window as display
 from game.system.command_line import run

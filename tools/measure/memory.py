@@ -22,12 +22,12 @@ import typer
 from rich.console import Console
 from rich.progress import Progress
 
-from game.app import frame
 from game.input.view import Viewpoint
 from game.levels import classic
+from game.loop.app import frame
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.play import PlayScreen
+from game.screens.play.screen import PlayScreen
 from game.screens.title import Title
 from game.settings.values import Settings
 from game.sound.mixer import Audio

@@ -22,7 +22,7 @@ from game.rules import Advance
 from game.student.functions_file import FunctionsFile
 from game.student.own_physics import OwnPhysics
 from game.system.command_line import run
-from game.system.output import tell
+from game.system.output import print_line
 from physics import Arena, FreeFlight, Step, source_mode
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
@@ -45,8 +45,8 @@ def measure(
         trips = [_milliseconds(lambda: own.ask("calls", [])) for _ in range(1000)]
         for name, advance in (("own functions", OwnPhysics(own).advance), ("the slides'", source_mode.advance)):
             times = _tick_times(advance, ticks)
-            tell(f"{name + ':':<16}{_words(times)} a tick with a test")
-        tell(f"{'round trip:':<16}{_words(trips)}")
+            print_line(f"{name + ':':<16}{_words(times)} a tick with a test")
+        print_line(f"{'round trip:':<16}{_words(trips)}")
         own.check()
 
 

@@ -16,7 +16,7 @@ _PYMUNK_BALLS = (1, 10, 100)
 
 
 @dataclass
-class Curve:
+class ScalingCurve:
     """One line of the picture: a contender, the numbers along the axis, and the costs found."""
 
     name: str
@@ -27,13 +27,15 @@ class Curve:
 
 def scaling_plot(rounds: int, ticks: int) -> bytes:
     """A PNG; the costs are medians of rounds, in which all points of both panels take turns."""
-    bricks = [Curve("physics.advance", tuple([3 * n for n in BRICKS_A_ROW]), [Play("", plain(n)) for n in BRICKS_A_ROW])]
+    bricks = [ScalingCurve("physics.advance", tuple([3 * n for n in BRICKS_A_ROW]), [Play("", plain(n)) for n in BRICKS_A_ROW])]
     balls = [
-        Curve("pymunk, one space", _PYMUNK_BALLS, [Play("", pymunk_play(facets, n, turning=False), n) for n in _PYMUNK_BALLS])
+        ScalingCurve(
+            "pymunk, one space", _PYMUNK_BALLS, [Play("", pymunk_play(facets, n, turning=False), n) for n in _PYMUNK_BALLS]
+        )
     ]
     if missing() is None:
-        bricks.append(Curve("physics.batch, 256 games", bricks[0].numbers, [many_bricks(n) for n in BRICKS_A_ROW]))
-        balls.append(Curve("physics.batch, 256 games, balls a game", BALLS, [many_balls(n) for n in BALLS]))
+        bricks.append(ScalingCurve("physics.batch, 256 games", bricks[0].numbers, [many_bricks(n) for n in BRICKS_A_ROW]))
+        balls.append(ScalingCurve("physics.batch, 256 games, balls a game", BALLS, [many_balls(n) for n in BALLS]))
     for curve in bricks + balls:
         curve.costs = [[] for _ in curve.plays]
     for _ in range(rounds):

@@ -37,7 +37,7 @@ _PROGRAM = """
 import sys, time
 from game import __main__ as program
 from game import commands
-import game.app as app
+import game.loop.app as app
 flip = app._flip
 def first(window):
     flip(window)

@@ -24,7 +24,7 @@ from rich.table import Table
 
 from game.system.command_line import run
 from game.system.errors import BadInputError, EnvironmentMissingError
-from game.system.files import check_target, read_input, write_text, write_whole
+from game.system.files import check_target, read_input, write_atomically, write_text
 from game.system.wording import quoted_path
 from physics import PERMANENT, Arena, Ball, FreeFlight, Ring, advance
 from tools.measure.contenders import BALLS_IN_A_SPACE, FACETS, Play, box2d_play, facets, floor, plain, polygons, pymunk_play
@@ -76,7 +76,7 @@ def bench(
     if plot is not None:
         from tools.measure.scaling import scaling_plot  # noqa: PLC0415  # matplotlib takes a second to load
 
-        write_whole(plot, scaling_plot(rounds, ticks))
+        write_atomically(plot, scaling_plot(rounds, ticks))
         return 0
     console = Console(width=130, highlight=False)
     plays = _plain_plays()

@@ -32,7 +32,7 @@ from game.rules import new_game, tick
 from game.scene import scene_at, still
 from game.system.command_line import run
 from game.system.errors import BadInputError
-from game.system.files import write_whole
+from game.system.files import write_atomically
 from game.system.wording import quoted_path
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
@@ -69,7 +69,7 @@ def tipping(
             painter.paint(Canvas(surface, seen.camera, DARK, type_, seen.unit), scene_at(done, 1.0, effects)._replace(pops=()))
             picture = io.BytesIO()
             pygame.image.save(surface, picture, "picture.png")
-            write_whole(folder / f"{number:03}.png", picture.getvalue())
+            write_atomically(folder / f"{number:03}.png", picture.getvalue())
 
 
 def _views() -> list[Viewpoint]:

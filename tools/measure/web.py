@@ -4,9 +4,11 @@ Needs the extra `web`, Chromium and npm. The first visit is to loopback with emp
 stored its files and Python's memory. Times count only on an idle machine.
 """
 
+import bisect
 import importlib.util
 import itertools
 import json
+import random
 import shutil
 import statistics
 import sys
@@ -18,7 +20,7 @@ import typer
 
 from game.system.command_line import run
 from game.system.errors import EnvironmentMissingError
-from game.system.output import tell
+from game.system.output import print_line
 from game.system.start import prepare
 
 if TYPE_CHECKING:
@@ -36,43 +38,39 @@ _COUNT = """seconds => new Promise(done => {
 """The times of the browser's frames for some seconds."""
 _SETTLING, _SECONDS = 2.0, 10.0
 """Seconds before frames are counted, and in which they are."""
-_WATCH = """() => {
-  const seen = window.inputDelays = {
-    frame: 0, within: false, pressed: -1, sent: false, frames: [], milliseconds: [], began: 0,
-  };
-  const next = window.requestAnimationFrame;
-  let last = 0;
-  window.requestAnimationFrame = callback => next(now => {
-    if (now !== last) [last, seen.frame] = [now, seen.frame + 1];
-    seen.within = true;
-    callback(now);
-    seen.within = false;
+_WATCH = """(() => {
+  const seen = window.inputDelays = { on: false, frames: [], pictures: [] }, requests = [], workers = new Set();
+  const now = () => performance.timeOrigin + performance.now();
+  const next = window.requestAnimationFrame, post = Worker.prototype.postMessage;
+  let key = null;
+  window.requestAnimationFrame = callback => next(moment => {
+    if (seen.on) seen.frames.push(now());
+    callback(moment);
   });
-  const post = Worker.prototype.postMessage;
+  addEventListener("keydown", event => { if (seen.on) key ??= performance.timeOrigin + event.timeStamp; }, true);
   Worker.prototype.postMessage = function (message, ...rest) {
-    if (seen.pressed >= 0 && message.kind === "frame" && message.request.includes('"type":"key"')) seen.sent = true;
+    if (!workers.has(this)) {
+      workers.add(this);
+      this.addEventListener("message", ({ data }) => {
+        if (data.kind !== "frame") return;
+        const pressed = requests.shift();
+        if (pressed) seen.pictures.push([pressed, data.painted]);
+      });
+    }
+    if (message.kind === "frame") {
+      const holds = message.request.signals.some(signal => signal.type === "key" && signal.down);
+      requests.push(holds ? key : null);
+      if (holds) key = null;
+    }
     return post.call(this, message, ...rest);
   };
-  const show = CanvasRenderingContext2D.prototype.drawImage;
-  CanvasRenderingContext2D.prototype.drawImage = function (...rest) {
-    const shown = show.apply(this, rest);
-    if (this.canvas.id === "picture" && seen.sent) {
-      seen.frames.push(seen.frame + (seen.within ? 0 : 1) - seen.pressed);
-      seen.milliseconds.push(performance.now() - seen.began);
-      seen.pressed = -1;
-      seen.sent = false;
-    }
-    return shown;
-  };
-  addEventListener("keydown", () => {
-    if (seen.pressed < 0) [seen.pressed, seen.began] = [seen.frame, performance.now()];
-  }, true);
-}"""
-"""Counts the browser's frames from a key's event to the one that shows the first picture that was asked for with it.
+})()"""
+"""Notes when the browser's frames begin, when a key's event comes, and when the picture that was requested with it is painted.
 
-Only one request is under way at a time. What is painted between two of the browser's frames is shown by the second.
+Replies come in the order of their requests.
 """
-_PRESSES, _PRESS_SECONDS = 200, 0.11
+_PRESSES, _PRESS_SECONDS = 400, (0.08, 0.14)
+"""How many keys are pressed, and the shortest and the longest time between two of them: they come at any time of a frame."""
 _LOOK_SECONDS, _MINUTE = 5.0, 60.0
 """How often a game that has ended is looked for, to begin another one."""
 
@@ -100,9 +98,9 @@ def web(
     from game.web.site import built_site  # noqa: PLC0415
 
     site = built_site(cache_folder())
-    tell(f"download: {sum(map(len, site.values())) / 1e6:.2f} MB in {len(site)} files")
+    print_line(f"download: {sum(map(len, site.values())) / 1e6:.2f} MB in {len(site)} files")
     for name, data in sorted(site.items(), key=lambda file: -len(file[1]))[:5]:
-        tell(f"  {len(data) / 1e6:.2f} MB {name}")
+        print_line(f"  {len(data) / 1e6:.2f} MB {name}")
     with sync_playwright() as playwright:
         browser = playwright.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
         for _ in range(visits - 1):
@@ -111,13 +109,13 @@ def web(
         with served(site, 0) as address:
             page = _two_visits(browser, address)
             _play(page, level)
-            page.evaluate(_WATCH)
             for key, view in (("1", "from above"), ("2", "in 3D")):
                 page.keyboard.press(key)
-                tell(f"{view}: {_rate(page)}")
-                tell(f"{view}, from a key to its picture: {_input_delay(page)}")
-            _play_on(page, minutes)
-            tell(f"after {minutes:g} minutes: {_memory(browser, page)}")
+                print_line(f"{view}: {_rate(page)}")
+                print_line(f"{view}, from a key to its picture: {_input_delay(page)}")
+            for more in (min(1.0, minutes), max(minutes - 1.0, 0.0)):
+                _play_on(page, more)
+                print_line(f"memory after {more:g} more minutes: {_memory(browser, page)}")
         browser.close()
     return 0
 
@@ -125,10 +123,11 @@ def web(
 def _two_visits(browser: "Browser", address: str) -> "Page":
     """Visit the page with nothing stored, wait until it has stored what it does, and visit it again."""
     page = browser.new_context(viewport={"width": 1280, "height": 800}).new_page()
-    tell(f"first frame: {_visit(page, address)}")
+    page.add_init_script(_WATCH)
+    print_line(f"first frame: {_visit(page, address)}")
     page.evaluate("polarBreakout.ask('snapshot')")
     page.evaluate("navigator.serviceWorker.ready.then(() => true)")
-    tell(f"first frame, second visit: {_visit(page, address)}")
+    print_line(f"first frame, second visit: {_visit(page, address)}")
     return page
 
 
@@ -171,14 +170,27 @@ def _rate(page: "Page") -> str:
 
 def _input_delay(page: "Page") -> str:
     """Frames of the browser, and milliseconds, from keys to the pictures that heed them."""
-    page.evaluate("Object.assign(inputDelays, { frames: [], milliseconds: [] })")
+    chance = random.Random(1)
+    page.evaluate("Object.assign(inputDelays, { on: true, frames: [], pictures: [] })")
     for _ in range(_PRESSES):
         page.keyboard.press("ArrowLeft")
-        page.wait_for_timeout(1000.0 * _PRESS_SECONDS)
-    seen = page.evaluate("inputDelays")
-    frames, milliseconds = sorted(seen["frames"]), seen["milliseconds"]
-    shares = ", ".join([f"{sum(count <= most for count in frames) / len(frames):.1%} within {most}" for most in (1, 2)])
-    return f"{shares} frames of {len(frames)}, at most {frames[-1]}; painted after {statistics.median(milliseconds):.0f} ms"
+        page.wait_for_timeout(1000.0 * chance.uniform(*_PRESS_SECONDS))
+    seen = page.evaluate("Object.assign(inputDelays, { on: false })")
+    frames = sorted([shown_by(pressed, painted, seen["frames"]) for pressed, painted in seen["pictures"]])
+    delays = sorted([painted - pressed for pressed, painted in seen["pictures"]])
+    shares = ", ".join([f"{sum(count <= most for count in frames) / len(frames):.2%} within {most}" for most in (1, 2)])
+    return (
+        f"{shares} frames of {len(frames)} keys, at most {frames[-1]}; painted after {statistics.median(delays):.1f} ms,"
+        f" 99 % within {delays[int(0.99 * len(delays))]:.1f} ms, all within {delays[-1]:.1f} ms"
+    )
+
+
+def shown_by(pressed: float, painted: float, frames: list[float]) -> int:
+    """The number of the frame that shows a picture: 1 is the first frame of the browser that begins after the key's event.
+
+    A picture is shown by the first frame that begins after it was painted. frames: when they began, in order. All in ms.
+    """
+    return bisect.bisect_right(frames, painted) - bisect.bisect_right(frames, pressed) + 1
 
 
 def _play_on(page: "Page", minutes: float) -> None:

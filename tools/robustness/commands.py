@@ -10,7 +10,7 @@ from rich.console import Console
 from rich.progress import Progress
 
 from game.system.errors import CheckFailedError, EnvironmentMissingError
-from game.system.output import tell
+from game.system.output import print_line
 from tools.robustness import inputs, processes, saving
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
@@ -52,7 +52,7 @@ def robustness(
         if kills:
             found += _killed(kills, seed, Path(name) / "saving")
     for fault in found[:_MOST_SHOWN]:
-        tell(f"  {fault}")
+        print_line(f"  {fault}")
     if found:
         raise CheckFailedError(f"{len(found)} faults")
 
@@ -60,7 +60,7 @@ def robustness(
 def _counted(name: str, count: int, faults: Iterable[str | None]) -> list[str]:
     """The faults among so many cases, after a line that counts them."""
     found = [fault for fault in _with_bar(name, count, faults) if fault is not None]
-    tell(f"{name}: {count}, {len(found)} faults")
+    print_line(f"{name}: {count}, {len(found)} faults")
     return found
 
 
@@ -69,7 +69,7 @@ def _killed(count: int, seed: int, folder: Path) -> list[str]:
     folder.mkdir()
     done = list(_with_bar("kills", count, saving.kills(count, seed, folder)))
     torn, left, behind = (sum(column) for column in zip(*done, strict=True))
-    tell(f"kills while saving: {count}, {torn} files torn; {left} left by a kill, {behind} after the next start")
+    print_line(f"kills while saving: {count}, {torn} files torn; {left} left by a kill, {behind} after the next start")
     return [f"kill {number}: {kill}" for number, kill in enumerate(done) if kill.torn or kill.behind]
 
 

@@ -14,16 +14,16 @@ from pathlib import Path
 from random import Random
 from typing import NamedTuple
 
-from game.kept.kept_file import KeptFile
-from game.kept.progress import VERSION, Best, Progress
 from game.levels import classic
 from game.replays.file import Recorder, encoded, load, save
 from game.rules import Controls, new_game, tick
 from game.settings import file as settings_file
 from game.settings.file import SettingsFile
 from game.settings.values import Settings
+from game.storage.progress import VERSION, Best, Progress
+from game.storage.stored_file import StoredFile
 from game.system.errors import BadInputError
-from game.system.files import sweep, write_new
+from game.system.files import remove_temporaries, write_new
 
 _LONGEST = 0.02
 """Seconds that a child saves, at most."""
@@ -56,7 +56,7 @@ def kills(count: int, seed: int, folder: Path) -> Iterator[Kill]:
         left = _temporary(folder)
         torn = _torn(settings, record, history) + bool(_progress(folder).problem)
         SettingsFile(settings).load()  # the next start
-        sweep(history)
+        remove_temporaries(history)
         yield Kill(torn, left, _temporary(folder))
         for kept in history.iterdir():
             kept.unlink()
@@ -86,9 +86,9 @@ def _save_for_ever(settings: Path, record: Path, history: Path, recorder: Record
             write_new(history, "2026-01-01 00-00-00.polar", encoded(recording))
 
 
-def _progress(folder: Path) -> KeptFile[Progress]:
+def _progress(folder: Path) -> StoredFile[Progress]:
     """The progress kept in a folder."""
-    return KeptFile(folder / "progress.json", Progress, VERSION)
+    return StoredFile(folder / "progress.json", Progress, VERSION)
 
 
 def _with_best(score: int) -> Callable[[Progress], Progress]:

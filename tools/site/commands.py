@@ -5,7 +5,7 @@ from typing import Annotated
 
 import typer
 
-from game.system.output import tell
+from game.system.output import print_line
 from game.web.packages import cache_folder
 from game.web.site import built_site, write_site
 
@@ -20,5 +20,5 @@ def write(out: Annotated[Path, typer.Argument(metavar="OUT", help="Folder for th
     """
     site = built_site(cache_folder())
     write_site(site, out)
-    tell(f"{len(site)} files, {sum(map(len, site.values())) / 1e6:.1f} MB: {out}")
+    print_line(f"{len(site)} files, {sum(map(len, site.values())) / 1e6:.1f} MB: {out}")
     return 0

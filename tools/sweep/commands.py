@@ -13,8 +13,8 @@ from game.levels import built_in, chosen
 from game.rules import SOURCE_RULES, TICK, Difficulty, Ruleset
 from game.system.command_line import refuse_ignored
 from game.system.errors import BadInputError
-from game.system.files import check_target, check_working_directory, write_whole
-from game.system.output import say, tell
+from game.system.files import check_target, check_working_directory, write_atomically
+from game.system.output import print_error, print_line
 from game.system.wording import quoted
 from tools.balance.players import AUTOPILOT, parsed_skills
 from tools.executor import Where, results, sure
@@ -78,7 +78,7 @@ def sweep(
     ruleset = _RULES[rules]
     plan = grid(axes, seeds, ruleset, ticks) if samples is None else sample(axes, samples, seed, ruleset, ticks)
     for reason in plan.left_out:
-        say(f"left out: {reason}")
+        print_error(f"left out: {reason}")
     if not plan.jobs:
         raise BadInputError("no point can be played")
     return _swept(plan, out, plot, where(context, workers, cluster), resume=resume)
@@ -102,7 +102,7 @@ def _swept(plan: Plan, out: Path, plot: Path | None, place: Where, *, resume: bo
     except KeyboardInterrupt:
         partial = out.with_name(f"{out.stem}.partial{out.suffix}")
         write_table(partial, rows)
-        tell(f"partial result, {len(rows)} of {len(plan.jobs)} games: {partial}; --resume goes on")
+        print_line(f"partial result, {len(rows)} of {len(plan.jobs)} games: {partial}; --resume goes on")
         raise
     write_table(out, rows)
     journal.remove()
@@ -110,7 +110,7 @@ def _swept(plan: Plan, out: Path, plot: Path | None, place: Where, *, resume: bo
     if plot is not None:
         from tools.sweep.plots import plot as drawn  # noqa: PLC0415  # matplotlib takes a second to load
 
-        write_whole(plot, drawn(points))
+        write_atomically(plot, drawn(points))
     _print(points, rows)
     return 0
 
@@ -164,7 +164,7 @@ def _print(points: list[PointSummary], rows: list[Row]) -> None:
             table.add_row(point.level, point.player, *numbers, f"{point.cleared:.0%}", seconds, *counts)
         Console(width=120).print(table)
     cleared = sum([row.cleared for row in rows]) / len(rows)
-    tell(f"{len(rows)} games at {len(points)} points: {cleared:.0%} cleared, {sum([row.loops for row in rows])} loops")
+    print_line(f"{len(rows)} games at {len(points)} points: {cleared:.0%} cleared, {sum([row.loops for row in rows])} loops")
 
 
 def _bar() -> Progress:

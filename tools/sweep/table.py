@@ -8,7 +8,7 @@ from statistics import mean, median
 from typing import NamedTuple
 
 from game.system.errors import BadInputError, EnvironmentMissingError
-from game.system.files import write_text, write_whole
+from game.system.files import write_atomically, write_text
 from game.system.wording import quoted_path
 from tools.sweep.play import Row
 
@@ -66,7 +66,7 @@ def write_table(path: Path, rows: Sequence[Row]) -> None:
     data = io.BytesIO()
     parquet.write_table(table, data)
     try:
-        write_whole(path, data.getvalue())
+        write_atomically(path, data.getvalue())
     except OSError as error:
         raise BadInputError(f"{quoted_path(path)}: cannot be written; {error.strerror or error}") from None
 

@@ -16,7 +16,7 @@ import typer
 from game.language import ENGLISH, LANGUAGES
 from game.levels import built_in
 from game.system.errors import CheckFailedError
-from game.system.output import tell
+from game.system.output import print_line
 
 ROOT = Path(__file__).resolve().parents[2]
 FOLDER = ROOT / "game" / "languages"
@@ -131,8 +131,8 @@ def check(
             catalogue.save(str(path))
         lines = problems(wanted, catalogue, _forms(catalogue))
         wrong += len(lines)
-        tell(f"{language.name}: {len(wanted)} texts, {len(lines)} problems")
+        print_line(f"{language.name}: {len(wanted)} texts, {len(lines)} problems")
         for line in lines:
-            tell(f"  {line}")
+            print_line(f"  {line}")
     if wrong:
         raise CheckFailedError(f"{wrong} problems in game/languages")

@@ -7,7 +7,7 @@ import typer
 
 from game.system.errors import BadInputError
 from game.system.files import check_target, write_text
-from game.system.output import tell
+from game.system.output import print_line
 from tools.vectors.environment import check_environment
 
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
@@ -36,5 +36,5 @@ def write(
     found = vectors(seed)
     write_text(json_file, json_text(found, seed))
     write_text(csv_file, csv_text(found))
-    tell(f"{len(found):,} vectors of {len({vector.function for vector in found})} functions, seed {seed}: {out}")
+    print_line(f"{len(found):,} vectors of {len({vector.function for vector in found})} functions, seed {seed}: {out}")
     return 0

@@ -9,7 +9,7 @@ from game.student.signatures import SIGNATURES, Result, agrees, answer
 from game.student.slides import SlideFunctions
 from tools.vectors.beyond import alternatives
 from tools.vectors.inputs.angles import angle_lists, angle_plans
-from tools.vectors.inputs.chosen import ChosenInput, Plan
+from tools.vectors.inputs.chosen import ChosenInput, InputPlan
 from tools.vectors.inputs.detection import detection_lists, detection_plans
 from tools.vectors.inputs.response import response_lists, response_plans
 
@@ -91,7 +91,7 @@ def _inputs(chance: Random) -> Iterator[ChosenInput]:
         yield from _drawn(plan, chance, seen)
 
 
-def _drawn(plan: Plan, chance: Random, seen: set[tuple[str, tuple[float, ...]]]) -> Iterator[ChosenInput]:
+def _drawn(plan: InputPlan, chance: Random, seen: set[tuple[str, tuple[float, ...]]]) -> Iterator[ChosenInput]:
     """The inputs of one trap, none of them near to a boundary."""
     count = 0
     while count < plan.amount:

@@ -12,10 +12,10 @@ import pygame
 from game.drawing.canvas import Canvas
 from game.drawing.flat.band_pixels import BandKey, BandPixels, band_pixels
 from game.drawing.flat.ring import BackdropRing, draw_over
-from game.drawing.flat.slot_atlas import AtlasKey, SlotAtlas, atlas_key
-from game.drawing.ground.measures import Ground
+from game.drawing.flat.slot_atlas import SlotAtlas, atlas_key
 from game.drawing.ground.picture import draw_pattern, ground_picture
 from game.drawing.slots.contents import Contents
+from game.picture.ground.measures import ground_of
 from game.rules import PADDLES
 from game.scene import Scene
 
@@ -57,7 +57,7 @@ class FlatPicture:
 
     def _backdrop_of(self, canvas: Canvas, scene: Scene) -> _Backdrop:
         """The backdrop; the cached one if only the rings' angles and contents have changed."""
-        ground = Ground(scene.ground_radius, scene.rings[PADDLES].radius, scene.ground)
+        ground = ground_of(scene)
         wall = {k: ring[:4] for k, ring in enumerate(scene.rings) if k not in (PADDLES, scene.second_paddle)}
         key = (canvas.size, canvas.camera, canvas.theme, ground, scene.tallest, wall)
         if self._backdrop is None or self._backdrop.key != key:
@@ -65,7 +65,7 @@ class FlatPicture:
             self._bands.clear()
             picture = ground_picture(canvas, ground)
             draw_pattern(canvas._replace(surface=picture), ground)
-            rings = {k: BackdropRing(SlotAtlas(_atlas_key(canvas, scene, k)), picture) for k in wall}
+            rings = {k: BackdropRing(SlotAtlas(atlas_key(canvas, scene, k)), picture) for k in wall}
             self._backdrop = _Backdrop(key, picture, rings)
         return self._backdrop
 
@@ -81,7 +81,7 @@ class FlatPicture:
         key = k, ring.half_angle
         if key not in self._paddles:
             room = _RECOIL[0] * ring.radius, _RECOIL[1] * ring.radius
-            atlas = SlotAtlas(_atlas_key(canvas, scene, k)._replace(lane=(0.0, math.inf), room=room))
+            atlas = SlotAtlas(atlas_key(canvas, scene, k)._replace(lane=(0.0, math.inf), room=room))
             self._band(atlas.wide_band)  # computed in advance, since that takes long
             self._paddles[key] = atlas
         return self._paddles[key]
@@ -91,11 +91,3 @@ class FlatPicture:
         if key not in self._bands:
             self._bands[key] = band_pixels(key)
         return self._bands[key]
-
-
-def _atlas_key(canvas: Canvas, scene: Scene, k: int) -> AtlasKey:
-    """The key of the pictures of a ring's slots. They extend to the neighbouring rings on both sides."""
-    ring, rim = scene.rings[k], max(scene.ground_radius, *[ring.outer_radius for ring in scene.rings])
-    inwards = max([other.outer_radius for other in scene.rings if other.outer_radius < ring.radius], default=0.0)
-    outwards = min([other.inner_radius for other in scene.rings if other.inner_radius > ring.radius], default=rim)
-    return atlas_key(canvas, ring, scene.tallest[k], scene.ground_radius, (inwards, outwards))

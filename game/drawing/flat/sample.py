@@ -5,11 +5,13 @@ import math
 import numpy as np
 import pygame
 
-from game.drawing.flat.sector_colours import PolarPixels, paint_light, paint_parts
+from game.drawing.flat.sector_colours import PolarPixels, paint_slot
 from game.drawing.palette import Theme
 from game.drawing.raster.pixels import packed, pixels_of
 from game.drawing.slots.contents import wall_contents
-from game.drawing.slots.parts import SlotShape, parts
+from game.drawing.slots.parts import SlotShape
+from game.picture.display_list import DisplayList
+from game.picture.slots import FlatRing, add_content
 
 _RADIUS, _HALF_WIDTH, _HALF_ANGLE, _TALLEST = 4.0, 0.45, 0.2, 6
 """Of the ring that the brick might stand in: lengths in world units, the angle in radians, and layers."""
@@ -22,15 +24,15 @@ def brick_sample(size: tuple[int, int], scale: float, layers: int, theme: Theme)
     """
     width, height = size
     theme = theme._replace(ground=theme.panel)
-    shape = SlotShape(_RADIUS, _HALF_WIDTH, _HALF_ANGLE, _TALLEST, 1.0 / scale)
+    ring = FlatRing(SlotShape(_RADIUS, _HALF_WIDTH, _HALF_ANGLE, _TALLEST, 1.0 / scale), 1, scale, 0.0, theme)
     across = np.arange(width, dtype=np.float32)[None, :] + np.float32(0.5 - width / 2.0)
     up = np.float32(height / 2.0 - 0.5 + _RADIUS * scale) - np.arange(height, dtype=np.float32)[:, None]
     radius, angle = np.hypot(across, up).ravel(), (np.arctan2(up, across) - np.float32(math.pi / 2.0)).ravel()
     picture = np.repeat(np.array(theme.ground, dtype=np.float32)[:, None], width * height, axis=1)
-    pixels = PolarPixels(scale, radius, angle)
+    brick = DisplayList()
     (content,) = wall_contents((layers,), [])
-    paint_parts(picture, parts(content, shape, 0.0, theme), shape, pixels)
-    paint_light(picture, shape, pixels, theme.relief)
+    add_content(brick, ring, content, ring.sector(0j, 0.0))
+    paint_slot(picture, brick, PolarPixels(radius, angle))
     card = pygame.Surface(size, 0, 32)
     memory = pixels_of(card).reshape(height, -1)
     memory[:, :width] = packed(card, picture.T).reshape(height, width)

@@ -1,107 +1,79 @@
-"""The parts of a slot as colours of pixels in polar coordinates: the flat view's drawing of them.
+"""What stands in a slot as colours of pixels in polar coordinates: the flat view's painting of `game.picture.slots`' lists.
 
-Edges are anti-aliased exactly: how deep a pixel's middle lies inside a sector says how much of the pixel is covered. The light
-of this view stands over the arena's centre. Pictures are three planes, red, green and blue, 0 to 255: so inner loops are long.
+Edges are anti-aliased exactly: how deep a pixel's middle lies inside a sector says how much of the pixel is covered. Pictures
+are three planes, red, green and blue, 0 to 255: so inner loops are long.
 """
 
+import math
+from array import array
 from typing import NamedTuple
 
 import numpy as np
 
 from game.drawing.palette import Colour
 from game.drawing.raster.annulus import Floats
-from game.drawing.slots.parts import Bar, FootShade, Part, Slab, SlotShape
+from game.picture.display_list import DisplayList, Primitive, primitives, unpacked
 
-_WHOLE = np.pi * 0.999
-"""Half angle from which a sector is a whole ring, which has no ends."""
-_EDGE, _LEAST_EDGE = 0.22, 1.5
-"""Width of a sector's edge that catches the light: in half widths, and at least so many pixels."""
-_EDGE_LIGHT, _SLOPE = 0.34, 0.10
-"""Share of the way to white, or to black, of the edge and of the rest."""
-_END_FACING = 0.25
-"""How much of the light a sector's ends catch."""
-_INWARDS, _ASIDE = 0.3, 0.6
-"""How far a shadow goes towards the centre and beyond the ends, in shares of its reach outwards."""
+_SECTOR_NUMBERS = 6
+"""Numbers of a sector, without its inset, at the beginning of a primitive's own."""
 
 
 class PolarPixels(NamedTuple):
     """Where the pixels of a picture are in a slot.
 
-    scale: pixels per world unit.
     radius: of each pixel, pixels.
     angle: of each pixel from the slot's middle, -pi to pi; together with radius it broadcasts to the picture's planes.
     """
 
-    scale: float
     radius: Floats
     angle: Floats
 
 
-class Shadow(NamedTuple):
-    """A shadow on the ground.
+class _Sector(NamedTuple):
+    """A sector about the slot's middle, and the pixels in it.
 
-    reach: how far it goes outwards, world units.
-    half_pitch: half the angle from one slot to the next, radians: no shadow goes beyond.
-    darkness: share of the light that it takes where it is darkest.
+    inner, outer: radii, pixels; half_angle: pi for a whole ring.
+    depth: how far inside a pixel is from the nearest side, pixels; negative outside.
     """
 
-    reach: float
-    half_pitch: float
-    darkness: float
+    inner: float
+    outer: float
+    half_angle: float
+    depth: Floats
 
 
-def paint_parts(picture: Floats, parts: tuple[Part, ...], shape: SlotShape, pixels: PolarPixels) -> None:
-    """Paint the parts of a slot over a picture, in place."""
-    depth = _depth(shape, pixels)
-    for part in parts:
-        match part:
-            case Slab():
-                _paint(picture, depth - np.float32(part.inset * pixels.scale), part.colour)
-            case FootShade():
-                _shade(picture, depth, part, pixels.scale)
-            case Bar():
-                _paint_bar(picture, part, pixels)
+def paint_slot(picture: Floats, slot: DisplayList, pixels: PolarPixels) -> None:
+    """Paint a list of what is in a slot over a picture, in place. slot: about the centre 0, the slot's middle at angle 0."""
+    own_numbers, sector = array("f"), None
+    for code, packed, opacity, own in primitives(slot.numbers):
+        if code == Primitive.BAR:
+            _paint_bar(picture, unpacked(packed), own, pixels)
+            continue
+        if sector is None or own[:_SECTOR_NUMBERS] != own_numbers:
+            own_numbers, sector = own[:_SECTOR_NUMBERS], _sector(own, pixels)
+        rest = own[_SECTOR_NUMBERS:].tolist()
+        match code:
+            case Primitive.SECTOR:
+                _paint(picture, sector.depth - np.float32(rest[0]), unpacked(packed))
+            case Primitive.FOOT:
+                _paint_foot(picture, sector, rest, opacity)
+            case Primitive.RELIEF:
+                _paint_relief(picture, sector, rest, pixels, opacity)
+            case Primitive.CAST:
+                _paint_cast(picture, sector, rest, pixels, opacity)
+            case _:
+                raise ValueError(f"no slot has {Primitive(code).name}")
 
 
-def paint_shadow(picture: Floats, shape: SlotShape, pixels: PolarPixels, shadow: Shadow) -> None:
-    """Darken the ground around a sector and beyond its outer face, in place."""
-    scale, radius = pixels.scale, pixels.radius
-    reach = np.float32(max(shadow.reach * scale, 1e-3))
-    inside, beyond = radius - np.float32(shape.inner_radius * scale), radius - np.float32(shape.outer_radius * scale)
-    share = np.minimum(inside / (np.float32(_INWARDS) * reach) + 1.0, 1.0 - beyond / reach)
-    share = np.square(np.clip(share, 0.0, 1.0))
-    if shape.half_angle < _WHOLE:
-        gap = (shadow.half_pitch - shape.half_angle) * shape.radius * scale
-        aside = (np.abs(pixels.angle) - np.float32(shape.half_angle)) * radius
-        share = share * np.clip(1.0 - aside / np.float32(max(min(_ASIDE * shadow.reach * scale, gap), 1.0)), 0.0, 1.0)
-    picture *= 1.0 - np.float32(shadow.darkness) * share
-
-
-def paint_light(picture: Floats, shape: SlotShape, pixels: PolarPixels, strength: float) -> None:
-    """The light on what stands in a slot, in place: its inner edge is bright, its outer one dark, and all between slopes.
-
-    strength: 0 to 1.
-    """
-    scale, half_width = pixels.scale, np.float32(shape.half_width * pixels.scale)
-    out = np.clip((pixels.radius - np.float32(shape.radius * scale)) / half_width, -1.0, 1.0)
-    depth = _depth(shape, pixels)
-    edge = np.clip(1.0 - depth / np.float32(max(_EDGE * shape.half_width * scale, _LEAST_EDGE)), 0.0, 1.0)
-    at_face = half_width * (1.0 - np.abs(out)) - depth < 0.5
-    facing = np.where(at_face, -np.sign(out), np.float32(_END_FACING))
-    light = np.float32(_EDGE_LIGHT * strength) * edge * facing - np.float32(_SLOPE * strength) * out
-    light *= np.clip(depth + 0.5, 0.0, 1.0)
-    picture *= 1.0 - np.abs(light)
-    picture += 255.0 * np.maximum(light, 0.0)
-
-
-def _depth(shape: SlotShape, pixels: PolarPixels) -> Floats:
-    """How far inside the sector a pixel is from its nearest side, pixels; negative outside."""
-    scale, radius, angle = pixels
-    radial = np.minimum(radius - shape.inner_radius * scale, shape.outer_radius * scale - radius).astype(np.float32)
-    if shape.half_angle >= _WHOLE:
-        return np.broadcast_to(radial, np.broadcast_shapes(radius.shape, angle.shape))
-    ends = radius * np.sin(np.clip(shape.half_angle - np.abs(angle), -np.pi / 2.0, np.pi / 2.0))
-    return np.asarray(np.minimum(radial, ends), dtype=np.float32)
+def _sector(own: "array[float]", pixels: PolarPixels) -> _Sector:
+    """The sector that a primitive begins with."""
+    _x, _y, inner, outer, _angle, half_angle = own[:_SECTOR_NUMBERS]
+    radius, angle = pixels
+    depth = np.minimum(radius - inner, outer - radius).astype(np.float32)
+    if half_angle >= math.pi:
+        return _Sector(inner, outer, half_angle, np.broadcast_to(depth, np.broadcast_shapes(radius.shape, angle.shape)))
+    ends = radius * np.sin(np.clip(half_angle - np.abs(angle), -np.pi / 2.0, np.pi / 2.0))
+    return _Sector(inner, outer, half_angle, np.asarray(np.minimum(depth, ends), dtype=np.float32))
 
 
 def _paint(picture: Floats, depth: Floats, colour: Colour) -> None:
@@ -111,26 +83,52 @@ def _paint(picture: Floats, depth: Floats, colour: Colour) -> None:
         np.add(plane, (np.float32(channel) - plane) * cover, out=plane)
 
 
-def _shade(picture: Floats, depth: Floats, part: FootShade, scale: float) -> None:
-    """Darken a terrace towards the foot of the next one."""
-    past_foot = depth - np.float32(part.inset * scale)
-    share = np.clip(1.0 + past_foot / np.float32(part.reach * scale), 0.0, 1.0) * (depth > 0.0)
-    picture *= 1.0 - np.float32(part.darkness) * share
+def _paint_foot(picture: Floats, sector: _Sector, own: list[float], opacity: float) -> None:
+    """Darken a sector towards the foot of a smaller one."""
+    inset, reach = own
+    past_foot = sector.depth - np.float32(inset)
+    share = np.clip(1.0 + past_foot / np.float32(reach), 0.0, 1.0) * (sector.depth > 0.0)
+    picture *= 1.0 - np.float32(opacity) * share
 
 
-def _paint_bar(picture: Floats, bar: Bar, pixels: PolarPixels) -> None:
+def _paint_cast(picture: Floats, sector: _Sector, own: list[float], pixels: PolarPixels, opacity: float) -> None:
+    """Darken the ground around a sector."""
+    inwards, outwards, aside = map(np.float32, own)
+    radius, angle = pixels
+    inside, outside = radius - np.float32(sector.inner), radius - np.float32(sector.outer)
+    share = np.square(np.clip(np.minimum(inside / inwards + 1.0, 1.0 - outside / outwards), 0.0, 1.0))
+    if sector.half_angle < math.pi:
+        beyond = (np.abs(angle) - np.float32(sector.half_angle)) * radius
+        share = share * np.clip(1.0 - beyond / aside, 0.0, 1.0)
+    picture *= 1.0 - np.float32(opacity) * share
+
+
+def _paint_relief(picture: Floats, sector: _Sector, own: list[float], pixels: PolarPixels, opacity: float) -> None:
+    """Lighten and darken a sector: pixels at its border as far as they are covered."""
+    edge, at_faces, at_ends, slope = own
+    depth, half_width = sector.depth, np.float32((sector.outer - sector.inner) / 2.0)
+    out = np.clip((pixels.radius - np.float32((sector.inner + sector.outer) / 2.0)) / half_width, -1.0, 1.0)
+    at_side = np.clip(1.0 - depth / np.float32(edge), 0.0, 1.0)
+    at_face = half_width * (1.0 - np.abs(out)) - depth < 0.5
+    strength = np.where(at_face, np.float32(-at_faces * opacity) * np.sign(out), np.float32(at_ends * opacity))
+    light = strength * at_side - np.float32(slope * opacity) * out
+    light *= np.clip(depth + 0.5, 0.0, 1.0)
+    picture *= 1.0 - np.abs(light)
+    picture += 255.0 * np.maximum(light, 0.0)
+
+
+def _paint_bar(picture: Floats, colour: Colour, own: "array[float]", pixels: PolarPixels) -> None:
     """Paint a bar or a dot, looking only at the columns of pixels that it can reach."""
-    scale, radius, angle = pixels
-    (inner, start), (outer, end) = bar.inner, bar.outer
-    low, high = inner * scale, outer * scale
-    near = np.abs(angle - (start + end) / 2.0) < abs(end - start) / 2.0 + (bar.half_width + 1.0 / scale) / inner
+    _x, _y, _angle, low, start, high, end, half_width = own
+    radius, angle = pixels
+    near = np.abs(angle - (start + end) / 2.0) < abs(end - start) / 2.0 + (half_width + 1.0) / low
     columns = np.flatnonzero(near)
     if not len(columns):
         return
     part = slice(int(columns[0]), int(columns[-1]) + 1)
     angle, radius = angle[..., part], radius if radius.shape[-1] == 1 else radius[..., part]
     path = start + (end - start) * (radius - low) / (high - low)
-    lean = (end - start) * (inner + outer) / 2.0 / (outer - inner)
-    across = (bar.half_width * scale - radius * np.abs(angle - path)) / np.hypot(1.0, lean)
+    lean = (end - start) * (low + high) / 2.0 / (high - low)
+    across = (half_width - radius * np.abs(angle - path)) / np.hypot(1.0, lean)
     ends = np.minimum(radius - low, high - radius)
-    _paint(picture[..., part], np.minimum(across, ends).astype(np.float32), bar.colour)
+    _paint(picture[..., part], np.minimum(across, ends).astype(np.float32), colour)

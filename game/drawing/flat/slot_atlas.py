@@ -1,9 +1,7 @@
-"""Pictures of everything that stands in a ring's slots, in polar coordinates, so that they serve at any angle of the ring.
-
-In this view the light is above the centre. So the shadow of what stands in a slot falls outwards, and turns with the ring.
-"""
+"""Pictures of everything that stands in a ring's slots, in polar coordinates, so that they serve at any angle of the ring."""
 
 import math
+from array import array
 from typing import NamedTuple
 
 import numpy as np
@@ -13,14 +11,16 @@ from numpy.typing import NDArray
 from game.drawing.camera import Camera
 from game.drawing.canvas import Canvas
 from game.drawing.flat.band_pixels import BandKey
-from game.drawing.flat.sector_colours import PolarPixels, Shadow, paint_light, paint_parts, paint_shadow
-from game.drawing.ground.shades import ground_colours
-from game.drawing.palette import Theme
+from game.drawing.flat.sector_colours import PolarPixels, paint_slot
+from game.drawing.ground.shades import discs
 from game.drawing.raster.annulus import Floats
 from game.drawing.raster.pixels import packed
-from game.drawing.slots.contents import ContentKind, SlotContent
-from game.drawing.slots.parts import Bar, Part, SlotShape, height, parts, slot_shape
-from physics import Ring
+from game.drawing.slots.contents import SlotContent
+from game.picture.display_list import DisplayList, Primitive, primitives
+from game.picture.ground.lists import ground_list
+from game.picture.ground.measures import Ground, ground_of
+from game.picture.slots import FlatRing, add_content, add_shadow, flat_ring, lane
+from game.scene import Scene
 
 _FINE = 4
 """Rows and columns of a slot's picture per pixel of the screen; in large rings half as many are enough."""
@@ -30,12 +30,6 @@ _MOST_COLUMNS = 1 << 16
 """Columns of all slots' pictures of a ring together."""
 _BORDER = 1.0
 """Pixels beyond the ring's faces that its border may colour."""
-_SHADOW = 0.018
-"""Length of the longest shadow, in shares of the ground's radius."""
-_LOW_SHADOW, _SHADOW_PER_LAYER = 0.7, 0.1
-"""Length of a shadow as a share of the longest: of everything, and added for every layer of height."""
-_FLAT_KINDS = frozenset({ContentKind.EMPTY, ContentKind.GHOST})
-"""Contents without height, and so without a shadow."""
 BLANK = 0
 """Stands for a column in which nothing stands."""
 
@@ -46,40 +40,30 @@ class AtlasKey(NamedTuple):
     size: of the surface, pixels.
     stride: pixels from row to row in the surface's memory.
     camera: of the flat view.
-    slot: the shape of the ring's slots.
-    slots: how many there are.
-    ground_radius: world units.
+    ring: the look of the ring's slots.
+    ground: what the slots are on.
     lane: least and greatest radius at which the ring colours pixels, world units.
-    shadow: length of the longest shadow of what stands there, world units.
     room: how far the content of a slot may be moved, inwards and outwards, world units.
-    theme: the colours.
     """
 
     size: tuple[int, int]
     stride: int
     camera: Camera
-    slot: SlotShape
-    slots: int
-    ground_radius: float
+    ring: FlatRing
+    ground: Ground
     lane: tuple[float, float]
-    shadow: float
     room: tuple[float, float]
-    theme: Theme
 
 
-def atlas_key(canvas: Canvas, ring: Ring, tallest: int, ground_radius: float, between: tuple[float, float]) -> AtlasKey:
-    """The key of a ring on the backdrop. tallest: layers of the highest stack that may ever stand there.
-
-    between: radius where the next ring inwards ends, and where the next one outwards begins, world units. Shadows are cut
-    there, so that no pixel belongs to two rings.
-    """
-    scale = canvas.camera.scale
-    border, slot = _BORDER / scale, slot_shape(ring, tallest, 1.0 / scale)
-    shadow = min(_SHADOW * ground_radius, max(between[1] - ring.outer_radius - 2.0 * border - 1.0 / scale, 0.0))
-    low = max((between[0] + ring.inner_radius) / 2.0, ring.inner_radius - border)
-    high = max((ring.outer_radius + between[1]) / 2.0, between[1] - border)
-    size, stride = canvas.size, canvas.surface.get_pitch() // 4
-    return AtlasKey(size, stride, canvas.camera, slot, ring.count, ground_radius, (low, high), shadow, (0.0, 0.0), canvas.theme)
+def atlas_key(canvas: Canvas, scene: Scene, k: int) -> AtlasKey:
+    """The key of a ring on the backdrop: no pixel belongs to two rings."""
+    camera, theme = canvas.camera, canvas.theme
+    border, (inwards, outwards), own = _BORDER / camera.scale, lane(scene, k), scene.rings[k]
+    low = max((inwards + own.inner_radius) / 2.0, own.inner_radius - border)
+    high = max((own.outer_radius + outwards) / 2.0, outwards - border)
+    ring = flat_ring(scene, k, camera.scale, theme)
+    stride = canvas.surface.get_pitch() // 4
+    return AtlasKey(canvas.size, stride, camera, ring, ground_of(scene), (low, high), (0.0, 0.0))
 
 
 class SlotAtlas:
@@ -91,14 +75,13 @@ class SlotAtlas:
 
     def __init__(self, key: AtlasKey) -> None:
         """Start without pictures."""
-        scale, slot = key.camera.scale, key.slot
-        self._shadow, self._room = key.shadow, key.room
-        outer = (slot.outer_radius + self._shadow) * scale
+        scale, slot, slots = key.ring.scale, key.ring.shape, key.ring.slots
+        self._ring, self._room, self._ground = key.ring, key.room, ground_list(key.ground, key.ring.theme, scale)
+        outer = (slot.outer_radius + key.ring.shadow) * scale
         fine = _FINE if outer < _LARGE else _FINE // 2
-        pitch = math.tau / key.slots
-        self._theme, self._slot, self._scale, self._ground_radius = key.theme, slot, scale, key.ground_radius
-        self._columns = max(min(math.ceil(fine * outer * pitch), _MOST_COLUMNS // key.slots), 1)
-        self._columns_around = self._columns * key.slots
+        pitch = math.tau / slots
+        self._columns = max(min(math.ceil(fine * outer * pitch), _MOST_COLUMNS // slots), 1)
+        self._columns_around = self._columns * slots
         low, high = max(slot.inner_radius * scale - _BORDER, 0.0), outer + _BORDER
         rows = max(math.ceil((high - low) * fine), 1)
         self._fine = fine
@@ -154,22 +137,17 @@ class SlotAtlas:
     def _rows_of(self, out: float) -> int:
         """The number of rows by which a slot's content is moved. out: world units."""
         inwards, outwards = self._room
-        return round(min(max(out, -inwards), outwards) * self._scale * self._fine)
+        return round(min(max(out, -inwards), outwards) * self._ring.scale * self._fine)
 
     def _added(self, surface: pygame.Surface, content: SlotContent) -> NDArray[np.int64]:
         """Paint another content into the atlas; returns the index of the first row of each of its columns."""
-        pile, theme = parts(content, self._slot, 0.0, self._theme), self._theme
-        angles, column = np.unique(self._grouped(pile), return_inverse=True)
-        pixels = PolarPixels(self._scale, self._radii[:, None], angles[None, :])
-        bare = ground_colours(theme, self._radii / np.float32(self._scale * self._ground_radius)).T[:, :, None]
+        slot, ring, sector = DisplayList(), self._ring, self._ring.sector(0j, 0.0)
+        for add in (add_shadow, add_content):
+            add(slot, ring, content, sector)
+        angles, column = np.unique(self._grouped(slot), return_inverse=True)
+        bare = discs(self._ground)[-1].at(self._radii / np.float32(ring.scale)).T[:, :, None]
         picture = np.repeat(bare, len(angles), axis=2)
-        solid = content.kind not in _FLAT_KINDS and theme.relief > 0.0
-        if solid:
-            reach = self._shadow * min(_LOW_SHADOW + _SHADOW_PER_LAYER * height(content), 1.0)
-            paint_shadow(picture, self._slot, pixels, Shadow(reach, self._half_pitch, theme.shadow * theme.relief))
-        paint_parts(picture, pile, self._slot, pixels)
-        if solid:
-            paint_light(picture, self._slot, pixels, theme.relief)
+        paint_slot(picture, slot, PolarPixels(self._radii[:, None], angles[None, :]))
         colours = packed(surface, np.moveaxis(picture, 0, 2))
         colours = np.where(colours == packed(surface, np.moveaxis(bare, 0, 2)), 0, np.maximum(colours, 1)).T
         return self._first_rows(colours)[column]
@@ -185,18 +163,23 @@ class SlotAtlas:
         number = first + np.cumsum(differs) - 1
         return np.where(blank, BLANK, number * self._atlas.shape[1] + self._spare)
 
-    def _grouped(self, pile: tuple[Part, ...]) -> Floats:
+    def _grouped(self, content: DisplayList) -> Floats:
         """The columns' angles; all that look the same, far from the slot's ends and from marks on it, have one angle."""
-        slot, scale = self._slot, self._scale
+        slot, scale = self._ring.shape, self._ring.scale
         inner = max(slot.inner_radius * scale, 1.0)
         flat = slot.half_angle - math.asin(min((slot.half_width * scale + 1.0) / inner, 1.0))
-        gap = slot.half_angle + (1.0 + self._shadow * scale) / inner
+        gap = slot.half_angle + (1.0 + self._ring.shadow * scale) / inner
         far, angles = np.abs(self._angles), self._angles
         plain = far < flat
-        for bar in [part for part in pile if isinstance(part, Bar)]:
-            start, end = sorted((bar.inner[1], bar.outer[1]))
-            beside = bar.half_width / bar.inner[0] + 2.0 / inner
+        for _x, _y, _angle, radius, one, _outer, other, half_width in _bars(content):
+            start, end = sorted((one, other))
+            beside = half_width / radius + 2.0 / inner
             plain &= (angles < start - beside) | (angles > end + beside)
         if plain.any():
             angles = np.where(plain, angles[plain.argmax()], angles)
         return np.where(far > gap, np.float32(gap), angles).astype(np.float32)
+
+
+def _bars(content: DisplayList) -> list["array[float]"]:
+    """The numbers of all bars in a list."""
+    return [own for code, _colour, _opacity, own in primitives(content.numbers) if code == Primitive.BAR]

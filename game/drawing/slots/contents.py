@@ -51,6 +51,8 @@ class SlotContent(NamedTuple):
     tint: int = 0
 
 
+_FLAT_KINDS = frozenset({ContentKind.EMPTY, ContentKind.GHOST})
+"""Contents without height."""
 Contents = tuple[tuple[SlotContent, ...], ...]
 """What stands in the slots, per ring and slot."""
 
@@ -60,6 +62,11 @@ _PADDLE_KINDS = (
 )
 """Of each player: without and with glue."""
 _EMPTY, _STEEL = SlotContent(ContentKind.EMPTY), SlotContent(ContentKind.STEEL)
+
+
+def casts_shadow(content: SlotContent) -> bool:
+    """Whether what stands in a slot has a height, and so a shadow."""
+    return content.kind not in _FLAT_KINDS
 
 
 def slot_contents(scene: Scene) -> Contents:

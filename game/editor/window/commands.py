@@ -19,7 +19,7 @@ TINTS = (None, *range(9))
 """Layers and colours of the brush to choose from; the first of each leaves a slot's own."""
 
 
-class Command(NamedTuple):
+class EditorCommand(NamedTuple):
     """What a button or a key does.
 
     label: of the button; "" if it is composed elsewhere. key: that does the same. tip: a sentence.
@@ -31,20 +31,24 @@ class Command(NamedTuple):
 
 
 COMMANDS = {
-    "fill": Command(tr_noop("Fill ring"), "F", tr_noop("Puts the brush into every slot of the chosen ring.")),
-    "take": Command(tr_noop("Take brush"), "P", tr_noop("The brush becomes what is under the cursor.")),
-    "copy": Command(tr_noop("Copy bricks"), tr_noop("Ctrl+C"), tr_noop("Remembers the ring's bricks, from the cursor on.")),
-    "paste": Command(tr_noop("Paste bricks"), tr_noop("Ctrl+V"), tr_noop("Puts them on the chosen ring, from the cursor on.")),
-    "add": Command(tr_noop("Copy ring"), "Ins", tr_noop("Another ring like this one, outside of all others.")),
-    "remove": Command(tr_noop("Remove ring"), "Del"),
-    "add-well": Command(tr_noop("Add well"), "Ins", tr_noop("A gravity well like the chosen one, further around.")),
-    "remove-well": Command(tr_noop("Remove well"), "Del"),
-    "undo": Command("", tr_noop("Ctrl+Z")),
-    "redo": Command("", tr_noop("Ctrl+Y")),
-    "test": Command(tr_noop("Play-test"), "F5", tr_noop("Plays the level; Esc there comes back.")),
-    "save": Command(tr_noop("Save"), tr_noop("Ctrl+S"), tr_noop("Comments in the file stay.")),
-    "help": Command(tr_noop("Help"), "F1", tr_noop("Every key and button.")),
-    "leave": Command(tr_noop("Leave"), "Esc", tr_noop("Asks first where changes are not saved.")),
+    "fill": EditorCommand(tr_noop("Fill ring"), "F", tr_noop("Puts the brush into every slot of the chosen ring.")),
+    "take": EditorCommand(tr_noop("Take brush"), "P", tr_noop("The brush becomes what is under the cursor.")),
+    "copy": EditorCommand(
+        tr_noop("Copy bricks"), tr_noop("Ctrl+C"), tr_noop("Remembers the ring's bricks, from the cursor on.")
+    ),
+    "paste": EditorCommand(
+        tr_noop("Paste bricks"), tr_noop("Ctrl+V"), tr_noop("Puts them on the chosen ring, from the cursor on.")
+    ),
+    "add": EditorCommand(tr_noop("Copy ring"), "Ins", tr_noop("Another ring like this one, outside of all others.")),
+    "remove": EditorCommand(tr_noop("Remove ring"), "Del"),
+    "add-well": EditorCommand(tr_noop("Add well"), "Ins", tr_noop("A gravity well like the chosen one, further around.")),
+    "remove-well": EditorCommand(tr_noop("Remove well"), "Del"),
+    "undo": EditorCommand("", tr_noop("Ctrl+Z")),
+    "redo": EditorCommand("", tr_noop("Ctrl+Y")),
+    "test": EditorCommand(tr_noop("Play-test"), "F5", tr_noop("Plays the level; Esc there comes back.")),
+    "save": EditorCommand(tr_noop("Save"), tr_noop("Ctrl+S"), tr_noop("Comments in the file stay.")),
+    "help": EditorCommand(tr_noop("Help"), "F1", tr_noop("Every key and button.")),
+    "leave": EditorCommand(tr_noop("Leave"), "Esc", tr_noop("Asks first where changes are not saved.")),
 }
 
 

@@ -5,7 +5,7 @@ import pygame
 from game.drawing.canvas import Canvas
 from game.drawing.palette import Colour
 from game.editor.document import stacks
-from game.editor.fields import Part
+from game.editor.fields import PanelPart
 from game.editor.session import EditorSession
 from game.language import ntr, tr
 from game.screens.toolkit.plate import write_fitting
@@ -19,10 +19,10 @@ _LINE = 1.2
 Line = tuple[str, Colour]
 
 
-def cursor_words(session: EditorSession, part: Part, at: tuple[int, int] | None) -> str:
+def cursor_words(session: EditorSession, part: PanelPart, at: tuple[int, int] | None) -> str:
     """A line about the slot under the cursor or the mouse. at: ring and slot; None for none."""
     level = session.document.level
-    if part is Part.WELLS:
+    if part is PanelPart.WELLS:
         if not level.wells:
             return ""
         well = level.wells[session.well]

@@ -2,7 +2,7 @@
 
 from enum import Enum, auto
 
-from game.editor.fields import Part
+from game.editor.fields import PanelPart
 from game.input.key_names import button_names
 from game.input.keys import Action
 from game.language import tr, tr_noop
@@ -83,13 +83,13 @@ def pad_lines() -> Lines:
     )
 
 
-def hint(hand: Hand, part: Part, *, in_panel: bool) -> str:
+def hint(hand: Hand, part: PanelPart, *, in_panel: bool) -> str:
     """How to go on, for who uses keys, mouse or gamepad."""
     if hand is Hand.MOUSE:
         return _mouse_hint(part)
     if hand is Hand.KEYS and in_panel:
         return tr("Up, down: choose; left, right: change; Enter: type or press; Esc: to the arena.")
-    if hand is Hand.KEYS and part is Part.WELLS:
+    if hand is Hand.KEYS and part is PanelPart.WELLS:
         return tr("Arrows: move the well; Space: add; Backspace: remove; Page up: another; Tab: to the panel; F1: help.")
     if hand is Hand.KEYS:
         return tr("Arrows: move; Space: paint; Backspace: take away; Tab: to the panel; F1: help.")
@@ -99,18 +99,18 @@ def hint(hand: Hand, part: Part, *, in_panel: bool) -> str:
             "Up, down: choose; left, right: change; {press}: enter or press; {parts}: other part; {other}: to the arena."
         )
         return words.format(press=paint, other=other, parts=button_names(Action.STEP_BACK, Action.STEP))
-    if part is Part.WELLS:
+    if part is PanelPart.WELLS:
         words = tr("D-pad: move the well; {paint}: add; {remove}: remove; {other}: to the panel; {help}: help.")
     else:
         words = tr("{paint}: paint; {remove}: take away; {other}: to the panel; {help}: help.")
     return words.format(paint=paint, remove=remove, other=other, help=button_names(Action.HELP))
 
 
-def _mouse_hint(part: Part) -> str:
+def _mouse_hint(part: PanelPart) -> str:
     """What the mouse does in the arena."""
-    if part is Part.RING:
+    if part is PanelPart.RING:
         return tr("Click on a ring to choose it; drag it to change its radius.")
-    if part is Part.WELLS:
+    if part is PanelPart.WELLS:
         return tr("Click to add a well; drag it; right button: remove it.")
     return tr("Left button: paint; right button: take away; wheel: layers of the brush.")
 

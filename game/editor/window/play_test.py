@@ -6,12 +6,12 @@ import pygame
 
 from game.input.keys import Action
 from game.input.signals import Pressed, Signal
-from game.kept.store import Kept
 from game.language import tr_noop
 from game.levels import Level
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.play import PlayScreen
+from game.screens.play.screen import PlayScreen
+from game.storage.storage import Storage
 
 
 class PlayTest:
@@ -19,9 +19,9 @@ class PlayTest:
 
     def __init__(self, state: AppState, editor: Screen, level: Level) -> None:
         """Start at the first serve."""
-        self._editor, self._state, kept = editor, state, Kept(None)
+        self._editor, self._state, storage = editor, state, Storage(None)
         own = replace(state, open_title=lambda _: editor, open_levels=None, home=tr_noop("Back to the editor"))
-        self._own = replace(own, recorder=None, kept=kept, told=set(kept.problems))
+        self._own = replace(own, recorder=None, storage=storage, told=set(storage.problems))
         self._settings = state.settings
         self._inner: Screen = PlayScreen(self._own, (level,))
 

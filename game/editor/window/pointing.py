@@ -5,7 +5,7 @@ from typing import NamedTuple
 
 from game.editor import session as editing
 from game.editor.document import Stack
-from game.editor.fields import RING_FIELDS, Part
+from game.editor.fields import RING_FIELDS, PanelPart
 from game.editor.history import EditHistory
 from game.editor.session import EditorSession
 from game.editor.wells import position_of, with_well_added, with_well_at, with_well_removed
@@ -20,14 +20,14 @@ _SNAP = 0.05
 """A ring's radius and a well's position are multiples of it while they are dragged, world units of ground radius 10."""
 
 
-class Drag(NamedTuple):
+class EditorDrag(NamedTuple):
     """What the mouse, or a held key, does until it is released.
 
     part: of the panel, which decides what is dragged. before: the history at its beginning. stack: what is painted. offset:
     from the ring's radius, or the well's position, to the mouse.
     """
 
-    part: Part
+    part: PanelPart
     before: EditHistory
     stack: Stack | None = None
     offset: complex = 0j
@@ -49,29 +49,31 @@ def well_near(level: Level, point: complex) -> int | None:
     return index if distance <= _CATCH * level.ground_radius else None
 
 
-def pressed(session: EditorSession, part: Part, point: complex, *, erases: bool) -> tuple[EditorSession, Drag | None]:
+def pressed(
+    session: EditorSession, part: PanelPart, point: complex, *, erases: bool
+) -> tuple[EditorSession, EditorDrag | None]:
     """The session after a press at a point of the world, and the drag that begins. erases: whether by the right button."""
-    if part is Part.WELLS:
+    if part is PanelPart.WELLS:
         return _well_pressed(session, point, erases=erases)
     at = slot_at(session.document.level, point)
-    if part is Part.RING:
+    if part is PanelPart.RING:
         if at is None or erases:
             return session, None
         session = editing.with_ring(session, at[0])._replace(slot=at[1])
         offset = abs(point) - session.document.level.rings[at[0]].radius
-        return session, Drag(part, session.history, offset=complex(offset))
-    drag = Drag(Part.BRICKS, session.history, ERASER if erases else session.brush)
+        return session, EditorDrag(part, session.history, offset=complex(offset))
+    drag = EditorDrag(PanelPart.BRICKS, session.history, ERASER if erases else session.brush)
     return dragged(session, drag, point), drag
 
 
-def dragged(session: EditorSession, drag: Drag, point: complex) -> EditorSession:
+def dragged(session: EditorSession, drag: EditorDrag, point: complex) -> EditorSession:
     """The session after a drag to a point of the world."""
     unit = _SNAP * session.document.level.ground_radius / 10.0
-    if drag.part is Part.WELLS:
+    if drag.part is PanelPart.WELLS:
         moved = point - drag.offset
         snapped = complex(_multiple(moved.real, unit), _multiple(moved.imag, unit))
         return with_well_at(session, snapped, drag.before)
-    if drag.part is Part.RING:
+    if drag.part is PanelPart.RING:
         radius = _multiple(abs(point) - drag.offset.real, unit)
         moved_ring = editing.entered(session, _RADIUS, max(radius, unit))
         return moved_ring._replace(history=drag.before.changed(moved_ring.document))
@@ -79,18 +81,20 @@ def dragged(session: EditorSession, drag: Drag, point: complex) -> EditorSession
     return session if at is None else editing.stroked(session, *at, stack=drag.stack, before=drag.before)
 
 
-def _well_pressed(session: EditorSession, point: complex, *, erases: bool) -> tuple[EditorSession, Drag | None]:
+def _well_pressed(session: EditorSession, point: complex, *, erases: bool) -> tuple[EditorSession, EditorDrag | None]:
     """Begin to drag a well, remove it with the right button, or add one if there is none at the point."""
     index = well_near(session.document.level, point)
     if index is not None:
         session = session._replace(well=index, message="")
         if erases:
             return with_well_removed(session), None
-        return session, Drag(Part.WELLS, session.history, offset=point - position_of(session.document.level.wells[index]))
+        return session, EditorDrag(
+            PanelPart.WELLS, session.history, offset=point - position_of(session.document.level.wells[index])
+        )
     if erases or abs(point) > session.document.level.ground_radius:
         return session, None
     added = with_well_added(session, point)
-    return added, None if added.message else Drag(Part.WELLS, session.history)
+    return added, None if added.message else EditorDrag(PanelPart.WELLS, session.history)
 
 
 def _multiple(number: float, unit: float) -> float:

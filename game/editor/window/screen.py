@@ -8,7 +8,7 @@ from game.editor import cursor
 from game.editor import session as editing
 from game.editor.changes import redo_words, undo_words
 from game.editor.document import Stack, saved_text
-from game.editor.fields import WELL_FIELDS, Part
+from game.editor.fields import WELL_FIELDS, PanelPart
 from game.editor.file_watch import WatchedFile
 from game.editor.session import EditorSession
 from game.editor.wells import chosen_well
@@ -32,8 +32,8 @@ from game.editor.window.help import Hand, editor_help
 from game.editor.window.layout import EditorLayout, editor_layout
 from game.editor.window.picture import EditorPicture, Shown
 from game.editor.window.play_test import PlayTest
-from game.editor.window.pointing import ERASER, Drag, dragged, pressed, slot_at
-from game.editor.window.side import EditorSide
+from game.editor.window.pointing import ERASER, EditorDrag, dragged, pressed, slot_at
+from game.editor.window.side_panel import EditorSidePanel
 from game.input.events import code_among, position_in
 from game.input.keys import Action
 from game.input.repeat import Repeat
@@ -67,28 +67,28 @@ class Editor:
         self._state, self.session, self._file, self._back = state, session, file, back
         self._picture = EditorPicture()
         self._hand = Hand.KEYS
-        self._side: EditorSide | None = None
+        self._side: EditorSidePanel | None = None
         self._pixel: complex | None = None  # of the mouse
-        self._drag: Drag | None = None  # of the mouse, or of the cursor while a key is down
+        self._drag: EditorDrag | None = None  # of the mouse, or of the cursor while a key is down
         self._held: tuple[Pressed, int, Repeat] | None = None  # the direction that is held down, and the steps it takes
         self._since_look = 0.0
         self.discarded = False  # whether the player has chosen to lose what is not saved
 
     @property
-    def looks(self) -> tuple[object, ...]:
+    def appearance(self) -> tuple[object, ...]:
         """Everything that its picture depends on."""
-        side = () if self._side is None else self._side.looks_now
+        side = () if self._side is None else self._side.full_appearance
         return self._state.appearance, self.session, self._hand, self._pixel, self._drag is not None, side
 
     def layout(self, size: tuple[int, int]) -> EditorLayout:
         """How a window of that size is divided."""
         return editor_layout(size, self.session.document.level.ground_radius, self._state.text_scale)
 
-    def side(self, size: tuple[int, int]) -> EditorSide:
+    def side(self, size: tuple[int, int]) -> EditorSidePanel:
         """The controls of the level as it stands."""
         shown = self.layout(size), self.session
         if self._side is None:
-            self._side = EditorSide(self._state, self, self._put, self._command, shown)
+            self._side = EditorSidePanel(self._state, self, self._put, self._command, shown)
         self._side.show(*shown)
         return self._side
 
@@ -196,9 +196,9 @@ class Editor:
         return True
 
     @property
-    def _part(self) -> Part:
+    def _part(self) -> PanelPart:
         """The part of the controls that is shown."""
-        return Part.BRICKS if self._side is None else self._side.part
+        return PanelPart.BRICKS if self._side is None else self._side.part
 
     def _look(self) -> None:
         """Take over what another program wrote into the file."""
@@ -262,7 +262,7 @@ class Editor:
         """Move the cursor, or the chosen gravity well. steps: of a well's movement; 0 to choose another well instead."""
         sign = 1 if action in (Action.RIGHT, Action.UP) else -1
         along = action in (Action.LEFT, Action.RIGHT)
-        if self._part is not Part.WELLS:
+        if self._part is not PanelPart.WELLS:
             self.session = (cursor.moved_along if along else cursor.moved_across)(self.session, sign)
             self._stroke()
         elif steps == 0:
@@ -272,9 +272,9 @@ class Editor:
 
     def _scroll(self, sign: int) -> None:
         """Choose another brush; in the parts for rings and wells, another ring or well."""
-        if self._part is Part.WELLS:
+        if self._part is PanelPart.WELLS:
             self.session = chosen_well(self.session, sign)
-        elif self._part is Part.RING:
+        elif self._part is PanelPart.RING:
             self.session = cursor.moved_across(self.session, sign)
         else:
             self._paint_with(relayered(self.session, sign))
@@ -283,16 +283,16 @@ class Editor:
         """Take another brush, and show its part of the controls."""
         self.session = session
         if self._side is not None:
-            self._side.open_part(Part.BRICKS)
+            self._side.open_part(PanelPart.BRICKS)
 
     def _begin(self, stack: Stack) -> None:
         """Begin a stroke at the cursor, which lasts until the key is released; or add or remove a well."""
-        if self._part is Part.WELLS:
+        if self._part is PanelPart.WELLS:
             self._command("remove-well" if stack is ERASER else "add-well")
             return
         if self._side is not None:
-            self._side.open_part(Part.BRICKS)
-        self._drag = Drag(Part.BRICKS, self.session.history, stack)
+            self._side.open_part(PanelPart.BRICKS)
+        self._drag = EditorDrag(PanelPart.BRICKS, self.session.history, stack)
         self._stroke()
 
     def _stroke(self) -> None:
@@ -306,8 +306,8 @@ class Editor:
         point, side = self._point(size), self.side(size)
         if point is None:
             return
-        if side.part not in (Part.RING, Part.WELLS) and slot_at(self.session.document.level, point) is not None:
-            side.open_part(Part.BRICKS)
+        if side.part not in (PanelPart.RING, PanelPart.WELLS) and slot_at(self.session.document.level, point) is not None:
+            side.open_part(PanelPart.BRICKS)
         self.session, self._drag = pressed(self.session, side.part, point, erases=button != 1)
 
     def _point(self, size: tuple[int, int]) -> complex | None:
@@ -324,7 +324,7 @@ class Editor:
     def _command(self, name: str | None) -> Screen | None:
         """Do what a button or a key says."""
         self._drag = self._held = None
-        name = OF_WELLS.get(name or "", name) if self._part is Part.WELLS else name
+        name = OF_WELLS.get(name or "", name) if self._part is PanelPart.WELLS else name
         if name in ("undo", "redo"):
             told = undo_words(self.session.history) if name == "undo" else redo_words(self.session.history)
             words = tr("Undone: {change}") if name == "undo" else tr("Done again: {change}")
@@ -348,8 +348,9 @@ class Editor:
 
     def _play_test(self) -> Screen:
         """Play the level as it stands, if it can be played."""
-        if self.session.document.problem:
-            self.session = self.session._replace(message=self.session.document.problem)
+        problem = self.session.document.problem
+        if problem is not None:
+            self.session = self.session._replace(message=problem.translated)
             return self
         return PlayTest(self._state, self, self.session.document.level)
 

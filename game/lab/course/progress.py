@@ -4,7 +4,7 @@ from pathlib import Path
 
 import msgspec
 
-from game.kept.kept_file import KeptFile
+from game.storage.stored_file import StoredFile
 
 VERSION = 1
 NAME = "lab-progress.json"
@@ -18,11 +18,11 @@ class CourseProgress(msgspec.Struct, frozen=True):
     done: frozenset[str] = frozenset()
 
 
-def course_progress(path: Path | None) -> KeptFile[CourseProgress]:
+def course_progress(path: Path | None) -> StoredFile[CourseProgress]:
     """This session's hold on a file of progress; None keeps it in memory alone."""
-    return KeptFile(path, CourseProgress, VERSION)
+    return StoredFile(path, CourseProgress, VERSION)
 
 
-def keep_done(file: KeptFile[CourseProgress], done: frozenset[str]) -> None:
+def keep_done(file: StoredFile[CourseProgress], done: frozenset[str]) -> None:
     """Write down what is done now, beside what another process has written."""
     file.update(lambda held: CourseProgress(VERSION, held.done | done))

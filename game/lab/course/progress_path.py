@@ -2,8 +2,8 @@
 
 from pathlib import Path
 
-from game.kept.folder import data_folder
 from game.lab.course.progress import NAME
+from game.storage.folder import data_folder
 
 
 def progress_path() -> Path | None:

@@ -17,11 +17,11 @@ from game.lab.kit.picture import (
     Arrow,
     Circle,
     Disc,
-    Field,
     FieldValues,
     Line,
     Mark,
     PointMark,
+    ScalarField,
     Stroke,
     Words,
 )
@@ -54,7 +54,7 @@ def shapes_of(canvas: SeenPane, marks: Sequence[Mark]) -> list[PixelShape]:
 def _shapes(canvas: SeenPane, mark: Mark) -> list[PixelShape]:  # noqa: C901, PLR0911  # a table of all kinds of marks
     """The shapes of one mark."""
     project = canvas.camera.project
-    colour = canvas.theme.text if isinstance(mark, Field) else role_colour(canvas.theme, mark.role)
+    colour = canvas.theme.text if isinstance(mark, ScalarField) else role_colour(canvas.theme, mark.role)
     match mark:
         case Disc():
             return _ball(canvas, mark, colour)
@@ -72,7 +72,7 @@ def _shapes(canvas: SeenPane, mark: Mark) -> list[PixelShape]:  # noqa: C901, PL
             return [Round(project(position), canvas.unit * _POINT, colour)]
         case Arc(centre, radius, start, sweep):
             return [_stroke(canvas, arc_pixels(canvas.camera, centre, radius, start, sweep), colour, mark.stroke)]
-        case Field():
+        case ScalarField():
             return _field(canvas, mark)
         case Words():
             return []
@@ -152,7 +152,7 @@ def _arrow(canvas: SeenPane, mark: Arrow, colour: Colour) -> list[PixelShape]:
     return [_stroke(canvas, [start, tip - along * head * 0.8], colour, mark.stroke), FilledPolygon(corners, colour)]
 
 
-def _field(canvas: SeenPane, mark: Field) -> list[PixelShape]:
+def _field(canvas: SeenPane, mark: ScalarField) -> list[PixelShape]:
     """The cells in sight, in two colours that fade to the ground's where the number is 0."""
     camera, cell = canvas.camera, max(canvas.unit * _CELL, _LEAST_CELL) / canvas.camera.scale
     lower_left = camera.unproject(complex(canvas.corner.real, canvas.corner.imag + canvas.extent.imag))

@@ -17,7 +17,7 @@ from game.lab.window.screen import SHOWN
 from game.lab.window.view import letters_for
 from game.settings.values import THEMES
 from game.system.errors import BadInputError
-from game.system.files import write_whole
+from game.system.files import write_atomically
 from game.system.wording import quoted_path
 
 
@@ -59,5 +59,5 @@ def _written(style: SlideStyle, session: Session, reveal: Reveal, folder: Path, 
     if steps and kind != "gif":
         wanted |= {f"{name}-{step}.{kind}": Reveal(step) if step < count else WHOLE for step in range(1, count + 1)}
     for file, one in wanted.items():
-        write_whole(folder / file, file_of(kind, style, session, one, pan_zoom))
+        write_atomically(folder / file, file_of(kind, style, session, one, pan_zoom))
     return [folder / file for file in wanted]

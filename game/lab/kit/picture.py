@@ -161,7 +161,7 @@ class FieldValues(Protocol):
         """The number."""
 
 
-class Field(NamedTuple):
+class ScalarField(NamedTuple):
     """A signed number at every position, in one colour above 0 and another below.
 
     lower, upper: the lower left and the upper right corner of what it covers.
@@ -175,7 +175,7 @@ class Field(NamedTuple):
     toggle: Toggle | None = None
 
 
-Mark = Disc | Circle | AnnularSector | Annulus | Line | Arrow | PointMark | Arc | Words | Field
+Mark = Disc | Circle | AnnularSector | Annulus | Line | Arrow | PointMark | Arc | Words | ScalarField
 
 
 class Pane(NamedTuple):

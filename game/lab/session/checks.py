@@ -8,7 +8,7 @@ from typing import NamedTuple
 
 from game.lab.kit.handles import dragged
 from game.lab.kit.parameters import Count, Given, Parameter, Point, clamped, defaults
-from game.lab.kit.picture import Field
+from game.lab.kit.picture import ScalarField
 from game.lab.kit.scene import LabScene, Motion, picture_of, started
 from game.lab.kit.second_engine import Engine
 from game.lab.session.share import SharedScene, preset, share_line
@@ -102,6 +102,6 @@ def _is_finite(value: object) -> bool:
     """Whether every number in a nested value is finite; of a field those at its corners."""
     if isinstance(value, float | complex):
         return cmath.isfinite(value)
-    if isinstance(value, Field):
+    if isinstance(value, ScalarField):
         return all([math.isfinite(value.values.at(corner)) for corner in (value.lower, value.upper)])
     return not isinstance(value, tuple) or all(map(_is_finite, value))

@@ -13,12 +13,12 @@ from game.lab.session.commands import Command
 from game.lab.session.session import PACES, Session
 from game.lab.window.commands import KEYS, TOGGLE_KEYS
 from game.screens.base import Screen
-from game.screens.toolkit.drop_down import DropDown, Option, Options
-from game.screens.toolkit.items import ButtonItem, Item, Space, Switch
-from game.screens.toolkit.label import LabelItem
+from game.screens.toolkit.items.basic import ButtonItem, Item, Space, Switch
+from game.screens.toolkit.items.drop_down import DropDown, Option, Options
+from game.screens.toolkit.items.label import LabelItem
+from game.screens.toolkit.items.slider import FieldSlider
 from game.screens.toolkit.layout import Column, Row
-from game.screens.toolkit.side import Typing
-from game.screens.toolkit.slider import FieldSlider
+from game.screens.toolkit.side_panel import Typing
 
 _LIST_SHARE = 6.0
 """Widths of the list of scenes and of the clock, in those of the buttons beside them."""
@@ -89,7 +89,7 @@ class Component(NamedTuple):
         return self.requested(session, min(max(rounded, low), high))
 
 
-class Controlled(NamedTuple):
+class LabControls(NamedTuple):
     """What the controls show. shown: toggles that are on; available: toggles of the picture's marks; typing: if anything is."""
 
     session: Session
@@ -98,8 +98,8 @@ class Controlled(NamedTuple):
     typing: Typing | None = None
 
 
-class Reactions(NamedTuple):
-    """What the controls do.
+class LabCallbacks(NamedTuple):
+    """The functions that the controls call.
 
     ask: does what is asked for; the screen to go on with. edit: begins to type a number, or puts the caret at so many pixels
     from its field's left edge. scenes, presets: open the lists.
@@ -111,22 +111,26 @@ class Reactions(NamedTuple):
     presets: Callable[[], Screen | None]
 
 
-def controls(seen: Controlled, do: Reactions, *, narrow: bool = False) -> Column:
+def controls(seen: LabControls, callbacks: LabCallbacks, *, narrow: bool = False) -> Column:
     """All controls: the lists above, the buttons below, and the numbers between them, which scroll where they are too many.
 
     narrow: a row has room for two buttons, or for one switch.
     """
     scene = seen.session.scene
     lists: list[Row] = [
-        (_button(Command.PREVIOUS, do), DropDown(scene.name, do.scenes, "all scenes", _LIST_SHARE), _button(Command.NEXT, do)),
+        (
+            _button(Command.PREVIOUS, callbacks),
+            DropDown(scene.name, callbacks.scenes, "all scenes", _LIST_SHARE),
+            _button(Command.NEXT, callbacks),
+        ),
     ]
     if scene.presets:
-        lists.append((DropDown("Presets", do.presets, "values worth looking at"),))
-    numbers = [row for parameter in scene.parameters for row in _parameter(parameter, seen, do)]
-    time = [*_time(seen.session, do, narrow=narrow), _SPACE] if seen.session.runs else []
-    switches = [_switch(key, toggle, seen, do) for key, toggle in TOGGLE_KEYS.items()]
+        lists.append((DropDown("Presets", callbacks.presets, "values worth looking at"),))
+    numbers = [row for parameter in scene.parameters for row in _parameter(parameter, seen, callbacks)]
+    time = [*_time(seen.session, callbacks, narrow=narrow), _SPACE] if seen.session.runs else []
+    switches = [_switch(key, toggle, seen, callbacks) for key, toggle in TOGGLE_KEYS.items()]
     below = [_SPACE, *time, *_rows(switches, 1 if narrow else 2), _SPACE]
-    buttons = [[_button(command, do) for command in commands] for commands in _BUTTONS]
+    buttons = [[_button(command, callbacks) for command in commands] for commands in _BUTTONS]
     below += _rows([button for row in buttons for button in row], 2) if narrow else [tuple(row) for row in buttons]
     lists.append(_SPACE)
     return Column(tuple(lists), tuple(numbers), tuple(below))
@@ -147,15 +151,15 @@ def preset_options(session: Session) -> Options:
     return (("", tuple([Option(preset.label, preset.line) for preset in session.scene.presets])),)
 
 
-def _parameter(parameter: Parameter, seen: Controlled, do: Reactions) -> list[Row]:
+def _parameter(parameter: Parameter, seen: LabControls, callbacks: LabCallbacks) -> list[Row]:
     """A parameter's value and meaning, and a slider with a field for each of its numbers."""
     value = f"{parameter.label} = {written(parameter, seen.session.given.values[parameter.name])}"
     count = 2 if isinstance(parameter, Point) else 1
-    sliders: list[Row] = [(_slider(Component(parameter, coordinate), seen, do),) for coordinate in range(count)]
+    sliders: list[Row] = [(_slider(Component(parameter, coordinate), seen, callbacks),) for coordinate in range(count)]
     return [(LabelItem(value, parameter.meaning),), *sliders]
 
 
-def _slider(component: Component, seen: Controlled, do: Reactions) -> FieldSlider:
+def _slider(component: Component, seen: LabControls, callbacks: LabCallbacks) -> FieldSlider:
     """One number."""
     session, parameter = seen.session, component.parameter
     low, high, number = float(parameter.low), float(parameter.high), component.number(session)
@@ -165,7 +169,7 @@ def _slider(component: Component, seen: Controlled, do: Reactions) -> FieldSlide
         return min(max((value - low) / (high - low), 0.0), 1.0)
 
     def moved_to(value: float) -> None:
-        do.ask(component.moved(session, value))
+        callbacks.ask(component.moved(session, value))
 
     return FieldSlider(
         parameter.name,
@@ -173,20 +177,20 @@ def _slider(component: Component, seen: Controlled, do: Reactions) -> FieldSlide
         component.text(session),
         lambda steps: moved_to(number + steps * step_of(parameter)),
         lambda put: moved_to(low + put * (high - low)),
-        edit=lambda pixels: do.edit(component, pixels),
+        edit=lambda pixels: callbacks.edit(component, pixels),
         origin=level(0.0),
         field=seen.typing.field if seen.typing is not None and typed else None,
     )
 
 
-def _time(session: Session, do: Reactions, *, narrow: bool) -> list[Row]:
+def _time(session: Session, callbacks: LabCallbacks, *, narrow: bool) -> list[Row]:
     """The buttons to run, to step and to restart; below them the clock between those for slower and faster."""
-    play = _button(Command.PLAY, do, "Pause" if session.playing else "Play")
-    steps = (_button(Command.BACK, do), play, _button(Command.FORWARD, do), _button(Command.RESTART, do))
+    play = _button(Command.PLAY, callbacks, "Pause" if session.playing else "Play")
+    steps = (_button(Command.BACK, callbacks), play, _button(Command.FORWARD, callbacks), _button(Command.RESTART, callbacks))
     pace = PACES[session.pace]
     clock = f"tick {session.tick} of {session.last}, {'real' if pace == 1.0 else f'1/{round(1 / pace)}'} time"
     middle = LabelItem(clock, centred=True, share=_LIST_SHARE)
-    return [*_rows(steps, 2 if narrow else 4), (_button(Command.SLOWER, do), middle, _button(Command.FASTER, do))]
+    return [*_rows(steps, 2 if narrow else 4), (_button(Command.SLOWER, callbacks), middle, _button(Command.FASTER, callbacks))]
 
 
 def _rows(items: Sequence[Item], count: int) -> list[Row]:
@@ -195,18 +199,18 @@ def _rows(items: Sequence[Item], count: int) -> list[Row]:
     return [tuple(filled[first : first + count]) for first in range(0, len(filled), count)]
 
 
-def _switch(key: int, toggle: Toggle, seen: Controlled, do: Reactions) -> Switch:
+def _switch(key: int, toggle: Toggle, seen: LabControls, callbacks: LabCallbacks) -> Switch:
     """One kind of mark, of which the picture may have none."""
 
     def turned() -> None:
-        do.ask(toggle)
+        callbacks.ask(toggle)
 
     label = f"{pygame.key.name(key)}  {toggle.value}"
     return Switch(label, toggle in seen.shown, turned, usable=toggle in seen.available)
 
 
-def _button(command: Command, do: Reactions, label: str = "") -> ButtonItem:
+def _button(command: Command, callbacks: LabCallbacks, label: str = "") -> ButtonItem:
     """A button; what is said about it names its key."""
     binding = next(one for one in KEYS if one.command is command)
     tip = f"{binding.meaning} ({'  '.join(code_names(binding.keys))})"
-    return ButtonItem(label or command.value, lambda: do.ask(command), tip=tip, centred=True)
+    return ButtonItem(label or command.value, lambda: callbacks.ask(command), tip=tip, centred=True)

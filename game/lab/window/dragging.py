@@ -33,7 +33,7 @@ class PaneView(NamedTuple):
     handles: tuple[Handle, ...]
 
 
-class Drag(NamedTuple):
+class HandleDrag(NamedTuple):
     """What the mouse holds.
 
     pane: the index of the pane where it was pressed. handle: None for the world itself, which is moved then.
@@ -45,7 +45,7 @@ class Drag(NamedTuple):
     offset: complex
 
 
-def drag_at(pixel: complex, panes: Sequence[PaneView], given: Given, unit: float) -> Drag | None:
+def drag_at(pixel: complex, panes: Sequence[PaneView], given: Given, unit: float) -> HandleDrag | None:
     """What a press at a pixel takes hold of; None outside of the panes, and where it just missed a handle.
 
     unit: pixels, the measure of lines and points.
@@ -57,7 +57,7 @@ def drag_at(pixel: complex, panes: Sequence[PaneView], given: Given, unit: float
             distances = [abs(one.position(given) - point) for one in pane.handles]
             if handle is None and distances and min(distances) < _MISSED * catch:
                 return None
-            return Drag(index, handle, 0j if handle is None else handle.position(given) - point)
+            return HandleDrag(index, handle, 0j if handle is None else handle.position(given) - point)
     return None
 
 

@@ -3,13 +3,13 @@
 import pygame
 
 from game.drawing.text import Type
-from game.kept.kept_file import KeptFile
 from game.lab.course.attended import AttendedCourse, answered, attended, lines, observed, turned
 from game.lab.course.progress import CourseProgress, keep_done
 from game.lab.course.tasks import GoalState, Question
 from game.lab.session.session import Session
 from game.lab.window.layout import WindowLayout
 from game.lab.window.words import TextSheet
+from game.storage.stored_file import StoredFile
 
 _LINE, _EDGE = 1.3, 0.5
 """Height of a line, and the space around all of them, in units."""
@@ -20,7 +20,7 @@ _OPACITY = 236
 class Lesson:
     """The course as it is attended, and the file with what is done."""
 
-    def __init__(self, file: KeptFile[CourseProgress]) -> None:
+    def __init__(self, file: StoredFile[CourseProgress]) -> None:
         """Begin at the first task that is not done."""
         self._file = file
         self._course: AttendedCourse = attended(file.value.done)

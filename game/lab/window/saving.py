@@ -13,7 +13,7 @@ from game.lab.session.commands import Command
 from game.lab.session.pan_zoom import PanZoom
 from game.lab.session.reveal import Reveal
 from game.lab.session.session import Session
-from game.own_levels import own_levels_folder
+from game.levels.own import own_levels_folder
 from game.system.errors import BadInputError, EnvironmentMissingError
 from game.system.files import write_new
 from game.system.wording import quoted_path

@@ -22,19 +22,19 @@ from game.lab.session.share import SharedScene, parsed, preset, share_line
 from game.lab.session.stepping import SESSION_CHANGES, STEPS, Following, stepped_by
 from game.lab.window import saving
 from game.lab.window.commands import BOUND, PAD_COMMANDS, TOGGLE_KEYS, command_of
-from game.lab.window.controls import Controlled, NumberRefused, PresetChosen, Request, SceneChosen, ValueRequested
-from game.lab.window.dragging import Drag, PaneView, drag_at
+from game.lab.window.controls import LabControls, NumberRefused, PresetChosen, Request, SceneChosen, ValueRequested
+from game.lab.window.dragging import HandleDrag, PaneView, drag_at
 from game.lab.window.help import lab_help
 from game.lab.window.layout import WindowLayout, layout_of
 from game.lab.window.lesson import Lesson
 from game.lab.window.presented import paint_presented, presented_words
-from game.lab.window.side import LabSide
+from game.lab.window.side_panel import LabSidePanel
 from game.lab.window.view import draw_all_handles, draw_halo, draw_panes, letters_for, pane_views
 from game.lab.window.words import TextSheet, draw_head, draw_notice, draw_small_print, draw_words
 from game.lab.yours.pane import with_yours
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.toolkit.side import MODIFIERS
+from game.screens.toolkit.side_panel import MODIFIERS
 
 SHOWN = frozenset(Toggle) - {Toggle.PYMUNK}
 """What is shown at first."""
@@ -67,8 +67,8 @@ class Lab:
         self._scale: int | None = None  # of TEXT_SCALES, while presenting
         self._pan_zoom = PanZoom.whole(session.scene, session.given)
         self._drawn: tuple[Session, Picture] | None = None
-        self._side: LabSide | None = None
-        self._drag: Drag | None = None
+        self._side: LabSidePanel | None = None
+        self._drag: HandleDrag | None = None
         self._repeat: tuple[Repeat, Command] | None = None
         self._pointer = -1 - 1j  # pixels
         self._pixels_per_point = 1 + 1j
@@ -228,7 +228,7 @@ class Lab:
                         box, steps = self._session.scene.view_box, float(event.precise_y)
                         self._pan_zoom = self._pan_zoom.zoomed(box, view.focus, self._pointer, steps)
 
-    def _move(self, drag: Drag, views: list[PaneView], pixels: complex) -> None:
+    def _move(self, drag: HandleDrag, views: list[PaneView], pixels: complex) -> None:
         """Move what is held by so many pixels."""
         camera = views[min(drag.pane, len(views) - 1)].camera
         if drag.handle is None:
@@ -367,12 +367,12 @@ class Lab:
         """What is shown of the picture."""
         return reveals.shown_picture(self._reveal, self._picture())
 
-    def _controls(self, size: tuple[int, int]) -> LabSide:
+    def _controls(self, size: tuple[int, int]) -> LabSidePanel:
         """The controls of the scene as it stands."""
-        seen = Controlled(self._session, self._shown, self._picture().toggles)
+        seen = LabControls(self._session, self._shown, self._picture().toggles)
         layout = layout_of(size, text=self._shared.text_scale)
         if self._side is None:
-            self._side = LabSide(self._shared, self, self._do, layout, seen)
+            self._side = LabSidePanel(self._shared, self, self._do, layout, seen)
         self._side.show(layout, seen)
         return self._side
 

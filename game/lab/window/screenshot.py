@@ -14,7 +14,7 @@ from game.screens.app_state import AppState
 from game.screens.title import Title
 from game.settings.values import Settings
 from game.student.functions_file import FunctionsFile
-from game.system.files import write_whole
+from game.system.files import write_atomically
 from game.system.window import open_window
 
 
@@ -43,4 +43,4 @@ def save_screenshot(
         window.destroy()
     picture = io.BytesIO()
     pygame.image.save(surface, picture, "screenshot.png")
-    write_whole(path, picture.getvalue())
+    write_atomically(path, picture.getvalue())

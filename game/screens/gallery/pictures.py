@@ -15,7 +15,7 @@ from game.screens.gallery.screens import every_screen
 from game.screens.menus.level_select import LevelSelect
 from game.settings.values import Settings
 from game.system.errors import BadInputError
-from game.system.files import write_whole
+from game.system.files import write_atomically
 from game.system.quiet_stderr import quiet_libraries
 from game.system.wording import quoted
 
@@ -57,5 +57,5 @@ def _saved(path: Path, surface: pygame.Surface) -> Path:
     """The path of a picture that was written."""
     picture = io.BytesIO()
     pygame.image.save(surface, picture, "screen.png")
-    write_whole(path, picture.getvalue())
+    write_atomically(path, picture.getvalue())
     return path

@@ -8,10 +8,6 @@ from game.autopilot import Autopilot
 from game.headless import autopilot_game
 from game.input.keys import Action
 from game.input.signals import Pressed
-from game.kept.games import KeptGame
-from game.kept.progress import Best
-from game.kept.scores import Score
-from game.kept.store import Kept
 from game.level_format.specs import DROP_KINDS, DropSpec, RingSpec
 from game.levels import Level, built_in
 from game.replays.file import Recorder
@@ -21,10 +17,14 @@ from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.editors import OpenEditors
 from game.screens.menus.level_select import LevelSelect
-from game.screens.play import PlayScreen
+from game.screens.play.screen import PlayScreen
 from game.screens.title import Title
 from game.screens.watch import Watch
 from game.settings.values import Settings
+from game.storage.games import StoredGame
+from game.storage.progress import Best
+from game.storage.scores import Score
+from game.storage.storage import Storage
 
 FRAME = 1.0 / 60.0
 """Seconds from one picture to the next."""
@@ -41,7 +41,7 @@ _LEVEL = 3
 
 def sample_state(folder: Path, settings: Settings | None = None) -> AppState:
     """What all screens share, with made-up scores and games, which are kept in a folder."""
-    state = AppState(built_in(), 0, 7, Title, kept=Kept(folder), ruleset=Ruleset())
+    state = AppState(built_in(), 0, 7, Title, storage=Storage(folder), ruleset=Ruleset())
     state.change(settings or Settings())
     state.open_levels = lambda state: LevelSelect(state, Title(state))
     state.open_editor = OpenEditors().opened
@@ -50,18 +50,18 @@ def sample_state(folder: Path, settings: Settings | None = None) -> AppState:
     names, done = ("Ada", "Grace", "Emmy", "Sofia", "Hypatia"), max(len(state.catalogue) * 2 // 3, 1)
     for index, level in enumerate(state.catalogue[:done]):
         best = Best(level.name, "normal", 1500 + 431 * index, index % 4, 240 * (41 + 13 * index))
-        state.kept.level_done(best)
+        state.storage.level_done(best)
     for index, name in enumerate(names):
         last = state.catalogue[min(done + 1 - index, len(state.catalogue) - 1)].name
         points, date = 21_470 - 3170 * index, f"2026-11-{25 - index}"
-        if len(state.kept.scores.value.entries) < len(names):
-            state.kept.enter(Score(name, points, "normal", last=last, date=date))
+        if len(state.storage.scores.value.entries) < len(names):
+            state.storage.enter(Score(name, points, "normal", last=last, date=date))
         file, title = f"{date} 20-1{index}-00.polar", "The one with the long rally" if index == 1 else ""
         (replays / file).touch()
-        game = KeptGame(
+        game = StoredGame(
             file, title, index == 1, points, 240 * (95 + 31 * index), "First Wall", last, date=f"{date} 20:1{index}"
         )
-        state.kept.games.change(game)
+        state.storage.games.change(game)
     return state
 
 
@@ -111,7 +111,7 @@ def _hard_levels(state: AppState) -> tuple[Level, ...]:
 
 def cleared(state: AppState, *, is_last: bool) -> Screen:
     """What is shown after a level that the first hit clears, or after the game where it is the last one."""
-    games, level = state.kept.games, state.catalogue[_LEVEL]
+    games, level = state.storage.games, state.catalogue[_LEVEL]
     brick = RingSpec(radius=3.0, half_width=0.3, half_angle=170.0, count=1, layers=1)
     one_brick = msgspec.structs.replace(level, rings=[brick], drops=DropSpec(0.0))
     levels = (one_brick, *state.catalogue[_LEVEL + 1 :])
@@ -121,7 +121,7 @@ def cleared(state: AppState, *, is_last: bool) -> Screen:
 
 def lost(state: AppState) -> Screen:
     """What is shown after a game of a player who does nothing but serve."""
-    state.recorder = state.kept.games
+    state.recorder = state.storage.games
     return _ended(state, _hard_levels(state))
 
 
@@ -137,14 +137,14 @@ def _ended(state: AppState, levels: tuple[Level, ...]) -> Screen:
 
 def raced(state: AppState) -> Screen:
     """A game beside the ghost of the best run, which the autopilot has played."""
-    games, levels = state.kept.games, state.catalogue[_LEVEL : _LEVEL + 1]
+    games, levels = state.storage.games, state.catalogue[_LEVEL : _LEVEL + 1]
     game, pilot = new_game(levels, 4, state.ruleset), Autopilot()
     for _ in range(_WATCH_TICKS):
         controls = pilot.controls(game)
         game = tick(game, controls).game
         games(controls, game)
-    state.kept.level_done(Best(levels[0].name, "normal", 99_999))
-    state.kept.game_done()
+    state.storage.level_done(Best(levels[0].name, "normal", 99_999))
+    state.storage.game_done()
     state.recorder = games
     play = PlayScreen(state, levels)
     later(play, 0.5)

@@ -6,32 +6,32 @@ from functools import partial
 from importlib.resources import files
 
 from game.editor.command import NEW
-from game.editor.fields import Part
+from game.editor.fields import PanelPart
 from game.editor.session import brushed, stroked, tinted
 from game.editor.window.help import editor_help
 from game.editor.window.screen import Editor
-from game.input.key_choice import Wanted
+from game.input.key_choice import CaptureTarget
 from game.input.keys import Action
 from game.input.players import Players
 from game.input.signals import Pressed
 from game.input.view import SOLID
-from game.kept.store import Kept
 from game.language import grouped, tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.gallery.sample import SIZE, begun, cleared, last_life, later, lost, played, raced, watched, with_power_ups
 from game.screens.menus.credits import Credits
 from game.screens.menus.endless import endless_menu
-from game.screens.menus.help import Help
+from game.screens.menus.help.panel import Help
 from game.screens.menus.high_scores import HighScores
-from game.screens.menus.key_capture import KeyCapture
 from game.screens.menus.level_select import LevelSelect
 from game.screens.menus.replays import Replays
-from game.screens.menus.settings_panel import SettingsPanel
-from game.screens.menus.settings_rows import PARTS
+from game.screens.menus.settings.key_capture import KeyCapture
+from game.screens.menus.settings.panel import SettingsPanel
+from game.screens.menus.settings.rows import PARTS
 from game.screens.title import Title
 from game.screens.toolkit.panel import Panel
 from game.screens.toolkit.text_entry import TextEntry
+from game.storage.storage import Storage
 
 Opener = Callable[[AppState], Screen]
 _EDITED = "20-orbit.toml"
@@ -55,7 +55,7 @@ def every_screen() -> Iterator[tuple[str, Opener]]:
 
 def _editors() -> Iterator[tuple[str, Opener]]:
     """The editor: every part of its controls, a level with an error, its help."""
-    for part in Part:
+    for part in PanelPart:
         yield f"editor-{part.name.lower()}", partial(_editor, part=part)
     yield "editor-problem", partial(_editor, text=NEW.replace(*_UNSOUND))
     for index in range(3):
@@ -70,7 +70,7 @@ def _around_the_game() -> Iterator[tuple[str, Opener]]:
     yield "levels-first", lambda state: LevelSelect(_new_player(state), Title(state))
     yield "levels-own", lambda state: _moved(LevelSelect(_new_player(state), Title(state)), Action.UP, 2)
     yield "endless", lambda state: endless_menu(state, Title(state))
-    yield "scores", lambda state: HighScores(state, Title(state), state.kept.scores.value.entries[1])
+    yield "scores", lambda state: HighScores(state, Title(state), state.storage.scores.value.entries[1])
     yield "scores-none", lambda state: HighScores(_new_player(state), Title(state))
     yield "replays", lambda state: Replays(state, Title(state))
     yield "replays-one", lambda state: _pressed(_moved(Replays(state, Title(state)), Action.DOWN, 1), Action.CONFIRM)
@@ -118,7 +118,7 @@ def _tab_opener(kind: Callable[[AppState, Screen], Panel], index: int) -> Opener
 
 def _key_capture(state: AppState) -> Screen:
     """The question for a key."""
-    wanted = Wanted(Action.LEFT, tr("Left, clockwise"), 0, of_pad=False)
+    wanted = CaptureTarget(Action.LEFT, tr("Left, clockwise"), 0, of_pad=False)
     return KeyCapture(state, _tab_opener(SettingsPanel, 3)(state), wanted)
 
 
@@ -147,7 +147,7 @@ def _with(state: AppState, players: Players) -> AppState:
 
 def _new_player(state: AppState) -> AppState:
     """Somebody who has not played yet."""
-    return replace(state, kept=Kept(None))
+    return replace(state, storage=Storage(None))
 
 
 def _captioned(state: AppState) -> Screen:
@@ -161,9 +161,9 @@ def _high_score() -> str:
     return tr("A high score: {score}").format(score=grouped(12_340))
 
 
-def _editor(state: AppState, text: str = "", part: Part = Part.BRICKS) -> Screen:
+def _editor(state: AppState, text: str = "", part: PanelPart = PanelPart.BRICKS) -> Screen:
     """The editor with a level of the player's and some changes. text: of the level; "" for one like those of the campaign."""
-    folder = state.kept.games.folder
+    folder = state.storage.games.folder
     if folder is None or state.open_editor is None:
         return Title(state)
     file = folder.parent / "my-level.toml"

@@ -2,7 +2,7 @@
 
 from game.language import tr
 from game.overlay.credits_words import DESKTOP, about, credit_parts, version
-from game.screens.toolkit.items import Heading, TextItem
+from game.screens.toolkit.items.basic import Heading, TextItem
 from game.screens.toolkit.layout import Content
 from game.screens.toolkit.panel import Panel
 

@@ -7,7 +7,7 @@ from game.input.players import Players, players_words
 from game.language import tr
 from game.screens.app_state import AppState
 from game.screens.difficulty_names import DIFFICULTIES, difficulty_name, ruleset_of
-from game.screens.toolkit.items import ChoiceItem
+from game.screens.toolkit.items.basic import ChoiceItem
 
 
 def players_choice(state: AppState) -> ChoiceItem:
@@ -25,7 +25,7 @@ def difficulty_choice(state: AppState) -> ChoiceItem:
 
     def choose(index: int) -> None:
         state.ruleset = ruleset_of(DIFFICULTIES[index])
-        state.kept.progress.update(lambda held: msgspec.structs.replace(held, last_difficulty=DIFFICULTIES[index]))
+        state.storage.progress.update(lambda held: msgspec.structs.replace(held, last_difficulty=DIFFICULTIES[index]))
 
     names = tuple([difficulty_name(name) for name in DIFFICULTIES])
     tip = tr("Easy: slower balls, wider paddles, more lives. Source's rules: one speed, no power-ups. Each has its own scores.")

@@ -7,7 +7,7 @@ from game.language import tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.endless_seeds import LONGEST_SEED, new_seed, seed_of
-from game.screens.play import PlayScreen
+from game.screens.play.screen import PlayScreen
 from game.screens.toolkit.menu import Entry, Menu
 from game.screens.toolkit.text_entry import TextEntry
 

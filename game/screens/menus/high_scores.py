@@ -1,18 +1,18 @@
 """The table of high scores, a part for every difficulty; a line leads to its replay."""
 
-from game.kept.scores import ENDLESS, Score
 from game.language import grouped, tr
-from game.level_names import level_name
+from game.levels.names import level_name
 from game.overlay.toast import Toast
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.difficulty_names import DIFFICULTIES, difficulty_name
 from game.screens.menus.replay_file import opened_replay
 from game.screens.toolkit.focus import Focus
-from game.screens.toolkit.items import ButtonItem, Cells, Item, TextItem
+from game.screens.toolkit.items.basic import ButtonItem, Item, TableRow, TextItem
 from game.screens.toolkit.layout import FROM_TOP, Content
 from game.screens.toolkit.menu import Entry, back_row
 from game.screens.toolkit.panel import Panel
+from game.storage.scores import ENDLESS, Score
 
 _TABLES = (*DIFFICULTIES, ENDLESS)
 _COLUMNS = ((0.6, "right"), (0.2, "left"), (3.6, "left"), (2.0, "right"), (0.6, "left"), (3.6, "left"), (2.2, "right"))
@@ -32,9 +32,9 @@ class HighScores(Panel):
 
     def content(self) -> Content:
         """The table of one difficulty."""
-        table = self.state.kept.scores.value.table(_TABLES[self._tab])
+        table = self.state.storage.scores.value.table(_TABLES[self._tab])
         heads = ("#", "", tr("Name"), tr("Score"), "", tr("Reached"), tr("Date"))
-        rows: list[tuple[Item, ...]] = [(Cells(self._cells(heads), faint=True),)] if table else []
+        rows: list[tuple[Item, ...]] = [(TableRow(self._cells(heads), faint=True),)] if table else []
         rows += [(self._line(number, score),) for number, score in enumerate(table, 1)]
         if not table:
             rows.append(
@@ -54,7 +54,7 @@ class HighScores(Panel):
         """After a game, where it leads from here."""
         return Focus(len(self.content().body), 0) if self._entries else None
 
-    def _line(self, number: int, score: Score) -> Cells:
+    def _line(self, number: int, score: Score) -> TableRow:
         """A line of the table."""
         until = tr("the end") if score.won else level_name(score.last)
         name = score.name or "-"
@@ -64,7 +64,7 @@ class HighScores(Panel):
         tip = tr("Watch this game.") if score.replay else tr("No replay of this game was kept.")
         if self.has_large_text:
             tip = f"{until}, {score.date}. {tip}"
-        return Cells(self._cells(words), lambda: self._watched(score), tip, strong=score == self._entered)
+        return TableRow(self._cells(words), lambda: self._watched(score), tip, strong=score == self._entered)
 
     def _cells(self, words: tuple[str, ...]) -> tuple[tuple[str, float, str], ...]:
         """The words of the columns for which there is room."""

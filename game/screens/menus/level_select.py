@@ -10,24 +10,24 @@ import pygame
 from game.drawing.canvas import Canvas
 from game.drawing.raster.primitives import draw_box
 from game.drawing.text import Type
-from game.kept.progress import RANKS, Best, record_name
 from game.language import grouped, ntr, tr
-from game.level_names import level_name
 from game.levels import Level, from_level
+from game.levels.names import level_name
 from game.overlay.toast import Toast
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.difficulty_names import difficulty_name
-from game.screens.menus.control_rows import WIDE_TEXT
 from game.screens.menus.difficulty import difficulty_choice, players_choice
-from game.screens.play import PlayScreen
+from game.screens.menus.settings.control_rows import WIDE_TEXT
+from game.screens.play.screen import PlayScreen
 from game.screens.toolkit.focus import Focus
 from game.screens.toolkit.icons import draw_lock
-from game.screens.toolkit.items import ButtonItem, Heading, Item
+from game.screens.toolkit.items.basic import ButtonItem, Heading, Item
 from game.screens.toolkit.layout import Content, Row
 from game.screens.toolkit.menu import Entry, Menu
 from game.screens.toolkit.panel import Panel
 from game.screens.toolkit.plate import draw_focus, write_fitting
+from game.storage.progress import RANKS, Best, record_name
 from game.system.errors import BadInputError
 
 _COLUMNS, _FEW_COLUMNS = 4, 3
@@ -111,9 +111,9 @@ class LevelSelect(Panel):
         self._own = state.own_levels()
 
     @property
-    def looks(self) -> tuple[object, ...]:
+    def appearance(self) -> tuple[object, ...]:
         """The choices above the levels are kept elsewhere."""
-        return *super().looks, self.state.difficulty, self.state.players
+        return *super().appearance, self.state.difficulty, self.state.players
 
     def content(self) -> Content:
         """The difficulty, and the chapters."""
@@ -123,7 +123,7 @@ class LevelSelect(Panel):
         cards = [self._card(index) for index in range(len(state.catalogue))]
         for chapter, group in groupby(cards, key=lambda card: chapter_of(card.level)):
             found = list(group)
-            finished = len([card for card in found if state.kept.progress.value.finished(card.level.name)])
+            finished = len([card for card in found if state.storage.progress.value.finished(card.level.name)])
             note = tr("{finished} of {count} finished").format(finished=finished, count=len(found))
             rows.append((Heading(tr(chapter) if chapter else tr("Levels"), note),))
             for start in range(0, len(found), self._columns):
@@ -149,7 +149,7 @@ class LevelSelect(Panel):
         """Draw one more picture, if one is missing."""
         if self._shows_next:
             self._shows_next = False
-            self._settled(self._laid(size))
+            self._settled(self._form_layout(size))
             self._show_focus(size)
         if self.state.pictures.next_frame():
             self._changes += 1
@@ -158,7 +158,7 @@ class LevelSelect(Panel):
     def _card(self, index: int) -> Card:
         """A level's card."""
         state, level = self.state, self.state.catalogue[index]
-        progress, names = state.kept.progress.value, [level.name for level in state.catalogue]
+        progress, names = state.storage.progress.value, [level.name for level in state.catalogue]
         best, is_open = progress.best(level.name, state.difficulty), progress.is_open(index, names)
         tip = (
             tr(level.description)
@@ -192,7 +192,7 @@ class LevelSelect(Panel):
 
     def _own_card(self, level: Level, path: Path) -> Card:
         """A level of the player's."""
-        best = self.state.kept.progress.value.best(record_name(level), self.state.difficulty)
+        best = self.state.storage.progress.value.best(record_name(level), self.state.difficulty)
         entries = (
             Entry(tr("Play"), lambda: PlayScreen(self.state, (level,))),
             Entry(tr("Edit"), lambda: self._edited(path)),
@@ -226,7 +226,7 @@ def next_level(state: AppState) -> int:
 
     That one may be locked: `--level` on the command line opens any.
     """
-    progress, names = state.kept.progress.value, [level.name for level in state.catalogue]
+    progress, names = state.storage.progress.value, [level.name for level in state.catalogue]
     for index, name in enumerate(names):
         if not progress.finished(name) and progress.is_open(index, names):
             return max(index, state.chosen)

@@ -11,7 +11,7 @@ from game.system.errors import BadInputError
 
 def opened_replay(state: AppState, under: Screen, name: str) -> Screen | str:
     """A finished game to be watched, or in one line why that cannot be. name: of its file; under: where it leads back to."""
-    folder = state.kept.games.folder
+    folder = state.storage.games.folder
     if folder is None:
         return tr("This game was not kept.")
     try:

@@ -6,19 +6,19 @@ from pathlib import Path
 import msgspec
 import platformdirs
 
-from game.kept.games import MOST, KeptGame
 from game.language import grouped, tr
-from game.level_names import level_name
+from game.levels.names import level_name
 from game.overlay.toast import Toast
 from game.screens.base import Screen
 from game.screens.difficulty_names import difficulty_name
 from game.screens.menus.level_select import clock
 from game.screens.menus.replay_file import opened_replay
-from game.screens.toolkit.items import Cells, Item, TextItem
+from game.screens.toolkit.items.basic import Item, TableRow, TextItem
 from game.screens.toolkit.layout import Content
 from game.screens.toolkit.menu import Entry, Menu, back_row
 from game.screens.toolkit.panel import Panel
 from game.screens.toolkit.text_entry import TextEntry
+from game.storage.games import MOST, StoredGame
 
 _SHARES = ((4.2, "left"), (3.4, "left"), (1.8, "right"), (1.2, "right"), (1.4, "centre"))
 """The columns: parts of the width, and where their words stand."""
@@ -35,17 +35,17 @@ class Replays(Panel):
     def content(self) -> Content:
         """A line for every game."""
         rows: list[tuple[Item, ...]] = [(TextItem(_rule(), 1.0, faint=True),)]
-        games = self.state.kept.games.listed()
+        games = self.state.storage.games.listed()
         if games:
             heads = (tr("Game"), tr("Reached"), tr("Score"), tr("Time"), tr("Kept"))
-            rows.append((Cells(self._cells(heads), faint=True),))
+            rows.append((TableRow(self._cells(heads), faint=True),))
         else:
             rows.append((TextItem(tr("None yet: games of five seconds or more are kept when they end."), 1.1),))
         rows += [(self._line(game),) for game in games]
         footer = back_row(tr("Back"), self.back)
         return Content(tr("Replays"), tuple(rows), footer, width=44.0)
 
-    def _line(self, game: KeptGame) -> Cells:
+    def _line(self, game: StoredGame) -> TableRow:
         """A game's line."""
         until = tr("the end") if game.won else level_name(game.last)
         words = (
@@ -58,14 +58,14 @@ class Replays(Panel):
         tip = tr("Watch, rename, keep, copy or delete it.")
         if self.has_large_text:
             tip = f"{until}. {tip}"
-        return Cells(self._cells(words), lambda: self._menu(game), tip)
+        return TableRow(self._cells(words), lambda: self._menu(game), tip)
 
     def _cells(self, words: tuple[str, ...]) -> tuple[tuple[str, float, str], ...]:
         """The words of the columns for which there is room."""
         cells = tuple([(word, *column) for word, column in zip(words, _SHARES, strict=True)])
         return tuple([cells[column] for column in _FEW_COLUMNS]) if self.has_large_text else cells
 
-    def _menu(self, game: KeptGame) -> Screen:
+    def _menu(self, game: StoredGame) -> Screen:
         """What can be done with a game."""
         lines = [f"{game.date}   {_played(game)}".strip()]
         keep = tr("Stop keeping it") if game.kept else tr("Keep it")
@@ -79,12 +79,12 @@ class Replays(Panel):
         )
         return Menu(self.state, self, game.title or tr("Replay"), tuple(lines), entries, back=lambda: self)
 
-    def _watched(self, game: KeptGame) -> Screen:
+    def _watched(self, game: StoredGame) -> Screen:
         """The game on the screen; where it cannot be had, a word about it."""
         opened = opened_replay(self.state, self, game.file)
         return self._told(opened) if isinstance(opened, str) else opened
 
-    def _rename(self, game: KeptGame) -> Screen:
+    def _rename(self, game: StoredGame) -> Screen:
         """Enter a title; a game that has one is kept."""
 
         def done(title: str) -> Screen:
@@ -92,35 +92,35 @@ class Replays(Panel):
 
         return TextEntry(self.state, self, tr("Title of this game"), game.title, _LONGEST_TITLE, done)
 
-    def _export(self, game: KeptGame) -> Screen:
+    def _export(self, game: StoredGame) -> Screen:
         """Enter a folder, and copy the file there."""
 
         def done(folder: str) -> Screen:
             try:
-                path = self.state.kept.games.export(game, Path(folder).expanduser())
+                path = self.state.storage.games.export(game, Path(folder).expanduser())
             except (OSError, RuntimeError, ValueError) as error:
                 return self._told(tr("Not copied: {reason}").format(reason=getattr(error, "strerror", None) or error))
             return self._told(tr("Copied to {path}").format(path=path))
 
         return TextEntry(self.state, self, tr("Folder to copy it to"), _share_folder(), _LONGEST_PATH, done)
 
-    def _delete(self, game: KeptGame) -> Screen:
+    def _delete(self, game: StoredGame) -> Screen:
         """Ask first; the safe answer is selected."""
 
         def deleted() -> Screen:
-            problem = self.state.kept.games.delete(game)
+            problem = self.state.storage.games.delete(game)
             self._changes += 1
             return self if problem is None else self._told(problem)
 
         entries = (Entry(tr("Keep it"), lambda: self), Entry(tr("Delete"), deleted))
         line = tr("Its file is removed for good.")
-        if game.file in self.state.kept.needed():
+        if game.file in self.state.storage.needed():
             line = tr("A score or a best run refers to it and could no longer be verified.")
         return Menu(self.state, self, tr("Delete this game?"), (line,), entries, back=lambda: self)
 
-    def _changed(self, game: KeptGame) -> Screen:
+    def _changed(self, game: StoredGame) -> Screen:
         """Back to the list, which says something else about a game."""
-        self.state.kept.games.change(game)
+        self.state.storage.games.change(game)
         self._changes += 1
         return self
 
@@ -135,7 +135,7 @@ def _rule() -> str:
     return tr("Your last {count} games, and those that you keep or that a score refers to.").format(count=MOST)
 
 
-def _played(game: KeptGame) -> str:
+def _played(game: StoredGame) -> str:
     """What was played, in words."""
     words = [" – ".join(dict.fromkeys([level_name(game.first), level_name(game.last)]))] if game.first else []
     return ", ".join([word for word in (*words, difficulty_name(game.difficulty)) if word])

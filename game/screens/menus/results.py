@@ -12,7 +12,7 @@ from game.input.signals import Clicked, Pressed, Signal
 from game.language import grouped, tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.toolkit.items import Cells, Drawing, Heading, Item, TextItem
+from game.screens.toolkit.items.basic import Drawing, Heading, Item, TableRow, TextItem
 from game.screens.toolkit.layout import Content
 from game.screens.toolkit.menu import Entry, buttons_of
 from game.screens.toolkit.panel import Panel
@@ -26,15 +26,15 @@ _LETTER = 0.66
 
 
 class Figure(NamedTuple):
-    """A line of the results. amount: counts up from 0; said: makes words of it; best: it is a new best."""
+    """A line of the results. amount: counts up from 0; words: makes words of it; best: it is a new best."""
 
     label: str
     amount: int
-    said: Callable[[int], str] = grouped
+    words: Callable[[int], str] = grouped
     best: bool = False
 
 
-class Results(Panel):
+class ResultsPanel(Panel):
     """Figures and buttons. While they count, any key or click shows them all; the buttons answer only then."""
 
     def __init__(
@@ -60,9 +60,9 @@ class Results(Panel):
         return self._seconds >= _FIGURE_SECONDS * len(self._figures)
 
     @property
-    def looks(self) -> tuple[object, ...]:
+    def appearance(self) -> tuple[object, ...]:
         """The figures move."""
-        return *super().looks, self._seconds
+        return *super().appearance, self._seconds
 
     def content(self) -> Content:
         """Line, rank, figures, buttons."""
@@ -97,12 +97,12 @@ class Results(Panel):
         left = 1.0 - min(max(self._seconds / _FIGURE_SECONDS - index, 0.0), 1.0)
         return 1.0 - left * left * left
 
-    def _figure(self, index: int, figure: Figure) -> Cells:
+    def _figure(self, index: int, figure: Figure) -> TableRow:
         """A line of the results; empty until its turn comes."""
         share = self._share(index)
-        words = figure.said(round(figure.amount * share)) if share > 0.0 else ""
+        words = figure.words(round(figure.amount * share)) if share > 0.0 else ""
         new = tr("new best") if figure.best and share >= 1.0 else ""
-        return Cells(
+        return TableRow(
             ((figure.label, 2.4, "left"), (new, 1.4, "left"), (words, 1.8, "right")), strong=figure.best and share >= 1.0
         )
 

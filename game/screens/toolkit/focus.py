@@ -3,55 +3,55 @@
 from typing import NamedTuple
 
 from game.input.keys import Action
-from game.screens.toolkit.layout import Laid, Spot
+from game.screens.toolkit.layout import FormLayout, PositionedItem
 
 TABS = -1
 """The row of the tabs' heads."""
 
 
 class Focus(NamedTuple):
-    """What has the focus. row: as in `Spot`, or TABS; column: from 0."""
+    """What has the focus. row: as in `PositionedItem`, or TABS; column: from 0."""
 
     row: int
     column: int
 
 
-def first_focus(laid: Laid, near: Focus | None = None) -> Focus | None:
+def first_focus(layout: FormLayout, near: Focus | None = None) -> Focus | None:
     """The first item that can be used, or the one nearest to what had the focus before; None where none can be."""
-    spots = _usable(laid)
-    if not spots:
+    items = _usable(layout)
+    if not items:
         return None
     if near is None:
-        return Focus(spots[0].row, spots[0].column)
-    spot = min(spots, key=lambda spot: (abs(spot.row - near.row), abs(spot.column - near.column)))
-    return Focus(spot.row, spot.column)
+        return Focus(items[0].row, items[0].column)
+    positioned = min(items, key=lambda positioned: (abs(positioned.row - near.row), abs(positioned.column - near.column)))
+    return Focus(positioned.row, positioned.column)
 
 
-def moved_focus(laid: Laid, focus: Focus, action: Action, tab: int | None) -> Focus:
+def moved_focus(layout: FormLayout, focus: Focus, action: Action, tab: int | None) -> Focus:
     """What gets the focus by an arrow key. tab: the one that is shown; None where there are no tabs.
 
     Left and right go through all items in the order of reading; up and down to the row above or below, there to the item that
     is nearest across, and around the ends.
     """
-    spots = _usable(laid)
-    if not spots:
+    items = _usable(layout)
+    if not items:
         return focus
     if action in (Action.LEFT, Action.RIGHT):
-        found = [index for index, spot in enumerate(spots) if (spot.row, spot.column) == focus]
+        found = [index for index, positioned in enumerate(items) if (positioned.row, positioned.column) == focus]
         step = 1 if action is Action.RIGHT else -1
-        spot = spots[(found[0] + step) % len(spots)] if found else spots[0]
-        return Focus(spot.row, spot.column)
-    rows = sorted({spot.row for spot in spots} | (set() if tab is None else {TABS}))
+        positioned = items[(found[0] + step) % len(items)] if found else items[0]
+        return Focus(positioned.row, positioned.column)
+    rows = sorted({positioned.row for positioned in items} | (set() if tab is None else {TABS}))
     step = 1 if action is Action.DOWN else -1
     row = rows[(rows.index(focus.row) + step) % len(rows)] if focus.row in rows else rows[0]
     if row == TABS and tab is not None:
         return Focus(TABS, tab)
-    before = next((spot.box.centerx for spot in spots if (spot.row, spot.column) == focus), None)
-    in_row = [spot for spot in spots if spot.row == row]
-    spot = in_row[0] if before is None else min(in_row, key=lambda spot: abs(spot.box.centerx - before))
-    return Focus(spot.row, spot.column)
+    before = next((positioned.box.centerx for positioned in items if (positioned.row, positioned.column) == focus), None)
+    in_row = [positioned for positioned in items if positioned.row == row]
+    positioned = in_row[0] if before is None else min(in_row, key=lambda positioned: abs(positioned.box.centerx - before))
+    return Focus(positioned.row, positioned.column)
 
 
-def _usable(laid: Laid) -> list[Spot]:
+def _usable(layout: FormLayout) -> list[PositionedItem]:
     """The items that can be used."""
-    return [spot for spot in laid.spots if spot.item.focusable]
+    return [positioned for positioned in layout.items if positioned.item.focusable]

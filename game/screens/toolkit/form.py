@@ -10,9 +10,8 @@ from game.input.keys import Action
 from game.input.repeat import Repeat
 from game.input.signals import Clicked, KeyboardState, Moved, Pressed, Released, Signal, Zoomed, is_still_down
 from game.screens.base import Screen
-from game.screens.toolkit import layout
 from game.screens.toolkit.focus import Focus, first_focus, moved_focus
-from game.screens.toolkit.layout import Laid, Spot
+from game.screens.toolkit.layout import BAR, LINE, TIP, TIP_LINES, FormLayout, PositionedItem
 from game.screens.toolkit.plate import index_at
 
 _WHEEL = 3.0
@@ -27,7 +26,7 @@ class Grip(NamedTuple):
 
 
 class Form:
-    """What panels, and the sides of other screens, derive from: they say how their items are laid out (`_laid`)."""
+    """The base class of panels and side panels: these say where their items are (`_form_layout`)."""
 
     def __init__(self) -> None:
         """Begin at the top."""
@@ -88,79 +87,79 @@ class Form:
                 self._moved(pressed.action, size)
         return self.screen
 
-    def draw_items(self, canvas: Canvas, laid: Laid, focus: Focus | None, *, centred: bool = False) -> None:
+    def draw_items(self, canvas: Canvas, layout: FormLayout, focus: Focus | None, *, centred: bool = False) -> None:
         """All items, the scroll bar, and what is said about the item that has the focus. centred: those words."""
         surface, clip = canvas.surface, canvas.surface.get_clip()
-        for spot in laid.spots:
-            surface.set_clip(laid.body.clip(clip) if spot.in_body else clip)
-            if not spot.in_body or spot.box.colliderect(laid.body):
-                spot.item.draw(canvas, spot.box, focused=Focus(spot.row, spot.column) == focus)
+        for positioned in layout.items:
+            surface.set_clip(layout.body.clip(clip) if positioned.in_body else clip)
+            if not positioned.in_body or positioned.box.colliderect(layout.body):
+                positioned.item.draw(canvas, positioned.box, focused=Focus(positioned.row, positioned.column) == focus)
         surface.set_clip(clip)
-        _draw_scroll_bar(canvas, laid, self._scroll)
-        focused = spot_at(laid, focus)
-        if focused is not None and focused.item.tip and laid.tip.height:
-            _draw_tip(canvas, focused.item.tip, laid.tip, centred=centred)
+        _draw_scroll_bar(canvas, layout, self._scroll)
+        focused = focused_item(layout, focus)
+        if focused is not None and focused.item.tip and layout.tip.height:
+            _draw_tip(canvas, focused.item.tip, layout.tip, centred=centred)
 
-    def _laid(self, size: tuple[int, int]) -> Laid:
+    def _form_layout(self, size: tuple[int, int]) -> FormLayout:
         """Where everything is now. It does not scroll further than there is something."""
         raise NotImplementedError
 
-    def _settled(self, laid: Laid) -> Focus | None:
+    def _settled(self, layout: FormLayout) -> Focus | None:
         """What has the focus; where that is gone, the first item that can be used."""
         if self._focus is None:
             self._focus = self.first()
-        if self._focus is None or (self._focus.row >= 0 and spot_at(laid, self._focus) is None):
-            self._focus = first_focus(laid, self._focus)
+        if self._focus is None or (self._focus.row >= 0 and focused_item(layout, self._focus) is None):
+            self._focus = first_focus(layout, self._focus)
         return self._focus
 
     def _moved(self, action: Action, size: tuple[int, int]) -> None:
         """Move the focus, or step the item that has it."""
-        laid = self._laid(size)
-        focus = self._settled(laid)
+        layout = self._form_layout(size)
+        focus = self._settled(layout)
         steps = {Action.LEFT: -1, Action.RIGHT: 1}.get(action, 0)
         self._changes += 1
-        if not steps and self._read_on(laid, size, 1.0 if action is Action.DOWN else -1.0):
+        if not steps and self._read_on(layout, size, 1.0 if action is Action.DOWN else -1.0):
             return
         if focus is None:
             return
         if (
             not steps
-            or _shares_row(laid, focus)
-            or (spot := spot_at(laid, focus)) is None
-            or not spot.item.stepped(steps * self._stride)
+            or _shares_row(layout, focus)
+            or (positioned := focused_item(layout, focus)) is None
+            or not positioned.item.stepped(steps * self._stride)
         ):
-            self._focus = moved_focus(laid, focus, action, self.tab)
+            self._focus = moved_focus(layout, focus, action, self.tab)
             self._show_focus(size)
 
-    def _read_on(self, laid: Laid, size: tuple[int, int], direction: float) -> bool:
+    def _read_on(self, layout: FormLayout, size: tuple[int, int], direction: float) -> bool:
         """Scroll a body that can only be read, -1.0 up or 1.0 down; whether there was more of it."""
         before = self._scroll
-        if not any([spot.in_body and spot.item.focusable for spot in laid.spots]):
+        if not any([positioned.in_body and positioned.item.focusable for positioned in layout.items]):
             self._scroll_by(direction * _WHEEL * self.unit(size), size)
         return self._scroll != before
 
     def _accepted(self, size: tuple[int, int]) -> Screen | None:
         """Use the item that has the focus."""
-        laid = self._laid(size)
-        spot = spot_at(laid, self._settled(laid))
-        return self.screen if spot is None else spot.item.accepted(self.screen)
+        layout = self._form_layout(size)
+        positioned = focused_item(layout, self._settled(layout))
+        return self.screen if positioned is None else positioned.item.accepted(self.screen)
 
     def _named(self, action: Action, size: tuple[int, int]) -> Screen | None:
         """Use the item that a key stands for."""
-        for spot in self._laid(size).spots:
-            if spot.item.key is action and spot.item.focusable:
+        for positioned in self._form_layout(size).items:
+            if positioned.item.key is action and positioned.item.focusable:
                 self._changes += 1
-                return spot.item.accepted(self.screen)
+                return positioned.item.accepted(self.screen)
         return self.screen
 
     def _hovered(self, pixel: complex, size: tuple[int, int]) -> Screen | None:
         """Focus what the mouse is on."""
-        laid = self._laid(size)
+        layout = self._form_layout(size)
         self._pixel, self._grip, self._is_pressed = pixel, None, False
-        self._drags_bar = _is_on_bar(laid, pixel, self.unit(size))
-        spot = pointed_spot(laid, pixel)
-        if spot is not None:
-            self._focus = Focus(spot.row, spot.column)
+        self._drags_bar = _is_on_bar(layout, pixel, self.unit(size))
+        positioned = pointed_item(layout, pixel)
+        if positioned is not None:
+            self._focus = Focus(positioned.row, positioned.column)
         return self.screen
 
     def _dragged(self, pixel: complex, size: tuple[int, int]) -> Screen | None:
@@ -168,15 +167,15 @@ class Form:
 
         A finger that comes down presses nothing yet: what it is on when it moves is dragged, if it has the focus.
         """
-        laid, unit, before, self._pixel = self._laid(size), self.unit(size), self._pixel, pixel
+        layout, unit, before, self._pixel = self._form_layout(size), self.unit(size), self._pixel, pixel
         if self._drags_bar:
-            self._scroll_to(pixel, laid, unit)
+            self._scroll_to(pixel, layout, unit)
             return self.screen
         if self._grip is None and not self._is_pressed:
-            spot = pointed_spot(laid, pixel)
-            if spot is not None and Focus(spot.row, spot.column) == self._focus:
-                self._grip = _grip_of(spot, pixel, unit)
-        held = None if self._grip is None else spot_at(laid, self._grip.focus)
+            positioned = pointed_item(layout, pixel)
+            if positioned is not None and Focus(positioned.row, positioned.column) == self._focus:
+                self._grip = _grip_of(positioned, pixel, unit)
+        held = None if self._grip is None else focused_item(layout, self._grip.focus)
         if self._grip is None or held is None:
             self._scroll_by(before.imag - pixel.imag, size)
             return self.screen
@@ -185,50 +184,50 @@ class Form:
 
     def _clicked(self, pixel: complex, size: tuple[int, int]) -> Screen | None:
         """Use what the mouse is on."""
-        laid, unit = self._laid(size), self.unit(size)
+        layout, unit = self._form_layout(size), self.unit(size)
         self._pixel, self._grip, self._is_pressed = pixel, None, True
-        self._drags_bar = _is_on_bar(laid, pixel, unit)
+        self._drags_bar = _is_on_bar(layout, pixel, unit)
         if self._drags_bar:
-            self._scroll_to(pixel, laid, unit)
+            self._scroll_to(pixel, layout, unit)
             return self.screen
-        spot = pointed_spot(laid, pixel)
-        if spot is None:
+        positioned = pointed_item(layout, pixel)
+        if positioned is None:
             return self.screen
-        self._focus = Focus(spot.row, spot.column)
-        self._grip = _grip_of(spot, pixel, unit)
+        self._focus = Focus(positioned.row, positioned.column)
+        self._grip = _grip_of(positioned, pixel, unit)
         self._changes += 1
-        return spot.item.pointed(self.screen, pixel, spot.box, unit, clicked=True)
+        return positioned.item.pointed(self.screen, pixel, positioned.box, unit, clicked=True)
 
-    def _scroll_to(self, pixel: complex, laid: Laid, unit: float) -> None:
+    def _scroll_to(self, pixel: complex, layout: FormLayout, unit: float) -> None:
         """Scroll to where the mouse is along the scroll bar."""
-        track = _scroll_track(laid, unit)
-        thumb = track.height * laid.body.height / (laid.body.height + laid.over)
+        track = _scroll_track(layout, unit)
+        thumb = track.height * layout.body.height / (layout.body.height + layout.over)
         share = (pixel.imag - track.top - thumb / 2.0) / max(track.height - thumb, 1.0)
-        self._scroll = min(max(share, 0.0), 1.0) * laid.over
+        self._scroll = min(max(share, 0.0), 1.0) * layout.over
 
     def _scroll_by(self, pixels: float, size: tuple[int, int]) -> None:
         """Scroll the body as far as it goes."""
-        self._scroll = min(max(self._scroll + pixels, 0.0), float(self._laid(size).over))
+        self._scroll = min(max(self._scroll + pixels, 0.0), float(self._form_layout(size).over))
 
     def _show_focus(self, size: tuple[int, int]) -> None:
         """Scroll so that the item that has the focus is seen whole; to the very top with the first."""
-        laid = self._laid(size)
-        spot = spot_at(laid, self._focus)
-        if spot is None or not spot.in_body:
+        layout = self._form_layout(size)
+        positioned = focused_item(layout, self._focus)
+        if positioned is None or not positioned.in_body:
             return
-        above, below = laid.body.top - spot.box.top, spot.box.bottom - laid.body.bottom
+        above, below = layout.body.top - positioned.box.top, positioned.box.bottom - layout.body.bottom
         if above > 0:
-            rows = [other.row for other in laid.spots if other.item.focusable and other.in_body]
-            self._scroll_by(-1e6 if spot.row == min(rows) else -float(above), size)
+            rows = [other.row for other in layout.items if other.item.focusable and other.in_body]
+            self._scroll_by(-1e6 if positioned.row == min(rows) else -float(above), size)
         elif below > 0:
             self._scroll_by(float(below), size)
 
 
-def spot_at(laid: Laid, focus: Focus | None) -> Spot | None:
+def focused_item(layout: FormLayout, focus: Focus | None) -> PositionedItem | None:
     """The item that has the focus, if it can be used."""
-    for spot in laid.spots:
-        if focus is not None and (spot.row, spot.column) == focus and spot.item.focusable:
-            return spot
+    for positioned in layout.items:
+        if focus is not None and (positioned.row, positioned.column) == focus and positioned.item.focusable:
+            return positioned
     return None
 
 
@@ -245,58 +244,61 @@ def _held_after(held: tuple[Pressed, Repeat] | None, signal: Signal) -> tuple[Pr
             return None
 
 
-def _grip_of(spot: Spot, pixel: complex, unit: float) -> Grip | None:
+def _grip_of(positioned: PositionedItem, pixel: complex, unit: float) -> Grip | None:
     """What a press at a pixel takes hold of, to be dragged; None for nothing."""
-    offset = spot.item.grip(pixel, spot.box, unit)
-    return None if offset is None else Grip(Focus(spot.row, spot.column), offset)
+    offset = positioned.item.grip(pixel, positioned.box, unit)
+    return None if offset is None else Grip(Focus(positioned.row, positioned.column), offset)
 
 
-def _shares_row(laid: Laid, focus: Focus) -> bool:
+def _shares_row(layout: FormLayout, focus: Focus) -> bool:
     """Whether there are other items to be used beside the one that has the focus: left and right lead to these then."""
-    return len([spot for spot in laid.spots if spot.row == focus.row and spot.item.focusable]) > 1
+    return len([positioned for positioned in layout.items if positioned.row == focus.row and positioned.item.focusable]) > 1
 
 
-def pointed_spot(laid: Laid, pixel: complex) -> Spot | None:
+def pointed_item(layout: FormLayout, pixel: complex) -> PositionedItem | None:
     """The item that can be used at a pixel."""
-    for spot in laid.spots:
-        if spot.item.focusable and index_at([spot.box.clip(laid.body) if spot.in_body else spot.box], pixel) is not None:
-            return spot
+    for positioned in layout.items:
+        if (
+            positioned.item.focusable
+            and index_at([positioned.box.clip(layout.body) if positioned.in_body else positioned.box], pixel) is not None
+        ):
+            return positioned
     return None
 
 
 def _draw_tip(canvas: Canvas, tip: str, box: pygame.Rect, *, centred: bool) -> None:
     """What is said about the item that has the focus."""
     anchor, x = ("midtop", box.centerx) if centred else ("topleft", box.left)
-    size = layout.TIP
+    size = TIP
     lines = canvas.type.wrapped(tip, canvas.unit * size, box.width)
-    if len(lines) > layout.TIP_LINES:
+    if len(lines) > TIP_LINES:
         size *= 0.85
-        lines = canvas.type.wrapped(tip, canvas.unit * size, box.width)[: layout.TIP_LINES]
+        lines = canvas.type.wrapped(tip, canvas.unit * size, box.width)[:TIP_LINES]
     for index, line in enumerate(lines):
-        pixel = complex(x, box.top + canvas.unit * size * layout.LINE * index)
+        pixel = complex(x, box.top + canvas.unit * size * LINE * index)
         canvas.write(line, size, canvas.theme.faint, pixel, anchor)
 
 
-def _is_on_bar(laid: Laid, pixel: complex, unit: float) -> bool:
+def _is_on_bar(layout: FormLayout, pixel: complex, unit: float) -> bool:
     """Whether a pixel is on the scroll bar, or a little beside it."""
-    track = _scroll_track(laid, unit)
-    return laid.over > 0 and index_at([track.inflate(track.width * 2, 0)], pixel) is not None
+    track = _scroll_track(layout, unit)
+    return layout.over > 0 and index_at([track.inflate(track.width * 2, 0)], pixel) is not None
 
 
-def _scroll_track(laid: Laid, unit: float) -> pygame.Rect:
+def _scroll_track(layout: FormLayout, unit: float) -> pygame.Rect:
     """The whole scroll bar."""
-    bar = pygame.Rect(0, laid.body.top, max(round(layout.BAR * unit), 2), laid.body.height)
-    bar.right = laid.bar
+    bar = pygame.Rect(0, layout.body.top, max(round(BAR * unit), 2), layout.body.height)
+    bar.right = layout.bar
     return bar
 
 
-def _draw_scroll_bar(canvas: Canvas, laid: Laid, scroll: float) -> None:
+def _draw_scroll_bar(canvas: Canvas, layout: FormLayout, scroll: float) -> None:
     """What part of the body is seen."""
-    if not laid.over:
+    if not layout.over:
         return
-    track, theme = _scroll_track(laid, canvas.unit), canvas.theme
+    track, theme = _scroll_track(layout, canvas.unit), canvas.theme
     draw_box(canvas.surface, track, track.width / 2.0, theme.background)
     thumb = track.copy()
-    thumb.height = max(round(track.height * laid.body.height / (laid.body.height + laid.over)), track.width)
-    thumb.top = track.top + round((track.height - thumb.height) * scroll / laid.over)
+    thumb.height = max(round(track.height * layout.body.height / (layout.body.height + layout.over)), track.width)
+    thumb.top = track.top + round((track.height - thumb.height) * scroll / layout.over)
     draw_box(canvas.surface, thumb, track.width / 2.0, theme.panel_edge)

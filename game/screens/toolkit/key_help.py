@@ -10,7 +10,7 @@ from game.input.signals import Pressed, Signal
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.toolkit.focus import Focus
-from game.screens.toolkit.items import Item, TextItem
+from game.screens.toolkit.items.basic import Item, TextItem
 from game.screens.toolkit.layout import FROM_TOP, Content, Row
 from game.screens.toolkit.menu import back_row
 from game.screens.toolkit.panel import Panel

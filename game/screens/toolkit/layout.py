@@ -5,7 +5,7 @@ from typing import NamedTuple
 import pygame
 
 from game.drawing.text import Type
-from game.screens.toolkit.items import Item
+from game.screens.toolkit.items.basic import Item
 from game.screens.toolkit.plate import centred
 
 Row = tuple[Item, ...]
@@ -65,7 +65,7 @@ class Content(NamedTuple):
     tips: bool = False
 
 
-class Spot(NamedTuple):
+class PositionedItem(NamedTuple):
     """An item and its box. box: pixels. row, column: counted from 0 over body and footer; in_body: whether it scrolls."""
 
     item: Item
@@ -75,11 +75,11 @@ class Spot(NamedTuple):
     in_body: bool
 
 
-class Laid(NamedTuple):
+class FormLayout(NamedTuple):
     """A panel's content, laid out. All in pixels.
 
     plate: the whole. close: the button that leads back. tabs: the tabs' heads. body: what is seen of it.
-    spots: all items; those of the body where the scrolling puts them. tip: where words about the focused item stand.
+    items: all items; those of the body where the scrolling puts them. tip: where words about the focused item stand.
     over: how far the body can be scrolled. bar: right edge of the scroll bar.
     """
 
@@ -87,13 +87,13 @@ class Laid(NamedTuple):
     close: pygame.Rect
     tabs: tuple[pygame.Rect, ...]
     body: pygame.Rect
-    spots: tuple[Spot, ...]
+    items: tuple[PositionedItem, ...]
     tip: pygame.Rect
     over: int
     bar: int
 
 
-def laid_out(content: Content, area: pygame.Rect, type_: Type, units: tuple[float, float], scroll: float) -> Laid:
+def panel_layout(content: Content, area: pygame.Rect, type_: Type, units: tuple[float, float], scroll: float) -> FormLayout:
     """Everything in its position. All in pixels.
 
     area: that the plate may take. units: size of text, and of the title, which is large enough where the player wants large
@@ -113,7 +113,7 @@ def laid_out(content: Content, area: pygame.Rect, type_: Type, units: tuple[floa
     room = max(free.height - head - foot, unit)
     if content.footer and wanted > room and room < free.height * _LEAST_BODY:
         together = content._replace(body=(*content.body, *content.footer), footer=())
-        return laid_out(together, area, type_, units, scroll)
+        return panel_layout(together, area, type_, units, scroll)
     if wanted > room:
         inner = max(round(inner - _BAR_ROOM * unit), 1)
         wanted = sum([_row_height(row, type_, unit, inner) for row in content.body])
@@ -124,16 +124,16 @@ def laid_out(content: Content, area: pygame.Rect, type_: Type, units: tuple[floa
     left = plate.left + round(MARGIN * unit)
     body = pygame.Rect(left, round(plate.top + head), inner, round(seen))
     over = max(round(wanted - seen), 0)
-    spots = _spots(content.body, type_, unit, (left, body.top - min(scroll, over), inner), (0, True))
+    items = _positioned(content.body, type_, unit, (left, body.top - min(scroll, over), inner), (0, True))
     footer_top = plate.bottom - round(_BOTTOM * unit + footer)
     whole = max(round(width - 2.0 * MARGIN * unit), 1)
-    below = _spots(content.footer, type_, unit, (left, footer_top, whole), (len(content.body), False))
+    below = _positioned(content.footer, type_, unit, (left, footer_top, whole), (len(content.body), False))
     tip_top = body.bottom + round(_TIP_GAP * unit)
     tip = pygame.Rect(left, tip_top, whole, round(TIP * LINE * TIP_LINES * unit) if has_tip else 0)
     close = pygame.Rect(0, 0, round(CLOSE * unit), round(CLOSE * unit))
     close.topright = (round(plate.right - 0.7 * unit), round(plate.top + 0.7 * unit))
     tabs = _tabs(content.tabs, type_, unit, (left, round(body.top - (TABS + TABS_GAP) * unit), whole))
-    return Laid(plate, close, tabs, body, (*spots, *below), tip, over, plate.right - round(unit * MARGIN))
+    return FormLayout(plate, close, tabs, body, (*items, *below), tip, over, plate.right - round(unit * MARGIN))
 
 
 class Column(NamedTuple):
@@ -144,9 +144,9 @@ class Column(NamedTuple):
     foot: tuple[Row, ...]
 
 
-def laid_in_column(
+def column_layout(
     column: Column, area: pygame.Rect, type_: Type, unit: float, scroll: float, *, low_foot: bool = False
-) -> Laid:
+) -> FormLayout:
     """Head, body and foot below each other from the top of an area, pixels. unit: size of text. scroll: of the body.
 
     If there is too little room, first all rows are made lower, then the body scrolls; if too little of it would be visible,
@@ -164,21 +164,21 @@ def laid_in_column(
     room = area.height - head - foot
     if room < wanted and room < area.height * _LEAST_SEEN and (column.head or column.foot):
         everything = Column((), (*column.head, *column.body, *column.foot), ())
-        return laid_in_column(everything, area, type_, unit, scroll)
+        return column_layout(everything, area, type_, unit, scroll)
     seen = min(wanted, room)
     over = max(round(wanted - seen), 0)
     inner = width - (round(_BAR_ROOM * unit) if over else 0)
     body = pygame.Rect(left, round(area.top + head), inner, round(seen))
     foot_top = round(area.bottom - foot) if low_foot else body.bottom
     before, inside = len(column.head), len(column.head) + len(column.body)
-    spots = (
-        *_spots(column.head, type_, unit, (left, area.top, width), (0, False), steady),
-        *_spots(column.body, type_, unit, (left, body.top - min(scroll, over), inner), (before, True), squeeze),
-        *_spots(column.foot, type_, unit, (left, foot_top, width), (inside, False), steady),
+    items = (
+        *_positioned(column.head, type_, unit, (left, area.top, width), (0, False), steady),
+        *_positioned(column.body, type_, unit, (left, body.top - min(scroll, over), inner), (before, True), squeeze),
+        *_positioned(column.foot, type_, unit, (left, foot_top, width), (inside, False), steady),
     )
     bottom = round(foot_top + foot)
     tip = pygame.Rect(left, bottom, width, round(TIP * LINE * TIP_LINES * unit))
-    return Laid(area, pygame.Rect(0, 0, 0, 0), (), body, spots, tip, over, left + width)
+    return FormLayout(area, pygame.Rect(0, 0, 0, 0), (), body, items, tip, over, left + width)
 
 
 def _row_height(row: Row, type_: Type, unit: float, width: float) -> float:
@@ -196,28 +196,28 @@ def _widths(row: Row, unit: float, width: float) -> list[float]:
     return [room * item.share / total for item in row]
 
 
-def _spots(
+def _positioned(
     rows: tuple[Row, ...],
     type_: Type,
     unit: float,
     start: tuple[int, float, float],
     first: tuple[int, bool],
     squeeze: float = 1.0,
-) -> list[Spot]:
+) -> list[PositionedItem]:
     """Rows of items below each other. start: left, top and width; first: number of the first row, and whether it scrolls.
 
     squeeze: the share of their heights that they have.
     """
     left, y, width = start
-    spots = []
+    items = []
     for number, row in enumerate(rows, first[0]):
         tall, x = squeeze * _row_height(row, type_, unit, width), float(left)
         for column, (item, wide) in enumerate(zip(row, _widths(row, unit, width), strict=True)):
             box = pygame.Rect(round(x), round(y), round(wide), round(tall - squeeze * _ROW_GAP * unit))
-            spots.append(Spot(item, box, number, column, first[1]))
+            items.append(PositionedItem(item, box, number, column, first[1]))
             x += wide + _COLUMN_GAP * unit
         y += tall
-    return spots
+    return items
 
 
 def _tabs(names: tuple[str, ...], type_: Type, unit: float, start: tuple[int, int, int]) -> tuple[pygame.Rect, ...]:

@@ -6,7 +6,7 @@ from typing import NamedTuple
 from game.input.keys import Action
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.toolkit.items import ButtonItem, Item, TextItem
+from game.screens.toolkit.items.basic import ButtonItem, Item, TextItem
 from game.screens.toolkit.layout import Content, Row
 from game.screens.toolkit.panel import Panel
 

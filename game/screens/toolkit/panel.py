@@ -8,12 +8,11 @@ from game.input.keys import Action
 from game.input.signals import Pressed, Signal
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.still_picture import StillPicture
-from game.screens.toolkit import layout
+from game.screens.cached_picture import CachedPicture
 from game.screens.toolkit.focus import TABS, Focus
 from game.screens.toolkit.form import Form
 from game.screens.toolkit.icons import draw_cross
-from game.screens.toolkit.layout import Content, Laid, laid_out
+from game.screens.toolkit.layout import CLOSE, MARGIN, TITLE, TOP, Content, FormLayout, panel_layout
 from game.screens.toolkit.plate import dim, draw_focus, draw_panel, index_at, write_fitting
 
 _LARGE = 1.4
@@ -31,7 +30,7 @@ class Panel(Form):
         self._state, self._under = state, under
         self._tab = 0
         self._on_close = False  # whether the mouse is on the button that leads back
-        self._behind = StillPicture()
+        self._behind = CachedPicture()
 
     def content(self) -> Content:
         """What is on it now."""
@@ -57,7 +56,7 @@ class Panel(Form):
         return self._state
 
     @property
-    def looks(self) -> tuple[object, ...]:
+    def appearance(self) -> tuple[object, ...]:
         """All that its picture depends on."""
         return self._state.appearance, self._changes, self._focus, self._scroll, self._on_close
 
@@ -87,27 +86,27 @@ class Panel(Form):
         self.draw_behind(surface)
         size = surface.get_size()
         canvas = self._state.canvas(surface)._replace(unit=self.unit(size))
-        content, laid = self.content(), self._laid(size)
-        focus = self._settled(laid)
-        self.draw_plate(canvas, content, laid)
-        _draw_tabs(canvas, content, laid, focus)
-        self.draw_items(canvas, laid, focus, centred=content.centred)
+        content, layout = self.content(), self._form_layout(size)
+        focus = self._settled(layout)
+        self.draw_plate(canvas, content, layout)
+        _draw_tabs(canvas, content, layout, focus)
+        self.draw_items(canvas, layout, focus, centred=content.centred)
 
     def draw_behind(self, surface: pygame.Surface) -> None:
         """The screen below, dimmed: drawn once."""
         self._behind.show(surface, (self._state.appearance,), self._draw_behind)
 
-    def draw_plate(self, canvas: Canvas, content: Content, laid: Laid) -> None:
+    def draw_plate(self, canvas: Canvas, content: Content, layout: FormLayout) -> None:
         """The plate, its title and the button that leads back."""
-        theme, unit, plate = canvas.theme, canvas.unit, laid.plate
+        theme, unit, plate = canvas.theme, canvas.unit, layout.plate
         draw_panel(canvas.surface, plate, theme, unit)
-        draw_focus(canvas, laid.close, focused=self._on_close)
-        draw_cross(canvas, laid.close, theme.accent if self._on_close else theme.faint)
-        anchor, x = ("midtop", float(plate.centerx)) if content.centred else ("topleft", plate.left + unit * layout.MARGIN)
-        room = plate.width - unit * (2.0 * layout.MARGIN + layout.CLOSE * (2.0 if content.centred else 1.0))
+        draw_focus(canvas, layout.close, focused=self._on_close)
+        draw_cross(canvas, layout.close, theme.accent if self._on_close else theme.faint)
+        anchor, x = ("midtop", float(plate.centerx)) if content.centred else ("topleft", plate.left + unit * MARGIN)
+        room = plate.width - unit * (2.0 * MARGIN + CLOSE * (2.0 if content.centred else 1.0))
         titled = canvas._replace(unit=self._title_unit(canvas.size))
-        pixel = complex(x, plate.top + titled.unit * layout.TOP)
-        write_fitting(titled, content.title, layout.TITLE, theme.text, pixel, anchor, room)
+        pixel = complex(x, plate.top + titled.unit * TOP)
+        write_fitting(titled, content.title, TITLE, theme.text, pixel, anchor, room)
 
     @property
     def has_large_text(self) -> bool:
@@ -136,17 +135,17 @@ class Panel(Form):
         self.draw_ground(surface)
         dim(surface, self._state.theme)
 
-    def _laid(self, size: tuple[int, int]) -> Laid:
+    def _form_layout(self, size: tuple[int, int]) -> FormLayout:
         """Where everything is now."""
         units = self.unit(size), self._title_unit(size)
-        laid = laid_out(self.content(), self.area(size), self._state.type, units, self._scroll)
-        self._scroll = min(self._scroll, float(laid.over))
-        return laid
+        layout = panel_layout(self.content(), self.area(size), self._state.type, units, self._scroll)
+        self._scroll = min(self._scroll, float(layout.over))
+        return layout
 
     def _moved(self, action: Action, size: tuple[int, int]) -> None:
         """Left and right on the tabs' heads show another part."""
         steps = {Action.LEFT: -1, Action.RIGHT: 1}.get(action, 0)
-        focus = self._settled(self._laid(size))
+        focus = self._settled(self._form_layout(size))
         if steps and focus is not None and focus.row == TABS:
             self.open_tab((self._tab + steps) % len(self.content().tabs))
         else:
@@ -154,24 +153,24 @@ class Panel(Form):
 
     def _hovered(self, pixel: complex, size: tuple[int, int]) -> Screen | None:
         """The button that leads back shows that the mouse is on it."""
-        self._on_close = index_at([self._laid(size).close], pixel) is not None
+        self._on_close = index_at([self._form_layout(size).close], pixel) is not None
         return super()._hovered(pixel, size)
 
     def _clicked(self, pixel: complex, size: tuple[int, int]) -> Screen | None:
         """Lead back, show another part, or use what the mouse is on."""
-        laid = self._laid(size)
-        if index_at([laid.close], pixel) is not None:
+        layout = self._form_layout(size)
+        if index_at([layout.close], pixel) is not None:
             return self.back()
-        if (tab := index_at(list(laid.tabs), pixel)) is not None:
+        if (tab := index_at(list(layout.tabs), pixel)) is not None:
             self.open_tab(tab)
             return self
         return super()._clicked(pixel, size)
 
 
-def _draw_tabs(canvas: Canvas, content: Content, laid: Laid, focus: Focus | None) -> None:
+def _draw_tabs(canvas: Canvas, content: Content, layout: FormLayout, focus: Focus | None) -> None:
     """The tabs' heads, the one that is shown underlined."""
     theme, unit = canvas.theme, canvas.unit
-    for index, (name, box) in enumerate(zip(content.tabs, laid.tabs, strict=True)):
+    for index, (name, box) in enumerate(zip(content.tabs, layout.tabs, strict=True)):
         shown = index == content.tab
         draw_focus(canvas, box, focused=shown and focus is not None and focus.row == TABS)
         write_fitting(

@@ -9,10 +9,10 @@ from game.language import tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.toolkit.focus import Focus
-from game.screens.toolkit.items import ButtonItem, Drawing, Item
+from game.screens.toolkit.items.basic import ButtonItem, Drawing, Item
+from game.screens.toolkit.items.text_field import TextField, draw_field
 from game.screens.toolkit.layout import Content, Row
 from game.screens.toolkit.panel import Panel
-from game.screens.toolkit.text_field import TextField, draw_field
 
 TEXT_KEYS = ("ABCDEFGHIJ", "KLMNOPQRST", "UVWXYZ-_.!", "0123456789")
 NUMBER_KEYS = ("123", "456", "789", "-0.")

@@ -10,7 +10,7 @@ from pathlib import Path
 from types import ModuleType
 from typing import Any, ClassVar
 
-from game.web.cffi.tables import CType, Entry, Signature, Tables, is_constant, is_extern_python, is_function
+from game.web.cffi.tables import CSignature, CType, TableEntry, Tables, is_constant, is_extern_python, is_function
 
 _SLOT = 8
 """Bytes for each argument of a function that the library calls."""
@@ -127,7 +127,7 @@ class Library:
         setattr(self, name, found)
         return found
 
-    def _found(self, entry: Entry) -> Any:
+    def _found(self, entry: TableEntry) -> Any:
         """The function, constant or variable of an entry."""
         tables = self._tables
         if is_function(entry):
@@ -254,7 +254,7 @@ class _LoadedError(Exception):
     """The library is loaded: ends its import."""
 
 
-def _caller(tables: Tables, signature: Signature, address: int) -> Callable[..., Any]:
+def _caller(tables: Tables, signature: CSignature, address: int) -> Callable[..., Any]:
     """A function of the library with Python's values as arguments and result."""
     function = signature.made(address)
     result, kinds = signature

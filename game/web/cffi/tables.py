@@ -34,7 +34,7 @@ class CType(NamedTuple):
         return isinstance(self.made, type) and issubclass(self.made, ctypes.Structure)
 
 
-class Signature(NamedTuple):
+class CSignature(NamedTuple):
     """The types of a function's result and arguments."""
 
     result: CType
@@ -46,7 +46,7 @@ class Signature(NamedTuple):
         return ctypes.CFUNCTYPE(self.result.made, *[one.made for one in self.arguments])
 
 
-class Entry(NamedTuple):
+class TableEntry(NamedTuple):
     """A named entry of a library. kind: index of its type. address: of the entry, or of the function that returns it."""
 
     code: int
@@ -109,10 +109,10 @@ class Tables:
         self._context = _Context.from_address(address)
 
     @cached_property
-    def entries(self) -> dict[str, Entry]:
+    def entries(self) -> dict[str, TableEntry]:
         """Functions, constants and variables by name."""
         found = [self._context.globals[k] for k in range(self._context.count_of_globals)]
-        return {one.name.decode(): Entry(*_split(one.operation), one.address, one.function or 0) for one in found}
+        return {one.name.decode(): TableEntry(*_split(one.operation), one.address, one.function or 0) for one in found}
 
     @cached_property
     def _names(self) -> dict[str, int]:
@@ -164,7 +164,7 @@ class Tables:
         return made
 
     @cache  # noqa: B019  # as above
-    def signature(self, index: int) -> Signature:
+    def signature(self, index: int) -> CSignature:
         """The signature of a function by the index of its type, or of a pointer to it."""
         code, result = _split(self._context.types[index])
         if code == _POINTER:
@@ -173,20 +173,20 @@ class Tables:
         while _split(self._context.types[index + 1])[0] != _FUNCTION_END:
             index += 1
             arguments.append(self.type(index))
-        return Signature(self.type(result), tuple(arguments))
+        return CSignature(self.type(result), tuple(arguments))
 
 
-def is_function(entry: Entry) -> bool:
+def is_function(entry: TableEntry) -> bool:
     """Whether an entry is a function of the library."""
     return entry.code in _CALLS
 
 
-def is_constant(entry: Entry) -> bool:
+def is_constant(entry: TableEntry) -> bool:
     """Whether an entry is a constant."""
     return entry.code in _CONSTANTS
 
 
-def is_extern_python(entry: Entry) -> bool:
+def is_extern_python(entry: TableEntry) -> bool:
     """Whether an entry is a function that Python defines and the library calls."""
     return entry.code == _EXTERN_PYTHON
 

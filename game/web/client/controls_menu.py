@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterable
 
 from game.input.action_names import action_groups
 from game.input.actions import DEFAULT_KEYS
-from game.input.key_choice import Wanted, given, question, wanted
+from game.input.key_choice import CaptureTarget, given, question, wanted
 from game.input.keys import PadButton
 from game.input.scancodes import SCANCODES
 from game.language import tr
@@ -44,7 +44,9 @@ def controls_menu(
     return MenuScreen(state, tr("Keys"), contents, back, under, focus=focus)
 
 
-def _row(state: PageState, again: Callable[[str], MenuScreen], under: PageScreen | None, asked: tuple[Wanted, ...]) -> Opened:
+def _row(
+    state: PageState, again: Callable[[str], MenuScreen], under: PageScreen | None, asked: tuple[CaptureTarget, ...]
+) -> Opened:
     """An action's keys and its button; each leads to the question for another one. again: makes the menu anew."""
     name = asked[0].name
     spoken = [tr("{action}, gamepad") if one.of_pad else tr("{action}, key {number}") for one in asked]
@@ -64,12 +66,14 @@ def _row(state: PageState, again: Callable[[str], MenuScreen], under: PageScreen
 class KeyQuestion(MenuScreen):
     """Waits for a key or a button. Esc, and B on a gamepad, lead back; so does the button."""
 
-    def __init__(self, state: PageState, asked: Wanted, back: Callable[[], PageScreen], under: PageScreen | None) -> None:
+    def __init__(
+        self, state: PageState, asked: CaptureTarget, back: Callable[[], PageScreen], under: PageScreen | None
+    ) -> None:
         """asked: the key that is wanted. back: makes the screen that follows."""
         lines = question(asked)
         super().__init__(state, asked.name, lambda _menu: (lines, ()), back, under, uncaptured=LEFT_ALONE)
         self._asked, self._leave = asked, back
-        state.said += lines
+        state.announcements += lines
 
     def key(self, position: int) -> PageScreen:
         """The screen after a key was pressed."""
@@ -88,5 +92,5 @@ class KeyQuestion(MenuScreen):
         settings = self.state.settings
         own_keys, told = given(settings.own_keys, self._asked, control)
         self.state.change(settings._replace(own_keys=own_keys))
-        self.state.told.append(told)
+        self.state.notifications.append(told)
         return self._leave()

@@ -7,13 +7,13 @@ from typing import NamedTuple
 from game.generated import daily_seed
 from game.input.key_names import players_keys
 from game.input.players import Players, players_words
-from game.kept.progress import RANKS
-from game.kept.scores import ENDLESS
 from game.language import grouped, tr
-from game.level_names import level_name
 from game.levels import Level, classic
+from game.levels.names import level_name
 from game.screens.difficulty_names import DIFFICULTIES, difficulty_name
 from game.screens.endless_seeds import LONGEST_SEED, new_seed, seed_of
+from game.storage.progress import RANKS
+from game.storage.scores import ENDLESS
 from game.web.client.functions.text import FunctionsText
 from game.web.client.help import credits_menu, help_menu
 from game.web.client.menu_screen import MenuScreen, Opened
@@ -58,7 +58,7 @@ def title(state: PageState, screens: Screens) -> MenuScreen:
 
 def next_level(state: PageState) -> int:
     """Index of the first level that is open and was not finished yet; the first where all are finished."""
-    progress, names = state.kept.progress.value, [level.name for level in state.levels]
+    progress, names = state.storage.progress.value, [level.name for level in state.levels]
     return next((k for k, name in enumerate(names) if not progress.finished(name) and progress.is_open(k, names)), 0)
 
 
@@ -66,7 +66,7 @@ def levels_menu(state: PageState, screens: Screens) -> MenuScreen:
     """The choice of a level, and of the difficulty."""
 
     def contents(menu: MenuScreen) -> tuple[Iterable[str], Iterable[Opened]]:
-        progress, names = state.kept.progress.value, [level.name for level in state.levels]
+        progress, names = state.storage.progress.value, [level.name for level in state.levels]
 
         def chosen(value: str) -> PageScreen:
             state.choose_difficulty(value)
@@ -149,7 +149,7 @@ def scores_menu(state: PageState, screens: Screens) -> MenuScreen:
     def contents(_menu: MenuScreen) -> tuple[Iterable[str], Iterable[Opened]]:
         lines = []
         for name in (*DIFFICULTIES, ENDLESS):
-            table = state.kept.scores.value.table(name)
+            table = state.storage.scores.value.table(name)
             lines += [tr("Endless") if name == ENDLESS else difficulty_name(name)] if table else []
             lines += [
                 f"{place}.  {grouped(score.score)}  {score.name}  {level_name(score.last)}"
@@ -164,7 +164,7 @@ def replays_menu(state: PageState, screens: Screens) -> MenuScreen:
     """The games that were kept."""
 
     def contents(_menu: MenuScreen) -> tuple[Iterable[str], Iterable[Opened]]:
-        games = state.kept.games.listed()
+        games = state.storage.games.listed()
         items = [
             Opened(
                 PageItem(f"replay-{game.file}", f"{game.title or game.date}  {level_name(game.first)}  {grouped(game.score)}"),
@@ -186,11 +186,11 @@ def _watches(state: PageState, screens: Screens, file: str) -> Callable[[str], P
     """Opens a kept game."""
 
     def opened(_value: str) -> PageScreen:
-        folder = state.kept.games.folder
+        folder = state.storage.games.folder
         try:
             data = b"" if folder is None else (folder / file).read_bytes()
         except OSError as error:
-            state.told.append(f"{file}: {error.strerror}")
+            state.notifications.append(f"{file}: {error.strerror}")
             return screens.title()
         return screens.replay(file, data)
 

@@ -182,10 +182,10 @@ class FrameReply(msgspec.Struct, omit_defaults=True):
     """The reply to a `FrameRequest`; the two lists of primitives are sent beside it.
 
     backdrop: whether the backdrop is a new one. texts: of the frame's list; backdrop_texts: of the backdrop's.
-    background: colour around everything. colours: of the page's controls, by name. menu, toolbar: if they have changed.
+    colours: of the page's controls, by name. menu, toolbar: if they have changed.
     menu_closed: whether the menu was closed. sounds: number of the sound, gains of the left and the right ear.
-    said: a sentence for a screen reader. described: the picture in words. fragment: of the page's address.
-    keep: whether the stored files have changed. download: a file for the player. told: a line to show for a moment.
+    announcement: a sentence for a screen reader. described: the picture in words. fragment: of the page's address.
+    keep: whether the stored files have changed. download: a file for the player. notification: a line to show for a moment.
     language: code of the texts' language. code: a text that replaces the editor's. grading: a text to be graded.
     full_screen: whether to switch full screen on or off. second_engine: whether to load it.
     words: around the picture, if they have changed. music: gains of its layers, if they have changed. limit: seconds within
@@ -195,18 +195,17 @@ class FrameReply(msgspec.Struct, omit_defaults=True):
     backdrop: bool = False
     texts: list[str] = []
     backdrop_texts: list[str] = []
-    background: str = ""
     colours: dict[str, str] = {}
     menu: PageMenu | None = None
     menu_closed: bool = False
     toolbar: tuple[PageItem, ...] | None = None
     sounds: list[tuple[int, float, float]] = []
-    said: str = ""
+    announcement: str = ""
     described: str = ""
     fragment: str | None = None
     keep: bool = False
     download: Download | None = None
-    told: str = ""
+    notification: str = ""
     full_screen: bool = False
     language: str = ""
     code: str | None = None

@@ -13,7 +13,6 @@ from game.generated import sequence
 from game.input.actions import Action
 from game.input.keys import BINDINGS, KEYS, KeyTable
 from game.input.signals import Pressed, Signal
-from game.kept.store import Kept
 from game.lab.kit.second_engine import Engine
 from game.lab.session.session import state_hash as hash_of_session
 from game.language import current, system_prefers
@@ -30,6 +29,7 @@ from game.settings.file import SettingsFile
 from game.settings.keys import changed
 from game.settings.values import Settings
 from game.sound.music.mood import SILENT
+from game.storage.storage import Storage
 from game.student.own_physics import OwnPhysics
 from game.system.errors import BadInputError
 from game.web.client.controls_menu import KeyQuestion
@@ -86,11 +86,11 @@ class Page:
         if settings is None or settings == Settings():
             settings = Settings(reduced_motion=calm)
         system_prefers(languages.split(","))
-        chance = random.SystemRandom()
-        self._state = PageState(Sounds(sounds), stored, Kept(stored), settings_file, settings, lambda: chance.getrandbits(32))
+        storage, chance = Storage(stored), random.SystemRandom()
+        self._state = PageState(Sounds(sounds), stored, storage, settings_file, settings, lambda: chance.getrandbits(32))
         self._state.functions, self._state.touched = OwnFunctionsPanel(stored), touch
         self._state.use(settings)
-        self._state.choose_difficulty(self._state.kept.progress.value.last_difficulty)
+        self._state.choose_difficulty(storage.progress.value.last_difficulty)
         self._screens = Screens(self._title, self._game, self._replay, self._lab, self._flight, self._settings, self._endless)
         self._screen: PageScreen = self._title()
         self._devices = PageDevices()
@@ -100,7 +100,7 @@ class Page:
         self._size = (1, 1)
         self._music = SILENT
         if stored is None:
-            self._state.told.append("nothing can be stored here: scores and replays last until the page is closed")
+            self._state.notifications.append("nothing can be stored here: scores and replays last until the page is closed")
         gc.collect()
         gc.freeze()
 
@@ -214,7 +214,7 @@ class Page:
         elif now is not None:
             self._state.change(now.settings)
             self._state.toast = Toast(now.words, now.level)
-            self._state.said.append(now.words)
+            self._state.announcements.append(now.words)
             if isinstance(self._screen, MenuScreen):
                 self._screen.refresh()
         return now is not None
@@ -245,11 +245,11 @@ class Page:
             elif name.lower().endswith(_FUNCTIONS):
                 self._edit(_text(name, data))
             else:
-                self._state.told.append(
+                self._state.notifications.append(
                     f"{name}: expected a replay ({_REPLAY}), a level ({_LEVEL}) or functions ({_FUNCTIONS})"
                 )
         except BadInputError as error:
-            self._state.told.append(str(error))
+            self._state.notifications.append(str(error))
 
     def _open_link(self, fragment: str) -> None:
         """What the address names: level/3, classic/3, lab/ and a share line, or functions. The rest is refused in one line."""
@@ -268,11 +268,11 @@ class Page:
             elif fragment == "functions":
                 self._edit(None)
             else:
-                self._state.told.append(
+                self._state.notifications.append(
                     f"#{fragment[:80]}: expected #level/NUMBER, #classic/NUMBER, #endless/NUMBER, #lab/SCENE or #functions"
                 )
         except BadInputError as error:
-            self._state.told.append(str(error))
+            self._state.notifications.append(str(error))
 
     def _reply(self, size: tuple[int, int]) -> FrameReply:
         """What has changed since the last frame."""
@@ -290,13 +290,13 @@ class Page:
             menu_closed=menu is None and before.menu is not None,
             toolbar=toolbar if toolbar != before.toolbar else None,
             sounds=[_at_volume(sound, state.settings) for sound in state.started],
-            said=" ".join(state.said),
+            announcement=" ".join(state.announcements),
             described=screen.described,
             fragment=screen.fragment if screen.fragment != before.fragment else None,
             keep=state.changed,
             download=state.download,
             full_screen=state.full_screen,
-            told=" ".join(state.told),
+            notification=" ".join(state.notifications),
             music=self._music if self._music != before.music else None,
             limit=0.0 if state.functions.running is None else _LIMIT,
             code=state.functions.fresh,
@@ -317,7 +317,7 @@ class Page:
         )
         state.functions.fresh = state.functions.request = None
         state.asks_engine = False
-        state.started, state.said, state.told, state.changed, state.download = [], [], [], False, None
+        state.started, state.announcements, state.notifications, state.changed, state.download = [], [], [], False, None
         state.full_screen = False
         return reply
 

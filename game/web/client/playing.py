@@ -7,7 +7,6 @@ from game.drawing.palette import Colour
 from game.effects import EffectKind
 from game.effects.hit_stop import hit_stop_seconds
 from game.effects.slow_motion import pace
-from game.fixed_step import Due, due
 from game.input.actions import Action
 from game.input.hands import Hands, controls_of_two
 from game.input.key_names import key_name, players_keys, second_player_positions
@@ -15,6 +14,7 @@ from game.input.players import Players
 from game.input.signals import FocusLost, Pointed, Pressed, Released, Signal, pad_of
 from game.language import tr
 from game.levels import Level, classic, number_of
+from game.loop.fixed_step import Due, due
 from game.overlay import captions
 from game.overlay.captions import Caption
 from game.overlay.notice_words import Notice, by_touch, notice, ready, to_newcomer, who_steers
@@ -80,7 +80,7 @@ class GameOnPage:
         self._told = -1  # number of the level whose results were shown last
         self._ended = False
         self._captions: tuple[Caption, ...] = ()
-        state.kept.game_done()
+        state.storage.game_done()
         self._record.begin_level(0, 0)
 
     @property
@@ -235,7 +235,7 @@ class GameOnPage:
         if self._players != Players.ONE:
             told = who_steers(self.game, *players_keys(), serve) or told
         elif told is not None:
-            new = not self._state.kept.progress.value.bests
+            new = not self._state.storage.progress.value.bests
             if self._state.touched:
                 told = by_touch(told, self.game, new=new)
             elif new:
@@ -268,7 +268,7 @@ class GameOnPage:
             self._record.ghost.after_tick(self.game)
         if state.settings.captions:
             self._captions = captions.after(self._captions, self._ticked, seen.camera)
-            state.said += captions.rare(events)
+            state.announcements += captions.rare(events)
         touched = self.game.phase != Phase.PLAYING or any(
             [event.kind in {EventKind.PADDLE_HIT, EventKind.SERVED} for event in events]
         )
@@ -276,14 +276,14 @@ class GameOnPage:
         self._effects = effects.after(self._effects, self._ticked, state.settings.shown)
         state.play_sounds(self._ticked, seen.camera)
         if self._record.counts:
-            state.kept.games(controls, self.game)
+            state.storage.games(controls, self.game)
         for event in events:
             if event.kind == EventKind.LEVEL_STARTED:
                 self._record.begin_level(self.game.tick, self.game.number)
             elif event.kind == EventKind.LEVEL_CLEARED:
                 self._record.note_level(self.game)
             elif event.kind == EventKind.BALL_LOST:
-                state.said.append(tr("Ball lost. {lives} lives left.").format(lives=self.game.lives))
+                state.announcements.append(tr("Ball lost. {lives} lives left.").format(lives=self.game.lives))
 
     def _results(self) -> PageScreen | None:
         """The menu after a level or the game, once its end has been seen for a moment."""

@@ -6,15 +6,15 @@ from typing import Protocol
 
 import msgspec
 
-from game.kept.ghost import Ghost, ghost_of
-from game.kept.progress import RANKS, Best, is_built_in, record_name
-from game.kept.scores import ENDLESS, LONGEST_NAME, Score
 from game.language import grouped, tr
-from game.level_names import level_name
 from game.levels import Level
+from game.levels.names import level_name
 from game.overlay.readings import player_name
 from game.rules import Game, Phase, winner
-from game.screens.versus import verdict
+from game.screens.play.versus import verdict
+from game.storage.ghost import Ghost, ghost_of
+from game.storage.progress import RANKS, Best, is_built_in, record_name
+from game.storage.scores import ENDLESS, LONGEST_NAME, Score
 from game.web.client.menu_screen import MenuScreen, Opened
 from game.web.client.menus import Screens, levels_menu
 from game.web.client.messages import PageItem
@@ -64,17 +64,16 @@ class Counted:
         """A level begins. tick: of the game. number: of the level in the game."""
         self.start, self.ghost = tick, None
         if self.counts and not self.endless:
-            self.ghost = ghost_of(self.state.kept, self.levels[number], self.state.difficulty, number)
+            self.ghost = ghost_of(self.state.storage, self.levels[number], self.state.difficulty, number)
 
     def note_level(self, game: Game) -> None:
         """Record a finished level, if the game counts."""
         state, result = self.state, game.results[-1]
-        state.said.append(tr("Level cleared"))
+        state.announcements.append(tr("Level cleared"))
         if self.counts and not self.endless:
-            done = Best(
-                record_name(game.level), state.difficulty, result.score, int(result.rank), result.ticks, start=self.start
-            )
-            state.kept.level_done(done)
+            name, rank = record_name(game.level), int(result.rank)
+            done = Best(name, state.difficulty, result.score, rank, result.ticks, start=self.start)
+            state.storage.level_done(done)
             state.changed = True
             state.tell_problems()
 
@@ -97,7 +96,7 @@ def level_results(state: PageState, screens: Screens, play: Played) -> PageScree
 def game_results(state: PageState, screens: Screens, play: Played, record: Counted) -> PageScreen:
     """The menu after a game: its results, the entry of a name for a high score, its replay, and where to go next."""
     game, won = play.game, play.game.phase == Phase.WON
-    last = state.kept.game_done() if record.counts else None
+    last = state.storage.game_done() if record.counts else None
     state.changed = True
     state.tell_problems()
     lines = [tr("Score {score}").format(score=grouped(game.score))]
@@ -105,13 +104,13 @@ def game_results(state: PageState, screens: Screens, play: Played, record: Count
         lines = [f"{player_name(index)}: {grouped(side.score)}" for index, side in enumerate(game.sides)]
     items: list[Opened] = []
     table = ENDLESS if record.endless else state.difficulty
-    if record.ranked and state.kept.scores.value.qualifies(game.score, table):
+    if record.ranked and state.storage.scores.value.qualifies(game.score, table):
         proof = (last.file, last.sha256) if last is not None else ()
         to = game.level.name if play.endless is None else f"{game.level.name} ({play.endless})"
         first, date = game.levels[0].name, time.strftime("%Y-%m-%d")
         items.append(_name_item(state, screens, Score("", game.score, table, first, to, won, record.speed, date, *proof)))
-    if last is not None and state.kept.games.folder is not None:
-        path = state.kept.games.folder / last.file
+    if last is not None and state.storage.games.folder is not None:
+        path = state.storage.games.folder / last.file
         items.append(Opened(PageItem("watch", tr("Watch the replay")), lambda _: screens.replay(path.name, path.read_bytes())))
     items.append(Opened(PageItem("again", tr("Again")), lambda _: play.restarted()))
     items += leaving(state, screens)
@@ -123,12 +122,12 @@ def _name_item(state: PageState, screens: Screens, score: Score) -> Opened:
     """The field for the name of the player with a high score."""
 
     def entered(value: str) -> PageScreen:
-        state.kept.enter(msgspec.structs.replace(score, name=value.strip()[:LONGEST_NAME]))
+        state.storage.enter(msgspec.structs.replace(score, name=value.strip()[:LONGEST_NAME]))
         state.changed = True
         state.tell_problems()
         return screens.title()
 
-    held = state.kept.scores.value.last_name
+    held = state.storage.scores.value.last_name
     return Opened(PageItem("name", tr("A high score. Your name"), "text", held, high=LONGEST_NAME), entered)
 
 

@@ -116,7 +116,7 @@ def _unlocked(
     state: PageState, field: str, conditions: dict[str, Condition], names: dict[str, str]
 ) -> tuple[tuple[tuple[str, str], ...], str]:
     """A choice among the unlocked values of a field of `Settings`, with a line that says how to unlock the next one."""
-    earned, now = unlocked(conditions, feats(state.kept.progress.value)), getattr(state.settings, field)
+    earned, now = unlocked(conditions, feats(state.storage.progress.value)), getattr(state.settings, field)
     options = tuple([(name, words) for name, words in names.items() if name in earned or name == now])
     following = next((name for name in conditions if name not in earned), None)
     hint = tr("All of them are unlocked.") if following is None else f"{names[following]}: {conditions[following].text}"

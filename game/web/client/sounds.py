@@ -7,7 +7,7 @@ import msgspec
 from game.rules import Event
 from game.sound.notes import Note
 from game.sound.patches import Patch
-from game.sound.voices import SILENCE, Side, Tail, Voice, chorus, cues
+from game.sound.voices import SILENCE, Panning, Tail, Voice, chorus, cues
 
 RATE = 24_000
 """Samples per second: enough for what the synthesiser makes, and a browser resamples anyway."""
@@ -42,7 +42,7 @@ class Sounds:
         self._tails: dict[Note, Tail] = {note: entry.tail for note, entry in zip(notes, sounds, strict=True)}
         self._voices: tuple[Voice | None, ...] = SILENCE
 
-    def started(self, events: Sequence[Event], side: Side, combo: int, now: float) -> list[tuple[int, float, float]]:
+    def started(self, events: Sequence[Event], side: Panning, combo: int, now: float) -> list[tuple[int, float, float]]:
         """The sounds that events begin: number of the sound, gains of the left and the right ear. Arguments as of `cues`."""
         wanted = cues(events, side, combo)
         if not wanted:

@@ -12,7 +12,6 @@ from game.input.keys import KEYS
 from game.input.players import Players
 from game.input.signals import Signal
 from game.input.view import FLAT, Viewpoint
-from game.kept.store import Kept
 from game.lab.kit.second_engine import Engine
 from game.language import choose
 from game.levels import Level, campaign
@@ -26,6 +25,7 @@ from game.screens.demo import Demo
 from game.screens.difficulty_names import SOURCE, ruleset_of
 from game.settings.file import SettingsFile
 from game.settings.values import Settings
+from game.storage.storage import Storage
 from game.web.client.functions.panel import OwnFunctionsPanel
 from game.web.client.keys import page_bindings
 from game.web.client.messages import Download, PageItem, PageMenu
@@ -84,8 +84,8 @@ class PageState:
     """The state that all screens share. folder: of stored files; None if nothing can be stored.
 
     players: how many steer the paddles of new games. levels: of the campaign. own: the player's, by the names of their files.
-    density: pixels of the canvas per CSS pixel.
-    told: lines for the player to read for a moment. said: for a screen reader. started: sounds to be played now.
+    density: pixels of the canvas per CSS pixel. notifications: lines for the player to read for a moment.
+    announcements: for a screen reader. started: sounds to be played now.
     engine: the lab's second engine, once it is loaded; asks_engine: whether to load it.
     functions: the player's own, in the editor. changed: whether what is stored has changed. download: a file for the player.
     full_screen: whether to switch full screen on or off. touched: whether it is played by touch.
@@ -94,7 +94,7 @@ class PageState:
 
     sounds: Sounds
     folder: Path | None
-    kept: Kept
+    storage: Storage
     settings_file: SettingsFile | None
     settings: Settings
     seed: Callable[[], int]
@@ -105,8 +105,8 @@ class PageState:
     view: Viewpoint = FLAT
     density: float = 1.0
     arena: ArenaPicture = field(default_factory=ArenaPicture)
-    told: list[str] = field(default_factory=list)
-    said: list[str] = field(default_factory=list)
+    notifications: list[str] = field(default_factory=list)
+    announcements: list[str] = field(default_factory=list)
     started: list[tuple[int, float, float]] = field(default_factory=list)
     changed: bool = False
     music: MusicOnPage = field(default_factory=MusicOnPage)
@@ -188,7 +188,7 @@ class PageState:
 
     def tell_problems(self) -> None:
         """Say once what could not be read or written."""
-        for line in self.kept.problems:
+        for line in self.storage.problems:
             if line not in self.problems:
                 self.problems.add(line)
-                self.told.append(line)
+                self.notifications.append(line)

@@ -3,10 +3,10 @@
 from game import effects
 from game.drawing.camera import unit_of
 from game.effects import Effects
-from game.fixed_step import LONGEST_FRAME
 from game.input.actions import Action
 from game.input.signals import FocusLost, Pressed, Signal
 from game.language import grouped, tr
+from game.loop.fixed_step import LONGEST_FRAME
 from game.overlay.readings import readings
 from game.picture.figures import Corners, add_figures
 from game.replays.file import Recording

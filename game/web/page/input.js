@@ -12,6 +12,7 @@ export class Input {
   #pressed = []; // the buttons that are down on each of them
   #held = new Set();
   uncaptured = null; // while every key is sent to Python: the codes of those that are not
+  size = [1, 1]; // of the picture, in pixels
 
   /** hurry: called when something was pressed, released or chosen. steer: called with the number of a gamepad's button that was pressed. */
   constructor(canvas, hurry, steer) {
@@ -79,11 +80,8 @@ export class Input {
   }
 
   #pixel(event) {
-    const box = this.canvas.getBoundingClientRect();
-    return {
-      x: ((event.clientX - box.left) * this.canvas.width) / box.width,
-      y: ((event.clientY - box.top) * this.canvas.height) / box.height,
-    };
+    const box = this.canvas.getBoundingClientRect(), [width, height] = this.size;
+    return { x: ((event.clientX - box.left) * width) / box.width, y: ((event.clientY - box.top) * height) / box.height };
   }
 
   #poll() {

@@ -1,26 +1,27 @@
-// The page: requests pictures from Python in the worker, paints them, and passes on what the player did.
+// The page: requests pictures from the worker, and passes on what the player did.
 
 import { Controls } from "./controls.js";
 import { Editor } from "./editor.js";
 import { Grader } from "./grader.js";
 import { Input } from "./input.js";
-import { paint } from "./painter.js";
 import { Speaker } from "./speaker.js";
 import { Words } from "./words.js";
 
-const TOLD_SECONDS = 7;
+const NOTIFICATION_SECONDS = 7;
 const LARGEST_FILE = 16 * 1024 * 1024;
+const MOST_WAITING = 3; // requests without a reply: each key has one of its own, unless the worker is too slow
 const element = (id) => document.getElementById(id);
-const canvas = element("picture"), context = canvas.getContext("2d", { alpha: false });
+const canvas = element("picture");
 const speaker = new Speaker(), input = new Input(canvas, hurry, (button) => controls.steer(button));
 const controls = new Controls(element("menu"), element("toolbar"), canvas, choose);
 const editor = new Editor(element("code"), { typed: (text) => input.add({ type: "code", text }), grade: () => choose("grade", ""), left: () => element("item-grade")?.focus() });
-const backdrop = document.createElement("canvas"), backdropContext = backdrop.getContext("2d", { alpha: false });
 const words = new Words(element("step"), element("words"));
 const questions = new Map();
 const HUNG = "Your own functions gave no answer, so the page was opened again without them.";
-let limit = 0, worker = null, grader = null, background = "#000", toldUntil = 0, asked = 0;
-let ready = false, waiting = false, late = false, sentAt = 0, size = null; // late: send the next request as soon as the reply is there
+let limit = 0, worker = null, grader = null, notifiedUntil = 0, asked = 0;
+let ready = false, late = false, sentAt = 0; // late: the next request is sent as soon as no reply is missing
+let size = null, resized = true; // the picture's size in pixels; whether it has to be determined again
+const waiting = []; // when the requests were sent whose replies are missing
 
 function say(words) {
   element("loading").textContent = words;
@@ -33,10 +34,10 @@ function fail(words) {
   say(words);
 }
 
-function tell(words) {
-  element("told").textContent = words;
-  element("told").hidden = false;
-  toldUntil = performance.now() + 1000 * TOLD_SECONDS;
+function notify(words) {
+  element("notification").textContent = words;
+  element("notification").hidden = false;
+  notifiedUntil = performance.now() + 1000 * NOTIFICATION_SECONDS;
 }
 
 /** A control was used. */
@@ -80,40 +81,30 @@ function fitted() {
 
 /** Request the picture of a time, in milliseconds, with everything that the player did since the last request. */
 function request(now) {
-  if (!size && !(input.holds && request.size)) size = fitted(); // the size does not change while something is dragged
-  const seconds = sentAt ? Math.max(now - sentAt, 0) / 1000 : 0, [width, height] = size ?? request.size;
-  sentAt = Math.max(now, sentAt);
-  [waiting, late] = [true, false];
-  worker.postMessage({ kind: "frame", request: JSON.stringify({ seconds, width, height, density: density(), signals: input.taken() }) });
-  request.size = [width, height];
-}
-
-/** After a key or a button: request a picture at once, without waiting for the browser's next frame. */
-function hurry() {
-  if (waiting) late = true;
-  else if (ready) request(performance.now());
-}
-
-/** Paint the picture of a reply as soon as it is there: the browser's next frame shows it. */
-function show(reply, [width, height]) {
-  if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
-  if (reply.backdrop) {
-    [backdrop.width, backdrop.height] = [width, height];
-    backdropContext.fillStyle = background;
-    backdropContext.fillRect(0, 0, width, height);
-    paint(backdropContext, reply.backdrop, reply.backdrop_texts ?? []);
+  if (resized && !(input.holds && size)) { // the size does not change while something is dragged
+    [size, resized] = [fitted(), false];
+    input.size = size;
   }
-  context.globalAlpha = 1;
-  context.drawImage(backdrop, 0, 0);
-  paint(context, reply.numbers, reply.texts ?? []);
+  const seconds = sentAt ? Math.max(now - sentAt, 0) / 1000 : 0, [width, height] = size;
+  sentAt = Math.max(now, sentAt);
+  waiting.push(now);
+  late = false;
+  worker.postMessage({ kind: "frame", request: { seconds, width, height, density: density(), signals: input.taken() } });
+}
+
+/**
+ * After a key or a button: request a picture at once. It waits neither for the browser's next frame nor for another picture's reply,
+ * which some browsers deliver only after the next frame when a key was pressed.
+ */
+function hurry() {
+  if (!ready) return;
+  if (waiting.length < MOST_WAITING) request(performance.now());
+  else late = true;
 }
 
 /** What a reply says beside its picture. */
 function heed(reply) {
-  if (reply.colours) {
-    for (const [name, value] of Object.entries(reply.colours)) document.documentElement.style.setProperty(`--${name}`, value);
-    background = reply.colours.background;
-  }
+  for (const [name, value] of Object.entries(reply.colours ?? {})) document.documentElement.style.setProperty(`--${name}`, value);
   if (reply.language) document.documentElement.lang = reply.language;
   if (reply.toolbar) controls.showToolbar(reply.toolbar);
   if (reply.menu) controls.show(reply.menu);
@@ -125,15 +116,15 @@ function heed(reply) {
   } else if (typeof reply.code === "string") edit(reply.code);
   if (reply.words) words.show(reply.words);
   if (reply.grading) grader.grade(reply.grading);
-  if (reply.menu || reply.menu_closed || reply.words || reply.code !== undefined) size = null;
+  if (reply.menu || reply.menu_closed || reply.words || reply.code !== undefined) resized = true;
   document.body.classList.toggle("playing", element("menu").hidden || element("menu").classList.contains("side"));
   if (reply.sounds) speaker.play(reply.sounds);
   limit = reply.limit ?? 0;
   if (reply.music) speaker.follow(reply.music);
-  if (reply.said) element("said").textContent = reply.said;
+  if (reply.announcement) element("announcement").textContent = reply.announcement;
   if (reply.described && canvas.getAttribute("aria-label") !== reply.described) canvas.setAttribute("aria-label", reply.described);
   if (reply.fragment !== undefined && reply.fragment !== null) replaceFragment(reply.fragment);
-  if (reply.told) tell(reply.told);
+  if (reply.notification) notify(reply.notification);
   if (reply.download) download(reply.download);
   if (reply.full_screen) fillScreen();
 }
@@ -152,7 +143,7 @@ function openFragment() {
   try {
     fragment = decodeURIComponent(fragment);
   } catch {
-    tell("the address of this page has a broken fragment");
+    notify("the address of this page has a broken fragment");
     return;
   }
   if (fragment) input.add({ type: "link", fragment });
@@ -160,8 +151,8 @@ function openFragment() {
 
 function fillScreen() {
   const done = document.fullscreenElement ? document.exitFullscreen() : document.documentElement.requestFullscreen?.();
-  if (done) done.catch(() => tell("the browser lets this page not fill the screen"));
-  else tell("this browser has no full screen for pages");
+  if (done) done.catch(() => notify("the browser lets this page not fill the screen"));
+  else notify("this browser has no full screen for pages");
 }
 
 function download({ name, data }) {
@@ -175,7 +166,7 @@ function download({ name, data }) {
 
 async function give(file) {
   if (file.size > LARGEST_FILE) {
-    tell(`${file.name}: larger than 16 MB`);
+    notify(`${file.name}: larger than 16 MB`);
     return;
   }
   const bytes = new Uint8Array(await file.arrayBuffer());
@@ -186,17 +177,17 @@ async function give(file) {
 
 function turn(now) {
   requestAnimationFrame(turn);
-  if (now > toldUntil) element("told").hidden = true;
-  if (!waiting) return request(now);
+  if (now > notifiedUntil) element("notification").hidden = true;
+  if (!waiting.length) return request(now);
   late = true;
-  if (limit && now - sentAt > 1000 * limit) openAgain(HUNG);
+  if (limit && now - waiting[0] > 1000 * limit) openAgain(HUNG);
   return undefined;
 }
 
 /** Nothing else ends a loop within a function written in C. What is stored is there again, and the address says the rest. */
 function openAgain(words) {
   worker.terminate();
-  history.replaceState({ told: words }, "");
+  history.replaceState({ notification: words }, "");
   location.reload();
 }
 
@@ -204,7 +195,7 @@ function heard({ data }) {
   if (data.kind === "ready") {
     element("loading").hidden = true;
     element("progress").hidden = true;
-    if (history.state?.told) tell(history.state.told);
+    if (history.state?.notification) notify(history.state.notification);
     history.replaceState(null, "");
     openFragment();
     ready = true;
@@ -212,28 +203,27 @@ function heard({ data }) {
   } else if (data.kind === "progress") {
     element("progress").value = data.share;
   } else if (data.kind === "frame") {
-    waiting = false;
+    waiting.shift();
     heed(data.reply);
-    show(data.reply, request.size);
     if (!window.polarBreakout.firstFrame) {
       window.polarBreakout.firstFrame = performance.now();
       navigator.serviceWorker?.register("offline.js").catch(() => undefined); // only now: it loads everything once more
     }
     window.polarBreakout.frames += 1;
-    if (late) request(performance.now());
+    if (late && !waiting.length) request(performance.now());
   } else if (data.kind === "answer") {
     questions.get(data.number)(data.answer);
     questions.delete(data.number);
-  } else if (data.kind === "told") {
-    tell(data.words);
+  } else if (data.kind === "notification") {
+    notify(data.words);
   } else {
     fail(`The game cannot go on: ${data.words}`);
   }
 }
 
 function start() {
-  if (typeof WebAssembly === "undefined" || typeof DecompressionStream === "undefined") {
-    say("This page needs a browser with WebAssembly and DecompressionStream: Chrome or Edge 119, Firefox 121, Safari 17, or newer.");
+  if (typeof WebAssembly === "undefined" || typeof DecompressionStream === "undefined" || !canvas.transferControlToOffscreen) {
+    say("This page needs a browser with WebAssembly, DecompressionStream and OffscreenCanvas: Chrome or Edge 119, Firefox 121, Safari 17, or newer.");
     return;
   }
   worker = new Worker("worker.js", { type: "module" });
@@ -241,9 +231,11 @@ function start() {
   worker.onmessage = heard;
   const base = new URL("./", location.href).href;
   grader = new Grader({ base }, (signal) => input.add(signal));
-  worker.postMessage({ kind: "start", base, calm: matchMedia("(prefers-reduced-motion: reduce)").matches, languages: navigator.languages.join(","), touch: matchMedia("(pointer: coarse)").matches });
+  const calm = matchMedia("(prefers-reduced-motion: reduce)").matches, touch = matchMedia("(pointer: coarse)").matches;
+  const shown = canvas.transferControlToOffscreen(), languages = navigator.languages.join(",");
+  worker.postMessage({ kind: "start", base, calm, canvas: shown, languages, touch }, [shown]);
   for (const name of ["pointerdown", "keydown"]) addEventListener(name, () => speaker.wake());
-  addEventListener("resize", () => (size = null));
+  addEventListener("resize", () => (resized = true));
   addEventListener("hashchange", openFragment);
   addEventListener("dragover", (event) => event.preventDefault());
   addEventListener("drop", (event) => {

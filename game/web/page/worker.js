@@ -1,14 +1,16 @@
 // The game's Python, in a thread of its own: CPython on WebAssembly, the project's modules, what is stored.
 
+import { Picture } from "./picture.js";
 import { addFiles, startedPython } from "./python.js";
 import { discardSnapshots, storeSnapshot } from "./snapshot.js";
 
 const KEPT = "/kept";
 const SNAPSHOT_DELAY = 3000; // milliseconds from the start until its memory is stored
-let page = null, python = null, stored = false, storing = Promise.resolve(null);
+let page = null, picture = null, python = null, stored = false, storing = Promise.resolve(null), background = "#000";
 
-async function start({ base, calm, languages, touch, grades }) {
+async function start({ base, calm, canvas, languages, touch, grades }) {
   performance.mark("worker began");
+  if (canvas) picture = new Picture(canvas);
   const [started, sounds] = await Promise.all([startedPython(), fetch(`${base}sounds.json`).then((answer) => answer.arrayBuffer())]);
   python = started.python;
   if (grades) {
@@ -48,26 +50,28 @@ function synced(reads) {
 let saving = Promise.resolve();
 
 function save() {
-  if (stored) saving = saving.then(() => synced(false)).catch((error) => self.postMessage({ kind: "told", words: `not stored: ${error.message ?? error}` }));
+  if (stored) saving = saving.then(() => synced(false)).catch((error) => self.postMessage({ kind: "notification", words: `not stored: ${error.message ?? error}` }));
   return saving;
 }
 
-function copied(list) {
-  const view = list.getBuffer("f32"), copy = view.data.slice();
-  view.release();
-  list.destroy();
-  return copy;
+/** Let `use` read a list of Python's where it is: no Python may run in the meantime. */
+function borrowed(list, use) {
+  const view = list.getBuffer("f32");
+  try {
+    use(view.data);
+  } finally {
+    view.release();
+    list.destroy();
+  }
 }
 
+/** Let Python play and draw, paint its picture, and tell the page the rest. */
 function frame(request) {
-  const reply = JSON.parse(page.frame(request));
-  reply.numbers = copied(page.numbers);
-  const transfers = [reply.numbers.buffer];
-  if (reply.backdrop) {
-    reply.backdrop = copied(page.backdrop);
-    transfers.push(reply.backdrop.buffer);
-  }
-  self.postMessage({ kind: "frame", reply }, transfers);
+  const { texts = [], backdrop, backdrop_texts: backdropTexts = [], ...reply } = JSON.parse(page.frame(JSON.stringify(request)));
+  background = reply.colours?.background ?? background;
+  if (backdrop) borrowed(page.backdrop, (numbers) => picture.setBackdrop(request, background, numbers, backdropTexts));
+  borrowed(page.numbers, (numbers) => picture.show(request, numbers, texts));
+  self.postMessage({ kind: "frame", reply, painted: performance.timeOrigin + performance.now() });
   if (reply.keep) save();
   if (reply.second_engine) loadEngine();
 }
@@ -84,7 +88,7 @@ Pymunk()
 `);
     page.second_engine(engine);
   } catch (error) {
-    self.postMessage({ kind: "told", words: `pymunk cannot be loaded: ${error.message ?? error}` });
+    self.postMessage({ kind: "notification", words: `pymunk cannot be loaded: ${error.message ?? error}` });
   }
 }
 

@@ -8,8 +8,8 @@ from game import second_opinion
 from game.replays.file import played
 from game.second_opinion import SHOWN_TICKS, NormalPair
 from physics import Feature
-from tests.support.players import KeyPlayer, MousePlayer
-from tests.support.recordings import recorded
+from tests.support.games.players import KeyPlayer, MousePlayer
+from tests.support.games.recordings import recorded
 from tools.crosscheck import overlay
 
 

@@ -13,11 +13,12 @@ import pytest
 from game.drawing.camera import Camera
 from game.drawing.display_list_painter import DisplayListPainter
 from game.drawing.text import Type
-from game.picture.display_list import DisplayList, Primitive, packed, primitives, unpacked
+from game.picture.display_list import DisplayList, Primitive, Sector, packed, primitives, unpacked
 
 SIDE, FINER = 200, 8
 MIDDLE = 100.3 + 100.7j
 WHITE, GREY = (255, 255, 255), (90, 90, 90)
+SECTOR = Sector(0j, (1.0, 2.0), 0.0, 0.1)
 AROUND = [cmath.rect(1.0, math.tau * k / 120) for k in range(121)]
 
 
@@ -156,12 +157,12 @@ def test_a_list_is_read_as_it_was_written():
     chip.disc(0j, 1.0, WHITE)
     out.disc(0j, 1.0, (255, 254, 253))
     out.circle(0j, 1.0, 1.0, GREY)
-    out.sector(0j, (1.0, 2.0), 0.0, (0.1, 0.1), GREY)
+    out.sector(SECTOR, 0.1, GREY)
     out.polygon((0j, 1 + 0j, 1j), GREY)
     out.line((0j, 1 + 0j), 1.0, GREY)
     out.text("x", 9.0, 0j, GREY)
     out.glow(0j, (1.0, 1.0), GREY, 0.5)
-    out.gradient(0j, 1.0, [(0.0, GREY), (1.0, WHITE)])
+    out.fill(GREY)
     out.cells(0j, 2 + 2j, 2, [GREY, WHITE, GREY, WHITE])
     out.clip(0j, 1 + 1j)
     out.turn(0j, 1.0)
@@ -176,6 +177,14 @@ def test_a_list_is_read_as_it_was_written():
     out.box(0j, 4 + 2j, 1.0, GREY, (1.0, WHITE))
     out.texture(1, 2, [GREY, WHITE, GREY, WHITE])
     out.textured(0j, 1.0, 1)
+    out.foot(SECTOR, 0.2, 0.1, 0.5)
+    out.relief(SECTOR, 0.1, 0.3, 0.2, 0.1, 0.5)
+    out.cast(SECTOR, 0.1, 0.2, 0.1, 0.5)
+    out.bar(0j, 0.0, (1.0, 0.0, 2.0, 0.1), 0.1, GREY)
+    out.ground_disc(0.0, 1.0, [(0.0, 0.5, 1.0), (2.0, 2.5, 3.0)])
+    out.ground_circle(1.0, 0.1, GREY)
+    out.ground_side(1.0, 0.1, GREY)
+    out.ground_mark((0j, 1j, 1 + 0j), GREY)
     found = list(primitives(out.numbers))
     assert [code for code, *_ in found] == list(Primitive)
     assert unpacked(found[0][1]) == (255, 254, 253)
@@ -185,8 +194,8 @@ def test_a_list_is_read_as_it_was_written():
 
 
 def test_what_only_a_canvas_paints_is_refused():
-    """A gradient is not painted as anything else."""
+    """A line is not painted as anything else."""
     out = DisplayList()
-    out.gradient(0j, 1.0, [(0.0, GREY), (1.0, WHITE)])
-    with pytest.raises(ValueError, match="does not paint GRADIENT"):
+    out.line((0j, 1 + 0j), 1.0, GREY)
+    with pytest.raises(ValueError, match="does not paint LINE"):
         painted(out)

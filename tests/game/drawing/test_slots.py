@@ -12,7 +12,7 @@ import pygame
 import pytest
 
 from game.drawing.flat.sample import brick_sample
-from game.drawing.flat.sector_colours import PolarPixels, paint_parts
+from game.drawing.flat.sector_colours import PolarPixels, paint_slot
 from game.drawing.palette import DARK, LIGHT, layer_colour
 from game.drawing.slots.contents import (
     GLOW_STEPS,
@@ -23,6 +23,7 @@ from game.drawing.slots.contents import (
 )
 from game.drawing.slots.parts import Bar, Slab, SlotShape, height, parts
 from game.effects import Flash
+from game.picture.display_list import DisplayList
 from physics import PERMANENT
 
 SHAPE = SlotShape(5.0, 0.6, 0.3, 6, 0.0)
@@ -113,11 +114,12 @@ def test_a_sample_is_a_brick_on_a_card(layers, size):
 @pytest.mark.parametrize("lean", [0.02, 0.05, 0.12])
 def test_a_bar_covers_its_area_with_smooth_edges(lean):
     """However much it leans, its cover adds up to its area, and the pixels that it covers in part are those of its edges."""
-    scale, bar = 100.0, Bar(1.0, (4.8, -lean), (5.2, lean), 0.06, (255, 255, 255))
+    scale, bar = 100.0, DisplayList()
+    bar.bar(0j, 0.0, (4.8 * scale, -lean, 5.2 * scale, lean), 0.06 * scale, (255, 255, 255))
     x, y = np.meshgrid(np.arange(200) + 0.5 - 100.0, np.arange(100) + 0.5 + 450.0)
     radius, angle = np.hypot(x, y).astype(np.float32).ravel(), np.arctan2(x, y).astype(np.float32).ravel()
     picture = np.zeros((3, radius.size), dtype=np.float32)
-    paint_parts(picture, (bar,), SHAPE, PolarPixels(scale, radius, angle))
+    paint_slot(picture, bar, PolarPixels(radius, angle))
     cover = picture[0] / 255.0
     assert cover.sum() == pytest.approx(0.12 * 0.4 * scale**2, rel=0.02)
     edges = 2.0 * (math.hypot(0.4, 2.0 * lean * 5.0) + 0.12) * scale

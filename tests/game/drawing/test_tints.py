@@ -14,7 +14,7 @@ from game.effects.kinds import EffectKind
 from game.levels import checked
 from game.rules import EventKind
 from game.scene import scene_at, still
-from tests.support.arcade import LEVEL, arcade, until, with_balls
+from tests.support.games.arcade import LEVEL, arcade, until, with_balls
 
 SHAPE = SlotShape(5.0, 0.6, 0.3, 6, 0.0)
 

@@ -4,7 +4,7 @@ import pygame
 import pytest
 
 from game.editor.command import NEW, editing_session
-from game.editor.fields import Part
+from game.editor.fields import PanelPart
 from game.editor.file_watch import WatchedFile
 from game.editor.window.help import hint
 from game.editor.window.play_test import PlayTest
@@ -13,8 +13,8 @@ from game.input.repeat import FIRST, NEXT
 from game.levels import load_file
 from game.screens.toolkit.key_help import KeyHelp
 from game.screens.toolkit.text_entry import TextEntry
-from tests.support.dummy_window import FRAME, Desk, shared
-from tests.support.pad_desk import PadDesk
+from tests.support.windows.dummy_window import FRAME, Desk, shared
+from tests.support.windows.pad_desk import PadDesk
 
 UP, DOWN, LEFT, RIGHT = pygame.K_UP, pygame.K_DOWN, pygame.K_LEFT, pygame.K_RIGHT
 SPACE, TAB, ENTER, ESCAPE = pygame.K_SPACE, pygame.K_TAB, pygame.K_RETURN, pygame.K_ESCAPE
@@ -123,7 +123,7 @@ def test_keys_paint_erase_copy_and_paste(keys):
 def test_keys_alone_make_a_level(keys, tmp_path):
     """Stepped and typed numbers, a name, colours, a well, power-ups, a look; play-test, save, help, leave."""
     keys.press(TAB)
-    open_part(keys, Part.RING)
+    open_part(keys, PanelPart.RING)
     keys.focus("Spin")
     keys.press(RIGHT)
     keys.press(RIGHT, mod=SHIFT)
@@ -131,25 +131,25 @@ def test_keys_alone_make_a_level(keys, tmp_path):
     keys.type("7")
     keys.press(ENTER)
     assert level(keys).rings[0].spin == 7.0
-    assert keys.form.part is Part.RING, "a digit typed the number and was no brush"
+    assert keys.form.part is PanelPart.RING, "a digit typed the number and was no brush"
     keys.choose("Bumper")
-    open_part(keys, Part.LEVEL)
+    open_part(keys, PanelPart.LEVEL)
     keys.choose("Chapter")
     assert isinstance(keys.screen, TextEntry)
     keys.type("Mine")
     keys.press(ENTER)
     keys.focus("Palette")
     keys.press(RIGHT)
-    open_part(keys, Part.DROPS)
+    open_part(keys, PanelPart.DROPS)
     keys.choose("Extra life")
-    open_part(keys, Part.WELLS)
+    open_part(keys, PanelPart.WELLS)
     keys.choose("Add well")
     keys.press(ESCAPE, RIGHT)
     keys.press(UP, mod=SHIFT)
     well = level(keys).wells[0]
     assert (well.distance, well.angle) == (6.0, 91.0)
     keys.press(SPACE, pygame.K_BACKSPACE, pygame.K_t, pygame.K_t, SPACE)
-    assert (keys.form.part, level(keys).rings[0].tint_at(0)) == (Part.BRICKS, 1)
+    assert (keys.form.part, level(keys).rings[0].tint_at(0)) == (PanelPart.BRICKS, 1)
     assert len(level(keys).wells) == 1
     keys.press(TAB)
     keys.press(pygame.K_z, mod=CTRL)
@@ -158,7 +158,7 @@ def test_keys_alone_make_a_level(keys, tmp_path):
     keys.press(ESCAPE)
     keys.press(pygame.K_s, mod=CTRL)
     assert not (tmp_path / "mine.toml").exists(), "a bumper's bricks never break"
-    open_part(keys, Part.RING)
+    open_part(keys, PanelPart.RING)
     keys.choose("Bumper")
     keys.press(pygame.K_F5)
     assert isinstance(keys.screen, PlayTest)
@@ -174,7 +174,11 @@ def test_keys_alone_make_a_level(keys, tmp_path):
 def test_the_mouse_alone_makes_a_level(keys, tmp_path):
     """Chips, strokes, dragged rings and wells, numbers by their signs, a name letter by letter."""
     desk = keys
-    chips = next(spot for spot in desk.form._laid((800, 600)).spots if len(getattr(spot.item, "chips", ())) == 12)
+    chips = next(
+        positioned
+        for positioned in desk.form._form_layout((800, 600)).items
+        if len(getattr(positioned.item, "chips", ())) == 12
+    )
     desk.click(chips.item.boxes(chips.box, desk.form.unit((800, 600)))[5].center)
     drag(desk, 4 + 0j, 4 + 0.2j)
     drag(desk, 4 + 0j, 4 + 0.2j, button=3)
@@ -183,13 +187,15 @@ def test_the_mouse_alone_makes_a_level(keys, tmp_path):
     desk.click_on("Undo: take 1 brick away")
     let_go(desk)
     assert slots(desk)[0] == 5
-    parts = next(spot for spot in desk.form._laid((800, 600)).spots if hasattr(spot.item, "chips"))
+    parts = next(positioned for positioned in desk.form._form_layout((800, 600)).items if hasattr(positioned.item, "chips"))
     heads = parts.item.boxes(parts.box, desk.form.unit((800, 600)))
     desk.click(heads[1].center)
     before = slots(desk)
     drag(desk, 4.2 + 0j, 5.2 + 0j)
     assert (level(desk).rings[0].radius, slots(desk)) == (5.0, before)
-    item = next(spot for spot in desk.form._laid((800, 600)).spots if getattr(spot.item, "label", "") == "Spin")
+    item = next(
+        positioned for positioned in desk.form._form_layout((800, 600)).items if getattr(positioned.item, "label", "") == "Spin"
+    )
     field = item.item.field_box(item.box, desk.form.unit((800, 600)))
     desk.click((field.right + 5, field.centery))
     assert level(desk).rings[0].spin == 1.0
@@ -245,15 +251,15 @@ def test_a_gamepad_alone_makes_a_level(pad, tmp_path):
     assert slots(pad) == (1, 2, 2, 0, *[1] * (count - 4))
     pad.choose("Undo: paint 3 bricks")
     assert slots(pad) == (2, 2, 0, *[1] * (count - 3))
-    open_part(pad, Part.RING)
+    open_part(pad, PanelPart.RING)
     pad.choose("Angle of slot 0")
     for key in ("-", "9", "0", "Erase", "Done"):
         pad.choose(key)
     assert level(pad).rings[0].phase == -9.0
-    open_part(pad, Part.WELLS)
+    open_part(pad, PanelPart.WELLS)
     pad.press(TAB, SPACE, UP, SPACE, pygame.K_g)
     assert [well.distance for well in level(pad).wells] == [5.1]
-    assert hint(pad.screen._hand, Part.BRICKS, in_panel=True).startswith("Up, down")
+    assert hint(pad.screen._hand, PanelPart.BRICKS, in_panel=True).startswith("Up, down")
     pad.press(TAB)
     pad.choose("Save")
     assert load_file(tmp_path / "mine.toml") == level(pad)
@@ -277,7 +283,7 @@ def test_a_gamepad_alone_makes_a_level(pad, tmp_path):
 def test_a_number_that_the_file_leaves_out_is_usual_again_when_its_field_is_emptied(keys):
     """A step begins at the default; an empty field removes the key from the file; letters are refused."""
     keys.press(TAB)
-    open_part(keys, Part.PADDLES)
+    open_part(keys, PanelPart.PADDLES)
     keys.focus("Top speed")
     keys.press(RIGHT)
     assert level(keys).ball.top_speed == 11.3
@@ -306,9 +312,9 @@ def test_a_finger_alone_paints_scrolls_and_enters_numbers(keys):
         finger(keys, kind, pixel)
     assert slots(keys)[:3] == (5, 5, 1)
     keys.shared.change(keys.shared.settings._replace(text_size=150))
-    keys.form.open_part(Part.RING)
+    keys.form.open_part(PanelPart.RING)
     box = keys.box("Spin")
-    field = next(spot for spot in keys.form._laid((800, 600)).spots if spot.box == box).item.field_box(
+    field = next(positioned for positioned in keys.form._form_layout((800, 600)).items if positioned.box == box).item.field_box(
         box, keys.form.unit((0, 0))
     )
     before = keys.screen.session

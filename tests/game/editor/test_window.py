@@ -4,7 +4,7 @@ import pygame
 import pytest
 
 from game.editor.command import NEW, editing_session, file_to_edit, keep_unsaved
-from game.editor.fields import Part
+from game.editor.fields import PanelPart
 from game.editor.file_watch import WatchedFile
 from game.editor.window.layout import editor_layout
 from game.editor.window.play_test import PlayTest
@@ -42,8 +42,8 @@ def click(editor, point, button=1):
 
 def press(editor, label):
     """The screen after a click on a button."""
-    spots = editor.side(SIZE)._laid(SIZE).spots
-    return click(editor, next(spot.box.center for spot in spots if getattr(spot.item, "label", "") == label))
+    items = editor.side(SIZE)._form_layout(SIZE).items
+    return click(editor, next(positioned.box.center for positioned in items if getattr(positioned.item, "label", "") == label))
 
 
 @pytest.mark.parametrize(
@@ -141,7 +141,7 @@ def test_a_play_test_comes_back_to_the_editor(editor):
     playing.answer(Pressed(Action.UP), SIZE)
     assert playing.answer(Pressed(Action.CONFIRM), SIZE) is editor
     assert editor._state.settings.volume == 3
-    assert playing._inner._state.kept.progress is not editor._state.kept.progress
+    assert playing._inner._state.storage.progress is not editor._state.storage.progress
 
 
 def test_unsaved_changes_are_asked_about_and_kept_where_nobody_could_be_asked(editor, tmp_path, capsys):
@@ -167,27 +167,31 @@ def test_every_part_has_room_beside_the_arena(editor, size, text_size):
     assert seen.arena.bottom <= seen.foot.top
     assert seen.unit == pytest.approx(text_size / 100.0 * editor_layout(size, 10.0).unit)
     always = set()
-    for part in Part:
+    for part in PanelPart:
         side.open_part(part)
-        laid = side._laid(size)
-        assert laid.over == 0 or laid.body.height > 4.5 * seen.unit
-        boxes = [spot.box.clip(laid.body) if spot.in_body else spot.box for spot in laid.spots if spot.item.focusable]
+        layout = side._form_layout(size)
+        assert layout.over == 0 or layout.body.height > 4.5 * seen.unit
+        boxes = [
+            positioned.box.clip(layout.body) if positioned.in_body else positioned.box
+            for positioned in layout.items
+            if positioned.item.focusable
+        ]
         assert all([box.collidelist(boxes[:index]) < 0 for index, box in enumerate(boxes)])
-        assert all([seen.side.contains(spot.box) for spot in laid.spots if not spot.in_body])
-        always.add(tuple(side._laid(size).spots[-4].box))
+        assert all([seen.side.contains(positioned.box) for positioned in layout.items if not positioned.in_body])
+        always.add(tuple(side._form_layout(size).items[-4].box))
     assert len(always) == 1
 
 
 def test_a_picture_that_would_be_the_same_is_not_drawn_again(editor):
     """The values that it depends on change with the level, the cursor, the focus and the mouse, and with nothing else."""
     editor.draw(pygame.Surface(SIZE, 0, 32))
-    seen = [editor.looks]
+    seen = [editor.appearance]
     editor.advance(0.1, SIZE)
-    assert editor.looks == seen[0]
+    assert editor.appearance == seen[0]
     for code in (pygame.K_RIGHT, pygame.K_5, pygame.K_TAB, pygame.K_DOWN, pygame.K_PAGEDOWN):
         key(editor, code)
-        assert editor.looks not in seen
-        seen.append(editor.looks)
+        assert editor.appearance not in seen
+        seen.append(editor.appearance)
 
 
 def test_a_bare_name_is_in_the_folder_of_own_levels(tmp_path, monkeypatch):

@@ -23,7 +23,7 @@ from game.picture.display_list import DisplayList, primitives, unpacked
 from game.picture.moving.bursts import add_bursts
 from game.picture.view import ArenaView
 from game.scene import scene_at
-from tests.support.games import game_after
+from tests.support.games.autopilot_games import game_after
 from tests.support.pictures import camera_of
 
 RADIUS = 10.0

@@ -19,9 +19,9 @@ from game.replays.file import Recorder
 from game.replays.state_hash import state_hash
 from game.replays.verify import verified
 from game.rules import EventKind, new_game, tick
-from game.screens.play import PlayScreen
+from game.screens.play.screen import PlayScreen
 from game.settings.values import Settings
-from tests.support.dummy_window import SIZE, shared
+from tests.support.windows.dummy_window import SIZE, shared
 
 TICKS = 2600
 LEVEL = 4

@@ -15,11 +15,11 @@ from game.lab.registry import scenes
 from game.lab.session import session
 from game.lab.window.screen import Lab
 from game.rules import Phase, paddle_ring
-from game.screens.play import PlayScreen
+from game.screens.play.screen import PlayScreen
 from game.screens.title import Title
 from game.screens.toolkit.menu import Menu
-from tests.support.dummy_window import FRAME, Desk, shared
-from tests.support.virtual_pad import VirtualPad, library
+from tests.support.windows.dummy_window import FRAME, Desk, shared
+from tests.support.windows.virtual_pad import VirtualPad, library
 
 X, Y = pygame.CONTROLLER_AXIS_LEFTX, pygame.CONTROLLER_AXIS_LEFTY
 SDL = library()
@@ -58,8 +58,10 @@ def tap(desk, pad, button):
 def choose(desk, pad, label):
     """Go down to a button and accept it."""
     for _ in range(20):
-        spots = desk.screen._laid(desk.window.size).spots
-        if any((spot.row, spot.column) == desk.screen._focus and spot.item.label == label for spot in spots):
+        items = desk.screen._form_layout(desk.window.size).items
+        if any(
+            (positioned.row, positioned.column) == desk.screen._focus and positioned.item.label == label for positioned in items
+        ):
             break
         tap(desk, pad, pygame.CONTROLLER_BUTTON_DPAD_DOWN)
     tap(desk, pad, pygame.CONTROLLER_BUTTON_A)

@@ -3,15 +3,15 @@
 import pygame
 import pytest
 
-from game import app
 from game.input.repeat import FIRST, NEXT, Repeat
 from game.input.signals import KeyboardState
 from game.lab.registry import scenes
 from game.lab.window.screen import Lab
-from game.screens.play import PlayScreen
+from game.loop import app
+from game.screens.play.screen import PlayScreen
 from game.screens.title import Title
-from tests.support.dummy_window import FRAME, Desk, shared
-from tests.support.lab_desk import LabDesk
+from tests.support.windows.dummy_window import FRAME, Desk, shared
+from tests.support.windows.lab_desk import LabDesk
 
 DEFAULT = (0, 0)
 """What pygame says while the system's key repeat is off."""

@@ -15,7 +15,7 @@ from game.overlay.readings import readings
 from game.rules import ActivePower, Controls, EventKind, PowerUp, Ruleset, Side, paddle_rings, tick
 from game.scene import scene_at, still
 from physics import direction
-from tests.support.arcade import after, arcade, kinds, with_balls
+from tests.support.games.arcade import after, arcade, kinds, with_balls
 
 GAME = arcade(ruleset=Ruleset(versus=True))
 SIZE = (800, 600)

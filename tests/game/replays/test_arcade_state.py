@@ -17,7 +17,7 @@ from game.rules import (
     Statistics,
     Tally,
 )
-from tests.support.arcade import arcade
+from tests.support.games.arcade import arcade
 
 DROP = Drop(PowerUp.WIDE, 6j, 1j)
 POWER = ActivePower(PowerUp.SLOW, 9, 10)

@@ -12,7 +12,7 @@ import pytest
 
 from game.replays.file import load, save
 from game.replays.verify import verified
-from tests.support.golden import FOLDER, LEAST_TICKS, golden_games, recorded
+from tests.support.games.golden import FOLDER, LEAST_TICKS, golden_games, recorded
 from tests.support.paths import ROOT
 
 GOLDEN = list(golden_games())

@@ -6,8 +6,8 @@ import pytest
 
 from game.replays.file import played
 from game.replays.playback import Playback
-from tests.support.players import MousePlayer
-from tests.support.recordings import TICKS, recorded
+from tests.support.games.players import MousePlayer
+from tests.support.games.recordings import TICKS, recorded
 
 
 @pytest.fixture(scope="module")

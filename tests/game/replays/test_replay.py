@@ -19,8 +19,8 @@ from game.replays.verify import verified
 from game.rules import LIVES, POINTER_STEPS, SOURCE_RULES, Controls, Difficulty, Ruleset, new_game, tick
 from game.system.errors import BadInputError
 from physics import PHYSICS_VERSION
-from tests.support.players import KeyPlayer, MousePlayer
-from tests.support.recordings import TICKS, recorded
+from tests.support.games.players import KeyPlayer, MousePlayer
+from tests.support.games.recordings import TICKS, recorded
 
 HEADER = b"polar-breakout replay 3\n"
 

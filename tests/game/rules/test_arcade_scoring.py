@@ -24,7 +24,7 @@ from game.rules import (
     par,
     rank_of,
 )
-from tests.support.arcade import GOOD, LEVEL, SERVE, after, arcade, kinds, until, with_balls
+from tests.support.games.arcade import GOOD, LEVEL, SERVE, after, arcade, kinds, until, with_balls
 
 SECOND = 240
 

@@ -28,8 +28,8 @@ from game.rules import (
 )
 from physics import PERMANENT, contact, direction, in_band, length
 from physics.tolerances import OVERLAP
-from tests.support.arcade import EVERYTHING, arcade, with_balls
-from tests.support.players import MousePlayer
+from tests.support.games.arcade import EVERYTHING, arcade, with_balls
+from tests.support.games.players import MousePlayer
 
 TICKS = 4000
 

@@ -12,7 +12,7 @@ from game.rules.meeting import met
 from game.system.errors import BadInputError
 from physics import collision_response, cross, direction, dot, length
 from physics.vectors import unit
-from tests.support.arcade import GOOD, after, arcade, kinds, with_balls
+from tests.support.games.arcade import GOOD, after, arcade, kinds, with_balls
 
 WELL = b"[[wells]]\ndistance = 6.0\nangle = 90.0\nstrength = 40.0\nreach = 2.5\n"
 

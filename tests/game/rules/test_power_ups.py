@@ -9,7 +9,7 @@ from game.rules import LASTING, Difficulty, Drop, EventKind, Phase, PowerUp, Rul
 from game.rules.drops import DROP_RADIUS, _kind_of, with_drop
 from game.rules.power_up import OPPOSITES, ActivePower
 from physics import PERMANENT, contact, direction, dot, in_band, length, min_difference
-from tests.support.arcade import GOOD, IDLE, after, arcade, changed, kinds, until, with_balls
+from tests.support.games.arcade import GOOD, IDLE, after, arcade, changed, kinds, until, with_balls
 
 QUIET = ((-6.0j, 1.0 + 0.2j),)
 """A ball that meets nothing for the first ticks."""

@@ -21,7 +21,7 @@ from game.rules import (
     tick,
 )
 from physics import Ball, direction, length, min_difference, normalize_angle
-from tests.support.arcade import after
+from tests.support.games.arcade import after
 from tests.support.level_text import GOOD, changed
 
 LEVEL = parse(GOOD, "good")

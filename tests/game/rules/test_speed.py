@@ -9,7 +9,7 @@ from game.rules import Controls, Difficulty, EventKind, PowerUp, Ruleset, paddle
 from game.rules.power_up import ActivePower
 from game.rules.speed import HITS_PER_STEP, speed_now
 from physics import direction, length
-from tests.support.arcade import EVERYTHING, GOOD, after, arcade, changed, kinds, until, with_balls
+from tests.support.games.arcade import EVERYTHING, GOOD, after, arcade, changed, kinds, until, with_balls
 
 
 def lasting(*names):

@@ -12,7 +12,7 @@ from game.rules.closing import CLOSING_TICKS, closing_limit
 from game.rules.power_up import ActivePower, PowerUp
 from game.rules.turn import MOST_LEANING, paddle_hits_answered, turned
 from physics import angle_of, direction, dot, length, normalize_angle, signed_difference
-from tests.support.arcade import IDLE, SERVE, after, arcade, changed, kinds, until, with_balls
+from tests.support.games.arcade import IDLE, SERVE, after, arcade, changed, kinds, until, with_balls
 
 STICKY = ActivePower(PowerUp.STICKY, 5000, 5000)
 

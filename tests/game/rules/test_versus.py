@@ -28,7 +28,7 @@ from game.rules.state import paddle_rings
 from game.system.errors import BadInputError
 from physics import direction, length, signed_difference
 from tests.game.rules.test_invariants import in_material
-from tests.support.arcade import EVERYTHING, LEVEL, SERVE, after, arcade, kinds, with_balls
+from tests.support.games.arcade import EVERYTHING, LEVEL, SERVE, after, arcade, kinds, with_balls
 
 VERSUS = Ruleset(versus=True)
 UPPER, LOWER = 0.5 * math.pi, 1.5 * math.pi

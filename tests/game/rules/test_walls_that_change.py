@@ -8,7 +8,7 @@ from game.rules.crumbling import CRUMBLING_TICKS
 from game.rules.regrow import play_ticks
 from game.system.errors import BadInputError
 from physics import direction
-from tests.support.arcade import EVERYTHING, GOOD, after, arcade, kinds, until, with_balls
+from tests.support.games.arcade import EVERYTHING, GOOD, after, arcade, kinds, until, with_balls
 
 BOSS = GOOD + b"[[rings]]\nradius = 5.0\nhalf_width = 0.3\nhalf_angle = 9.0\ncount = 18\nregrow = 2.0\n"
 QUIET = ((7.0j, 1.0 + 0.1j),)

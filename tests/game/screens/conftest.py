@@ -3,9 +3,9 @@
 import pygame
 import pytest
 
-from game.screens.play import PlayScreen
+from game.screens.play.screen import PlayScreen
 from game.screens.title import Title
-from tests.support.dummy_window import FRAME, Desk, shared
+from tests.support.windows.dummy_window import FRAME, Desk, shared
 
 
 @pytest.fixture

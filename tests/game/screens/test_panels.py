@@ -10,16 +10,16 @@ import pytest
 
 from game.input.signals import Action, Clicked, Pressed, Zoomed
 from game.levels import classic
-from game.screens.menus.help import Help
-from game.screens.menus.settings_panel import SettingsPanel
-from game.screens.play import PlayScreen
+from game.screens.menus.help.panel import Help
+from game.screens.menus.settings.panel import SettingsPanel
+from game.screens.play.screen import PlayScreen
 from game.screens.toolkit.focus import TABS
-from game.screens.toolkit.items import ButtonItem
+from game.screens.toolkit.items.basic import ButtonItem
 from game.screens.toolkit.layout import Content
 from game.screens.toolkit.menu import Entry, Menu
 from game.screens.toolkit.panel import Panel
 from game.screens.toolkit.text_entry import TextEntry
-from tests.support.dummy_window import Desk, shared
+from tests.support.windows.dummy_window import Desk, shared
 
 SIZE = (640, 400)
 
@@ -142,11 +142,11 @@ def test_every_item_of_a_long_panel_is_reached_by_keys_and_seen(state):
     """Down goes row by row to the footer and around by the tabs; the item with the focus is always inside the body."""
     panel, seen = Long(state), []
     for _ in range(41):
-        laid = panel._laid(SIZE)
-        focus = panel._settled(laid)
-        spot = next((spot for spot in laid.spots if (spot.row, spot.column) == focus), None)
-        if spot is not None and spot.in_body:
-            assert laid.body.contains(spot.box)
+        layout = panel._form_layout(SIZE)
+        focus = panel._settled(layout)
+        positioned = next((positioned for positioned in layout.items if (positioned.row, positioned.column) == focus), None)
+        if positioned is not None and positioned.in_body:
+            assert layout.body.contains(positioned.box)
         seen.append(focus)
         panel.answer(Pressed(Action.CONFIRM), SIZE)
         panel.answer(Pressed(Action.DOWN), SIZE)
@@ -160,16 +160,16 @@ def test_every_item_of_a_long_panel_is_reached_by_keys_and_seen(state):
 def test_the_wheel_and_the_scroll_bar_scroll(state):
     """The wheel shows what is further down and a click uses it there; a drag on the bar goes to the end."""
     panel = Long(state)
-    body = panel._laid(SIZE).body
+    body = panel._form_layout(SIZE).body
     pixel = complex(body.left + 20, body.centery)
     panel.answer(Clicked(pixel), SIZE)
     panel.answer(Zoomed(-2.0), SIZE)
     panel.answer(Clicked(pixel), SIZE)
     first, second = (int(label[:-1]) for label in panel.used)
     assert second >= first + 2
-    bar = panel._laid(SIZE).plate.right - round(panel.unit(SIZE) * 1.8)
+    bar = panel._form_layout(SIZE).plate.right - round(panel.unit(SIZE) * 1.8)
     panel.answer(Clicked(complex(bar, body.bottom - 1)), SIZE)
-    assert panel._scroll == panel._laid(SIZE).over > 0
+    assert panel._scroll == panel._form_layout(SIZE).over > 0
     panel.answer(Zoomed(1000.0), SIZE)
     assert panel._scroll == 0
 
@@ -177,12 +177,12 @@ def test_the_wheel_and_the_scroll_bar_scroll(state):
 def test_a_text_that_is_too_long_is_read_on_with_the_arrow_keys(state):
     """Down scrolls the list of keys to its end before it moves the focus, and up scrolls back."""
     panel = Help(state, Under(state, classic()), "Keys", tuple((f"key {number}", "does it") for number in range(60)))
-    while panel._scroll < panel._laid(SIZE).over:
+    while panel._scroll < panel._form_layout(SIZE).over:
         before = panel._scroll
         panel.answer(Pressed(Action.DOWN), SIZE)
         assert panel._scroll > before
     panel.answer(Pressed(Action.UP), SIZE)
-    assert panel._scroll < panel._laid(SIZE).over
+    assert panel._scroll < panel._form_layout(SIZE).over
 
 
 def test_text_is_entered_by_typing_and_by_pointing(state):

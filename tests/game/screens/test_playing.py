@@ -2,20 +2,20 @@
 
 import pygame
 
-from game import app
 from game.drawing.palette import DARK, LIGHT
 from game.levels import classic
+from game.loop import app
+from game.loop.session_seed import game_seed
 from game.replays.state_hash import state_hash
 from game.rules import Phase, new_game, tick
-from game.screens import play_buttons
-from game.screens.menus.help import Help
-from game.screens.menus.results import Results
-from game.screens.menus.settings_panel import SettingsPanel
-from game.screens.play import PlayScreen
+from game.screens.menus.help.panel import Help
+from game.screens.menus.results import ResultsPanel
+from game.screens.menus.settings.panel import SettingsPanel
+from game.screens.play import buttons as play_buttons
+from game.screens.play.screen import PlayScreen
 from game.screens.title import Title
 from game.screens.toolkit.menu import Menu
-from game.session_seed import game_seed
-from tests.support.dummy_window import FRAME, SIZE
+from tests.support.windows.dummy_window import FRAME, SIZE
 
 
 def test_a_whole_evening(desk, ticks):
@@ -143,7 +143,7 @@ def test_the_buttons_beside_the_arena_are_keys(playing, ticks):
         playing.move(box.center)
         playing.click(box.center)
         assert type(playing.screen) is kind
-        playing.click(playing.screen._laid(SIZE).close.center)
+        playing.click(playing.screen._form_layout(SIZE).close.center)
         assert isinstance(playing.screen, PlayScreen)
     playing.wait(0.1)
     assert {controls.serve for controls, _ in ticks} == {False}
@@ -220,7 +220,7 @@ def test_losing_every_ball_ends_the_game(playing, ticks):
         playing.wait(FRAME)
     assert ticks[-1][1].phase == Phase.OVER
     assert ticks[-1][1].phase_tick >= 200
-    assert isinstance(playing.screen, Results)
+    assert isinstance(playing.screen, ResultsPanel)
     playing.wait(5.0)
     playing.choose("This level again")
     playing.wait(0.1)

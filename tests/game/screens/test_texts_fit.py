@@ -19,10 +19,10 @@ from game.editor.window import picture
 from game.language import CODES
 from game.overlay.captions import Caption
 from game.rules import EventKind
-from game.screens import play_buttons
 from game.screens.gallery import screens
 from game.screens.gallery.sample import sample_state
-from game.screens.play import PlayScreen
+from game.screens.play import buttons as play_buttons
+from game.screens.play.screen import PlayScreen
 from game.screens.toolkit.panel import Panel
 from game.settings.values import THEMES
 

@@ -8,12 +8,12 @@ import pytest
 from game.drawing.camera import layout
 from game.input.view import SOLID
 from game.rules import Phase, paddle_ring
-from game.screens import play_buttons
-from game.screens.menus.settings_panel import SettingsPanel
-from game.screens.play import PlayScreen
+from game.screens.menus.settings.panel import SettingsPanel
+from game.screens.play import buttons as play_buttons
+from game.screens.play.screen import PlayScreen
 from game.screens.title import Title
-from game.screens.toolkit.slider import Slider
-from tests.support.dummy_window import FRAME, Desk, shared
+from game.screens.toolkit.items.slider import Slider
+from tests.support.windows.dummy_window import FRAME, Desk, shared
 
 SIZE = (480, 300)
 
@@ -41,15 +41,15 @@ def tap(desk, pixel):
     finger(desk, pygame.FINGERUP, pixel)
 
 
-def spot(desk, label):
+def positioned(desk, label):
     """The item with a label, of what is on the panel."""
-    spots = desk.screen._laid(SIZE).spots
-    return next(one for one in spots if getattr(one.item, "label", "") == label)
+    items = desk.screen._form_layout(SIZE).items
+    return next(one for one in items if getattr(one.item, "label", "") == label)
 
 
 def test_one_finger_plays_sets_and_leaves(desk):
     """A drag moves the paddle and serves nothing; a tap serves; the signs beside the arena are tapped, a slider is dragged."""
-    tap(desk, spot(desk, "Play").box.center)
+    tap(desk, positioned(desk, "Play").box.center)
     assert isinstance(desk.screen, PlayScreen)
     game = desk.screen._ticked.game
     camera = layout(SIZE, game.level.ground_radius).camera
@@ -70,19 +70,19 @@ def test_one_finger_plays_sets_and_leaves(desk):
     assert isinstance(desk.screen, SettingsPanel)
     desk.screen.open_tab(2)
     desk.wait(FRAME)
-    volume = next(one for one in desk.screen._laid(SIZE).spots if isinstance(one.item, Slider))
+    volume = next(one for one in desk.screen._form_layout(SIZE).items if isinstance(one.item, Slider))
     bar = volume.item.bar(volume.box, desk.screen.unit(SIZE))
     finger(desk, pygame.FINGERDOWN, (bar.right, bar.centery))
     finger(desk, pygame.FINGERMOTION, (bar.left + 1, bar.centery))
     finger(desk, pygame.FINGERUP, (bar.left + 1, bar.centery))
     assert volume.item.level > 0.1
-    changed = next(one for one in desk.screen._laid(SIZE).spots if isinstance(one.item, Slider))
+    changed = next(one for one in desk.screen._form_layout(SIZE).items if isinstance(one.item, Slider))
     assert changed.item.level == pytest.approx(0.0, abs=0.1)
-    tap(desk, desk.screen._laid(SIZE).close.center)
+    tap(desk, desk.screen._form_layout(SIZE).close.center)
     assert desk.screen is play
     tap(desk, play_buttons.button_boxes(play._layout(SIZE))[0].center)
-    tap(desk, spot(desk, "Main menu").box.center)
-    tap(desk, spot(desk, "Quit").box.center)
+    tap(desk, positioned(desk, "Main menu").box.center)
+    tap(desk, positioned(desk, "Quit").box.center)
     assert desk.screen is None
 
 

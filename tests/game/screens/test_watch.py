@@ -3,18 +3,18 @@
 import pygame
 import pytest
 
-from game import app
 from game.effects import NOTHING
 from game.headless import autopilot_game
 from game.lab.window.screen import Lab
 from game.levels import classic
+from game.loop import app
 from game.replays.file import Recorder
 from game.replays.playback import Playback
-from game.screens import play_buttons
-from game.screens.menus.settings_panel import SettingsPanel
+from game.screens.menus.settings.panel import SettingsPanel
+from game.screens.play import buttons as play_buttons
 from game.screens.watch import SPEEDS, Watch
 from game.settings.values import Settings
-from tests.support.dummy_window import FRAME, SIZE, Desk, shared
+from tests.support.windows.dummy_window import FRAME, SIZE, Desk, shared
 
 TICKS = 2400
 

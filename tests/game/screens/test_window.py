@@ -5,14 +5,14 @@ import signal
 import pygame
 import pytest
 
-from game import app, window_events
-from game.kept.store import Kept
 from game.levels import built_in, classic
-from game.screens.play import PlayScreen
+from game.loop import app, window_events
+from game.screens.play.screen import PlayScreen
 from game.screens.title import Title
 from game.screens.toolkit.menu import Menu
+from game.storage.storage import Storage
 from game.system import ending
-from tests.support.dummy_window import FRAME, SIZE
+from tests.support.windows.dummy_window import FRAME, SIZE
 
 
 def test_full_screen_and_back(playing):
@@ -85,7 +85,7 @@ def test_size_and_position_of_the_window_are_remembered(monkeypatch, tmp_path):
 
     monkeypatch.setattr(app, "frame", looked)
     for _ in range(3):
-        app.play(classic(), 1, app.Services(kept=Kept(tmp_path)))
+        app.play(classic(), 1, app.Services(storage=Storage(tmp_path)))
     assert seen[1:] == [((500, 400), (60, 70))] * 2
 
 

@@ -3,7 +3,7 @@
 import pygame
 import pytest
 
-from game.screens.play import PlayScreen
+from game.screens.play.screen import PlayScreen
 from game.student import program
 from game.student.answering import answers_to
 from game.student.functions_file import FunctionsFile
@@ -11,7 +11,7 @@ from game.student.own_physics import OwnPhysics
 from game.system.errors import EnvironmentMissingError
 from tests.game.student.conftest import PATIENT
 from tests.support.children import eventually
-from tests.support.dummy_window import FRAME, Desk, shared
+from tests.support.windows.dummy_window import FRAME, Desk, shared
 
 GOOD, BETTER, BROKEN = (f"def on_left(a, b){rest}" for rest in (":\n    return True", ":\n    return False\nx = 1", "\n"))
 

@@ -182,7 +182,7 @@ def test_a_narrow_gate_is_warned_of(capsys, tmp_path: Path):
     """One line on stderr; the game is played."""
     ring = "[[rings]]\nradius = 7.0\nhalf_width = 0.1\nhalf_angle = 87.6\ncount = 2\nlayers = -1\n"
     file = tmp_path / "gate.toml"
-    first = Path(levels.__file__).parent / "levels" / "classic" / "1-first-wall.toml"
+    first = Path(levels.__file__).parent / "classic" / "1-first-wall.toml"
     file.write_text(first.read_text(encoding="utf-8") + ring, encoding="utf-8")
     code, out, err = polar(capsys, *HEADLESS, "--level", file)
     assert (code, out.count("\n"), err.count("\n")) == (0, 1, 1)

@@ -11,9 +11,9 @@ os.environ["SDL_AUDIODRIVER"] = "dummy"
 import pygame
 import pytest
 
-from game import app
 from game.commands import app as command
 from game.levels import campaign
+from game.loop import app
 from game.replays import file as replay
 from game.replays.verify import verified
 from game.system.command_line import run
@@ -23,7 +23,7 @@ from tests.support.paths import ROOT
 _PICTURES = 60
 _PROGRAM = f"""
 import sys
-from game import app
+from game.loop import app
 from game.__main__ import main
 
 shown, plain = 0, app.frame

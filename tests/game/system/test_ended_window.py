@@ -9,13 +9,13 @@ os.environ["SDL_AUDIODRIVER"] = "dummy"
 
 import pytest
 
-from game import app
 from game.commands import app as command
-from game.kept import games as kept_games
-from game.kept.store import Kept
+from game.loop import app
 from game.replays import file as replay
 from game.replays.verify import verified
 from game.settings.file import SettingsFile
+from game.storage import games as kept_games
+from game.storage.storage import Storage
 from game.system import ending
 from game.system.command_line import run
 
@@ -59,7 +59,7 @@ def test_a_signal_in_play_keeps_the_game_and_the_settings(monkeypatch, tmp_path,
     assert (code, out, err) == (128 + number, "", f"polar-breakout: {ending.WORDS[number.name]}\n")
     assert len(frames) == 60
     assert SettingsFile(settings).load().volume == 30
-    kept_files = Kept(tmp_path / "data").games.paths()
+    kept_files = Storage(tmp_path / "data").games.paths()
     for kept in (file, *kept_files):
         recording = replay.load(kept)
         assert recording.ticks > 200

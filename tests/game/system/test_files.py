@@ -9,7 +9,15 @@ import pytest
 
 from game.system import files
 from game.system.errors import BadInputError, EnvironmentMissingError
-from game.system.files import check_target, check_working_directory, free_path, read_input, sweep, write_new, write_whole
+from game.system.files import (
+    check_target,
+    check_working_directory,
+    free_path,
+    read_input,
+    remove_temporaries,
+    write_atomically,
+    write_new,
+)
 
 fcntl = pytest.importorskip("fcntl")  # Windows has other locks
 
@@ -38,7 +46,7 @@ def test_a_file_is_replaced_whole(tmp_path):
     """The new bytes, and no other file."""
     file = tmp_path / "file"
     for data in (OLD, NEW):
-        write_whole(file, data)
+        write_atomically(file, data)
         assert file.read_bytes() == data
     assert names(tmp_path) == ["file"]
 
@@ -47,7 +55,7 @@ def test_a_file_is_replaced_whole(tmp_path):
 def test_what_cannot_be_written_leaves_the_old_file(tmp_path, monkeypatch, failing):
     """On a full disk, and when the last step fails; the temporary file is gone."""
     file = tmp_path / "file"
-    write_whole(file, OLD)
+    write_atomically(file, OLD)
 
     def full(*_):
         raise OSError(errno.ENOSPC, "No space left on device")
@@ -64,7 +72,7 @@ def test_what_cannot_be_written_leaves_the_old_file(tmp_path, monkeypatch, faili
     else:
         monkeypatch.setattr(Path, "replace", full)
     with pytest.raises(OSError, match="No space left"):
-        write_whole(file, NEW)
+        write_atomically(file, NEW)
     if failing != "replace":
         with pytest.raises(OSError, match="No space left"):
             write_new(tmp_path, "other", NEW)
@@ -76,7 +84,7 @@ def test_what_cannot_be_written_leaves_the_old_file(tmp_path, monkeypatch, faili
 def test_the_umask_is_respected(tmp_path, umask, mask, expected):
     """A new file has the permissions that any program's would have."""
     umask(mask)
-    write_whole(tmp_path / "file", NEW)
+    write_atomically(tmp_path / "file", NEW)
     write_new(tmp_path, "new", NEW)
     assert [mode(tmp_path / name) for name in ("file", "new")] == [expected, expected]
 
@@ -84,9 +92,9 @@ def test_the_umask_is_respected(tmp_path, umask, mask, expected):
 def test_permissions_of_a_file_that_exists_are_kept(tmp_path):
     """Whatever the umask."""
     file = tmp_path / "file"
-    write_whole(file, OLD)
+    write_atomically(file, OLD)
     file.chmod(0o640)
-    write_whole(file, NEW)
+    write_atomically(file, NEW)
     assert mode(file) == 0o640
 
 
@@ -100,7 +108,7 @@ def test_a_link_stays_and_its_target_is_written(tmp_path, there):
         (kept / "settings").write_bytes(OLD)
     link = home / "settings"
     link.symlink_to("../kept/settings")
-    write_whole(link, NEW)
+    write_atomically(link, NEW)
     assert link.is_symlink()
     assert (kept / "settings").read_bytes() == NEW
     assert (names(kept), names(home)) == (["settings"], ["settings"])
@@ -126,7 +134,7 @@ def test_what_is_no_file_is_not_replaced(tmp_path, kind):
     path = special(tmp_path, kind)
     before = path.lstat()
     with pytest.raises(OSError, match="not a regular file"):
-        write_whole(path, NEW)
+        write_atomically(path, NEW)
     assert path.lstat().st_ino == before.st_ino
     assert names(tmp_path) == ["special"]
 
@@ -227,11 +235,11 @@ def test_leftovers_are_swept_and_nothing_else(tmp_path):
         path.write_bytes(OLD)
     with used.open("wb") as file:
         fcntl.flock(file, fcntl.LOCK_EX)
-        sweep(tmp_path)
+        remove_temporaries(tmp_path)
         assert names(tmp_path) == [".other.tmp", ".polar-breakout-4567.tmp", ".polar-breakout-9", "polar-breakout-1.tmp"]
-    sweep(tmp_path)
+    remove_temporaries(tmp_path)
     assert not used.exists()
-    sweep(tmp_path / "none")
+    remove_temporaries(tmp_path / "none")
 
 
 def test_a_file_swept_before_it_is_locked_is_made_again(tmp_path, monkeypatch):
@@ -241,11 +249,11 @@ def test_a_file_swept_before_it_is_locked_is_made_again(tmp_path, monkeypatch):
     def late(file, operation):
         if not swept:
             swept.append(True)
-            sweep(tmp_path)
+            remove_temporaries(tmp_path)
         flock(file, operation)
 
     monkeypatch.setattr(files.fcntl, "flock", late)
-    write_whole(tmp_path / "file", NEW)
+    write_atomically(tmp_path / "file", NEW)
     assert (tmp_path / "file").read_bytes() == NEW
     assert names(tmp_path) == ["file"]
 

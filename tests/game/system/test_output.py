@@ -66,13 +66,14 @@ def test_after_an_error_the_rest_is_dropped(number):
 
 def program(text, **options):
     """A program with the streams of every command, run to its end."""
-    code = f"from game.system.output import open_output, tell, say, lost\nimport sys\nopen_output()\n{text}"
+    imports = "import sys\nfrom game.system.output import open_output, output_problem, print_error, print_line"
+    code = f"{imports}\nopen_output()\n{text}"
     return subprocess.run([sys.executable, "-c", code], cwd=ROOT, check=False, text=True, **options)
 
 
 def test_a_character_that_cannot_be_encoded_is_written_as_its_escape():
     """In ASCII, a snowman and a name that is not UTF-8."""
-    text = r"tell('\u2603 \udcff')"
+    text = r"print_line('\u2603 \udcff')"
     done = program(text, capture_output=True, env={**os.environ, "PYTHONIOENCODING": "ascii"})
     assert (done.stdout, done.stderr, done.returncode) == ("\\u2603 \\udcff\n", "", 0)
 
@@ -81,11 +82,11 @@ def test_a_character_that_cannot_be_encoded_is_written_as_its_escape():
 def test_output_that_is_lost_is_known():
     """A full disk is a reason; a reader who has gone is none."""
     with Path("/dev/full").open("w") as full:
-        done = program("tell('x' * 100000)\nsay(lost())", stdout=full, stderr=subprocess.PIPE)
+        done = program("print_line('x' * 100000)\nprint_error(output_problem())", stdout=full, stderr=subprocess.PIPE)
     assert (done.stderr, done.returncode) == ("No space left on device\n", 0)
     reading, writing = os.pipe()
     os.close(reading)
-    done = program("tell('x' * 100000)\nsay(str(lost()))", stdout=writing, stderr=subprocess.PIPE)
+    done = program("print_line('x' * 100000)\nprint_error(str(output_problem()))", stdout=writing, stderr=subprocess.PIPE)
     os.close(writing)
     assert (done.stderr, done.returncode) == ("None\n", 0)
 
@@ -96,8 +97,9 @@ def test_closed_streams_take_no_file(closed, tmp_path):
     """What is written to a stream that was closed lands in no file that is opened afterwards."""
     file = tmp_path / "file"
     code = (
-        "import os; from game.system.output import open_output, say, tell; open_output(); "
-        f"file = os.open({str(file)!r}, os.O_CREAT | os.O_WRONLY); tell('x'); say('y'); os.write(1, b'z'); os.write(2, b'z'); "
+        "import os; from game.system.output import open_output, print_error, print_line; open_output(); "
+        f"file = os.open({str(file)!r}, os.O_CREAT | os.O_WRONLY); "
+        "print_line('x'); print_error('y'); os.write(1, b'z'); os.write(2, b'z'); "
         "raise SystemExit(0 if file > 2 else 1)"
     )
     done = subprocess.run(["/bin/sh", "-c", f'exec "$0" -c "$1" {closed}', sys.executable, code], cwd=ROOT, check=False)
@@ -107,7 +109,7 @@ def test_closed_streams_take_no_file(closed, tmp_path):
 
 def test_a_message_is_one_line(capsys):
     """Line breaks, control characters, and what turns the writing direction round are escaped; other letters stay."""
-    output.say("a\nb\r\x1b[31m\u2028\u202e\udcff\0 ü☃")
+    output.print_error("a\nb\r\x1b[31m\u2028\u202e\udcff\0 ü☃")
     err = capsys.readouterr().err
     assert err == "a\\nb\\r\\x1b[31m\\u2028\\u202e\\udcff\\x00 ü☃\n"
     assert printable("plain 'words'") == "plain 'words'"

@@ -2,11 +2,11 @@
 
 import pytest
 
-from game.kept.scores import objection
-from game.kept.store import Kept
 from game.levels import load_file
-from tests.support.real_window import NO_SERVER, Keys, Mouse, Pad, RealGame, started_server
-from tests.support.virtual_pad import library
+from game.storage.scores import objection
+from game.storage.storage import Storage
+from tests.support.windows.real_window import NO_SERVER, Keys, Mouse, Pad, RealGame, started_server
+from tests.support.windows.virtual_pad import library
 
 pytestmark = [pytest.mark.window, NO_SERVER]
 
@@ -74,7 +74,7 @@ def test_a_session(children, tmp_path, hands):
     assert game.process.returncode == 0, (out, err)
     assert err.count(b"\n") == 1, err
     assert b"sound" in err
-    (score,) = Kept(folder).scores.value.entries
+    (score,) = Storage(folder).scores.value.entries
     assert (score.name, score.difficulty, score.first) == ("MO", "hard", "The Heart")
     assert score.score > 0
     assert objection(score, folder / "replays") is None

@@ -30,7 +30,7 @@ from physics import (
     time_of_impact,
     to_cartesian,
 )
-from tests.support import source_oracle
+from tests.support.oracles import source_oracle
 
 TICK = 1.0 / 240.0
 

@@ -13,7 +13,7 @@ from physics.source_mode import (
     slides_normalize_angle,
     slides_response,
 )
-from tests.support import source_oracle
+from tests.support.oracles import source_oracle
 
 TICK = 1.0 / 240.0
 WALL = Ring(10.0, 0.5, math.pi, 1)

@@ -22,7 +22,7 @@ from physics import (
     to_cartesian,
     to_polar,
 )
-from tests.support import source_oracle
+from tests.support.oracles import source_oracle
 from tests.support.strategies import angles, balls_beside_an_end, points, reals, rings
 
 SPEED = 20.0

@@ -5,7 +5,7 @@ import math
 import pytest
 
 from physics import PERMANENT, Arena, Ball, Feature, Ring, advance, collision_response, cross, dot, response_steps
-from tests.support import source_oracle
+from tests.support.oracles import source_oracle
 
 TICK = 1.0 / 240.0
 R, SPEED = 0.25, 8.0

@@ -8,7 +8,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 
 from physics import PERMANENT, Arena, Ball, Feature, Ring, advance, contact, time_of_impact
-from tests.support.impact_oracle import gap
+from tests.support.oracles.impact_oracle import gap
 from tests.support.strategies import balls, reals, rings
 
 TICK = 1.0 / 240.0

@@ -8,9 +8,9 @@ from hypothesis import strategies as st
 
 from physics import PERMANENT, Arena, Ball, Feature, Ring, Step, advance
 from physics.tolerances import LEAST_SEPARATION, MAX_IMPACTS
-from tests.support.impact_oracle import SPINS, gap
+from tests.support.games.ticks import PADDLE, SPEED, TICK, WALL, R, arena, at, penetration, played, ticked
+from tests.support.oracles.impact_oracle import SPINS, gap
 from tests.support.strategies import angles, reals
-from tests.support.ticks import PADDLE, SPEED, TICK, WALL, R, arena, at, penetration, played, ticked
 
 
 @pytest.mark.parametrize("dt", [-1.0, -5e-324, math.nan, math.inf, -math.inf])

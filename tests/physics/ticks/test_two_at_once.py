@@ -7,7 +7,7 @@ import pytest
 from physics import Ball, Contact, Feature, Ring, dot
 from physics.bounce import bounce, bounce_off_two
 from physics.time_of_impact import touched_now
-from tests.support.ticks import SPEED, TICK, R, arena, at, played, ticked
+from tests.support.games.ticks import SPEED, TICK, R, arena, at, played, ticked
 
 
 def test_two_bricks_at_once_are_both_hit_and_the_ball_goes_straight_back():

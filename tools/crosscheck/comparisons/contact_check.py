@@ -2,9 +2,9 @@
 
 from tools.crosscheck.comparisons.hit_frame import Moment
 from tools.crosscheck.pymunk_model.ring_model import Part, ShapeContact
-from tools.crosscheck.results.coverage import Cell
+from tools.crosscheck.results.coverage import CoverageCell
 from tools.crosscheck.results.measurements import Compared, ContactVerdict, Measurement
-from tools.crosscheck.results.rows import ContactRecord, Rows
+from tools.crosscheck.results.rows import ContactRecord, ContactRows
 
 
 class ContactCheck:
@@ -36,7 +36,7 @@ class ContactCheck:
         self.noted.append(compared)
         self.verdict = max(self.verdict, compared.verdict)
 
-    def add_to(self, rows: Rows, cell: Cell | None, *, recorded: bool) -> None:
+    def add_to(self, rows: ContactRows, cell: CoverageCell | None, *, recorded: bool) -> None:
         """Add everything to a game's rows. recorded: whether the contact gets a record of its own."""
         situation = self.moment.situation(self.part)
         for compared in self.compared:

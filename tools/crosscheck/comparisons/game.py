@@ -24,9 +24,9 @@ from tools.crosscheck.games.trajectory import Leg, Tick, flight_paths, one_bounc
 from tools.crosscheck.pymunk_model import rounding
 from tools.crosscheck.pymunk_model.presence import UNKNOWN, Room, room_around
 from tools.crosscheck.pymunk_model.ring_model import RingModel, ring_model
-from tools.crosscheck.results.coverage import Cell, Judged, cell_of
+from tools.crosscheck.results.coverage import CoverageCell, Judged, cell_of
 from tools.crosscheck.results.measurements import ANYWHERE, Compared, Comparison, ContactVerdict, Measurement, Situation
-from tools.crosscheck.results.rows import Rows
+from tools.crosscheck.results.rows import ContactRows
 
 _BLOCK = 24
 """Ticks between two looks at the clock, and at whether there is enough."""
@@ -43,14 +43,14 @@ class Checked(NamedTuple):
     playing, checking, building: seconds of the processor for the game, for the comparisons, and for pymunk's models.
     """
 
-    rows: Rows
+    rows: ContactRows
     ticks: int
     playing: float
     checking: float
     building: float
 
 
-class Wanted(NamedTuple):
+class WantedChecks(NamedTuple):
     """What to do with a game.
 
     facets: of each arc in the chain. options: of the command that repeats the game. only: the one tick to compare, or None.
@@ -64,7 +64,7 @@ class Wanted(NamedTuple):
     enough: int | None = None
 
 
-def checked_ticks(ticks: Iterable[Tick], wanted: Wanted) -> Checked:
+def checked_ticks(ticks: Iterable[Tick], wanted: WantedChecks) -> Checked:
     """Compare a whole game."""
     checker = _Checker(wanted)
     playing = checking = 0.0
@@ -89,8 +89,8 @@ def checked_ticks(ticks: Iterable[Tick], wanted: Wanted) -> Checked:
 class _Checker:
     """Both engines side by side through one game."""
 
-    def __init__(self, wanted: Wanted) -> None:
-        self.rows = Rows()
+    def __init__(self, wanted: WantedChecks) -> None:
+        self.rows = ContactRows()
         self.building = 0.0
         self._poses_checked = self.rows.row(Comparison.PRESENCE_TICK, ANYWHERE)
         self._wanted = wanted
@@ -350,7 +350,7 @@ def _bounces(hits: Sequence[Hit]) -> Iterator[list[Hit]]:
         yield together
 
 
-def _cell(check: ContactCheck) -> Cell | None:
+def _cell(check: ContactCheck) -> CoverageCell | None:
     """The kind of a contact, as pymunk judges it; None where it touches nothing."""
     moment, touched = check.moment, check.touched
     if touched is None:

@@ -11,10 +11,10 @@ from tools.crosscheck.comparisons.hit_frame import CheckedTick, angle_between, d
 from tools.crosscheck.comparisons.rules import AIM_MOST, MOST_LEANING, TURN_NOISE
 from tools.crosscheck.games.trajectory import Answer, Leg
 from tools.crosscheck.results.measurements import Compared, Comparison, ContactVerdict, Measurement
-from tools.crosscheck.results.rows import Rows
+from tools.crosscheck.results.rows import ContactRows
 
 
-def compare_place_turns(checked: CheckedTick, ends: dict[int, Leg], rows: Rows) -> None:
+def compare_place_turns(checked: CheckedTick, ends: dict[int, Leg], rows: ContactRows) -> None:
     """Compare every answer of a tick. ends: by the hit's id, the leg that led to it."""
     for answer in checked.tick.answers:
         leg = ends.get(id(answer.hit))

@@ -8,10 +8,10 @@ from tools.crosscheck.comparisons.hit_frame import CheckedTick
 from tools.crosscheck.games.trajectory import FlightPath
 from tools.crosscheck.pymunk_model import rounding
 from tools.crosscheck.results.measurements import Compared, Comparison, ContactVerdict, Measurement
-from tools.crosscheck.results.rows import Rows
+from tools.crosscheck.results.rows import ContactRows
 
 
-def compare_set_free(checked: CheckedTick, index: int, path: FlightPath, rows: Rows) -> None:
+def compare_set_free(checked: CheckedTick, index: int, path: FlightPath, rows: ContactRows) -> None:
     """Whether pymunk confirms what the physics did with a ball, before the models lose the layers of this tick's hits."""
     tick = checked.tick
     if path.freed is not None:
@@ -31,7 +31,7 @@ class _Move(NamedTuple):
     time: float
 
 
-def _compare_move(checked: CheckedTick, move: _Move, rows: Rows) -> None:
+def _compare_move(checked: CheckedTick, move: _Move, rows: ContactRows) -> None:
     """Whether a ball that was put elsewhere overlapped material before, and does not after."""
     noise = rounding.contact_noise(max([model.geometry.outer for model in checked.models]), checked.tick.level.ball_radius)
     room = _room(checked, move.after, move.time)
@@ -47,7 +47,7 @@ def _compare_move(checked: CheckedTick, move: _Move, rows: Rows) -> None:
     rows.freed += not wrong
 
 
-def compare_numbers(checked: CheckedTick, freed: int, dropped: int, rows: Rows) -> None:
+def compare_numbers(checked: CheckedTick, freed: int, dropped: int, rows: ContactRows) -> None:
     """Whether as many balls were put outside, and stopped, as the physics says."""
     step = checked.tick.step
     if (freed, dropped) == (step.freed, step.dropped):

@@ -60,10 +60,12 @@ class Corpus(NamedTuple):
         return self.complete and not self.lost and self.manifest["totals"]["unexplained"] == 0
 
 
-def built_corpus(folder: Path, most: int | None, facets: int, workers: Where, tell: Callable[[int, int], None]) -> Corpus:
+def built_corpus(
+    folder: Path, most: int | None, facets: int, workers: Where, on_progress: Callable[[int, int], None]
+) -> Corpus:
     """Check every game that the folder does not have yet, and write the manifest; after Ctrl-C with what there is.
 
-    most: games of the list, from its start; None for all. tell: called with the games done and their contacts.
+    most: games of the list, from its start; None for all. on_progress: called with the games done and their contacts.
     """
     _make(folder)
     code = code_hash()
@@ -71,7 +73,7 @@ def built_corpus(folder: Path, most: int | None, facets: int, workers: Where, te
     parts = {job.number: part for job in jobs if (part := finished_part(job)) is not None}
     missing = [job for job in jobs if job.number not in parts]
     lost = []
-    tell(len(parts), sum([part["contacts"] for part in parts.values()]))
+    on_progress(len(parts), sum([part["contacts"] for part in parts.values()]))
     interrupted = False
     try:
         with closing(results_of(made_part, missing, workers)) as results:
@@ -80,7 +82,7 @@ def built_corpus(folder: Path, most: int | None, facets: int, workers: Where, te
                     lost.append(f"{missing[index].source.name}: {result.why}")
                 else:
                     parts[missing[index].number] = result
-                tell(len(parts), sum([part["contacts"] for part in parts.values()]))
+                on_progress(len(parts), sum([part["contacts"] for part in parts.values()]))
     except KeyboardInterrupt:
         interrupted = True
     manifest = _manifest([parts[number] for number in sorted(parts)], len(jobs))

@@ -13,7 +13,7 @@ from typing import NamedTuple
 from physics import Arena, Ball, Ring, contact, time_of_impact
 from tools.crosscheck.games.level_numbers import UNBREAKABLE, numbers_of_arena
 from tools.crosscheck.games.trajectory import Advance, Tick
-from tools.crosscheck.results.coverage import ALL_CELLS, WIDTHS, Cell
+from tools.crosscheck.results.coverage import ALL_CELLS, WIDTHS, CoverageCell
 
 TICK = 1.0 / 240.0
 _SPEED = 8.0
@@ -68,7 +68,7 @@ def _ring_sizes(chance: random.Random, sector: int) -> Ring:
     return Ring(radius, chance.uniform(0.2, 1.0), half_angle, count)
 
 
-def _aimed_arena(chance: random.Random, cell: Cell, sizes: Ring) -> Arena:
+def _aimed_arena(chance: random.Random, cell: CoverageCell, sizes: Ring) -> Arena:
     """A ring, and balls that touch it within a tick; the first of them as the cell says, and outside material until then."""
     friction = (0.0, chance.uniform(0.1, 0.9), 1.0)[cell.friction]
     ball_radius = chance.uniform(0.1, 0.35)

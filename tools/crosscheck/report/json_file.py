@@ -40,7 +40,7 @@ from tools.crosscheck.report.words import UNITS, bound_source, repeat_command, s
 from tools.crosscheck.results.coverage import NAMES, empty_cells
 from tools.crosscheck.results.findings import Findings
 from tools.crosscheck.results.measurements import Measurement
-from tools.crosscheck.results.rows import ContactRecord, Rows
+from tools.crosscheck.results.rows import ContactRecord, ContactRows
 from tools.crosscheck.run import RunResult, versions
 from tools.crosscheck.sabotage.suite import SabotageResult
 
@@ -138,7 +138,7 @@ def _contact(record: ContactRecord) -> dict[str, Any]:
     }
 
 
-def _coverage(rows: Rows) -> dict[str, Any]:
+def _coverage(rows: ContactRows) -> dict[str, Any]:
     """The cells with their contacts, and the names of the others."""
     cells = [[*cell, count] for cell, count in sorted(rows.cells.items())]
     return {"names": NAMES, "cells": cells, "empty": [cell.words for cell in empty_cells(rows.cells)]}

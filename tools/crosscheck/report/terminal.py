@@ -29,7 +29,7 @@ from tools.crosscheck.report.words import (
 from tools.crosscheck.results.coverage import ALL_CELLS, NAMES, empty_cells, margins
 from tools.crosscheck.results.findings import Findings
 from tools.crosscheck.results.measurements import FEATURES, VERDICT_MEANINGS, VERDICT_NAMES, ContactVerdict, Measurement
-from tools.crosscheck.results.rows import Rows
+from tools.crosscheck.results.rows import ContactRows
 from tools.crosscheck.run import RunResult
 from tools.crosscheck.sabotage.suite import SabotageResult
 
@@ -138,7 +138,7 @@ def _verdicts(result: RunResult) -> Table:
     return table
 
 
-def _coverage(rows: Rows) -> Table:
+def _coverage(rows: ContactRows) -> Table:
     """Contacts by feature and by the value of every other dimension of a cell."""
     table = Table(box=box.SIMPLE_HEAD, padding=(0, 1, 0, 0), pad_edge=False)
     table.add_column("contacts by kind")
@@ -153,7 +153,7 @@ def _coverage(rows: Rows) -> Table:
     return table
 
 
-def _print_empty_cells(console: Console, rows: Rows) -> None:
+def _print_empty_cells(console: Console, rows: ContactRows) -> None:
     """How many cells no contact fell into, and the first of them."""
     empty = empty_cells(rows.cells)
     console.print(f"cells with a contact: {len(ALL_CELLS) - len(empty):,} of {len(ALL_CELLS):,}", highlight=False)

@@ -25,7 +25,7 @@ _NARROW, _HALF_TURN = math.radians(20.0), math.pi / 2.0
 _HEAD_ON, _SLANTED = math.cos(math.radians(30.0)), math.cos(math.radians(60.0))
 
 
-class Cell(NamedTuple):
+class CoverageCell(NamedTuple):
     """One kind of contact; every field is an index into the names above, in this order."""
 
     feature: int
@@ -53,7 +53,7 @@ NAMES = {
 }
 """The dimensions of a cell, in its order, and what their values mean."""
 
-ALL_CELLS = tuple([Cell(*indices) for indices in itertools.product(*[range(len(names)) for names in NAMES.values()])])
+ALL_CELLS = tuple([CoverageCell(*indices) for indices in itertools.product(*[range(len(names)) for names in NAMES.values()])])
 
 
 class Judged(NamedTuple):
@@ -73,12 +73,12 @@ class Judged(NamedTuple):
     balls: int
 
 
-def cell_of(judged: Judged) -> Cell:
+def cell_of(judged: Judged) -> CoverageCell:
     """The cell that a contact belongs to."""
     relative = judged.velocity - judged.surface_velocity
     steep = -_dot(relative, judged.normal) / (abs(relative) or 1.0)
     along = _dot(judged.surface_velocity, judged.velocity)
-    return Cell(
+    return CoverageCell(
         FEATURES.index(FEATURE_OF_PART[judged.part]),
         0 if judged.surface_velocity == 0.0 else (1 if along >= 0.0 else 2),
         min(max(int(judged.across * len(WIDTHS)), 0), len(WIDTHS) - 1),
@@ -103,7 +103,7 @@ class Margin(NamedTuple):
     possible: int
 
 
-def margins(cells: Counter[Cell]) -> Iterator[Margin]:
+def margins(cells: Counter[CoverageCell]) -> Iterator[Margin]:
     """The contacts by feature and by the value of every other dimension."""
     for feature, name in enumerate(FEATURES):
         for axis, (dimension, values) in enumerate(NAMES.items()):
@@ -115,7 +115,7 @@ def margins(cells: Counter[Cell]) -> Iterator[Margin]:
                 yield Margin(name, dimension, word, sum(counts), sum([count > 0 for count in counts]), len(possible))
 
 
-def empty_cells(cells: Counter[Cell]) -> list[Cell]:
+def empty_cells(cells: Counter[CoverageCell]) -> list[CoverageCell]:
     """The cells without a contact."""
     return [cell for cell in ALL_CELLS if not cells[cell]]
 

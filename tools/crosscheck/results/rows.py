@@ -3,7 +3,7 @@
 from collections import Counter
 from typing import NamedTuple
 
-from tools.crosscheck.results.coverage import Cell
+from tools.crosscheck.results.coverage import CoverageCell
 from tools.crosscheck.results.measurements import (
     ANYWHERE,
     Compared,
@@ -29,11 +29,11 @@ class ContactRecord(NamedTuple):
     after: complex
     layers: int
     verdict: ContactVerdict
-    cell: Cell
+    cell: CoverageCell
     compared: tuple[Compared, ...]
 
 
-class Rows:
+class ContactRows:
     """The table's rows, the contacts by verdict and by cell, and the measurements that need a word.
 
     contacts: hits compared. elsewhere: unexplained measurements away from hits. freed, dropped: balls that the physics put
@@ -45,7 +45,7 @@ class Rows:
         """Start with nothing."""
         self.samples: dict[Key, Samples] = {}
         self.verdicts = dict.fromkeys(ContactVerdict, 0)
-        self.cells: Counter[Cell] = Counter()
+        self.cells: Counter[CoverageCell] = Counter()
         self.measurements: list[Measurement] = []
         self.records: list[ContactRecord] = []
         self.contacts = 0
@@ -87,7 +87,7 @@ class Rows:
         if self.before_first is None:
             self.before_first = self.contacts
 
-    def merge(self, other: "Rows") -> None:
+    def merge(self, other: "ContactRows") -> None:
         """Take all that another game gave."""
         if self.before_first is None and other.before_first is not None:
             self.before_first = self.contacts + other.before_first

@@ -8,7 +8,7 @@ from typing import NamedTuple
 from tools.crosscheck.comparisons.game import Checked
 from tools.crosscheck.games.sources import AIMED, RANDOM, Source
 from tools.crosscheck.results.measurements import Comparison, ContactVerdict
-from tools.crosscheck.results.rows import Rows
+from tools.crosscheck.results.rows import ContactRows
 from tools.crosscheck.run import Job, check_game
 from tools.crosscheck.sabotage.catalogue import MISTAKES, Mistake
 from tools.crosscheck.workers import results_of
@@ -52,13 +52,15 @@ def suite_jobs(names: Sequence[str], seed: int, facets: int) -> list[Job]:
     return [Job(source, facets, None, name, False, _ENOUGH) for name in names for source in sources]
 
 
-def sabotage_results(jobs: Sequence[Job], workers: Where, tell: Callable[[int], None] = lambda _: None) -> list[SabotageResult]:
-    """The results of all jobs by mistake. tell: called with the number of games done."""
+def sabotage_results(
+    jobs: Sequence[Job], workers: Where, on_progress: Callable[[int], None] = lambda _: None
+) -> list[SabotageResult]:
+    """The results of all jobs by mistake. on_progress: called with the number of games done."""
     answers: dict[int, Checked | Lost] = {}
     with closing(results_of(check_game, jobs, workers)) as results:
         for number, answer in results:
             answers[number] = answer
-            tell(len(answers))
+            on_progress(len(answers))
     by_name: dict[str, list[Checked | Lost]] = {}
     for number, job in enumerate(jobs):
         by_name.setdefault(job.sabotage or "", []).append(answers[number])
@@ -67,7 +69,7 @@ def sabotage_results(jobs: Sequence[Job], workers: Where, tell: Callable[[int], 
 
 def _result(mistake: Mistake, answers: list[Checked | Lost]) -> SabotageResult:
     """What the games played with one mistake gave together."""
-    rows = Rows()
+    rows = ContactRows()
     lost = ""
     for answer in answers:
         if isinstance(answer, Lost):

@@ -19,7 +19,7 @@ from physics.tolerances import MAX_IMPACTS
 from tools import fuzz
 from tools.fuzz import oracle
 from tools.fuzz.arenas import TICK, random_case
-from tools.fuzz.campaign import Failure, Tally, checked_tick
+from tools.fuzz.campaign import CampaignTally, Failure, checked_tick
 from tools.fuzz.compiled import checks, play
 from tools.fuzz.compiled.checks import Before, Fault, Slots
 
@@ -96,13 +96,13 @@ def room_for(arenas: Sequence[Arena], counters: npt.NDArray[np.uint64]) -> _Room
     return _Room(games, before, full, full.copy(), games.spins.copy(), counters, rows, np.zeros(4, np.int64))
 
 
-def play_compiled(seed: int, index: int) -> Tally:
+def play_compiled(seed: int, index: int) -> CampaignTally:
     """One case, up to its first fault: the arena of its number, in GAMES games of TICKS ticks."""
     check_subnormals()
     room, speed, edge = _case(seed, index)
     game, tick, fault = compiled_fuzzer().play(*room, 0, GAMES, TICKS, TICK, speed, edge)
     steps, hits, dropped, freed = room.tally.tolist()
-    done = Tally(1, steps, hits, dropped, freed)
+    done = CampaignTally(1, steps, hits, dropped, freed)
     if fault == Fault.NONE:
         return done
     again = plain_fault(seed, index, game)

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 from random import Random
 
-from tools.vectors.inputs.chosen import ChosenInput, Plan, decimal, listed, polar_point, short
+from tools.vectors.inputs.chosen import ChosenInput, InputPlan, decimal, listed, polar_point, short
 
 _TURN = 6.28
 """The largest angle of two decimals below 2 pi."""
@@ -20,17 +20,17 @@ def angle_lists() -> Iterator[ChosenInput]:
     yield from listed("to_cartesian", "radius 0", (0.0, 0.0), (0.0, 1.0), (0.0, 4.0))
 
 
-def angle_plans() -> tuple[Plan, ...]:
+def angle_plans() -> tuple[InputPlan, ...]:
     """What is drawn for each trap."""
     one = (
-        Plan("normalize_angle", "in range", 80, lambda c: (decimal(c, 0.01, _TURN),)),
-        Plan("normalize_angle", "below 0", 120, lambda c: (decimal(c, -_TURN, -0.01),)),
-        Plan("normalize_angle", "above 2 pi", 120, lambda c: (decimal(c, 6.29, 12.56),)),
-        Plan("normalize_angle", "several turns", 120, lambda c: (c.choice([-1, 1]) * decimal(c, 12.57, 18.84),)),
-        Plan("to_cartesian", "in range", 120, lambda c: (decimal(c, 0.1, 10.0), decimal(c, 0.01, _TURN))),
-        Plan("to_cartesian", "below 0", 120, lambda c: (decimal(c, 0.1, 10.0), decimal(c, -_TURN, -0.01))),
-        Plan("to_cartesian", "above 2 pi", 120, lambda c: (decimal(c, 0.1, 10.0), decimal(c, 6.29, 12.56))),
-        *[Plan("to_polar", f"quadrant {k}", 100, lambda c, k=k: _in_quadrant(c, k)) for k in (1, 2, 3, 4)],  # type: ignore[misc]
+        InputPlan("normalize_angle", "in range", 80, lambda c: (decimal(c, 0.01, _TURN),)),
+        InputPlan("normalize_angle", "below 0", 120, lambda c: (decimal(c, -_TURN, -0.01),)),
+        InputPlan("normalize_angle", "above 2 pi", 120, lambda c: (decimal(c, 6.29, 12.56),)),
+        InputPlan("normalize_angle", "several turns", 120, lambda c: (c.choice([-1, 1]) * decimal(c, 12.57, 18.84),)),
+        InputPlan("to_cartesian", "in range", 120, lambda c: (decimal(c, 0.1, 10.0), decimal(c, 0.01, _TURN))),
+        InputPlan("to_cartesian", "below 0", 120, lambda c: (decimal(c, 0.1, 10.0), decimal(c, -_TURN, -0.01))),
+        InputPlan("to_cartesian", "above 2 pi", 120, lambda c: (decimal(c, 0.1, 10.0), decimal(c, 6.29, 12.56))),
+        *[InputPlan("to_polar", f"quadrant {k}", 100, lambda c, k=k: _in_quadrant(c, k)) for k in (1, 2, 3, 4)],  # type: ignore[misc]
     )
     return (*one, *_sums(), *_comparisons())
 
@@ -41,17 +41,17 @@ def _in_quadrant(chance: Random, number: int) -> tuple[float, float]:
     return p.real, p.imag
 
 
-def _sums() -> tuple[Plan, ...]:
+def _sums() -> tuple[InputPlan, ...]:
     """Sums and differences that stay in range, and that leave it; of normalised angles, which slide 11 lets one assert."""
     return (
-        Plan("add_angles", "in range", 160, lambda c: (decimal(c, 0.0, 3.1), decimal(c, 0.01, 3.1))),
-        Plan("add_angles", "seam crossed", 240, lambda c: (decimal(c, 3.2, _TURN), decimal(c, 3.2, _TURN))),
-        Plan("subtract_angles", "in range", 160, lambda c: (decimal(c, 3.2, _TURN), decimal(c, 0.01, 3.1))),
-        Plan("subtract_angles", "seam crossed", 240, lambda c: (decimal(c, 0.01, 3.1), decimal(c, 3.2, _TURN))),
+        InputPlan("add_angles", "in range", 160, lambda c: (decimal(c, 0.0, 3.1), decimal(c, 0.01, 3.1))),
+        InputPlan("add_angles", "seam crossed", 240, lambda c: (decimal(c, 3.2, _TURN), decimal(c, 3.2, _TURN))),
+        InputPlan("subtract_angles", "in range", 160, lambda c: (decimal(c, 3.2, _TURN), decimal(c, 0.01, 3.1))),
+        InputPlan("subtract_angles", "seam crossed", 240, lambda c: (decimal(c, 0.01, 3.1), decimal(c, 3.2, _TURN))),
     )
 
 
-def _comparisons() -> tuple[Plan, ...]:
+def _comparisons() -> tuple[InputPlan, ...]:
     """Pairs of normalised angles, near to each other or far, on either side of the polar axis."""
 
     def near(chance: Random, low: float, high: float) -> tuple[float, float]:
@@ -65,9 +65,9 @@ def _comparisons() -> tuple[Plan, ...]:
     plans = []
     for name in ("min_difference", "on_left"):
         plans += [
-            Plan(name, "b above a", 90, lambda c: near(c, 0.01, 2.9)),
-            Plan(name, "b below a", 90, lambda c: near(c, -2.9, -0.01)),
-            Plan(name, "seam crossed upwards", 120, lambda c: across(c, up=True)),
-            Plan(name, "seam crossed downwards", 120, lambda c: across(c, up=False)),
+            InputPlan(name, "b above a", 90, lambda c: near(c, 0.01, 2.9)),
+            InputPlan(name, "b below a", 90, lambda c: near(c, -2.9, -0.01)),
+            InputPlan(name, "seam crossed upwards", 120, lambda c: across(c, up=True)),
+            InputPlan(name, "seam crossed downwards", 120, lambda c: across(c, up=False)),
         ]
     return tuple(plans)

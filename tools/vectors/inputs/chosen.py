@@ -21,7 +21,7 @@ Draw = Callable[[Random], tuple[float, ...]]
 """Draws the arguments of one call."""
 
 
-class Plan(NamedTuple):
+class InputPlan(NamedTuple):
     """How many vectors of a trap there are, and how one is drawn."""
 
     function: str

@@ -4,7 +4,7 @@ import math
 from collections.abc import Iterator
 from random import Random
 
-from tools.vectors.inputs.chosen import ChosenInput, Plan, angle_of, decimal, listed, polar_point, short, unit
+from tools.vectors.inputs.chosen import ChosenInput, InputPlan, angle_of, decimal, listed, polar_point, short, unit
 
 _ASSIGNMENT = 3
 """Paddles in the assignment."""
@@ -28,12 +28,12 @@ def detection_lists() -> Iterator[ChosenInput]:
     yield from listed("narrow_phase_case_1", "p = 0", (0.0, 0.0, 5.0))
 
 
-def detection_plans() -> tuple[Plan, ...]:
+def detection_plans() -> tuple[InputPlan, ...]:
     """What is drawn for each trap."""
     return (*_outcome_plans(), *_closest_plans(), *_case_1_plans(), *_case_2_plans(), *_broad_plans())
 
 
-def _outcome_plans() -> tuple[Plan, ...]:
+def _outcome_plans() -> tuple[InputPlan, ...]:
     """A ball at each distance that matters: nearer and farther than every border, with its radius and without."""
 
     def at(chance: Random, low: float, high: float) -> tuple[float, ...]:
@@ -50,11 +50,11 @@ def _outcome_plans() -> tuple[Plan, ...]:
         "beyond the rim": (13.6, 15.0),
     }
     return tuple(
-        [Plan("broad_phase_outcome", trap, 80, lambda c, span=span: at(c, *span)) for trap, span in ranges.items()]  # type: ignore[misc]
+        [InputPlan("broad_phase_outcome", trap, 80, lambda c, span=span: at(c, *span)) for trap, span in ranges.items()]  # type: ignore[misc]
     )
 
 
-def _closest_plans() -> tuple[Plan, ...]:
+def _closest_plans() -> tuple[InputPlan, ...]:
     """A line, and a point before, beside and beyond it."""
 
     def beside(chance: Random, low: float, high: float, direction: complex | None = None) -> tuple[float, ...]:
@@ -67,15 +67,15 @@ def _closest_plans() -> tuple[Plan, ...]:
 
     name = "closest_point_on_line"
     return (
-        Plan(name, "between A and B", 120, lambda c: beside(c, 0.05, 0.95)),
-        Plan(name, "upright line", 80, lambda c: beside(c, 0.05, 0.95, 1j)),
-        Plan(name, "level line", 80, lambda c: beside(c, 0.05, 0.95, 1 + 0j)),
-        Plan(name, "beyond A", 80, lambda c: beside(c, -1.0, -0.1)),
-        Plan(name, "beyond B", 80, lambda c: beside(c, 1.1, 2.0)),
+        InputPlan(name, "between A and B", 120, lambda c: beside(c, 0.05, 0.95)),
+        InputPlan(name, "upright line", 80, lambda c: beside(c, 0.05, 0.95, 1j)),
+        InputPlan(name, "level line", 80, lambda c: beside(c, 0.05, 0.95, 1 + 0j)),
+        InputPlan(name, "beyond A", 80, lambda c: beside(c, -1.0, -0.1)),
+        InputPlan(name, "beyond B", 80, lambda c: beside(c, 1.1, 2.0)),
     )
 
 
-def _case_1_plans() -> tuple[Plan, ...]:
+def _case_1_plans() -> tuple[InputPlan, ...]:
     """A ball inside of the middle radius, and outside of it."""
 
     def at(chance: Random, low: float, high: float) -> tuple[float, float, float]:
@@ -84,8 +84,8 @@ def _case_1_plans() -> tuple[Plan, ...]:
         return p.real, p.imag, r_p
 
     return (
-        Plan("narrow_phase_case_1", "|p| < r_p", 200, lambda c: at(c, -1.5, -0.02)),
-        Plan("narrow_phase_case_1", "|p| > r_p", 200, lambda c: at(c, 0.02, 1.5)),
+        InputPlan("narrow_phase_case_1", "|p| < r_p", 200, lambda c: at(c, -1.5, -0.02)),
+        InputPlan("narrow_phase_case_1", "|p| > r_p", 200, lambda c: at(c, 0.02, 1.5)),
     )
 
 
@@ -112,7 +112,7 @@ def _at_end(
     return p.real, p.imag, r, angle_of(p), r_p, theta_p, w_p, phi_p
 
 
-def _case_2_plans() -> tuple[Plan, ...]:
+def _case_2_plans() -> tuple[InputPlan, ...]:
     """A ball beside either end, also across the polar axis, at a corner, beside a wide sector, and too far away."""
     usual, wide, middle, corner = (0.1, 0.6), (1.7, 2.6), (0.0, 0.9), (1.05, 1.6)
 
@@ -123,13 +123,13 @@ def _case_2_plans() -> tuple[Plan, ...]:
 
     name = "narrow_phase_case_2"
     return (
-        Plan(name, "counter-clockwise end", 80, lambda c: _at_end(c, 1, usual, middle)),
-        Plan(name, "clockwise end", 80, lambda c: _at_end(c, -1, usual, middle)),
-        Plan(name, "seam crossed counter-clockwise", 80, lambda c: _at_end(c, 1, usual, middle, -1)),
-        Plan(name, "seam crossed clockwise", 80, lambda c: _at_end(c, -1, usual, middle, 1)),
-        Plan(name, "too far", 60, far),
-        Plan(name, "corner", 80, lambda c: _at_end(c, c.choice([-1, 1]), usual, corner)),
-        Plan(name, "wide sector", 80, lambda c: _at_end(c, c.choice([-1, 1]), wide, middle)),
+        InputPlan(name, "counter-clockwise end", 80, lambda c: _at_end(c, 1, usual, middle)),
+        InputPlan(name, "clockwise end", 80, lambda c: _at_end(c, -1, usual, middle)),
+        InputPlan(name, "seam crossed counter-clockwise", 80, lambda c: _at_end(c, 1, usual, middle, -1)),
+        InputPlan(name, "seam crossed clockwise", 80, lambda c: _at_end(c, -1, usual, middle, 1)),
+        InputPlan(name, "too far", 60, far),
+        InputPlan(name, "corner", 80, lambda c: _at_end(c, c.choice([-1, 1]), usual, corner)),
+        InputPlan(name, "wide sector", 80, lambda c: _at_end(c, c.choice([-1, 1]), wide, middle)),
     )
 
 
@@ -150,7 +150,7 @@ def _over(chance: Random, seam: int = 0) -> tuple[float, ...]:
     return p.real, p.imag, r, angle_of(p), r_p, theta_p, w_p, phi_p
 
 
-def _broad_plans() -> tuple[Plan, ...]:
+def _broad_plans() -> tuple[InputPlan, ...]:
     """One of three paddles, near a face or an end, on either side of the polar axis; and one paddle alone."""
     usual, middle = (0.1, 0.6), (0.0, 0.9)
 
@@ -160,14 +160,14 @@ def _broad_plans() -> tuple[Plan, ...]:
 
     name = "broad_phase"
     return (
-        Plan(name, "face", 100, lambda c: _paddles(c, _over(c))),
-        Plan(name, "face, seam crossed", 100, lambda c: _paddles(c, _over(c, c.choice([-1, 1])))),
-        Plan(name, "end", 100, lambda c: _paddles(c, _at_end(c, c.choice([-1, 1]), usual, middle))),
-        Plan(
+        InputPlan(name, "face", 100, lambda c: _paddles(c, _over(c))),
+        InputPlan(name, "face, seam crossed", 100, lambda c: _paddles(c, _over(c, c.choice([-1, 1])))),
+        InputPlan(name, "end", 100, lambda c: _paddles(c, _at_end(c, c.choice([-1, 1]), usual, middle))),
+        InputPlan(
             name,
             "end, seam crossed",
             100,
             lambda c: _paddles(c, _at_end(c, *c.choice([(1, usual, middle, -1), (-1, usual, middle, 1)]))),
         ),
-        Plan(name, "one paddle", 60, alone),
+        InputPlan(name, "one paddle", 60, alone),
     )

@@ -3,7 +3,7 @@
 from collections.abc import Iterator
 from random import Random
 
-from tools.vectors.inputs.chosen import ChosenInput, Plan, decimal, listed, unit
+from tools.vectors.inputs.chosen import ChosenInput, InputPlan, decimal, listed, unit
 
 _SPEEDS = (1.0, 2.0, 2.5, 5.0, 7.5, 10.0)
 
@@ -17,18 +17,18 @@ def response_lists() -> Iterator[ChosenInput]:
     yield from listed(name, "dv . n = 0", (5.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.5, 5.0), (0.0, 5.0, 1.0, 0.0, 0.0, 0.0, 1.0, 5.0))
 
 
-def response_plans() -> tuple[Plan, ...]:
+def response_plans() -> tuple[InputPlan, ...]:
     """What is drawn for each trap: friction 0, between and 1, a surface at rest, sliding, coming and going."""
     name = "collision_response"
     return (
-        Plan(name, "wall", 60, lambda c: _call(c, mu=_between(c))),
-        Plan(name, "mu = 0", 60, lambda c: _call(c, mu=0.0, sliding=3.0)),
-        Plan(name, "mu = 1", 60, lambda c: _call(c, mu=1.0, sliding=3.0)),
-        Plan(name, "mu = 1, grazing", 60, lambda c: _call(c, mu=1.0, grazing=True, sliding=3.0)),
-        Plan(name, "moving paddle", 80, lambda c: _call(c, mu=_between(c), sliding=3.0)),
-        Plan(name, "paddle along n", 80, lambda c: _call(c, mu=_between(c), sliding=1.0, coming=(-0.4, 0.4))),
-        Plan(name, "separating", 80, lambda c: _call(c, mu=_between(c), sliding=1.0, away=True)),
-        Plan(name, "carried", 60, _carried),
+        InputPlan(name, "wall", 60, lambda c: _call(c, mu=_between(c))),
+        InputPlan(name, "mu = 0", 60, lambda c: _call(c, mu=0.0, sliding=3.0)),
+        InputPlan(name, "mu = 1", 60, lambda c: _call(c, mu=1.0, sliding=3.0)),
+        InputPlan(name, "mu = 1, grazing", 60, lambda c: _call(c, mu=1.0, grazing=True, sliding=3.0)),
+        InputPlan(name, "moving paddle", 80, lambda c: _call(c, mu=_between(c), sliding=3.0)),
+        InputPlan(name, "paddle along n", 80, lambda c: _call(c, mu=_between(c), sliding=1.0, coming=(-0.4, 0.4))),
+        InputPlan(name, "separating", 80, lambda c: _call(c, mu=_between(c), sliding=1.0, away=True)),
+        InputPlan(name, "carried", 60, _carried),
     )
 
 

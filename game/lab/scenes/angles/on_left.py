@@ -135,7 +135,7 @@ def _cited(both: _BothRulesForEnd) -> CitedLine:
     """The line that chooses the end."""
     if both.theirs.sign != both.ours.sign:
         return source_line("Narrow phase, case 2", "sign = 1 if on_left(θ, θ_p + φ_p) else -1")
-    return code_line(narrow_phase_case_2, "end = _nearest_end(p, theta, radius, angle, half_width, half_angle)")
+    return code_line(narrow_phase_case_2, "end = nearest_end(p, theta, radius, angle, half_width, half_angle)")
 
 
 def _note(both: _BothRulesForEnd) -> str:

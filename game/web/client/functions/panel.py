@@ -5,7 +5,7 @@ from pathlib import Path
 import msgspec
 
 from game.student.template import PAGE_TEMPLATE
-from game.system.files import write_whole
+from game.system.files import write_atomically
 from game.web.client.functions.grading import GradedFunction, GradingReply, GradingRequest
 from game.web.client.functions.text import NAME, FunctionsText
 from game.web.client.messages import Download, Graded, PageItem
@@ -95,7 +95,7 @@ class OwnFunctionsPanel:
         self._ask(self._text, {})
         try:
             if self._path is not None:
-                write_whole(self._path, self._text.encode())
+                write_atomically(self._path, self._text.encode())
         except OSError as error:
             return f"{NAME}: cannot be stored; {error.strerror}"
         return ""

@@ -70,4 +70,4 @@ class LessonOnPage:
     def _tell(self) -> None:
         """Say what went wrong with the file."""
         if self._file.problem is not None:
-            self._state.told.append(f"progress {self._file.problem}")
+            self._state.notifications.append(f"progress {self._file.problem}")

@@ -301,7 +301,7 @@ class LabOnPage:
                 functions.is_open = False
             case "grade":
                 problem = functions.grade()
-                state.told += [problem] if problem else []
+                state.notifications += [problem] if problem else []
                 state.changed = True
             case "download":
                 state.download = functions.download
@@ -322,7 +322,7 @@ class LabOnPage:
         wanted = use is EngineUse.ALWAYS or (use is EngineUse.TOGGLE and Toggle.PYMUNK in self._toggles)
         if wanted and self._state.engine is None:
             self._state.asks_engine = True
-            self._state.told.append("pymunk is being loaded")
+            self._state.notifications.append("pymunk is being loaded")
 
     def _parsed(self, line: str) -> SharedScene:
         """The scene of a share line; BadInputError if there is none."""

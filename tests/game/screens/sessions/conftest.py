@@ -3,14 +3,14 @@
 import pytest
 
 from game.editor import command
-from game.kept import games as kept_games
-from game.kept.store import Kept
-from game.own_levels import own_levels
+from game.levels.own import own_levels
 from game.rules import Ruleset
 from game.screens.editors import OpenEditors
 from game.screens.title import Title
-from tests.support.dummy_window import FRAME, Desk, shared
-from tests.support.pad_desk import PadDesk
+from game.storage import games as kept_games
+from game.storage.storage import Storage
+from tests.support.windows.dummy_window import FRAME, Desk, shared
+from tests.support.windows.pad_desk import PadDesk
 
 
 @pytest.fixture
@@ -18,8 +18,8 @@ def state(tmp_path, monkeypatch):
     """What the app begins with, and a folder for what it keeps."""
     monkeypatch.setattr(kept_games, "_SHORTEST", 0.1)
     made = shared()
-    made.kept, made.ruleset = Kept(tmp_path), Ruleset()
-    made.recorder, made.open_editor = made.kept.games, OpenEditors().opened
+    made.storage, made.ruleset = Storage(tmp_path), Ruleset()
+    made.recorder, made.open_editor = made.storage.games, OpenEditors().opened
     monkeypatch.setattr(command, "own_levels_folder", lambda: tmp_path / "levels")
     made.own_levels = lambda: own_levels(tmp_path / "levels")
     return made

@@ -5,20 +5,20 @@ import pygame
 
 from game.autopilot import Autopilot
 from game.generated import sequence
-from game.kept import ghost
-from game.kept.progress import Best, record_name
-from game.kept.scores import ENDLESS, objection
-from game.kept.store import Kept
 from game.levels import classic
 from game.rules import Phase, Ruleset, new_game, tick
 from game.screens.endless_seeds import seed_of
 from game.screens.gallery.sample import sample_state
 from game.screens.menus.level_select import next_level
-from game.screens.menus.results import Results
-from game.screens.play import PlayScreen
+from game.screens.menus.results import ResultsPanel
+from game.screens.play.screen import PlayScreen
 from game.screens.title import Title
+from game.storage import ghost
+from game.storage.progress import Best, record_name
+from game.storage.scores import ENDLESS, objection
+from game.storage.storage import Storage
 from physics import direction
-from tests.support.sessions import lose
+from tests.support.windows.sessions import lose
 
 
 def with_one_brick(game):
@@ -40,12 +40,12 @@ def test_a_cleared_level_shows_its_results_and_opens_the_next(desk, tmp_path):
     desk.press(pygame.K_SPACE)
     play._ticked = play._ticked._replace(game=with_one_brick(play._ticked.game))
     desk.wait(3.0)
-    assert isinstance(desk.screen, Results)
-    kept = Kept(tmp_path)
-    (best,) = kept.progress.value.bests
+    assert isinstance(desk.screen, ResultsPanel)
+    storage = Storage(tmp_path)
+    (best,) = storage.progress.value.bests
     result = play._ticked.game.results[-1]
     assert (best.level, best.difficulty, best.score, best.rank) == (classic()[0].name, "normal", result.score, result.rank)
-    assert kept.progress.value.is_open(1, [level.name for level in classic()])
+    assert storage.progress.value.is_open(1, [level.name for level in classic()])
     desk.press(pygame.K_RETURN, pygame.K_RETURN)
     desk.wait(0.5)
     assert desk.screen is play
@@ -54,15 +54,15 @@ def test_a_cleared_level_shows_its_results_and_opens_the_next(desk, tmp_path):
 
 def test_the_best_run_of_a_level_is_raced_as_a_ghost(desk, monkeypatch):
     """Once the player serves, the ghost stands where its recording does, tick by tick from its own first serve."""
-    levels, kept = classic()[1:3], desk.shared.kept
+    levels, storage = classic()[1:3], desk.shared.storage
     recorded, pilot, game = [], Autopilot(), new_game(classic()[1:3], 5, Ruleset())
     for _ in range(700):
         controls = pilot.controls(game)
         game = tick(game, controls).game
         recorded.append(game)
-        kept.games(controls, game)
-    kept.level_done(Best(levels[0].name, "normal", 5))
-    kept.game_done()
+        storage.games(controls, game)
+    storage.level_done(Best(levels[0].name, "normal", 5))
+    storage.game_done()
     served = next(number for number, game in enumerate(recorded) if game.phase == Phase.PLAYING)
     monkeypatch.setattr(ghost, "_BUDGET", 60.0)
     desk.screen = PlayScreen(desk.shared, levels)
@@ -101,10 +101,10 @@ def test_endless_levels_of_a_number_have_a_table_of_their_own(desk, tmp_path):
     desk.press(pygame.K_RETURN)
     desk.choose("Enter your name")
     desk.choose("Done")
-    (entry,) = Kept(tmp_path).scores.value.table(ENDLESS)
+    (entry,) = Storage(tmp_path).scores.value.table(ENDLESS)
     assert "(42)" in entry.last
     assert objection(entry, tmp_path / "replays") is None
-    assert Kept(tmp_path).progress.value.bests == []
+    assert Storage(tmp_path).progress.value.bests == []
     assert [seed_of(text) for text in ("007", "abc")] == [7, int.from_bytes(b"abc", "little")]
 
 

@@ -3,24 +3,24 @@
 import pygame
 
 from game.editor.window.screen import Editor
-from game.kept.store import Kept
 from game.levels import classic
 from game.replays.file import load
 from game.replays.verify import verified
-from game.screens import play_buttons
 from game.screens.menus.credits import Credits
-from game.screens.menus.help import Help
+from game.screens.menus.help.panel import Help
 from game.screens.menus.high_scores import HighScores
 from game.screens.menus.level_select import LevelSelect
 from game.screens.menus.replays import Replays
-from game.screens.menus.results import Results
-from game.screens.menus.settings_panel import SettingsPanel
-from game.screens.play import PlayScreen
+from game.screens.menus.results import ResultsPanel
+from game.screens.menus.settings.panel import SettingsPanel
+from game.screens.play import buttons as play_buttons
+from game.screens.play.screen import PlayScreen
 from game.screens.title import Title
 from game.screens.toolkit.menu import Menu
 from game.screens.toolkit.text_entry import TextEntry
 from game.screens.watch import Watch
-from tests.support.sessions import lose, visit
+from game.storage.storage import Storage
+from tests.support.windows.sessions import lose, visit
 
 
 def test_by_keys_alone(desk, tmp_path):
@@ -36,7 +36,7 @@ def test_by_keys_alone(desk, tmp_path):
     assert isinstance(desk.screen, PlayScreen)
     visit(desk, (lambda: desk.press(pygame.K_p), Menu, esc), (lambda: desk.press(pygame.K_o), SettingsPanel, esc))
     lose(desk, lambda: desk.press(pygame.K_SPACE))
-    assert isinstance(desk.screen, Results)
+    assert isinstance(desk.screen, ResultsPanel)
     score = desk.screen._under._ticked.game.score
     desk.press(pygame.K_RETURN)  # the figures need not be waited for
     desk.choose("Enter your name")
@@ -44,7 +44,7 @@ def test_by_keys_alone(desk, tmp_path):
     desk.type("Mo")
     desk.choose("Done")
     assert isinstance(desk.screen, HighScores)
-    (entry,) = Kept(tmp_path).scores.value.entries
+    (entry,) = Storage(tmp_path).scores.value.entries
     assert (entry.name, entry.score, entry.difficulty) == ("Mo", score, "normal")
     desk.choose("1    Mo")
     assert isinstance(desk.screen, Watch)
@@ -61,7 +61,7 @@ def test_by_keys_alone(desk, tmp_path):
 
 def test_by_mouse_alone(desk, tmp_path):
     """The same without a key: what a key opens has a button, and every panel has a cross."""
-    close = lambda: desk.click(desk.screen._laid(desk.window.size).close.center)  # noqa: E731
+    close = lambda: desk.click(desk.screen._form_layout(desk.window.size).close.center)  # noqa: E731
     panels = (("High scores", HighScores), ("Replays", Replays), ("How to play", Help), ("Settings", SettingsPanel))
     visit(desk, *[(lambda label=label: desk.click_on(label), kind, close) for label, kind in (*panels, ("Credits", Credits))])
     desk.click_on("Levels")
@@ -88,10 +88,10 @@ def test_by_mouse_alone(desk, tmp_path):
     for letter in "MO":
         desk.click_on(letter)
     desk.click_on("Done")
-    assert [entry.name for entry in Kept(tmp_path).scores.value.entries] == ["MO"]
+    assert [entry.name for entry in Storage(tmp_path).scores.value.entries] == ["MO"]
     desk.click_on("Main menu")
     desk.click_on("Replays")
-    (game,) = desk.shared.kept.games.listed()
+    (game,) = desk.shared.storage.games.listed()
     desk.click_on(game.date)
     desk.click_on("Rename")
     desk.click_on("Z")
@@ -106,7 +106,7 @@ def test_by_mouse_alone(desk, tmp_path):
     desk.click_on("Z")
     desk.click_on("Delete")
     desk.click_on("Delete")
-    assert Kept(tmp_path).games.listed() == []
+    assert Storage(tmp_path).games.listed() == []
     close()
     desk.click_on("Quit")
     assert desk.screen is None
@@ -125,12 +125,12 @@ def test_by_gamepad_alone(pad_desk, tmp_path):
     visit(desk, (lambda: desk.choose("Settings"), SettingsPanel, esc))
     desk.choose("Continue")
     lose(desk, lambda: desk.press(pygame.K_SPACE))
-    assert isinstance(desk.screen, Results)
+    assert isinstance(desk.screen, ResultsPanel)
     desk.press(pygame.K_RETURN)  # the figures need not be waited for
     desk.choose("Enter your name")
     for letter in ("M", "O", "Done"):
         desk.choose(letter)
-    (entry,) = Kept(tmp_path).scores.value.entries
+    (entry,) = Storage(tmp_path).scores.value.entries
     assert entry.name == "MO"
     desk.choose("1    MO")
     assert isinstance(desk.screen, Watch)

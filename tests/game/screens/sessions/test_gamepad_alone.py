@@ -5,10 +5,10 @@ import pygame
 from game.editor.window.screen import Editor
 from game.input.keys import KEYS, Action
 from game.input.players import Players
-from game.kept.store import Kept
-from game.screens.menus.key_capture import KeyCapture
-from game.screens.play import PlayScreen
+from game.screens.menus.settings.key_capture import KeyCapture
+from game.screens.play.screen import PlayScreen
 from game.screens.watch import Watch
+from game.storage.storage import Storage
 
 
 def test_a_gamepad_alone_sets_and_binds(pad_desk):
@@ -21,8 +21,12 @@ def test_a_gamepad_alone_sets_and_binds(pad_desk):
     desk.press(pygame.K_LEFT)
     assert desk.shared.settings.volume < volume
     desk.press(pygame.K_TAB)
-    spots = desk.screen._laid(desk.window.size).spots
-    row = next(spot.row for spot in spots if [cell[0] for cell in getattr(spot.item, "cells", ())] == ["Give up a ball"])
+    items = desk.screen._form_layout(desk.window.size).items
+    row = next(
+        positioned.row
+        for positioned in items
+        if [cell[0] for cell in getattr(positioned.item, "cells", ())] == ["Give up a ball"]
+    )
     while desk.screen._focus.row != row:
         desk.press(pygame.K_DOWN)
     desk.press(pygame.K_RIGHT, pygame.K_RIGHT, pygame.K_RETURN)
@@ -67,9 +71,9 @@ def test_a_gamepad_alone_keeps_names_and_deletes_a_game(pad_desk, tmp_path):
     desk.wait(0.2)
     desk.press(pygame.K_p)
     desk.choose("Main menu")
-    desk.shared.kept.game_done()
+    desk.shared.storage.game_done()
     desk.choose("Replays")
-    (game,) = desk.shared.kept.games.listed()
+    (game,) = desk.shared.storage.games.listed()
     for label in (game.date, "Rename", "Z", "Done", "Z", "Delete", "Keep it", "Z", "Watch"):
         desk.choose(label)
     assert isinstance(desk.screen, Watch)
@@ -80,4 +84,4 @@ def test_a_gamepad_alone_keeps_names_and_deletes_a_game(pad_desk, tmp_path):
     desk.press(pygame.K_ESCAPE)
     for label in ("Z", "Delete", "Delete"):
         desk.choose(label)
-    assert Kept(tmp_path).games.listed() == []
+    assert Storage(tmp_path).games.listed() == []

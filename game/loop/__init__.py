@@ -1,0 +1,1 @@
+"""The loop: events in, ticks due, one picture out."""

@@ -1,0 +1,1 @@
+"""The items of forms: text, buttons, switches, lists, sliders, fields."""
