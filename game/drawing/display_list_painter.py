@@ -7,6 +7,7 @@ import math
 from array import array
 from collections.abc import Callable
 from functools import lru_cache
+from itertools import pairwise
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -211,6 +212,13 @@ def _paint_piece(
         pygame.draw.aaline(surface, colour, (one.real - 0.5, one.imag - 0.5), (other.real - 0.5, other.imag - 0.5))
 
 
+def _paint_line(surface: pygame.Surface, colour: Colour, own: "array[float]") -> None:
+    """A line without gaps through points."""
+    points = [(x - 0.5, y - 0.5) for x, y in zip(own[3::2], own[4::2], strict=True)]
+    for start, end in pairwise(points):
+        pygame.draw.aaline(surface, colour, start, end, max(round(own[0]), 1))
+
+
 def _paint_box(surface: pygame.Surface, colour: Colour, own: "array[float]") -> None:
     """A rectangle with round corners."""
     x, y, width, height, radius, edge, edge_colour = own
@@ -222,6 +230,7 @@ _SHAPES: dict[int, Callable[[pygame.Surface, Colour, "array[float]"], None]] = {
     Primitive.DISC.value: _paint_disc,
     Primitive.CIRCLE.value: _paint_circle,
     Primitive.POLYGON.value: _paint_polygon,
+    Primitive.LINE.value: _paint_line,
     Primitive.STRIP.value: _paint_strip,
     Primitive.BAND.value: _paint_band,
     Primitive.BOX.value: _paint_box,

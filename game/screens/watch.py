@@ -18,7 +18,7 @@ from game.language import decimal, tr
 from game.loop.fixed_step import LONGEST_FRAME
 from game.overlay import hud
 from game.overlay.readings import readings
-from game.overlay.toast import draw_bar
+from game.overlay.toast_drawing import draw_bar
 from game.rules import TICK, Game, Ticked
 from game.scene import scene_at, still
 from game.screens.app_state import AppState

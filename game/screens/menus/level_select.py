@@ -19,7 +19,6 @@ from game.screens.base import Screen
 from game.screens.difficulty_names import difficulty_name
 from game.screens.menus.difficulty import difficulty_choice, players_choice
 from game.screens.menus.settings.control_rows import WIDE_TEXT
-from game.screens.play.record import record_name
 from game.screens.play.screen import PlayScreen
 from game.screens.toolkit.focus import Focus
 from game.screens.toolkit.icons import draw_lock
@@ -28,7 +27,7 @@ from game.screens.toolkit.layout import Content, Row
 from game.screens.toolkit.menu import Entry, Menu
 from game.screens.toolkit.panel import Panel
 from game.screens.toolkit.plate import draw_focus, write_fitting
-from game.storage.progress import RANKS, Best
+from game.storage.progress import RANKS, Best, record_name
 from game.system.errors import BadInputError
 
 _COLUMNS, _FEW_COLUMNS = 4, 3

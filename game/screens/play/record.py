@@ -1,18 +1,14 @@
 """What is stored of a game while it is played, its finished levels; and the ghost that it races."""
 
-from functools import cache
-
 from game.chosen_physics import SWEPT
 from game.input.players import Players
-from game.levels import Level, built_in
-from game.replays.file import load
+from game.levels import Level
 from game.rules import EventKind, Game, Ticked
 from game.screens.app_state import AppState
 from game.screens.earned import earned
-from game.screens.play.ghost import Ghost
-from game.storage.progress import OWN, Best
+from game.storage.ghost import Ghost, ghost_of
+from game.storage.progress import Best, is_built_in, record_name
 from game.storage.scores import ENDLESS
-from game.system.errors import BadInputError
 
 
 class PlayRecord:
@@ -32,7 +28,7 @@ class PlayRecord:
         alone = state.players == Players.ONE and not state.autopilot
         self.counts = alone and state.physics is SWEPT and state.recorder is not None
         self._has_bests = self.counts and not endless
-        self.ranked = self.counts and (endless or all([_is_built_in(level) for level in levels]))
+        self.ranked = self.counts and (endless or all([is_built_in(level) for level in levels]))
         self.table = ENDLESS if endless else state.difficulty
         self._start = 0
         self.speed = 100  # per cent, the slowest so far
@@ -73,29 +69,5 @@ class PlayRecord:
 
     def _open_ghost(self, number: int) -> None:
         """Open the best run of a level as the ghost, if its replay still exists."""
-        self.ghost = None
-        storage, folder = self._state.storage, self._state.storage.games.folder
-        best = storage.progress.value.best(record_name(self._levels[number]), self._state.difficulty)
-        if not self._has_bests or folder is None or best is None or not best.replay:
-            return
-        try:
-            recording = load(folder / best.replay)
-        except BadInputError:
-            return
-        self.ghost = Ghost(recording, best.start, number)
-
-
-def record_name(level: Level) -> str:
-    """The name under which a level's best is stored: its own; for a level of the player's a hash of its content."""
-    return level.name if _is_built_in(level) else f"{OWN}{level.content_hash()}"
-
-
-def _is_built_in(level: Level) -> bool:
-    """Whether a level comes with the game."""
-    return level.content_hash() in _built_in_hashes()
-
-
-@cache
-def _built_in_hashes() -> frozenset[str]:
-    """The hashes of the levels that come with the game."""
-    return frozenset([level.content_hash() for level in built_in()])
+        level = self._levels[number]
+        self.ghost = ghost_of(self._state.storage, level, self._state.difficulty, number) if self._has_bests else None

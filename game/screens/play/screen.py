@@ -7,6 +7,7 @@ from game.autopilot import Autopilot
 from game.drawing import contact_normals
 from game.drawing.camera import Camera, Layout, layout, unit_of
 from game.drawing.canvas import Canvas
+from game.drawing.display_list_painter import DisplayListPainter
 from game.effects import EffectKind
 from game.effects.hit_stop import hit_stop_seconds
 from game.effects.slow_motion import pace
@@ -25,14 +26,16 @@ from game.overlay.notice_words import Notice, ready, to_newcomer, who_steers
 from game.overlay.notice_words import notice as words_now
 from game.overlay.readings import readings
 from game.overlay.toast import Toast
-from game.rules import TICK, Controls, EventKind, Phase, new_game, tick
+from game.picture.captions import add_captions
+from game.picture.display_list import DisplayList
+from game.picture.ghost import add_ghost, add_lead
+from game.rules import TICK, Controls, EventKind, Game, Phase, new_game, tick
 from game.scene import scene_at, still
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.menus.help.panel import Help
 from game.screens.menus.settings.panel import SettingsPanel
 from game.screens.play import buttons as play_buttons
-from game.screens.play import ghost
 from game.screens.play.record import PlayRecord
 from game.screens.play.results import game_results, level_results, ways_out
 from game.screens.toolkit.menu import Entry, Menu
@@ -142,8 +145,7 @@ class PlayScreen:
         state.painter.paint(canvas, scene)
         racing = None if self._record.ghost is None or not state.settings.ghost else self._record.ghost.game
         if racing is not None:
-            ghost.draw(canvas, racing)
-            ghost.draw_lead(state.words(canvas), self._ticked.game, racing, seen)
+            _paint_ghost(canvas, self._ticked.game, racing, seen, state.words(canvas).unit)
         if state.shows_normals:
             contact_normals.draw(canvas, self._normals)
         badge = aids.badge(state.settings) if self._pilot is None else tr("autopilot")
@@ -154,7 +156,10 @@ class PlayScreen:
         told = self._notice()
         if told is not None:
             notice.draw(words, told, scene, seen)
-        captions.draw(words, self._captions, seen)
+        if self._captions:
+            picture = DisplayList()
+            add_captions(picture, self._captions, seen, state.theme, words.unit)
+            DisplayListPainter().paint(surface, words.type, picture)
         if state.physics.note:
             _draw_note(canvas, tr(state.physics.note))
 
@@ -264,6 +269,14 @@ class PlayScreen:
         """The layout of a surface of some size."""
         below = unit_of(size) * _NOTE_ROOM if self._state.physics.note else 0.0
         return self._state.view.seen(layout(size, self._ticked.game.level.ground_radius, below))
+
+
+def _paint_ghost(canvas: Canvas, game: Game, ghost: Game, seen: Layout, text_unit: float) -> None:
+    """The ghost, and how far ahead of it the player is."""
+    picture = DisplayList()
+    add_ghost(picture, ghost, canvas.camera, canvas.theme, canvas.unit)
+    add_lead(picture, game, ghost, seen, canvas.theme, text_unit)
+    DisplayListPainter().paint(canvas.surface, canvas.type, picture)
 
 
 def _draw_note(canvas: Canvas, note: str) -> None:

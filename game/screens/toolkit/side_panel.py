@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 import pygame
 
-from game.input.events import translated
-from game.input.keys import Action, position_in
+from game.input.events import position_in, translated
+from game.input.keys import Action
 from game.input.repeat import Repeat
 from game.input.signals import Clicked, Moved, Pressed, Released, Signal, Zoomed
 from game.screens.app_state import AppState

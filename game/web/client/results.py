@@ -7,14 +7,16 @@ from typing import Protocol
 import msgspec
 
 from game.language import grouped, tr
-from game.levels import Level, built_in
+from game.levels import Level
 from game.levels.names import level_name
 from game.overlay.readings import player_name
 from game.rules import Game, Phase, winner
 from game.screens.play.versus import verdict
-from game.storage.progress import RANKS, Best
+from game.storage.ghost import Ghost, ghost_of
+from game.storage.progress import RANKS, Best, is_built_in, record_name
 from game.storage.scores import ENDLESS, LONGEST_NAME, Score
-from game.web.client.menus import MenuScreen, Opened, Screens, levels_menu
+from game.web.client.menu_screen import MenuScreen, Opened
+from game.web.client.menus import Screens, levels_menu
 from game.web.client.messages import PageItem
 from game.web.client.state import PageScreen, PageState
 
@@ -42,7 +44,7 @@ class Counted:
     levels: of the game. counts: whether bests, scores and the replay are stored: only for a single player without the
     autopilot.
     endless: whether its levels are made from a seed. start: tick at which the level began. speed: lowest game speed so far, per
-    cent.
+    cent. ghost: the best run of the level that is played; None without one.
     """
 
     state: PageState
@@ -51,18 +53,26 @@ class Counted:
     endless: bool
     start: int = 0
     speed: int = 100
+    ghost: Ghost | None = None
 
     @property
     def ranked(self) -> bool:
         """Whether the game's score may enter a table: not on a player's own levels, which may be easy."""
-        return self.counts and (self.endless or all([level in built_in() for level in self.levels]))
+        return self.counts and (self.endless or all([is_built_in(level) for level in self.levels]))
+
+    def begin_level(self, tick: int, number: int) -> None:
+        """A level begins. tick: of the game. number: of the level in the game."""
+        self.start, self.ghost = tick, None
+        if self.counts and not self.endless:
+            self.ghost = ghost_of(self.state.storage, self.levels[number], self.state.difficulty, number)
 
     def note_level(self, game: Game) -> None:
         """Record a finished level, if the game counts."""
         state, result = self.state, game.results[-1]
         state.announcements.append(tr("Level cleared"))
-        if self.counts and game.level in built_in():
-            done = Best(game.level.name, state.difficulty, result.score, int(result.rank), result.ticks, start=self.start)
+        if self.counts and not self.endless:
+            name, rank = record_name(game.level), int(result.rank)
+            done = Best(name, state.difficulty, result.score, rank, result.ticks, start=self.start)
             state.storage.level_done(done)
             state.changed = True
             state.tell_problems()

@@ -4,17 +4,14 @@ from collections.abc import Callable
 
 from game.input.action_names import action_groups
 from game.input.actions import DEFAULT_KEYS, Action
-from game.input.key_names import NO_KEY, button_name, position_name, positions_in_use
-from game.input.keys import KEYS
+from game.input.key_choice import CaptureTarget, wanted
 from game.language import tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.menus.settings.key_capture import CaptureTarget, KeyCapture
+from game.screens.menus.settings.key_capture import KeyCapture
 from game.screens.toolkit.items.basic import ButtonItem, Heading, Item, TableRow
 from game.screens.toolkit.layout import Row
 
-_SLOTS = 2
-"""Keys of an action that are shown."""
 WIDE_TEXT = 1.3
 """Above so many times its usual size text has no room for columns."""
 _KEY_SHARE = 0.62
@@ -35,22 +32,18 @@ def control_rows(state: AppState, panel: Screen) -> tuple[Row, ...]:
 
 def _keys(state: AppState, panel: Screen, action: Action, name: str) -> Row:
     """The row of an action: two keys and a button; each opens the question for another one. name: of the action."""
-    positions, buttons = positions_in_use(action), KEYS.binding(action).buttons
-    keys = [position_name(positions[slot]) if slot < len(positions) else NO_KEY for slot in range(_SLOTS)]
-    pad = button_name(buttons[0]) if buttons else NO_KEY
-    wanted = [
-        *[CaptureTarget(action, name, slot, of_pad=False) for slot in range(_SLOTS)],
-        CaptureTarget(action, name, 0, of_pad=True),
-    ]
     tip = tr("Enter: choose another key. Pressing the same one again removes it.")
-    shown = zip([*keys, pad], wanted, strict=True)
-    cells = [ButtonItem(words, _capture(state, panel, one), tip=tip, centred=True, share=_KEY_SHARE) for words, one in shown]
-    return tuple(cells)
+    return tuple(
+        [
+            ButtonItem(one.shown, _capture(state, panel, one), tip=tip, centred=True, share=_KEY_SHARE)
+            for one in wanted(action, name)
+        ]
+    )
 
 
-def _capture(state: AppState, panel: Screen, wanted: CaptureTarget) -> Callable[[], Screen | None]:
+def _capture(state: AppState, panel: Screen, asked: CaptureTarget) -> Callable[[], Screen | None]:
     """A function that opens the question for a key."""
-    return lambda: KeyCapture(state, panel, wanted)
+    return lambda: KeyCapture(state, panel, asked)
 
 
 def _reset(state: AppState, panel: Screen) -> Callable[[], Screen | None]:
