@@ -18,11 +18,15 @@ from physics.batch.compilation import sources_hash, with_progress
 from physics.batch.hits import new_rows
 from tools import autopilot
 from tools.autopilot import plans, steering
-from tools.autopilot.plans import PLAN, ArrayAhead
+from tools.autopilot.plans import PLAN
 from tools.autopilot.steering import Pilots
 
 _ON_ARRAYS = ("with_ball", "ball_of", "flown", "free_seconds", "flown_freely")
 """Functions of `game.autopilot.prediction` in whose place those of `plans` are compiled."""
+
+
+_INLINED = ("_copy_bricks", "planned_pointer", *_ON_ARRAYS)
+"""Functions of `plans` that are compiled into their callers: numba counts arrays in and out of every other call."""
 
 
 class CompiledAutopilot(NamedTuple):
@@ -86,12 +90,12 @@ def register_autopilot() -> None:
     for function in (keyed_spin, spin_to_pointer):
         register_jitable(function)
     for name in _ON_ARRAYS:
-        overload(getattr(prediction, name))(_instead(getattr(plans, name)))
+        overload(getattr(prediction, name), jit_options={"forceinline": True})(_instead(getattr(plans, name)))
     for module in (prediction, source_plan, plans, steering):
         for function in list(vars(module).values()):
             own = inspect.isfunction(function) and function.__module__ == module.__name__
             if own and not (module is prediction and function.__name__ in _ON_ARRAYS):
-                register_jitable(function)
+                register_jitable(forceinline=module is steering or function.__name__ in _INLINED)(function)
 
 
 def _instead(function: Any) -> Any:
