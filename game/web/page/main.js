@@ -1,4 +1,4 @@
-// The page: requests pictures from the worker, and passes on what the player did.
+// The page: requests pictures with what the player did, and shows the menus and words that come with them.
 
 import { Controls } from "./controls.js";
 import { Editor } from "./editor.js";
@@ -229,7 +229,7 @@ function start() {
   const painter = new Worker("picture.js", { type: "module" }), shown = canvas.transferControlToOffscreen();
   worker = new Worker("worker.js", { type: "module" });
   for (const one of [painter, worker]) {
-    one.onerror = (event) => fail(`The game cannot be started: ${event.message ?? "its worker is missing"}`);
+    one.onerror = (event) => fail(`The game cannot ${ready ? "go on" : "be started"}: ${event.message ?? "its worker is missing"}`);
     one.onmessage = heard;
   }
   const base = new URL("./", location.href).href, { port1, port2 } = new MessageChannel();
