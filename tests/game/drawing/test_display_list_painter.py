@@ -81,14 +81,14 @@ def test_shapes_cover_what_they_say(picture, inside, least):
     assert (got[exact == 0.0] > 0.6).sum() < 20
 
 
-@pytest.mark.parametrize("takes", [False, True])
+@pytest.mark.parametrize("multiplies", [False, True])
 @pytest.mark.parametrize("wide", [60, 39])
-def test_light_is_brightest_in_its_middle_and_ends_at_its_edge(wide, takes):
+def test_light_is_brightest_in_its_middle_and_ends_at_its_edge(wide, multiplies):
     """It adds its colour, or takes the others away, symmetrically and only within its ellipse."""
-    out, ground = DisplayList(), WHITE if takes else GREY
-    out.glow(100 + 100j, (wide, wide / 2), (200, 100, 0), 0.5, takes=takes)
+    out, ground = DisplayList(), WHITE if multiplies else GREY
+    out.glow(100 + 100j, (wide, wide / 2), (200, 100, 0), 0.5, multiplies=multiplies)
     change = painted(out, ground) - ground[0]
-    assert change[100, 100] == pytest.approx([-28, -78, -128] if takes else [100, 50, 0], abs=5)
+    assert change[100, 100] == pytest.approx([-28, -78, -128] if multiplies else [100, 50, 0], abs=5)
     assert np.abs(change - change[::-1]).max() <= 8.0
     off = np.arange(SIDE) + 0.5 - 100
     away = np.hypot(off[:, None] / wide, off[None, :] * 2 / wide)
