@@ -254,7 +254,7 @@ class DisplayList:
     def glow(
         self, centre: complex, half_axes: tuple[float, float], colour: Colour, strength: float, *, multiplies: bool = False
     ) -> None:
-        """An ellipse of light. half_axes: across and down. multiplies: whether it is multiplied with what is below, not added."""
+        """An ellipse of light. half_axes: across and down. multiplies: what is below, instead of being added to it."""
         self.numbers.extend((Primitive.GLOW, packed(colour), strength, centre.real, centre.imag, *half_axes, multiplies))
 
     def fill(self, colour: Colour) -> None:
