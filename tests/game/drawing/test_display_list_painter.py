@@ -173,7 +173,7 @@ def test_a_list_is_read_as_it_was_written():
     out.camera(Camera(0j, 1.0), 1j, (0.4, 0.8), 0.5j)
     out.slot(1.0)
     out.prism((0j, 1j, 1 + 0j), 0.0, 1.0, GREY)
-    out.shadows((0j, 1j, 1 + 0j), [(0.1, 0.0, 1.0), (0.2, 1.0, 2.0)], 0.5)
+    out.shadows((0j, 1j, 1 + 0j), [(0.25, 0.0, 1.0), (0.5, 1.0, 2.0)], 0.5)
     out.box(0j, 4 + 2j, 1.0, GREY, (1.0, WHITE))
     out.texture(1, 2, [GREY, WHITE, GREY, WHITE])
     out.textured(0j, 1.0, 1)
@@ -189,7 +189,7 @@ def test_a_list_is_read_as_it_was_written():
     assert [code for code, *_ in found] == list(Primitive)
     assert unpacked(found[0][1]) == (255, 254, 253)
     assert found[Primitive.SPRITE - 1][3][4:] == chip.numbers
-    assert list(found[Primitive.SHADOWS - 1][3][-6:]) == [0.1, 0.0, 1.0, 0.2, 1.0, 2.0]
+    assert list(found[Primitive.SHADOWS - 1][3][-6:]) == [0.25, 0.0, 1.0, 0.5, 1.0, 2.0]
     assert packed(GREY) == found[1][1]
 
 
