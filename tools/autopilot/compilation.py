@@ -123,7 +123,7 @@ def _register_replan() -> bool:
 
         return planned_anew
 
-    return sum(replan.stats.cache_hits.values()) > 0
+    return bool(sum(replan.stats.cache_hits.values()))
 
 
 def _instead(function: Any) -> Any:
