@@ -24,8 +24,8 @@ from game.drawing.piece_colours import (
 from game.drawing.raster.arrays import Points, Reals
 from game.drawing.raster.pixels import pairs
 from game.drawing.raster.primitives import HALF_PIXEL
+from game.drawing.solid.blocks import Flags
 from game.drawing.solid.debris_occlusion import occluded
-from game.drawing.solid.prisms import Flags
 from game.effects.bursts import Burst
 from game.effects.debris import Pieces, pieces
 from game.scene import Scene

@@ -3,27 +3,25 @@
 import math
 
 from game.drawing.camera import Camera
-from game.drawing.ground.measures import Ground
 from game.drawing.palette import Theme
 from game.drawing.palettes import themed
 from game.drawing.slots.contents import Contents, SlotContent, slot_contents
 from game.picture.display_list import DisplayList
-from game.picture.ground import add_ground
+from game.picture.ground.lists import add_ground
+from game.picture.ground.measures import ground_of
 from game.picture.moving.balls import BallTextures, add_ball
 from game.picture.moving.bursts import add_bursts
 from game.picture.moving.glints import add_glints
 from game.picture.moving.layers import add_in_air, add_on_ground
 from game.picture.moving.words import add_words
 from game.picture.slots import add_content, add_shadow, flat_ring
-from game.picture.solid import SolidBlocks
+from game.picture.solid.blocks import SolidBlocks
 from game.picture.view import ArenaView
 from game.rules import PADDLES
 from game.scene import Scene
 
 _MOST_RINGS = 64
 """Pictures of rings that are cached."""
-_EVERYWHERE = (-1e5 - 1e5j, 1e5 - 1e5j, 1e5 + 1e5j, -1e5 + 1e5j)
-"""Corners of a square that covers every canvas, pixels."""
 
 
 class ArenaPicture:
@@ -41,12 +39,11 @@ class ArenaPicture:
         """The ground, and in the flat view the rings that rest: the very same list as long as it has not changed."""
         theme = themed(view.theme, scene.palette)
         resting = _resting(scene, view.camera)
-        ground = Ground(scene.ground_radius, scene.rings[PADDLES].radius, scene.ground)
+        ground = ground_of(scene)
         contents = slot_contents(scene._replace(flashes=()))
         key = (view.camera, theme, ground, resting, tuple([(contents[k], scene.rings[k].phase) for k in resting]))
         if key != self._key:
             self._key, self._backdrop = key, DisplayList()
-            self._backdrop.polygon(_EVERYWHERE, theme.background)
             add_ground(self._backdrop, view.camera, theme, ground)
             for k in resting:
                 self._add_ring(self._backdrop, scene, view.camera, theme, k, contents[k])
@@ -62,7 +59,7 @@ class ArenaPicture:
         else:
             add_on_ground(out, scene, view)
             texture = self._textures.texture(out, camera, theme, view.ball)
-            self._blocks.add(out, scene, camera, theme, contents, texture)
+            self._blocks.add(out, scene, camera, theme, contents, texture, [])
         add_glints(out, scene, view)
         add_bursts(out, scene, view)
         if camera.flat:

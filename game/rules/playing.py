@@ -33,11 +33,9 @@ from game.rules.state import (
 from game.rules.turn import paddle_hits_answered, released
 from game.rules.versus import with_lost_ball
 from game.rules.wells import pulled
-from physics import Arena, Ball, Outcome, broad_phase_outcome
+from physics import Arena, Ball, broad_phase_outcome
+from physics.broad_phase import GAME_OVER
 from physics.shapes import unchecked
-
-_GAME_OVER = Outcome.GAME_OVER
-"""A module constant, for the same reason as `PLAYING`."""
 
 
 def played(game: Game, moving: Arena, controls: Controls, advance: Advance) -> Ticked:
@@ -46,21 +44,22 @@ def played(game: Game, moving: Arena, controls: Controls, advance: Advance) -> T
     piercing = arcade and is_piercing(game)
     flown = without_bricks(moving) if piercing else moving
     step = advance(flown, TICK, speed, game.flight)
-    arena = with_bricks(step.arena, moving) if piercing else step.arena
-    waited = game.waited + 1
-    game = one_tick_on(game, arena, step.flight, waited if arcade else 0)
+    arena, hits, _, _, flight = step
+    if piercing:
+        arena = with_bricks(arena, moving)
+    game = one_tick_on(game, arena, flight, game.waited + 1 if arcade else 0)
     events: list[Event] = []
-    for hit in step.hits:
+    for hit in hits:
         game = credited(game, hit, events)
     if arcade:
         game = _by_arcade_rules(game, controls, Ticked(game, (), step, flown, speed), events)
         game = with_extra_lives(game, score, events)
     if game.idle >= IDLE_CONTACTS:
         game = nudged(game, events)
-    if (step.hits or arcade) and not any([layers > 0 for ring in wall_layers(game) for layers in ring]):
+    if (hits or arcade) and not any([layers > 0 for ring in wall_layers(game) for layers in ring]):
         game = _level_cleared(game, events)
     else:
-        game = _without_lost_balls(game, events, give_up=controls.give_up)
+        game = _without_lost_balls(game, events, controls)
     return unchecked(Ticked, (game, tuple(events), step, flown, speed))
 
 
@@ -95,24 +94,24 @@ def _level_cleared(game: Game, events: list[Event]) -> Game:
     return in_phase(game, Phase.WON)
 
 
-def _without_lost_balls(game: Game, events: list[Event], *, give_up: bool) -> Game:
+def _without_lost_balls(game: Game, events: list[Event], controls: Controls) -> Game:
     """The game without the balls that left the ground or are given up: the last costs a life, the last life the game.
 
     The source's broad phase says whether a ball has left, and if not, what it may touch where it is.
     """
     balls, rings, _ = game.arena
-    paddles, bricks, ground_radius = rings[PADDLES], rings[PADDLES + 1 :], game.level.ground_radius
+    paddles, bricks, ground_radius = rings[PADDLES], rings[PADDLES + 1 :], game.levels[game.number].ground_radius
     lost: tuple[Ball, ...] = ()
     for ball in balls:
-        if broad_phase_outcome(ball[0], ball[2], ground_radius, paddles, bricks) is _GAME_OVER:
+        if broad_phase_outcome(ball[0], ball[2], ground_radius, paddles, bricks) is GAME_OVER:
             lost += (ball,)
-    if give_up:
+    if controls.give_up:
         lost = (*balls, *held_balls(game))
     if not lost:
         return game
     staying = tuple([ball for ball in balls if ball not in lost])
     events.extend([Event(EventKind.BALL_LOST, position=ball.position) for ball in lost])
-    game = game._replace(arena=game.arena._replace(balls=staying), held=() if give_up else game.held)
+    game = game._replace(arena=game.arena._replace(balls=staying), held=() if controls.give_up else game.held)
     if staying or game.held:
         return game
     game = counted(game._replace(combo=0, idle=0), balls_lost=1)

@@ -11,6 +11,7 @@ from game.rules.state import PADDLES, POINTER_STEPS, TICK, Controls, Game, paddl
 from game.rules.versus import spin_within
 from physics import Arena, Ring, nearest_slot, signed_difference
 
+_RADIANS_PER_STEP = math.tau / POINTER_STEPS
 _HALFWAY = 1e-9
 """Radians. A pointer so near to the middle between two paddles is compared with each: far above rounding."""
 
@@ -19,11 +20,12 @@ def steered(game: Game, controls: Controls) -> Arena:
     """The arena with the paddles' spin set for this tick. Keys go before pointers, the first player before the second."""
     if game.ruleset.versus:
         return _both_steered(game, controls)
-    turn, pointer = controls.turn, controls.pointer
+    turn, pointer, _, _, _, second_turn, second_pointer = controls
     if turn == 0:
-        turn = controls.second_turn
-        pointer = controls.second_pointer if pointer is None else pointer
-    return _with_spin(game.arena, PADDLES, _spin(game, game.arena.rings[PADDLES], turn, pointer))
+        turn = second_turn
+        pointer = second_pointer if pointer is None else pointer
+    arena = game.arena
+    return _with_spin(arena, PADDLES, _spin(game, arena.rings[PADDLES], turn, pointer))
 
 
 def _both_steered(game: Game, controls: Controls) -> Arena:
@@ -58,7 +60,9 @@ def top_spin(game: Game) -> float:
     """The paddles' top speed, rad/s. Under the arcade rules it follows the balls' speed, and stays below it."""
     level = game.levels[game.number]
     top = math.radians(level.paddles.top_speed)
-    return min(top * (game.speed / level.ball.speed), fastest_spin(game)) if game.ruleset.arcade else top
+    if not game.ruleset.arcade:
+        return top
+    return min(top * (game.speed / level.ball.speed), fastest_spin(game))
 
 
 def keyed_spin(spin: float, turn: int, top: float, change: float) -> float:
@@ -69,7 +73,7 @@ def keyed_spin(spin: float, turn: int, top: float, change: float) -> float:
 
 def spin_to_pointer(paddles: Ring, pointer: int, top: float) -> float:
     """Spin that brings the nearest paddle to the pointer within one tick, no faster than the top speed. rad/s."""
-    wanted = pointer * (math.tau / POINTER_STEPS)
+    wanted = pointer * _RADIANS_PER_STEP
     nearest = signed_difference(wanted, paddles.angle(nearest_slot(paddles, wanted)))
     if abs(nearest) > math.pi / paddles.count - _HALFWAY:  # rounding may have chosen between two equally near
         nearest = signed_difference(wanted, paddles.angle(0))

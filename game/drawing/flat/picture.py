@@ -13,9 +13,9 @@ from game.drawing.canvas import Canvas
 from game.drawing.flat.band_pixels import BandKey, BandPixels, band_pixels
 from game.drawing.flat.ring import BackdropRing, draw_over
 from game.drawing.flat.slot_atlas import SlotAtlas, atlas_key
-from game.drawing.ground.measures import Ground
 from game.drawing.ground.picture import draw_pattern, ground_picture
 from game.drawing.slots.contents import Contents
+from game.picture.ground.measures import ground_of
 from game.rules import PADDLES
 from game.scene import Scene
 
@@ -57,7 +57,7 @@ class FlatPicture:
 
     def _backdrop_of(self, canvas: Canvas, scene: Scene) -> _Backdrop:
         """The backdrop; the cached one if only the rings' angles and contents have changed."""
-        ground = Ground(scene.ground_radius, scene.rings[PADDLES].radius, scene.ground)
+        ground = ground_of(scene)
         wall = {k: ring[:4] for k, ring in enumerate(scene.rings) if k not in (PADDLES, scene.second_paddle)}
         key = (canvas.size, canvas.camera, canvas.theme, ground, scene.tallest, wall)
         if self._backdrop is None or self._backdrop.key != key:

@@ -13,7 +13,7 @@ from game.drawing.camera import Camera
 from game.drawing.raster.arrays import Points, Reals
 from game.drawing.slots.contents import resting_contents
 from game.drawing.slots.parts import LAYER_HEIGHT, height
-from game.drawing.solid.prisms import Flags
+from game.drawing.solid.blocks import Flags
 from game.scene import Scene
 
 _STEPS = 12

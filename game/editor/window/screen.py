@@ -347,8 +347,9 @@ class Editor:
 
     def _play_test(self) -> Screen:
         """Play the level as it stands, if it can be played."""
-        if self.session.document.problem:
-            self.session = self.session._replace(message=self.session.document.problem)
+        problem = self.session.document.problem
+        if problem is not None:
+            self.session = self.session._replace(message=problem.translated)
             return self
         return PlayTest(self._state, self, self.session.document.level)
 

@@ -162,7 +162,7 @@ def test_a_list_is_read_as_it_was_written():
     out.line((0j, 1 + 0j), 1.0, GREY)
     out.text("x", 9.0, 0j, GREY)
     out.glow(0j, (1.0, 1.0), GREY, 0.5)
-    out.gradient(0j, 1.0, [(0.0, GREY), (1.0, WHITE)])
+    out.fill(GREY)
     out.cells(0j, 2 + 2j, 2, [GREY, WHITE, GREY, WHITE])
     out.clip(0j, 1 + 1j)
     out.turn(0j, 1.0)
@@ -181,6 +181,10 @@ def test_a_list_is_read_as_it_was_written():
     out.relief(SECTOR, 0.1, 0.3, 0.2, 0.1, 0.5)
     out.cast(SECTOR, 0.1, 0.2, 0.1, 0.5)
     out.bar(0j, 0.0, (1.0, 0.0, 2.0, 0.1), 0.1, GREY)
+    out.ground_disc(0.0, 1.0, [(0.0, 0.5, 1.0), (2.0, 2.5, 3.0)])
+    out.ground_circle(1.0, 0.1, GREY)
+    out.ground_side(1.0, 0.1, GREY)
+    out.ground_mark((0j, 1j, 1 + 0j), GREY)
     found = list(primitives(out.numbers))
     assert [code for code, *_ in found] == list(Primitive)
     assert unpacked(found[0][1]) == (255, 254, 253)
@@ -190,8 +194,8 @@ def test_a_list_is_read_as_it_was_written():
 
 
 def test_what_only_a_canvas_paints_is_refused():
-    """A gradient is not painted as anything else."""
+    """A line is not painted as anything else."""
     out = DisplayList()
-    out.gradient(0j, 1.0, [(0.0, GREY), (1.0, WHITE)])
-    with pytest.raises(ValueError, match="does not paint GRADIENT"):
+    out.line((0j, 1 + 0j), 1.0, GREY)
+    with pytest.raises(ValueError, match="does not paint LINE"):
         painted(out)

@@ -109,7 +109,7 @@ def _cited(outcome: Outcome) -> CitedLine:
     if outcome is Outcome.GAME_OVER:
         return code_line(has_left, "return length(p) - ball_radius > ground_radius")
     if outcome is Outcome.NO_COLLISION:
-        return code_line(broad_phase_outcome, "return Outcome.NO_COLLISION")
+        return code_line(broad_phase_outcome, "return NO_COLLISION")
     return code_line(
         in_band,
         "distance + ball_radius >= ring.radius - ring.half_width and distance - ball_radius <= ring.radius + ring.half_width",

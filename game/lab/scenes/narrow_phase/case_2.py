@@ -41,6 +41,7 @@ from physics import (
     on_left,
     to_cartesian,
 )
+from physics.narrow_phase import end_normal
 
 _SAMPLES = 64
 _WORDS = {
@@ -171,9 +172,7 @@ def _cited(case: _EndCase, found: Contact) -> CitedLine:
         return code_line(narrow_phase_case_1, "return -n if length(p) < radius else n")
     if found.gap >= 0.0:
         return code_line(narrow_phase_case_2, "if distance >= ball_radius:")
-    return code_line(
-        narrow_phase_case_2, "return unit(p - end.q) if end.q in (end.a, end.b) and distance > 0.0 else end.outward"
-    )
+    return code_line(end_normal, "return unit(p - end.q) if end.q in (end.a, end.b) and distance > 0.0 else end.outward")
 
 
 def _note(case: _EndCase, found: Contact) -> str:

@@ -24,8 +24,8 @@ from game.lab.kit.picture import (
     one_step,
 )
 from game.lab.kit.scene import Claim, EngineUse, LabScene, Preset, ViewBox
-from physics import Ball, Contact, Feature, Ring, contact, length, narrow_phase_case_2, to_cartesian
-from physics.narrow_phase import end_contact, face_contact
+from physics import Ball, Contact, Feature, Ring, contact, length, to_cartesian
+from physics.narrow_phase import end_contact, end_normal, face_contact
 
 _BOX = ViewBox(1.5 + 1.6j, 10.2 + 6.2j)
 _HALF, _NORMALS_HALF = 26 + 14j, 15 + 8j
@@ -209,9 +209,7 @@ def _cited(found: Contact) -> CitedLine:
     if found.feature is Feature.CORNER:
         return code_line(end_contact, "feature = Feature.CORNER if end.q in (end.a, end.b) else Feature.END")
     if found.feature is Feature.END:
-        return code_line(
-            narrow_phase_case_2, "return unit(p - end.q) if end.q in (end.a, end.b) and distance > 0.0 else end.outward"
-        )
+        return code_line(end_normal, "return unit(p - end.q) if end.q in (end.a, end.b) and distance > 0.0 else end.outward")
     return code_line(face_contact, "if distance < ring.radius:")
 
 
