@@ -13,6 +13,7 @@ from game.replays.verify import verified
 from game.rules import PADDLES, SOURCE_RULES, TICK, Phase, new_game, tick
 from physics import PERMANENT, Arena, Ball
 from physics.batch import Batch
+from tests.support.paths import ROOT
 from tools.autopilot import BatchAutopilot
 from tools.autopilot.comparison import compared_ticks, played_environments
 from tools.environments import PolarBreakoutVectorEnv
@@ -192,3 +193,14 @@ def test_a_batch_that_it_cannot_steer_is_refused(served):
     ):
         with pytest.raises(ValueError, match=re.escape(named)):
             batch.step(autopilot=BatchAutopilot(level, 1))
+
+
+def test_the_example_of_the_page_runs():
+    """As it stands; in its ten seconds bricks are hit, and hardly a ball is lost."""
+    (example,) = re.findall(
+        r"^```py\n(.*?)^```$", (ROOT / "docs" / "batch.md").read_text(encoding="utf-8"), re.MULTILINE | re.DOTALL
+    )
+    seen = {"Batch": Batch}
+    exec(example, seen)  # noqa: S102  # the project's own page
+    assert seen["steps"].hits["ring"].max() > PADDLES
+    assert seen["steps"].lost.mean() < 0.1
