@@ -247,3 +247,24 @@ def test_a_game_that_is_left_is_stored_at_once(tmp_path):
     played.key("Escape")
     assert played.choose("title")["keep"]
     assert len(list((tmp_path / "replays").glob("*.polar"))) == 1
+
+
+def test_a_stored_game_is_named_kept_and_deleted_after_a_question(tmp_path):
+    """What has a title is kept; a best run refers to this one, and the question says so."""
+    stored_run(tmp_path, campaign())
+    (file,) = (tmp_path / "replays").glob("*.polar")
+    played = PlayedPage(tmp_path)
+    played.choose("replays")
+    played.choose(f"replay-{file.name}")
+    assert played.choose("name", "My rally")["keep"]
+    (game,) = played.page._state.storage.games.listed()
+    assert (game.title, game.kept) == ("My rally", True)
+    played.choose("keep", "False")
+    assert not played.page._state.storage.games.listed()[0].kept
+    assert "could no longer be verified" in " ".join(played.choose("delete")["menu"]["lines"])
+    played.key("Escape")
+    assert file.exists()
+    played.choose("delete")
+    played.choose("delete")
+    assert not file.exists()
+    assert played.page._screen.menu.title == "Replays"
