@@ -48,8 +48,7 @@ WRONG = {
     },
     "What runs in a browser needs the standard library and msgspec alone": {
         "game/picture/view.py": "import numpy",
-        "game/web/client/keys.py": "def f():
-    import game.overlay.hud",
+        "game/web/client/keys.py": "def f():\n    import game.overlay.hud",
     },
     "The drawing knows nothing of what draws with it": {"game/drawing/camera.py": "def f():\n    import game.screens.title"},
     "The flat and the solid view know nothing of each other": {
