@@ -15,7 +15,7 @@ _CUT_TIME = 0.35
 """Seconds of steady paddle motion before a hit, so that its friction turns the ball."""
 _CUTS = (0.0, 0.9, -0.9, 0.5, -0.5)
 """Paddle motions to choose from, as fractions of the top speed."""
-SERVE_WAIT = 30
+_SERVE_WAIT = 30
 _SERVE_SPREAD = 450
 _COVER = 0.7
 """Fraction of a paddle's half angle within which a hit counts as safe."""
@@ -67,7 +67,8 @@ def outer(ball: Ball, other: Ball) -> Ball:
 
 def serve_wait(seed: int, lives: int, number: int, score: int) -> int:
     """Ticks to wait before a serve: differs from seed to seed and serve to serve. number: of the level."""
-    return SERVE_WAIT + (seed * 97 + lives * 41 + number * 23 + score) % _SERVE_SPREAD
+    # The remainder of a seed, since compiled code has 64 bits.
+    return _SERVE_WAIT + (seed % _SERVE_SPREAD * 97 + lives * 41 + number * 23 + score) % _SERVE_SPREAD
 
 
 def _reachable(paddles: Ring, bearing: float, spin: float, top: float, time: float) -> bool:

@@ -13,7 +13,9 @@ import tomlkit
 from tomlkit.exceptions import TOMLKitError
 from tomlkit.items import AoT, Item
 
-from game.levels import Level, RingSpec, WellSpec, checked, draft
+from game.language import tr
+from game.level_format.broken_rule import BrokenRule
+from game.levels import Level, RingSpec, WellSpec, draft, first_problem
 from game.system.errors import BadInputError
 from game.system.wording import quoted_message
 
@@ -45,22 +47,18 @@ class Document(NamedTuple):
 
     text: TOML.
     level: the level; it fits the format.
-    problem: the first rule of a possible arena that it breaks, with its key; empty where it can be played.
+    problem: the first rule of a possible arena that it breaks; None if it can be played.
     """
 
     text: str
     level: Level
-    problem: str
+    problem: BrokenRule | None
 
 
 def opened(text: str) -> Document:
     """The document of a text; BadInputError, naming key and rule, where it does not fit the format."""
     level = draft(text.encode(), _SOURCE)
-    try:
-        checked(level, _SOURCE)
-    except BadInputError as error:
-        return Document(text, level, str(error).removeprefix(f"{_SOURCE}: "))
-    return Document(text, level, "")
+    return Document(text, level, first_problem(level))
 
 
 def value_at(document: Document, path: Path) -> Any:
@@ -147,7 +145,7 @@ def well_added(document: Document, well: WellSpec) -> Document:
 def ring_removed(document: Document, ring: int) -> Document:
     """The document without one of its rings; BadInputError for the last one."""
     if len(document.level.rings) == 1:
-        raise BadInputError("rings: a level has at least one ring")
+        raise BadInputError(tr("a level has at least one ring"))
     return _removed(document, "rings", ring)
 
 
@@ -167,7 +165,8 @@ def _added(document: Document, name: str, spec: RingSpec | WellSpec) -> Document
         toml.append(name, tomlkit.aot())
     tables = toml[name]
     if not isinstance(tables, AoT):
-        raise BadInputError(f"{name}: written in one line; write each as a table, [[{name}]]")
+        words = tr("{name}: written in one line; write each as a table, [[{name}]]")
+        raise BadInputError(words.format(name=name))
     tables.append(table)
     return opened(_set_apart(tomlkit.dumps(toml), f"[[{name}]]"))
 
@@ -184,8 +183,8 @@ def _removed(document: Document, name: str, index: int) -> Document:
 
 def saved_text(document: Document) -> str:
     """The text to be written to a file; BadInputError, naming key and rule, where the level cannot be played."""
-    if document.problem:
-        raise BadInputError(f"not saved: {document.problem}")
+    if document.problem is not None:
+        raise BadInputError(tr("not saved: {problem}").format(problem=document.problem.translated))
     return document.text
 
 
@@ -194,7 +193,8 @@ def _tables(text: str) -> tomlkit.TOMLDocument:
     try:
         return tomlkit.parse(text)
     except TOMLKitError as error:
-        raise BadInputError(f"this file cannot be edited here; {quoted_message(str(error))}") from None
+        words = tr("this file cannot be edited here; {reason}")
+        raise BadInputError(words.format(reason=quoted_message(str(error)))) from None
 
 
 def _put(table: Any, key: str, value: Value) -> None:

@@ -18,9 +18,10 @@ from game.editor.document import (
     with_count,
     with_value,
 )
-from game.editor.fields import Field, is_whole, range_of
+from game.editor.fields import Field, is_whole, named, range_of
 from game.editor.history import EditHistory
 from game.editor.symmetry import Symmetry, images
+from game.language import tr
 from game.rules.speed import USUAL_TOP
 from game.system.errors import BadInputError
 from physics import PERMANENT
@@ -114,6 +115,11 @@ def entered(session: EditorSession, field: Field, value: Value, step: Path | Non
     path = path_of(session, field)
     if isinstance(value, float) and is_whole(field.table, field.key):
         value = round(value) if math.isfinite(value) else value
+    limits = range_of(field.table, field.key)
+    if isinstance(value, float | int) and limits is not None and not limits[0] <= value <= limits[1]:
+        words = tr("{key}: {value} is not from {low} to {high}")
+        low, high = (f"{limit:.10g}" for limit in limits)
+        return session._replace(message=words.format(key=named(path), value=f"{value:.10g}", low=low, high=high))
     try:
         if field.table == "rings" and field.key == "count" and isinstance(value, int):
             return after(session, with_count(session.document, session.ring, value), step)

@@ -2,6 +2,8 @@
 
 from collections.abc import Iterator
 
+from game.language import tr_noop
+from game.level_format.broken_rule import BrokenRule
 from game.level_format.specs import Level, RingSpec
 from physics import PERMANENT
 
@@ -16,22 +18,24 @@ _CAPTURE = 0.95
 """Share of the pull that could keep a ball in a circle."""
 
 
-def broken_arcade_rules(level: Level) -> Iterator[tuple[str, str]]:
-    """(key, rule) of every rule of these keys that the level breaks."""
+def broken_arcade_rules(level: Level) -> Iterator[BrokenRule]:
+    """Every rule of these keys that the level breaks."""
     speed, top_speed = level.ball.speed, level.ball.top_speed
     if top_speed is not None and not speed <= top_speed <= FASTEST * speed:
-        yield "ball.top_speed", f"must be from ball.speed {speed:g} to {FASTEST:g} times as much"
+        rule = tr_noop("must be from ball.speed {speed:g} to {most:g} times as much")
+        yield BrokenRule("ball.top_speed", rule, {"speed": speed, "most": FASTEST})
     if len(set(level.drops.kinds)) != len(level.drops.kinds):
-        yield "drops.kinds", "names a power-up twice"
+        yield BrokenRule("drops.kinds", tr_noop("names a power-up twice"))
     for number, ring in enumerate(level.rings):
         yield from _broken_ring_rules(f"rings[{number}]", ring, level)
     strongest = 4.0 * _CAPTURE * SLOWEST * speed * SLOWEST * speed
     for number, well in enumerate(level.wells):
         if well.distance > level.ground_radius:
-            yield f"wells[{number}].distance", f"lies beyond ground_radius {level.ground_radius:g}"
+            rule = tr_noop("lies beyond ground_radius {ground:g}")
+            yield BrokenRule(f"wells[{number}].distance", rule, {"ground": level.ground_radius})
         if abs(well.strength) * well.reach > strongest:
-            limit = strongest / well.reach
-            yield f"wells[{number}].strength", f"could hold a ball for ever; at most {limit:.4g} for this speed and reach"
+            rule = tr_noop("could hold a ball for ever; at most {most:.4g} for this speed and reach")
+            yield BrokenRule(f"wells[{number}].strength", rule, {"most": strongest / well.reach})
 
 
 def arcade_warnings(level: Level) -> list[str]:
@@ -49,13 +53,13 @@ def arcade_warnings(level: Level) -> list[str]:
     return found
 
 
-def _broken_ring_rules(key: str, ring: RingSpec, level: Level) -> Iterator[tuple[str, str]]:
+def _broken_ring_rules(key: str, ring: RingSpec, level: Level) -> Iterator[BrokenRule]:
     """Rules of one ring: bumpers cannot break, and what grows again needs something that does not."""
     if ring.bumper and max(ring.slots()) > 0:
-        yield f"{key}.layers", f"a bumper cannot break; {PERMANENT} or 0 only"
+        yield BrokenRule(f"{key}.layers", tr_noop("a bumper cannot break; {permanent} or 0 only"), {"permanent": PERMANENT})
     if ring.regrow and max(ring.slots()) <= 0:
-        yield f"{key}.regrow", "there is no brick that could grow again"
+        yield BrokenRule(f"{key}.regrow", tr_noop("there is no brick that could grow again"))
     if ring.regrow and not any([max(other.slots()) > 0 and not other.regrow for other in level.rings]):
-        yield f"{key}.regrow", "level cannot be completed: every ring with bricks grows again"
+        yield BrokenRule(f"{key}.regrow", tr_noop("level cannot be completed: every ring with bricks grows again"))
     if ring.reverse and not ring.spin:
-        yield f"{key}.reverse", "the ring does not turn; give it a spin"
+        yield BrokenRule(f"{key}.reverse", tr_noop("the ring does not turn; give it a spin"))

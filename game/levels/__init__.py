@@ -3,7 +3,7 @@
 from game.level_format.checks import warnings
 from game.level_format.specs import BallSpec, DropSpec, Level, LookSpec, PaddleSpec, RingSpec, WellSpec
 from game.levels.built_in import built_in, campaign, chosen, classic, from_level, number_of
-from game.levels.reading import MAX_FILE_SIZE, checked, draft, level_schema, load_file, parse
+from game.levels.reading import MAX_FILE_SIZE, checked, draft, first_problem, level_schema, load_file, parse
 
 __all__ = [
     "MAX_FILE_SIZE",
@@ -20,6 +20,7 @@ __all__ = [
     "chosen",
     "classic",
     "draft",
+    "first_problem",
     "from_level",
     "level_schema",
     "load_file",

@@ -7,6 +7,7 @@ from typing import Any
 
 import msgspec
 
+from game.level_format.broken_rule import BrokenRule
 from game.level_format.checks import broken_rules
 from game.level_format.specs import BallSpec, DropSpec, Level, LookSpec, PaddleSpec, RingSpec, WellSpec
 from game.system.errors import BadInputError
@@ -42,13 +43,21 @@ def draft(data: bytes, source: str) -> Level:
 
 def checked(level: Level, source: str) -> Level:
     """The level itself, if it describes a possible arena; else BadInputError with the first rule it breaks."""
-    for key, rule in broken_rules(level):
-        raise BadInputError(f"{source}: {key}: {rule}")
+    problem = first_problem(level)
+    if problem is not None:
+        raise BadInputError(f"{source}: {problem}")
+    return level
+
+
+def first_problem(level: Level) -> BrokenRule | None:
+    """The first rule of a possible arena that a level breaks; None if it can be played."""
+    for broken in broken_rules(level):
+        return broken
     try:
         level.arena()
     except ValueError as error:  # a size that the physics does not take
-        raise BadInputError(f"{source}: {error}") from None
-    return level
+        return BrokenRule("", "{reason}", {"reason": str(error)})
+    return None
 
 
 def level_schema() -> str:

@@ -13,9 +13,9 @@ Every primitive is its code, its colour (0xRRGGBB, exact in a 32-bit float), its
                                                           lower than their size; room: greatest width, for which the size is
                                                           reduced, 0 for any; on a canvas the text may be runs of letters
                                                           (game/lab/typeset/runs.py)
-    GLOW      x y across down takes                       half axes of an ellipse of light that fades to its edge; takes: 0 if
-                                                          it is added to what is below, 1 if it is multiplied with it
-    GRADIENT  x y radius n, then n times share colour     a disc; colours by the share of the radius
+    GLOW      x y across down multiplies                  half axes of an ellipse of light that fades to its edge; multiplies: 0
+                                                          if it is added to what is below, 1 if it is multiplied with it
+    FILL                                                  all of the picture in the colour
     CELLS     x y width height columns rows, then colours a grid of cells, row by row from the top, smoothed
     CLIP      x y width height                            what follows is drawn inside this box only; a width of 0 ends that
     TURN      x y angle                                   what follows is rotated about a point, until the next TURN
@@ -56,16 +56,31 @@ equations of `game.drawing.camera.Camera`, so that a list stays the same while t
 
     CAMERA    x y scale azimuth tilt closeness, then      the projection of what follows, until the next CAMERA; the direction
               light_x light_y dimmest brightest           towards the light; brightness, as a share of the colour, of a side
-                                                          that faces away from the light, and of one that faces it
-    SLOT      angle                                       the prisms that follow are rotated by it about the arena's centre
-    PRISM     bottom top n, then n times x y              the top in the colour, the sides that face the eye in shades of it;
-                                                          the outline is clockwise; with bottom equal to top only the top is
-                                                          drawn
-    SHADOWS   x y n m, then n times x y, then             the shadows of m prisms with one outline: each is the area that the
-              m times angle height                        outline, rotated by the angle, sweeps when moved by height times x, y
+              shadow_x shadow_y                           that faces away from the light, and of one that faces it; in between
+                                                          the cosine of the angle counts; offset of a shadow from what throws
+                                                          it, for each unit of that one's height
+    SLOT      angle out                                   the prisms and shadows that follow are rotated by it about the
+                                                          arena's centre, and each of their points is moved away from it
+    PRISM     bottom top ends even n, then n times x y    the top in the colour, the sides that face the eye in shades of it;
+                                                          with bottom equal to top only the top is drawn. The outline is
+                                                          clockwise: half of its corners are on an inner arc, the others on an
+                                                          outer one. ends: which of the two sides between the arcs there are, 1
+                                                          the first, 2 the second, 3 both; even: 1 if the sides of an arc have
+                                                          one shade, the one of a side at angle 0
+    SHADOWS   n m, then n times x y, then m times         the shadows of m prisms with one outline: each is the area that the
+              angle low high                              outline, rotated by the angle, sweeps while its height goes from
+                                                          low to high
+
+So is the ground; a CAMERA comes before it.
+
+    GROUND_DISC    inner outer n, then n times red green  a disc about the arena's centre; its colours change evenly from the
+                   blue                                   inner radius to the outer one by these, 0 to 255, at equal distances;
+                                                          within the inner radius it has the first one
+    GROUND_CIRCLE  inner width                            a circular line about the centre; inner: its inner radius
+    GROUND_SIDE    radius depth                           the side of a disc about the centre, which goes down from the ground
+    GROUND_MARK    n, then n times x y                    a polygon
 """
 
-import math
 from array import array
 from collections.abc import Iterable, Iterator, Sequence
 from enum import IntEnum
@@ -73,9 +88,6 @@ from typing import NamedTuple
 
 from game.drawing.camera import Camera
 from game.drawing.palette import Colour
-
-WHOLE = math.pi * 0.999
-"""Half angle from which a sector is a whole ring, which has no ends."""
 
 
 class Primitive(IntEnum):
@@ -88,7 +100,7 @@ class Primitive(IntEnum):
     LINE = 5
     TEXT = 6
     GLOW = 7
-    GRADIENT = 8
+    FILL = 8
     CELLS = 9
     CLIP = 10
     TURN = 11
@@ -107,6 +119,10 @@ class Primitive(IntEnum):
     RELIEF = 24
     CAST = 25
     BAR = 26
+    GROUND_DISC = 27
+    GROUND_CIRCLE = 28
+    GROUND_SIDE = 29
+    GROUND_MARK = 30
 
 
 _LENGTHS = {
@@ -118,25 +134,29 @@ _LENGTHS = {
     Primitive.CLIP.value: 4,
     Primitive.TURN.value: 3,
     Primitive.PLATE.value: 8,
-    Primitive.CAMERA.value: 10,
-    Primitive.SLOT.value: 1,
+    Primitive.CAMERA.value: 12,
+    Primitive.SLOT.value: 2,
     Primitive.BOX.value: 7,
     Primitive.TEXTURED.value: 4,
     Primitive.FOOT.value: 8,
     Primitive.RELIEF.value: 10,
     Primitive.CAST.value: 9,
     Primitive.BAR.value: 8,
+    Primitive.FILL.value: 0,
+    Primitive.GROUND_CIRCLE.value: 2,
+    Primitive.GROUND_SIDE.value: 2,
 }
 """Numbers of the primitives that always have as many."""
 _COUNTED = {
     Primitive.POLYGON.value: (0, 2),
     Primitive.LINE.value: (2, 2),
-    Primitive.GRADIENT.value: (3, 2),
     Primitive.STRIP.value: (0, 4),
     Primitive.BAND.value: (0, 4),
     Primitive.SPRITE.value: (3, 1),
-    Primitive.PRISM.value: (2, 2),
+    Primitive.PRISM.value: (4, 2),
     Primitive.TEXTURE.value: (2, 1),
+    Primitive.GROUND_DISC.value: (2, 3),
+    Primitive.GROUND_MARK.value: (0, 2),
 }
 """Of the others the position of the count among their numbers, and how many follow it for each."""
 
@@ -228,15 +248,32 @@ class DisplayList:
         self.texts.append(words)
 
     def glow(
-        self, centre: complex, half_axes: tuple[float, float], colour: Colour, strength: float, *, takes: bool = False
+        self, centre: complex, half_axes: tuple[float, float], colour: Colour, strength: float, *, multiplies: bool = False
     ) -> None:
-        """An ellipse of light. half_axes: across and down. takes: whether it is multiplied with what is below, not added."""
-        self.numbers.extend((Primitive.GLOW, packed(colour), strength, centre.real, centre.imag, *half_axes, takes))
+        """An ellipse of light. half_axes: across and down. multiplies: what is below, instead of being added to it."""
+        self.numbers.extend((Primitive.GLOW, packed(colour), strength, centre.real, centre.imag, *half_axes, multiplies))
 
-    def gradient(self, centre: complex, radius: float, stops: Iterable[tuple[float, Colour]]) -> None:
-        """A disc whose colour depends on the distance from its centre. stops: shares of the radius, rising, and colours."""
-        flat = [number for share, colour in stops for number in (share, float(packed(colour)))]
-        self.numbers.extend((Primitive.GRADIENT, 0.0, 1.0, centre.real, centre.imag, radius, len(flat) // 2, *flat))
+    def fill(self, colour: Colour) -> None:
+        """All of the picture in one colour."""
+        self.numbers.extend((Primitive.FILL, packed(colour), 1.0))
+
+    def ground_disc(self, inner: float, outer: float, colours: Sequence[tuple[float, float, float]]) -> None:
+        """A disc of the ground about the arena's centre. colours: from the inner radius to the outer one, not rounded."""
+        self.numbers.extend((Primitive.GROUND_DISC, 0.0, 1.0, inner, outer, len(colours)))
+        self.numbers.extend([channel for colour in colours for channel in colour])
+
+    def ground_circle(self, inner: float, width: float, colour: Colour) -> None:
+        """A circular line of the ground. inner: its inner radius."""
+        self.numbers.extend((Primitive.GROUND_CIRCLE, packed(colour), 1.0, inner, width))
+
+    def ground_side(self, radius: float, depth: float, colour: Colour) -> None:
+        """The side of a disc whose top is the ground."""
+        self.numbers.extend((Primitive.GROUND_SIDE, packed(colour), 1.0, radius, depth))
+
+    def ground_mark(self, corners: Sequence[complex], colour: Colour) -> None:
+        """A polygon of the ground."""
+        self.numbers.extend((Primitive.GROUND_MARK, packed(colour), 1.0, len(corners)))
+        self._add(corners)
 
     def cells(self, corner: complex, size: complex, columns: int, colours: Sequence[Colour]) -> None:
         """A grid of cells. corner: upper left; size: width and height; colours: row by row from the top."""
@@ -300,26 +337,29 @@ class DisplayList:
         """A disc filled with a texture."""
         self.numbers.extend((Primitive.TEXTURED, 0.0, 1.0, centre.real, centre.imag, radius, number))
 
-    def camera(self, camera: Camera, light: complex, shares: tuple[float, float]) -> None:
-        """The projection of prisms and shadows. light: unit vector towards it; shares: of the dimmest, the brightest side."""
+    def camera(self, camera: Camera, light: complex, shares: tuple[float, float], shadow: complex) -> None:
+        """The projection of prisms and shadows.
+
+        light: unit vector towards it. shares: of the dimmest, the brightest side. shadow: offset for each unit of height.
+        """
         centre, *rest = camera
-        self.numbers.extend((Primitive.CAMERA, 0.0, 1.0, centre.real, centre.imag, *rest, light.real, light.imag, *shares))
+        own = light.real, light.imag, *shares, shadow.real, shadow.imag
+        self.numbers.extend((Primitive.CAMERA, 0.0, 1.0, centre.real, centre.imag, *rest, *own))
 
-    def slot(self, angle: float) -> None:
-        """Rotate the prisms that follow about the arena's centre. angle: radians, counter-clockwise."""
-        self.numbers.extend((Primitive.SLOT, 0.0, 1.0, angle))
+    def slot(self, angle: float, out: float = 0.0) -> None:
+        """Rotate what follows about the arena's centre, and move it away from there. out: world units."""
+        self.numbers.extend((Primitive.SLOT, 0.0, 1.0, angle, out))
 
-    def prism(self, outline: Sequence[complex], bottom: float, top: float, colour: Colour) -> None:
-        """A prism. outline: clockwise, world units, in a slot at angle 0; colour: of its top."""
-        self.numbers.extend((Primitive.PRISM, packed(colour), 1.0, bottom, top, len(outline)))
+    def prism(
+        self, outline: Sequence[complex], bottom: float, top: float, colour: Colour, ends: int = 3, *, even: bool = False
+    ) -> None:
+        """A prism. outline: clockwise, world units, in a slot at angle 0; colour: of its top; ends, even: as in PRISM."""
+        self.numbers.extend((Primitive.PRISM, packed(colour), 1.0, bottom, top, ends, even, len(outline)))
         self._add(outline)
 
-    def shadows(
-        self, outline: Sequence[complex], moved: complex, standing: Sequence[tuple[float, float]], opacity: float
-    ) -> None:
-        """The shadows of prisms. outline: of their bases; moved: offset for a height of 1; standing: angles and heights."""
-        start = (Primitive.SHADOWS, 0.0, opacity, moved.real, moved.imag, len(outline), len(standing))
-        self.numbers.extend(start)
+    def shadows(self, outline: Sequence[complex], standing: Sequence[tuple[float, float, float]], opacity: float) -> None:
+        """The shadows of prisms. outline: of their bases; standing: angle, lower and upper height of each."""
+        self.numbers.extend((Primitive.SHADOWS, 0.0, opacity, len(outline), len(standing)))
         self._add(outline)
         self.numbers.extend([number for each in standing for number in each])
 
@@ -342,7 +382,7 @@ def primitives(numbers: "array[float]") -> Iterator[tuple[int, int, float, "arra
         elif code == Primitive.CELLS:
             behind = own + 6 + int(numbers[own + 4] * numbers[own + 5])
         elif code == Primitive.SHADOWS:
-            behind = own + 4 + 2 * int(numbers[own + 2] + numbers[own + 3])
+            behind = own + 2 + 2 * int(numbers[own]) + 3 * int(numbers[own + 1])
         else:
             index, each = _COUNTED[code]
             behind = own + index + 1 + each * int(numbers[own + index])
@@ -359,10 +399,3 @@ def unpacked(colour: float) -> Colour:
     """A colour that is one number."""
     number = int(colour)
     return number >> 16, number >> 8 & 255, number & 255
-
-
-def inset_half_angle(half_angle: float, radius: float, inset: float) -> float:
-    """Half the angle of a sector's arc when its straight ends are moved inwards by an inset; a whole ring stays one."""
-    if half_angle >= WHOLE:
-        return math.pi
-    return half_angle - math.asin(min(inset / max(radius, 1e-9), 1.0))

@@ -4,18 +4,44 @@ Both are compressed as a whole: modules resemble each other, and a browser unpac
 """
 
 import gzip
+import hashlib
 import io
 import json
 import zipfile
+import zlib
+from pathlib import Path
+
+from game.web.build_cache import cached
+
+try:
+    import zopfli.gzip as zopfli
+except ModuleNotFoundError:
+    zopfli = None
 
 _EPOCH = (1980, 1, 1, 0, 0, 0)
 """The date of every file in a ZIP archive: the same files give the same bytes."""
 _LENGTH_BYTES = 4
+_ITERATIONS = 5
+"""Of zopfli's search: 15 save another 0.1 %, and take half as long again."""
 
 
-def compressed(data: bytes) -> bytes:
-    """The data in gzip's format; the same data give the same bytes."""
-    return gzip.compress(data, 9, mtime=0)
+def compressed(data: bytes, cache: Path) -> bytes:
+    """The data in gzip's format. Where zopfli is installed (extra `web`), about 4 % smaller than by zlib.
+
+    cache: the folder of results, since zopfli takes some 40 s for all files.
+    """
+    if zopfli is None:
+        return gzip.compress(data, 9, mtime=0)
+    path = cache / f"zopfli-{_ITERATIONS}-{hashlib.sha256(data).hexdigest()[:16]}.gz"
+    return cached(path, lambda: zopfli.compress(data, numiterations=_ITERATIONS), lambda packed: _unpacked(packed) == data)
+
+
+def _unpacked(packed: bytes) -> bytes:
+    """The data in a gzip file; empty where it is torn."""
+    try:
+        return gzip.decompress(packed)
+    except (OSError, EOFError, zlib.error):
+        return b""
 
 
 def zip_archive(files: dict[str, bytes], method: int = zipfile.ZIP_STORED) -> bytes:

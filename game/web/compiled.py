@@ -7,20 +7,17 @@ import hashlib
 import shutil
 import subprocess
 import tempfile
-import time
 import zipfile
 from importlib.resources import files
 from pathlib import Path
 
 from game.system.errors import EnvironmentMissingError
-from game.system.files import write_atomically
 from game.web.archives import zip_archive, zip_contents
+from game.web.build_cache import cached
 
 _SCRIPT = "compile.mjs"
 _PATIENCE = 300.0
 """Seconds that Node.js may take."""
-_CACHED_SECONDS = 30 * 86400.0
-"""Results that nobody has asked for this long are removed."""
 
 
 def compiled(sources: dict[str, bytes], runtime: dict[str, bytes], cache: Path) -> dict[str, bytes]:
@@ -33,17 +30,19 @@ def compiled(sources: dict[str, bytes], runtime: dict[str, bytes], cache: Path) 
     archive = zip_archive(sources)
     digest = hashlib.sha256(b"".join([hashlib.sha256(data).digest() for data in (script, *runtime.values(), archive)]))
     path = cache / f"compiled-{digest.hexdigest()[:16]}.zip"
+    return zip_contents(cached(path, lambda: _by_node(script, archive, runtime), _is_zip))
+
+
+def _is_zip(data: bytes) -> bool:
+    """Whether a ZIP archive is whole."""
     try:
-        found = zip_contents(path.read_bytes())
-        path.touch()
-    except (OSError, zipfile.BadZipFile):
-        found = _by_node(script, archive, runtime)
-        _cache(found, path)
-    return found
+        return bool(zip_contents(data))
+    except zipfile.BadZipFile:
+        return False
 
 
-def _by_node(script: bytes, archive: bytes, runtime: dict[str, bytes]) -> dict[str, bytes]:
-    """Let Node.js compile an archive of sources."""
+def _by_node(script: bytes, archive: bytes, runtime: dict[str, bytes]) -> bytes:
+    """Let Node.js compile an archive of sources; the archive of the results."""
     node = shutil.which("node")
     if node is None:
         raise EnvironmentMissingError("node is needed to compile the page's Python; install Node.js")
@@ -58,16 +57,4 @@ def _by_node(script: bytes, archive: bytes, runtime: dict[str, bytes]) -> dict[s
             done = None
         if done is None or done.returncode:
             raise EnvironmentMissingError("node cannot compile the page's Python; Node.js 20 or newer is needed")
-        return zip_contents((folder / "out.zip").read_bytes())
-
-
-def _cache(found: dict[str, bytes], path: Path) -> None:
-    """Store a result, and remove those that have not been used for long; a cache that cannot be written is done without."""
-    try:
-        path.parent.mkdir(parents=True, exist_ok=True)
-        write_atomically(path, zip_archive(found, zipfile.ZIP_DEFLATED))
-        for other in path.parent.glob("compiled-*.zip"):
-            if time.time() - other.stat().st_mtime > _CACHED_SECONDS:
-                other.unlink(missing_ok=True)
-    except OSError:
-        return
+        return (folder / "out.zip").read_bytes()

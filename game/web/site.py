@@ -56,20 +56,20 @@ def built_site(cache: Path) -> dict[str, bytes]:
     site = {entry.name: entry.read_bytes() for entry in _PAGE.iterdir() if entry.is_file()}
     runtime = packed_files(fetched(RUNTIME, cache), RUNTIME_FILES)
     wheel, engine = fetched(MSGSPEC, cache), fetched(PYMUNK, cache)
-    site |= {f"runtime/{name}.packed": compressed(runtime[name]) for name in _COMPRESSED}
+    site |= {f"runtime/{name}.packed": compressed(runtime[name], cache) for name in _COMPRESSED}
     site |= {"runtime/pyodide.mjs": runtime["pyodide.mjs"], f"runtime/{_LOCK}": _without_packages(runtime[_LOCK])}
     library, *archives = _compiled(runtime, (wheel, engine), cache)
-    site[f"runtime/{_LIBRARY}.packed"] = compressed(zip_archive(library))
+    site[f"runtime/{_LIBRARY}.packed"] = compressed(zip_archive(library), cache)
     for name, archive in zip(("program", "grading", "pymunk"), archives, strict=True):
-        site[f"{name}.packed"] = compressed(page_archive(archive))
+        site[f"{name}.packed"] = compressed(page_archive(archive), cache)
     editor = {Path(name).name: data for name, data in packed_files(fetched(EDITOR, cache), EDITOR_FILES).items()}
-    site["editor.packed"] = compressed(page_archive(editor))
+    site["editor.packed"] = compressed(page_archive(editor), cache)
     for kind in ("js", "css"):
         hashes = [_content_hash(data) for name, data in editor.items() if name.endswith(f".{kind}")]
         site["index.html"] = site["index.html"].replace(_EDITOR_HASHES[kind], " ".join(hashes).encode())
     samples, index = rendered()
-    site |= {"sounds.packed": compressed(samples), "sounds.json": msgspec.json.encode(index)}
-    site["music.packed"] = compressed(rendered_music())
+    site |= {"sounds.packed": compressed(samples, cache), "sounds.json": msgspec.json.encode(index)}
+    site["music.packed"] = compressed(rendered_music(), cache)
     site["notices.txt"] = _notices(wheel, engine, editor["LICENSE"].decode()).encode()
     version = _version(site)
     for name in _STAMPED:

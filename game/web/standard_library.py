@@ -1,18 +1,20 @@
 """The part of Python's standard library that the page gets: what the game needs, and what computes."""
 
 _LEFT_OUT = """
-    __phello__ _aix_support _android_support _apple_support _ios_support _osx_support _pydatetime _pydecimal _pyio _pyrepl
-    _strptime antigravity argparse bdb calendar cmd code compileall configparser cProfile csv ctypes curses dbm doctest email
-    ensurepip filecmp fileinput ftplib getpass gzip html http idlelib imaplib ipaddress mailbox mimetypes modulefinder
-    multiprocessing netrc nturl2path optparse pdb pickletools platform plistlib poplib profile profiling pstats pty py_compile
-    pyclbr pydoc pydoc_data quopri rlcompleter runpy sched shelve site-packages smtplib socketserver sqlite3 ssl stringprep
-    symtable sysconfig tabnanny tarfile this timeit trace tracemalloc tty turtle turtledemo unittest urllib venv wave
-    webbrowser wsgiref xml xmlrpc zipapp zoneinfo asyncio.__main__ asyncio.proactor_events asyncio.tools
-    asyncio.windows_events asyncio.windows_utils concurrent.futures.interpreter concurrent.futures.process
-    concurrent.interpreters importlib.metadata logging.config logging.handlers pathlib.types pyodide.console pyodide.http
+    __hello__ __phello__ _aix_support _android_support _apple_support _compat_pickle _ios_support _markupbase _osx_support
+    _pydatetime _pydecimal _pyio _pyrepl _ssl _strptime antigravity argparse bdb cProfile calendar cmd code compileall
+    configparser csv ctypes curses dbm doctest email ensurepip filecmp fileinput ftplib getopt getpass gzip html http
+    idlelib imaplib ipaddress mailbox mimetypes modulefinder multiprocessing netrc nturl2path optparse pdb pickle
+    pickletools pkgutil platform plistlib poplib profile profiling pstats pty py_compile pyclbr pydoc pydoc_data quopri
+    rlcompleter runpy sched shelve shlex site-packages smtplib socketserver sqlite3 ssl stringprep symtable sysconfig
+    tabnanny tarfile this timeit trace tracemalloc tty turtle turtledemo unittest urllib venv wave webbrowser wsgiref xml
+    xmlrpc zipapp zoneinfo asyncio.__main__ asyncio.proactor_events asyncio.tools asyncio.windows_events
+    asyncio.windows_utils concurrent.futures.interpreter concurrent.futures.process concurrent.futures.thread
+    concurrent.interpreters importlib.metadata json.__main__ json.tool logging.config logging.handlers pathlib.types
+    pyodide._nodesock_transport pyodide.console pyodide.http zipfile.__main__
 """
-"""Modules and packages for files, networks, processes, terminals and packaging. The page has none of these."""
-_ENCODINGS = "aliases ascii base64_codec cp1252 cp437 charmap hex_codec latin_1 raw_unicode_escape undefined"
+"""Modules and packages for files, networks, processes, threads, terminals and packaging. The page has none of these."""
+_ENCODINGS = "aliases ascii base64_codec cp1252 charmap hex_codec latin_1 raw_unicode_escape undefined"
 _UNICODE = ("utf_", "unicode_")
 """Of the encodings, which there are."""
 _OF_ENGINE = ("ctypes/__init__.py", "ctypes/_endian.py", "ctypes/_layout.py", "platform.py", "sysconfig/__init__.py")

@@ -46,8 +46,8 @@ class BatchSteering(Protocol):
     def ring(self) -> int:
         """Index of the ring that is steered."""
 
-    def check(self, games: int, dt: float) -> None:
-        """Raise ValueError unless it can steer a batch of so many games in ticks of `dt` seconds."""
+    def check(self, games: int, rings: int, dt: float) -> None:
+        """Raise ValueError unless it can steer a batch of so many games and rings in ticks of `dt` seconds."""
 
     def step(
         self,
@@ -133,13 +133,15 @@ class Batch:
         _whole("ticks", ticks, 0)
         _whole("threads", threads, 1)
         if autopilot is not None:
-            autopilot.check(len(self), self._dt)
+            autopilot.check(len(self), len(self._model.rings), self._dt)
         steered = None if spins is None else _checked_spins(spins, self._games.spins.shape)
-        games, parts = self._games, min(threads, len(self))
-        games.dropped[:] = 0
-        games.freed[:] = 0
-        if autopilot is not None and games.steered[autopilot.ring] == 0:
-            games.steered[autopilot.ring] = -1
+        parts = min(threads, len(self))
+        games = self._games = self._games._replace(dropped=np.zeros(len(self), np.int64), freed=np.zeros(len(self), np.int64))
+        if autopilot is not None:
+            games.steered[autopilot.ring] = games.steered[autopilot.ring] or -1
+            if steered is not None:
+                steered = steered.copy()
+                steered[:, autopilot.ring] = games.spins[:, autopilot.ring]
         if (games.steered < 0).any():
             games.steered[games.steered < 0] = 1
             games.free[:] = 0
@@ -150,7 +152,7 @@ class Batch:
         bounds = [len(self) * piece // pieces for piece in range(pieces + 1)]
         lost = np.empty(games.positions.shape, np.bool_)
         hits = shared(lambda n: self._piece(n, steered, bounds[n], bounds[n + 1], ticks, lost, autopilot), pieces, parts)
-        return Steps(joined(hits), lost, games.dropped.copy(), games.freed.copy())
+        return Steps(joined(hits), lost, games.dropped, games.freed)
 
     def arena(self, game: int) -> Arena:
         """One game as the arena that `physics.advance` takes."""

@@ -37,7 +37,7 @@ def sabotaged(monkeypatch, change):
 def test_a_campaign_goes_on_where_another_stopped(monkeypatch):
     """The tallies from a later case on are those of one campaign, and of a cluster's larger jobs."""
     monkeypatch.setattr(campaign, "CASES_PER_TALLY", 2)
-    monkeypatch.setattr(campaign, "play", lambda _, index: campaign.Tally(1, 10, index))
+    monkeypatch.setattr(campaign, "play", lambda _, index: campaign.CampaignTally(1, 10, index))
     whole = list(campaign.tallies(5, 200, 1))
     assert [tally.hits for tally in whole] == [1, 5, 9, 13, 17, 21, 25, 29, 33, 37]
     assert list(campaign.tallies(5, 140, 1, first=6)) == whole[3:]

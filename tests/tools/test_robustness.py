@@ -51,7 +51,7 @@ def test_an_exception_is_found(name, tmp_path, monkeypatch):
     def broken(*_):
         raise ZeroDivisionError("broken")
 
-    for module, function in (("game.levels", "parse"), ("game.replays.file", "decoded")):
+    for module, function in (("game.levels.reading", "parse"), ("game.replays.file", "decoded")):
         monkeypatch.setattr(f"{module}.{function}", broken)
     monkeypatch.setattr(inputs, "parsed", broken)
     monkeypatch.setattr("game.settings.file.decoded", broken)
@@ -122,7 +122,7 @@ def test_torn_files_are_found(tmp_path, monkeypatch):
 
     monkeypatch.setattr("game.settings.file.write_atomically", in_place)
     monkeypatch.setattr("game.replays.file.write_atomically", in_place)
-    monkeypatch.setattr(saving, "sweep", lambda _: None)
+    monkeypatch.setattr(saving, "remove_temporaries", lambda _: None)
     torn = behind = 0
     for kill in saving.kills(1000, 1, tmp_path):
         torn, behind = torn + kill.torn, behind + kill.behind

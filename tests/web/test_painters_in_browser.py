@@ -11,15 +11,19 @@ import pytest
 from game.drawing.balls.ball import BallPictures
 from game.drawing.camera import Camera
 from game.drawing.display_list_painter import DisplayListPainter
+from game.drawing.painter import Painter
 from game.drawing.text import Type
 from game.effects import NOTHING, Light, Wave
 from game.effects.lights import LightSource
 from game.effects.waves import WaveTone
 from game.input.view import FLAT, SOLID
-from game.levels import classic
+from game.levels import campaign, classic
+from game.picture.arena import ArenaPicture
 from game.picture.display_list import DisplayList
+from game.picture.ground import colours, lists, measures
 from game.picture.moving.balls import BallTextures, add_ball
 from game.picture.moving.layers import add_in_air, add_on_ground
+from game.picture.slots import flat
 from game.rules import ActivePower, Drop, PowerUp, Ruleset, new_game
 from game.scene import Aim, Well, scene_at, still
 from game.unlocks import BALLS, PLAIN_TRAIL, TRAILS
@@ -50,6 +54,10 @@ COUNT = """async ([numbers, width, height]) => {
   return [alphas, colours];
 }"""
 """Counts on a transparent canvas: pixels by opacity, and opaque pixels by colour."""
+RESTING = (0.55, 28.0)
+"""The same of the ground and of what stands on it, which differ in their smooth edges alone."""
+DESCRIPTIONS = (flat._looks, lists.ground_list)
+"""What caches parts of the description."""
 SQUARE = (-0.5 - 0.5j, -0.5 + 0.5j, 0.5 + 0.5j, 0.5 - 0.5j)
 
 
@@ -99,6 +107,58 @@ def test_both_painters_show_the_same(page, view, theme, trail):
     assert apart.max() < TOLERANCE[1]
 
 
+@pytest.fixture
+def other_description(monkeypatch):
+    """Other dimensions and shares of what one sees from above, as a change of the description would have them."""
+    values = {"_EDGE": 0.4, "_AT_FACES": 0.5, "_AT_ENDS": 0.3, "_SLOPE": 0.2, "_SHADOW": 0.04, "_INWARDS": 0.8, "_ASIDE": 0.9}
+    for name, value in values.items():
+        monkeypatch.setattr(flat, name, value)
+    monkeypatch.setattr(measures, "_RIM", 0.2)
+    monkeypatch.setattr(measures, "_TRACK", 0.2)
+    monkeypatch.setattr(colours, "_INNER_GLOW", 0.4)
+    for function in DESCRIPTIONS:
+        function.cache_clear()
+    yield
+    for function in DESCRIPTIONS:
+        function.cache_clear()
+
+
+def from_above(page, theme, level):
+    """Pictures of a level before its serve: the desktop's, and the page's of its two lists, as arrays."""
+    game = new_game((level,), 1, Ruleset())
+    scene = scene_at(still(game), 1.0, NOTHING)._replace(aim=None, balls=())
+    canvas = canvas_of(scene, SIZE, theme=theme, camera=camera_of(FLAT, scene, SIZE))
+    Painter().paint(canvas, scene)
+    arena = ArenaPicture()
+    numbers = arena.backdrop(scene, canvas.view).numbers + arena.frame(scene, canvas.view).numbers
+    shown = page.tab.evaluate(PAINT, [numbers.tolist(), "#000", *SIZE])
+    on_page = pygame.image.load(io.BytesIO(base64.b64decode(shown.split(",")[1])), "shown.png")
+    return blocks(canvas.surface), blocks(on_page)
+
+
+@pytest.mark.parametrize("number", [0, 4, 15], ids=["plain", "stacks", "crowded"])
+@pytest.mark.parametrize("theme", [DARK, LIGHT], ids=["dark", "light"])
+def test_the_arena_from_above_is_the_desktops(page, theme, number):
+    """Ground, rim, track, bricks with their light and shadows, and paddles."""
+    apart = np.abs(np.subtract(*from_above(page, theme, campaign()[number])))
+    assert apart.mean() < RESTING[0]
+    assert apart.max() < RESTING[1]
+
+
+@pytest.mark.usefixtures("other_description")
+def test_both_painters_follow_a_change_of_the_description(page, monkeypatch):
+    """With other widths, strengths and colours both pictures are others, and still agree."""
+    level = campaign()[4]
+    desktop, on_page = from_above(page, DARK, level)
+    assert np.abs(desktop - on_page).mean() < RESTING[0]
+    monkeypatch.undo()
+    for function in DESCRIPTIONS:
+        function.cache_clear()
+    before = from_above(page, DARK, level)
+    assert np.abs(desktop - before[0]).mean() > 1.0
+    assert np.abs(on_page - before[1]).mean() > 1.0
+
+
 def counted(page, picture):
     """The pixels that the page paints for a list on a canvas of 400 by 400."""
     return page.tab.evaluate(COUNT, [picture.numbers.tolist(), 400, 400])
@@ -107,9 +167,10 @@ def counted(page, picture):
 def test_a_shadow_is_what_a_foot_passes_over_and_none_is_darker_for_lying_in_two(page):
     """A square of side 1 moved by (2, 1) sweeps its own area and those swept by its two leading sides."""
     camera, picture = Camera(200 + 200j, 40.0), DisplayList()
-    picture.camera(camera, 1 + 0j, (0.4, 0.8))
+    picture.camera(camera, 1 + 0j, (0.4, 0.8), 1.0 + 0.5j)
+    picture.slot(0.0)
     for foot in (SQUARE, [corner - 3.0 for corner in SQUARE], SQUARE):
-        picture.shadows(foot, 1.0 + 0.5j, [(0.0, 2.0)], 0.5)
+        picture.shadows(foot, [(0.0, 0.0, 2.0)], 0.5)
     alphas, _colours = counted(page, picture)
     assert alphas.keys() <= {str(alpha) for alpha in range(129)}
     assert alphas["128"] == pytest.approx(2.0 * (1.0 + 2.0 + 1.0) * camera.scale**2, rel=0.05)
@@ -119,7 +180,7 @@ def test_a_shadow_is_what_a_foot_passes_over_and_none_is_darker_for_lying_in_two
 def test_a_prism_is_projected_as_by_the_camera_and_its_sides_are_shaded_by_the_light(page, light, share):
     """A cube seen from the side and above: its top, and the one side that faces the eye, in the colour's shade."""
     camera, picture = Camera(200 + 200j, 100.0, tilt=math.radians(60.0)), DisplayList()
-    picture.camera(camera, light, (0.4, 0.8))
+    picture.camera(camera, light, (0.4, 0.8), 0j)
     picture.slot(math.pi / 2.0)
     picture.prism(SQUARE, 0.0, 1.0, (200, 100, 50))
     _alphas, colours = counted(page, picture)

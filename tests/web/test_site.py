@@ -1,5 +1,6 @@
 """The files that a web host serves, without a browser and without the runtime."""
 
+import gzip
 import json
 import socket
 import struct
@@ -10,6 +11,7 @@ import numpy as np
 import pytest
 
 from game.system.errors import EnvironmentMissingError
+from game.web import archives
 from game.web import compiled as compiling
 from game.web.archives import compressed, page_archive, zip_archive, zip_contents
 from game.web.bundle import browser_sources, grading_sources
@@ -39,7 +41,7 @@ def test_archives_hold_the_files_and_are_the_same_whatever_the_order():
     files = {"b/c.py": b"xyz", "a.toml": b"\0\xff", "empty": b""}
     turned = dict(reversed(files.items()))
     assert zip_contents(zip_archive(files)) == files
-    assert compressed(zip_archive(files)) == compressed(zip_archive(turned))
+    assert zip_archive(files) == zip_archive(turned)
     archive = page_archive(files)
     assert archive == page_archive(turned)
     start = 4 + int.from_bytes(archive[:4], "little")
@@ -47,6 +49,27 @@ def test_archives_hold_the_files_and_are_the_same_whatever_the_order():
         assert archive[start : start + length] == files[name]
         start += length
     assert start == len(archive)
+
+
+@pytest.mark.parametrize("installed", [True, False], ids=["with zopfli", "without"])
+def test_compressed_data_come_back_and_a_torn_result_is_not_used(monkeypatch, tmp_path, installed):
+    """Compressing again gives the same bytes, from the cache or not."""
+    if not installed:
+        monkeypatch.setattr(archives, "zopfli", None)
+    elif archives.zopfli is None:
+        pytest.skip("zopfli is not installed")
+    data = b"the same bytes, " * 50
+    packed = compressed(data, tmp_path)
+    assert gzip.decompress(packed) == data
+    files = [*tmp_path.iterdir()]
+    assert len(files) == installed
+    for file in files:
+        assert file.read_bytes() == packed
+        file.write_bytes(packed[:-9])
+    assert compressed(data, tmp_path) == packed
+    assert compressed(data + b"!", tmp_path) != packed
+    (tmp_path / "file").touch()
+    assert compressed(data, tmp_path / "file") == packed
 
 
 def test_samples_come_back_from_their_differences():
@@ -73,7 +96,7 @@ def test_what_was_compiled_is_cached_and_a_torn_file_is_not_used(monkeypatch, tm
     monkeypatch.setattr(compiling.shutil, "which", lambda _name: None)
     with pytest.raises(EnvironmentMissingError, match=r"^node is needed to compile the page's Python; install Node\.js$"):
         compiled(sources, {}, tmp_path)
-    monkeypatch.setattr(compiling, "_by_node", lambda _script, archive, _runtime: zip_contents(archive))
+    monkeypatch.setattr(compiling, "_by_node", lambda _script, archive, _runtime: archive)
     assert compiled(sources, {}, tmp_path) == sources
     monkeypatch.undo()
     monkeypatch.setattr(compiling.shutil, "which", lambda _name: None)

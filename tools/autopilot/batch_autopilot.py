@@ -47,10 +47,12 @@ class BatchAutopilot:
         """Plan anew in some games: after a ball was put elsewhere without having been lost. games: an index of an array."""
         self._pilots.plans["state"][games] = 0
 
-    def check(self, games: int, dt: float) -> None:
-        """Raise ValueError unless it can steer a batch of so many games in ticks of `dt` seconds."""
+    def check(self, games: int, rings: int, dt: float) -> None:
+        """Raise ValueError unless it can steer a batch of so many games and rings in ticks of `dt` seconds."""
         if games != len(self._pilots.plans):
             raise ValueError(f"autopilot must be one of {games} games, not of {len(self._pilots.plans)}")
+        if rings <= PADDLES:
+            raise ValueError("autopilot needs paddles: arenas without rings have none")
         if dt != TICK:
             raise ValueError(f"autopilot needs ticks of {TICK} s, not {dt}")
 

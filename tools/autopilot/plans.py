@@ -12,7 +12,7 @@ from game.autopilot.prediction import LOOK, pointer_to
 from game.autopilot.source_plan import Plan, planned, wanted_angle
 from game.rules import PADDLES
 from physics.batch.arrays import Games
-from physics.batch.games import CLEAR, ENDING, UNKNOWN, Workspace, play_one_tick, ring_of, workspace
+from physics.batch.games import CLEAR, UNKNOWN, Workspace, lines_turned, play_one_tick, ring_of, turned, workspace
 from physics.batch.hits import HIT, Rows
 from physics.shapes import Ball
 from physics.tolerances import MAX_IMPACTS
@@ -54,6 +54,26 @@ class ArrayAhead(NamedTuple):
     hits: int
 
 
+def replan(plan: Any, games: Games, g: int, ball: Ball, tick: int, speed: float, top: float) -> None:
+    """Plan anew how a ball of game g is met: `write_plan`. By it loops call what is compiled."""
+    write_plan(plan, games, g, ball, tick, speed, top)
+
+
+def write_plan(plan: Any, games: Games, g: int, ball: Ball, tick: int, speed: float, top: float) -> None:
+    """Plan anew how a ball of game g is met. plan: a row of PLAN, written. The others as `source_plan.planned` takes them."""
+    outlook = new_outlook(games)
+    _copy_bricks(games, g, PADDLES + 1, outlook.games, 0)
+    found = planned(outlook, ring_of(games, g, PADDLES), ball, tick, speed, top)  # type: ignore[arg-type]  # in place of an Ahead
+    plan.velocity, plan.state = ball.velocity, AWAY
+    if found is not None:
+        plan.state, plan.tick, plan.bearing, plan.spin = MEETING, found.tick, found.bearing, found.spin
+
+
+def planned_pointer(plan: Any, tick: int) -> int:
+    """Where the plan wants a paddle in a tick, as in `Controls.pointer`; -1 for nowhere."""
+    return pointer_to(wanted_angle(Plan(plan.tick, plan.bearing, plan.spin), tick)) if plan.state == MEETING else -1
+
+
 def new_outlook(games: Games) -> ArrayAhead:
     """Room to look ahead in any of these games."""
     rings, slots = games.layers.shape[1] - 1, games.layers.shape[2]
@@ -77,20 +97,6 @@ def new_outlook(games: Games) -> ArrayAhead:
         np.zeros(_STATES, np.int64),
     )
     return ArrayAhead(states, Rows(np.empty(ONE_TICK, HIT), np.zeros(3, np.int64)), workspace(states), 0, 0, 0)
-
-
-def replan(plan: Any, games: Games, g: int, ball: Ball, outlook: ArrayAhead, tick: int, speed: float, top: float) -> None:
-    """Plan anew how a ball of a game is met. plan: a row of PLAN, written. The others as `source_plan.planned` takes them."""
-    _copy_bricks(games, g, PADDLES + 1, outlook.games, 0)
-    found = planned(outlook, ring_of(games, g, PADDLES), ball, tick, speed, top)  # type: ignore[arg-type]  # in place of an Ahead
-    plan.velocity, plan.state = ball.velocity, AWAY
-    if found is not None:
-        plan.state, plan.tick, plan.bearing, plan.spin = MEETING, found.tick, found.bearing, found.spin
-
-
-def planned_pointer(plan: Any, tick: int) -> int:
-    """Where the plan wants a paddle in a tick, as in `Controls.pointer`; -1 for nowhere."""
-    return pointer_to(wanted_angle(Plan(plan.tick, plan.bearing, plan.spin), tick)) if plan.state == MEETING else -1
 
 
 def with_ball(bricks: ArrayAhead, ball: Ball) -> ArrayAhead:
@@ -125,13 +131,21 @@ def flown(ahead: ArrayAhead, seconds: float, speed: float) -> ArrayAhead:
 
 def free_seconds(ahead: ArrayAhead) -> float:
     """For how long nothing is touched, as far as that is known."""
-    return ahead.games.free[ahead.now] * LOOK
+    ticks: int = ahead.games.free[ahead.now]
+    return ticks * LOOK
 
 
 def flown_freely(ahead: ArrayAhead, steps: int) -> ArrayAhead:
     """Some steps of LOOK later, in which nothing is touched. The state before is overwritten."""
+    games, g = ahead.games, ahead.now
+    ball = ball_of(ahead)
     for _ in range(steps):
-        play_one_tick(ahead.games, ahead.now, LOOK, 0.0, ahead.rows, ahead.room)  # a free flight asks for no speed
+        ball = ball.moved(LOOK)
+    games.positions[g, 0] = ball.position
+    for k in range(games.spins.shape[1]):
+        if games.spins[g, k] != 0.0:
+            games.phases[g, k] = turned(games.phases[g, k], lines_turned(games.spins[g, k], steps, LOOK))
+    games.free[g] -= steps
     return ahead
 
 

@@ -1,5 +1,6 @@
 """The batch's ticks with the autopilot at the paddles: the loop over games and ticks that is compiled."""
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -14,7 +15,10 @@ from physics.batch.hits import HIT, Rows
 from physics.broad_phase import has_left
 from physics.shapes import Ball, Ring
 from physics.vectors import length
-from tools.autopilot.plans import NOTHING, ONE_TICK, ArrayAhead, new_outlook, planned_pointer, replan
+from tools.autopilot.plans import NOTHING, ONE_TICK, planned_pointer, replan
+
+_NOBODY = Ball(0j, 0j, 1.0)
+"""In place of a ball where all are lost."""
 
 
 class Pilots(NamedTuple):
@@ -33,7 +37,7 @@ class Pilots(NamedTuple):
     pointers: Integers
 
 
-def step(
+def step(  # noqa: C901, PLR0912  # given to functions, the arrays of the games are counted in and out
     pilots: Pilots,
     top: float,
     change: float,
@@ -52,76 +56,55 @@ def step(
     top: of the paddles' spin, rad/s. change: of the spin in a tick at most, where they are wanted nowhere. The other arguments
     and the result are those of that function. The paddles count as steered (`Games.steered`).
     """
-    outlook, room = new_outlook(games), workspace(games)
-    balls = games.positions.shape[1]
+    room = workspace(games)
+    plans, clocks, played, pointers = pilots
+    positions, velocities, radii = games.positions, games.velocities, games.ball_radii
+    phases, spins, free, balls = games.phases, games.spins, games.free, games.positions.shape[1]
     single = Rows(np.empty(ONE_TICK * balls, HIT), np.zeros(3, np.int64))
     most = len(rows.hits) - len(single.hits)
+    model = ring_of(games, 0, PADDLES)
     if begun < 0:
-        pilots.played[first:last] = 0
+        played[first:last] = 0
     for g in range(max(begun, first), last):
-        while pilots.played[g] < ticks:
+        while played[g] < ticks:
             if rows.now[0] > most:
                 return g
-            _decide(pilots, games, g, outlook, ground_radius, speed, top)
-            _steer(games, g, pilots.pointers[g], top, change)
-            if games.free[g] > 0:
-                _fly(games, g)
+            met, is_met, slowest = _NOBODY, False, math.inf
+            for i in range(balls):
+                ball = Ball(positions[g, i], velocities[g, i], radii[g, i])
+                slowest = min(slowest, length(ball.velocity))
+                if not has_left(ball.position, ball.radius, ground_radius):
+                    met, is_met = outer(met, ball) if is_met else ball, True
+            if not is_met:
+                plans[g].state = NOTHING
+            elif plans[g].state == NOTHING or plans[g].velocity != met.velocity:
+                replan(plans[g], games, g, met, clocks[g], speed, top)
+            pointers[g] = planned_pointer(plans[g], clocks[g])
+            before = spins[g, PADDLES]
+            spin = steered_spin(with_turn(model, phases[g, PADDLES], before), pointers[g], top, change)
+            spins[g, PADDLES] = spin
+            if abs(spin) > abs(before) and abs(spin) * model.outer_radius > slowest:  # free flights do not allow for that
+                games.known[g], free[g] = UNKNOWN, 0
+            if free[g] > 0:
+                for i in range(balls):
+                    positions[g, i] = Ball(positions[g, i], velocities[g, i], radii[g, i]).moved(TICK).position
+                for k in range(spins.shape[1]):
+                    if spins[g, k] != 0.0:
+                        phases[g, k] = with_turn(model, phases[g, k], spins[g, k]).turned(TICK).phase
+                free[g] -= 1
             else:
                 play_one_tick(games, g, TICK, speed, single, room)
                 for n in range(single.now[0]):
                     rows.hits[rows.now[0]] = single.hits[n]
-                    rows.hits[rows.now[0]]["tick"] = pilots.played[g]
+                    rows.hits[rows.now[0]]["tick"] = played[g]
                     rows.now[0] += 1
-            pilots.ticks[g] += 1
-            pilots.played[g] += 1
+            clocks[g] += 1
+            played[g] += 1
         for i in range(balls):
-            lost[g, i] = has_left(games.positions[g, i], games.ball_radii[g, i], ground_radius)
+            lost[g, i] = has_left(positions[g, i], radii[g, i], ground_radius)
     return last
 
 
-def _decide(
-    pilots: Pilots, games: Games, g: int, outlook: ArrayAhead, ground_radius: float, speed: float, top: float
-) -> None:
-    """Write where the autopilot wants a paddle in this tick: at the outermost of the balls that are not lost."""
-    plan, found = pilots.plans[g], -1
-    ball = Ball(0j, 0j, 1.0)
-    for i in range(games.positions.shape[1]):
-        other = Ball(games.positions[g, i], games.velocities[g, i], games.ball_radii[g, i])
-        if not has_left(other.position, other.radius, ground_radius):
-            ball, found = other if found < 0 else outer(ball, other), i
-    if found < 0:
-        plan.state, pilots.pointers[g] = NOTHING, -1
-        return
-    if plan.state == NOTHING or plan.velocity != ball.velocity:
-        replan(plan, games, g, ball, outlook, pilots.ticks[g], speed, top)
-    pilots.pointers[g] = planned_pointer(plan, pilots.ticks[g])
-
-
-def _steer(games: Games, g: int, pointer: int, top: float, change: float) -> None:
-    """Give the paddles their spin for this tick; forget a free flight that this ends."""
-    paddles = ring_of(games, g, PADDLES)
-    spin = spin_to_pointer(paddles, pointer, top) if pointer >= 0 else keyed_spin(paddles.spin, 0, top, change)
-    if spin != paddles.spin:
-        games.spins[g, PADDLES] = spin
-        if _outruns_a_ball(games, g, with_turn(paddles, paddles.phase, spin)):
-            games.known[g], games.free[g] = UNKNOWN, 0
-
-
-def _outruns_a_ball(games: Games, g: int, ring: Ring) -> bool:
-    """Whether a ring's rim is faster than a ball, which free flights do not allow for."""
-    for i in range(games.velocities.shape[1]):
-        if abs(ring.spin) * ring.outer_radius > length(games.velocities[g, i]):
-            return True
-    return False
-
-
-def _fly(games: Games, g: int) -> None:
-    """One tick of a game in which nothing is touched."""
-    for i in range(games.positions.shape[1]):
-        ball = Ball(games.positions[g, i], games.velocities[g, i], games.ball_radii[g, i])
-        games.positions[g, i] = ball.moved(TICK).position
-    model = ring_of(games, g, PADDLES)
-    for k in range(games.spins.shape[1]):
-        if games.spins[g, k] != 0.0:
-            games.phases[g, k] = with_turn(model, games.phases[g, k], games.spins[g, k]).turned(TICK).phase
-    games.free[g] -= 1
+def steered_spin(paddles: Ring, pointer: int, top: float, change: float) -> float:
+    """The paddles' spin in a tick: to a pointer, or to rest where it is -1. top, change: as `step` takes them."""
+    return spin_to_pointer(paddles, pointer, top) if pointer >= 0 else keyed_spin(paddles.spin, 0, top, change)

@@ -8,16 +8,16 @@ from typing import NamedTuple
 
 import numpy as np
 
-import game.rules
 import physics.batch
 from game.rules.nudging import nudged_ball
 from game.rules.scoring import layer_points
 from game.rules.serving import served_ball, swung_aim
-from game.rules.steering import keyed_spin, spin_to_pointer
 from physics.batch.arrays import no_games
 from physics.batch.compilation import sources_hash, with_progress
 from physics.batch.hits import new_rows
 from tools import environments
+from tools.autopilot.compilation import autopilot_key, register_autopilot
+from tools.autopilot.plans import PLAN
 from tools.environments import observation, ticks
 from tools.environments.numbers import EPISODE, LevelConstants, new_results
 
@@ -59,13 +59,13 @@ def _compiled_loops() -> CompiledLoops:
 
     start = time.perf_counter()
     _register()
-    key = "".join([sources_hash(package) for package in (physics, game.rules, environments)])
+    key = autopilot_key() + sources_hash(environments)
     to_step, to_begin, to_write, to_paint = ticks.step, ticks.begin, observation.write_states, observation.paint
 
     @numba.njit(cache=True, nogil=True, error_model="numpy")  # type: ignore[untyped-decorator, unused-ignore]
-    def step(numbers, games, episodes, actions, pointers, results, states, rows, busy, begun):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+    def step(numbers, games, episodes, plans, actions, pointers, results, states, rows, busy, begun):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
         _ = key
-        return to_step(numbers, games, episodes, actions, pointers, results, states, rows, busy, begun)
+        return to_step(numbers, games, episodes, plans, actions, pointers, results, states, rows, busy, begun)
 
     @numba.njit(cache=True, nogil=True)  # type: ignore[untyped-decorator, unused-ignore]
     def begin(numbers, games, episodes, states, mask):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
@@ -86,15 +86,16 @@ def _compiled_loops() -> CompiledLoops:
         to_paint(games, cells, only, pictures)
 
     examples = (
-        LevelConstants(0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0.0, 0, 0.0, 0.0, 0.0),
+        LevelConstants(0.0, 0.0, 0.0, 0.0, 0.0, 0, 0, 0, 0.0, 0, 0, 0.0, 0.0, 0.0),
         no_games(),
         np.empty(0, EPISODE),
+        np.empty(0, PLAN),
         new_rows(0),
         new_results(0),
     )
-    numbers, games, episodes, rows, results = (numba.typeof(example) for example in examples)
+    numbers, games, episodes, plans, rows, results = (numba.typeof(example) for example in examples)
     integers, small, states = numba.int64[::1], numba.uint8, numba.float32[:, ::1]
-    step.compile((numbers, games, episodes, integers, integers, results, states, rows, integers, numba.int64))
+    step.compile((numbers, games, episodes, plans, integers, integers, results, states, rows, integers, numba.int64))
     begin.compile((numbers, games, episodes, states, numba.boolean[::1]))
     write_states.compile((numbers, games, episodes, states))
     cells = observation.Cells(np.empty(0, np.complex128), np.empty(0), np.empty(0, np.int64), np.empty(0))
@@ -111,7 +112,8 @@ def _register() -> None:
     """Tell numba of every function that is compiled here."""
     from numba.extending import register_jitable  # noqa: PLC0415  # an extra
 
-    for function in (keyed_spin, spin_to_pointer, served_ball, swung_aim, nudged_ball, layer_points):
+    register_autopilot()
+    for function in (served_ball, swung_aim, nudged_ball, layer_points):
         register_jitable(function)
     for module in (ticks, observation):
         for function in list(vars(module).values()):

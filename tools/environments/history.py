@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, Self
 
+from game.autopilot.source_pilot import SourcePilot
 from game.levels import Level
 from game.replays.file import MAX_TICKS, Recorder, save
 from game.replays.state_hash import state_hash
@@ -24,14 +25,15 @@ class _Played:
 class History:
     """The game that is played, and the one before it."""
 
-    def __init__(self) -> None:
-        """Before the first game."""
+    def __init__(self, *, autopilot: bool = False) -> None:
+        """Before the first game. autopilot: whether it plays; then the steps say for how long."""
+        self._autopilot = autopilot
         self._before: _Played | None = None
         self._now = _Played(0, [])
 
     def copy(self) -> Self:
         """One that goes on by itself."""
-        other = type(self)()
+        other = type(self)(autopilot=self._autopilot)
         other._before = self._before  # noqa: SLF001  # nothing is added to it any more
         other._now = _Played(self._now.seed, self._now.steps.copy())  # noqa: SLF001
         return other
@@ -53,7 +55,9 @@ class History:
             raise ValueError("nothing to record: no step was taken")
         recorder = Recorder((level,), current.seed)
         replayed = new_game((level,), current.seed)
-        for controls in _controls(current.steps):
+        pilot = SourcePilot()
+        for held in _controls(current.steps):
+            controls = pilot.controls(replayed) if self._autopilot else held
             replayed = tick(replayed, controls).game
             recorder.add(controls, replayed)
         if replayed.tick > MAX_TICKS:

@@ -19,13 +19,14 @@ from physics.batch.compilation import check_subnormals
 from physics.batch.hits import new_rows
 from physics.shapes import Ball
 from physics.tolerances import MAX_IMPACTS
+from tools.autopilot.plans import PLAN
 from tools.environments.compilation import compiled_loops
 from tools.environments.history import History
 from tools.environments.numbers import BRICKS, EPISODE, LevelConstants, TickResults, new_results
 from tools.environments.observation import Cells, numbers_of_state, square_cells, unrolled_cells
 
 Observation = Literal["state", "rings", "pixels"]
-Actions = Literal["discrete", "continuous"]
+Actions = Literal["discrete", "continuous", "autopilot"]
 
 _LARGEST_NUMBER = 2**31 - 1
 """Of environments and ticks: the compiled loops add such numbers in 64 bits."""
@@ -43,7 +44,7 @@ class EnvironmentOptions(NamedTuple):
     Attributes:
         level: number, name or TOML file, as the command line takes it.
         observation: "state", "rings" or "pixels".
-        actions: "discrete" or "continuous".
+        actions: "discrete"; "continuous"; "autopilot": the game's own autopilot plays, and serves, whatever the actions.
         frame_skip: ticks of 1/240 s that an action is held, from 1 up.
         repeat_action_probability: that an action is not taken and the one before it held, in [0, 1].
         max_ticks: after which an episode is cut off, from 1 up.
@@ -63,6 +64,7 @@ class State(NamedTuple):
     level: str
     games: Games
     episodes: npt.NDArray[Any]
+    plans: npt.NDArray[Any]
     histories: dict[int, History]
 
 
@@ -85,13 +87,14 @@ class ManyEnvironments:
         self._games = arrays_of([arena] * (count + 1))  # the last is as every episode begins
         self._games.steered[PADDLES] = 1
         self._episodes: npt.NDArray[Any] = np.zeros(count, EPISODE)
+        self._plans: npt.NDArray[Any] = np.zeros(count, PLAN)
         self._numbers = _numbers(self.level, options, resets=resets)
         columns = numbers_of_state(self._start) if options.observation == "state" else 0
         self._states = np.zeros((count, columns), np.float32)
         self._rows = new_rows(2 * MAX_IMPACTS)
         self._busy = np.zeros(count + 1, np.int64)
         self._cells = _cells(self._start, self.level.ground_radius, options.observation)
-        self._histories = {index: History() for index in recorded}
+        self._histories = {index: History(autopilot=options.actions == "autopilot") for index in recorded}
         self._begun = False
         self._no_pointers, self._no_turns = np.full(count, -1, np.int64), np.zeros(count, np.int64)
 
@@ -142,6 +145,7 @@ class ManyEnvironments:
                 self._numbers,
                 self._games,
                 self._episodes,
+                self._plans,
                 discrete,
                 pointers,
                 results,
@@ -194,7 +198,7 @@ class ManyEnvironments:
         """A copy of everything that decides how the environments go on."""
         histories = {index: history.copy() for index, history in self._histories.items()}
         games = _copied(self._games)
-        return State(self.level.content_hash(), games, self._episodes.copy(), histories)
+        return State(self.level.content_hash(), games, self._episodes.copy(), self._plans.copy(), histories)
 
     def set_state(self, state: State) -> None:
         """Go on from a state. ValueError where it is of another level or another number of environments."""
@@ -205,7 +209,7 @@ class ManyEnvironments:
         if len(state.episodes) != len(self) or state.histories.keys() != self._histories.keys():
             raise ValueError(f"state must be of {len(self)} environments, {sorted(self._histories)} of them recorded")
         self._games = _copied(state.games)
-        self._episodes[:] = state.episodes
+        self._episodes[:], self._plans[:] = state.episodes, state.plans
         self._begun = False
         self._episodes["changed"] = BRICKS
         self._loops.write_states(self._numbers, self._games, self._episodes, self._states)
@@ -223,9 +227,11 @@ class ManyEnvironments:
 
     def _controls(self, actions: npt.NDArray[Any]) -> tuple[npt.NDArray[np.int64], npt.NDArray[np.int64]]:
         """The discrete actions and the pointers of actions; ValueError for what is none."""
-        if self.options.actions == "discrete":
+        if self.options.actions != "continuous":
             if not isinstance(actions, np.ndarray) or actions.dtype.kind not in "iu" or actions.shape != (len(self),):
                 raise ValueError(f"actions must be whole numbers of shape {(len(self),)}, not {_said(actions)}")
+            if self.options.actions == "autopilot" and actions.any():
+                raise ValueError(f"actions must be 0 where the autopilot plays, not {actions.min()} to {actions.max()}")
             return np.ascontiguousarray(actions, np.int64), self._no_pointers
         if not isinstance(actions, np.ndarray) or actions.dtype.kind != "f" or actions.shape != (len(self), 2):
             raise ValueError(f"actions must be floats of shape {(len(self), 2)}, not {_said(actions)}")
@@ -283,6 +289,7 @@ def _numbers(level: Level, options: EnvironmentOptions, *, resets: bool) -> Leve
         options.frame_skip,
         options.max_ticks,
         float(options.repeat_action_probability),
+        int(options.actions == "autopilot"),
         int(resets),
         1.0 / (level.ground_radius + level.ball.radius),
         1.0 / level.ball.speed,
@@ -299,10 +306,12 @@ def _check(count: int, options: EnvironmentOptions, recorded: Sequence[int]) -> 
             raise ValueError(f"{name} must be at most {_LARGEST_NUMBER}, not {value}")
     if options.observation not in {"state", *PICTURE_SHAPES}:
         raise ValueError(f"observation must be 'state', 'rings' or 'pixels', not {options.observation!r}")
-    if options.actions not in {"discrete", "continuous"}:
-        raise ValueError(f"actions must be 'discrete' or 'continuous', not {options.actions!r}")
+    if options.actions not in {"discrete", "continuous", "autopilot"}:
+        raise ValueError(f"actions must be 'discrete', 'continuous' or 'autopilot', not {options.actions!r}")
     if not 0.0 <= options.repeat_action_probability <= 1.0:
         raise ValueError(f"repeat_action_probability must lie in [0, 1], not be {options.repeat_action_probability}")
+    if options.actions == "autopilot" and options.repeat_action_probability:
+        raise ValueError("repeat_action_probability must be 0 where the autopilot plays: it takes no actions")
     for index in recorded:
         if not isinstance(index, Integral) or not 0 <= index < count:
             raise ValueError(f"recorded must be numbers of environments, from 0 to {count - 1}, not {index}")

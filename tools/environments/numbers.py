@@ -90,6 +90,7 @@ class LevelConstants(NamedTuple):
         frame_skip: ticks that an action is held.
         longest: ticks of an episode at most.
         repeat: probability that an action is not taken, and the one before it held.
+        autopilot: 1 where the autopilot plays, and not the actions.
         resets: 1 where the step after an episode's end begins the next one.
         near, pace, turn: what positions, velocities and spins are multiplied by to lie in [-1, 1].
     """
@@ -103,6 +104,7 @@ class LevelConstants(NamedTuple):
     frame_skip: int
     longest: int
     repeat: float
+    autopilot: int
     resets: int
     near: float
     pace: float

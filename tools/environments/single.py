@@ -18,9 +18,9 @@ _ONE = np.ones(1, np.bool_)
 class PolarBreakoutEnv(gymnasium.Env[npt.NDArray[Any], Any]):
     """A game on one level, under the source's rules, with three lives. A step's reward is the points that it scored.
 
-    The arguments are those of `tools.environments.many.Options`. An episode ends with the last brick or the last life. The ball
-    is served by itself, a second after a life began at the latest. The same seed gives the same game; without one, a game
-    follows from the seed and the number of the episode.
+    The arguments are those of `tools.environments.many.EnvironmentOptions`. An episode ends with the last brick or the last
+    life. The ball is served by itself, a second after a life began at the latest. The same seed gives the same game; without
+    one, a game follows from the seed and the number of the episode.
     """
 
     metadata: ClassVar[dict[str, Any]] = {"render_modes": ["rgb_array"], "render_fps": 60}  # type: ignore[misc]

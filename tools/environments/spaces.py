@@ -17,7 +17,12 @@ _COLOURS = (_DARK + np.linspace(0.0, 1.0, 256)[:, np.newaxis] * (_BRIGHT - _DARK
 
 
 def action_space(environments: ManyEnvironments) -> gymnasium.Space[Any]:
-    """Of one environment: rest, counter-clockwise, clockwise; or x and y of the direction that the nearest paddle goes to."""
+    """Of one environment.
+
+    Rest, counter-clockwise, clockwise; x and y of the direction that the nearest paddle goes to; for the autopilot 0 alone.
+    """
+    if environments.options.actions == "autopilot":
+        return Discrete(1)
     if environments.options.actions == "discrete":
         return Discrete(DISCRETE_ACTIONS)
     return Box(-1.0, 1.0, (2,), np.float32)

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 import numpy.typing as npt
 
+from game.autopilot.source_plan import serve_wait
 from game.rules import LIVES, PADDLES, TICK, Phase
 from game.rules.nudging import IDLE_AFTER_NUDGE, IDLE_CONTACTS, nudged_ball
 from game.rules.scoring import POINTS_PER_LIFE, layer_points
@@ -21,6 +22,7 @@ from physics.batch.hits import Rows
 from physics.broad_phase import has_left
 from physics.shapes import PERMANENT, Ball, Ring
 from physics.vectors import dot
+from tools.autopilot.plans import NOTHING, planned_pointer, replan
 from tools.environments.numbers import BRICKS, CUT_OFF, FINISHED, PLAY, LevelConstants, TickResults
 from tools.environments.observation import bricks_turn, write_states
 
@@ -36,6 +38,7 @@ def step(
     numbers: LevelConstants,
     games: Games,
     episodes: Any,
+    plans: Any,
     actions: Integers,
     pointers: Integers,
     results: TickResults,
@@ -49,6 +52,7 @@ def step(
     Any other result n means that the environment `busy[n]` needs a random number from Python; call again with `begun` = n to
     continue the step. The first call has `begun` = -1.
     games: one more than there are environments; the last one is the start of every episode.
+    plans: (environments,), rows of `tools.autopilot.plans.PLAN`, for the autopilot.
     actions: 0 to rest, 1 to turn counter-clockwise, 2 clockwise. pointers: as in `game.rules.Controls`; -1 is none.
     results: written. states: rows of `observation.write_states`, written.
     rows: memory for the hits of one tick. busy: (environments + 1,), written: the environments with more than a free flight,
@@ -60,17 +64,18 @@ def step(
     if begun < 0:
         if not _are_actions(actions):
             return -2
-        _fly(numbers, games, episodes, actions, pointers, results, busy)
-    n = _play(numbers, games, episodes, results, rows, busy, max(begun, 0))
+        _fly(numbers, games, episodes, plans, actions, pointers, results, busy)
+    n = _play(numbers, games, episodes, plans, results, rows, busy, max(begun, 0))
     if n < 0:
         write_states(numbers, games, episodes, states)
     return n
 
 
-def _fly(
+def _fly(  # noqa: C901  # functions with arrays as arguments may not be called in it
     numbers: LevelConstants,
     games: Games,
     episodes: Any,
+    plans: Any,
     actions: Integers,
     pointers: Integers,
     results: TickResults,
@@ -95,6 +100,10 @@ def _fly(
         while e.played < numbers.frame_skip and free[g] > 0 and e.tick < numbers.longest - 1:
             paddles = with_turn(model, phases[g, PADDLES], spins[g, PADDLES])
             ball = Ball(positions[g, 0], velocities[g, 0], numbers.ball_radius)
+            if numbers.autopilot != 0:
+                if plans[g].state == NOTHING or plans[g].velocity != ball.velocity:
+                    break
+                e.pointer = planned_pointer(plans[g], e.tick)
             spin = _steered_spin(numbers, e, paddles)
             position = ball.moved(TICK).position
             if _may_have_left(numbers, position):
@@ -117,7 +126,14 @@ def _fly(
 
 
 def _play(
-    numbers: LevelConstants, games: Games, episodes: Any, results: TickResults, rows: Rows, busy: Integers, begun: int
+    numbers: LevelConstants,
+    games: Games,
+    episodes: Any,
+    plans: Any,
+    results: TickResults,
+    rows: Rows,
+    busy: Integers,
+    begun: int,
 ) -> int:
     """Finish the step of the busy environments from index `begun` on. Returns -1, or the index that needs a random number."""
     room = workspace(games)
@@ -133,6 +149,8 @@ def _play(
             if e.waiting != 0:
                 _nudge(games, e, g)
             else:
+                if numbers.autopilot != 0:
+                    _decide(numbers, games, e, plans[g], g)
                 _steer(numbers, games, e, g)
                 e.tick += 1
                 if e.phase == _PLAYING:
@@ -209,6 +227,18 @@ def _steer(numbers: LevelConstants, games: Games, e: Any, g: int) -> None:
     games.spins[g, PADDLES] = _steered_spin(numbers, e, ring_of(games, g, PADDLES))
 
 
+def _decide(numbers: LevelConstants, games: Games, e: Any, plan: Any, g: int) -> None:
+    """Ask the autopilot where it wants a paddle in this tick."""
+    e.pointer = -1
+    if e.phase != _PLAYING:
+        plan.state = NOTHING
+        return
+    if plan.state == NOTHING or plan.velocity != games.velocities[g, 0]:
+        ball = Ball(games.positions[g, 0], games.velocities[g, 0], numbers.ball_radius)
+        replan(plan, games, g, ball, e.tick, numbers.speed, numbers.top)
+    e.pointer = planned_pointer(plan, e.tick)
+
+
 def _serve(numbers: LevelConstants, games: Games, e: Any, g: int) -> None:
     """A tick before the serve: rings turn, and the ball follows its paddle until it is served."""
     for k in range(games.spins.shape[1]):
@@ -264,7 +294,10 @@ def _end(numbers: LevelConstants, games: Games, e: Any, g: int) -> None:
 
 def _hold(numbers: LevelConstants, games: Games, e: Any, g: int) -> None:
     """A new ball on its paddle, to be served after a number of ticks that the game's seed and its lives decide."""
-    e.serve_at = np.int64(mixed(np.uint64(e.seed) * _FIRST + np.uint64(e.lives) * _STEP) >> np.uint64(1)) % _LONGEST_WAIT
+    if numbers.autopilot != 0:
+        e.serve_at = serve_wait(e.seed, e.lives, 0, e.score)
+    else:
+        e.serve_at = np.int64(mixed(np.uint64(e.seed) * _FIRST + np.uint64(e.lives) * _STEP) >> np.uint64(1)) % _LONGEST_WAIT
     games.known[g], games.free[g] = UNKNOWN, 0
     ball = served_ball(ring_of(games, g, PADDLES), numbers.ball_radius, numbers.speed, swung_aim(e.tick - e.phase_start))
     games.positions[g, 0], games.velocities[g, 0] = ball.position, ball.velocity

@@ -25,7 +25,7 @@ class PolarBreakoutVectorEnv(gymnasium.vector.VectorEnv[Array, Array, Array]):
     autoreset_mode: NEXT_STEP, SAME_STEP (then `final_obs` and `final_info` are in the info), or DISABLED (then `reset` takes
     `options={"reset_mask": mask}`). recorded: the environments whose games `record` can write. copy: whether every step returns
     a new array of observations of the kind "state"; if not, the next step overwrites what has changed in it, so callers must
-    not write to it. The other arguments are those of `tools.environments.many.Options`.
+    not write to it. The other arguments are those of `tools.environments.many.EnvironmentOptions`.
     """
 
     def __init__(

@@ -12,12 +12,14 @@ from game.drawing.camera import Camera
 from game.drawing.canvas import Canvas
 from game.drawing.flat.band_pixels import BandKey
 from game.drawing.flat.sector_colours import PolarPixels, paint_slot
-from game.drawing.ground.shades import ground_colours
+from game.drawing.ground.shades import discs
 from game.drawing.raster.annulus import Floats
 from game.drawing.raster.pixels import packed
-from game.drawing.slots.contents import SlotContent
 from game.picture.display_list import DisplayList, Primitive, primitives
-from game.picture.slots import FlatRing, add_content, add_shadow, flat_ring, lane
+from game.picture.ground.lists import ground_list
+from game.picture.ground.measures import Ground, ground_of
+from game.picture.slots.contents import SlotContent
+from game.picture.slots.flat import FlatRing, add_content, add_shadow, flat_rings
 from game.scene import Scene
 
 _FINE = 4
@@ -39,7 +41,7 @@ class AtlasKey(NamedTuple):
     stride: pixels from row to row in the surface's memory.
     camera: of the flat view.
     ring: the look of the ring's slots.
-    ground_radius: world units.
+    ground: what the slots are on.
     lane: least and greatest radius at which the ring colours pixels, world units.
     room: how far the content of a slot may be moved, inwards and outwards, world units.
     """
@@ -48,20 +50,20 @@ class AtlasKey(NamedTuple):
     stride: int
     camera: Camera
     ring: FlatRing
-    ground_radius: float
+    ground: Ground
     lane: tuple[float, float]
     room: tuple[float, float]
 
 
 def atlas_key(canvas: Canvas, scene: Scene, k: int) -> AtlasKey:
     """The key of a ring on the backdrop: no pixel belongs to two rings."""
-    camera, theme = canvas.camera, canvas.theme
-    border, (inwards, outwards), own = _BORDER / camera.scale, lane(scene, k), scene.rings[k]
+    camera, own = canvas.camera, scene.rings[k]
+    ring = flat_rings(scene, camera.scale, canvas.theme)[k]
+    border, (inwards, outwards) = _BORDER / camera.scale, ring.lane
     low = max((inwards + own.inner_radius) / 2.0, own.inner_radius - border)
     high = max((own.outer_radius + outwards) / 2.0, outwards - border)
-    ring = flat_ring(scene, k, camera.scale, theme)
     stride = canvas.surface.get_pitch() // 4
-    return AtlasKey(canvas.size, stride, camera, ring, scene.ground_radius, (low, high), (0.0, 0.0))
+    return AtlasKey(canvas.size, stride, camera, ring, ground_of(scene), (low, high), (0.0, 0.0))
 
 
 class SlotAtlas:
@@ -74,7 +76,7 @@ class SlotAtlas:
     def __init__(self, key: AtlasKey) -> None:
         """Start without pictures."""
         scale, slot, slots = key.ring.scale, key.ring.shape, key.ring.slots
-        self._ring, self._room, self._ground_radius = key.ring, key.room, key.ground_radius
+        self._ring, self._room, self._ground = key.ring, key.room, ground_list(key.ground, key.ring.theme, scale)
         outer = (slot.outer_radius + key.ring.shadow) * scale
         fine = _FINE if outer < _LARGE else _FINE // 2
         pitch = math.tau / slots
@@ -143,7 +145,7 @@ class SlotAtlas:
         for add in (add_shadow, add_content):
             add(slot, ring, content, sector)
         angles, column = np.unique(self._grouped(slot), return_inverse=True)
-        bare = ground_colours(ring.theme, self._radii / np.float32(ring.scale * self._ground_radius)).T[:, :, None]
+        bare = discs(self._ground)[-1].at(self._radii / np.float32(ring.scale)).T[:, :, None]
         picture = np.repeat(bare, len(angles), axis=2)
         paint_slot(picture, slot, PolarPixels(self._radii[:, None], angles[None, :]))
         colours = packed(surface, np.moveaxis(picture, 0, 2))

@@ -1,1 +1,1 @@
-"""The ground: its colours, its patterns, its picture."""
+"""The ground painted pixel by pixel, as any camera sees it."""

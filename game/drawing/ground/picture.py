@@ -13,35 +13,24 @@ from numpy.typing import NDArray
 
 from game.drawing.camera import Camera
 from game.drawing.canvas import Canvas
-from game.drawing.ground.colours import Disc, discs_around, discs_of_ground
-from game.drawing.ground.measures import EDGE_SHADE, THICKNESS, Ground, rim_width, track_width
-from game.drawing.ground.shades import coloured_marks, ground_colours
-from game.drawing.palette import Colour, Theme, mixed
+from game.drawing.ground.shades import GroundDisc, coloured_marks, discs
+from game.drawing.palette import Colour
 from game.drawing.raster.annulus import Floats, columns_between
 from game.drawing.raster.pixels import packed, pairs, pixels_of, unpacked
 from game.drawing.raster.quads import QuadRaster, fine_pixels
+from game.picture.display_list import DisplayList, Primitive, primitives
+from game.picture.display_list import unpacked as unpacked_colour
+from game.picture.ground.lists import ground_list
+from game.picture.ground.measures import Ground
 
 _FRINGE = 3.0
 """Pixels on both sides of a line that are looked at."""
 _EDGE_PIECES, _EDGE_FINER = 180, 2
 """Quadrilaterals that the disc's side is cut into, and rows and columns of their drawing per pixel."""
-_DISC_CORNERS = 128
+_DISC_CORNERS, _DISC_STEPS = 128, 2048
+"""Corners of a disc of one colour, and distances that are looked at for where a colour changes."""
 _MARKS_FINER, _MANY_PIXELS = 2, 5_000_000
 """Rows and columns per pixel of the drawing of the marks on the ground; on surfaces with so many pixels one is fine enough."""
-
-
-class _CircleLine(NamedTuple):
-    """A circular line of the ground.
-
-    inner, width: its inner radius and its width, world units.
-    colour: of the line.
-    edge: whether the ground ends there.
-    """
-
-    inner: float
-    width: float
-    colour: Colour
-    edge: bool
 
 
 class _CirclePixels(NamedTuple):
@@ -59,55 +48,59 @@ class _CirclePixels(NamedTuple):
 
 def ground_picture(canvas: Canvas, ground: Ground) -> pygame.Surface:
     """A picture of the ground without its pattern, as large as a canvas: from every azimuth the same."""
-    camera, theme, radius = canvas.camera, canvas.theme, ground.radius
-    picture = _smooth_picture(canvas, radius)
-    rim = rim_width(camera)
-    _draw_edge(picture, camera, radius + rim, theme)
-    _draw_line(picture, camera, theme, ground, _CircleLine(radius, rim, theme.rim, edge=True))
-    if ground.track is not None:
-        width = track_width(camera)
-        track = _CircleLine(ground.track - width / 2.0, width, theme.ground_line, edge=False)
-        _draw_line(picture, camera, theme, ground, track)
+    camera = canvas.camera
+    parts = ground_list(ground, canvas.theme, camera.scale)
+    picture = _smooth_picture(canvas, parts)
+    for code, packed_colour, _, own in primitives(parts.numbers):
+        colour = unpacked_colour(packed_colour)
+        match code:
+            case Primitive.GROUND_SIDE:
+                _draw_side(picture, camera, own[0], own[1], colour)
+            case Primitive.GROUND_CIRCLE:
+                _draw_line(picture, camera, discs(parts)[-1], own[0], own[1], colour)
     return picture
 
 
 def draw_pattern(canvas: Canvas, ground: Ground) -> None:
     """The ground's pattern and the marks at its rim, over its picture."""
-    corners, colours = coloured_marks(ground.pattern, canvas.theme)
+    corners, colours = coloured_marks(ground, canvas.theme)
     raster = QuadRaster()
     finer = _MARKS_FINER if canvas.size[0] * canvas.size[1] < _MANY_PIXELS else 1
-    pixels = canvas.camera.projected(corners * (ground.radius * canvas.camera.turning), 0.0)
+    pixels = canvas.camera.projected(corners * canvas.camera.turning, 0.0)
     raster.draw(canvas.surface, fine_pixels(pixels, finer), packed(raster.canvas, colours), finer)
 
 
-def _smooth_picture(canvas: Canvas, radius: float) -> pygame.Surface:
+def _smooth_picture(canvas: Canvas, ground: DisplayList) -> pygame.Surface:
     """The ground and what is around it, without lines: large ones are drawn half as large and scaled up, nothing is sharp."""
-    camera, theme, (width, height) = canvas.camera, canvas.theme, canvas.size
+    camera, (width, height) = canvas.camera, canvas.size
     half = width * height > _MANY_PIXELS
     small = camera._replace(centre=camera.centre / 2.0, scale=camera.scale / 2.0) if half else camera
     picture = pygame.Surface(((width + 1) // 2, (height + 1) // 2) if half else canvas.size, 0, canvas.surface)
-    picture.fill(theme.background)
-    _draw_discs(picture, small, discs_around(theme), radius)
-    _draw_discs(picture, small, discs_of_ground(theme), radius - _fringe(small, radius) / 2.0)
+    (_, background, *_), around, within = next(primitives(ground.numbers)), *discs(ground)
+    picture.fill(unpacked_colour(background))
+    _draw_disc(picture, small, around, 1.0)
+    _draw_disc(picture, small, within, 1.0 - _fringe(small, within.outer) / 2.0 / within.outer)
     return pygame.transform.smoothscale(picture, canvas.size) if half else picture
 
 
-def _draw_discs(picture: pygame.Surface, camera: Camera, discs: tuple[Disc, ...], radius: float) -> None:
-    """Discs, the largest first. radius: that of the ground, world units."""
-    around = np.exp(1j * np.linspace(0.0, math.tau, _DISC_CORNERS, endpoint=False))
-    for disc in discs:
-        pygame.draw.polygon(picture, disc.colour, pairs(camera.projected(around * max(radius * disc.share, 0.0), 0.0)))
+def _draw_disc(picture: pygame.Surface, camera: Camera, disc: GroundDisc, size: float) -> None:
+    """A disc as one disc for every colour that a screen can show, the largest first. size: a factor of their radii."""
+    corners = np.exp(1j * np.linspace(0.0, math.tau, _DISC_CORNERS, endpoint=False))
+    radii = np.linspace(disc.inner, disc.outer, _DISC_STEPS + 1)
+    colours = np.rint(disc.at(radii)).astype(np.int64)
+    last = np.flatnonzero(np.append((colours[1:] != colours[:-1]).any(axis=1), True))[::-1]
+    for radius, colour in zip(radii[last].tolist(), colours[last].tolist(), strict=True):
+        pygame.draw.polygon(picture, colour, pairs(camera.projected(corners * (radius * size), 0.0)))
 
 
-def _draw_edge(picture: pygame.Surface, camera: Camera, radius: float, theme: Theme) -> None:
+def _draw_side(picture: pygame.Surface, camera: Camera, radius: float, depth: float, colour: Colour) -> None:
     """The side of the disc that the ground is, where it is turned to the eye."""
     around = np.exp(1j * np.linspace(0.0, math.tau, _EDGE_PIECES + 1))
     shown = camera.nearer(around[:-1] * radius, around[:-1]) > 0.0
-    top, bottom = (camera.projected(around * radius, height * radius) for height in (0.0, -THICKNESS))
+    top, bottom = (camera.projected(around * radius, height) for height in (0.0, -depth))
     strips = np.stack([top[:-1], top[1:], bottom[1:], bottom[:-1]], axis=1)[shown]
-    colour = np.array(mixed(theme.rim, theme.background, EDGE_SHADE), dtype=np.float32)
     raster = QuadRaster()
-    colours = packed(raster.canvas, np.repeat(colour[None], len(strips), axis=0))
+    colours = packed(raster.canvas, np.repeat(np.array([colour], dtype=np.float32), len(strips), axis=0))
     raster.draw(picture, fine_pixels(strips, _EDGE_FINER), colours, _EDGE_FINER)
 
 
@@ -117,19 +110,18 @@ def _fringe(camera: Camera, radius: float) -> float:
     return min(_FRINGE / camera.scale * (1.0 + camera.closeness * radius * sine) ** 2 / cosine, radius / 2.0)
 
 
-def _draw_line(picture: pygame.Surface, camera: Camera, theme: Theme, ground: Ground, line: _CircleLine) -> None:
-    """A circular line and what is near it."""
-    fringe = _fringe(camera, ground.radius)
-    pixels = _pixels_between(picture, camera, max(line.inner - fringe, 0.0), line.inner + line.width + fringe)
+def _draw_line(picture: pygame.Surface, camera: Camera, disc: GroundDisc, inner: float, width: float, colour: Colour) -> None:
+    """A circular line and what is near it. disc: of the ground, which may end where the line begins."""
+    fringe = _fringe(camera, disc.outer)
+    pixels = _pixels_between(picture, camera, max(inner - fringe, 0.0), inner + width + fringe)
     if not len(pixels.pixel):
         return
     there = pixels_of(picture)
-    shares, colour = pixels.radius / np.float32(ground.radius), np.array(line.colour, dtype=np.float32)
-    within = ground_colours(theme, shares)
-    outside = within if not line.edge else unpacked(picture, there[pixels.pixel])
-    past_inner = np.clip((pixels.radius - line.inner) * pixels.scale + 0.5, 0.0, 1.0)[:, None]
-    past_outer = np.clip((pixels.radius - line.inner - line.width) * pixels.scale + 0.5, 0.0, 1.0)[:, None]
-    drawn = within + (colour - within) * past_inner
+    within = disc.at(pixels.radius)
+    outside = unpacked(picture, there[pixels.pixel]) if inner + width > disc.outer else within
+    past_inner = np.clip((pixels.radius - inner) * pixels.scale + 0.5, 0.0, 1.0)[:, None]
+    past_outer = np.clip((pixels.radius - inner - width) * pixels.scale + 0.5, 0.0, 1.0)[:, None]
+    drawn = within + (np.array(colour, dtype=np.float32) - within) * past_inner
     drawn += (outside - drawn) * past_outer
     there[pixels.pixel] = packed(picture, drawn)
 

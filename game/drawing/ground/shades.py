@@ -1,33 +1,45 @@
-"""The ground's colours for many pixels at once."""
+"""The colours of the ground's discs and marks as arrays, from `game.picture.ground`' lists."""
 
 from functools import lru_cache
+from typing import NamedTuple
 
 import numpy as np
 
-from game.drawing.ground.colours import ground_shade, mark_shade
-from game.drawing.ground.patterns import marks
 from game.drawing.palette import Theme
 from game.drawing.raster.annulus import Floats
-from game.drawing.raster.arrays import Points
+from game.drawing.raster.arrays import Points, Reals
+from game.picture.display_list import DisplayList, Primitive, primitives, unpacked
+from game.picture.ground.lists import pattern_list
+from game.picture.ground.measures import Ground
 
-_SHARES = np.linspace(0.0, 1.25, 2561)
-"""Distances that the colours are computed for, in ground radii; those between them lie between."""
 
+class GroundDisc(NamedTuple):
+    """A disc about the arena's centre.
 
-def ground_colours(theme: Theme, shares: Floats) -> Floats:
-    """Red, green and blue of the ground, 0 to 255, along one more axis. shares: distances from the centre, in ground radii."""
-    return np.stack([np.interp(shares, _SHARES, channel) for channel in _table(theme)], axis=-1).astype(np.float32)
+    inner, outer: radii between which its colours are given, world units.
+    colours: red, green and blue, 0 to 255, at equal distances from the inner radius to the outer one, a row for each.
+    """
+
+    inner: float
+    outer: float
+    colours: Reals
+
+    def at(self, radii: "Floats | Reals") -> Floats:
+        """Red, green and blue at distances from the centre, world units, along one more axis."""
+        given = np.linspace(self.inner, self.outer, len(self.colours))
+        return np.stack([np.interp(radii, given, channel) for channel in self.colours.T], axis=-1).astype(np.float32)
 
 
 @lru_cache(maxsize=8)
-def coloured_marks(pattern: str, theme: Theme) -> tuple[Points, Floats]:
-    """The corners of a pattern's marks, four a row, in ground radii, and the colour of each mark."""
-    drawn = marks(pattern)
-    colours = [mark_shade(theme, abs(sum(mark.corners)) / 4.0, mark.strength) for mark in drawn]
-    return np.array([mark.corners for mark in drawn]), np.array(colours, dtype=np.float32)
+def discs(ground: DisplayList) -> tuple[GroundDisc, ...]:
+    """The discs of a ground, in their order: what is around it, and it."""
+    found = [own for code, _, _, own in primitives(ground.numbers) if code == Primitive.GROUND_DISC]
+    return tuple([GroundDisc(own[0], own[1], np.array(own[3:], dtype=np.float64).reshape(-1, 3)) for own in found])
 
 
 @lru_cache(maxsize=8)
-def _table(theme: Theme) -> Floats:
-    """The three channels of the ground's colours."""
-    return np.array([ground_shade(theme, share) for share in _SHARES.tolist()], dtype=np.float32).T
+def coloured_marks(ground: Ground, theme: Theme) -> tuple[Points, Floats]:
+    """The corners of a pattern's marks, four a row, world units, and the colour of each mark."""
+    drawn = [(packed, own) for _, packed, _, own in primitives(pattern_list(ground, theme).numbers)]
+    corners = np.array([own[1:] for _, own in drawn], dtype=np.float64).view(np.complex128)
+    return corners, np.array([unpacked(packed) for packed, _ in drawn], dtype=np.float32)

@@ -7,8 +7,9 @@ piece's nearest point to the ball: the piece hides the ball only if the eye is o
 import numpy as np
 
 from game.drawing.camera import Camera
+from game.drawing.raster.arrays import Points, Reals
+from game.drawing.solid.blocks import Flags
 from game.drawing.solid.faces import ProjectedBlocks
-from game.drawing.solid.prisms import Flags, Points, Reals
 
 
 def occluding_quads(blocks: ProjectedBlocks, camera: Camera, position: complex, pixel: complex, reach: float) -> Points:

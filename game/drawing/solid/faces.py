@@ -1,28 +1,22 @@
 """Blocks as the camera sees them: points on the screen, and the faces that can be seen, from back to front."""
 
-import math
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from game.drawing.camera import Camera
-from game.drawing.light import LIGHT, SHADOW_SLANT
+from game.drawing.light import LIGHT, shadow_offset
+from game.drawing.raster.arrays import Points, Reals
 from game.drawing.raster.quads import FinePixels, fine_pixels
-from game.drawing.solid.painters_order import back_to_front
-from game.drawing.solid.prisms import Blocks, Flags, Integers, Points, Reals
+from game.drawing.solid.blocks import Blocks, Flags, Integers
+from game.picture.moving.balls import ball_outline
 from physics import Ball
-
-_DIMMEST, _BRIGHTEST = 0.42, 0.78
-"""Shares of its colour that a side shows when it is turned from the light, and towards it."""
 
 _TOP = 4
 """Number of the top among a block's faces; its sides come first."""
 _FACES = np.array([[k, (k + 1) % 4, 4 + (k + 1) % 4, 4 + k] for k in range(4)] + [[0, 1, 2, 3]])
 """Corners of the four sides and of the top, among the top's four followed by the bottom's four."""
-_AROUND = np.exp(1j * np.linspace(0.0, math.tau, 25))
-_DISC = np.stack([_AROUND[:12], _AROUND[1:13], _AROUND[-2:-14:-1], _AROUND[-1:-13:-1]], axis=1)
-"""A disc of radius 1, cut into strips."""
 
 
 class ProjectedBlocks(NamedTuple):
@@ -56,17 +50,13 @@ class Faces(NamedTuple):
     colours: NDArray[np.float32]
 
 
-def projected(blocks: Blocks, phase: Reals, parting: Reals, rank: Integers, camera: Camera) -> ProjectedBlocks:
-    """The blocks on the screen.
-
-    phase: angle of each one's ring; parting, rank: as `back_to_front` takes them.
-    """
-    angle = phase - camera.azimuth
-    turn = np.exp(1j * angle)
+def projected(blocks: Blocks, phase: Reals, order: Integers, camera: Camera) -> ProjectedBlocks:
+    """The blocks on the screen. phase: angle of each one's ring; order: as in `ProjectedBlocks`."""
+    turn = np.exp(1j * (phase - camera.azimuth))
     foot = blocks.foot * turn[:, None]
     return ProjectedBlocks(
         blocks,
-        back_to_front(blocks, angle, parting, rank, camera),
+        order,
         foot,
         camera.projected(foot, blocks.top[:, None]),
         camera.projected(foot, blocks.bottom[:, None]),
@@ -75,8 +65,8 @@ def projected(blocks: Blocks, phase: Reals, parting: Reals, rank: Integers, came
     )
 
 
-def visible_faces(seen: ProjectedBlocks, camera: Camera, finer: int, shade: float) -> Faces:
-    """All visible faces, from back to front. finer: rows and columns of the drawing per pixel. shade: as in `Theme`.
+def visible_faces(seen: ProjectedBlocks, camera: Camera, finer: int, shares: tuple[float, float]) -> Faces:
+    """All visible faces, from back to front. finer: rows and columns of the drawing per pixel. shares: as of `side_shares`.
 
     Of a convex block the sides that face the eye never hide one another.
     """
@@ -85,8 +75,7 @@ def visible_faces(seen: ProjectedBlocks, camera: Camera, finer: int, shade: floa
     position, face = np.nonzero(shown[order])
     row = order[position]
     points = fine_pixels(np.concatenate([seen.top, seen.bottom], axis=1), finer)
-    light = _light(blocks.facing[row, np.minimum(face, _TOP - 1)] * (seen.turn[row] / camera.turning))
-    light = 1.0 - shade * (1.0 - light)
+    light = _light(blocks.facing[row, np.minimum(face, _TOP - 1)] * (seen.turn[row] / camera.turning), shares)
     light[face == _TOP] = 1.0
     colours = blocks.colours[row] * light[:, None]
     return Faces(points.ravel()[8 * row[:, None] + _FACES[face]], colours.astype(np.float32))
@@ -97,22 +86,30 @@ def shadows(seen: ProjectedBlocks, balls: tuple[Ball, ...], camera: Camera, fine
 
     A block's shadow is what its sides that are turned from the light pass over as they are moved down the light, and while it
     falls, what its foot does. The shadow of a side that is turned from the eye is hidden by the block that stands there, unless
-    the block ends a row. A ball's shadow is a disc.
+    the block ends a row.
     """
-    blocks, down_light = seen.blocks, -LIGHT * camera.turning * SHADOW_SLANT * math.sin(camera.tilt)
+    blocks, down_light = seen.blocks, shadow_offset(camera) * camera.turning
     ahead = (blocks.normals * (seen.turn * down_light.conjugate())[:, None]).real > 0.0
     falling = blocks.casting[:, 0] & (blocks.bottom > 0.0)
     seen_around = (blocks.casting[:, 1] | blocks.casting[:, 3] | falling)[:, None]
     row, side = np.nonzero(blocks.casting & ahead & (seen.facing | seen_around))
     ends = seen.foot[row, side], seen.foot[row, (side + 1) % 4]
-    low, high = down_light * blocks.bottom[row], down_light * blocks.pile_top[row]
+    low, high = down_light * blocks.bottom[row], down_light * blocks.shadow_top[row]
     corners = [np.stack([ends[0] + low, ends[1] + low, ends[1] + high, ends[0] + high], axis=1)]
     corners.append(seen.foot[falling] + down_light * blocks.bottom[falling, None])
-    corners += [ball.position * camera.turning + ball.radius * (down_light + _DISC) for ball in balls]
+    corners += [_strips(ball_outline(ball)) * camera.turning + down_light * ball.radius for ball in balls]
     return fine_pixels(camera.projected(np.concatenate(corners), 0.0), finer)
 
 
-def _light(facing: Points) -> Reals:
-    """Share of its colour that each side shows. facing: directions that the sides are turned to, in the world."""
+def _strips(outline: list[complex]) -> Points:
+    """A convex polygon with an even number of corners, cut into quadrilaterals, one a row."""
+    around = np.array(outline)
+    half = len(outline) // 2
+    there, back = around[:half], around[: half - 1 : -1]
+    return np.stack([there[:-1], there[1:], back[1:], back[:-1]], axis=1)
+
+
+def _light(facing: Points, shares: tuple[float, float]) -> Reals:
+    """Share of its colour that each side shows. facing: directions that they are turned to; shares: as of `side_shares`."""
     towards = (facing * LIGHT.conjugate()).real
-    return np.asarray(_DIMMEST + (_BRIGHTEST - _DIMMEST) * (0.5 + 0.5 * towards))
+    return np.asarray(shares[0] + (shares[1] - shares[0]) * (0.5 + 0.5 * towards))

@@ -95,7 +95,8 @@ def _draw_marks(canvas: Canvas, shown: Shown) -> None:
 def _draw_lines(canvas: Canvas, shown: Shown) -> None:
     """Draw the lines below the arena."""
     theme, session = canvas.theme, shown.session
-    wrong = session.message or session.file_error or session.document.problem
+    problem = session.document.problem
+    wrong = session.message or session.file_error or ("" if problem is None else problem.translated)
     status = "  ·  ".join([words for words in (shown.file, cursor_words(session, shown.part, shown.slot)) if words])
     tip = shown.tip or hint(shown.hand, shown.part, in_panel=shown.in_panel)
     draw_foot(canvas, shown.layout.foot, [(status, theme.faint), (wrong, theme.danger), (tip, theme.text)])

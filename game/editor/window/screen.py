@@ -34,7 +34,8 @@ from game.editor.window.picture import EditorPicture, Shown
 from game.editor.window.play_test import PlayTest
 from game.editor.window.pointing import ERASER, EditorDrag, dragged, pressed, slot_at
 from game.editor.window.side_panel import EditorSidePanel
-from game.input.keys import Action, code_among, position_in
+from game.input.events import code_among, position_in
+from game.input.keys import Action
 from game.input.repeat import Repeat
 from game.input.signals import Clicked, FocusLost, Moved, Pressed, Released, Signal, is_still_down, pad_of
 from game.language import tr
@@ -347,8 +348,9 @@ class Editor:
 
     def _play_test(self) -> Screen:
         """Play the level as it stands, if it can be played."""
-        if self.session.document.problem:
-            self.session = self.session._replace(message=self.session.document.problem)
+        problem = self.session.document.problem
+        if problem is not None:
+            self.session = self.session._replace(message=problem.translated)
             return self
         return PlayTest(self._state, self, self.session.document.level)
 

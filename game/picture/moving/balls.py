@@ -5,7 +5,7 @@ import math
 
 from game.drawing.balls.shading import shaded
 from game.drawing.camera import Camera
-from game.drawing.light import LIGHT, SHADOW_SLANT, ScreenLight, ball_light
+from game.drawing.light import ScreenLight, ball_light
 from game.drawing.palette import Colour, Theme
 from game.maths import NUMBERS
 from game.picture.display_list import DisplayList
@@ -46,10 +46,9 @@ def add_ball(out: DisplayList, ball: Ball, camera: Camera, texture: int) -> None
     out.textured(pixel, radius, texture)
 
 
-def add_ball_shadow(out: DisplayList, ball: Ball, camera: Camera, theme: Theme) -> None:
-    """Add the shadow of a ball on the ground."""
-    middle = ball.position - LIGHT * SHADOW_SLANT * math.sin(camera.tilt) * ball.radius
-    out.shadows([middle + ball.radius * point for point in _AROUND], 0j, [(0.0, 0.0)], theme.shadow)
+def ball_outline(ball: Ball) -> list[complex]:
+    """Corners, clockwise, of a ball from above. Its shadow has this outline, and falls as from the height of its centre."""
+    return [ball.position + ball.radius * point for point in _AROUND]
 
 
 def _colours(skin: str, theme: Theme, light: ScreenLight) -> list[Colour]:

@@ -2,11 +2,12 @@
 
 import { Blocks } from "./blocks.js";
 import { colour } from "./colours.js";
+import * as ground from "./ground.js";
 import { bar, cast, foot, relief, sector } from "./slots.js";
 
-const DISC = 1, CIRCLE = 2, SECTOR = 3, POLYGON = 4, LINE = 5, TEXT = 6, GLOW = 7, GRADIENT = 8, CELLS = 9, CLIP = 10, TURN = 11,
+const DISC = 1, CIRCLE = 2, SECTOR = 3, POLYGON = 4, LINE = 5, TEXT = 6, GLOW = 7, FILL = 8, CELLS = 9, CLIP = 10, TURN = 11,
   STRIP = 12, BAND = 13, PLATE = 14, SPRITE = 15, CAMERA = 16, SLOT = 17, PRISM = 18, SHADOWS = 19, BOX = 20, TEXTURE = 21, TEXTURED = 22,
-  FOOT = 23, RELIEF = 24, CAST = 25, BAR = 26;
+  FOOT = 23, RELIEF = 24, CAST = 25, BAR = 26, GROUND_DISC = 27, GROUND_CIRCLE = 28, GROUND_SIDE = 29, GROUND_MARK = 30;
 const FONT = "system-ui, sans-serif", DESKTOP_FONT = `Arial, Helvetica, "Liberation Sans", ${FONT}`;
 const DESKTOP_EM = 0.71; // of the desktop's letters, in shares of their size
 const BEND = 0.02, OVERLAP = 0.6;
@@ -95,19 +96,10 @@ function shapes(context, numbers, texts) {
         glow(context, numbers, at, style);
         at += 5;
         break;
-      case GRADIENT: {
-        const [x, y, radius, count] = numbers.subarray(at, at + 4);
-        const gradient = context.createRadialGradient(x, y, 0, x, y, radius);
-        for (let k = 0; k < count; k++) {
-          gradient.addColorStop(Math.min(numbers[at + 4 + 2 * k], 1), colour(numbers[at + 5 + 2 * k]));
-        }
-        context.fillStyle = gradient;
-        context.beginPath();
-        context.arc(x, y, radius, 0, 2 * Math.PI);
-        context.fill();
-        at += 4 + 2 * count;
+      case FILL:
+        context.fillStyle = colour(style);
+        context.fillRect(0, 0, context.canvas.width, context.canvas.height);
         break;
-      }
       case CELLS:
         at = cells(context, numbers, at);
         break;
@@ -160,21 +152,22 @@ function shapes(context, numbers, texts) {
       }
       case CAMERA:
         blocks.look(numbers, at);
-        at += 10;
+        at += 12;
         break;
       case SLOT:
-        blocks.stand(numbers[at]);
-        at += 1;
+        blocks.stand(numbers[at], numbers[at + 1]);
+        at += 2;
+        code = before;
         break;
       case PRISM:
         blocks.prism(context, numbers, at, style);
-        at += 3 + 2 * numbers[at + 2];
+        at += 5 + 2 * numbers[at + 4];
         break;
       case SHADOWS: // those of several rings are one path, so that overlaps are not darker
         context.fillStyle = colour(style);
         if (before !== SHADOWS) context.beginPath();
         at = blocks.shadows(context, numbers, at);
-        if (numbers[at] !== SHADOWS) context.fill();
+        if (numbers[numbers[at] === SLOT ? at + 5 : at] !== SHADOWS) context.fill();
         break;
       case BOX:
         box(context, numbers, at, style);
@@ -206,6 +199,26 @@ function shapes(context, numbers, texts) {
         context.fillStyle = colour(style);
         bar(context, numbers, at);
         at += 8;
+        break;
+      case GROUND_DISC:
+        ground.disc(context, blocks, numbers, at);
+        at += 3 + 3 * numbers[at + 2];
+        break;
+      case GROUND_CIRCLE:
+        context.fillStyle = colour(style);
+        ground.circle(context, blocks, numbers, at);
+        at += 2;
+        break;
+      case GROUND_SIDE:
+        context.fillStyle = colour(style);
+        ground.side(context, blocks, numbers, at);
+        at += 2;
+        break;
+      case GROUND_MARK:
+        context.fillStyle = colour(style);
+        blocks.polygon(context, numbers, at + 1, numbers[at]);
+        context.fill();
+        at += 1 + 2 * numbers[at];
         break;
       default:
         throw new Error(`primitive ${code} at ${at - 3}`);
@@ -314,10 +327,10 @@ function box(context, numbers, at, style) {
 }
 
 function glow(context, numbers, at, style) {
-  const x = numbers[at], y = numbers[at + 1], across = numbers[at + 2], down = numbers[at + 3], takes = numbers[at + 4];
+  const x = numbers[at], y = numbers[at + 1], across = numbers[at + 2], down = numbers[at + 3], multiplies = numbers[at + 4];
   if (across < 0.5 || down < 0.5) return;
   const before = context.getTransform();
-  context.globalCompositeOperation = takes ? "multiply" : "lighter";
+  context.globalCompositeOperation = multiplies ? "multiply" : "lighter";
   context.translate(x, y);
   context.scale(1, down / across);
   const gradient = context.createRadialGradient(0, 0, 0, 0, 0, across), own = colour(style);

@@ -12,14 +12,17 @@ import pygame
 import pytest
 
 from game.drawing import palettes
-from game.drawing.ground.colours import discs_of_ground, ground_shade
-from game.drawing.ground.patterns import NAMES, marks
-from game.drawing.ground.shades import ground_colours
+from game.drawing.ground.picture import ground_picture
+from game.drawing.ground.shades import discs
 from game.drawing.painter import Painter
 from game.drawing.palette import DARK, LIGHT, luminance, without_depth
 from game.effects import NOTHING, Light, LightSource
 from game.input.view import FLAT, SOLID
 from game.level_format.specs import GroundPattern, Palette
+from game.picture.ground.colours import around_shade, ground_shade, rounded
+from game.picture.ground.lists import ground_list
+from game.picture.ground.measures import Ground
+from game.picture.ground.patterns import NAMES, marks
 from game.scene import scene_at
 from tests.support.games.autopilot_games import game_after
 from tests.support.pictures import canvas_of
@@ -59,23 +62,28 @@ def test_light_falls_from_the_centre(theme):
 
 
 @THEMES
-@pytest.mark.parametrize("share", [0.0, 0.4003, 0.9701, 1.0, 1.02])
+@pytest.mark.parametrize("share", [0.0, 0.4003, 0.9701, 1.0, 1.0203, 1.59])
 def test_many_pixels_of_the_ground_have_the_colour_of_each(theme, share):
-    """To a tenth of a step of a channel, also between the distances that colours are computed for."""
-    assert ground_colours(theme, np.float32([share]))[0] == pytest.approx(ground_shade(theme, share), abs=0.1)
+    """To a fiftieth of a step of a channel, also between the distances at which the list gives colours."""
+    around, ground = discs(ground_list(Ground(10.0), theme, 30.0))
+    disc, shade = (ground, ground_shade) if share <= 1.0 else (around, around_shade)
+    assert disc.at(np.float32([10.0 * share]))[0] == pytest.approx(shade(theme, share), abs=0.02)
 
 
 @THEMES
 def test_the_ground_is_lighter_in_the_middle_and_smooth(theme):
-    """Its discs show its colours to a step of 255, and neighbouring ones differ by a step; the middle is the lightest."""
-    discs = discs_of_ground(theme)
-    shares = np.array([disc.share for disc in discs], dtype=np.float32)
-    exact = ground_colours(theme, shares)
-    assert np.abs(exact - np.array([disc.colour for disc in discs])).max() <= 0.5001
-    steps = np.abs(np.diff([disc.colour for disc in discs], axis=0))
-    assert steps.max() <= 1
-    assert luminance(discs[-1].colour) == max(luminance(disc.colour) for disc in discs if disc.share < 0.9)
-    assert len(discs_of_ground(without_depth(theme))) == 1
+    """A picture shows the colours to a step of 255, and neighbouring ones differ by a step; the middle is the lightest."""
+    canvas = canvas_of(scene_at(game_after(0, 0)[0], 1.0, NOTHING), SIZE, FLAT, theme)
+    ground = Ground(10.0)
+    picture = pygame.surfarray.array3d(ground_picture(canvas, ground)).astype(int)
+    middle = canvas.camera.centre
+    row = picture[round(middle.real) : round(middle.real + 9.0 * canvas.camera.scale), math.floor(middle.imag)]
+    shares = (np.arange(len(row)) + 0.5) / (10.0 * canvas.camera.scale)
+    assert np.abs(row - [ground_shade(theme, share) for share in shares.tolist()]).max() < 1.0
+    assert np.abs(np.diff(row, axis=0)).max() <= 1
+    assert luminance(tuple(row[0])) == max(map(luminance, row[shares < 0.9].tolist()))
+    plain = pygame.surfarray.array3d(ground_picture(canvas._replace(theme=without_depth(theme)), ground))
+    assert tuple(plain[round(middle.real) + 90, round(middle.imag)]) == theme.ground == rounded(theme.ground)
 
 
 @pytest.mark.parametrize("name", NAMES)

@@ -3,11 +3,11 @@
 import numpy as np
 import pytest
 
-from game.drawing.ground.shades import ground_colours
 from game.drawing.light_colour import light_colour
 from game.drawing.palette import DARK, HIGH_CONTRAST, LIGHT, contrast, layer_colour, luminance, mixed
 from game.drawing.palettes import NAMES, themed
 from game.effects import Light, LightSource
+from game.picture.ground.colours import ground_shade, rounded
 
 THEMES = pytest.mark.parametrize(
     "theme",
@@ -33,7 +33,7 @@ def test_text_is_readable_wherever_it_stands(theme):
 @THEMES
 def test_things_stand_out_from_the_ground(theme):
     """Everything that the ball can meet has a contrast of at least 3 to the ground, and of 2.6 where that is lit the most."""
-    lightest = tuple(np.rint(ground_colours(theme, np.float32(0.2))).astype(int).tolist())
+    lightest = rounded(ground_shade(theme, 0.2))
     for thing in (theme.paddle, theme.paddle_top, theme.ball, theme.steel, theme.rim, *theme.layers):
         assert contrast(thing, theme.ground) >= 3.0
         assert contrast(thing, lightest) >= 2.6

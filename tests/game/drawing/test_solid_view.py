@@ -16,22 +16,25 @@ from game.drawing.camera import layout
 from game.drawing.light import LIGHT, SHADOW_SLANT
 from game.drawing.painter import Painter
 from game.drawing.palette import DARK, layer_colour
-from game.drawing.slots.contents import ContentKind, SlotContent, resting_contents, slot_contents
-from game.drawing.slots.parts import LAYER_HEIGHT, Bar, Slab, SlotShape, height, parts
-from game.drawing.solid import faces, picture
+from game.drawing.solid import arena_blocks, faces
 from game.drawing.solid.ball_occlusion import occluding_quads
-from game.drawing.solid.painters_order import back_to_front
+from game.drawing.solid.blocks import ring_blocks
 from game.drawing.solid.picture import SolidPicture
-from game.drawing.solid.prisms import Cut, ring_blocks, wedges_of
 from game.effects import Effects, after
 from game.effects.falling import FallingStack
 from game.input.view import FLAT, SOLID, Viewpoint
 from game.levels import classic
+from game.picture.slots.contents import ContentKind, SlotContent, resting_contents, slot_contents
+from game.picture.slots.parts import LAYER_HEIGHT, Slab, SlotShape, height
+from game.picture.solid import prisms
+from game.picture.solid.order import back_to_front
+from game.picture.solid.prisms import slot_division
+from game.picture.solid.rings import RingLook, ring_prisms
 from game.replays.state_hash import state_hash
 from game.rules import new_game, tick
 from game.scene import scene_at
 from game.screenshot import save_screenshot
-from physics import Ball, contact
+from physics import Ball, Ring, contact
 from tests.support.games.autopilot_games import game_after
 from tests.support.paths import REFERENCE
 from tests.support.pictures import camera_of, canvas_of
@@ -118,8 +121,11 @@ def plain(monkeypatch):
         layers = height(content)
         return (Slab(0.0, layers, 0.0, (round(shape.radius * 25.0), 0, 200)),) if layers else ()
 
-    monkeypatch.setattr(picture, "parts", one_slab)
-    monkeypatch.setattr(faces, "_light", lambda facing: np.ones(len(facing)))
+    monkeypatch.setattr(prisms, "parts", one_slab)
+    monkeypatch.setattr(faces, "_light", lambda facing, _shares: np.ones(len(facing)))
+    prisms.slot_prisms.cache_clear()
+    yield
+    prisms.slot_prisms.cache_clear()
 
 
 def free_ball(scene, chance):
@@ -331,25 +337,31 @@ def test_reference_pictures(level, view):
     assert (off.max(axis=2) > 16).mean() < 0.001
 
 
+def look_of(half_angle, slots, content, widest=0.2):
+    """The look of a ring at radius 3. widest: half angle of its widest wedge."""
+    shape = SlotShape(3.0, 0.4, half_angle, 4, 0.0)
+    division = slot_division(shape, widest, 40.0, 0.0)
+    return RingLook((content,) * slots, shape, division, (), 0.45, DARK)
+
+
 @pytest.mark.parametrize("content", [SlotContent(ContentKind.STEEL), SlotContent(ContentKind.BRICKS, 4)])
 @pytest.mark.parametrize("tilt", [0.2, 0.9, 1.3])
 def test_what_is_painted_on_a_top_comes_after_it(content, tilt):
     """From every side bars and dots are drawn later than all pieces of the top that they lie on, however wide the slot."""
-    pile = parts(content, SlotShape(3.0, 0.4, 0.6, 4, 0.0), 0.0, DARK)
-    cut = Cut(3.0, 0.4, 0.6, 4, 0.2, 0.45, 40.0, 0.0)
-    every, pieces = ring_blocks(cut, [(number, pile) for number in range(4)]), wedges_of(cut)
-    marks = {level for level, part in enumerate(pile) if isinstance(part, Bar)}
-    count = len(every.slot)
-    assert len(marks) >= 4
+    look, ring = look_of(0.6, 4, content), Ring(3.0, 0.4, 0.6, 4, 0.0, 0.0)
+    prisms = ring_prisms(look)
+    joined = arena_blocks._joined([ring_blocks(prisms)], [4 * look.division.wedges])
+    every, wedges = joined.blocks, look.division.wedges
+    flat = [prism for stands in prisms.slots for prism in stands.prisms]
+    marks = np.array([prism.wedges is not None for prism in flat])[every.prism]
+    assert wedges > 2
+    assert marks.sum() >= 16
     for azimuth in np.linspace(0.0, math.tau, 61):
         camera = Viewpoint(1.0, 1.0, float(azimuth), tilt).seen(layout(SIZE, 10.0)).camera
-        order = back_to_front(every, np.full(count, -azimuth), np.full(count, 2.0), np.ones(count, dtype=int), camera)
-        rank = np.argsort(order)
-        for mark in np.flatnonzero(np.isin(every.level, list(marks))):
-            angles = np.angle(every.foot[mark] * np.exp(-1j * every.slot_middle[mark]))
-            piece, half = every.middles[:, 0] - every.slot_middle, 0.6 / pieces - 1e-6
-            under = (every.slot == every.slot[mark]) & (every.level < min(marks))
-            under &= (piece + half > angles.min()) & (piece - half < angles.max())
+        rank = np.argsort(arena_blocks._order(joined, back_to_front([ring], [wedges], camera), [wedges]))
+        for mark in np.flatnonzero(marks):
+            under = (every.slot == every.slot[mark]) & ~marks
+            under &= (every.wedges[:, 0] >= every.wedges[mark, 0]) & (every.wedges[:, 1] <= every.wedges[mark, 1])
             assert under.any()
             assert rank[mark] > rank[under].max()
 
@@ -357,8 +369,7 @@ def test_what_is_painted_on_a_top_comes_after_it(content, tilt):
 @pytest.mark.parametrize(("half_angle", "slots"), [(math.pi, 1), (1.2, 2), (0.1, 20)])
 def test_feet_cover_the_sectors_and_only_their_ends_are_ends(half_angle, slots):
     """The feet of a ring's blocks have its sectors' area together; a whole ring has no ends, a sector has two."""
-    cut = Cut(3.0, 0.4, half_angle, slots, 0.2, 0.45, 40.0, 0.0)
-    every = ring_blocks(cut, [(number, (Slab(0.0, 1.0, 0.0, (9, 9, 9)),)) for number in range(slots)])
+    every = ring_blocks(ring_prisms(look_of(half_angle, slots, SlotContent(ContentKind.BRICKS, 1))))
     following = np.roll(every.foot, -1, axis=1)
     area = 0.5 * (every.foot.conjugate() * following).imag.sum()
     assert area == pytest.approx(slots * 2.0 * half_angle * 3.0 * 0.8, rel=0.003)

@@ -14,11 +14,11 @@ from game.autopilot import Autopilot
 from game.drawing.painter import Painter
 from game.drawing.raster.pixels import packed
 from game.drawing.raster.quads import QuadRaster, fill_quads
-from game.drawing.solid import faces
-from game.drawing.solid.painters_order import back_to_front
+from game.drawing.solid import arena_blocks
 from game.effects import Effects, after
 from game.input.view import SOLID, Viewpoint
 from game.levels import classic
+from game.picture.solid.order import back_to_front
 from game.rules import new_game, tick
 from game.scene import scene_at
 from tests.support.games.autopilot_games import game_after
@@ -83,7 +83,11 @@ def test_nothing_flickers_while_the_camera_moves(level, move):
 @pytest.mark.parametrize("level", [3, 4, 5, 6])
 def test_a_wrong_order_flickers(level, monkeypatch):
     """With blocks drawn in an order for another angle in every frame, the bound is exceeded."""
-    monkeypatch.setattr(faces, "back_to_front", lambda blocks, turn, *rest: back_to_front(blocks, 997.0 * turn, *rest))
+
+    def wrong(rings, wedges, camera):
+        return back_to_front(rings, wedges, camera._replace(azimuth=997.0 * camera.azimuth))
+
+    monkeypatch.setattr(arena_blocks, "back_to_front", wrong)
     assert flicker(frames(scene_after(level, 1800), MOVES["orbit"][:12])) > MOST
 
 

@@ -14,6 +14,7 @@ from game.editor.fields import NAME, PART_FIELDS, RING_FIELDS, TABLES, field_at
 from game.editor.file_watch import WatchedFile
 from game.editor.symmetry import FOLDS, Symmetry, images
 from game.editor.wells import with_well_added, with_well_at, with_well_removed
+from game.language import ENGLISH, choose
 from game.levels import RingSpec, campaign
 from game.system.errors import BadInputError
 
@@ -160,9 +161,23 @@ def test_a_painted_slot_turns_the_number_of_layers_into_a_list_and_back():
 
 def test_a_level_that_cannot_be_played_is_kept_with_its_problem_and_not_saved():
     empty = painted(opened(TEXT), 0, range(12), Stack(0))
-    assert "no bricks to break" in empty.problem
+    assert str(empty.problem) == "rings: no bricks to break"
     with pytest.raises(BadInputError, match="not saved: rings: no bricks"):
         saved_text(empty)
+
+
+def test_the_player_reads_rules_in_the_language_of_the_game():
+    """The values stand in the translation as in the English text, and the key is that of the file."""
+    document = with_value(opened(TEXT), ("paddles", "half_angle"), 90.0)
+    begun = editor.begun(TEXT, TEXT)
+    choose("de")
+    try:
+        assert document.problem.translated == "paddles.half_angle: 3 Schläger müssen Lücken lassen: unter 60 Grad"
+        refused = editor.entered(begun, ring_field("count"), 0.0)
+        assert refused.message == "rings[0].count: 0 liegt nicht zwischen 1 und 2000"
+    finally:
+        choose(ENGLISH.code)
+    assert str(document.problem) == "paddles.half_angle: 3 paddles must leave gaps: below 60 degrees"
 
 
 def test_what_the_format_refuses_leaves_the_document_as_it_was():

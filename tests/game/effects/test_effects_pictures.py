@@ -16,9 +16,7 @@ from game.drawing.camera import layout
 from game.drawing.display_list_painter import DisplayListPainter
 from game.drawing.painter import Painter
 from game.drawing.palette import DARK
-from game.drawing.slots.contents import ContentKind, wall_contents
-from game.drawing.slots.parts import LAYER_HEIGHT, PADDLE_HEIGHT, Slab
-from game.drawing.solid.prisms import Cut, pushed, ring_blocks
+from game.drawing.solid.picture import SolidPicture
 from game.effects import ALL, FLASH_TICKS, NOTHING, Flash, Pop, Recoil, Wave, bursts
 from game.effects.waves import WAVE_TICKS, WaveTone
 from game.input.view import FLAT, SOLID, Viewpoint
@@ -26,6 +24,8 @@ from game.levels import classic
 from game.picture.display_list import DisplayList, Primitive, primitives
 from game.picture.moving.waves import add_waves
 from game.picture.moving.words import add_words
+from game.picture.slots.contents import ContentKind, slot_contents, wall_contents
+from game.picture.slots.parts import LAYER_HEIGHT, PADDLE_HEIGHT
 from game.rules import PADDLES, EventKind, new_game, tick
 from game.scene import scene_at
 from tests.support.games.autopilot_games import game_after
@@ -143,16 +143,21 @@ def test_words_fade_with_their_plate():
 
 
 def test_only_the_struck_paddles_blocks_are_pushed():
-    """All corners of its feet go outwards by the same length, so that it keeps its width; the others and every angle stay."""
-    slab = Slab(0.0, PADDLE_HEIGHT, 0.0, DARK.paddle)
-    resting = ring_blocks(Cut(9.0, 0.2, 0.3, 3, 0.2, 0.45, 40.0, 0.0), [(k, (slab,)) for k in range(3)])
-    assert pushed(resting, ()) is resting
-    recoil = Recoil(1, 1.0, 16)
-    moved = pushed(resting, (recoil,))
-    by = np.where(resting.slot == 1, recoil.out, 0.0)[:, None]
-    assert np.allclose(np.abs(moved.foot) - np.abs(resting.foot), by)
-    assert np.allclose(np.angle(moved.foot / resting.foot), 0.0)
-    assert moved._replace(foot=resting.foot) == resting
+    """All corners of its feet go outwards by the same length, so that it keeps its width; everything else stays where it is."""
+    scene = scene_of()
+    ring, recoil = scene.rings[PADDLES], Recoil(1, 1.0, 16)
+    canvas = canvas_of(scene, SIZE, SOLID)
+    seen = [
+        SolidPicture().draw_blocks(canvas, shown, slot_contents(shown)) for shown in (scene, scene._replace(recoils=(recoil,)))
+    ]
+    moved, outwards = seen[1].foot - seen[0].foot, seen[0].foot / np.abs(seen[0].foot)
+    middle = cmath.rect(ring.radius, ring.angle(1))
+    near = np.abs(seen[0].foot / canvas.camera.turning - middle) < 2.0 * ring.half_angle * ring.radius
+    struck = (np.abs(moved) > 1e-9).all(axis=1)
+    assert struck.any()
+    assert near[struck].all()
+    assert np.allclose(moved[struck], recoil.out * outwards[struck])
+    assert not moved[~struck].any()
 
 
 def test_light_runs_around_a_ring_both_ways():

@@ -214,9 +214,9 @@ def test_a_lane_that_the_ball_just_fits_into_is_refused(play, refused):
     """From as much too narrow to as much too wide; what is narrower lets no ball in, what is wider lets it play."""
     least = checks.least_play(parse(GOOD, "x").ball)
     assert least >= 1e-3 * 0.25
-    found = [rule for rule in checks.broken_rules(parse_unchecked(lane(play * least))) if "the lane between" in rule[1]]
+    found = [rule for rule in checks.broken_rules(parse_unchecked(lane(play * least))) if "the lane between" in rule.rule]
     assert bool(found) is refused
-    assert not found or found[0][0] == "rings[1]"
+    assert not found or found[0].key == "rings[1]"
 
 
 @pytest.mark.parametrize(("play", "dropped"), [(1.05, False), (0.95, True)])
@@ -244,7 +244,7 @@ def test_holes_and_gates_that_the_ball_just_fits_into_are_refused(key, value, wh
     if "radius" in key:
         ring = ring.replace("half_width = 0.2", "half_width = 0.2001")
     level = parse_unchecked(GOOD + ring.encode())
-    assert [rule for _, rule in checks.broken_rules(level) if what in rule]
+    assert [broken for broken in checks.broken_rules(level) if what in broken.rule]
 
 
 def test_the_lane_below_the_paddles_track_leaves_the_ball_some_play():
@@ -253,7 +253,7 @@ def test_the_lane_below_the_paddles_track_leaves_the_ball_some_play():
     for below, refused in ((0.5, True), (1.5, False)):
         radius = outer - below * checks.least_play(parse(GOOD, "x").ball) - 0.4
         level = parse_unchecked(changed("radius = 3.0", f"radius = {radius!r}"))
-        assert bool([rule for _, rule in checks.broken_rules(level) if "must fit below" in rule]) is refused
+        assert bool([broken for broken in checks.broken_rules(level) if "must fit below" in broken.rule]) is refused
 
 
 def test_a_narrow_gate_is_allowed_and_warned_of():

@@ -82,11 +82,11 @@ def test_a_character_that_cannot_be_encoded_is_written_as_its_escape():
 def test_output_that_is_lost_is_known():
     """A full disk is a reason; a reader who has gone is none."""
     with Path("/dev/full").open("w") as full:
-        done = program("print_line('x' * 100000)\nsay(lost())", stdout=full, stderr=subprocess.PIPE)
+        done = program("print_line('x' * 100000)\nprint_error(output_problem())", stdout=full, stderr=subprocess.PIPE)
     assert (done.stderr, done.returncode) == ("No space left on device\n", 0)
     reading, writing = os.pipe()
     os.close(reading)
-    done = program("print_line('x' * 100000)\nsay(str(lost()))", stdout=writing, stderr=subprocess.PIPE)
+    done = program("print_line('x' * 100000)\nprint_error(str(output_problem()))", stdout=writing, stderr=subprocess.PIPE)
     os.close(writing)
     assert (done.stderr, done.returncode) == ("None\n", 0)
 

@@ -338,12 +338,12 @@ def test_the_controls_fit_their_side(size, text):
     assert side.unit(size) == pytest.approx(0.87 * text * layout.unit)
     for seen in shown:
         side.show(layout, seen)
-        layout, unit = side._form_layout(size), side.unit(size)
+        form, unit = side._form_layout(size), side.unit(size)
         lines = "state hash", seen.session.line
-        assert layout.tip.top + small_print_height(type_, layout, lines) <= max(size[1], 480)
-        assert layout.over == 0 or layout.body.height > 7.0 * unit
-        assert all([positioned.box.height > 1.4 * unit for positioned in layout.items if positioned.item.focusable])
-        for positioned in layout.items if size != (640, 480) else ():
+        assert form.tip.top + small_print_height(type_, layout, lines) <= max(size[1], 480)
+        assert form.over == 0 or form.body.height > 7.0 * unit
+        assert all([positioned.box.height > 1.4 * unit for positioned in form.items if positioned.item.focusable])
+        for positioned in form.items if size != (640, 480) else ():
             words, size_, taken = said(positioned.item, positioned.box.height / unit)
             wide = type_.rendered(words, unit * size_ * smallest, (0, 0, 0)).get_width() if words else 0
             assert wide + taken * unit <= positioned.box.width + 1, positioned.item

@@ -49,7 +49,7 @@ def test_two_players_against_each_other_have_a_paddle_each(desk):
     loser, verdicts = int(sides[1].lives == 0), ("Player 2 wins", "Player 1 wins")
     assert desk.screen._title == verdicts[loser]
     assert desk.screen._line.startswith(f"Player {loser + 1} lost the last ball")
-    assert [figure.said(figure.amount) for figure in desk.screen._figures[:2]] == [
+    assert [figure.words(figure.amount) for figure in desk.screen._figures[:2]] == [
         f"{side.score:,}  ({side.lives} {'life' if side.lives == 1 else 'lives'})" for side in sides
     ]
     assert "Enter your name" not in [entry.label for entry in desk.screen._entries]

@@ -2,8 +2,9 @@
 
 from typing import NamedTuple
 
-from game.drawing.camera import Camera
-from game.drawing.ground.patterns import PLAIN
+from game.picture.ground.patterns import PLAIN
+from game.rules import PADDLES
+from game.scene import Scene
 
 THICKNESS = 0.03
 """Of the disc that the ground is, in shares of its radius."""
@@ -28,11 +29,16 @@ class Ground(NamedTuple):
     pattern: str = PLAIN
 
 
-def rim_width(camera: Camera) -> float:
-    """Width of the rim, which begins where the ground ends, world units."""
-    return max(_RIM, _LEAST_RIM / camera.scale)
+def ground_of(scene: Scene) -> Ground:
+    """The ground of a scene."""
+    return Ground(scene.ground_radius, scene.rings[PADDLES].radius, scene.ground)
 
 
-def track_width(camera: Camera) -> float:
+def rim_width(scale: float) -> float:
+    """Width of the rim, which begins where the ground ends, world units. scale: pixels per world unit, here and below."""
+    return max(_RIM, _LEAST_RIM / scale)
+
+
+def track_width(scale: float) -> float:
     """Width of the paddles' track, world units."""
-    return _TRACK + _TRACK_PIXELS / camera.scale
+    return _TRACK + _TRACK_PIXELS / scale

@@ -1,8 +1,6 @@
 """The colour of the ground and of what is around it, by the distance from the centre: a light middle, a glowing rim."""
 
 import math
-from functools import lru_cache
-from typing import NamedTuple
 
 from game.drawing.palette import Colour, Theme
 
@@ -12,21 +10,8 @@ _INNER_GLOW, _INNER_REACH = 0.16, 0.035
 """Of the rim's light on the ground: its strength at the rim, and the distance in which it fades to 1/e, in ground radii."""
 _OUTER_GLOW, _OUTER_REACH = 0.30, 0.09
 """The same of the light around the ground."""
-_STEPS = 2048
-"""Distances that are looked at for where a colour changes."""
-
 Shade = tuple[float, float, float]
 """Red, green and blue, 0 to 255, before they are rounded."""
-
-
-class Disc(NamedTuple):
-    """A disc of one colour; the smaller ones lie upon the larger ones.
-
-    share: its radius, in ground radii.
-    """
-
-    share: float
-    colour: Colour
 
 
 def ground_shade(theme: Theme, share: float) -> Shade:
@@ -54,30 +39,6 @@ def rounded(shade: Shade) -> Colour:
     """The colour that a screen shows."""
     red, green, blue = shade
     return round(red), round(green), round(blue)
-
-
-@lru_cache(maxsize=8)
-def discs_of_ground(theme: Theme) -> tuple[Disc, ...]:
-    """Discs, the largest first, that together show the ground's colours as exactly as a screen can."""
-    return _discs([Disc(k / _STEPS, rounded(ground_shade(theme, k / _STEPS))) for k in range(_STEPS + 1)])
-
-
-@lru_cache(maxsize=8)
-def discs_around(theme: Theme) -> tuple[Disc, ...]:
-    """The same for what is around the ground."""
-    shares = [1.0 + (FARTHEST - 1.0) * k / _STEPS for k in range(_STEPS + 1)]
-    return _discs([Disc(share, rounded(around_shade(theme, share))) for share in shares])
-
-
-def _discs(all_discs: list[Disc]) -> tuple[Disc, ...]:
-    """The largest disc of every stretch of distances that share a colour. all_discs: the smallest first."""
-    larger = [*all_discs[1:], None]
-    return tuple([disc for disc, next_one in zip(all_discs, larger, strict=True) if not _same(disc, next_one)][::-1])
-
-
-def _same(disc: Disc, other: Disc | None) -> bool:
-    """Whether two discs have one colour."""
-    return other is not None and disc.colour == other.colour
 
 
 def _towards(shade: Shade, other: Colour, share: float) -> Shade:

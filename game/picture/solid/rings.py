@@ -1,0 +1,94 @@
+"""The prisms of whole rings: what they depend on, and all slots of one."""
+
+import math
+from typing import NamedTuple
+
+from game.drawing.palette import Theme
+from game.picture.slots.contents import Contents, SlotContent
+from game.picture.slots.parts import LAYER_HEIGHT, WHOLE, SlotShape, slot_shape
+from game.picture.solid.order import ranked
+from game.picture.solid.prisms import SlotDivision, SlotPrisms, evenly_lit, slot_division, slot_prisms
+from game.rules import PADDLES
+from game.scene import Scene
+
+_SCALE_STEPS = 8
+"""Scales between one and its double for which prisms are divided anew; between two of them they stay as they are."""
+
+
+class RingLook(NamedTuple):
+    """What the prisms of a ring depend on: neither its angle nor, but for the scale in steps, the camera.
+
+    contents, shape, division: of its slots.
+    falling: slots whose content has still to fall, and by how many layers.
+    unit: height of a layer, world units.
+    theme: the colours.
+    """
+
+    contents: tuple[SlotContent, ...]
+    shape: SlotShape
+    division: SlotDivision
+    falling: tuple[tuple[int, float], ...]
+    unit: float
+    theme: Theme
+
+
+class RingPrisms(NamedTuple):
+    """The prisms of a ring.
+
+    slots: what stands in each, at angle 0.
+    division: of the slots.
+    ends: whether their sectors have ends, as a whole ring has none.
+    gap: between two slots, along the middle of the ring, world units.
+    evenly_lit: as the function says.
+    """
+
+    slots: tuple[SlotPrisms, ...]
+    division: SlotDivision
+    ends: bool
+    gap: float
+    evenly_lit: bool
+
+
+def ring_looks(
+    scene: Scene, contents: Contents, theme: Theme, scale: float, fineness: float = 1.0, fringe: float = 0.0
+) -> list[RingLook]:
+    """The present looks of all rings.
+
+    scale: pixels per world unit. fineness: share of it for which arcs look round. fringe: pixels, as in `SlotDivision`.
+    """
+    scale = 2.0 ** (round(math.log2(scale) * _SCALE_STEPS) / _SCALE_STEPS)
+    unit = LAYER_HEIGHT * scene.ground_radius
+    widest = {ring: wide for ring, _, _, wide in ranked(scene.rings)}
+    looks = []
+    for k, ring in enumerate(scene.rings):
+        shape = slot_shape(ring, scene.tallest[k], 0.0)  # lines may be thinner than a pixel
+        looks.append(
+            RingLook(
+                contents[k],
+                shape,
+                slot_division(shape, widest[k], scale * fineness, fringe / scale),
+                tuple([(stack.slot, stack.height) for stack in scene.falling if stack.ring == k]),
+                unit,
+                theme,
+            )
+        )
+    return looks
+
+
+def ring_prisms(look: RingLook) -> RingPrisms:
+    """The prisms of a ring."""
+    falling, shape = dict(look.falling), look.shape
+    found: dict[tuple[SlotContent, float], SlotPrisms] = {}  # most slots look like others
+    slots = []
+    for slot, content in enumerate(look.contents):
+        key = content, falling.get(slot, 0.0)
+        if key not in found:
+            found[key] = slot_prisms(content, shape, key[1], look.unit, look.theme, look.division)
+        slots.append(found[key])
+    gap = shape.radius * (math.tau / len(slots) - 2.0 * shape.half_angle)
+    return RingPrisms(tuple(slots), look.division, shape.half_angle < WHOLE, gap, evenly_lit(shape.half_angle))
+
+
+def pushed_out(scene: Scene, k: int) -> dict[int, float]:
+    """How far all points of what stands in some slots of a ring are pushed away from the arena's centre, world units."""
+    return {recoil.slot: recoil.out for recoil in scene.recoils} if k == PADDLES else {}
