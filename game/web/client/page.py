@@ -208,7 +208,7 @@ class Page:
                         self._screen = self._screen.answer(signal, size)
 
     def _changed_setting(self, signal: Signal) -> bool:
-        """Whether a signal was of a key that changes a setting on every screen; it is changed. In replays they change the speed."""
+        """Whether a signal was of a key that changes a setting, which it does on every screen; some change a replay's speed."""
         if isinstance(self._screen, ReplayOnPage) and isinstance(signal, Pressed) and signal.action in _SPEEDS:
             return False
         now = changed(self._state.settings, signal.action) if isinstance(signal, Pressed) else None
