@@ -1,4 +1,4 @@
-"""Who made the game, and after whose notes."""
+"""The credits: who made the game, and whose lecture it follows."""
 
 from game.language import tr
 from game.overlay.credits_words import DESKTOP, about, credit_parts, version
@@ -8,10 +8,10 @@ from game.screens.toolkit.panel import Panel
 
 
 class Credits(Panel):
-    """A page of text."""
+    """The panel of the credits."""
 
     def content(self) -> Content:
-        """What the game owes to whom."""
+        """The text."""
         computed = tr("is computed while you play: no picture and no sound comes from a file.")
         parts = [((Heading(title),), (TextItem(words),)) for title, words in credit_parts(DESKTOP, computed)]
         body = ((TextItem(about(), 1.2),), *[row for part in parts for row in part], (TextItem(version(), faint=True),))

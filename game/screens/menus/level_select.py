@@ -56,7 +56,7 @@ class Card(Item):
 
     @property
     def focusable(self) -> bool:
-        """Also a locked one: its tip says how to open it."""
+        """True for a locked level, too: its tip says how to unlock it."""
         return True
 
     def height(self, _type: Type, unit: float, width: float) -> float:
@@ -97,7 +97,7 @@ class Card(Item):
             _draw_rank(canvas, RANKS[self.best.rank], complex(hole.right, foot + unit * 0.35))
 
     def accepted(self, panel: Screen) -> Screen | None:
-        """Begin it, if that is allowed."""
+        """Begin the level, if it is unlocked."""
         return self.chosen() if self.is_open else panel
 
 
@@ -112,7 +112,7 @@ class LevelSelect(Panel):
 
     @property
     def appearance(self) -> tuple[object, ...]:
-        """The choices above the levels are kept elsewhere."""
+        """As of every panel, and the choices above the levels."""
         return *super().appearance, self.state.difficulty, self.state.players
 
     def content(self) -> Content:
@@ -142,7 +142,7 @@ class LevelSelect(Panel):
 
     @property
     def _columns(self) -> int:
-        """Cards beside each other."""
+        """The number of cards in a row."""
         return _FEW_COLUMNS if self.has_large_text else _COLUMNS
 
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
@@ -177,7 +177,7 @@ class LevelSelect(Panel):
         return Card(state, level, index + 1, best, is_open, lambda: self._begun(index), tip)
 
     def _own_rows(self) -> tuple[Row, ...]:
-        """The player's own levels, and the way into the editor; nothing where there is no editor."""
+        """The player's own levels and a button for the editor; no rows if there is no editor."""
         if self.state.open_editor is None:
             return ()
         count = len(self._own.problems)
@@ -216,7 +216,7 @@ class LevelSelect(Panel):
             return self
 
     def _begun(self, index: int) -> Screen:
-        """The campaign from a level on."""
+        """A game that begins with a level of the list."""
         self.state.chosen = index
         return PlayScreen(self.state, from_level(index, self.state.catalogue))
 

@@ -1,4 +1,4 @@
-"""What a game in the window leaves behind while it is played: finished levels, and the ghost that it races."""
+"""What is stored of a game while it is played, its finished levels; and the ghost that it races."""
 
 from game.chosen_physics import SWEPT
 from game.input.players import Players
@@ -12,10 +12,10 @@ from game.storage.scores import ENDLESS
 
 
 class PlayRecord:
-    """Follows one game.
+    """Stores the finished levels of one game and runs its ghost.
 
-    counts: whether bests and scores are kept. Games of the autopilot and of the editor do not count, nor do those of a physics
-    that no replay can be verified with.
+    counts: whether bests and scores are stored. Games of the autopilot and of the editor do not count, nor do those on a
+    physics other than the game's own, since their replays cannot be verified.
     """
 
     def __init__(self, state: AppState, levels: tuple[Level, ...], *, endless: bool) -> None:
@@ -40,13 +40,13 @@ class PlayRecord:
         self._open_ghost(0)
 
     def prepare(self) -> None:
-        """Note how slow the game is played now, and bring the ghost a little nearer to its start."""
+        """Note the game speed in use, and prepare the ghost."""
         self.speed = min(self.speed, self._state.settings.speed)
         if self.ghost is not None:
             self.ghost.prepare()
 
     def after_tick(self, ticked: Ticked) -> None:
-        """Note the begin and the end of a level."""
+        """Note whether a level has begun or ended."""
         game = ticked.game
         if self.ghost is not None:
             self.ghost.after_tick(game)
@@ -58,7 +58,7 @@ class PlayRecord:
                 self._note(game)
 
     def _note(self, game: Game) -> None:
-        """A level was finished."""
+        """Store the result of a finished level."""
         result = game.results[-1]
         difficulty = self._state.difficulty
         self.done = Best(record_name(game.level), difficulty, result.score, int(result.rank), result.ticks, start=self._start)
@@ -68,6 +68,6 @@ class PlayRecord:
         self._state.tell_problem()
 
     def _open_ghost(self, number: int) -> None:
-        """The best run of a level."""
+        """Open the best run of a level as the ghost, if its replay still exists."""
         level = self._levels[number]
         self.ghost = ghost_of(self._state.storage, level, self._state.difficulty, number) if self._has_bests else None

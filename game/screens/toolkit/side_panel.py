@@ -1,4 +1,4 @@
-"""Controls beside a picture, for mouse, touch, keys and gamepad: one column of items on a plate.
+"""A side panel: one column of controls beside a picture.
 
 Keys act on the picture until Tab directs them to the controls; Esc, or a click on the picture, directs them back. The control
 under the mouse is framed as well, but receives no keys.

@@ -1,4 +1,4 @@
-// The page: requests pictures from the worker, and passes on what the player did.
+// The page: requests pictures with what the player did, and shows the menus and words that come with them.
 
 import { Controls } from "./controls.js";
 import { Editor } from "./editor.js";
@@ -226,14 +226,18 @@ function start() {
     say("This page needs a browser with WebAssembly, DecompressionStream and OffscreenCanvas: Chrome or Edge 119, Firefox 121, Safari 17, or newer.");
     return;
   }
+  const painter = new Worker("picture.js", { type: "module" }), shown = canvas.transferControlToOffscreen();
   worker = new Worker("worker.js", { type: "module" });
-  worker.onerror = (event) => fail(`The game cannot be started: ${event.message ?? "its worker is missing"}`);
-  worker.onmessage = heard;
-  const base = new URL("./", location.href).href;
+  for (const one of [painter, worker]) {
+    one.onerror = (event) => fail(`The game cannot ${ready ? "go on" : "be started"}: ${event.message ?? "its worker is missing"}`);
+    one.onmessage = heard;
+  }
+  const base = new URL("./", location.href).href, { port1, port2 } = new MessageChannel();
   grader = new Grader({ base }, (signal) => input.add(signal));
   const calm = matchMedia("(prefers-reduced-motion: reduce)").matches, touch = matchMedia("(pointer: coarse)").matches;
-  const shown = canvas.transferControlToOffscreen(), languages = navigator.languages.join(",");
-  worker.postMessage({ kind: "start", base, calm, canvas: shown, languages, touch }, [shown]);
+  const languages = navigator.languages.join(",");
+  painter.postMessage({ canvas: shown, port: port1 }, [shown, port1]);
+  worker.postMessage({ kind: "start", base, calm, languages, touch, port: port2 }, [port2]);
   for (const name of ["pointerdown", "keydown"]) addEventListener(name, () => speaker.wake());
   addEventListener("resize", () => (resized = true));
   addEventListener("hashchange", openFragment);

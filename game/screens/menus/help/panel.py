@@ -1,4 +1,4 @@
-"""How to play, over another screen: what the game is about, how one aims, what drops out of bricks, and all keys."""
+"""The help: what the game is about, how to aim, what drops out of bricks, and all keys."""
 
 from game.input.key_names import play_help
 from game.input.keys import Action
@@ -17,7 +17,7 @@ from game.screens.toolkit.panel import Panel
 
 
 class Help(Panel):
-    """A panel with a part for each question; the key that opened it closes it."""
+    """The panel of the help, with a tab for each topic. The key that opened it closes it."""
 
     def __init__(
         self, state: AppState, under: Screen, title: str = "", keys: tuple[tuple[str, str], ...] | None = None
@@ -46,7 +46,7 @@ class Help(Panel):
         return super().answer(signal, size)
 
     def _key_rows(self, keys: tuple[tuple[str, str], ...]) -> tuple[Row, ...]:
-        """A line for each, two where texts are large."""
+        """A line for each key; two lines if the text is large."""
         if not self.has_large_text:
             return tuple([(TableRow(((names, 1.0, "left"), (meaning, 2.0, "left"))),) for names, meaning in keys])
         words = [(TextItem(names, 1.0, faint=True), TextItem(meaning, 1.1), Item()) for names, meaning in keys]
@@ -54,7 +54,7 @@ class Help(Panel):
 
 
 def _game() -> tuple[Row, ...]:
-    """What it is about."""
+    """The tab about the game's aim."""
     beside = TextItem("\n".join(game_words()), 1.15, share=1.25)
     return (
         (Drawing(12.5, pictures.draw_arena, most=1.0), beside),
@@ -64,7 +64,7 @@ def _game() -> tuple[Row, ...]:
 
 
 def _aiming() -> tuple[Row, ...]:
-    """How one steers a ball."""
+    """The tab about steering the ball."""
     *ways, hint = aiming_words()
     return (
         (
@@ -79,7 +79,7 @@ def _aiming() -> tuple[Row, ...]:
 
 
 def _controls() -> tuple[Row, ...]:
-    """Keyboard, mouse, gamepad, touch."""
+    """The tab about keyboard, mouse, gamepad and touch."""
     ways = (
         keyboard_words(),
         (

@@ -30,7 +30,7 @@ def power_rows() -> tuple[Row, ...]:
 
 
 def _cell(kind: PowerUp) -> tuple[Item, Item]:
-    """A sign, and what it does."""
+    """A power-up's sign and its explanation."""
 
     def paint(canvas: Canvas, box: pygame.Rect) -> None:
         pixel = complex(*box.center)

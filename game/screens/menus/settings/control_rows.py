@@ -1,4 +1,4 @@
-"""The part of the settings that gives keys and buttons to actions: a row for every action, two keys and a button each."""
+"""The settings of the controls: a row for every action, with two keys and a gamepad's button."""
 
 from collections.abc import Callable
 
@@ -19,7 +19,7 @@ _KEY_SHARE = 0.62
 
 
 def control_rows(state: AppState, panel: Screen) -> tuple[Row, ...]:
-    """Everything that can be pressed, by what it is for."""
+    """All rows of the tab, grouped by purpose."""
     rows: list[Row] = [(ButtonItem(tr("Reset all keys and buttons"), _reset(state, panel), centred=True),)]
     for title, actions in action_groups():
         rows.append((Heading(title, "" if len(rows) > 1 else tr("keys, gamepad")),))
@@ -31,7 +31,7 @@ def control_rows(state: AppState, panel: Screen) -> tuple[Row, ...]:
 
 
 def _keys(state: AppState, panel: Screen, action: Action, name: str) -> Row:
-    """An action's keys and its button; each leads to the question for another one. name: what the action is called."""
+    """The row of an action: two keys and a button; each opens the question for another one. name: of the action."""
     tip = tr("Enter: choose another key. Pressing the same one again removes it.")
     return tuple(
         [
@@ -42,12 +42,12 @@ def _keys(state: AppState, panel: Screen, action: Action, name: str) -> Row:
 
 
 def _capture(state: AppState, panel: Screen, asked: CaptureTarget) -> Callable[[], Screen | None]:
-    """Opens the question for a key."""
+    """A function that opens the question for a key."""
     return lambda: KeyCapture(state, panel, asked)
 
 
 def _reset(state: AppState, panel: Screen) -> Callable[[], Screen | None]:
-    """Forgets what the player has chosen."""
+    """A function that restores the default keys."""
 
     def done() -> Screen | None:
         state.change(state.settings._replace(own_keys=DEFAULT_KEYS))

@@ -1,4 +1,4 @@
-"""The question for a key or a button: the next one that is pressed is given to an action."""
+"""The panel that asks for a key or a button of an action: the next one that is pressed."""
 
 import pygame
 
@@ -34,7 +34,7 @@ class KeyCapture(Panel):
         return Content(self._wanted.name, rows, back_row(tr("Back"), self.back), width=28.0, centred=True)
 
     def typed(self, event: pygame.Event) -> bool:
-        """Take a key or a button before it means anything; whether the event is one."""
+        """Take a pressed key or button, whatever it usually means. Returns whether the event was one."""
         if event.type not in (pygame.KEYDOWN, pygame.CONTROLLERBUTTONDOWN):
             return False
         if not self._answered:
@@ -56,7 +56,7 @@ class KeyCapture(Panel):
             self._give(control)
 
     def _give(self, control: int) -> None:
-        """Give the action its key, and say what that did."""
+        """Give the action the pressed key, and say what that changed."""
         settings = self.state.settings
         own_keys, told = given(settings.own_keys, self._wanted, control)
         self.state.change(settings._replace(own_keys=own_keys), Toast(told, None, _TOLD_SECONDS))
