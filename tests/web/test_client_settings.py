@@ -268,3 +268,23 @@ def test_a_stored_game_is_named_kept_and_deleted_after_a_question(tmp_path):
     played.choose("delete")
     assert not file.exists()
     assert played.page._screen.menu.title == "Replays"
+
+
+def test_a_replay_has_its_own_keys_for_speed_beginning_and_end(tmp_path):
+    """They are the desktop's, and leave the volume as it is."""
+    stored_run(tmp_path, campaign())
+    (file,) = (tmp_path / "replays").glob("*.polar")
+    played = PlayedPage(tmp_path)
+    before = played.page._state.settings.volume
+    for item in ("replays", f"replay-{file.name}", "watch"):
+        played.choose(item)
+
+    played.key("Equal", "=")
+    played.key("End")
+    menu = {item.id: item.value for item in played.page._screen.menu.items}
+    assert (menu["speed"], int(menu["second"])) == ("4", 1300 // 240)
+    played.key("Home")
+    played.key("Minus", "-")
+    menu = {item.id: item.value for item in played.page._screen.menu.items}
+    assert (menu["speed"], menu["second"]) == ("1", "0")
+    assert played.page._state.settings.volume == before
