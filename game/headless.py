@@ -52,9 +52,10 @@ def result_line(game: Game, physics: str = "swept") -> str:
     physics: as `--physics` takes it. If two players play against each other, the line has a score and lives of each.
     """
     listed = built_in() if game.level in built_in() else game.levels
+    number = listed.index(game.level) + 1
     sides = [f"player_{k}_score={side.score} player_{k}_lives={side.lives} " for k, side in enumerate(game.sides, 1)]
     return (
-        f"ticks={game.tick} seed={game.seed} physics={physics} level={listed.index(game.level) + 1} phase={game.phase.name.lower()} "
+        f"ticks={game.tick} seed={game.seed} physics={physics} level={number} phase={game.phase.name.lower()} "
         f"score={game.score} lives={game.lives} {''.join(sides)}layers={layers_left(game)} hash={state_hash(game)}"
     )
 
