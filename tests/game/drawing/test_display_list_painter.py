@@ -170,10 +170,10 @@ def test_a_list_is_read_as_it_was_written():
     out.band([(0j, 1.0, GREY), (1 + 0j, 1.0, WHITE)])
     out.plate("x", 9.0, 0j, GREY, (1.0, 1.0), (1.0, WHITE))
     out.sprite(0j, 1.0, chip)
-    out.camera(Camera(0j, 1.0), 1j, (0.4, 0.8))
+    out.camera(Camera(0j, 1.0), 1j, (0.4, 0.8), 0.5j)
     out.slot(1.0)
     out.prism((0j, 1j, 1 + 0j), 0.0, 1.0, GREY)
-    out.shadows((0j, 1j, 1 + 0j), 1 + 0j, [(0.0, 1.0), (1.0, 2.0)], 0.5)
+    out.shadows((0j, 1j, 1 + 0j), [(0.0, 0.0, 1.0), (1.0, 0.0, 2.0)], 0.5)
     out.box(0j, 4 + 2j, 1.0, GREY, (1.0, WHITE))
     out.texture(1, 2, [GREY, WHITE, GREY, WHITE])
     out.textured(0j, 1.0, 1)
@@ -189,13 +189,13 @@ def test_a_list_is_read_as_it_was_written():
     assert [code for code, *_ in found] == list(Primitive)
     assert unpacked(found[0][1]) == (255, 254, 253)
     assert found[Primitive.SPRITE - 1][3][4:] == chip.numbers
-    assert list(found[Primitive.SHADOWS - 1][3][-4:]) == [0.0, 1.0, 1.0, 2.0]
+    assert list(found[Primitive.SHADOWS - 1][3][-4:]) == [1.0, 1.0, 0.0, 2.0]
     assert packed(GREY) == found[1][1]
 
 
 def test_what_only_a_canvas_paints_is_refused():
-    """A line is not painted as anything else."""
+    """A mark of the ground, which the desktop paints elsewhere, is not painted as anything else."""
     out = DisplayList()
-    out.line((0j, 1 + 0j), 1.0, GREY)
-    with pytest.raises(ValueError, match="does not paint LINE"):
+    out.ground_mark((0j, 1j, 1 + 0j), GREY)
+    with pytest.raises(ValueError, match="does not paint GROUND_MARK"):
         painted(out)
