@@ -194,8 +194,8 @@ def test_a_list_is_read_as_it_was_written():
 
 
 def test_what_only_a_canvas_paints_is_refused():
-    """A line is not painted as anything else."""
+    """A mark of the ground, which the desktop paints elsewhere, is not painted as anything else."""
     out = DisplayList()
-    out.line((0j, 1 + 0j), 1.0, GREY)
-    with pytest.raises(ValueError, match="does not paint LINE"):
+    out.ground_mark((0j, 1j, 1 + 0j), GREY)
+    with pytest.raises(ValueError, match="does not paint GROUND_MARK"):
         painted(out)
