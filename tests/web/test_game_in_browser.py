@@ -72,8 +72,8 @@ def test_a_key_moves_the_paddles(page):
     page.tab.keyboard.up("ArrowLeft")
 
 
-def test_keys_are_sent_at_once_but_no_more_than_three_wait_for_replies(page):
-    """They wait neither for the browser's next frame nor for a reply. The rest is sent later: the last turns the paddles."""
+def test_keys_are_sent_at_once_but_no_more_than_three_wait_for_pictures(page):
+    """They wait neither for the browser's next frame nor for a picture. The rest is sent later: the last turns the paddles."""
     page.go("classic/1")
     before = page.standing()["paddle"]
     sent = page.tab.evaluate(SENT, 9)
@@ -198,7 +198,7 @@ def test_the_keyboard_alone_leads_from_the_title_into_the_game_and_back(page):
 
 
 def test_axe_finds_nothing(page, axe):
-    """Title, settings, levels, game, pause, lab: every control has a name, and every text can be read."""
+    """Title, settings, keys, levels, help, credits, game, pause, lab: every control has a name, and every text can be read."""
 
     def violations():
         found = page.tab.evaluate("axe.run(document, {resultTypes: ['violations']})")["violations"]
@@ -206,10 +206,12 @@ def test_axe_finds_nothing(page, axe):
 
     page.tab.evaluate(axe)
     assert violations() == []
-    for item in ("settings", "levels", "help"):
-        page.use(item)
-        assert violations() == [], item
-        page.use("back")
+    for items in (("settings", "keys", "key-left-0"), ("levels",), ("help",), ("credits",)):
+        for item in items:
+            page.use(item)
+            assert violations() == [], item
+        for _ in items:
+            page.use("back")
     page.go("classic/1")
     assert violations() == []
     page.use("pause")

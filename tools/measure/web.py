@@ -30,16 +30,10 @@ PROGRAM = "python -m tools.measure.web"
 app = typer.Typer(add_completion=False, pretty_exceptions_enable=False, rich_markup_mode=None)
 _PATIENCE = 120.0
 """Seconds that the first frame is waited for."""
-_COUNT = """seconds => new Promise(done => {
-  const times = [];
-  const tick = now => { times.push(now); now - times[0] < 1000 * seconds ? requestAnimationFrame(tick) : done(times); };
-  requestAnimationFrame(tick);
-})"""
-"""The times of the browser's frames for some seconds."""
 _SETTLING, _SECONDS = 2.0, 10.0
 """Seconds before frames are counted, and in which they are."""
 _WATCH = """(() => {
-  const seen = window.inputDelays = { on: false, frames: [], pictures: [] }, requests = [], workers = new Set();
+  const seen = window.measured = { on: false, frames: [], painted: [], pictures: [] }, requests = [], workers = new Set();
   const now = () => performance.timeOrigin + performance.now();
   const next = window.requestAnimationFrame, post = Worker.prototype.postMessage;
   let key = null;
@@ -52,9 +46,10 @@ _WATCH = """(() => {
     if (!workers.has(this)) {
       workers.add(this);
       this.addEventListener("message", ({ data }) => {
-        if (data.kind !== "frame") return;
+        if (data.kind !== "painted") return;
+        if (seen.on) seen.painted.push(data.time);
         const pressed = requests.shift();
-        if (pressed) seen.pictures.push([pressed, data.painted]);
+        if (pressed) seen.pictures.push([pressed, data.time]);
       });
     }
     if (message.kind === "frame") {
@@ -65,10 +60,12 @@ _WATCH = """(() => {
     return post.call(this, message, ...rest);
   };
 })()"""
-"""Notes when the browser's frames begin, when a key's event comes, and when the picture that was requested with it is painted.
+"""Notes when the browser's frames begin, when pictures are painted, and which picture was the first that heeds a key.
 
-Replies come in the order of their requests.
+Pictures are painted in the order of their requests. Times are in milliseconds.
 """
+_START = "Object.assign(measured, { on: true, frames: [], painted: [], pictures: [] })"
+_STOP = "Object.assign(measured, { on: false })"
 _PRESSES, _PRESS_SECONDS = 400, (0.08, 0.14)
 """How many keys are pressed, and the shortest and the longest time between two of them: they come at any time of a frame."""
 _LOOK_SECONDS, _MINUTE = 5.0, 60.0
@@ -159,23 +156,37 @@ def _let_play(page: "Page") -> None:
 
 
 def _rate(page: "Page") -> str:
-    """Pictures a second, and how late the slowest hundredth of the browser's frames was."""
+    """How many of the browser's frames a second show a new picture, and how far apart they are."""
     page.wait_for_timeout(1000.0 * _SETTLING)
-    before = page.evaluate("polarBreakout.frames")
-    times = page.evaluate(_COUNT, _SECONDS)
-    pictures = page.evaluate("polarBreakout.frames") - before
-    gaps = sorted([later - sooner for sooner, later in itertools.pairwise(times)])
-    return f"{pictures / _SECONDS:.1f} pictures a second, 99 % of frames within {gaps[int(0.99 * len(gaps))]:.1f} ms"
+    page.evaluate(_START)
+    page.wait_for_timeout(1000.0 * _SECONDS)
+    seen = page.evaluate(_STOP)
+    shown = new_pictures(seen["painted"], seen["frames"])
+    gaps = sorted([later - sooner for sooner, later in itertools.pairwise(shown)])
+    rate = 1000.0 * len(gaps) / (shown[-1] - shown[0])
+    return (
+        f"{rate:.1f} pictures a second, 99 % within {gaps[int(0.99 * len(gaps))]:.1f} ms of the one before,"
+        f" all within {gaps[-1]:.1f} ms"
+    )
+
+
+def new_pictures(painted: list[float], frames: list[float]) -> list[float]:
+    """The frames of the browser that show another picture than the frame before. Both lists are of times, in order."""
+    return [
+        frame
+        for before, frame in itertools.pairwise(frames)
+        if bisect.bisect_right(painted, before) < bisect.bisect_right(painted, frame)
+    ]
 
 
 def _input_delay(page: "Page") -> str:
     """Frames of the browser, and milliseconds, from keys to the pictures that heed them."""
     chance = random.Random(1)
-    page.evaluate("Object.assign(inputDelays, { on: true, frames: [], pictures: [] })")
+    page.evaluate(_START)
     for _ in range(_PRESSES):
         page.keyboard.press("ArrowLeft")
         page.wait_for_timeout(1000.0 * chance.uniform(*_PRESS_SECONDS))
-    seen = page.evaluate("Object.assign(inputDelays, { on: false })")
+    seen = page.evaluate(_STOP)
     frames = sorted([shown_by(pressed, painted, seen["frames"]) for pressed, painted in seen["pictures"]])
     delays = sorted([painted - pressed for pressed, painted in seen["pictures"]])
     shares = ", ".join([f"{sum(count <= most for count in frames) / len(frames):.2%} within {most}" for most in (1, 2)])

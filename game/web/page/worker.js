@@ -1,16 +1,15 @@
 // The game's Python, in a thread of its own: CPython on WebAssembly, the project's modules, what is stored.
 
-import { Picture } from "./picture.js";
 import { addFiles, startedPython } from "./python.js";
 import { discardSnapshots, storeSnapshot } from "./snapshot.js";
 
 const KEPT = "/kept";
 const SNAPSHOT_DELAY = 3000; // milliseconds from the start until its memory is stored
-let page = null, picture = null, python = null, stored = false, storing = Promise.resolve(null), background = "#000";
+let page = null, pictures = null, python = null, stored = false, storing = Promise.resolve(null), background = "#000";
 
-async function start({ base, calm, canvas, languages, touch, grades }) {
+async function start({ base, calm, languages, touch, grades, port = null }) {
   performance.mark("worker began");
-  if (canvas) picture = new Picture(canvas);
+  pictures = port;
   const [started, sounds] = await Promise.all([startedPython(), fetch(`${base}sounds.json`).then((answer) => answer.arrayBuffer())]);
   python = started.python;
   if (grades) {
@@ -54,24 +53,21 @@ function save() {
   return saving;
 }
 
-/** Let `use` read a list of Python's where it is: no Python may run in the meantime. */
-function borrowed(list, use) {
-  const view = list.getBuffer("f32");
-  try {
-    use(view.data);
-  } finally {
-    view.release();
-    list.destroy();
-  }
+function copied(list) {
+  const view = list.getBuffer("f32"), copy = view.data.slice();
+  view.release();
+  list.destroy();
+  return copy;
 }
 
-/** Let Python play and draw, paint its picture, and tell the page the rest. */
+/** Let Python play and draw. Another worker paints the picture; the page gets the rest of the reply. */
 function frame(request) {
   const { texts = [], backdrop, backdrop_texts: backdropTexts = [], ...reply } = JSON.parse(page.frame(JSON.stringify(request)));
   background = reply.colours?.background ?? background;
-  if (backdrop) borrowed(page.backdrop, (numbers) => picture.setBackdrop(request, background, numbers, backdropTexts));
-  borrowed(page.numbers, (numbers) => picture.show(request, numbers, texts));
-  self.postMessage({ kind: "frame", reply, painted: performance.timeOrigin + performance.now() });
+  self.postMessage({ kind: "frame", reply });
+  const picture = { width: request.width, height: request.height, background, numbers: copied(page.numbers), texts };
+  if (backdrop) picture.backdrop = { numbers: copied(page.backdrop), texts: backdropTexts };
+  pictures.postMessage(picture, [picture.numbers, picture.backdrop?.numbers].filter(Boolean).map((numbers) => numbers.buffer));
   if (reply.keep) save();
   if (reply.second_engine) loadEngine();
 }

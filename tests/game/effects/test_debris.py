@@ -12,8 +12,6 @@ import pytest
 from game.drawing import debris as debris_picture
 from game.drawing.palette import DARK
 from game.drawing.piece_look import PLATES, STREAK_TICKS
-from game.drawing.slots.contents import resting_contents
-from game.drawing.slots.parts import LAYER_HEIGHT, height
 from game.drawing.solid.debris_occlusion import occluded
 from game.effects import NOTHING, debris
 from game.effects.bursts import Burst, BurstOrigin, Matter, lifetime
@@ -21,6 +19,8 @@ from game.effects.piece_paths import CHANCES, NUMBERS_OF_PIECES, chances
 from game.input.view import FLAT, SOLID, Viewpoint
 from game.picture.display_list import primitives, unpacked
 from game.picture.moving.bursts import flying_pieces
+from game.picture.slots.contents import resting_contents
+from game.picture.slots.parts import LAYER_HEIGHT, height
 from game.picture.view import ArenaView
 from game.scene import scene_at
 from tests.support.games.autopilot_games import game_after
