@@ -14,7 +14,7 @@ from game.rules import TICK, Ruleset, new_game
 from game.screenshot import save_screenshot
 from tests.support.paths import GOLDEN, ROOT
 
-TOLERANCE = {FLAT: (0.4, 12.0), SOLID: (1.5, 25.0)}
+TOLERANCE = {FLAT: (0.4, 12.0), SOLID: (1.0, 25.0)}
 """Of a picture's mean difference and of its worst block's, of 255."""
 SENT = """keys => {
   const post = Worker.prototype.postMessage, sent = [];

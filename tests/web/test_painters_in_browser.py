@@ -8,13 +8,16 @@ import numpy as np
 import pygame
 import pytest
 
+from game.drawing import light
 from game.drawing.balls.ball import BallPictures
 from game.drawing.camera import Camera
 from game.drawing.display_list_painter import DisplayListPainter
 from game.drawing.painter import Painter
 from game.drawing.text import Type
-from game.effects import NOTHING, Light, Wave
+from game.effects import NOTHING, Burst, FallingStack, Light, Wave
+from game.effects.bursts import BurstOrigin, Matter
 from game.effects.lights import LightSource
+from game.effects.piece_paths import NUMBERS_OF_PIECES
 from game.effects.waves import WaveTone
 from game.input.view import FLAT, SOLID
 from game.levels import campaign, classic
@@ -24,6 +27,7 @@ from game.picture.ground import colours, lists, measures
 from game.picture.moving.balls import BallTextures, add_ball
 from game.picture.moving.layers import add_in_air, add_on_ground
 from game.picture.slots import flat
+from game.picture.solid import rings
 from game.rules import ActivePower, Drop, PowerUp, Ruleset, new_game
 from game.scene import Aim, Well, scene_at, still
 from game.unlocks import BALLS, PLAIN_TRAIL, TRAILS
@@ -56,6 +60,8 @@ COUNT = """async ([numbers, width, height]) => {
 """Counts on a transparent canvas: pixels by opacity, and opaque pixels by colour."""
 RESTING = (0.55, 28.0)
 """The same of the ground and of what stands on it, which differ in their smooth edges alone."""
+IN_3D = (0.85, 95.0)
+"""The same in 3D: the desktop fills whole pixels of a finer drawing, and leaves out narrow shadows between blocks."""
 DESCRIPTIONS = (flat._looks, lists.ground_list)
 """What caches parts of the description."""
 SQUARE = (-0.5 - 0.5j, -0.5 + 0.5j, 0.5 + 0.5j, 0.5 - 0.5j)
@@ -155,6 +161,46 @@ def test_both_painters_follow_a_change_of_the_description(page, monkeypatch):
     for function in DESCRIPTIONS:
         function.cache_clear()
     before = from_above(page, DARK, level)
+    assert np.abs(desktop - before[0]).mean() > 1.0
+    assert np.abs(on_page - before[1]).mean() > 1.0
+
+
+def in_3d(page, theme, level, seed=5):
+    """A level's first moment in 3D, its highest stacks falling and a brick bursting: the desktop's picture and the page's."""
+    scene = scene_at(still(new_game((level,), 1, Ruleset())), 1.0, NOTHING)._replace(aim=None)
+    tall = [k for k, layers in enumerate(scene.tallest) if layers > 1]
+    view = SOLID._replace(azimuth=0.7)
+    scene = scene._replace(
+        falling=tuple([FallingStack(k, 0, 0.6, 0.0) for k in tall]),
+        bursts=(Burst(Matter.BRICK, BurstOrigin(7.0, 0.2, -0.8, 0.1), 1j, 2, seed, 20),),
+    )
+    canvas = canvas_of(scene, SIZE, view, theme=theme)
+    Painter().paint(canvas, scene)
+    picture = ArenaPicture()
+    numbers = [*picture.backdrop(scene, canvas.view).numbers, *picture.frame(scene, canvas.view).numbers]
+    shown = page.tab.evaluate(PAINT, [numbers, "#000000", *SIZE])
+    on_page = pygame.image.load(io.BytesIO(base64.b64decode(shown.split(",")[1])), "shown.png")
+    return blocks(canvas.surface), blocks(on_page)
+
+
+@pytest.mark.parametrize("number", [0, 4, 15], ids=["plain", "stacks", "crowded"])
+@pytest.mark.parametrize("theme", [DARK, LIGHT], ids=["dark", "light"])
+def test_the_arena_in_3d_is_the_desktops(page, theme, number):
+    """Blocks with their shades and shadows, stacks that fall, and all pieces of a burst."""
+    apart = np.abs(np.subtract(*in_3d(page, theme, campaign()[number])))
+    assert apart.mean() < IN_3D[0]
+    assert apart.max() < IN_3D[1]
+
+
+def test_both_painters_follow_a_change_of_the_prisms_and_pieces(page, monkeypatch):
+    """With other heights, shades, shadows and numbers of pieces both pictures are others, and still agree."""
+    before = in_3d(page, DARK, campaign()[4])
+    monkeypatch.setattr(rings, "LAYER_HEIGHT", 0.07)
+    monkeypatch.setattr(light, "SHADOW_SLANT", 1.4)
+    monkeypatch.setattr(light, "_BRIGHTEST", 0.55)
+    monkeypatch.setitem(NUMBERS_OF_PIECES, Matter.BRICK, 40)
+    desktop, on_page = in_3d(page, DARK, campaign()[4], seed=6)  # another one, as the pieces of a burst are cached
+    assert np.abs(desktop - on_page).mean() < IN_3D[0]
     assert np.abs(desktop - before[0]).mean() > 1.0
     assert np.abs(on_page - before[1]).mean() > 1.0
 
