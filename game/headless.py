@@ -9,7 +9,7 @@ from game.replays.file import Recorder
 from game.replays.state_hash import state_hash
 from game.rules import SOURCE_RULES, Advance, Game, Phase, Ruleset, Ticked, layers_left, new_game, tick
 from game.rules.state import PLAYING
-from game.system.ending import pending
+from game.system.ending import deferred_signals
 from physics import advance as swept_advance
 
 _PROGRESS_STEP = 1000
@@ -32,7 +32,7 @@ def autopilot_game(
     game, pilot = new_game(levels, seed, ruleset), Autopilot()
     for start in _with_progress(range(0, ticks, _PROGRESS_STEP)):
         for _ in range(min(_PROGRESS_STEP, ticks - start)):
-            if (game.phase is not PLAYING and game.phase in _ENDED) or pending():
+            if deferred_signals or (game.phase is not PLAYING and game.phase in _ENDED):
                 return game
             controls = pilot.controls(game)
             done = tick(game, controls, advance)

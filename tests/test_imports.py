@@ -42,13 +42,13 @@ WRONG = {
     },
     "What plays without a window needs no pygame, neither directly nor through others": {
         "game/system/files.py": "import pygame",
-        "game/autopilot/source_pilot.py": "def f():\n    import game.overlay.toast",
+        "game/autopilot/source_pilot.py": "def f():\n    import game.overlay.hud",
         "game/lab/kit/marks.py": "import game.loop.app",
         "tools/bench.py": "import pygame.draw",
     },
     "What runs in a browser needs the standard library and msgspec alone": {
-        "game/picture/ground.py": "import numpy",
-        "game/web/client/keys.py": "def f():\n    import game.overlay.toast",
+        "game/picture/view.py": "import numpy",
+        "game/web/client/keys.py": "def f():\n    import game.overlay.hud",
     },
     "The drawing knows nothing of what draws with it": {"game/drawing/camera.py": "def f():\n    import game.screens.title"},
     "The flat and the solid view know nothing of each other": {

@@ -72,6 +72,20 @@ class Camera(NamedTuple):
             found.append(centre + complex(turned.real * here, -turned.imag * cosine * here))
         return found
 
+    def pixels_above(self, points: Iterable[tuple[float, float, float]]) -> list[complex]:
+        """Pixels of many points above the ground, each x, y and height: as `project` one by one, but faster."""
+        centre, scale = self.centre, self.scale
+        if self.flat:
+            return [centre + complex(x, -y) * scale for x, y, _ in points]
+        right, up = math.cos(self.azimuth), math.sin(self.azimuth)
+        sine, cosine, closeness = math.sin(self.tilt), math.cos(self.tilt), self.closeness
+        found = []
+        for x, y, height in points:
+            away = y * right - x * up
+            here = scale / (1.0 + closeness * (away * sine - height * cosine))
+            found.append(centre + complex((x * right + y * up) * here, -(away * cosine + height * sine) * here))
+        return found
+
     def side(self, point: complex, reach: float) -> float:
         """How far a point of the ground is to the right on the screen. reach: world units that count as 1."""
         return (self.project(point) - self.centre).real / (self.scale * reach)

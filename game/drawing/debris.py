@@ -4,33 +4,32 @@ from collections.abc import Sequence
 
 import numpy as np
 import pygame
+from numpy.typing import NDArray
 
-from game.array_maths import ARRAYS
+from game.array_maths import ARRAYS, Arrays
 from game.drawing.camera import Camera
 from game.drawing.canvas import Canvas
 from game.drawing.palette import Theme
-from game.drawing.piece_colours import (
-    LEAST_SIZE,
+from game.drawing.piece_look import (
     PLATES,
-    STREAK_FRONT,
     STREAK_TICKS,
     STREAK_WIDTH,
     burning,
     burst_colour,
-    glittering,
+    glitter,
+    least_size,
+    plate,
     plate_light,
-    unevenness,
+    streak,
 )
 from game.drawing.raster.arrays import Points, Reals
 from game.drawing.raster.pixels import pairs
 from game.drawing.raster.primitives import HALF_PIXEL
-from game.drawing.solid.blocks import Flags
 from game.drawing.solid.debris_occlusion import occluded
 from game.effects.bursts import Burst
 from game.effects.debris import Pieces, pieces
+from game.effects.piece_paths import FlyingPiece
 from game.scene import Scene
-
-_CORNERS = np.exp(0.5j * np.pi * np.arange(4))
 
 
 def draw(canvas: Canvas, scene: Scene) -> None:
@@ -41,61 +40,63 @@ def draw(canvas: Canvas, scene: Scene) -> None:
     plates = [burst for burst in scene.bursts if burst.matter in PLATES]
     sparks = [burst for burst in scene.bursts if burst.matter not in PLATES]
     earlier = [burst._replace(age=max(burst.age - STREAK_TICKS, 0)) for burst in sparks]
-    bursts, shown_bursts = [*plates, *sparks, *earlier], len(scene.bursts)
+    bursts = [*plates, *sparks, *earlier]
     flying = pieces(bursts, scene.ground_radius)
-    shown = _shown(flying, scene, camera)
-    whole, heads = (flying.burst < len(plates)) & shown, (flying.burst >= len(plates)) & (flying.burst < shown_bursts)
-    tails, shown_heads = flying.burst >= shown_bursts, shown[heads]
-    if whole.any():
+    first_spark, first_earlier = np.searchsorted(flying.burst, (len(plates), len(scene.bursts)))
+    shown = _shown(flying, int(first_earlier), scene, camera)
+    whole, heads = shown[shown < first_spark], shown[shown >= first_spark]
+    if len(whole):
         some = _some(flying, whole)
-        _fill(canvas.surface, _plates(some, camera), _glittering(some, bursts, theme))
-    if shown_heads.any():
-        ends = _some(_some(flying, heads), shown_heads), _some(_some(flying, tails), shown_heads)
-        _fill(canvas.surface, _streaks(*ends, camera), _burning(ends[0], bursts, theme))
+        _fill(canvas.surface, _plates(some.flying, camera), _glittering(some, bursts, theme))
+    if len(heads):
+        some, tails = _some(flying, heads), _some(flying, heads + (first_earlier - first_spark))
+        _fill(canvas.surface, _streaks(some.flying, tails.flying, camera), _burning(some, bursts, theme))
 
 
-def _shown(flying: Pieces, scene: Scene, camera: Camera) -> Flags:
-    """Which pieces are large enough to see and not behind anything."""
-    large = flying.size * camera.scale > LEAST_SIZE
-    return large if camera.flat else large & ~occluded(flying.position, flying.height, scene, camera)
+def _shown(flying: Pieces, count: int, scene: Scene, camera: Camera) -> NDArray[np.intp]:
+    """Which of the first pieces are large enough to see and not behind anything."""
+    piece = flying.flying
+    large = np.flatnonzero(piece.size[:count] > least_size(camera))
+    if camera.flat:
+        return large
+    return large[~occluded(_ground(piece)[large], np.asarray(piece.height[large], dtype=np.float64), scene, camera)]
 
 
-def _some(flying: Pieces, which: Flags) -> Pieces:
+def _some(flying: Pieces, which: NDArray[np.intp]) -> Pieces:
     """Some of the pieces."""
-    return Pieces._make([field[which] for field in flying])
+    return Pieces(FlyingPiece[Arrays](*[field[which] for field in flying.flying]), flying.burst[which])
 
 
-def _plates(flying: Pieces, camera: Camera) -> Points:
-    """The corners of plates, pixels, four a row: each turned about the vertical and about one of its own sides."""
-    uneven = np.stack([unevenness(ARRAYS, flying.shape, corner) for corner in range(4)], axis=1)
-    corners = _CORNERS * uneven * flying.size[:, None]
-    level, high = corners.imag * np.cos(flying.tumble)[:, None], corners.imag * np.sin(flying.tumble)[:, None]
-    across = np.exp(1j * flying.turn)[:, None]
-    ground = flying.position[:, None] + (corners.real + 1j * level) * across
-    return camera.projected(ground * camera.turning, np.abs(flying.height[:, None] + high))
+def _ground(piece: FlyingPiece[Arrays]) -> Points:
+    """The points of the ground below pieces."""
+    return np.asarray(piece.x + 1j * piece.y, dtype=np.complex128)
+
+
+def _plates(flying: FlyingPiece[Arrays], camera: Camera) -> Points:
+    """The corners of plates, pixels, four a row."""
+    x, y, height = (np.stack(part, axis=1) for part in zip(*plate(ARRAYS, flying), strict=True))
+    return camera.projected((x + 1j * y) * camera.turning, height)
 
 
 def _glittering(flying: Pieces, bursts: Sequence[Burst], theme: Theme) -> Reals:
     """The colour of each plate, red, green and blue: brighter, the more it is turned to the light."""
     own = np.array([burst_colour(burst, theme) for burst in bursts], dtype=np.float64)[flying.burst]
-    light = plate_light(ARRAYS, flying.turn, flying.tumble)[:, None]
-    return np.asarray(glittering(ARRAYS, own, light), dtype=np.float64)
+    share, white = glitter(ARRAYS, plate_light(ARRAYS, flying.flying.turn, flying.flying.tumble))
+    return np.asarray(own * share[:, None] + white[:, None], dtype=np.float64)
 
 
-def _streaks(heads: Pieces, tails: Pieces, camera: Camera) -> Points:
-    """The corners of streaks, pixels, four a row: pointed behind, blunt in front."""
-    front = camera.projected(heads.position * camera.turning, heads.height)
-    back = camera.projected(tails.position * camera.turning, tails.height)
-    along = front - back
-    aside = 1j * along / np.maximum(np.abs(along), 1e-9) * (STREAK_WIDTH * heads.size * camera.scale)
-    return np.stack([back, front + aside, front + STREAK_FRONT * along, front - aside], axis=1)
+def _streaks(heads: FlyingPiece[Arrays], tails: FlyingPiece[Arrays], camera: Camera) -> Points:
+    """The corners of streaks, pixels, four a row. heads, tails: sparks now, and the same ones before."""
+    front, back = (camera.projected(_ground(end) * camera.turning, np.asarray(end.height)) for end in (heads, tails))
+    half_width = (STREAK_WIDTH * camera.scale * heads.size).astype(np.complex128)
+    return np.stack(streak(front, back, half_width), axis=1)
 
 
 def _burning(heads: Pieces, bursts: Sequence[Burst], theme: Theme) -> Reals:
     """The colour of each streak, red, green and blue: bright at first, the ground's at last."""
     own = np.array([burst_colour(burst, theme) for burst in bursts], dtype=np.float64)[heads.burst]
     hot, cold = np.array(theme.flash, dtype=np.float64), np.array(theme.ground, dtype=np.float64)
-    share = np.clip(heads.share, 0.0, 1.0)[:, None]
+    share = np.clip(heads.flying.share, 0.0, 1.0)[:, None]
     return np.asarray(burning(ARRAYS, own, hot, cold, share), dtype=np.float64)
 
 

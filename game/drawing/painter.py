@@ -11,12 +11,12 @@ from game.drawing.canvas import Canvas
 from game.drawing.display_list_painter import DisplayListPainter
 from game.drawing.flat.picture import FlatPicture
 from game.drawing.palettes import themed
-from game.drawing.slots.contents import slot_contents
 from game.drawing.solid.picture import SolidPicture
 from game.picture.display_list import DisplayList
 from game.picture.moving.glints import add_glints
 from game.picture.moving.layers import add_in_air, add_on_ground
 from game.picture.moving.words import add_words
+from game.picture.slots.contents import slot_contents
 from game.picture.view import ArenaView
 from game.scene import Scene
 

@@ -3,11 +3,14 @@
 Gamepads and fingers have to be followed from event to event: game/input/pads.py, game/input/fingers.py.
 """
 
+from collections.abc import Iterable, Mapping
 from itertools import compress
 
 import pygame
 
-from game.input.keys import KEYS, Action, position_in
+from game.input.key_names import CHARACTERS
+from game.input.keys import KEYS, Action
+from game.input.scancodes import US_CODES, position_of
 from game.input.signals import Clicked, Dragged, FocusLost, KeyboardState, Moved, Pressed, Released, Signal, Zoomed
 
 
@@ -31,6 +34,28 @@ def keyboard_state() -> KeyboardState:
     """Which keys are down now, asked of the system: when too many events come at once, some are lost."""
     pressed = pygame.key.get_pressed()  # its own [] takes codes; the tuple below it is in the order of positions
     return KeyboardState(frozenset(compress(range(len(pressed)), tuple.__iter__(pressed))))
+
+
+def position_in(event: pygame.Event) -> int:
+    """The position of a key event; 0 where it is not known. An event that was not made by SDL may have none."""
+    return int(getattr(event, "scancode", 0)) or position_of(event.key)
+
+
+def code_among(event: pygame.Event, known: Iterable[int]) -> int:
+    """The code of a key event, or what the US layout has at its position where the own one is not known."""
+    code = int(event.key)
+    return code if code in known else US_CODES.get(position_in(event), code)
+
+
+def system_layout() -> Mapping[int, int]:
+    """Code of every key with a character on the system's present layout, by position. Needs a display.
+
+    The library gives positions for codes only: a table of key states takes a code for an index and looks at its position.
+    """
+    positions = pygame.key.ScancodeWrapper(range(len(pygame.key.get_pressed())))  # type: ignore[arg-type]
+    found = {int(positions[code]): code for code in reversed(CHARACTERS)}
+    found.pop(0, None)
+    return found
 
 
 def _key(event: pygame.Event) -> Signal | None:

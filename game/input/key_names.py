@@ -1,61 +1,67 @@
-"""What the keys are called on the player's own keyboard layout, and the help that is written with these names."""
+"""What the keys are called on the player's own keyboard layout, and the help that is written with these names.
+
+The window asks the system for the layout, the page the browser; until then it is the US layout.
+"""
 
 from collections.abc import Iterable, Mapping
-from functools import cache
 
-import pygame
-
-from game.input.keys import CONTROL_CODES, KEYS, NAMED_KEY, US_CODES, Action, position_of
+from game.input.keys import KEYS, Action, PadButton
+from game.input.scancodes import CONTROL_CODES, NAMED_KEY, SCANCODES, US_CODES, position_of
 from game.language import tr, tr_noop
 
-_CHARACTERS = range(ord("!"), 0x600)
+CHARACTERS = range(ord("!"), 0x600)
 """Codes of keys with a character: Latin, Greek, Cyrillic, Armenian, Hebrew."""
 _WORDS = {
-    "return": tr_noop("Enter"),
-    "enter": tr_noop("Keypad Enter"),
-    "escape": tr_noop("Esc"),
-    "space": tr_noop("Space"),
-    "tab": tr_noop("Tab"),
-    "backspace": tr_noop("Backspace"),
-    "delete": tr_noop("Del"),
-    "insert": tr_noop("Ins"),
-    "left": tr_noop("Left"),
-    "right": tr_noop("Right"),
-    "up": tr_noop("Up"),
-    "down": tr_noop("Down"),
-    "home": tr_noop("Home"),
-    "end": tr_noop("End"),
-    "page up": tr_noop("Page up"),
-    "page down": tr_noop("Page down"),
-    "break": tr_noop("Pause"),
-    "left shift": tr_noop("Left Shift"),
-    "right shift": tr_noop("Right Shift"),
-    "left ctrl": tr_noop("Left Ctrl"),
-    "right ctrl": tr_noop("Right Ctrl"),
-    "left alt": tr_noop("Left Alt"),
-    "right alt": tr_noop("Right Alt"),
-    "caps lock": tr_noop("Caps Lock"),
+    "Enter": tr_noop("Enter"),
+    "NumpadEnter": tr_noop("Keypad Enter"),
+    "Escape": tr_noop("Esc"),
+    "Space": tr_noop("Space"),
+    "Tab": tr_noop("Tab"),
+    "Backspace": tr_noop("Backspace"),
+    "Delete": tr_noop("Del"),
+    "Insert": tr_noop("Ins"),
+    "ArrowLeft": tr_noop("Left"),
+    "ArrowRight": tr_noop("Right"),
+    "ArrowUp": tr_noop("Up"),
+    "ArrowDown": tr_noop("Down"),
+    "Home": tr_noop("Home"),
+    "End": tr_noop("End"),
+    "PageUp": tr_noop("Page up"),
+    "PageDown": tr_noop("Page down"),
+    "Pause": tr_noop("Pause"),
+    "ShiftLeft": tr_noop("Left Shift"),
+    "ShiftRight": tr_noop("Right Shift"),
+    "ControlLeft": tr_noop("Left Ctrl"),
+    "ControlRight": tr_noop("Right Ctrl"),
+    "AltLeft": tr_noop("Left Alt"),
+    "AltRight": tr_noop("Right Alt"),
+    "CapsLock": tr_noop("Caps Lock"),
 }
-"""What keys without a character are called, where the system's name is not it."""
+"""What keys without a character are called, where it is not what browsers call them."""
+_KEYPAD = {"Decimal": ".", "Divide": "/", "Multiply": "*", "Subtract": "-", "Add": "+"}
+"""What is written on keys of the keypad that have no digit."""
+_KEYS = {position: name for name, position in SCANCODES.items()}
 _BUTTONS = {
-    pygame.CONTROLLER_BUTTON_A: tr_noop("A"),
-    pygame.CONTROLLER_BUTTON_B: tr_noop("B"),
-    pygame.CONTROLLER_BUTTON_X: tr_noop("X"),
-    pygame.CONTROLLER_BUTTON_Y: tr_noop("Y"),
-    pygame.CONTROLLER_BUTTON_BACK: tr_noop("View"),
-    pygame.CONTROLLER_BUTTON_START: tr_noop("Menu"),
-    pygame.CONTROLLER_BUTTON_LEFTSHOULDER: tr_noop("LB"),
-    pygame.CONTROLLER_BUTTON_RIGHTSHOULDER: tr_noop("RB"),
-    pygame.CONTROLLER_BUTTON_LEFTSTICK: tr_noop("L3"),
-    pygame.CONTROLLER_BUTTON_RIGHTSTICK: tr_noop("R3"),
-    pygame.CONTROLLER_BUTTON_DPAD_LEFT: tr_noop("D-pad left"),
-    pygame.CONTROLLER_BUTTON_DPAD_RIGHT: tr_noop("D-pad right"),
-    pygame.CONTROLLER_BUTTON_DPAD_UP: tr_noop("D-pad up"),
-    pygame.CONTROLLER_BUTTON_DPAD_DOWN: tr_noop("D-pad down"),
+    PadButton.A: tr_noop("A"),
+    PadButton.B: tr_noop("B"),
+    PadButton.X: tr_noop("X"),
+    PadButton.Y: tr_noop("Y"),
+    PadButton.BACK: tr_noop("View"),
+    PadButton.START: tr_noop("Menu"),
+    PadButton.LEFTSHOULDER: tr_noop("LB"),
+    PadButton.RIGHTSHOULDER: tr_noop("RB"),
+    PadButton.LEFTSTICK: tr_noop("L3"),
+    PadButton.RIGHTSTICK: tr_noop("R3"),
+    PadButton.DPAD_LEFT: tr_noop("D-pad left"),
+    PadButton.DPAD_RIGHT: tr_noop("D-pad right"),
+    PadButton.DPAD_UP: tr_noop("D-pad up"),
+    PadButton.DPAD_DOWN: tr_noop("D-pad down"),
 }
 """What a gamepad's buttons are called."""
 NO_KEY = "–"
 """Stands for the key of an action that has none."""
+_layout = dict(US_CODES)
+"""Position to code of the keys with a character, on the present layout."""
 
 
 def positions_in_use(action: Action) -> tuple[int, ...]:
@@ -91,7 +97,8 @@ def position_name(position: int) -> str:
 
 def button_name(button: int) -> str:
     """What a gamepad's button is called."""
-    return tr(_BUTTONS[button]) if button in _BUTTONS else tr("Button {number}").format(number=button)
+    words = next((words for known, words in _BUTTONS.items() if known == button), "")
+    return tr(words) if words else tr("Button {number}").format(number=button)
 
 
 def button_names(*actions: Action) -> str:
@@ -111,9 +118,10 @@ def key_name(action: Action) -> str:
     return key_names(action)[0]
 
 
-def layout_changed() -> None:
-    """Forget the layout: the player has switched to another."""
-    _present_codes.cache_clear()
+def use_layout(codes: Mapping[int, int]) -> None:
+    """Let a layout hold. codes: what it writes on its keys, by position."""
+    _layout.clear()
+    _layout.update(codes)
 
 
 def play_help() -> tuple[tuple[str, str], ...]:
@@ -171,7 +179,7 @@ def _camera_help() -> tuple[tuple[str, str], ...]:
 
 def _without_keypad(names: Iterable[str]) -> tuple[str, ...]:
     """The names, each once, but for those of the keypad: they are in brackets."""
-    keypad = tr(_WORDS["enter"])
+    keypad = tr(_WORDS["NumpadEnter"])
     return tuple(dict.fromkeys([name for name in names if len(name) == 1 or not (name.startswith("[") or name == keypad)]))
 
 
@@ -182,12 +190,12 @@ def _all(*actions: Action) -> str:
 
 def _code_at(position: int) -> int:
     """The code of the key at a position."""
-    return CONTROL_CODES.get(position) or _codes_by_position().get(position, position | NAMED_KEY)
+    return CONTROL_CODES.get(position) or _layout.get(position, position | NAMED_KEY)
 
 
 def _positions_with(code: int) -> list[int]:
     """Where the present layout has a code."""
-    return [position for keys in (CONTROL_CODES, _codes_by_position()) for position, known in keys.items() if known == code]
+    return [position for keys in (CONTROL_CODES, _layout) for position, known in keys.items() if known == code]
 
 
 def _name_of(code: int) -> str:
@@ -197,29 +205,15 @@ def _name_of(code: int) -> str:
 
 def _is_written(code: int) -> bool:
     """Whether the layout writes a code on a key of its own."""
-    return bool(code & NAMED_KEY) or code < _CHARACTERS.start or code in _codes_by_position().values()
+    return bool(code & NAMED_KEY) or code < CHARACTERS.start or code in _layout.values()
 
 
 def _said(code: int) -> str:
     """The name of a code, as keys are labelled; empty for a key without a name."""
-    if code in _CHARACTERS:
+    if not code & NAMED_KEY and code >= CHARACTERS.start and chr(code).isprintable():
         return chr(code).upper()
-    name = pygame.key.name(code)
-    return tr(_WORDS[name]) if name in _WORDS else name.capitalize()
-
-
-def _codes_by_position() -> Mapping[int, int]:
-    """Code of every printing key of the present layout; of the US layout before there is a display."""
-    return _present_codes() if pygame.display.get_init() else US_CODES
-
-
-@cache
-def _present_codes() -> Mapping[int, int]:
-    """The same, asked of the system.
-
-    The library gives positions for codes only: a table of key states takes a code for an index and looks at its position.
-    """
-    positions = pygame.key.ScancodeWrapper(range(len(pygame.key.get_pressed())))  # type: ignore[arg-type]
-    found = {int(positions[code]): code for code in reversed(_CHARACTERS)}
-    found.pop(0, None)
-    return found
+    name = _KEYS.get(position_of(code), "")
+    if name in _WORDS:
+        return tr(_WORDS[name])
+    written = name.removeprefix("Numpad")
+    return name if written == name else f"[{_KEYPAD.get(written, written)}]"

@@ -6,34 +6,42 @@ commands go by what is written on the key, so that P pauses wherever P is. A key
 (game/input/rebinding.py).
 """
 
-from collections.abc import Iterable, Mapping
+from collections.abc import Iterable
+from enum import IntEnum
 from typing import NamedTuple
 
-import pygame
-
 from game.input.actions import Action
+from game.input.scancodes import SCANCODES, US_CODES, named_code
 
-__all__ = [
-    "BINDINGS",
-    "CONTROL_CODES",
-    "KEYS",
-    "NAMED_KEY",
-    "US_CODES",
-    "Action",
-    "Binding",
-    "KeyTable",
-    "code_among",
-    "position_in",
-    "position_of",
-]
+__all__ = ["BINDINGS", "KEYS", "Action", "Binding", "KeyTable", "PadButton"]
+
+
+class PadButton(IntEnum):
+    """Buttons of a gamepad, as SDL counts and names them: by where they are, whatever is written on them."""
+
+    A = 0
+    B = 1
+    X = 2
+    Y = 3
+    BACK = 4
+    GUIDE = 5
+    START = 6
+    LEFTSTICK = 7
+    RIGHTSTICK = 8
+    LEFTSHOULDER = 9
+    RIGHTSHOULDER = 10
+    DPAD_UP = 11
+    DPAD_DOWN = 12
+    DPAD_LEFT = 13
+    DPAD_RIGHT = 14
 
 
 class Binding(NamedTuple):
     """The keys and buttons of one action.
 
-    codes: pygame.K_*, what is written on its keys; the first is the one that the help names.
-    positions: pygame.KSCAN_*, keys that mean the action wherever they are found there, whatever is written on them.
-    buttons: pygame.CONTROLLER_BUTTON_*, of a gamepad.
+    codes: what is written on its keys, as SDL counts it; the first is the one that the help names.
+    positions: scancodes, keys that mean the action wherever they are found there, whatever is written on them.
+    buttons: of a gamepad.
     """
 
     action: Action
@@ -42,74 +50,51 @@ class Binding(NamedTuple):
     buttons: tuple[int, ...] = ()
 
 
+def _written(*names: str) -> tuple[int, ...]:
+    """Codes: of characters, and of keys without one by the browsers' names."""
+    return tuple([ord(name) if len(name) == 1 else named_code(name) for name in names])
+
+
+def _at(*names: str) -> tuple[int, ...]:
+    """Positions by the browsers' names."""
+    return tuple([SCANCODES[name] for name in names])
+
+
 BINDINGS = (
-    Binding(Action.LEFT, positions=(pygame.KSCAN_LEFT, pygame.KSCAN_A), buttons=(pygame.CONTROLLER_BUTTON_DPAD_LEFT,)),
-    Binding(Action.RIGHT, positions=(pygame.KSCAN_RIGHT, pygame.KSCAN_D), buttons=(pygame.CONTROLLER_BUTTON_DPAD_RIGHT,)),
-    Binding(Action.UP, (pygame.K_UP, pygame.K_w), buttons=(pygame.CONTROLLER_BUTTON_DPAD_UP,)),
-    Binding(Action.DOWN, (pygame.K_DOWN, pygame.K_s), buttons=(pygame.CONTROLLER_BUTTON_DPAD_DOWN,)),
-    Binding(Action.SERVE, (pygame.K_SPACE,), buttons=(pygame.CONTROLLER_BUTTON_A,)),
-    Binding(Action.CONFIRM, (pygame.K_RETURN, pygame.K_KP_ENTER)),
-    Binding(Action.PAUSE, (pygame.K_p, pygame.K_PAUSE), buttons=(pygame.CONTROLLER_BUTTON_START,)),
-    Binding(Action.RESTART, (pygame.K_r,)),
-    Binding(Action.BACK, (pygame.K_ESCAPE,), buttons=(pygame.CONTROLLER_BUTTON_B,)),
-    Binding(Action.HELP, (pygame.K_h, pygame.K_F1), buttons=(pygame.CONTROLLER_BUTTON_BACK,)),
-    Binding(Action.FULL_SCREEN, (pygame.K_F11,)),
-    Binding(Action.MUTE, (pygame.K_m,)),
-    Binding(Action.THEME, (pygame.K_t,)),
-    Binding(Action.EFFECTS, (pygame.K_e,)),
-    Binding(Action.SETTINGS, (pygame.K_o,)),
-    Binding(Action.NORMALS, (pygame.K_n,)),
-    Binding(Action.LAB, (pygame.K_l,)),
-    Binding(Action.GIVE_UP, (pygame.K_g,), buttons=(pygame.CONTROLLER_BUTTON_X,)),
-    Binding(Action.STEP_BACK, (pygame.K_COMMA,), buttons=(pygame.CONTROLLER_BUTTON_LEFTSHOULDER,)),
-    Binding(Action.STEP, (pygame.K_PERIOD,), buttons=(pygame.CONTROLLER_BUTTON_RIGHTSHOULDER,)),
-    Binding(Action.LESS, (pygame.K_MINUS, pygame.K_KP_MINUS)),
-    Binding(Action.MORE, (pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS)),
-    Binding(Action.START, (pygame.K_HOME,)),
-    Binding(Action.END, (pygame.K_END,)),
-    Binding(Action.TIP, (pygame.K_TAB,), buttons=(pygame.CONTROLLER_BUTTON_Y,)),
-    Binding(Action.FLAT, (pygame.K_1, pygame.K_KP_1)),
-    Binding(Action.SOLID, (pygame.K_2, pygame.K_KP_2)),
-    Binding(Action.ORBIT_LEFT, positions=(pygame.KSCAN_Z,)),
-    Binding(Action.ORBIT_RIGHT, positions=(pygame.KSCAN_X,)),
-    Binding(Action.TILT_UP, positions=(pygame.KSCAN_V,)),
-    Binding(Action.TILT_DOWN, positions=(pygame.KSCAN_C,)),
-    Binding(Action.ZOOM_IN, (pygame.K_PAGEUP,), buttons=(pygame.CONTROLLER_BUTTON_RIGHTSTICK,)),
-    Binding(Action.ZOOM_OUT, (pygame.K_PAGEDOWN,), buttons=(pygame.CONTROLLER_BUTTON_LEFTSTICK,)),
+    Binding(Action.LEFT, positions=_at("ArrowLeft", "KeyA"), buttons=(PadButton.DPAD_LEFT,)),
+    Binding(Action.RIGHT, positions=_at("ArrowRight", "KeyD"), buttons=(PadButton.DPAD_RIGHT,)),
+    Binding(Action.UP, _written("ArrowUp", "w"), buttons=(PadButton.DPAD_UP,)),
+    Binding(Action.DOWN, _written("ArrowDown", "s"), buttons=(PadButton.DPAD_DOWN,)),
+    Binding(Action.SERVE, _written("Space"), buttons=(PadButton.A,)),
+    Binding(Action.CONFIRM, _written("Enter", "NumpadEnter")),
+    Binding(Action.PAUSE, _written("p", "Pause"), buttons=(PadButton.START,)),
+    Binding(Action.RESTART, _written("r")),
+    Binding(Action.BACK, _written("Escape"), buttons=(PadButton.B,)),
+    Binding(Action.HELP, _written("h", "F1"), buttons=(PadButton.BACK,)),
+    Binding(Action.FULL_SCREEN, _written("F11")),
+    Binding(Action.MUTE, _written("m")),
+    Binding(Action.THEME, _written("t")),
+    Binding(Action.EFFECTS, _written("e")),
+    Binding(Action.SETTINGS, _written("o")),
+    Binding(Action.NORMALS, _written("n")),
+    Binding(Action.LAB, _written("l")),
+    Binding(Action.GIVE_UP, _written("g"), buttons=(PadButton.X,)),
+    Binding(Action.STEP_BACK, _written(","), buttons=(PadButton.LEFTSHOULDER,)),
+    Binding(Action.STEP, _written("."), buttons=(PadButton.RIGHTSHOULDER,)),
+    Binding(Action.LESS, _written("-", "NumpadSubtract")),
+    Binding(Action.MORE, _written("+", "=", "NumpadAdd")),
+    Binding(Action.START, _written("Home")),
+    Binding(Action.END, _written("End")),
+    Binding(Action.TIP, _written("Tab"), buttons=(PadButton.Y,)),
+    Binding(Action.FLAT, _written("1", "Numpad1")),
+    Binding(Action.SOLID, _written("2", "Numpad2")),
+    Binding(Action.ORBIT_LEFT, positions=_at("KeyZ")),
+    Binding(Action.ORBIT_RIGHT, positions=_at("KeyX")),
+    Binding(Action.TILT_UP, positions=_at("KeyV")),
+    Binding(Action.TILT_DOWN, positions=_at("KeyC")),
+    Binding(Action.ZOOM_IN, _written("PageUp"), buttons=(PadButton.RIGHTSTICK,)),
+    Binding(Action.ZOOM_OUT, _written("PageDown"), buttons=(PadButton.LEFTSTICK,)),
 )
-
-US_CODES: Mapping[int, int] = {
-    **{pygame.KSCAN_A + number: pygame.K_a + number for number in range(26)},
-    **{pygame.KSCAN_1 + number: pygame.K_1 + number for number in range(9)},
-    pygame.KSCAN_0: pygame.K_0,
-    pygame.KSCAN_COMMA: pygame.K_COMMA,
-    pygame.KSCAN_PERIOD: pygame.K_PERIOD,
-    pygame.KSCAN_MINUS: pygame.K_MINUS,
-    pygame.KSCAN_EQUALS: pygame.K_EQUALS,
-    pygame.KSCAN_LEFTBRACKET: pygame.K_LEFTBRACKET,
-    pygame.KSCAN_RIGHTBRACKET: pygame.K_RIGHTBRACKET,
-}
-"""Position to code of the printing keys that are bound to anything, on the US layout."""
-
-CONTROL_CODES: Mapping[int, int] = {
-    pygame.KSCAN_RETURN: pygame.K_RETURN,
-    pygame.KSCAN_ESCAPE: pygame.K_ESCAPE,
-    pygame.KSCAN_BACKSPACE: pygame.K_BACKSPACE,
-    pygame.KSCAN_TAB: pygame.K_TAB,
-    pygame.KSCAN_SPACE: pygame.K_SPACE,
-    pygame.KSCAN_DELETE: pygame.K_DELETE,
-}
-"""Position to code of the keys whose codes are below those of characters: the same on all layouts."""
-
-NAMED_KEY = 1 << 30
-"""Set in the code of a key without a character; the rest of such a code is the key's position."""
-
-
-def position_of(code: int) -> int:
-    """Where the US layout has a code; 0 where that is not known."""
-    if code & NAMED_KEY:
-        return code & ~NAMED_KEY
-    return next((position for position, known in (*CONTROL_CODES.items(), *US_CODES.items()) if known == code), 0)
 
 
 class KeyTable:
@@ -149,14 +134,3 @@ class KeyTable:
 
 KEYS = KeyTable(BINDINGS)
 """The keys and buttons that hold now."""
-
-
-def code_among(event: pygame.Event, known: Iterable[int]) -> int:
-    """The code of a key event, or what the US layout has at its position where the own one is not known."""
-    code = int(event.key)
-    return code if code in known else US_CODES.get(position_in(event), code)
-
-
-def position_in(event: pygame.Event) -> int:
-    """The position of a key event; 0 where it is not known. An event that was not made by SDL may have none."""
-    return int(getattr(event, "scancode", 0)) or position_of(event.key)

@@ -7,18 +7,17 @@ directions keep at least one key and one button: nobody locks themselves out of 
 from collections.abc import Mapping
 from typing import NamedTuple
 
-import pygame
-
 from game.input.actions import Action, Choice, OwnKeys
-from game.input.keys import BINDINGS, Binding, position_of
+from game.input.keys import BINDINGS, Binding, PadButton
+from game.input.scancodes import SCANCODES, position_of
 
-FIXED_KEYS = {
-    pygame.KSCAN_RETURN: Action.CONFIRM,
-    pygame.KSCAN_KP_ENTER: Action.CONFIRM,
-    pygame.KSCAN_ESCAPE: Action.BACK,
+FIXED_KEYS: Mapping[int, Action] = {
+    SCANCODES["Enter"]: Action.CONFIRM,
+    SCANCODES["NumpadEnter"]: Action.CONFIRM,
+    SCANCODES["Escape"]: Action.BACK,
 }
 """Keys that always mean the same."""
-FIXED_BUTTONS = {pygame.CONTROLLER_BUTTON_A: Action.SERVE, pygame.CONTROLLER_BUTTON_B: Action.BACK}
+FIXED_BUTTONS: Mapping[int, Action] = {PadButton.A: Action.SERVE, PadButton.B: Action.BACK}
 NEEDED = frozenset({Action.LEFT, Action.RIGHT, Action.UP, Action.DOWN})
 """Actions that never lose their last key, nor their last button."""
 MOST_POSITIONS = 512

@@ -9,7 +9,8 @@ from typing import NamedTuple
 import pygame
 
 from game.chosen_physics import SWEPT, ChosenPhysics
-from game.input.events import keyboard_state
+from game.input.events import keyboard_state, system_layout
+from game.input.key_names import use_layout
 from game.input.players import Players
 from game.input.signals import KeyboardState
 from game.lab.kit.second_engine import Engine
@@ -21,7 +22,7 @@ from game.levels import Level, built_in
 from game.levels.own import own_levels
 from game.loop.frame_pace import FramePace
 from game.loop.window_events import answered_events, toggle_full_screen
-from game.overlay import toast
+from game.overlay import toast, toast_drawing
 from game.replays.file import Recording
 from game.replays.playback import Playback
 from game.rules import Ruleset
@@ -181,6 +182,7 @@ def _shown(
     """
     box = state.storage.window.value
     window = display.open_window(_TITLE, (box.width, box.height) if box.width else None, (box.left, box.top))
+    use_layout(system_layout())
     if full_screen:
         toggle_full_screen(window, state)
     handler = on_display_lost(lambda: _save(state, services.lost))  # noqa: F841  # must live as long as the window
@@ -277,7 +279,7 @@ def _draw(window: pygame.Window, state: AppState, screen: Screen, surface: pygam
         return
     screen.draw(surface)
     if state.toast is not None:
-        toast.draw(state.words(state.canvas(surface)), state.toast)
+        toast_drawing.draw(state.words(state.canvas(surface)), state.toast)
     _flip(window)
     state.shown = _appearance(state, screen, surface) if isinstance(screen, CachedScreen) else None
 

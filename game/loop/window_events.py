@@ -2,7 +2,8 @@
 
 import pygame
 
-from game.input.key_names import layout_changed
+from game.input.events import system_layout
+from game.input.key_names import use_layout
 from game.input.keys import Action
 from game.input.signals import FocusLost, PadChanged, Pressed, Signal, pad_of
 from game.language import tr
@@ -28,7 +29,7 @@ def answered_events(window: pygame.Window, size: tuple[int, int], state: AppStat
         if event.type in (pygame.QUIT, pygame.WINDOWCLOSE):
             return None
         if event.type == pygame.KEYMAPCHANGED:
-            layout_changed()
+            use_layout(system_layout())
         if event.type in _SHOWN_AGAIN:
             state.shown = None
         if event.type in (*_LEFT, *_BACK):
@@ -92,7 +93,7 @@ def _answered_here(signal: Signal, window: pygame.Window, state: AppState) -> bo
         case PadChanged(name, there):
             state.toast = Toast((tr("Gamepad: {name}") if there else tr("Gamepad gone: {name}")).format(name=name))
         case Pressed(action) if (now := changed(state.settings, action)) is not None:
-            state.change(*now)
+            state.change(now.settings, Toast(now.words, now.level))
         case _:
             return False
     return True

@@ -1,13 +1,10 @@
-"""Captions: words for the sounds that matter, and from where on the screen they come."""
+"""Captions: words for the sounds that matter, and from where on the screen they come. `game.picture.captions` shows them."""
 
 import math
+from collections.abc import Iterable
 from typing import NamedTuple
 
-import pygame
-
-from game.drawing.camera import Camera, Layout
-from game.drawing.canvas import Canvas
-from game.drawing.raster.primitives import draw_box
+from game.drawing.camera import Camera
 from game.language import tr, tr_noop
 from game.rules import Event, EventKind, Ticked
 
@@ -56,15 +53,20 @@ _DIRECTIONS = (
     tr_noop("below"),
     tr_noop("lower right"),
 )
-# Lengths are in units of text.
-_SIZE, _PITCH, _MARGIN, _RIGHT, _TOP = 1.1, 1.9, 0.6, 0.8, 4.0
-"""Size of letters, from line to line, from words to the plate's ends, from the plates to the surface's right edge, and from its
-upper edge to the uppermost: the lives are above."""
-_PLATE, _CORNER, _EDGE_LINE = 1.6, 0.4, 0.06
-"""Height of a plate, radius of its corners and width of its edge."""
-_SMALLEST, _LOWEST = 0.85, 0.42
-"""A caption that would reach into the arena has smaller letters, at least this share of those without large text; and share of
-the surface's height below which only the newest caption may be."""
+
+
+_RARE = frozenset(
+    {
+        EventKind.GAME_OVER,
+        EventKind.DROP_CAUGHT,
+        EventKind.POWER_ENDED,
+        EventKind.LIFE_GAINED,
+        EventKind.BALL_CAUGHT,
+        EventKind.SHIELD_HIT,
+        EventKind.CORE_BROKEN,
+    }
+)
+"""Events that come once in many seconds; lost balls and finished levels are said in whole sentences."""
 
 
 class Caption(NamedTuple):
@@ -96,27 +98,15 @@ def after(captions: tuple[Caption, ...], ticked: Ticked, camera: Camera) -> tupl
     return captions
 
 
+def rare(events: Iterable[Event]) -> list[str]:
+    """Words for those events of a tick that come so seldom that a screen reader may say them all."""
+    return [Caption(event.kind, None).text for event in events if event.kind in _RARE]
+
+
 def later(captions: tuple[Caption, ...], seconds: float) -> tuple[Caption, ...]:
     """Those that are still shown some time later."""
     aged = [caption._replace(left=caption.left - max(seconds, 0.0)) for caption in captions]
     return tuple([caption for caption in aged if caption.left > 0.0])
-
-
-def draw(canvas: Canvas, captions: tuple[Caption, ...], layout: Layout) -> None:
-    """The captions below the lives in the upper right, beside the arena, the newest uppermost."""
-    theme, unit, (width, height) = canvas.theme, canvas.unit, layout.size
-    for index, caption in enumerate(reversed(captions)):
-        top = unit * (_TOP + _PITCH * index)
-        if index and top + unit * _PLATE > height * _LOWEST:
-            return
-        wide = canvas.type.rendered(caption.text, unit * _SIZE, theme.text).get_width()
-        room = width - unit * (_RIGHT + 2.0 * _MARGIN) - layout.right_edge(top + unit * _PLATE)
-        size = _SIZE * min(max(room / wide, _SMALLEST * layout.unit / unit), 1.0)
-        share = size / _SIZE
-        plate = pygame.Rect(0, round(top), round((wide + 2.0 * unit * _MARGIN) * share), round(unit * _PLATE * share))
-        plate.right = round(width - unit * _RIGHT)
-        draw_box(canvas.surface, plate, unit * _CORNER, theme.panel, theme.panel_edge, unit * _EDGE_LINE)
-        canvas.write(caption.text, size, theme.text, complex(*plate.center), "center")
 
 
 def _with(captions: tuple[Caption, ...], event: Event, camera: Camera) -> tuple[Caption, ...]:

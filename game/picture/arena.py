@@ -5,16 +5,16 @@ import math
 from game.drawing.camera import Camera
 from game.drawing.palette import Theme
 from game.drawing.palettes import themed
-from game.drawing.slots.contents import Contents, SlotContent, slot_contents
 from game.picture.display_list import DisplayList
 from game.picture.ground.lists import add_ground
 from game.picture.ground.measures import ground_of
 from game.picture.moving.balls import BallTextures, add_ball
-from game.picture.moving.bursts import add_bursts
+from game.picture.moving.bursts import flying_pieces
 from game.picture.moving.glints import add_glints
 from game.picture.moving.layers import add_in_air, add_on_ground
 from game.picture.moving.words import add_words
-from game.picture.slots import add_content, add_shadow, flat_ring
+from game.picture.slots.contents import Contents, SlotContent, slot_contents
+from game.picture.slots.flat import FlatRing, add_content, add_shadow, flat_rings, wall_rings
 from game.picture.solid.blocks import SolidBlocks
 from game.picture.view import ArenaView
 from game.rules import PADDLES
@@ -40,13 +40,14 @@ class ArenaPicture:
         theme = themed(view.theme, scene.palette)
         resting = _resting(scene, view.camera)
         ground = ground_of(scene)
-        contents = slot_contents(scene._replace(flashes=()))
-        key = (view.camera, theme, ground, resting, tuple([(contents[k], scene.rings[k].phase) for k in resting]))
+        contents = slot_contents(scene._replace(flashes=())) if resting else ()
+        looks = flat_rings(scene, view.camera.scale, theme)
+        key = (view.camera, theme, ground, tuple([(looks[k], contents[k], scene.rings[k].phase) for k in resting]))
         if key != self._key:
             self._key, self._backdrop = key, DisplayList()
             add_ground(self._backdrop, view.camera, theme, ground)
             for k in resting:
-                self._add_ring(self._backdrop, scene, view.camera, theme, k, contents[k])
+                self._add_ring(self._backdrop, view.camera.centre, looks[k], contents[k], scene.rings[k].phase)
         return self._backdrop
 
     def frame(self, scene: Scene, view: ArenaView) -> DisplayList:
@@ -59,10 +60,11 @@ class ArenaPicture:
         else:
             add_on_ground(out, scene, view)
             texture = self._textures.texture(out, camera, theme, view.ball)
-            self._blocks.add(out, scene, camera, theme, contents, texture, [])
+            self._blocks.add(out, scene, camera, theme, contents, texture, flying_pieces(scene, view))
         add_glints(out, scene, view)
-        add_bursts(out, scene, view)
         if camera.flat:
+            for _, piece in flying_pieces(scene, view):
+                out.extend(piece)
             texture = self._textures.texture(out, camera, theme, view.ball)
             for ball in scene.balls:
                 add_ball(out, ball, camera, texture)
@@ -72,21 +74,20 @@ class ArenaPicture:
 
     def _add_flat(self, out: DisplayList, scene: Scene, camera: Camera, theme: Theme, contents: Contents) -> None:
         """Add the rings that turn, the slots that glow, and the paddles."""
-        resting = _resting(scene, camera)
-        for k in range(len(scene.rings)):
+        resting, looks = _resting(scene, camera), flat_rings(scene, camera.scale, theme)
+        for k, look in enumerate(looks):
             if k == PADDLES:
-                _add_paddles(out, scene, camera, theme, contents[k])
+                _add_paddles(out, scene, camera.centre, look, contents[k])
             elif k in resting:
-                _add_glowing(out, scene, camera, theme, k, contents[k])
+                _add_glowing(out, camera.centre, look, contents[k], scene.rings[k].phase)
             else:
-                self._add_ring(out, scene, camera, theme, k, contents[k])
+                self._add_ring(out, camera.centre, look, contents[k], scene.rings[k].phase)
 
     def _add_ring(
-        self, out: DisplayList, scene: Scene, camera: Camera, theme: Theme, k: int, contents: tuple[SlotContent, ...]
+        self, out: DisplayList, centre: complex, look: FlatRing, contents: tuple[SlotContent, ...], phase: float
     ) -> None:
         """Add a whole ring, as it was cached for phase 0, turned to where it is."""
-        ring, look = scene.rings[k], flat_ring(scene, k, camera.scale, theme)
-        key = (look, contents, camera.centre)
+        key = (look, contents, centre)
         cached = self._rings.get(key)
         if cached is None:
             if len(self._rings) >= _MOST_RINGS:
@@ -94,33 +95,29 @@ class ArenaPicture:
             cached = self._rings[key] = DisplayList()
             for add in (add_shadow, add_content):
                 for slot, content in enumerate(contents):
-                    add(cached, look, content, look.sector(camera.centre, math.tau * slot / ring.count))
-        out.turn(camera.centre, ring.phase)
+                    add(cached, look, content, look.sector(centre, math.tau * slot / look.slots))
+        out.turn(centre, phase)
         out.extend(cached)
-        out.turn(camera.centre, 0.0)
+        out.turn(centre, 0.0)
 
 
 def _resting(scene: Scene, camera: Camera) -> tuple[int, ...]:
     """The rings that the backdrop shows: in the flat view those that do not turn, once the wall stands."""
     if not camera.flat or scene.entry is not None:
         return ()
-    return tuple([k for k, ring in enumerate(scene.rings) if k not in (PADDLES, scene.second_paddle) and not ring.spin])
+    return tuple([k for k in wall_rings(scene) if not scene.rings[k].spin])
 
 
-def _add_glowing(
-    out: DisplayList, scene: Scene, camera: Camera, theme: Theme, k: int, contents: tuple[SlotContent, ...]
-) -> None:
+def _add_glowing(out: DisplayList, centre: complex, look: FlatRing, contents: tuple[SlotContent, ...], phase: float) -> None:
     """Add the slots of a resting ring that glow: they cover what the backdrop has there."""
-    look = flat_ring(scene, k, camera.scale, theme)
     for slot, content in enumerate(contents):
         if content.glow:
-            add_content(out, look, content, look.sector(camera.centre, scene.rings[k].angle(slot)))
+            add_content(out, look, content, look.sector(centre, phase + math.tau * slot / look.slots))
 
 
-def _add_paddles(out: DisplayList, scene: Scene, camera: Camera, theme: Theme, contents: tuple[SlotContent, ...]) -> None:
+def _add_paddles(out: DisplayList, scene: Scene, centre: complex, look: FlatRing, contents: tuple[SlotContent, ...]) -> None:
     """Add the paddles, each as far out of its slot as a hit has pushed it."""
-    ring, look = scene.rings[PADDLES], flat_ring(scene, PADDLES, camera.scale, theme)
-    out_of_slot = {recoil.slot: recoil.out for recoil in scene.recoils}
+    ring, out_of_slot = scene.rings[PADDLES], {recoil.slot: recoil.out for recoil in scene.recoils}
     for add in (add_shadow, add_content):
         for slot, content in enumerate(contents):
-            add(out, look, content, look.sector(camera.centre, ring.angle(slot), out_of_slot.get(slot, 0.0)))
+            add(out, look, content, look.sector(centre, ring.angle(slot), out_of_slot.get(slot, 0.0)))

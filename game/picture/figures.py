@@ -151,18 +151,28 @@ def _add_level(out: DisplayList, shown: Readings, corners: Corners) -> None:
 
 def _add_foot(out: DisplayList, shown: Readings, corners: Corners) -> None:
     """Add the key for help, the remaining layers, and other information, in the lower right corner."""
-    layout, theme, unit, (help_key, sound_key) = corners
+    layout, _, unit, _ = corners
+    pixel = complex(*layout.size) - complex(1.0, 1.0) * unit * _EDGE - 0.5j * unit * _CAPTION * LINE
+    for words, colour in _foot_lines(shown, corners):
+        out.text(words, unit * _CAPTION, pixel, colour, 1.0)
+        pixel -= 1j * unit * (_CAPTION * LINE + _LINE_GAP)
+
+
+def foot_height(shown: Readings, corners: Corners) -> float:
+    """Height of what is in the lower right corner, pixels."""
+    return corners.unit * (_EDGE + (_CAPTION * LINE + _LINE_GAP) * len(_foot_lines(shown, corners)))
+
+
+def _foot_lines(shown: Readings, corners: Corners) -> list[tuple[str, Colour]]:
+    """The words of the lower right corner with their colours, from below."""
+    _, theme, _, (help_key, sound_key) = corners
     muted = tr("sound off ({key})").format(key=sound_key) if shown.muted and sound_key else ""
     lines = (
         (tr("{key}  help").format(key=help_key) if help_key else "", theme.faint),
         (ntr("{count} layer left", "{count} layers left", shown.layers).format(count=shown.layers), theme.text),
         *[(line, theme.accent) for line in (muted, *shown.badge.split(", "))],
     )
-    pixel = complex(*layout.size) - complex(1.0, 1.0) * unit * _EDGE - 0.5j * unit * _CAPTION * LINE
-    for words, colour in lines:
-        if words:
-            out.text(words, unit * _CAPTION, pixel, colour, 1.0)
-            pixel -= 1j * unit * (_CAPTION * LINE + _LINE_GAP)
+    return [line for line in lines if line[0]]
 
 
 def _room(layout: Layout, pixel: complex) -> float:

@@ -6,9 +6,9 @@ from typing import NamedTuple
 from game.drawing.camera import Camera, Layout
 from game.drawing.letter_sizes import LINE, width
 from game.drawing.palette import Theme
-from game.drawing.slots.parts import LAYER_HEIGHT
 from game.overlay.notice_words import Notice
 from game.picture.display_list import DisplayList
+from game.picture.slots.parts import LAYER_HEIGHT
 from game.rules import PADDLES
 from game.scene import Scene
 

@@ -33,7 +33,7 @@ from game.rules.state import (
 from game.rules.turn import paddle_hits_answered, released
 from game.rules.versus import with_lost_ball
 from game.rules.wells import pulled
-from physics import Arena, Ball, broad_phase_outcome
+from physics import Arena, Ball, Step, broad_phase_outcome
 from physics.broad_phase import GAME_OVER
 from physics.shapes import unchecked
 
@@ -52,24 +52,24 @@ def played(game: Game, moving: Arena, controls: Controls, advance: Advance) -> T
     for hit in hits:
         game = credited(game, hit, events)
     if arcade:
-        game = _by_arcade_rules(game, controls, Ticked(game, (), step, flown, speed), events)
+        game = _by_arcade_rules(game, controls, step, flown, events)
         game = with_extra_lives(game, score, events)
     if game.idle >= IDLE_CONTACTS:
         game = nudged(game, events)
-    if (hits or arcade) and not any([layers > 0 for ring in wall_layers(game) for layers in ring]):
+    if (hits or arcade) and game.arena.layers is not moving.layers and _all_broken(game):
         game = _level_cleared(game, events)
     else:
         game = _without_lost_balls(game, events, controls)
     return unchecked(Ticked, (game, tuple(events), step, flown, speed))
 
 
-def _by_arcade_rules(game: Game, controls: Controls, flown: Ticked, events: list[Event]) -> Game:
-    """What the arcade rules do after the flight of a tick, in this order."""
+def _by_arcade_rules(game: Game, controls: Controls, step: Step, flown: Arena, events: list[Event]) -> Game:
+    """What the arcade rules do after the flight of a tick, in this order. flown: the arena before it, as the physics had it."""
     if is_piercing(game):
         game = pierced(game, events)
     held = game.held
-    if flown.step.hits:
-        game = paddle_hits_answered(game, flown.moving, flown.step, events)
+    if step.hits:
+        game = paddle_hits_answered(game, flown, step, events)
     if held:
         aim = None if controls.aim is None else controls.aim * (math.tau / POINTER_STEPS)
         game = released(game, events, serve=controls.serve, aim=aim)
@@ -80,6 +80,11 @@ def _by_arcade_rules(game: Game, controls: Controls, flown: Ticked, events: list
     game = reversed_rings(regrown(shaped(game), events))
     game = crumbled(game, events)
     return with_speed_now(game, events)
+
+
+def _all_broken(game: Game) -> bool:
+    """Whether no brick of the level is left."""
+    return not any([layers > 0 for ring in wall_layers(game) for layers in ring])
 
 
 def _level_cleared(game: Game, events: list[Event]) -> Game:

@@ -32,11 +32,11 @@ class Handicap(NamedTuple):
     shielded: bool = False
 
 
-_HANDICAPS = {
-    Difficulty.EASY: Handicap(5, 1.3, 0.85, 1.5, 1.0, shielded=True),
-    Difficulty.NORMAL: Handicap(LIVES, 1.0, 1.0, 1.0, 1.0),
-    Difficulty.HARD: Handicap(LIVES, 0.85, 1.15, 0.75, 1.0),
-}
+_EASY = Handicap(5, 1.3, 0.85, 1.5, 1.0, shielded=True)
+_NORMAL = Handicap(LIVES, 1.0, 1.0, 1.0, 1.0)
+_HARD = Handicap(LIVES, 0.85, 1.15, 0.75, 1.0)
+_HANDICAPS = (_EASY, _NORMAL, _HARD)
+"""By `Difficulty`. Not a dictionary: the hash of an enumeration's member is a call, and every tick asks several times."""
 _NO_HANDICAP = Handicap(LIVES, 1.0, 1.0, 0.0, 0.0)
 
 

@@ -36,6 +36,8 @@ def speed_now(game: Game) -> float:
             speed *= _FAST
     if game.burst > 0:
         speed *= _BURST
+    if speed >= spec.speed:
+        return speed  # no bound below is higher
     wall = game.arena.rings[PADDLES + 1 : len(game.level.rings) + 1]
     rim = max([abs(ring.spin) * ring.outer_radius for ring in wall])
     return max(speed, SLOWEST * spec.speed, min(_RING_RIM * rim, spec.speed))

@@ -1,1 +1,1 @@
-"""What can be on the screen: the title, a game, a recorded game, and panels over them."""
+"""The screens of the game: the title, a game, a recorded game, and the panels over them."""

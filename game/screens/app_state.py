@@ -1,4 +1,4 @@
-"""What outlives a screen."""
+"""The state that all screens of a session share."""
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
@@ -46,20 +46,20 @@ _PIXELS = Camera(0j, 1.0)
 
 @dataclass(slots=True)
 class AppState:
-    """The state that all screens share, and what they do with it.
+    """What all screens of a session share, from the settings to the sound, and what they do with it.
 
-    catalogue: levels that the title offers; chosen: index of one of them.
-    seed: of the session, of which every new game's is made. games: how many have begun.
-    open_title: makes the title's screen; home: what that is called where one can go to it. open_levels: makes the choice of
-    levels over it; None where there is none.
+    catalogue: levels that can be chosen; chosen: index of the chosen one.
+    seed: of the session; every new game's seed is derived from it. games: how many have begun.
+    open_title: makes the title's screen; home: label of the buttons that lead to it. open_levels: makes the choice of levels
+    over it; None if there is none.
     own_levels: reads the player's; open_editor: makes the editor's screen for one of their files, None for a new one, with a
     function that leads back; None where there is no editor.
     storage: scores, progress and finished games.
-    recorder: told every tick that is played; None for nobody.
+    recorder: called with every tick that is played; None without.
     autopilot: whether it plays instead of the player.
-    physics: that games are flown on. ruleset: of new games. players: how many steer the paddles.
+    physics: moves the balls of new games. ruleset: of new games. players: how many steer the paddles.
     functions: the player's own, which the lab shows beside ours; None without.
-    settings: the player's, as they hold now; settings_file: where they outlive the session.
+    settings: the player's present ones; settings_file: stores them for the next session.
     full_screen: whether the window is; wants_full_screen: whether it shall be, as the settings say; None for no wish.
     settings_tab: index of the part of the settings that was open last.
     view: from where the player looks at the arena.
@@ -67,9 +67,9 @@ class AppState:
     open_lab: makes the lab's screen, over another one; None where there is no lab.
     audio: the sound; None without.
     toast: words that are shown for a moment.
-    devices: what the player has in hand.
-    told: what was said about the kept files. away: whether the player is in another window.
-    shown: all that the picture on the window depended on when it was drawn; None where it has to be drawn again.
+    devices: keyboard, mouse, touch screen and gamepads.
+    reported: problems with stored files that were shown already. away: whether another window has the focus.
+    shown: the appearance of the picture that is on the window; None if it has to be drawn again.
     painter, type: draw all pictures and all text, and cache them; pictures: those of the levels.
     """
 
@@ -95,7 +95,7 @@ class AppState:
     audio: Audio | None = None
     settings_file: SettingsFile | None = None
     toast: Toast | None = None
-    told: set[str] = field(default_factory=set)
+    reported: set[str] = field(default_factory=set)
     away: bool = False
     shown: object = None
     physics: ChosenPhysics = SWEPT
@@ -110,7 +110,7 @@ class AppState:
 
     @property
     def difficulty(self) -> str:
-        """The name under which scores and bests of new games are kept."""
+        """The name under which scores and bests of new games are stored."""
         return self.ruleset.difficulty.name.lower() if self.ruleset.arcade else SOURCE
 
     @property
@@ -131,7 +131,7 @@ class AppState:
 
     @property
     def text_scale(self) -> float:
-        """How much larger than usual the player wants texts."""
+        """The player's text size as a factor of the usual one."""
         return self.settings.text_size / 100.0
 
     def levels(self) -> Screen:
@@ -140,25 +140,25 @@ class AppState:
 
     @property
     def appearance(self) -> tuple[object, ...]:
-        """All of this that may change how a screen that stands still looks."""
+        """The part of this state on which a screen's picture depends, even if nothing moves on it."""
         return self.settings, self.shows_normals, self.full_screen
 
     def canvas(self, surface: pygame.Surface, camera: Camera = _PIXELS) -> Canvas:
-        """A canvas in the settings' colours. camera: of what is drawn, unless it is text and boxes alone."""
+        """A canvas in the settings' colours. camera: of the world; for text and boxes alone the default will do."""
         skins = self.settings.ball, self.settings.trail
         return Canvas(surface, camera, self.theme, self.type, unit_of(surface.get_size()), *skins)
 
     def words(self, canvas: Canvas) -> Canvas:
-        """The same canvas for words that are as large as the player wants them."""
+        """The same canvas with its unit scaled by the player's text size."""
         return canvas._replace(unit=canvas.unit * self.text_scale)
 
-    def change(self, settings: Settings, told: Toast | None = None) -> None:
-        """Let other settings hold: on the screen, in what sounds now, for keys and texts. told: words to show about it."""
+    def change(self, settings: Settings, message: Toast | None = None) -> None:
+        """Apply other settings at once, to colours, sound, keys and language. message: about the change."""
         self.settings = settings
         KEYS.change(bindings(checked(settings.own_keys)))
         choose(settings.language)
-        if told is not None:
-            self.toast = told
+        if message is not None:
+            self.toast = message
         if self.audio is not None:
             self.audio.muted = not settings.sound
             self.audio.volume = settings.volume / LOUDEST
@@ -172,12 +172,12 @@ class AppState:
     def tell_problem(self) -> None:
         """Say on the screen what could not be saved, once."""
         problems = self.storage.problems
-        if problems and problems[-1] not in self.told:
-            self.told.add(problems[-1])
+        if problems and problems[-1] not in self.reported:
+            self.reported.add(problems[-1])
             self.toast = Toast(problems[-1], left=_TOLD_SECONDS)
 
     def play_sounds(self, ticked: Ticked, camera: Camera) -> None:
-        """Make the sounds of a tick, each where its event is on the screen; the music follows the game."""
+        """Play the sounds of a tick, panned to where their events are on the screen; update the music."""
         if self.audio is None:
             return
         self.audio.follow(mood_of(ticked.game))

@@ -1,4 +1,4 @@
-"""What every screen has in common."""
+"""The protocols of screens: what the loop asks of every screen, and what some can do besides."""
 
 from typing import Protocol, runtime_checkable
 
@@ -8,7 +8,7 @@ from game.input.signals import Signal
 
 
 class Screen(Protocol):
-    """One screen. Methods that return a screen return the one to go on with: itself, another, or None to leave the game."""
+    """One screen. Methods that return a screen return the next one: itself, another one, or None to leave the game."""
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> "Screen | None":
         """React to the player. size: of the surface that is drawn on, pixels."""
@@ -22,11 +22,11 @@ class Screen(Protocol):
 
 @runtime_checkable
 class CachedScreen(Protocol):
-    """A screen that can say when it looks the same as before: it is not drawn again then, which costs next to nothing."""
+    """A screen that tells when its picture would be the same as before: then the loop does not draw it again."""
 
     @property
     def appearance(self) -> tuple[object, ...]:
-        """All that its picture depends on, but for the surface's size; the same values mean the same picture."""
+        """Everything that its picture depends on, except the surface's size: equal values mean the same picture."""
 
 
 @runtime_checkable
@@ -43,7 +43,7 @@ class Listener(Protocol):
 
 @runtime_checkable
 class Typist(Protocol):
-    """A screen on which text is entered: letters are letters there, not commands."""
+    """A screen on which text is entered: there a letter is text, not a command."""
 
     def typed(self, event: pygame.Event) -> bool:
-        """Take an event as text; whether it is one."""
+        """Take an event as text. Returns whether it was text."""

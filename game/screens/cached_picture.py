@@ -1,4 +1,4 @@
-"""A picture that is drawn once, and then again only when something on it has changed."""
+"""A picture that is drawn once, and drawn again only after something on it has changed."""
 
 from collections.abc import Callable
 
@@ -6,7 +6,7 @@ import pygame
 
 
 class CachedPicture:
-    """Shows what a drawing function drew, from memory as long as the same things are to be seen."""
+    """Shows what a drawing function drew, from a copy as long as it would draw the same again."""
 
     def __init__(self) -> None:
         """Start with nothing cached."""
@@ -14,7 +14,7 @@ class CachedPicture:
         self._picture = pygame.Surface((0, 0))
 
     def show(self, surface: pygame.Surface, shown: tuple[object, ...], draw: Callable[[pygame.Surface], None]) -> None:
-        """Cover a surface with what `draw` draws on it. shown: all that the picture depends on, but the surface's size."""
+        """Show on a surface what `draw` draws there. shown: all that the picture depends on, except the surface's size."""
         key = (surface.get_size(), *shown)
         if key == self._key:
             surface.blit(self._picture, (0, 0))

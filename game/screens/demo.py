@@ -26,12 +26,12 @@ class Demo:
 
     @property
     def ended(self) -> bool:
-        """Whether it has been won or lost, and its end was shown for a moment."""
+        """Whether the game is over, and its end was shown for a moment."""
         game = self._ticked.game
         return game.phase in (Phase.OVER, Phase.WON) and game.phase_tick > _END_TICKS
 
     def advance(self, seconds: float, shown: Shown) -> None:
-        """Let it play. shown: the effects that the player wants."""
+        """Play on for some seconds. shown: the effects that the player wants."""
         self._due = due(self._due.rest, seconds)
         for _ in range(self._due.ticks):
             game = self._ticked.game

@@ -1,4 +1,4 @@
-"""The difficulties of new games by name. No window, no page."""
+"""The difficulties of new games by name. Used by the window and by the page in the browser, so it needs no pygame."""
 
 from game.language import tr
 from game.rules import SOURCE_RULES, Difficulty, Ruleset

@@ -1,4 +1,4 @@
-"""Which skins and trails the player has earned, by the bests that are kept."""
+"""Which skins and trails the player has earned, by the stored bests."""
 
 from game.rules import Rank
 from game.storage.progress import OWN, Progress
@@ -6,7 +6,7 @@ from game.unlocks import BALLS, TRAILS, Feat, ball_names, trail_names, unlocked
 
 
 def feats(progress: Progress) -> list[Feat]:
-    """What was done in the game's levels; in a level of one's own anything is easy."""
+    """What the player has done in the built-in levels. Levels of the player's own do not count: they can be made easy."""
     return [Feat(best.level, best.score, Rank(best.rank)) for best in progress.bests if not best.level.startswith(OWN)]
 
 

@@ -1,4 +1,4 @@
-"""The level editor over a screen of the game, and what becomes of changes when the window is closed."""
+"""The level editor opened from the game; unsaved changes are written when the window is closed."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -12,7 +12,7 @@ if TYPE_CHECKING:
 
 
 class OpenEditors:
-    """The editors of a session; each may be left with changes that were not saved."""
+    """The editors that were opened in a session, with their unsaved changes."""
 
     def __init__(self) -> None:
         """None yet."""

@@ -29,7 +29,7 @@ _MOST = 160
 
 
 class LevelPictures:
-    """Draws them and caches them."""
+    """Draws pictures of levels and caches them."""
 
     def __init__(self) -> None:
         """Start with none."""
@@ -38,7 +38,7 @@ class LevelPictures:
         self.waiting = False
 
     def next_frame(self) -> bool:
-        """Let one more picture be drawn; whether one was asked for that could not be drawn yet."""
+        """Allow one more picture to be drawn. Returns whether one was asked for in the last frame and had to wait."""
         waited, self.waiting, self._budget = self.waiting, False, 1
         return waited
 

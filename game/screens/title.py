@@ -1,4 +1,4 @@
-"""The title: a game that plays itself, the name, and where one can go from here."""
+"""The title: a demonstration game, the name, and buttons for everything else."""
 
 import pygame
 
@@ -59,11 +59,11 @@ class Title(Panel):
 
     @property
     def appearance(self) -> tuple[object, ...]:
-        """The demonstration moves."""
+        """As of every panel, and the demonstration's frame: it moves."""
         return *super().appearance, self._shown
 
     def content(self) -> Content:
-        """Where one can go."""
+        """The buttons."""
         state = self.state
         following = level_name(state.catalogue[next_level(state)].name)
         items: tuple[Item, ...] = (
@@ -93,7 +93,7 @@ class Title(Panel):
         return pygame.Rect(round(left), top, room, max(height - top, 1))
 
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
-        """Let the demonstration play."""
+        """Advance the demonstration."""
         if not self.state.settings.reduced_motion:
             self._demo.advance(seconds, self.state.settings.shown)
             self._shown += 1
@@ -102,7 +102,7 @@ class Title(Panel):
         return super().advance(seconds, size)
 
     def draw_behind(self, surface: pygame.Surface) -> None:
-        """The demonstration, under a veil where the buttons stand over it."""
+        """Draw the demonstration, dimmed if the buttons are over it."""
         self.draw_ground(surface)
         if not _is_wide(surface.get_size()):
             veil = pygame.Surface(surface.get_size(), 0, surface)
@@ -111,14 +111,14 @@ class Title(Panel):
             surface.blit(veil, (0, 0))
 
     def draw_ground(self, surface: pygame.Surface) -> None:
-        """The demonstration alone."""
+        """Draw the demonstration alone."""
         size, state = surface.get_size(), self.state
         scene = self._demo.scene()._replace(aim=None, pops=())
         canvas = state.canvas(surface, _demo_camera(size, self.unit(size), scene.ground_radius))
         state.painter.paint(canvas, scene)
 
     def draw_plate(self, canvas: Canvas, _content: Content, layout: FormLayout) -> None:
-        """The name in place of a plate."""
+        """Draw the name, instead of a panel's plate."""
         unit, wide = unit_of(canvas.size), _is_wide(canvas.size)
         canvas = canvas._replace(unit=unit)
         for index, (word, colour) in enumerate(zip(NAME, (canvas.theme.text, canvas.theme.accent), strict=True)):
@@ -134,7 +134,7 @@ class Title(Panel):
         return PlayScreen(state, from_level(state.chosen, state.catalogue))
 
     def _new_demo(self) -> Demo:
-        """A level to be played from its beginning: the one after that of the demonstration before."""
+        """Begin a new demonstration, with the level after the last one's."""
         state = self.state
         index = (next_level(state) + self._shown) % len(state.catalogue)
         demo = Demo(state.catalogue[index], state.seed)

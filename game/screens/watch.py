@@ -1,4 +1,4 @@
-"""A recorded game: played, stopped, stepped and sought in. Only the ticks come from elsewhere; the drawing is the game's."""
+"""The screen of a recorded game: play, stop, step, seek. It is drawn like a game; its ticks come from the recording."""
 
 from collections.abc import Callable
 from typing import Protocol
@@ -18,7 +18,7 @@ from game.language import decimal, tr
 from game.loop.fixed_step import LONGEST_FRAME
 from game.overlay import hud
 from game.overlay.readings import readings
-from game.overlay.toast import draw_bar
+from game.overlay.toast_drawing import draw_bar
 from game.rules import TICK, Game, Ticked
 from game.scene import scene_at, still
 from game.screens.app_state import AppState
@@ -45,11 +45,11 @@ _EDGE, _TEXT, _KEYS, _KEYS_TOP = 0.8, 1.0, 0.9, 0.6
 
 
 class Frames(Protocol):
-    """A game that was played, tick by tick."""
+    """The ticks of a recorded game, by number."""
 
     @property
     def ticks(self) -> int:
-        """How many there are."""
+        """The number of ticks."""
 
     def game(self, number: int) -> Game:
         """The game after `number` ticks, 0 to `ticks`."""
@@ -123,7 +123,7 @@ class Watch:
         self._draw_timeline(state.words(canvas))
 
     def _on_buttons(self, signal: Signal, size: tuple[int, int]) -> Signal:
-        """What a signal means: a click on a button is its key; on the speed the next one; on the arena play or stop."""
+        """What a signal means: a click on a button is its key; on the speed, the next speed; on the arena, play or stop."""
         seen = self._layout(size)
         match signal:
             case Moved(pixel):
@@ -171,7 +171,7 @@ class Watch:
         self._run_to(float(tick))
 
     def _run_to(self, moment: float) -> list[Ticked]:
-        """Play forward to a moment, in ticks; the ticks that were completed meanwhile."""
+        """Play forward to a moment, in ticks. Returns the ticks completed on the way."""
         moment = min(moment, float(self._frames.ticks))
         passed = []
         while self._number < int(moment):
@@ -188,7 +188,7 @@ class Watch:
         return self._frames.ticked(number) if number < self._frames.ticks else still(self._frames.game(number))
 
     def _layout(self, size: tuple[int, int]) -> Layout:
-        """Where everything is, above the timeline."""
+        """The layout of the arena above the timeline."""
         flat = layout(size, self._shown.game.level.ground_radius, below=self._unit(size) * _ROOM)
         return self._state.view.seen(flat)
 
@@ -206,11 +206,11 @@ class Watch:
 
     @property
     def _has_large_text(self) -> bool:
-        """Whether there is no room beside the bar for words: they are below it then."""
+        """Whether the text is so large that it stands below the bar, not beside it."""
         return self._state.text_scale > WIDE_TEXT
 
     def _speed_left(self, size: tuple[int, int]) -> float:
-        """Where the words that say how fast it runs may begin, pixels."""
+        """The left edge of the text with the speed, pixels."""
         return size[0] - self._unit(size) * _BAR_RIGHT
 
     def _on_timeline(self, pixel: complex, size: tuple[int, int]) -> bool:
@@ -219,7 +219,7 @@ class Watch:
         return bool(self._timeline(size).inflate(across, down).collidepoint(pixel.real, pixel.imag))
 
     def _draw_timeline(self, canvas: Canvas) -> None:
-        """How far the recording is, how fast it runs, and the main keys."""
+        """Draw the timeline with the position, the speed and the main keys."""
         theme, unit, bar = canvas.theme, canvas.unit, self._timeline(canvas.size)
         share = self._at / max(self._frames.ticks, 1)
         draw_bar(canvas.surface, bar, share, theme)
@@ -245,12 +245,12 @@ def _speed_text(speed: float) -> str:
 
 
 def _help_key() -> str:
-    """The key that tells all others."""
+    """The name of the key for help."""
     return f"{key_name(Action.HELP)}: {tr('help')}"
 
 
 def _keys_help() -> str:
-    """The main keys, as the player's layout writes them."""
+    """The main keys, as they are named on the player's keyboard layout."""
     told = (
         (tr("play / stop"), (Action.SERVE,)),
         (tr("one tick"), (Action.STEP_BACK, Action.STEP)),

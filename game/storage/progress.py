@@ -1,9 +1,12 @@
 """How far the player has come: the best result of every level at every difficulty."""
 
+from functools import cache
 from typing import Annotated
 
 import msgspec
 from msgspec import Meta
+
+from game.levels import Level, built_in
 
 VERSION = 1
 RANKS = ("C", "B", "A", "S")
@@ -70,3 +73,19 @@ class Progress(msgspec.Struct, frozen=True):
     def is_open(self, index: int, levels: list[str]) -> bool:
         """Whether a level may be begun: the first, every finished one, and the one after it. levels: names in order."""
         return index == 0 or self.finished(levels[index]) or self.finished(levels[index - 1])
+
+
+def record_name(level: Level) -> str:
+    """The name under which a level's best is kept: its own, or for a level of the player's what is in it."""
+    return level.name if is_built_in(level) else f"{OWN}{level.content_hash()}"
+
+
+def is_built_in(level: Level) -> bool:
+    """Whether a level comes with the game."""
+    return level.content_hash() in _built_in_hashes()
+
+
+@cache
+def _built_in_hashes() -> frozenset[str]:
+    """The hashes of the levels that come with the game."""
+    return frozenset([level.content_hash() for level in built_in()])

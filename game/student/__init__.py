@@ -1,1 +1,1 @@
-"""Functions of the player's own, under the source's names: their file runs in a child process, which is asked from here."""
+"""A student's own functions in place of the source's. Their file runs in a child process, asked one question at a time."""

@@ -1,4 +1,4 @@
-"""What the game and the lab ask of a player's own functions, wherever they run: in a child process, or in a browser."""
+"""The interface of a student's functions for the game and the lab, whether they run in a child process or in a browser."""
 
 from collections.abc import Sequence
 from typing import Protocol
@@ -11,7 +11,7 @@ _LISTED = 4
 
 
 class AnsweringFunctions(Protocol):
-    """The functions of a file. Nothing of it raises: `problem` tells.
+    """The functions of a file. Its methods do not raise: `problem` says what is wrong.
 
     Attributes:
         own: names of the source's functions that the file defines, and "advance" where it has one; empty where none answers.
@@ -30,13 +30,13 @@ class AnsweringFunctions(Protocol):
         """One line that says whose functions answer."""
 
     def refresh(self) -> str:
-        """What has become of the file since the last call, in a few words; "" for nothing."""
+        """What has happened to the file since the last call, in a few words; "" if nothing has."""
 
     def ask(self, name: str, arguments: Sequence[object]) -> object:
-        """The result of one question; None where there is none, and then nothing answers until the file is another one."""
+        """The result of one question; None if it failed, and then no function answers until the file has changed."""
 
     def reject(self, problem: str) -> None:
-        """Let nothing of the file answer until it is another one. problem: why, without the file's name."""
+        """Let no function answer until the file has changed. problem: why, without the file's name."""
 
 
 def answers_to(

@@ -11,7 +11,7 @@ _HALF_ANGLE = 0.5
 
 
 class EngineFunctions(SlideFunctions):
-    """What the game flies on. Angles in arguments are normalised first, since the engine asserts that they are."""
+    """The functions of `physics` that move the game's balls. They assert normalised angles, so angles are normalised first."""
 
     def normalize_angle(self, angle: float) -> float:
         """`physics.normalize_angle`."""

@@ -1,4 +1,4 @@
-"""Balls in flight on a student's functions: which of them bounce, the slides' pages in a row. For the child process.
+"""Which balls bounce by a student's functions: broad phase, narrow phase, response, as on the slides. For the child process.
 
 Arguments are what JSON has. A ball: x, y, the velocity's x and y, radius. A ring: the fields of `physics.Ring`, in their order.
 layers: for every ring, for every slot, the bricks stacked there; 0 empty, below 0 unbreakable.
@@ -96,7 +96,7 @@ def _bounce(
     layers: Sequence[Sequence[int]],
     v_0: float,
 ) -> _Bounce | None:
-    """The bounce of one ball, if the slides see one."""
+    """The bounce of one ball; None if the slides find none."""
     p, v, r = ball
     touched = _ring_in_reach(functions, p, r, rings)
     if touched is None:
@@ -118,7 +118,7 @@ def _bounce(
 
 
 def _ring_in_reach(functions: OwnFunctions, p: complex, r: float, rings: Sequence[PlainRing]) -> int | None:
-    """The ring that the first page's outcome names: the paddles, which are the first ring, or one of the bricks'."""
+    """The ring that the broad phase's outcome names (slide 2): the paddles, which are the first ring, or a ring of bricks."""
     paddles = rings[0]
     for number in range(1, len(rings)) or (0,):
         bricks = rings[number]

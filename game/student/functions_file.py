@@ -1,4 +1,4 @@
-"""A Python file of the player's own functions: asked in a child process, read again when it is saved."""
+"""A Python file of a student's functions: it runs in a child process, and is read again when it was saved."""
 
 import importlib.util
 import queue
@@ -23,10 +23,10 @@ _LARGEST_FILE = 1 << 20
 
 
 class FunctionsFile:
-    """The functions of a file, as it was when it could last be read. Close it after use.
+    """The functions of the last version of a file that could be read. Close it after use.
 
-    A file that cannot be read, or fails to run, leaves the functions that were there before; one that fails an answer has none
-    until it is saved again. Nothing of it raises: `problem` tells.
+    If a new version cannot be read or run, the functions of the version before stay. If a function fails, none answers until
+    the file is saved again. Apart from `check`, no method raises: `problem` says what is wrong.
 
     Attributes:
         own: names of the source's functions that the file defines, and "advance" where it has one; empty where none answers.
@@ -78,7 +78,7 @@ class FunctionsFile:
         return note_of(self.name, self.own, self.problem, answers=self._student is not None)
 
     def refresh(self) -> str:
-        """Look at the file, at most once a second, and read it again if it was saved; news in a few words, "" for none.
+        """Look at the file, at most once a second, and read it again if it was saved. Returns news in a few words, or "".
 
         It does not wait: what is being read answers at a later call.
         """
@@ -96,11 +96,11 @@ class FunctionsFile:
         return news
 
     def ask(self, name: str, arguments: Sequence[object]) -> object:
-        """The result of one question; None where there is none, and then nothing of the file answers until it is saved."""
+        """The result of one question; None if it failed, and then no function answers until the file is saved."""
         return None if self._student is None else usable_result(self, name, self._student.ask(name, arguments))
 
     def reject(self, problem: str) -> None:
-        """Let nothing of the file answer until it is saved again. problem: why, without the file's name."""
+        """Let no function answer until the file is saved again. problem: why, without the file's name."""
         self._tell(problem)
         self.own = frozenset()
         if self._student is not None:
@@ -138,7 +138,7 @@ class FunctionsFile:
         self._loading = student, lines, self._clock() + self._limits.start
 
     def _loaded(self, student: Student, line: bytes | None) -> None:
-        """Take the place of the version before with what was read, if it could be."""
+        """Replace the version before by the one that was read, if that succeeded."""
         self._loading = None
         try:
             reply = student.reply(line, self._limits.start)

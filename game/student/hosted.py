@@ -15,7 +15,7 @@ from game.student.signatures import SIGNATURES, answer
 
 
 class HostedFile:
-    """The module that a student's file makes, and the source's functions with its own in their place."""
+    """The module of a student's file, and the source's functions with those of the file in their place."""
 
     def __init__(self, path: Path, text: str | None = None, watch: Callable[[CodeType], None] | None = None) -> None:
         """Run the file; whatever it raises is raised.

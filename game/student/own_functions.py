@@ -1,4 +1,4 @@
-"""The source's functions, those in their place that a student's file defines: each calls the others, whoever wrote them.
+"""The source's functions, replaced by those that a student's file defines. Each calls the others, whoever wrote them.
 
 For the child process that runs the file.
 """
@@ -28,7 +28,7 @@ _EXPECTED = {
 
 
 class WrongResultError(Exception):
-    """A function's result is of no use. line: of the student's file, where the function begins."""
+    """A function returned something unusable. line: of the student's file, where the function begins."""
 
     def __init__(self, message: str, line: int | None) -> None:
         super().__init__(message)
@@ -36,7 +36,7 @@ class WrongResultError(Exception):
 
 
 class OwnFunctions(SlideFunctions):
-    """The slides' functions, but those that a module defines. Points are complex numbers, also where the file has its own kind.
+    """The slides' functions, replaced by those that a module defines. Points are complex numbers, whatever the file uses.
 
     own: the names of the functions that are the module's, `advance` among them. A function that raises NotImplementedError is
     not written yet: the slides' answers for it.
@@ -59,7 +59,7 @@ class OwnFunctions(SlideFunctions):
         return super().final_velocity(v_res, v_0, n, v_p) if v_res != 0 else 0j
 
     def _standing_in(self, function: Callable[..., Any], signature: Signature, ours: Callable[..., Any]) -> Callable[..., Any]:
-        """The student's function, called and answering as the slides' are; WrongResultError where its result is of no use."""
+        """The student's function with the interface of the slides' one; WrongResultError if its result is unusable."""
         order = PYTHON_ORDER[signature.name]
 
         def called(*values: Any) -> Any:

@@ -1,4 +1,4 @@
-"""A game flown on the player's own functions, or on an `advance` of his own; where they fail, on the slides' functions."""
+"""A physics from a student's functions, or from a student's own `advance`; where they fail, the slides' functions answer."""
 
 import math
 from collections.abc import Sequence
@@ -21,7 +21,7 @@ class OwnPhysics:
         return self.file.note
 
     def news(self) -> str:
-        """What has become of the file since the last call, in a few words; "" for nothing. To be called often."""
+        """What has happened to the file since the last call, in a few words; "" if nothing has. To be called often."""
         return self.file.refresh()
 
     def advance(self, arena: Arena, dt: float, speed: float, flight: FreeFlight | None = None) -> Step:

@@ -117,7 +117,7 @@ class Student:
         return f"{where}the program ended ({how}){f': {shown_text(words)}' if words and not frames else ''}"
 
     def _failed(self, problem: str | None) -> Reply:
-        """The reply to a question that the program did not survive."""
+        """The reply to a question during which the program ended."""
         self.close()
         return Reply(problem=problem, ended=True)
 

@@ -1,4 +1,4 @@
-"""What each function of the source is asked and answers, with every argument as a flat list of numbers."""
+"""The signatures of the source's functions: arguments as a flat list of numbers, and the kind of the result."""
 
 import math
 import sys

@@ -1,4 +1,4 @@
-"""What a student begins with: every function of the source with its slide, its arguments, and nothing in it yet."""
+"""The template for students: every function of the source with its slide and arguments, still to be written."""
 
 _TEXT = '''"""The functions of the lecture "Collision detection and response", to be written.
 

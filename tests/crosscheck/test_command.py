@@ -19,7 +19,7 @@ from game.replays.file import Recorder, save
 from game.rules import new_game, tick
 from game.system.command_line import run
 from tests.support.paths import ROOT
-from tools.crosscheck import cli
+from tools.crosscheck import command
 from tools.crosscheck.commands import _PLAYERS, _VERDICTS, app
 from tools.crosscheck.comparisons.convergence import FACETS, Curve
 from tools.crosscheck.games.sources import AIMED, PLAYERS, RANDOM, Source
@@ -113,9 +113,9 @@ def test_disagreement_is_exit_code_1_with_a_command_to_repeat_it(capsys):
     assert code == 1
     assert out.splitlines()[-1].startswith("DISAGREE: ")
     assert "the game's normal is turned by +0.1 degrees" in out
-    command = next(line for line in out.splitlines() if "--tick " in line).split()
-    assert command[:3] == ["python", "-m", "tools.crosscheck"]
-    code, again, _ = crosscheck(capsys, *command[3:])
+    line = next(line for line in out.splitlines() if "--tick " in line).split()
+    assert line[:3] == ["python", "-m", "tools.crosscheck"]
+    code, again, _ = crosscheck(capsys, *line[3:])
     assert code == 1
     assert "the game's normal is turned by +0.1 degrees" in again
     assert "1 contacts" in again or "2 contacts" in again
@@ -184,10 +184,10 @@ def test_the_page_needs_nothing_else(capsys, tmp_path: Path):
 
 def test_the_extras_are_shown(capsys, tmp_path: Path, monkeypatch):
     """Convergence and free run, on the terminal, in the page and in the JSON file."""
-    monkeypatch.setattr(cli, "_FREE_RUNS", 1)
+    monkeypatch.setattr(command, "_FREE_RUNS", 1)
     errors = tuple(1.0 / n for n in FACETS)
     curve = Curve("normal, outer face", "rad", -1.0, FACETS, errors, errors, (1e-13,) * len(FACETS), 100)
-    monkeypatch.setattr(cli, "converged", lambda *_: [curve])
+    monkeypatch.setattr(command, "converged", lambda *_: [curve])
     page, numbers = tmp_path / "page.html", tmp_path / "numbers.json"
     code, out, _ = crosscheck(capsys, *SHORT, "--convergence", "--free-run", "--report", page, "--json", numbers)
     result = json.loads(numbers.read_text())
@@ -225,7 +225,7 @@ def test_the_extras_are_shown(capsys, tmp_path: Path, monkeypatch):
 )
 def test_bad_input_is_one_line_and_exit_code_2(capsys, monkeypatch, arguments, reason):
     """Before any work starts."""
-    for module in ("cli.checked_games", "corpus.build.results_of"):
+    for module in ("command.checked_games", "corpus.build.results_of"):
         monkeypatch.setattr(f"tools.crosscheck.{module}", lambda *_: pytest.fail("work has started"))
     code, out, err = crosscheck(capsys, *arguments)
     assert (code, out) == (2, "")
@@ -367,14 +367,14 @@ def test_by_default_all_kinds_of_games_are_checked():
 
 def test_the_suite_of_mistakes_is_a_table(capsys, monkeypatch, tmp_path: Path):
     """After the games: each mistake with what caught it; what is missed makes the exit code 1 and is named."""
-    few = {name: cli.MISTAKES[name] for name in ("two-layers", "still-surface", "early-stop")}
-    monkeypatch.setattr(cli, "MISTAKES", few)
+    few = {name: command.MISTAKES[name] for name in ("two-layers", "still-surface", "early-stop")}
+    monkeypatch.setattr(command, "MISTAKES", few)
 
     def short(names, seed, facets):
         jobs = [job for job in suite_jobs(names, seed, facets) if job.source.level in {"4", "aimed"}]
         return [job._replace(source=job.source._replace(ticks=400)) for job in jobs]
 
-    monkeypatch.setattr(cli, "suite_jobs", short)
+    monkeypatch.setattr(command, "suite_jobs", short)
     numbers, page = tmp_path / "numbers.json", tmp_path / "page.html"
     code, out, _ = crosscheck(capsys, *SHORT, "--sabotage", "all", "--json", numbers, "--report", page)
     assert code == 0
@@ -389,7 +389,7 @@ def test_the_suite_of_mistakes_is_a_table(capsys, monkeypatch, tmp_path: Path):
     ]
     assert "Mistakes made on purpose" in page.read_text()
 
-    monkeypatch.setattr(cli, "MISTAKES", {"early-stop": few["early-stop"]})
+    monkeypatch.setattr(command, "MISTAKES", {"early-stop": few["early-stop"]})
     monkeypatch.setattr("tools.crosscheck.sabotage.suite.MISTAKES", {"early-stop": few["early-stop"]._replace(invisible="")})
     code, out, _ = crosscheck(capsys, *SHORT, "--sabotage", "all")
     assert code == 1

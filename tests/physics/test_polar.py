@@ -17,6 +17,7 @@ from physics import (
     to_cartesian,
     to_polar,
 )
+from physics.tolerances import SMALLEST
 from tests.support.strategies import AXES, angles, points, reals
 
 LAST = math.nextafter(math.tau, 0.0)
@@ -133,10 +134,13 @@ def test_the_two_ends_of_the_range_are_neighbours(a, b):
 
 @given(points())
 def test_polar_coordinates_lead_back_to_the_point(p):
-    """And the angle is already normalised, as the source's notes ask."""
+    """And the angle is already normalised, as the source's notes ask.
+
+    The bound is what the arc tangent (9.3e-16) and the sine (2.1e-16) may be off, and the rounding of the product.
+    """
     radius, angle = to_polar(p)
     assert 0.0 <= angle < math.tau
-    assert abs(to_cartesian(radius, angle) - p) < 1e-14
+    assert abs(to_cartesian(radius, angle) - p) <= 1.3e-15 * abs(p) + SMALLEST
 
 
 @given(reals(1e-3, 100.0), angles())

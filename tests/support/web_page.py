@@ -6,6 +6,13 @@ import time
 _PATIENCE = 60.0
 """Seconds until something has to have happened, on a busy machine."""
 
+PAD = """
+  const buttons = Array.from({ length: 17 }, () => ({ value: 0 }));
+  window.pad = { connected: true, mapping: 'standard', axes: [0, 0, 0, 0], buttons };
+  navigator.getGamepads = () => [null, window.pad];
+"""
+"""Plugs a gamepad in, whose state is `pad`."""
+
 
 class WebPage:
     """One tab. problems: what it logged as errors. foreign: addresses of other hosts that it asked."""
@@ -85,7 +92,7 @@ class WebPage:
         if not self.title():
             self.tab.keyboard.press("p")
             self.wait(self.title)
-        if self.title() != "Polar Breakout":
+        while self.title() != "Polar Breakout":
             self.use("title" if self.tab.query_selector("#item-title") else "back")
         self.wait(lambda: self.title() == "Polar Breakout", self.title)
 

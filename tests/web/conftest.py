@@ -7,6 +7,9 @@ from contextlib import contextmanager
 
 import pytest
 
+from game.input.key_names import use_layout
+from game.input.keys import BINDINGS, KEYS
+from game.input.scancodes import US_CODES
 from game.system.errors import EnvironmentMissingError
 from game.web.packages import Package, cache_folder, fetched
 from game.web.server import served
@@ -24,6 +27,14 @@ AXE = Package(
     "https://github.com/dequelabs/axe-core",
     "npm",
 )
+
+
+@pytest.fixture(autouse=True)
+def default_keys():
+    """The desktop's keys, and the names of the US layout, after every test of a page."""
+    yield
+    KEYS.change(BINDINGS)
+    use_layout(US_CODES)
 
 
 @pytest.fixture(scope="session")

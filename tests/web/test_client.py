@@ -8,51 +8,39 @@ from pathlib import Path
 import pygame
 import pytest
 
-from game.input.actions import Action
-from game.input.keys import BINDINGS
+from game.input.actions import Action, OwnKeys
+from game.input.events import system_layout
+from game.input.keys import BINDINGS, KeyTable
+from game.input.scancodes import CONTROL_CODES, NAMED_KEY, SCANCODES
 from game.picture.display_list import DisplayList, Primitive, primitives
 from game.system.errors import EnvironmentMissingError
 from game.web import packages
-from game.web.client.keys import BUTTONS, BY_CODE, BY_KEY
+from game.web.client.keys import LEFT_ALONE, NOT_ON_PAGES, code_of, page_bindings, position_at
 from game.web.client.page import Page
 from tools.grade.page import PageGrader
 
-PAD_BUTTONS = ("A", "B", "X", "Y", "LEFTSHOULDER", "RIGHTSHOULDER", "", "", "BACK", "START", "", "")
-PAD_BUTTONS += ("DPAD_UP", "DPAD_DOWN", "DPAD_LEFT", "DPAD_RIGHT")
-"""SDL's names of the buttons of a browser's standard gamepad."""
-NOT_ON_PAGES = {Action.TIP, Action.FULL_SCREEN, Action.NORMALS}
-"""Tab is the browser's, so is F11; no second engine is there."""
-
-
-def browser_key(code):
-    """What a browser calls what is written on a key."""
-    name = pygame.key.name(code)
-    named = {"space": " ", "return": "Enter", "enter": "Enter", "escape": "Escape", "up": "ArrowUp", "down": "ArrowDown"}
-    named |= {"pause": "Pause", "break": "Pause", "home": "Home", "end": "End", "f1": "F1"}
-    named |= {"page up": "PageUp", "page down": "PageDown"}
-    return named.get(name, name.strip("[]") if name.startswith("[") and len(name) == 3 else name)
+NAMED = {"space": " ", "return": "Enter", "escape": "Escape", "up": "ArrowUp", "down": "ArrowDown", "pause": "Pause"}
+NAMED |= {"break": "Pause", "home": "Home", "end": "End", "f1": "F1", "page up": "PageUp", "page down": "PageDown"}
+"""What browsers call what is written on a key, by pygame's name for it."""
 
 
 def test_keys_mean_what_they_mean_on_the_desktop():
-    """Every code and position of the desktop's table, in the browser's names; and nothing else."""
+    """Every key of the US layout: by what a browser says where it is and what is written on it; Tab is the browser's."""
+    desktop, on_page = KeyTable(BINDINGS), KeyTable(page_bindings(OwnKeys()))
     pygame.display.init()
-    codes = {browser_key(code): one.action for one in BINDINGS for code in one.codes if one.action not in NOT_ON_PAGES}
+    layout = system_layout()
+    names = {position: pygame.key.name(pygame.key.key_code(pygame.key.name(code))) for position, code in layout.items()}
     pygame.display.quit()
-    assert codes == BY_KEY
-    positions = {
-        pygame.KSCAN_LEFT: "ArrowLeft",
-        pygame.KSCAN_A: "KeyA",
-        pygame.KSCAN_RIGHT: "ArrowRight",
-        pygame.KSCAN_D: "KeyD",
-        pygame.KSCAN_Z: "KeyZ",
-        pygame.KSCAN_X: "KeyX",
-        pygame.KSCAN_V: "KeyV",
-        pygame.KSCAN_C: "KeyC",
-    }
-    assert {positions[one]: binding.action for binding in BINDINGS for one in binding.positions} == BY_CODE
-    buttons = {button: one.action for one in BINDINGS for button in one.buttons}
-    expected = [buttons.get(getattr(pygame, f"CONTROLLER_BUTTON_{name}", -1)) for name in PAD_BUTTONS]
-    assert list(BUTTONS) == expected
+    meant = set()
+    for name, position in SCANCODES.items():
+        code = CONTROL_CODES.get(position) or layout.get(position) or position | NAMED_KEY
+        key = names.get(position) or NAMED.get(pygame.key.name(code), name)
+        expected = None if name in LEFT_ALONE else desktop.action(position, code)
+        action = on_page.action(position_at(name, key), code_of(name, key))
+        assert action is (None if expected in NOT_ON_PAGES else expected), name
+        meant.add(action)
+    assert {one.action for one in BINDINGS} - meant == {Action.TIP, Action.FULL_SCREEN, Action.NORMALS}
+    assert on_page.action(position_at("Digit0", "+"), code_of("Digit0", "+")) is Action.MORE
 
 
 def page_playing():

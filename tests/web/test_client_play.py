@@ -1,62 +1,18 @@
 """What a player can do on the page, asked of its Python alone: two players, fingers, gamepads, settings, languages."""
 
-import json
-
 import pytest
 
 from game.levels import campaign
 from game.rules import paddle_rings
-from game.web.client.page import Page
-from game.web.client.playing import GameOnPage
+from tests.support.played_page import PlayedPage
 
 PAD = {"type": "pad", "buttons": [0.0] * 17, "axes": [0.0] * 4}
-
-
-class Played:
-    """A page in the hands of a test."""
-
-    def __init__(self, **options):
-        self.page = Page(b'{"rate": 1, "sounds": []}', "", calm=True, **options)
-        self.change(sound=False, music=0)
-
-    def frame(self, *signals, seconds=0.0):
-        """The reply to some signals."""
-        request = {"seconds": seconds, "width": 1280, "height": 800, "signals": signals}
-        return json.loads(self.page.frame(json.dumps(request)))
-
-    def choose(self, item, value=""):
-        """The reply after a control was used."""
-        return self.frame({"type": "choose", "id": item, "value": value})
-
-    def key(self, code, key="", *, down=True):
-        """Press or release a key."""
-        return self.frame({"type": "key", "code": code, "key": key or code, "down": down})
-
-    def fingers(self, *moves):
-        """Move fingers. moves: phase, number, x, y."""
-        for phase, number, x, y in moves:
-            self.frame({"type": "pointer", "phase": phase, "id": number, "touch": True, "x": x, "y": y})
-
-    def change(self, **settings):
-        """Other settings."""
-        self.page._state.change(self.page._state.settings._replace(**settings))
-
-    @property
-    def game(self):
-        """The game that is played."""
-        assert isinstance(self.page._screen, GameOnPage)
-        return self.page._screen.game
-
-    @property
-    def view(self):
-        """The view of the arena."""
-        return self.page._state.view
 
 
 @pytest.fixture
 def played():
     """A page at its title."""
-    return Played()
+    return PlayedPage()
 
 
 def items(menu):
@@ -82,7 +38,7 @@ def test_two_at_one_keyboard_have_a_paddle_each(played):
     hint = next(item["hint"] for item in reply["menu"]["items"] if item["id"] == "players")
     assert "the upper one A, D" in hint
     turned = versus(played)
-    assert "Player 1: ←, →. Player 2: A, D. Space: serve" in played.frame()["texts"]
+    assert "Player 1: Left, Right. Player 2: A, D. Space: serve" in played.frame()["texts"]
     played.key("KeyA", "a")
     played.frame(seconds=0.1)
     assert turned() == [False, True]
@@ -134,7 +90,7 @@ def test_two_fingers_orbit_and_zoom_in_3d_alone(played):
 
 def test_who_plays_by_touch_is_told_to_tap():
     """From the start on a touch device, else after the first touch; a mouse brings the words for keys back."""
-    played = Played(touch=True)
+    played = PlayedPage(touch=True)
     played.choose("play")
     assert "Tap: serve along the arrow" in played.frame()["texts"]
     played.frame({"type": "pointer", "phase": "move", "id": 1, "touch": False, "x": 9, "y": 9})
@@ -143,7 +99,7 @@ def test_who_plays_by_touch_is_told_to_tap():
 
 def test_levels_are_called_and_explained_in_the_players_language():
     """In the list of levels and in the button for the next level, with the condition that unlocks a level."""
-    played = Played(languages="de")
+    played = PlayedPage(languages="de")
     menu = played.choose("levels")["menu"]
     labels = items(menu)
     names = [labels[f"level-{number}"] for number, _ in enumerate(campaign(), 1)]

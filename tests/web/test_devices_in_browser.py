@@ -5,12 +5,8 @@ import pytest
 
 from game.sound.music.loops import composed
 from game.sound.music.score import Layer
+from tests.support.web_page import PAD
 
-PAD = """
-  const buttons = Array.from({ length: 17 }, () => ({ value: 0 }));
-  window.pad = { connected: true, mapping: 'standard', axes: [0, 0, 0, 0], buttons };
-  navigator.getGamepads = () => [null, window.pad];
-"""
 LOUDEST = """seconds => new Promise(done => {
   const { context, output } = polarBreakout.speaker, analyser = new AnalyserNode(context, { fftSize: 32768 });
   output.connect(analyser);

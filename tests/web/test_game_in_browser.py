@@ -198,7 +198,7 @@ def test_the_keyboard_alone_leads_from_the_title_into_the_game_and_back(page):
 
 
 def test_axe_finds_nothing(page, axe):
-    """Title, settings, levels, game, pause, lab: every control has a name, and every text can be read."""
+    """Title, settings, keys, levels, help, credits, game, pause, lab: every control has a name, and every text can be read."""
 
     def violations():
         found = page.tab.evaluate("axe.run(document, {resultTypes: ['violations']})")["violations"]
@@ -206,10 +206,12 @@ def test_axe_finds_nothing(page, axe):
 
     page.tab.evaluate(axe)
     assert violations() == []
-    for item in ("settings", "levels", "help"):
-        page.use(item)
-        assert violations() == [], item
-        page.use("back")
+    for items in (("settings", "keys", "key-left-0"), ("levels",), ("help",), ("credits",)):
+        for item in items:
+            page.use(item)
+            assert violations() == [], item
+        for _ in items:
+            page.use("back")
     page.go("classic/1")
     assert violations() == []
     page.use("pause")

@@ -18,12 +18,12 @@ from game.effects.lights import LightSource
 from game.effects.waves import WaveTone
 from game.input.view import FLAT, SOLID
 from game.levels import campaign, classic
-from game.picture import slots
 from game.picture.arena import ArenaPicture
 from game.picture.display_list import DisplayList
 from game.picture.ground import colours, lists, measures
 from game.picture.moving.balls import BallTextures, add_ball
 from game.picture.moving.layers import add_in_air, add_on_ground
+from game.picture.slots import flat
 from game.rules import ActivePower, Drop, PowerUp, Ruleset, new_game
 from game.scene import Aim, Well, scene_at, still
 from game.unlocks import BALLS, PLAIN_TRAIL, TRAILS
@@ -56,6 +56,8 @@ COUNT = """async ([numbers, width, height]) => {
 """Counts on a transparent canvas: pixels by opacity, and opaque pixels by colour."""
 RESTING = (0.55, 28.0)
 """The same of the ground and of what stands on it, which differ in their smooth edges alone."""
+DESCRIPTIONS = (flat._looks, lists.ground_list)
+"""What caches parts of the description."""
 SQUARE = (-0.5 - 0.5j, -0.5 + 0.5j, 0.5 + 0.5j, 0.5 - 0.5j)
 
 
@@ -110,13 +112,15 @@ def other_description(monkeypatch):
     """Other dimensions and shares of what one sees from above, as a change of the description would have them."""
     values = {"_EDGE": 0.4, "_AT_FACES": 0.5, "_AT_ENDS": 0.3, "_SLOPE": 0.2, "_SHADOW": 0.04, "_INWARDS": 0.8, "_ASIDE": 0.9}
     for name, value in values.items():
-        monkeypatch.setattr(slots, name, value)
+        monkeypatch.setattr(flat, name, value)
     monkeypatch.setattr(measures, "_RIM", 0.2)
     monkeypatch.setattr(measures, "_TRACK", 0.2)
     monkeypatch.setattr(colours, "_INNER_GLOW", 0.4)
-    lists.ground_list.cache_clear()
+    for function in DESCRIPTIONS:
+        function.cache_clear()
     yield
-    lists.ground_list.cache_clear()
+    for function in DESCRIPTIONS:
+        function.cache_clear()
 
 
 def from_above(page, theme, level):
@@ -148,7 +152,8 @@ def test_both_painters_follow_a_change_of_the_description(page, monkeypatch):
     desktop, on_page = from_above(page, DARK, level)
     assert np.abs(desktop - on_page).mean() < RESTING[0]
     monkeypatch.undo()
-    lists.ground_list.cache_clear()
+    for function in DESCRIPTIONS:
+        function.cache_clear()
     before = from_above(page, DARK, level)
     assert np.abs(desktop - before[0]).mean() > 1.0
     assert np.abs(on_page - before[1]).mean() > 1.0

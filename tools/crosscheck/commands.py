@@ -80,7 +80,7 @@ def crosscheck(
     Exit code 0: nothing unexplained. 1: a disagreement. 2: bad input. 3: no fitting pymunk.
     """
     check_environment()
-    from tools.crosscheck import cli  # noqa: PLC0415  # needs pymunk, which has just been looked for
+    from tools.crosscheck import command  # noqa: PLC0415  # needs pymunk, which has just been looked for
     from tools.crosscheck.run import Choice, chosen_sources  # noqa: PLC0415
     from tools.crosscheck.sabotage.catalogue import MISTAKES  # noqa: PLC0415
 
@@ -97,8 +97,8 @@ def crosscheck(
         with FunctionsFile(with_) as own:
             compare_own(chosen_sources(choice), own, Console())
         return 0
-    return cli.crosscheck(
-        cli.Options(
+    return command.crosscheck(
+        command.Options(
             choice=choice,
             facets=facets,
             workers=where(context, workers, cluster),

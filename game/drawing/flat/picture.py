@@ -14,8 +14,9 @@ from game.drawing.flat.band_pixels import BandKey, BandPixels, band_pixels
 from game.drawing.flat.ring import BackdropRing, draw_over
 from game.drawing.flat.slot_atlas import SlotAtlas, atlas_key
 from game.drawing.ground.picture import draw_pattern, ground_picture
-from game.drawing.slots.contents import Contents
 from game.picture.ground.measures import ground_of
+from game.picture.slots.contents import Contents
+from game.picture.slots.flat import wall_rings
 from game.rules import PADDLES
 from game.scene import Scene
 
@@ -58,14 +59,14 @@ class FlatPicture:
     def _backdrop_of(self, canvas: Canvas, scene: Scene) -> _Backdrop:
         """The backdrop; the cached one if only the rings' angles and contents have changed."""
         ground = ground_of(scene)
-        wall = {k: ring[:4] for k, ring in enumerate(scene.rings) if k not in (PADDLES, scene.second_paddle)}
-        key = (canvas.size, canvas.camera, canvas.theme, ground, scene.tallest, wall)
+        standing = {k: scene.rings[k][:4] for k in wall_rings(scene)}
+        key = (canvas.size, canvas.camera, canvas.theme, ground, scene.tallest, standing)
         if self._backdrop is None or self._backdrop.key != key:
             self._paddles.clear()
             self._bands.clear()
             picture = ground_picture(canvas, ground)
             draw_pattern(canvas._replace(surface=picture), ground)
-            rings = {k: BackdropRing(SlotAtlas(atlas_key(canvas, scene, k)), picture) for k in wall}
+            rings = {k: BackdropRing(SlotAtlas(atlas_key(canvas, scene, k)), picture) for k in standing}
             self._backdrop = _Backdrop(key, picture, rings)
         return self._backdrop
 

@@ -12,7 +12,7 @@ from game.drawing.canvas import Canvas
 from game.drawing.flat.band_pixels import BandPixels, band_pixels
 from game.drawing.flat.slot_atlas import BLANK, SlotAtlas
 from game.drawing.raster.pixels import pixels_of
-from game.drawing.slots.contents import SlotContent
+from game.picture.slots.contents import SlotContent
 
 
 class BackdropRing:

@@ -8,10 +8,10 @@ import pygame
 from game.drawing.flat.sector_colours import PolarPixels, paint_slot
 from game.drawing.palette import Theme
 from game.drawing.raster.pixels import packed, pixels_of
-from game.drawing.slots.contents import wall_contents
-from game.drawing.slots.parts import SlotShape
 from game.picture.display_list import DisplayList
-from game.picture.slots import FlatRing, add_content
+from game.picture.slots.contents import wall_contents
+from game.picture.slots.flat import FlatRing, add_content
+from game.picture.slots.parts import SlotShape
 
 _RADIUS, _HALF_WIDTH, _HALF_ANGLE, _TALLEST = 4.0, 0.45, 0.2, 6
 """Of the ring that the brick might stand in: lengths in world units, the angle in radians, and layers."""
@@ -24,7 +24,7 @@ def brick_sample(size: tuple[int, int], scale: float, layers: int, theme: Theme)
     """
     width, height = size
     theme = theme._replace(ground=theme.panel)
-    ring = FlatRing(SlotShape(_RADIUS, _HALF_WIDTH, _HALF_ANGLE, _TALLEST, 1.0 / scale), 1, scale, 0.0, theme)
+    ring = FlatRing(SlotShape(_RADIUS, _HALF_WIDTH, _HALF_ANGLE, _TALLEST, 1.0 / scale), 1, scale, 0.0, (0.0, math.inf), theme)
     across = np.arange(width, dtype=np.float32)[None, :] + np.float32(0.5 - width / 2.0)
     up = np.float32(height / 2.0 - 0.5 + _RADIUS * scale) - np.arange(height, dtype=np.float32)[:, None]
     radius, angle = np.hypot(across, up).ravel(), (np.arctan2(up, across) - np.float32(math.pi / 2.0)).ravel()

@@ -15,11 +15,11 @@ from game.drawing.flat.sector_colours import PolarPixels, paint_slot
 from game.drawing.ground.shades import discs
 from game.drawing.raster.annulus import Floats
 from game.drawing.raster.pixels import packed
-from game.drawing.slots.contents import SlotContent
 from game.picture.display_list import DisplayList, Primitive, primitives
 from game.picture.ground.lists import ground_list
 from game.picture.ground.measures import Ground, ground_of
-from game.picture.slots import FlatRing, add_content, add_shadow, flat_ring, lane
+from game.picture.slots.contents import SlotContent
+from game.picture.slots.flat import FlatRing, add_content, add_shadow, flat_rings
 from game.scene import Scene
 
 _FINE = 4
@@ -57,11 +57,11 @@ class AtlasKey(NamedTuple):
 
 def atlas_key(canvas: Canvas, scene: Scene, k: int) -> AtlasKey:
     """The key of a ring on the backdrop: no pixel belongs to two rings."""
-    camera, theme = canvas.camera, canvas.theme
-    border, (inwards, outwards), own = _BORDER / camera.scale, lane(scene, k), scene.rings[k]
+    camera, own = canvas.camera, scene.rings[k]
+    ring = flat_rings(scene, camera.scale, canvas.theme)[k]
+    border, (inwards, outwards) = _BORDER / camera.scale, ring.lane
     low = max((inwards + own.inner_radius) / 2.0, own.inner_radius - border)
     high = max((own.outer_radius + outwards) / 2.0, outwards - border)
-    ring = flat_ring(scene, k, camera.scale, theme)
     stride = canvas.surface.get_pitch() // 4
     return AtlasKey(canvas.size, stride, camera, ring, ground_of(scene), (low, high), (0.0, 0.0))
 

@@ -9,9 +9,9 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from game.drawing.camera import Camera
-from game.drawing.slots.contents import ContentKind, SlotContent
 from game.drawing.solid.blocks import Blocks, Integers, recoloured, ring_blocks
 from game.drawing.solid.faces import ProjectedBlocks, projected
+from game.picture.slots.contents import ContentKind, SlotContent
 from game.picture.solid.order import Span, back_to_front
 from game.picture.solid.prisms import wedges_between
 from game.picture.solid.rings import RingLook, pushed_out, ring_prisms

@@ -11,9 +11,9 @@ import numpy as np
 
 from game.drawing.camera import Camera
 from game.drawing.raster.arrays import Points, Reals
-from game.drawing.slots.contents import resting_contents
-from game.drawing.slots.parts import LAYER_HEIGHT, height
 from game.drawing.solid.blocks import Flags
+from game.picture.slots.contents import resting_contents
+from game.picture.slots.parts import LAYER_HEIGHT, height
 from game.scene import Scene
 
 _STEPS = 12

@@ -15,10 +15,10 @@ from game.drawing.light import side_shares
 from game.drawing.palette import mixed
 from game.drawing.raster.pixels import packed
 from game.drawing.raster.quads import FinePixels, QuadRaster, fill_quads
-from game.drawing.slots.contents import Contents
 from game.drawing.solid.arena_blocks import ArenaBlocks
 from game.drawing.solid.faces import Faces, ProjectedBlocks, shadows, visible_faces
 from game.picture.ground.measures import ground_of
+from game.picture.slots.contents import Contents
 from game.picture.solid.rings import ring_looks
 from game.scene import Scene
 

@@ -34,7 +34,8 @@ from game.editor.window.picture import EditorPicture, Shown
 from game.editor.window.play_test import PlayTest
 from game.editor.window.pointing import ERASER, EditorDrag, dragged, pressed, slot_at
 from game.editor.window.side_panel import EditorSidePanel
-from game.input.keys import Action, code_among, position_in
+from game.input.events import code_among, position_in
+from game.input.keys import Action
 from game.input.repeat import Repeat
 from game.input.signals import Clicked, FocusLost, Moved, Pressed, Released, Signal, is_still_down, pad_of
 from game.language import tr

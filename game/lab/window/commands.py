@@ -22,9 +22,9 @@ class KeyBinding(NamedTuple):
 
 KEYS = (
     KeyBinding((pygame.K_SPACE,), Command.PLAY, "next step; where all is shown, run or pause"),
-    KeyBinding((pygame.K_BACKSPACE,), Command.UNDO_STEP, "take the last step away"),
-    KeyBinding((pygame.K_v,), Command.REVEAL, "from the first step, or all at once"),
-    KeyBinding((pygame.K_g,), Command.PREDICT, "guess first: drag the answer, then see it"),
+    KeyBinding((pygame.K_BACKSPACE,), Command.UNDO_STEP, "hide the last step"),
+    KeyBinding((pygame.K_v,), Command.REVEAL, "the first step alone, or all steps"),
+    KeyBinding((pygame.K_g,), Command.PREDICT, "predict each step: drag the answer, then see it"),
     KeyBinding((pygame.K_e,), Command.COURSE, "the course: questions and exercises by the slides"),
     KeyBinding((pygame.K_PAGEDOWN,), Command.PAGE_DOWN, "next step, then next scene (a presenter's key)"),
     KeyBinding((pygame.K_PAGEUP,), Command.PAGE_UP, "the step or scene before (a presenter's key)"),
@@ -41,7 +41,7 @@ KEYS = (
     KeyBinding((pygame.K_HOME,), Command.WHOLE, "show the whole scene again"),
     KeyBinding((pygame.K_c,), Command.COPY, "copy the share line"),
     KeyBinding((pygame.K_s,), Command.SAVE, "save as a case that pytest runs"),
-    KeyBinding((pygame.K_t,), Command.THEME, "dark or light colours"),
+    KeyBinding((pygame.K_t,), Command.THEME, "dark, light or high-contrast colours"),
     KeyBinding((pygame.K_p,), Command.PRESENT, "for a lecture room: large text, no sliders"),
     KeyBinding((pygame.K_UP,), Command.LARGER, "larger text, in a lecture room"),
     KeyBinding((pygame.K_DOWN,), Command.SMALLER, "smaller text, in a lecture room"),
@@ -74,8 +74,8 @@ BOUND = frozenset([*TOGGLE_KEYS, *[key for one in KEYS for key in one.keys]])
 """The codes of all keys that mean something."""
 
 MORE_HELP = (
-    ("Drag a ring", "move what it stands on"),
-    ("Drag elsewhere", "move the world"),
+    ("Drag a handle", "move what the small ring marks"),
+    ("Drag elsewhere", "move the picture"),
     ("Wheel", "zoom about the pointer"),
     ("1 to 7", "show or hide what is listed at the right"),
     ("1 to 3", "answer the question of the course"),

@@ -2,7 +2,7 @@
 
 import pygame
 
-from game.input.keys import code_among, position_in
+from game.input.events import code_among, position_in
 from game.input.repeat import Repeat
 from game.input.signals import Clicked, Moved, Pressed, Signal, is_still_down, pad_of
 from game.lab.course.progress import course_progress

@@ -3,9 +3,9 @@
 import cmath
 
 from game.drawing.palette import mixed
-from game.drawing.slots.parts import LAYER_HEIGHT, PADDLE_HEIGHT
 from game.effects import Flash
 from game.picture.display_list import DisplayList
+from game.picture.slots.parts import LAYER_HEIGHT, PADDLE_HEIGHT
 from game.picture.view import ArenaView
 from game.rules import PADDLES
 from game.scene import Scene

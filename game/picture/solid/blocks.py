@@ -7,16 +7,14 @@ from typing import NamedTuple
 from game.drawing.camera import Camera
 from game.drawing.light import LIGHT, shadow_offset, side_shares
 from game.drawing.palette import Theme
-from game.drawing.slots.contents import Contents
 from game.picture.display_list import DisplayList
 from game.picture.moving.balls import add_ball, ball_outline
+from game.picture.moving.bursts import Flying
+from game.picture.slots.contents import Contents
 from game.picture.solid.order import Span, among_rings, back_to_front
 from game.picture.solid.prisms import SlotPrisms, part_of
 from game.picture.solid.rings import RingLook, RingPrisms, pushed_out, ring_looks, ring_prisms
 from game.scene import Scene
-
-Flying = tuple[complex, DisplayList]
-"""A piece in the air: where it is along the ground, and its primitives."""
 
 
 class _Moving(NamedTuple):

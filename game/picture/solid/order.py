@@ -16,7 +16,7 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from game.drawing.camera import Camera
-from game.picture.solid.prisms import WHOLE
+from game.picture.slots.parts import WHOLE
 from physics import Ring
 
 _WIDEST, _NARROWEST = math.radians(12.0), math.radians(2.0)

@@ -10,12 +10,9 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from game.drawing.palette import Colour, Theme, mixed
-from game.drawing.slots.contents import SlotContent
-from game.drawing.slots.parts import Bar, FootShade, Part, Slab, SlotShape, parts
-from game.picture.display_list import inset_half_angle
+from game.picture.slots.contents import SlotContent
+from game.picture.slots.parts import WHOLE, Bar, FootShade, Part, Slab, SlotShape, parts
 
-WHOLE = math.pi * 0.999
-"""Half angle from which a sector is a whole ring, which has no ends."""
 _SAGITTA, _SAGITTA_ALONE = 0.2, 0.8
 """Pixels that a straight piece may be away from the arc it stands for, its ends outside, its middle within; and those of an arc
 that is one piece: there are no bends for the eye to find."""
@@ -142,7 +139,8 @@ def _outline(shape: SlotShape, inset: float, division: SlotDivision) -> tuple[co
     beyond = (3.0 - math.cos(shape.half_angle / count)) / 2.0
     arcs = []
     for radius in (shape.inner_radius + room, shape.outer_radius - room):
-        end = shape.half_angle if shape.half_angle >= WHOLE else max(inset_half_angle(shape.half_angle, radius, inset), 0.0)
+        moved = 0.0 if shape.half_angle >= WHOLE else math.asin(min(inset / max(radius, 1e-9), 1.0))
+        end = max(shape.half_angle - moved, 0.0)
         angles = [min(max((2.0 * k / count - 1.0) * shape.half_angle, -end), end) for k in range(count + 1)]
         arcs.append([cmath.rect(radius * beyond, angle) for angle in angles])
     return (*arcs[0], *reversed(arcs[1]))

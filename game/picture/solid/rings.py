@@ -4,10 +4,10 @@ import math
 from typing import NamedTuple
 
 from game.drawing.palette import Theme
-from game.drawing.slots.contents import Contents, SlotContent
-from game.drawing.slots.parts import LAYER_HEIGHT, SlotShape, slot_shape
+from game.picture.slots.contents import Contents, SlotContent
+from game.picture.slots.parts import LAYER_HEIGHT, WHOLE, SlotShape, slot_shape
 from game.picture.solid.order import ranked
-from game.picture.solid.prisms import WHOLE, SlotDivision, SlotPrisms, evenly_lit, slot_division, slot_prisms
+from game.picture.solid.prisms import SlotDivision, SlotPrisms, evenly_lit, slot_division, slot_prisms
 from game.rules import PADDLES
 from game.scene import Scene
 

@@ -8,7 +8,7 @@ from tempfile import TemporaryDirectory
 import pygame
 
 from game.levels import built_in
-from game.overlay import toast
+from game.overlay import toast_drawing
 from game.screens.base import Screen
 from game.screens.gallery.sample import FRAME, sample_state
 from game.screens.gallery.screens import every_screen
@@ -36,7 +36,7 @@ def save_pictures(folder: Path, size: tuple[int, int], settings: Settings, only:
                 state = sample_state(Path(kept), settings)
                 surface = _drawn(opened(state), size)
                 if state.toast is not None:
-                    toast.draw(state.words(state.canvas(surface)), state.toast)
+                    toast_drawing.draw(state.words(state.canvas(surface)), state.toast)
                 yield _saved(folder / f"{name}.png", surface)
     finally:
         pygame.quit()

@@ -10,6 +10,7 @@ from game.editor.fields import PanelPart
 from game.editor.session import brushed, stroked, tinted
 from game.editor.window.help import editor_help
 from game.editor.window.screen import Editor
+from game.input.key_choice import CaptureTarget
 from game.input.keys import Action
 from game.input.players import Players
 from game.input.signals import Pressed
@@ -24,7 +25,7 @@ from game.screens.menus.help.panel import Help
 from game.screens.menus.high_scores import HighScores
 from game.screens.menus.level_select import LevelSelect
 from game.screens.menus.replays import Replays
-from game.screens.menus.settings.key_capture import CaptureTarget, KeyCapture
+from game.screens.menus.settings.key_capture import KeyCapture
 from game.screens.menus.settings.panel import SettingsPanel
 from game.screens.menus.settings.rows import PARTS
 from game.screens.title import Title

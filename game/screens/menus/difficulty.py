@@ -1,4 +1,4 @@
-"""How difficult new games are, or by whose rules they are played."""
+"""The choices for new games: difficulty or the source's rules, and how many play."""
 
 import msgspec
 
@@ -21,7 +21,7 @@ def players_choice(state: AppState) -> ChoiceItem:
 
 
 def difficulty_choice(state: AppState) -> ChoiceItem:
-    """The item that chooses it, and remembers it."""
+    """The item that chooses the difficulty, and stores the choice."""
 
     def choose(index: int) -> None:
         state.ruleset = ruleset_of(DIFFICULTIES[index])

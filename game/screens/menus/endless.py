@@ -1,4 +1,4 @@
-"""Levels without end, made from a seed: today's, which are the same for everyone; new ones; or those of a seed one was told."""
+"""The menu of endless levels: those of today's date, those of a new seed, or those of a seed that is entered."""
 
 import datetime as dt
 
@@ -13,7 +13,7 @@ from game.screens.toolkit.text_entry import TextEntry
 
 
 def endless_menu(state: AppState, under: Screen) -> Menu:
-    """The choice of levels made from a seed."""
+    """The menu."""
     day = dt.datetime.now(tz=dt.UTC).date()
     same = tr("Everyone gets the same levels on {day}.").format(day=day)
     lines = (tr("Levels made from a number: the same number gives everyone the same levels."),)
@@ -37,7 +37,7 @@ def begun(state: AppState, seed: int) -> Screen:
 
 
 def _seed_entry(state: AppState, menu: Screen) -> Screen:
-    """Enter a number; of other words the number is made."""
+    """The entry of a seed: a number, or words from which a number is made."""
 
     def done(text: str) -> Screen:
         return begun(state, seed_of(text)) if text else menu

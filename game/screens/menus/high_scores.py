@@ -1,4 +1,4 @@
-"""The table of high scores, a part for every difficulty; a line leads to its replay."""
+"""The table of high scores, with a tab for every difficulty. A line opens its replay."""
 
 from game.language import grouped, tr
 from game.levels.names import level_name
@@ -22,7 +22,7 @@ _FEW_COLUMNS = 4
 
 
 class HighScores(Panel):
-    """The best games."""
+    """The panel of high scores."""
 
     def __init__(self, state: AppState, under: Screen, entered: Score | None = None, entries: tuple[Entry, ...] = ()) -> None:
         """Open at the present difficulty. entered: the score that was just made, marked; entries: where it leads then."""
@@ -51,7 +51,7 @@ class HighScores(Panel):
         return self.state.open_title(self.state) if self._entries else super().back()
 
     def first(self) -> Focus | None:
-        """After a game, where it leads from here."""
+        """After a game, the first button that leads on."""
         return Focus(len(self.content().body), 0) if self._entries else None
 
     def _line(self, number: int, score: Score) -> TableRow:
@@ -72,7 +72,7 @@ class HighScores(Panel):
         return cells[:_FEW_COLUMNS] if self.has_large_text else cells
 
     def _watched(self, score: Score) -> Screen:
-        """The score's replay; where it cannot be had, a word about it."""
+        """The screen of the score's replay, or a message why there is none."""
         if not score.replay:
             return self
         opened = opened_replay(self.state, self, score.replay)

@@ -19,7 +19,6 @@ from game.screens.base import Screen
 from game.screens.difficulty_names import difficulty_name
 from game.screens.menus.difficulty import difficulty_choice, players_choice
 from game.screens.menus.settings.control_rows import WIDE_TEXT
-from game.screens.play.record import record_name
 from game.screens.play.screen import PlayScreen
 from game.screens.toolkit.focus import Focus
 from game.screens.toolkit.icons import draw_lock
@@ -28,7 +27,7 @@ from game.screens.toolkit.layout import Content, Row
 from game.screens.toolkit.menu import Entry, Menu
 from game.screens.toolkit.panel import Panel
 from game.screens.toolkit.plate import draw_focus, write_fitting
-from game.storage.progress import RANKS, Best
+from game.storage.progress import RANKS, Best, record_name
 from game.system.errors import BadInputError
 
 _COLUMNS, _FEW_COLUMNS = 4, 3
@@ -57,7 +56,7 @@ class Card(Item):
 
     @property
     def focusable(self) -> bool:
-        """Also a locked one: its tip says how to open it."""
+        """True for a locked level, too: its tip says how to unlock it."""
         return True
 
     def height(self, _type: Type, unit: float, width: float) -> float:
@@ -98,7 +97,7 @@ class Card(Item):
             _draw_rank(canvas, RANKS[self.best.rank], complex(hole.right, foot + unit * 0.35))
 
     def accepted(self, panel: Screen) -> Screen | None:
-        """Begin it, if that is allowed."""
+        """Begin the level, if it is unlocked."""
         return self.chosen() if self.is_open else panel
 
 
@@ -113,7 +112,7 @@ class LevelSelect(Panel):
 
     @property
     def appearance(self) -> tuple[object, ...]:
-        """The choices above the levels are kept elsewhere."""
+        """As of every panel, and the choices above the levels."""
         return *super().appearance, self.state.difficulty, self.state.players
 
     def content(self) -> Content:
@@ -143,7 +142,7 @@ class LevelSelect(Panel):
 
     @property
     def _columns(self) -> int:
-        """Cards beside each other."""
+        """The number of cards in a row."""
         return _FEW_COLUMNS if self.has_large_text else _COLUMNS
 
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
@@ -178,7 +177,7 @@ class LevelSelect(Panel):
         return Card(state, level, index + 1, best, is_open, lambda: self._begun(index), tip)
 
     def _own_rows(self) -> tuple[Row, ...]:
-        """The player's own levels, and the way into the editor; nothing where there is no editor."""
+        """The player's own levels and a button for the editor; no rows if there is no editor."""
         if self.state.open_editor is None:
             return ()
         count = len(self._own.problems)
@@ -217,7 +216,7 @@ class LevelSelect(Panel):
             return self
 
     def _begun(self, index: int) -> Screen:
-        """The campaign from a level on."""
+        """A game that begins with a level of the list."""
         self.state.chosen = index
         return PlayScreen(self.state, from_level(index, self.state.catalogue))
 

@@ -1,4 +1,4 @@
-"""A finished game's file on the screen."""
+"""Opening the replay of a finished game."""
 
 from game.language import tr
 from game.replays.file import load
@@ -10,7 +10,7 @@ from game.system.errors import BadInputError
 
 
 def opened_replay(state: AppState, under: Screen, name: str) -> Screen | str:
-    """A finished game to be watched, or in one line why that cannot be. name: of its file; under: where it leads back to."""
+    """The screen of a finished game's replay, or a line why there is none. name: of the file; under: the screen below."""
     folder = state.storage.games.folder
     if folder is None:
         return tr("This game was not kept.")

@@ -1,4 +1,4 @@
-"""The finished games: to be watched, renamed, kept, copied or deleted."""
+"""The list of finished games: watch, rename, keep, copy or delete them."""
 
 from collections.abc import Callable
 from pathlib import Path
@@ -80,7 +80,7 @@ class Replays(Panel):
         return Menu(self.state, self, game.title or tr("Replay"), tuple(lines), entries, back=lambda: self)
 
     def _watched(self, game: StoredGame) -> Screen:
-        """The game on the screen; where it cannot be had, a word about it."""
+        """The screen of the game's replay, or a message why there is none."""
         opened = opened_replay(self.state, self, game.file)
         return self._told(opened) if isinstance(opened, str) else opened
 
@@ -119,19 +119,19 @@ class Replays(Panel):
         return Menu(self.state, self, tr("Delete this game?"), (line,), entries, back=lambda: self)
 
     def _changed(self, game: StoredGame) -> Screen:
-        """Back to the list, which says something else about a game."""
+        """Change what is stored about a game, and return to the list."""
         self.state.storage.games.change(game)
         self._changes += 1
         return self
 
     def _told(self, words: str) -> Screen:
-        """Back to the list with some words."""
+        """Return to the list with a message."""
         self.state.toast = Toast(words, left=_TOLD_SECONDS)
         return self
 
 
 def _rule() -> str:
-    """Which games stay."""
+    """A line about which games are kept."""
     return tr("Your last {count} games, and those that you keep or that a score refers to.").format(count=MOST)
 
 

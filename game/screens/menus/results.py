@@ -1,4 +1,4 @@
-"""What a level or a game came to: figures that count up, a rank, and what to do next."""
+"""The results of a level or a game: figures that count up, a rank, and buttons to go on."""
 
 from collections.abc import Callable
 from typing import NamedTuple
@@ -61,7 +61,7 @@ class ResultsPanel(Panel):
 
     @property
     def appearance(self) -> tuple[object, ...]:
-        """The figures move."""
+        """As of every panel, and how far the figures have counted."""
         return *super().appearance, self._seconds
 
     def content(self) -> Content:
@@ -85,7 +85,7 @@ class ResultsPanel(Panel):
         return super().answer(signal, size)
 
     def advance(self, seconds: float, _size: tuple[int, int]) -> Screen | None:
-        """Count on."""
+        """Continue counting."""
         if not self.counted:
             self._seconds += max(seconds, 0.0)
         elif self._seconds < 1e6:
@@ -93,7 +93,7 @@ class ResultsPanel(Panel):
         return self
 
     def _share(self, index: int) -> float:
-        """How far a figure has counted: 0 to 1, fast first."""
+        """How far a figure has counted: 0 to 1, fast at first."""
         left = 1.0 - min(max(self._seconds / _FIGURE_SECONDS - index, 0.0), 1.0)
         return 1.0 - left * left * left
 

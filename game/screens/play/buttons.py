@@ -1,4 +1,4 @@
-"""The buttons beside the arena, so that pause, help and settings can be reached by mouse and touch while the ball flies."""
+"""The buttons beside the arena: pause, help and settings by mouse and touch while the ball flies."""
 
 from collections.abc import Callable
 from functools import lru_cache
@@ -34,7 +34,7 @@ WATCHING: Buttons = ((Action.BACK, draw_cross), (Action.HELP, draw_question), (A
 
 
 def button_boxes(layout: Layout, buttons: Buttons = PLAYING) -> tuple[pygame.Rect, ...]:
-    """Where they are, pixels: at the right edge, half way up; above the middle where the figures are above and below."""
+    """The boxes of the buttons, pixels: half way up the right edge, or higher if the figures are above and below the arena."""
     width, height = layout.size
     side, pitch = max(round(layout.unit * _SIDE), 1), layout.unit * _PITCH
     boxes = []
@@ -50,7 +50,7 @@ def button_boxes(layout: Layout, buttons: Buttons = PLAYING) -> tuple[pygame.Rec
 
 
 def action_at(layout: Layout, pixel: complex, buttons: Buttons = PLAYING) -> Action | None:
-    """What the button at a pixel means; None beside them."""
+    """The action of the button at a pixel; None beside the buttons."""
     for (action, _), box in zip(buttons, button_boxes(layout, buttons), strict=True):
         if box.collidepoint(pixel.real, pixel.imag):
             return action
@@ -58,14 +58,14 @@ def action_at(layout: Layout, pixel: complex, buttons: Buttons = PLAYING) -> Act
 
 
 def draw(canvas: Canvas, layout: Layout, hovered: Action | None, buttons: Buttons = PLAYING) -> None:
-    """All of them, faint but for the one that the mouse is on."""
+    """Draw all buttons, faint except the one under the mouse."""
     for (action, paint), box in zip(buttons, button_boxes(layout, buttons), strict=True):
         canvas.surface.blit(_button(paint, box.size, canvas.theme, canvas.unit, lit=action is hovered), box)
 
 
 @lru_cache(maxsize=32)
 def _button(paint: Sign, size: tuple[int, int], theme: Theme, unit: float, *, lit: bool) -> pygame.Surface:
-    """A button's picture with transparent corners: to draw it anew in every frame takes a millisecond on a large surface."""
+    """A button's picture with transparent corners. Cached: drawing it takes a millisecond on a large surface."""
     grounds = []
     for ground in ((0, 0, 0), (255, 255, 255)):
         picture = pygame.Surface((size[0] * _FINER, size[1] * _FINER), 0, 32)

@@ -1,25 +1,21 @@
-"""What a game in the window leaves behind while it is played: finished levels, and the ghost that it races."""
-
-from functools import cache
+"""What is stored of a game while it is played, its finished levels; and the ghost that it races."""
 
 from game.chosen_physics import SWEPT
 from game.input.players import Players
-from game.levels import Level, built_in
-from game.replays.file import load
+from game.levels import Level
 from game.rules import EventKind, Game, Ticked
 from game.screens.app_state import AppState
 from game.screens.earned import earned
-from game.screens.play.ghost import Ghost
-from game.storage.progress import OWN, Best
+from game.storage.ghost import Ghost, ghost_of
+from game.storage.progress import Best, is_built_in, record_name
 from game.storage.scores import ENDLESS
-from game.system.errors import BadInputError
 
 
 class PlayRecord:
-    """Follows one game.
+    """Stores the finished levels of one game and runs its ghost.
 
-    counts: whether bests and scores are kept. Games of the autopilot and of the editor do not count, nor do those of a physics
-    that no replay can be verified with.
+    counts: whether bests and scores are stored. Games of the autopilot and of the editor do not count, nor do those on a
+    physics other than the game's own, since their replays cannot be verified.
     """
 
     def __init__(self, state: AppState, levels: tuple[Level, ...], *, endless: bool) -> None:
@@ -32,7 +28,7 @@ class PlayRecord:
         alone = state.players == Players.ONE and not state.autopilot
         self.counts = alone and state.physics is SWEPT and state.recorder is not None
         self._has_bests = self.counts and not endless
-        self.ranked = self.counts and (endless or all([_is_built_in(level) for level in levels]))
+        self.ranked = self.counts and (endless or all([is_built_in(level) for level in levels]))
         self.table = ENDLESS if endless else state.difficulty
         self._start = 0
         self.speed = 100  # per cent, the slowest so far
@@ -44,13 +40,13 @@ class PlayRecord:
         self._open_ghost(0)
 
     def prepare(self) -> None:
-        """Note how slow the game is played now, and bring the ghost a little nearer to its start."""
+        """Note the game speed in use, and prepare the ghost."""
         self.speed = min(self.speed, self._state.settings.speed)
         if self.ghost is not None:
             self.ghost.prepare()
 
     def after_tick(self, ticked: Ticked) -> None:
-        """Note the begin and the end of a level."""
+        """Note whether a level has begun or ended."""
         game = ticked.game
         if self.ghost is not None:
             self.ghost.after_tick(game)
@@ -62,7 +58,7 @@ class PlayRecord:
                 self._note(game)
 
     def _note(self, game: Game) -> None:
-        """A level was finished."""
+        """Store the result of a finished level."""
         result = game.results[-1]
         difficulty = self._state.difficulty
         self.done = Best(record_name(game.level), difficulty, result.score, int(result.rank), result.ticks, start=self._start)
@@ -72,30 +68,6 @@ class PlayRecord:
         self._state.tell_problem()
 
     def _open_ghost(self, number: int) -> None:
-        """The best run of a level, where its replay is still there."""
-        self.ghost = None
-        storage, folder = self._state.storage, self._state.storage.games.folder
-        best = storage.progress.value.best(record_name(self._levels[number]), self._state.difficulty)
-        if not self._has_bests or folder is None or best is None or not best.replay:
-            return
-        try:
-            recording = load(folder / best.replay)
-        except BadInputError:
-            return
-        self.ghost = Ghost(recording, best.start, number)
-
-
-def record_name(level: Level) -> str:
-    """The name under which a level's best is kept: its own, or for a level of the player's what is in it."""
-    return level.name if _is_built_in(level) else f"{OWN}{level.content_hash()}"
-
-
-def _is_built_in(level: Level) -> bool:
-    """Whether a level comes with the game."""
-    return level.content_hash() in _built_in_hashes()
-
-
-@cache
-def _built_in_hashes() -> frozenset[str]:
-    """The hashes of the levels that come with the game."""
-    return frozenset([level.content_hash() for level in built_in()])
+        """Open the best run of a level as the ghost, if its replay still exists."""
+        level = self._levels[number]
+        self.ghost = ghost_of(self._state.storage, level, self._state.difficulty, number) if self._has_bests else None

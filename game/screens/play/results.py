@@ -1,4 +1,4 @@
-"""The panels after a level and after a game: figures, and where to go on; a high score is entered on the way."""
+"""The panels after a level and after a game: figures, and buttons to go on; after a high score the player enters a name."""
 
 import time
 from collections.abc import Callable
@@ -23,12 +23,12 @@ from game.storage.scores import LONGEST_NAME, Score
 
 
 class PlayedGame(Screen, Protocol):
-    """A game on the screen, as far as its results lead back to it. endless: the seed of its levels, None for others."""
+    """What the results ask of the game that they lead back to. endless: the seed of endless levels; None for other levels."""
 
     endless: int | None
 
     def went_on(self) -> Screen:
-        """The game, with the next level at once."""
+        """The game's screen at the next level."""
 
     def again(self) -> Screen:
         """A new game at the level that was played last."""
@@ -44,7 +44,7 @@ def clock(ticks: int) -> str:
 
 
 def level_results(state: AppState, play: PlayedGame, game: Game, record: PlayRecord) -> ResultsPanel:
-    """After a level: its figures, and the next one."""
+    """The panel after a level: its figures, and a button for the next level."""
     result = game.results[-1]
     before = record.before
     following = level_name(game.levels[game.number + 1].name)
@@ -69,7 +69,7 @@ def level_results(state: AppState, play: PlayedGame, game: Game, record: PlayRec
 
 
 def game_results(state: AppState, play: PlayedGame, game: Game, record: PlayRecord) -> Screen:
-    """After a game: its figures; the name of who made a high score; and how to go on."""
+    """The panel after a game: its figures, the entry of a name for a high score, and buttons to go on."""
     kept_game = state.storage.game_done() if record.counts else None
     state.tell_problem()
     won = game.phase == Phase.WON
@@ -114,13 +114,13 @@ def _scores(game: Game) -> tuple[Figure, ...]:
 
 
 def _with_lives(lives: int) -> Callable[[int], str]:
-    """What says a player's points, with the lives that are left."""
+    """A function that writes a player's points, with the lives that are left."""
     left = ntr("{count} life", "{count} lives", lives).format(count=lives)
     return lambda points: f"{grouped(points)}  ({left})"
 
 
 def _after_game(state: AppState, play: PlayedGame, game: Game) -> tuple[Entry, ...]:
-    """Where to go after a game."""
+    """The buttons after a game."""
     again = Entry(tr("This level again"), play.again)
     first = Entry(tr("From the first level"), play.restarted)
     begin = (first,) if game.phase == Phase.WON else (again, first) if game.number else (again,)
@@ -130,13 +130,13 @@ def _after_game(state: AppState, play: PlayedGame, game: Game) -> tuple[Entry, .
 
 
 def ways_out(state: AppState) -> tuple[Entry, ...]:
-    """The entries that leave a game: for the choice of levels, if there is one, and for the title."""
+    """The entries that leave a game: to the choice of levels, if there is one, and to the title."""
     levels = (Entry(tr("All levels"), state.levels),) if state.open_levels is not None else ()
     return (*levels, Entry(tr(state.home), lambda: state.open_title(state)))
 
 
 def _name_entry(state: AppState, play: PlayedGame, score: Score, entries: tuple[Entry, ...]) -> Callable[[], Screen]:
-    """Opens the entry of the name; then the table with the new line, and from there on as after any game."""
+    """A function that opens the entry of the name, then the table of scores with the new line."""
 
     def opened() -> Screen:
         title = tr("A high score: {score}").format(score=grouped(score.score))
@@ -152,5 +152,5 @@ def _name_entry(state: AppState, play: PlayedGame, score: Score, entries: tuple[
 
 
 def _is_better(before: Best | None, score: int) -> bool:
-    """Whether a score is higher than the best before; the first of all is not called so."""
+    """Whether a score is higher than the best before; False if there was none."""
     return before is not None and score > before.score

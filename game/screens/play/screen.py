@@ -1,4 +1,4 @@
-"""The game being played."""
+"""The screen of the game being played."""
 
 import pygame
 
@@ -7,6 +7,7 @@ from game.autopilot import Autopilot
 from game.drawing import contact_normals
 from game.drawing.camera import Camera, Layout, layout, unit_of
 from game.drawing.canvas import Canvas
+from game.drawing.display_list_painter import DisplayListPainter
 from game.effects import EffectKind
 from game.effects.hit_stop import hit_stop_seconds
 from game.effects.slow_motion import pace
@@ -25,14 +26,16 @@ from game.overlay.notice_words import Notice, ready, to_newcomer, who_steers
 from game.overlay.notice_words import notice as words_now
 from game.overlay.readings import readings
 from game.overlay.toast import Toast
-from game.rules import TICK, Controls, EventKind, Phase, new_game, tick
+from game.picture.captions import add_captions
+from game.picture.display_list import DisplayList
+from game.picture.ghost import add_ghost, add_lead
+from game.rules import TICK, Controls, EventKind, Game, Phase, new_game, tick
 from game.scene import scene_at, still
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.menus.help.panel import Help
 from game.screens.menus.settings.panel import SettingsPanel
 from game.screens.play import buttons as play_buttons
-from game.screens.play import ghost
 from game.screens.play.record import PlayRecord
 from game.screens.play.results import game_results, level_results, ways_out
 from game.screens.toolkit.menu import Entry, Menu
@@ -101,7 +104,7 @@ class PlayScreen:
         return self
 
     def _hold(self, signal: Signal) -> None:
-        """Note what a player holds down; where two play, the second one's keys and gamepad are not the first one's."""
+        """Note what a player holds down. If two play, each has keys and a gamepad of their own."""
         if self._state.players == Players.ONE:
             self._hands = self._hands.after(signal)
             return
@@ -113,7 +116,7 @@ class PlayScreen:
             self._hands = self._hands.after(signal)
 
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
-        """Run the ticks that are due; a panel when a level or the game has ended."""
+        """Run the ticks that are due. Returns a panel when a level or the game has ended."""
         self._state.view = self._state.view.later(seconds, smooth=not self._state.settings.reduced_motion)
         if news := self._state.physics.news():
             self._state.toast = Toast(news, left=_NEWS_SECONDS)
@@ -135,15 +138,14 @@ class PlayScreen:
         return self._results() or self
 
     def draw(self, surface: pygame.Surface) -> None:
-        """The arena, the figures, and a line that says what to do."""
+        """Draw the arena, the figures, and a line that says what to do."""
         state, seen = self._state, self._layout(surface.get_size())
         canvas = state.canvas(surface, seen.camera)
         scene = scene_at(self._ticked, self._due.alpha, self._effects)
         state.painter.paint(canvas, scene)
         racing = None if self._record.ghost is None or not state.settings.ghost else self._record.ghost.game
         if racing is not None:
-            ghost.draw(canvas, racing)
-            ghost.draw_lead(state.words(canvas), self._ticked.game, racing, seen)
+            _paint_ghost(canvas, self._ticked.game, racing, seen, state.words(canvas).unit)
         if state.shows_normals:
             contact_normals.draw(canvas, self._normals)
         badge = aids.badge(state.settings) if self._pilot is None else tr("autopilot")
@@ -154,17 +156,20 @@ class PlayScreen:
         told = self._notice()
         if told is not None:
             notice.draw(words, told, scene, seen)
-        captions.draw(words, self._captions, seen)
+        if self._captions:
+            picture = DisplayList()
+            add_captions(picture, self._captions, seen, state.theme, words.unit)
+            DisplayListPainter().paint(surface, words.type, picture)
         if state.physics.note:
             _draw_note(canvas, tr(state.physics.note))
 
     @property
     def _may_give_up(self) -> bool:
-        """Whether the ball has been out of reach for so long that the player may do without it."""
+        """Whether the ball has been out of reach for so long that the player may give it up."""
         return self._pilot is None and self._untouched >= _OFFER_TICKS
 
     def _notice(self) -> Notice | None:
-        """What to tell the player; nothing where the results are about to say it."""
+        """The notice for the player; None if the results are about to say the same."""
         if 0.0 < self._ready < _READY_SECONDS:
             return ready()
         game = self._ticked.game
@@ -182,7 +187,7 @@ class PlayScreen:
 
     @property
     def standing(self) -> str:
-        """Which level is being played, in words."""
+        """A line that names the level being played."""
         game = self._ticked.game
         number, _ = number_of(game.level, game.levels)
         if self.endless is not None:
@@ -200,13 +205,13 @@ class PlayScreen:
         return PlayScreen(self._state, self._levels[self._ticked.game.number :])
 
     def went_on(self) -> Screen:
-        """This game, with the next level at once."""
+        """This screen, at the next level."""
         self._let_go()
         self._hands = self._hands.after(Pressed(Action.SERVE))
         return self
 
     def _results(self) -> Screen | None:
-        """The panel after a level or the game, once it has been seen for a moment."""
+        """The panel after a level or the game, shown a moment after its end."""
         game = self._ticked.game
         if game.phase in (Phase.OVER, Phase.WON) and game.phase_tick >= (_WON_TICKS if game.phase == Phase.WON else _END_TICKS):
             return game_results(self._state, self, game, self._record)
@@ -249,25 +254,33 @@ class PlayScreen:
         return controls_of_two(self._hands, self._second, camera, game)
 
     def _paused(self, panel: Screen) -> Screen:
-        """A panel over the game; keys that were held when it opened are let go."""
+        """A panel over the game; keys that are held count as released."""
         self._let_go()
         if self._ticked.game.phase == Phase.PLAYING:
             self._ready = _READY_SECONDS
         return panel
 
     def _let_go(self) -> None:
-        """Hold nothing any more: what comes up while another screen is open is not heard here."""
+        """Count everything as released: a key that comes up while another screen is open is not reported here."""
         self._hands, self._second, self._hovered = self._hands.after(FocusLost()), Hands(), None
         self._state.view = self._state.view.after(FocusLost(), 1.0)
 
     def _layout(self, size: tuple[int, int]) -> Layout:
-        """Where everything is on a surface of some size."""
+        """The layout of a surface of some size."""
         below = unit_of(size) * _NOTE_ROOM if self._state.physics.note else 0.0
         return self._state.view.seen(layout(size, self._ticked.game.level.ground_radius, below))
 
 
+def _paint_ghost(canvas: Canvas, game: Game, ghost: Game, seen: Layout, text_unit: float) -> None:
+    """The ghost, and how far ahead of it the player is."""
+    picture = DisplayList()
+    add_ghost(picture, ghost, canvas.camera, canvas.theme, canvas.unit)
+    add_lead(picture, game, ghost, seen, canvas.theme, text_unit)
+    DisplayListPainter().paint(canvas.surface, canvas.type, picture)
+
+
 def _draw_note(canvas: Canvas, note: str) -> None:
-    """A line at the lower edge of the surface, smaller where it would not fit into the width."""
+    """Write a line at the lower edge of the surface, in smaller letters if it would not fit into the width."""
     width, height = canvas.size
     length = canvas.type.rendered(note, canvas.unit * _NOTE, canvas.theme.accent).get_width()
     size = _NOTE * min((width - 2.0 * _NOTE_MARGIN * canvas.unit) / length, 1.0)
@@ -276,7 +289,7 @@ def _draw_note(canvas: Canvas, note: str) -> None:
 
 
 def _pause_menu(state: AppState, play: PlayScreen) -> Menu:
-    """What to do with a game that was interrupted."""
+    """The menu of a paused game."""
     entries = (
         Entry(tr("Continue"), lambda: play, Action.PAUSE),
         Entry(tr("Restart"), lambda: _restart_menu(state, play), Action.RESTART),
@@ -290,7 +303,7 @@ def _pause_menu(state: AppState, play: PlayScreen) -> Menu:
 
 
 def _restart_menu(state: AppState, play: PlayScreen) -> Menu:
-    """The question before a game is thrown away; the safe answer is selected."""
+    """The question before a game is abandoned; the safe answer is selected."""
     entries = (
         Entry(tr("Continue"), lambda: play, Action.PAUSE),
         Entry(tr("This level again"), play.again, Action.RESTART),

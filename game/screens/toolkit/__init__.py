@@ -1,1 +1,1 @@
-"""The items of panels, and of the controls beside lab and editor, for keys, mouse, touch and gamepad."""
+"""What panels, and the controls beside lab and editor, are built from: forms with items, used by every input device."""

@@ -1,4 +1,4 @@
-"""Which item of a panel has the focus, and which one gets it next."""
+"""The focus: which item of a form has it, and which one gets it next."""
 
 from typing import NamedTuple
 
@@ -10,7 +10,7 @@ TABS = -1
 
 
 class Focus(NamedTuple):
-    """What has the focus. row: as in `PositionedItem`, or TABS; column: from 0."""
+    """The position of the item that has the focus. row: as in `PositionedItem`, or TABS; column: from 0."""
 
     row: int
     column: int
@@ -28,7 +28,7 @@ def first_focus(layout: FormLayout, near: Focus | None = None) -> Focus | None:
 
 
 def moved_focus(layout: FormLayout, focus: Focus, action: Action, tab: int | None) -> Focus:
-    """What gets the focus by an arrow key. tab: the one that is shown; None where there are no tabs.
+    """The focus after an arrow key. tab: the one that is shown; None if there are no tabs.
 
     Left and right go through all items in the order of reading; up and down to the row above or below, there to the item that
     is nearest across, and around the ends.

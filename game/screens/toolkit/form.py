@@ -1,4 +1,4 @@
-"""Items below each other on a part of a surface: one has the focus, they scroll, and keys, mouse, touch or gamepad use them."""
+"""A form: rows of items on a part of a surface. One item has the focus; keys, mouse, touch and gamepad use and scroll them."""
 
 from typing import NamedTuple
 
@@ -55,7 +55,7 @@ class Form:
         raise NotImplementedError
 
     def first(self) -> Focus | None:
-        """What has the focus when it opens; None for the first item that can be used."""
+        """The focus when the form opens; None for the first item that can be used."""
         return None
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
@@ -78,7 +78,7 @@ class Form:
         return self.screen
 
     def advance(self, seconds: float, size: tuple[int, int]) -> Screen | None:
-        """A direction that is held down acts again and again; nothing else moves."""
+        """Repeat a direction that is held down."""
         if self._held is not None:
             pressed, repeat = self._held
             repeat, acts = repeat.later(seconds)
@@ -88,7 +88,7 @@ class Form:
         return self.screen
 
     def draw_items(self, canvas: Canvas, layout: FormLayout, focus: Focus | None, *, centred: bool = False) -> None:
-        """All items, the scroll bar, and what is said about the item that has the focus. centred: those words."""
+        """Draw all items, the scroll bar, and the tip of the focused item. centred: whether the tip is."""
         surface, clip = canvas.surface, canvas.surface.get_clip()
         for positioned in layout.items:
             surface.set_clip(layout.body.clip(clip) if positioned.in_body else clip)
@@ -101,11 +101,11 @@ class Form:
             _draw_tip(canvas, focused.item.tip, layout.tip, centred=centred)
 
     def _form_layout(self, size: tuple[int, int]) -> FormLayout:
-        """Where everything is now. It does not scroll further than there is something."""
+        """The layout now. The scroll position is limited to what there is to scroll."""
         raise NotImplementedError
 
     def _settled(self, layout: FormLayout) -> Focus | None:
-        """What has the focus; where that is gone, the first item that can be used."""
+        """The focus; if its item is gone, the first item that can be used."""
         if self._focus is None:
             self._focus = self.first()
         if self._focus is None or (self._focus.row >= 0 and focused_item(layout, self._focus) is None):
@@ -132,7 +132,7 @@ class Form:
             self._show_focus(size)
 
     def _read_on(self, layout: FormLayout, size: tuple[int, int], direction: float) -> bool:
-        """Scroll a body that can only be read, -1.0 up or 1.0 down; whether there was more of it."""
+        """Scroll a body without usable items, -1.0 up or 1.0 down. Returns whether it moved."""
         before = self._scroll
         if not any([positioned.in_body and positioned.item.focusable for positioned in layout.items]):
             self._scroll_by(direction * _WHEEL * self.unit(size), size)
@@ -145,7 +145,7 @@ class Form:
         return self.screen if positioned is None else positioned.item.accepted(self.screen)
 
     def _named(self, action: Action, size: tuple[int, int]) -> Screen | None:
-        """Use the item that a key stands for."""
+        """Use the item whose key was pressed."""
         for positioned in self._form_layout(size).items:
             if positioned.item.key is action and positioned.item.focusable:
                 self._changes += 1
@@ -153,7 +153,7 @@ class Form:
         return self.screen
 
     def _hovered(self, pixel: complex, size: tuple[int, int]) -> Screen | None:
-        """Focus what the mouse is on."""
+        """Focus the item under the mouse."""
         layout = self._form_layout(size)
         self._pixel, self._grip, self._is_pressed = pixel, None, False
         self._drags_bar = _is_on_bar(layout, pixel, self.unit(size))
@@ -183,7 +183,7 @@ class Form:
         return held.item.pointed(self.screen, pixel - self._grip.offset, held.box, unit, clicked=False)
 
     def _clicked(self, pixel: complex, size: tuple[int, int]) -> Screen | None:
-        """Use what the mouse is on."""
+        """Use the item under the mouse."""
         layout, unit = self._form_layout(size), self.unit(size)
         self._pixel, self._grip, self._is_pressed = pixel, None, True
         self._drags_bar = _is_on_bar(layout, pixel, unit)
@@ -199,14 +199,14 @@ class Form:
         return positioned.item.pointed(self.screen, pixel, positioned.box, unit, clicked=True)
 
     def _scroll_to(self, pixel: complex, layout: FormLayout, unit: float) -> None:
-        """Scroll to where the mouse is along the scroll bar."""
+        """Scroll to the mouse's position on the scroll bar."""
         track = _scroll_track(layout, unit)
         thumb = track.height * layout.body.height / (layout.body.height + layout.over)
         share = (pixel.imag - track.top - thumb / 2.0) / max(track.height - thumb, 1.0)
         self._scroll = min(max(share, 0.0), 1.0) * layout.over
 
     def _scroll_by(self, pixels: float, size: tuple[int, int]) -> None:
-        """Scroll the body as far as it goes."""
+        """Scroll the body by some pixels, as far as possible."""
         self._scroll = min(max(self._scroll + pixels, 0.0), float(self._form_layout(size).over))
 
     def _show_focus(self, size: tuple[int, int]) -> None:
@@ -245,7 +245,7 @@ def _held_after(held: tuple[Pressed, Repeat] | None, signal: Signal) -> tuple[Pr
 
 
 def _grip_of(positioned: PositionedItem, pixel: complex, unit: float) -> Grip | None:
-    """What a press at a pixel takes hold of, to be dragged; None for nothing."""
+    """The knob or scroll bar that a press at a pixel begins to drag; None for nothing."""
     offset = positioned.item.grip(pixel, positioned.box, unit)
     return None if offset is None else Grip(Focus(positioned.row, positioned.column), offset)
 
@@ -267,7 +267,7 @@ def pointed_item(layout: FormLayout, pixel: complex) -> PositionedItem | None:
 
 
 def _draw_tip(canvas: Canvas, tip: str, box: pygame.Rect, *, centred: bool) -> None:
-    """What is said about the item that has the focus."""
+    """Draw the tip of the item that has the focus."""
     anchor, x = ("midtop", box.centerx) if centred else ("topleft", box.left)
     size = TIP
     lines = canvas.type.wrapped(tip, canvas.unit * size, box.width)
@@ -293,7 +293,7 @@ def _scroll_track(layout: FormLayout, unit: float) -> pygame.Rect:
 
 
 def _draw_scroll_bar(canvas: Canvas, layout: FormLayout, scroll: float) -> None:
-    """What part of the body is seen."""
+    """Draw the scroll bar: which part of the body is visible."""
     if not layout.over:
         return
     track, theme = _scroll_track(layout, canvas.unit), canvas.theme

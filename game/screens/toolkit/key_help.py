@@ -4,7 +4,8 @@ from typing import NamedTuple
 
 import pygame
 
-from game.input.keys import KEYS, Action, position_in
+from game.input.events import position_in
+from game.input.keys import KEYS, Action
 from game.input.signals import Pressed, Signal
 from game.screens.app_state import AppState
 from game.screens.base import Screen

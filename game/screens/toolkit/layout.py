@@ -1,4 +1,4 @@
-"""Where the items of a panel are: title, tabs, a body of rows that scrolls where it is too long, a footer, and a tip."""
+"""The layout of a panel: title, tabs, a body of rows that scrolls if it is too long, a footer, and a tip."""
 
 from typing import NamedTuple
 
@@ -50,7 +50,7 @@ class Content(NamedTuple):
     title: over all. body: rows of items, which scroll where they are too many. footer: rows that stay.
     tabs: names of the panel's parts; tab: index of the one that is shown.
     width: of the plate, units; less where the surface is narrower. centred: the title.
-    tall: units, height of the body that the plate's upper edge is put for: it stays from tab to tab.
+    tall: units; the plate's upper edge is where a body of this height needs it, so that it is the same for all tabs.
     tips: whether room is left for a tip even where no item has one.
     """
 
@@ -80,7 +80,7 @@ class FormLayout(NamedTuple):
 
     plate: the whole. close: the button that leads back. tabs: the tabs' heads. body: what is seen of it.
     items: all items; those of the body where the scrolling puts them. tip: where words about the focused item stand.
-    over: how far the body can be scrolled. bar: right edge of the scroll bar.
+    over: how far the body can be scrolled, its overflow. bar: right edge of the scroll bar.
     """
 
     plate: pygame.Rect
@@ -94,7 +94,7 @@ class FormLayout(NamedTuple):
 
 
 def panel_layout(content: Content, area: pygame.Rect, type_: Type, units: tuple[float, float], scroll: float) -> FormLayout:
-    """Everything in its position. All in pixels.
+    """The layout of a panel. All in pixels.
 
     area: that the plate may take. units: size of text, and of the title, which is large enough where the player wants large
     texts. scroll: of the body. Where little would be seen of the body, the footer scrolls with it.
@@ -137,7 +137,7 @@ def panel_layout(content: Content, area: pygame.Rect, type_: Type, units: tuple[
 
 
 class Column(NamedTuple):
-    """Rows on a part of a surface. head, foot: they stay; body: rows between them, which scroll where they are too many."""
+    """Rows on a part of a surface. head, foot: rows that stay; body: rows between them, which scroll if they are too many."""
 
     head: tuple[Row, ...]
     body: tuple[Row, ...]

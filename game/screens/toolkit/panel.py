@@ -1,4 +1,4 @@
-"""A screen of items over another screen, which stands still meanwhile; used by keys alone, by mouse alone, or by gamepad."""
+"""A panel: a form over another screen, which is paused meanwhile."""
 
 import pygame
 
@@ -33,7 +33,7 @@ class Panel(Form):
         self._behind = CachedPicture()
 
     def content(self) -> Content:
-        """What is on it now."""
+        """The panel's content now."""
         raise NotImplementedError
 
     def back(self) -> Screen | None:
@@ -42,7 +42,7 @@ class Panel(Form):
 
     @property
     def screen(self) -> Screen:
-        """It is one itself."""
+        """The panel itself."""
         return self
 
     @property
@@ -66,7 +66,7 @@ class Panel(Form):
         self._changes += 1
 
     def area(self, size: tuple[int, int]) -> pygame.Rect:
-        """What the plate may cover of a surface."""
+        """The area of a surface that the plate may cover."""
         return pygame.Rect((0, 0), size)
 
     def answer(self, signal: Signal, size: tuple[int, int]) -> Screen | None:
@@ -110,7 +110,7 @@ class Panel(Form):
 
     @property
     def has_large_text(self) -> bool:
-        """Whether the player wants texts so large that tables have room for few columns."""
+        """Whether the text is so large that tables have room for few columns only."""
         return self._state.text_scale > _LARGE
 
     def unit(self, size: tuple[int, int]) -> float:
@@ -136,7 +136,7 @@ class Panel(Form):
         dim(surface, self._state.theme)
 
     def _form_layout(self, size: tuple[int, int]) -> FormLayout:
-        """Where everything is now."""
+        """The layout now."""
         units = self.unit(size), self._title_unit(size)
         layout = panel_layout(self.content(), self.area(size), self._state.type, units, self._scroll)
         self._scroll = min(self._scroll, float(layout.over))

@@ -1,4 +1,4 @@
-"""What panels over another screen are drawn with."""
+"""Drawing functions of panels: the plate, the focus frame, and text that fits."""
 
 from functools import lru_cache
 
@@ -80,7 +80,7 @@ def write_fitting(
 
 
 def draw_label(canvas: Canvas, label: str, box: pygame.Rect, right: float, *, focused: bool) -> None:
-    """What an item is called, smaller where it would not fit. right: pixels, where its room ends."""
+    """Draw an item's label, in smaller letters if it would not fit. right: pixels, the end of its room."""
     colour = canvas.theme.accent if focused else canvas.theme.text
     left = box.left + canvas.unit * _ITEM_MARGIN
     write_fitting(canvas, label, LABEL, colour, complex(left, box.centery), "midleft", right - canvas.unit * 0.6 - left)

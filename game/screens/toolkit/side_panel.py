@@ -1,4 +1,4 @@
-"""Controls beside a picture, for mouse, touch, keys and gamepad: one column of items on a plate.
+"""A side panel: one column of controls beside a picture.
 
 Keys act on the picture until Tab directs them to the controls; Esc, or a click on the picture, directs them back. The control
 under the mouse is framed as well, but receives no keys.
@@ -9,8 +9,8 @@ from typing import NamedTuple
 
 import pygame
 
-from game.input.events import translated
-from game.input.keys import Action, position_in
+from game.input.events import position_in, translated
+from game.input.keys import Action
 from game.input.repeat import Repeat
 from game.input.signals import Clicked, Moved, Pressed, Released, Signal, Zoomed
 from game.screens.app_state import AppState

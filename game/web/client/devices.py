@@ -4,8 +4,9 @@ import math
 from collections.abc import Iterator
 
 from game.drawing.camera import unit_of
+from game.input.key_names import use_layout
+from game.input.keys import KEYS, KeyTable, PadButton
 from game.input.signals import (
-    STICK,
     Clicked,
     Dragged,
     FocusLost,
@@ -19,8 +20,8 @@ from game.input.signals import (
     pad_position,
 )
 from game.input.two_fingers import two_fingers
-from game.web.client.keys import BUTTONS, key_action, key_position
-from game.web.client.messages import KeyChange, PadState, PageSignal, PointerChange, WentAway, WheelTurn
+from game.web.client.keys import PAD_BUTTONS, code_of, layout_of, position_at
+from game.web.client.messages import KeyChange, LayoutKnown, PadState, PageSignal, PointerChange, WentAway, WheelTurn
 
 _MAIN, _SECOND = 1, 2
 """Bits of the mouse's buttons."""
@@ -45,25 +46,51 @@ class PageDevices:
         self._mouse = 0j
         self._dragging = False
         self._pads: dict[int, _Pad] = {}
+        self._written: dict[str, str] = {}  # characters on the keys, by code
 
-    def signals(self, message: PageSignal, size: tuple[int, int], *, orbits: bool = False) -> Iterator[Signal]:
-        """The signals of a message; most have none. size: of the canvas, pixels. orbits: whether two fingers orbit."""
+    def signals(
+        self, message: PageSignal, size: tuple[int, int], *, orbits: bool = False, keys: KeyTable = KEYS
+    ) -> Iterator[Signal]:
+        """The signals of a message; most have none.
+
+        size: of the canvas, pixels. orbits: whether two fingers orbit. keys: what keys mean.
+        """
         match message:
             case KeyChange():
-                action = key_action(message.code, message.key)
+                position = position_at(message.code, message.key)
+                action = keys.action(position, code_of(message.code, message.key))
                 if action is not None:
                     kind = Pressed if message.down else Released
-                    yield kind(action, key_position(message.code))
+                    yield kind(action, position)
             case PointerChange():
                 yield from self._finger(message, size, orbits=orbits) if message.touch else self._mouse_signals(message)
             case WheelTurn():
                 yield Zoomed(message.steps)
             case PadState():
-                yield from self._pads.setdefault(message.pad, _Pad(message.pad)).signals(message)
+                yield from self._pad(message).signals(message)
             case WentAway():
                 self._fingers.clear()
                 self._now.clear()
                 yield FocusLost()
+
+    def learn(self, message: PageSignal) -> None:
+        """Note what is written on keys, for their names: what the browser tells, and letters when they are pressed."""
+        match message:
+            case LayoutKnown(written=written):
+                self._written |= written
+            case KeyChange(code=code, key=key) if len(key) == 1 and key.isalpha() and self._written.get(code) != key.lower():
+                self._written[code] = key.lower()
+            case _:
+                return
+        use_layout(layout_of(self._written))
+
+    def pressed_buttons(self, message: PadState) -> list[PadButton]:
+        """The buttons that have just been pressed on a gamepad, whatever they mean."""
+        return [button for button, down in self._pad(message).changes(message) if down]
+
+    def _pad(self, message: PadState) -> "_Pad":
+        """The gamepad that a message is about."""
+        return self._pads.setdefault(message.pad, _Pad(message.pad))
 
     def _mouse_signals(self, message: PointerChange) -> Iterator[Signal]:
         """The mouse: its main button clicks, its second one drags the view."""
@@ -112,16 +139,22 @@ class _Pad:
     def __init__(self, number: int) -> None:
         """Start with nothing held. number: of the gamepad, 0 for the first."""
         self._number = number
-        self._buttons: tuple[bool, ...] = (False,) * len(BUTTONS)
+        self._buttons: tuple[bool, ...] = (False,) * len(PAD_BUTTONS)
         self._pointing, self._aiming, self._spin = False, False, 0.0
+
+    def changes(self, pad: PadState) -> list[tuple[PadButton, bool]]:
+        """The buttons that went down or up, and whether they are down now."""
+        count, before = len(PAD_BUTTONS), self._buttons
+        self._buttons = tuple([value > _DOWN for value in [*pad.buttons, *[0.0] * count][:count]])
+        changed = zip(PAD_BUTTONS, before, self._buttons, strict=True)
+        return [(button, now) for button, was, now in changed if button is not None and now != was]
 
     def signals(self, pad: PadState) -> Iterator[Signal]:
         """The signals of its buttons, of its sticks, which point, and of its triggers, which turn."""
-        pressed = tuple([value > _DOWN for value in [*pad.buttons, *[0.0] * len(BUTTONS)][: len(BUTTONS)]])
-        for button, (now, before, action) in enumerate(zip(pressed, self._buttons, BUTTONS, strict=True)):
-            if now != before and action is not None:
-                yield (Pressed if now else Released)(action, pad_position(self._number, min(button, STICK - 1)))
-        self._buttons = pressed
+        for button, down in self.changes(pad):
+            action = KEYS.button_action(button)
+            if action is not None:
+                yield (Pressed if down else Released)(action, pad_position(self._number, button))
         axes = [*pad.axes, 0.0, 0.0, 0.0, 0.0]
         for aims, at in ((False, complex(axes[0], -axes[1])), (True, complex(axes[2], -axes[3]))):
             before = self._aiming if aims else self._pointing

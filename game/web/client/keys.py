@@ -1,89 +1,74 @@
-"""What a browser's keys and a gamepad's buttons mean: the desktop's table in the browser's names.
+"""Keys and gamepads' buttons of a browser, in the numbers of the game's own tables; and which keys are left to the browser."""
 
-`tests/web/test_client.py` holds it to `game.input.keys`. Tab stays the browser's: it moves between the page's controls.
-"""
+from collections.abc import Mapping
 
-from game.input.actions import Action
+from game.input.actions import Action, OwnKeys
+from game.input.keys import Binding, PadButton
+from game.input.rebinding import bindings, checked
+from game.input.scancodes import CONTROL_CODES, NAMED_KEY, SCANCODES, US_CODES, named_code, position_of
 
-BY_CODE = {
-    "ArrowLeft": Action.LEFT,
-    "KeyA": Action.LEFT,
-    "ArrowRight": Action.RIGHT,
-    "KeyD": Action.RIGHT,
-    "KeyZ": Action.ORBIT_LEFT,
-    "KeyX": Action.ORBIT_RIGHT,
-    "KeyV": Action.TILT_UP,
-    "KeyC": Action.TILT_DOWN,
-}
-"""Keys that mean something wherever they are, by where they are."""
-BY_KEY = {
-    "ArrowUp": Action.UP,
-    "w": Action.UP,
-    "ArrowDown": Action.DOWN,
-    "s": Action.DOWN,
-    " ": Action.SERVE,
-    "Enter": Action.CONFIRM,
-    "p": Action.PAUSE,
-    "Pause": Action.PAUSE,
-    "r": Action.RESTART,
-    "Escape": Action.BACK,
-    "h": Action.HELP,
-    "F1": Action.HELP,
-    "m": Action.MUTE,
-    "t": Action.THEME,
-    "e": Action.EFFECTS,
-    "o": Action.SETTINGS,
-    "l": Action.LAB,
-    "g": Action.GIVE_UP,
-    ",": Action.STEP_BACK,
-    ".": Action.STEP,
-    "-": Action.LESS,
-    "+": Action.MORE,
-    "=": Action.MORE,
-    "Home": Action.START,
-    "End": Action.END,
-    "1": Action.FLAT,
-    "2": Action.SOLID,
-    "PageUp": Action.ZOOM_IN,
-    "PageDown": Action.ZOOM_OUT,
-}
-"""Keys that mean something by what is written on them."""
-SECOND_PLAYER = ("KeyA", "KeyD")
-"""The second player's keys if two play; the first player has the other keys of the same actions."""
-PLAYERS_KEYS = ("←, →", "A, D")
-"""Names of both players' keys."""
-BUTTONS = (
-    Action.SERVE,
-    Action.BACK,
-    Action.GIVE_UP,
-    Action.TIP,
-    Action.STEP_BACK,
-    Action.STEP,
-    None,
-    None,
-    Action.HELP,
-    Action.PAUSE,
-    None,
-    None,
-    Action.UP,
-    Action.DOWN,
-    Action.LEFT,
-    Action.RIGHT,
+LEFT_ALONE = (
+    "Tab",
+    *[f"F{number}" for number in range(2, 13)],
+    *[f"{name}{side}" for name in ("Control", "Alt", "Meta") for side in ("Left", "Right")],
 )
-"""Of a gamepad in the standard layout."""
-_POSITIONS: dict[str, int] = {}
+"""Keys that stay the browser's: Tab moves between the page's controls."""
+NOT_ON_PAGES = frozenset({Action.NORMALS})
+"""Actions without a meaning on the page: no second engine is there while one plays."""
+PAD_BUTTONS = (
+    PadButton.A,
+    PadButton.B,
+    PadButton.X,
+    PadButton.Y,
+    PadButton.LEFTSHOULDER,
+    PadButton.RIGHTSHOULDER,
+    None,
+    None,
+    PadButton.BACK,
+    PadButton.START,
+    PadButton.LEFTSTICK,
+    PadButton.RIGHTSTICK,
+    PadButton.DPAD_UP,
+    PadButton.DPAD_DOWN,
+    PadButton.DPAD_LEFT,
+    PadButton.DPAD_RIGHT,
+    PadButton.GUIDE,
+)
+"""Of a gamepad in the browser's standard layout; two of them are triggers."""
+_KEYPAD = "Numpad"
+_NEVER_POSITIONS = frozenset([SCANCODES[name] for name in LEFT_ALONE])
+_NEVER_CODES = frozenset([named_code(name) for name in LEFT_ALONE])
 
 
-def key_action(code: str, key: str) -> Action | None:
-    """What a key means; None for one that means nothing."""
-    return BY_CODE.get(code) or BY_KEY.get(key if len(key) > 1 else key.lower())
+def page_bindings(own: OwnKeys) -> tuple[Binding, ...]:
+    """The desktop's bindings with the player's choices, without the keys that stay the browser's. own: of any content."""
+    return tuple([_without_browsers_keys(one) for one in bindings(checked(own))])
 
 
-def key_position(code: str) -> int:
-    """A number for a key, the same for the same key, from 1 on."""
-    return _POSITIONS.setdefault(code, len(_POSITIONS) + 1)
+def position_at(code: str, key: str) -> int:
+    """The position of a key; 0 where it is not known. code, key: where it is and what is written on it, as browsers say it."""
+    return SCANCODES.get(code) or SCANCODES.get(key) or (position_of(ord(key.lower())) if len(key) == 1 else 0)
 
 
-def second_player_positions() -> tuple[int, ...]:
-    """The numbers of the second player's keys."""
-    return tuple([key_position(code) for code in SECOND_PLAYER])
+def code_of(code: str, key: str) -> int:
+    """The code of a key: what is written on it. Arguments as of `position_at`."""
+    if len(key) == 1 and not code.startswith(_KEYPAD):
+        return ord(key.lower()[0])
+    position = position_at(code, key)
+    return CONTROL_CODES.get(position) or position | NAMED_KEY
+
+
+def layout_of(written: Mapping[str, str]) -> dict[int, int]:
+    """What is written on the keys: as on the US layout where nothing else is known. written: characters by code."""
+    known = {code: key for code, key in written.items() if code in SCANCODES and len(key) == 1}
+    return {**US_CODES, **{SCANCODES[code]: ord(key.lower()[0]) for code, key in known.items()}}
+
+
+def _without_browsers_keys(binding: Binding) -> Binding:
+    """A binding without the keys that stay the browser's; without any if its action means nothing on the page."""
+    if binding.action in NOT_ON_PAGES:
+        return Binding(binding.action)
+    return binding._replace(
+        codes=tuple([code for code in binding.codes if code not in _NEVER_CODES]),
+        positions=tuple([position for position in binding.positions if position not in _NEVER_POSITIONS]),
+    )

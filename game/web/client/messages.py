@@ -13,6 +13,12 @@ class KeyChange(msgspec.Struct, tag="key"):
     down: bool
 
 
+class LayoutKnown(msgspec.Struct, tag="layout"):
+    """What is written on the keys, as far as the browser tells. written: characters by the code of the key."""
+
+    written: dict[str, str]
+
+
 class PointerChange(msgspec.Struct, tag="pointer"):
     """A mouse, a pen or a finger. phase: "down", "move", "up" or "cancel"; buttons: that are held, as bits."""
 
@@ -86,7 +92,19 @@ class Graded(msgspec.Struct, tag="graded"):
     call: int = 0
 
 
-PageSignal = KeyChange | PointerChange | WheelTurn | PadState | WentAway | Chosen | FileGiven | LinkOpened | CodeTyped | Graded
+PageSignal = (
+    KeyChange
+    | LayoutKnown
+    | PointerChange
+    | WheelTurn
+    | PadState
+    | WentAway
+    | Chosen
+    | FileGiven
+    | LinkOpened
+    | CodeTyped
+    | Graded
+)
 
 
 class FrameRequest(msgspec.Struct):
@@ -102,26 +120,31 @@ class FrameRequest(msgspec.Struct):
 class PageItem(msgspec.Struct, frozen=True):
     """A control of the page.
 
-    kind: "button", "choice", "switch", "number", "text", or "words", which are only read. value: of all but a button and words.
-    options: of a choice: values and words. hint: what it does. disabled: whether it can be used. low, high, step: of a number.
+    kind: "button", "choice", "switch", "number", "text", or "buttons": several of them in a row; or what is only read: "words",
+    "heading", "pair". value: of a choice, a switch, a number or a text. options: of a choice: values and words; of buttons:
+    values, words, and names for a screen reader. hint: what it does; the second column of a pair. disabled: whether it cannot
+    be used. low, high, step: of a number. picture: a list of primitives before the words, 48 pixels wide and high.
     """
 
     id: str
     label: str
     kind: str = "button"
     value: str = ""
-    options: tuple[tuple[str, str], ...] = ()
+    options: tuple[tuple[str, ...], ...] = ()
     hint: str = ""
     disabled: bool = False
     low: float = 0.0
     high: float = 0.0
     step: float = 0.0
+    picture: tuple[float, ...] = ()
 
 
 class PageMenu(msgspec.Struct, frozen=True):
     """A panel with controls.
 
     lines: of text above them. side: beside the picture, which stays in use; else over it. editor: whether the editor is above.
+    focus: id of the control that has the keyboard when the menu opens; "" for the first one. uncaptured: if every key is sent
+    to Python, the codes of those that are not; None if controls use keys as usual.
     """
 
     title: str
@@ -129,6 +152,8 @@ class PageMenu(msgspec.Struct, frozen=True):
     items: tuple[PageItem, ...] = ()
     side: bool = False
     editor: bool = False
+    focus: str = ""
+    uncaptured: tuple[str, ...] | None = None
 
 
 class PageWords(msgspec.Struct, frozen=True):

@@ -7,27 +7,38 @@ from pathlib import Path
 
 import msgspec
 
+from game.drawing.camera import layout
 from game.drawing.palette import Theme
 from game.generated import sequence
+from game.input.actions import Action
+from game.input.keys import BINDINGS, KEYS, KeyTable
+from game.input.signals import Pressed, Signal
 from game.lab.kit.second_engine import Engine
 from game.lab.session.session import state_hash as hash_of_session
-from game.language import choose, current, system_prefers
+from game.language import current, system_prefers
 from game.levels import Level, classic, parse
+from game.overlay import toast
+from game.overlay.toast import Toast
 from game.picture.display_list import DisplayList
+from game.picture.toast import add_toast
 from game.replays.file import decoded
 from game.replays.state_hash import state_hash
 from game.rules import paddle_ring
 from game.screens.endless_seeds import LONGEST_SEED, seed_of
 from game.settings.file import SettingsFile
+from game.settings.keys import changed
 from game.settings.values import Settings
 from game.sound.music.mood import SILENT
 from game.storage.storage import Storage
 from game.student.own_physics import OwnPhysics
 from game.system.errors import BadInputError
+from game.web.client.controls_menu import KeyQuestion
 from game.web.client.devices import PageDevices
 from game.web.client.functions.panel import OwnFunctionsPanel
 from game.web.client.functions.text import FunctionsText
+from game.web.client.keys import position_at
 from game.web.client.lab.screen import LabOnPage
+from game.web.client.menu_screen import MenuScreen
 from game.web.client.menus import Screens, title
 from game.web.client.messages import (
     Chosen,
@@ -36,7 +47,9 @@ from game.web.client.messages import (
     FrameReply,
     FrameRequest,
     Graded,
+    KeyChange,
     LinkOpened,
+    PadState,
     PageSignal,
     PageWords,
     PointerChange,
@@ -50,8 +63,11 @@ from game.web.client.watching import ReplayOnPage, verdict
 
 _REPLAY, _LEVEL, _FUNCTIONS = ".polar", ".toml", ".py"
 _MOST_DIGITS = 5
+_SPEEDS = (Action.LESS, Action.MORE)
 _LIMIT = 8.0
 """Seconds for a frame in which the player's own functions may be asked: a loop in Python ends long before by itself."""
+LAB_KEYS = KeyTable(BINDINGS)
+"""What keys mean in the lab: what its help says, whatever the player has chosen for the game."""
 _FIRST_SCENE = "case-1"
 """Beside the editor: the scene of the simplest function with a picture."""
 
@@ -71,10 +87,10 @@ class Page:
         if settings is None or settings == Settings():
             settings = Settings(reduced_motion=calm)
         system_prefers(languages.split(","))
-        choose(settings.language)
         storage, chance = Storage(stored), random.SystemRandom()
         self._state = PageState(Sounds(sounds), stored, storage, settings_file, settings, lambda: chance.getrandbits(32))
         self._state.functions, self._state.touched = OwnFunctionsPanel(stored), touch
+        self._state.use(settings)
         self._state.choose_difficulty(storage.progress.value.last_difficulty)
         self._screens = Screens(self._title, self._game, self._replay, self._lab, self._flight, self._settings, self._endless)
         self._screen: PageScreen = self._title()
@@ -107,9 +123,11 @@ class Page:
         for signal in asked.signals:
             self._hear(signal, size)
         self._screen = self._screen.advance(asked.seconds, size)
+        self._state.toast = toast.later(self._state.toast, asked.seconds)
         self._music = self._state.music.advance(asked.seconds, self._state.settings)
         self._pictures.frame = DisplayList()
         self._screen.draw(self._pictures, size)
+        self._draw_toast(size)
         return msgspec.json.encode(self._reply(size)).decode()
 
     def verify(self, data: bytes) -> str:
@@ -149,6 +167,9 @@ class Page:
             "paddle": paddle_ring(game).phase,
             "results": len(game.results),
             "hash": state_hash(game),
+            "since_serve": game.phase_tick,
+            "captions": screen.captions,
+            "ghost": "" if screen.ghost is None else state_hash(screen.ghost),
         }
         return msgspec.json.encode(standing).decode()
 
@@ -167,13 +188,53 @@ class Page:
                 self._open_file(name, data)
             case LinkOpened(fragment=fragment):
                 self._open_link(fragment)
+            case _:
+                self._use(message, size)
+
+    def _use(self, message: PageSignal, size: tuple[int, int]) -> None:
+        """Let the screen answer a device."""
+        self._devices.learn(message)
+        match message:
             case PointerChange() | WheelTurn() if isinstance(self._screen, LabOnPage):
                 self._screen.point(message, size)
+            case KeyChange() | PadState() if isinstance(self._screen, KeyQuestion):
+                self._answer_question(message, self._screen)
             case _:
                 if isinstance(message, PointerChange):
                     self._state.touched = message.touch
-                for signal in self._devices.signals(message, size, orbits=bool(self._state.view.goal)):
-                    self._screen = self._screen.answer(signal, size)
+                keys = LAB_KEYS if isinstance(self._screen, LabOnPage) else KEYS
+                for signal in self._devices.signals(message, size, orbits=bool(self._state.view.goal), keys=keys):
+                    if isinstance(self._screen, LabOnPage) or not self._changed_setting(signal):
+                        self._screen = self._screen.answer(signal, size)
+
+    def _changed_setting(self, signal: Signal) -> bool:
+        """Whether a signal was of a key that changes a setting, which it does on every screen; some change a replay's speed."""
+        if isinstance(self._screen, ReplayOnPage) and isinstance(signal, Pressed) and signal.action in _SPEEDS:
+            return False
+        now = changed(self._state.settings, signal.action) if isinstance(signal, Pressed) else None
+        if isinstance(signal, Pressed) and signal.action is Action.FULL_SCREEN:
+            self._state.full_screen = True
+        elif now is not None:
+            self._state.change(now.settings)
+            self._state.toast = Toast(now.words, now.level)
+            self._state.announcements.append(now.words)
+            if isinstance(self._screen, MenuScreen):
+                self._screen.refresh()
+        return now is not None
+
+    def _answer_question(self, message: KeyChange | PadState, screen: KeyQuestion) -> None:
+        """Give an action a key or a button."""
+        if isinstance(message, PadState):
+            for button in self._devices.pressed_buttons(message)[:1]:
+                self._screen = screen.button(button)
+        elif message.down:
+            self._screen = screen.key(position_at(message.code, message.key))
+
+    def _draw_toast(self, size: tuple[int, int]) -> None:
+        """Draw the words about a key, over any screen but the lab."""
+        state = self._state
+        if state.toast is not None and not isinstance(self._screen, LabOnPage):
+            add_toast(self._pictures.frame, state.toast, layout(size, 1.0), state.theme, state.text_unit(size))
 
     def _open_file(self, name: str, data: bytes) -> None:
         """A replay is shown, a level is played, functions are edited; anything else is refused in one line."""

@@ -9,25 +9,31 @@ from game.effects.hit_stop import hit_stop_seconds
 from game.effects.slow_motion import pace
 from game.input.actions import Action
 from game.input.hands import Hands, controls_of_two
+from game.input.key_names import key_name, players_keys, second_player_positions
 from game.input.players import Players
 from game.input.signals import FocusLost, Pointed, Pressed, Released, Signal, pad_of
 from game.language import tr
 from game.levels import Level, classic, number_of
 from game.loop.fixed_step import Due, due
+from game.overlay import captions
+from game.overlay.captions import Caption
 from game.overlay.notice_words import Notice, by_touch, notice, ready, to_newcomer, who_steers
 from game.overlay.readings import readings
+from game.picture.captions import add_captions
 from game.picture.display_list import DisplayList
-from game.picture.figures import Corners, add_figures
+from game.picture.figures import Corners, add_figures, foot_height
+from game.picture.ghost import add_ghost, add_lead
 from game.picture.notice import add_notice, around
-from game.rules import TICK, EventKind, Game, Phase, new_game, tick
+from game.rules import TICK, Controls, EventKind, Game, Phase, new_game, tick
 from game.scene import scene_at, still
 from game.settings import aids
 from game.sound.music.mood import mood_of
 from game.student.own_physics import OwnPhysics
-from game.web.client.keys import PLAYERS_KEYS, second_player_positions
-from game.web.client.menus import MenuScreen, Opened, Screens, help_menu
+from game.web.client.help import help_menu
+from game.web.client.menu_screen import MenuScreen, Opened
+from game.web.client.menus import Screens
 from game.web.client.messages import PageItem, PageMenu
-from game.web.client.results import Counted, game_results, leaving, level_results
+from game.web.client.results import Counted, game_results, leaving, level_results, restart_menu
 from game.web.client.settings_menu import settings_menu
 from game.web.client.state import PageScreen, PageState, Pictures
 
@@ -35,9 +41,9 @@ _READY_SECONDS = 0.6
 """After a pause with a ball in play, until it flies on."""
 _OFFER_TICKS = round(20.0 / TICK)
 """Without a paddle's touch, until the player may give up the ball."""
-_END_TICKS, _CLEARED_TICKS = 200, 150
-"""From the end of the game, and of a level, to the results: nobody who is still playing chooses an entry by accident."""
-_SERVE_KEY, _TURN_KEYS = "Space", ("←", "→")
+_END_TICKS, _WON_TICKS, _CLEARED_TICKS = 200, 500, 150
+"""From the end of a game that is lost, of one that is won, whose fireworks are seen first, and of a level, to the results:
+nobody who is still playing chooses an entry by accident."""
 _NOTE, _NOTE_LETTER, _NOTE_UP, _NOTE_UP_NARROW = 0.9, 0.57, 0.8, 3.9
 """The line about the physics, in units: size of its letters, width of one in shares of that, height over the lower edge."""
 
@@ -74,12 +80,25 @@ class GameOnPage:
         self._untouched = 0  # ticks with a ball in play since a paddle touched it
         self._told = -1  # number of the level whose results were shown last
         self._ended = False
-        state.storage.game_done()
+        self._captions: tuple[Caption, ...] = ()
+        state.end_game()
+        self._record.begin_level(0, 0)
 
     @property
     def game(self) -> Game:
         """The game as it stands."""
         return self._ticked.game
+
+    @property
+    def ghost(self) -> Game | None:
+        """The best run of the level as it is shown; None while it is not."""
+        shown = self._state.settings.ghost and self._pilot is None
+        return self._record.ghost.game if shown and self._record.ghost is not None else None
+
+    @property
+    def captions(self) -> list[str]:
+        """The words for sounds that are shown."""
+        return [caption.text for caption in self._captions]
 
     @property
     def toolbar(self) -> tuple[PageItem, ...]:
@@ -116,13 +135,8 @@ class GameOnPage:
         if opened is not None:
             self._let_go()
             return opened
-        match signal:
-            case Pressed(Action.MUTE):
-                state.change(state.settings._replace(sound=not state.settings.sound))
-            case Pressed(Action.THEME):
-                state.change(state.settings.other_colours())
-            case Pressed(Action.GIVE_UP) if self._untouched < _OFFER_TICKS:
-                return self
+        if isinstance(signal, Pressed) and signal.action is Action.GIVE_UP and self._untouched < _OFFER_TICKS:
+            return self
         self._hold(signal)
         if not (isinstance(signal, Pointed) and signal.direction and self.game.phase == Phase.SERVING):  # then it aims
             state.view = state.view.after(signal, unit_of(size))
@@ -139,8 +153,10 @@ class GameOnPage:
     def _opened(self, signal: Signal) -> PageScreen | None:
         """What a signal opens; None for nothing."""
         match signal:
-            case Pressed(Action.PAUSE | Action.BACK | Action.RESTART) | FocusLost():
+            case Pressed(Action.PAUSE | Action.BACK) | FocusLost():
                 return self._paused()
+            case Pressed(Action.RESTART):
+                return restart_menu(self._state, self, lambda: self)
             case Pressed(Action.HELP):
                 return help_menu(self._state, lambda: self, self)
             case Pressed(Action.SETTINGS):
@@ -169,6 +185,9 @@ class GameOnPage:
         if self._ready > 0.0:
             self._ready -= seconds
             return self
+        self._captions = captions.later(self._captions, seconds)
+        if self._record.ghost is not None:
+            self._record.ghost.prepare()
         stopped = min(self._stop, max(seconds, 0.0))
         self._stop -= stopped
         slowed = pace(self.game) if EffectKind.SLOW_MOTION in state.settings.shown else 1.0
@@ -190,12 +209,24 @@ class GameOnPage:
         state.draw_scene(out, scene, seen.camera, size)
         badge = aids.badge(state.settings) if self._pilot is None else tr("autopilot")
         shown = readings(self.game, self._effects.streak, badge=badge)
-        add_figures(out.frame, shown, Corners(seen, state.theme, unit))
+        corners = Corners(seen, state.theme, unit)
+        racing = self.ghost
+        if racing is not None:
+            add_ghost(out.frame, racing, seen.camera, state.theme, state.scene_unit(size))
+            add_lead(out.frame, self.game, racing, seen, state.theme, unit, state.buttons_below(size))
+        add_figures(out.frame, shown, corners)
         told = self._notice()
         if told is not None:
             add_notice(out.frame, told, seen, state.theme, unit, around(scene, seen.camera))
+        foot = None if state.buttons_below(size) else foot_height(shown, corners)  # else the buttons are in the upper right
+        add_captions(out.frame, self._captions, seen, state.theme, unit, foot)
         if self._physics is not None:
             _add_note(out.frame, self._physics.note, size, state.theme.accent, unit)
+
+    def again(self) -> "GameOnPage":
+        """A new game at the level being played; of endless ones at the first, as everybody begins there."""
+        levels = self._levels if self.endless is not None else self._levels[self.game.number :]
+        return GameOnPage(self._state, self._screens, levels, self._physics, self.endless)
 
     def restarted(self) -> "GameOnPage":
         """The same levels from their first serve."""
@@ -207,17 +238,19 @@ class GameOnPage:
             return ready()
         if self.game.phase in (Phase.OVER, Phase.WON):
             return None
-        told = notice(self.game, _SERVE_KEY)
+        serve = key_name(Action.SERVE)
+        told = notice(self.game, serve)
         if self._players != Players.ONE:
-            told = who_steers(self.game, *PLAYERS_KEYS, _SERVE_KEY) or told
+            told = who_steers(self.game, *players_keys(), serve) or told
         elif told is not None:
             new = not self._state.storage.progress.value.bests
             if self._state.touched:
                 told = by_touch(told, self.game, new=new)
             elif new:
-                told = to_newcomer(told, *_TURN_KEYS)
+                told = to_newcomer(told, key_name(Action.LEFT), key_name(Action.RIGHT))
         if told is None and self._pilot is None and self._untouched >= _OFFER_TICKS:
-            return Notice(tr("Out of reach?"), tr("{key}: give up this ball; it costs a life").format(key="G"))
+            words = tr("{key}: give up this ball; it costs a life").format(key=key_name(Action.GIVE_UP))
+            return Notice(tr("Out of reach?"), words)
         return told
 
     def _tick(self, seen: Layout) -> None:
@@ -233,7 +266,17 @@ class GameOnPage:
             controls = self._hands.controls(seen.camera, game)
         self._hands, self._second = self._hands.after_tick(), self._second.after_tick()
         self._ticked = tick(game, controls) if self._physics is None else tick(game, controls, self._physics.advance)
+        self._note_tick(controls, seen)
+
+    def _note_tick(self, controls: Controls, seen: Layout) -> None:
+        """Let everything that follows the game know of a tick. controls: that it was given."""
+        state = self._state
         events = self._ticked.events
+        if self._record.ghost is not None:
+            self._record.ghost.after_tick(self.game)
+        if state.settings.captions:
+            self._captions = captions.after(self._captions, self._ticked, seen.camera)
+            state.announcements += captions.rare(events)
         touched = self.game.phase != Phase.PLAYING or any(
             [event.kind in {EventKind.PADDLE_HIT, EventKind.SERVED} for event in events]
         )
@@ -244,7 +287,7 @@ class GameOnPage:
             state.storage.games(controls, self.game)
         for event in events:
             if event.kind == EventKind.LEVEL_STARTED:
-                self._record.start = self.game.tick
+                self._record.begin_level(self.game.tick, self.game.number)
             elif event.kind == EventKind.LEVEL_CLEARED:
                 self._record.note_level(self.game)
             elif event.kind == EventKind.BALL_LOST:
@@ -253,13 +296,14 @@ class GameOnPage:
     def _results(self) -> PageScreen | None:
         """The menu after a level or the game, once its end has been seen for a moment."""
         game = self.game
-        if game.phase in (Phase.OVER, Phase.WON) and game.phase_tick >= _END_TICKS and not self._ended:
+        until = _WON_TICKS if game.phase == Phase.WON else _END_TICKS
+        if game.phase in (Phase.OVER, Phase.WON) and game.phase_tick >= until and not self._ended:
             self._ended = True
             return game_results(self._state, self._screens, self, self._record)
         cleared = game.phase == Phase.CLEARED and game.phase_tick >= _CLEARED_TICKS
         if cleared and self._told < game.number and self._pilot is None:
             self._told = game.number
-            return level_results(self._state, self._screens, self)
+            return level_results(self._state, self._screens, self, self._record)
         return None
 
     def went_on(self) -> PageScreen:
@@ -280,7 +324,7 @@ class GameOnPage:
             pilot = PageItem("autopilot", tr("Let the program play"), "switch", str(self._pilot is not None))
             return (self.described,), (
                 Opened(PageItem("go-on", tr("Continue")), lambda _: self),
-                Opened(PageItem("restart", tr("From the first level")), lambda _: self.restarted()),
+                Opened(PageItem("restart", tr("Restart")), lambda _: restart_menu(self._state, self, lambda: menu)),
                 Opened(PageItem("help", tr("How to play")), lambda _: help_menu(self._state, lambda: menu, self)),
                 Opened(PageItem("settings", tr("Settings")), lambda _: settings_menu(self._state, lambda: menu, self)),
                 Opened(pilot, let_play),

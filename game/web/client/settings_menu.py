@@ -1,6 +1,7 @@
-"""The settings on the page: the desktop's, except for keys, captions and the ghost, which the page does not have."""
+"""The settings on the page: the desktop's, part by part."""
 
 from collections.abc import Callable, Iterable
+from functools import partial
 
 from game.drawing.colour_vision import VISION_NAMES, VISIONS
 from game.effects import EffectKind
@@ -9,7 +10,8 @@ from game.screens.earned import feats
 from game.settings.effect_names import effect_names
 from game.settings.values import LOUDEST, SPEEDS, TEXT_SIZES, Settings
 from game.unlocks import BALLS, TRAILS, Condition, ball_names, trail_names, unlocked
-from game.web.client.menus import MenuScreen, Opened
+from game.web.client.controls_menu import controls_menu
+from game.web.client.menu_screen import MenuScreen, Opened
 from game.web.client.messages import PageItem
 from game.web.client.state import PageScreen, PageState
 
@@ -22,28 +24,42 @@ def settings_menu(state: PageState, back: Callable[[], PageScreen], under: PageS
         languages = ((SYSTEM, tr("system language")), *[(language.code, language.name) for language in LANGUAGES])
         colours = (("dark", tr("Dark")), ("light", tr("Light")), ("contrast", tr("High contrast")))
         visions = tuple([(vision, tr(VISION_NAMES[vision])) for vision in VISIONS])
+        again = partial(settings_menu, state, back, under)
+        effects, keys = partial(_effects_menu, state, again, under), partial(controls_menu, state, again, under)
+        ghost = tr("Pale outlines replay your best run of the level while you play.")
+        words = tr("Important sounds in words, with where they come from.")
+        motion = tr("No shake, flashes, waves or hit-stop, the camera cuts instead of gliding, and the title stands still.")
         return (), (
+            _heading(tr("Picture")),
             part.choice("colours", tr("Colours"), colours),
-            part.choice("vision", tr("Colour vision"), visions),
-            part.choice("language", tr("Language"), languages),
-            part.number("text_size", f"{tr('Text size')}, %", TEXT_SIZES, 25.0),
             Opened(PageItem("full-screen", tr("Full screen")), lambda _value: _full_screen(state, menu)),
-            part.switch("sound", tr("Sound")),
-            part.number("volume", tr("Volume"), (0, LOUDEST), 10.0),
-            part.number("music", tr("Music"), (0, LOUDEST), 10.0),
-            part.number("speed", tr("Game speed, %"), SPEEDS, 5.0),
-            part.switch("one_button", tr("One button: the paddles turn by themselves, any press reverses them")),
-            part.switch("reduced_motion", tr("Reduced motion")),
+            part.switch("reduced_motion", tr("Reduced motion"), motion),
+            part.switch("ghost", tr("Ghost"), ghost),
             part.choice("ball", tr("Ball"), *_unlocked(state, "ball", BALLS, ball_names())),
             part.choice("trail", tr("Trail"), *_unlocked(state, "trail", TRAILS, trail_names())),
             part.switch("effects", tr("Effects")),
-            Opened(
-                PageItem("one-by-one", tr("One by one"), disabled=not held.effects),
-                lambda _value: _effects_menu(state, lambda: settings_menu(state, back, under), under),
-            ),
+            Opened(PageItem("one-by-one", tr("One by one"), disabled=not held.effects), lambda _value: effects()),
+            _heading(tr("Sound")),
+            part.switch("sound", tr("Sound")),
+            part.number("volume", tr("Volume"), (0, LOUDEST), 10.0),
+            part.number("music", tr("Music"), (0, LOUDEST), 10.0),
+            _heading(tr("Keys")),
+            Opened(PageItem("keys", tr("Choose keys and buttons")), lambda _value: keys()),
+            _heading(tr("Accessibility")),
+            part.choice("language", tr("Language"), languages),
+            part.number("text_size", f"{tr('Text size')}, %", TEXT_SIZES, 25.0),
+            part.choice("vision", tr("Colour vision"), visions),
+            part.switch("captions", tr("Captions"), words),
+            part.number("speed", tr("Game speed, %"), SPEEDS, 5.0),
+            part.switch("one_button", tr("One button: the paddles turn by themselves, any press reverses them")),
         )
 
     return MenuScreen(state, tr("Settings"), contents, back, under)
+
+
+def _heading(words: str) -> Opened:
+    """What the settings below it are about."""
+    return Opened(PageItem(f"heading-{words}", words, "heading"))
 
 
 class _Part:
@@ -53,10 +69,10 @@ class _Part:
         """Create it. menu: shown after a change."""
         self._state, self._menu = state, menu
 
-    def switch(self, name: str, label: str) -> Opened:
+    def switch(self, name: str, label: str, hint: str = "") -> Opened:
         """A setting that is on or off."""
         on = bool(getattr(self._state.settings, name))
-        return Opened(PageItem(name, label, "switch", str(on)), lambda value: self._change(name, value == "True"))
+        return Opened(PageItem(name, label, "switch", str(on), hint=hint), lambda value: self._change(name, value == "True"))
 
     def choice(self, name: str, label: str, options: tuple[tuple[str, str], ...], hint: str = "") -> Opened:
         """One of several values. options: values and labels."""

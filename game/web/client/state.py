@@ -8,28 +8,35 @@ from typing import Protocol
 
 from game.drawing.camera import Camera, Layout, layout, unit_of
 from game.drawing.palette import Theme
+from game.input.keys import KEYS
 from game.input.players import Players
 from game.input.signals import Signal
 from game.input.view import FLAT, Viewpoint
 from game.lab.kit.second_engine import Engine
 from game.language import choose
 from game.levels import Level, campaign
+from game.overlay.toast import Toast
 from game.picture.arena import ArenaPicture
 from game.picture.display_list import DisplayList
 from game.picture.view import ArenaView
 from game.rules import Ruleset, Ticked
 from game.scene import Scene
+from game.screens.demo import Demo
 from game.screens.difficulty_names import SOURCE, ruleset_of
 from game.settings.file import SettingsFile
 from game.settings.values import Settings
 from game.storage.storage import Storage
 from game.web.client.functions.panel import OwnFunctionsPanel
+from game.web.client.keys import page_bindings
 from game.web.client.messages import Download, PageItem, PageMenu
 from game.web.client.music import MusicOnPage
 from game.web.client.sounds import Sounds
 
 _SMALLEST = 16.0
 """CSS pixels of the unit of text, at least."""
+_NARROW, _LOW, _BUTTONS = 640.0, 480.0, 136.0
+"""CSS pixels: width up to which the buttons are at the lower edge, unless the page is at most so high; and from that edge to
+the top of buttons with two lines."""
 
 
 class PageScreen(Protocol):
@@ -82,6 +89,7 @@ class PageState:
     engine: the lab's second engine, once it is loaded; asks_engine: whether to load it.
     functions: the player's own, in the editor. changed: whether what is stored has changed. download: a file for the player.
     full_screen: whether to switch full screen on or off. touched: whether it is played by touch.
+    toast: words about a key, which are drawn for a moment. demo: the demonstration behind menus.
     """
 
     sounds: Sounds
@@ -109,6 +117,8 @@ class PageState:
     engine: Engine | None = None
     asks_engine: bool = False
     problems: set[str] = field(default_factory=set)
+    toast: Toast | None = None
+    demo: Demo | None = None
 
     @property
     def theme(self) -> Theme:
@@ -128,11 +138,17 @@ class PageState:
 
     def text_unit(self, size: tuple[int, int]) -> float:
         """Size of text, pixels: never too small to be read on a phone."""
-        return self._unit(size) * self.settings.text_size / 100.0
+        return self.scene_unit(size) * self.settings.text_size / 100.0
 
-    def _unit(self, size: tuple[int, int]) -> float:
+    def scene_unit(self, size: tuple[int, int]) -> float:
         """Size of text beside the arena, pixels."""
         return max(unit_of(size), _SMALLEST * self.density)
+
+    def buttons_below(self, size: tuple[int, int]) -> float:
+        """Height of the page's buttons with what is below them, if its style sheet has them at the lower edge; else 0."""
+        width, height = size[0] / self.density, size[1] / self.density
+        below = width <= height or (width <= _NARROW and height > _LOW)
+        return _BUTTONS * self.density if below else 0.0
 
     def choose_difficulty(self, name: str) -> None:
         """Let new games be of a difficulty."""
@@ -140,11 +156,16 @@ class PageState:
 
     def change(self, settings: Settings) -> None:
         """Let other settings hold, and keep them."""
-        self.settings = settings
-        choose(settings.language)
+        self.use(settings)
         if self.settings_file is not None:
             self.settings_file.keep(settings)
             self.changed = True
+
+    def use(self, settings: Settings) -> None:
+        """Let settings hold, for keys and texts, too."""
+        self.settings = settings
+        KEYS.change(page_bindings(settings.own_keys))
+        choose(settings.language)
 
     def layout(self, size: tuple[int, int], ground_radius: float) -> Layout:
         """Where everything is on the canvas."""
@@ -152,7 +173,7 @@ class PageState:
 
     def draw_scene(self, out: Pictures, scene: Scene, camera: Camera, size: tuple[int, int]) -> None:
         """Show a scene."""
-        seen = ArenaView(camera, self.theme, self._unit(size), size, self.settings.trail, self.settings.ball)
+        seen = ArenaView(camera, self.theme, self.scene_unit(size), size, self.settings.trail, self.settings.ball)
         out.backdrop = self.arena.backdrop(scene, seen)
         out.frame = self.arena.frame(scene, seen)
 
@@ -164,6 +185,12 @@ class PageState:
             self.started += self.sounds.started(
                 ticked.events, lambda position: camera.side(position, reach), ticked.game.combo, now
             )
+
+    def end_game(self) -> None:
+        """Store the game that was played, if it is worth it, with the bests made in it."""
+        self.storage.game_done()
+        self.changed = True
+        self.tell_problems()
 
     def tell_problems(self) -> None:
         """Say once what could not be read or written."""

@@ -1,6 +1,9 @@
 // Makes the page's controls of the values that Python gives, and says which was used.
 
+import { paint } from "./painter.js";
+
 const PAD = { use: 0, up: 12, down: 13, left: 14, right: 15 }; // a gamepad's buttons in the standard layout
+const READ = new Set(["words", "heading", "pair", "number", "buttons"]); // the hint is within the control, or there is none
 const SLIDER_STEPS = 400; // of a number that may have any value
 
 function made(tag, properties = {}, ...children) {
@@ -23,6 +26,23 @@ function number(item, name, use) {
   return made("div", { className: "number" }, words, slider, field);
 }
 
+/** A picture before words, of two canvas pixels per CSS pixel. */
+function pictured(numbers) {
+  const canvas = made("canvas", { width: 48, height: 48 });
+  paint(canvas.getContext("2d"), Float32Array.from(numbers), []);
+  return canvas;
+}
+
+/** Several buttons in a row, after their common name. */
+function buttons(item, name, use) {
+  const row = item.options.map(([value, words, spoken]) => {
+    const button = made("button", { type: "button", id: `${name}-${value}`, onclick: () => use(item.id, value) }, words);
+    button.setAttribute("aria-label", spoken);
+    return button;
+  });
+  return made("div", { id: name, className: "buttons" }, made("span", {}, item.label), ...row);
+}
+
 /** Let a control show another value, unless somebody is typing in it. A number that was typed stays until its field is left. */
 function update(element, item) {
   for (const field of element.querySelectorAll("select, input")) {
@@ -38,7 +58,10 @@ function control(item, use) {
   if (item.kind === "button") {
     return made("button", { type: "button", id: name, disabled: item.disabled, onclick: () => use(item.id, ""), ...hint }, item.label);
   }
-  if (item.kind === "words") return made("p", { id: name }, item.label);
+  if (item.kind === "words") return made("p", { id: name }, ...(item.picture.length ? [pictured(item.picture)] : []), item.label);
+  if (item.kind === "heading") return made("h2", { id: name }, item.label, ...(item.hint ? [made("small", {}, item.hint)] : []));
+  if (item.kind === "pair") return made("p", { id: name, className: "pair" }, made("b", {}, item.label), " ", made("span", {}, item.hint));
+  if (item.kind === "buttons") return buttons(item, name, use);
   if (item.kind === "choice") {
     const options = item.options.map(([value, words]) => made("option", { value, selected: value === item.value }, words));
     const select = made("select", { id: name, onchange: () => use(item.id, select.value) }, ...options);
@@ -61,6 +84,7 @@ function hinted(own, hint) {
 }
 
 export class Controls {
+  #captures = false; // whether keys and buttons mean something else now
   #shape = "";
   #wanted = "";
   #lines = [];
@@ -82,7 +106,7 @@ export class Controls {
     const lines = menu.lines.map((line) => made("p", {}, line));
     const items = made("div", { className: "items" }), elements = menu.items.map((item) => control(item, this.use));
     for (const [index, item] of menu.items.entries()) {
-      const own = elements[index], explained = item.hint && !["words", "number"].includes(item.kind) && !menu.side;
+      const own = elements[index], explained = item.hint && !READ.has(item.kind) && !menu.side;
       items.append(explained ? hinted(own, item.hint) : own);
     }
     this.menu.replaceChildren(title, ...lines, items);
@@ -92,11 +116,15 @@ export class Controls {
     this.menu.classList.toggle("side", menu.side);
     document.body.classList.toggle("coding", menu.editor);
     this.menu.hidden = false;
+    this.#captures = Boolean(menu.uncaptured);
     this.menu.scrollTop = same ? position : 0;
+    const first = same || !menu.focus ? null : document.getElementById(`item-${menu.focus}`);
+    if (first) return first.focus();
     const wanted = held || this.#wanted, again = same && wanted ? document.getElementById(wanted) : null;
     this.#wanted = again?.disabled ? wanted : ""; // a disabled control gets the focus back when it is enabled again
     if (again && this.menu.contains(again)) again.focus({ preventScroll: true });
     else if (!menu.side) this.#controls()[0]?.focus({ preventScroll: true });
+    return undefined;
   }
 
   /** Give the same controls new values. The elements are kept, so that a slider can be dragged on. */
@@ -129,28 +157,39 @@ export class Controls {
     return [...this.menu.querySelectorAll("button:not(:disabled), select, input")];
   }
 
-  /** Up and down go from control to control, as in the game's own menus; within a field they are the field's. */
+  /** The arrows go from control to control, as in the game's own menus; within a field they are the field's. Where there is only one, they scroll. */
   #move(event) {
-    const step = { ArrowUp: -1, ArrowDown: 1 }[event.key];
-    if (!step || event.target.tagName !== "BUTTON") return;
-    this.#focus(step);
+    const step = { ArrowUp: -1, ArrowDown: 1 }[event.key], side = { ArrowLeft: -1, ArrowRight: 1 }[event.key];
+    if (event.target.tagName !== "BUTTON" || (step && this.#controls().length < 2)) return;
+    if (step) this.#focus(step);
+    else if (!side || !aside(event.target, side)) return;
     event.preventDefault();
   }
 
+  /** Let the control above or below have the keyboard; a row of buttons counts as one, and the column stays. */
   #focus(step) {
-    const controls = this.#controls(), at = controls.indexOf(document.activeElement);
-    controls[(at + step + controls.length) % controls.length]?.focus();
+    const rows = [...new Set(this.#controls().map((control) => control.closest(".buttons") ?? control))], held = document.activeElement;
+    const row = held?.closest(".buttons") ?? held, next = rows[(rows.indexOf(row) + step + rows.length) % rows.length];
+    const column = row === held ? 0 : [...row.querySelectorAll("button")].indexOf(held);
+    (next?.querySelectorAll("button")[column] ?? next)?.focus();
   }
 
   /** A gamepad's button: up and down go from control to control, left and right change its value, A uses it. */
   steer(button) {
-    if (this.menu.hidden || this.menu.classList.contains("side")) return;
-    const held = document.activeElement;
+    if (this.menu.hidden || this.#captures || this.menu.classList.contains("side")) return;
+    const held = document.activeElement, side = { [PAD.left]: -1, [PAD.right]: 1 }[button];
     if (button === PAD.up || button === PAD.down) this.#focus(button === PAD.up ? -1 : 1);
     else if (!this.menu.contains(held)) return;
     else if (button === PAD.use && (held.tagName === "BUTTON" || held.type === "checkbox")) held.click();
-    else if (button === PAD.left || button === PAD.right) changed(held, button === PAD.left ? -1 : 1);
+    else if (side && !aside(held, side)) changed(held, side);
   }
+}
+
+/** Let the next button of a row have the keyboard; whether the one that has it is in a row. */
+function aside(button, step) {
+  const row = button.closest(".buttons"), all = [...(row?.querySelectorAll("button") ?? [])];
+  all[(all.indexOf(button) + step + all.length) % all.length]?.focus();
+  return row !== null;
 }
 
 /** Another value of a choice or of a number. */

@@ -2,6 +2,7 @@
 
 const MOST_PADS = 2;
 const TYPED = new Set(["INPUT", "SELECT", "TEXTAREA"]);
+const LEFT_BY_ESCAPE = new Set(["INPUT", "SELECT"]);
 const CONTROLS = new Set(["INPUT", "SELECT", "TEXTAREA", "BUTTON", "A"]);
 const SCROLLING = new Set(["ArrowUp", "ArrowDown", "ArrowLeft", "ArrowRight", " ", "Home", "End", "F1"]);
 
@@ -10,16 +11,18 @@ export class Input {
   #pads = []; // the last state of every gamepad
   #pressed = []; // the buttons that are down on each of them
   #held = new Set();
+  uncaptured = null; // while every key is sent to Python: the codes of those that are not
   size = [1, 1]; // of the picture, in pixels
 
   /** hurry: called when something was pressed, released or chosen. steer: called with the number of a gamepad's button that was pressed. */
   constructor(canvas, hurry, steer) {
     Object.assign(this, { canvas, hurry, steer });
-    addEventListener("keydown", (event) => this.#key(event, true));
+    addEventListener("keydown", (event) => this.#key(event, true), { capture: true });
     addEventListener("keyup", (event) => this.#key(event, false));
     for (const [name, phase] of [["pointerdown", "down"], ["pointermove", "move"], ["pointerup", "up"], ["pointercancel", "cancel"]]) {
       canvas.addEventListener(name, (event) => this.#pointer(event, phase));
     }
+    navigator.keyboard?.getLayoutMap?.().then((map) => this.add({ type: "layout", written: Object.fromEntries(map) })).catch(() => undefined);
     canvas.addEventListener("contextmenu", (event) => event.preventDefault());
     canvas.addEventListener("wheel", (event) => this.#wheel(event), { passive: false });
     addEventListener("blur", () => this.add({ type: "away" }));
@@ -48,9 +51,17 @@ export class Input {
 
   #key(event, down) {
     const inControl = CONTROLS.has(event.target.tagName);
-    if (event.ctrlKey || event.metaKey || event.altKey || event.repeat || TYPED.has(event.target.tagName) || event.target.isContentEditable) return;
+    if (event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
+    if (this.uncaptured && down && !this.uncaptured.includes(event.code)) {
+      event.preventDefault();
+      event.stopPropagation();
+      this.add({ type: "key", code: event.code, key: event.key, down });
+      return;
+    }
+    const typed = TYPED.has(event.target.tagName) || event.target.isContentEditable;
+    if (typed && (event.key !== "Escape" || !LEFT_BY_ESCAPE.has(event.target.tagName))) return;
     if (inControl && (event.key === " " || event.key === "Enter")) return;
-    if (SCROLLING.has(event.key) && !inControl) event.preventDefault();
+    if ((SCROLLING.has(event.key) || event.key.length === 1) && !inControl) event.preventDefault(); // some browsers search a page for what is typed
     this.add({ type: "key", code: event.code, key: event.key, down });
   }
 

@@ -108,6 +108,7 @@ function heed(reply) {
   if (reply.language) document.documentElement.lang = reply.language;
   if (reply.toolbar) controls.showToolbar(reply.toolbar);
   if (reply.menu) controls.show(reply.menu);
+  if (reply.menu || reply.menu_closed) input.uncaptured = reply.menu?.uncaptured ?? null;
   if (reply.menu_closed) controls.close();
   if (reply.menu || reply.menu_closed) {
     if (reply.menu?.editor) edit(reply.code ?? null);

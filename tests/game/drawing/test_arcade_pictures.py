@@ -17,7 +17,6 @@ from game.drawing.balls.ball import BallPictures
 from game.drawing.display_list_painter import DisplayListPainter
 from game.drawing.painter import Painter
 from game.drawing.palette import DARK, LIGHT, contrast
-from game.drawing.slots.contents import ContentKind, slot_contents
 from game.drawing.text import Type
 from game.effects import NOTHING
 from game.input.view import FLAT, SOLID
@@ -26,6 +25,7 @@ from game.levels import classic
 from game.picture.display_list import DisplayList
 from game.picture.moving.drops import add_chip
 from game.picture.moving.gauges import CHIP_ROOM, ICONS, RADIUS, SPAN
+from game.picture.slots.contents import ContentKind, slot_contents
 from game.rules import ActivePower, Drop, HeldBall, PowerUp, Ruleset, new_game
 from game.rules.drops import DROP_RADIUS
 from game.scene import scene_at, still

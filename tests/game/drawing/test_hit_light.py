@@ -5,9 +5,9 @@ import math
 import numpy as np
 
 from game.drawing.palette import DARK
-from game.drawing.slots.contents import GLOW_STEPS, ContentKind, SlotContent
-from game.drawing.slots.parts import SlotShape
 from game.drawing.solid.blocks import recoloured, ring_blocks
+from game.picture.slots.contents import GLOW_STEPS, ContentKind, SlotContent
+from game.picture.slots.parts import SlotShape
 from game.picture.solid.prisms import slot_division
 from game.picture.solid.rings import RingLook, ring_prisms
 

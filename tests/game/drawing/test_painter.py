@@ -16,12 +16,12 @@ from game.drawing.flat.sector_colours import PolarPixels, paint_slot
 from game.drawing.painter import Painter
 from game.drawing.palette import DARK, contrast, layer_colour, mixed
 from game.drawing.raster.annulus import annulus_pixels
-from game.drawing.slots.contents import ContentKind, SlotContent
-from game.drawing.slots.parts import DOT_SHADE, SlotShape, dots
 from game.effects import Effects, after
 from game.levels import classic
 from game.picture.display_list import DisplayList
-from game.picture.slots import FlatRing, add_content
+from game.picture.slots.contents import ContentKind, SlotContent
+from game.picture.slots.flat import FlatRing, add_content
+from game.picture.slots.parts import DOT_SHADE, SlotShape, dots
 from game.replays.state_hash import state_hash
 from game.rules import PADDLES, new_game, tick
 from game.scene import scene_at
@@ -134,7 +134,7 @@ def test_as_many_dots_as_layers(layers, theme):
 def test_a_dot_is_where_it_is_said_to_be():
     """In the middle of a dot is the dots' colour, and beside it the top's."""
     shape, scale = SlotShape(5.0, 1.0, 0.3, 4, 0.05), 20.0
-    ring, stack = FlatRing(shape, 1, scale, 0.0, PLAIN_DARK), DisplayList()
+    ring, stack = FlatRing(shape, 1, scale, 0.0, (0.0, 9.0), PLAIN_DARK), DisplayList()
     add_content(stack, ring, SlotContent(ContentKind.BRICKS, 4), ring.sector(0j, 0.0))
     inset = 3.0 * shape.terrace
     for radius, angle, half in dots(4, shape._replace(half_width=1.0 - inset, half_angle=0.3 - inset / 5.0)):

@@ -14,16 +14,16 @@ import pytest
 from game.drawing.flat.sample import brick_sample
 from game.drawing.flat.sector_colours import PolarPixels, paint_slot
 from game.drawing.palette import DARK, LIGHT, layer_colour
-from game.drawing.slots.contents import (
+from game.effects import Flash
+from game.picture.display_list import DisplayList
+from game.picture.slots.contents import (
     GLOW_STEPS,
     ContentKind,
     SlotContent,
     resting_contents,
     wall_contents,
 )
-from game.drawing.slots.parts import Bar, Slab, SlotShape, height, parts
-from game.effects import Flash
-from game.picture.display_list import DisplayList
+from game.picture.slots.parts import Bar, Slab, SlotShape, height, parts
 from physics import PERMANENT
 
 SHAPE = SlotShape(5.0, 0.6, 0.3, 6, 0.0)

@@ -16,8 +16,6 @@ from game.drawing.camera import layout
 from game.drawing.light import LIGHT, SHADOW_SLANT
 from game.drawing.painter import Painter
 from game.drawing.palette import DARK, layer_colour
-from game.drawing.slots.contents import ContentKind, SlotContent, resting_contents, slot_contents
-from game.drawing.slots.parts import LAYER_HEIGHT, Slab, SlotShape, height
 from game.drawing.solid import arena_blocks, faces
 from game.drawing.solid.ball_occlusion import occluding_quads
 from game.drawing.solid.blocks import ring_blocks
@@ -26,6 +24,8 @@ from game.effects import Effects, after
 from game.effects.falling import FallingStack
 from game.input.view import FLAT, SOLID, Viewpoint
 from game.levels import classic
+from game.picture.slots.contents import ContentKind, SlotContent, resting_contents, slot_contents
+from game.picture.slots.parts import LAYER_HEIGHT, Slab, SlotShape, height
 from game.picture.solid import prisms
 from game.picture.solid.order import back_to_front
 from game.picture.solid.prisms import slot_division

@@ -7,11 +7,11 @@ os.environ["SDL_VIDEODRIVER"] = "dummy"
 import msgspec
 
 from game.drawing.palette import DARK, layer_colour
-from game.drawing.slots.contents import ContentKind, resting_contents, slot_contents
-from game.drawing.slots.parts import Slab, SlotShape, parts
 from game.effects import NOTHING, bursts, lights
 from game.effects.kinds import EffectKind
 from game.levels import checked
+from game.picture.slots.contents import ContentKind, resting_contents, slot_contents
+from game.picture.slots.parts import Slab, SlotShape, parts
 from game.rules import EventKind
 from game.scene import scene_at, still
 from tests.support.games.arcade import LEVEL, arcade, until, with_balls

@@ -2,6 +2,7 @@
 
 import math
 import os
+from typing import NamedTuple
 
 os.environ["SDL_VIDEODRIVER"] = "dummy"
 
@@ -10,17 +11,16 @@ import pytest
 
 from game.drawing import debris as debris_picture
 from game.drawing.palette import DARK
-from game.drawing.piece_colours import PLATES, STREAK_TICKS
-from game.drawing.slots.contents import resting_contents
-from game.drawing.slots.parts import LAYER_HEIGHT, height
+from game.drawing.piece_look import PLATES, STREAK_TICKS
 from game.drawing.solid.debris_occlusion import occluded
-from game.effects import NOTHING
+from game.effects import NOTHING, debris
 from game.effects.bursts import Burst, BurstOrigin, Matter, lifetime
-from game.effects.debris import pieces
-from game.effects.piece_paths import NUMBERS_OF_PIECES
+from game.effects.piece_paths import CHANCES, NUMBERS_OF_PIECES, chances
 from game.input.view import FLAT, SOLID, Viewpoint
-from game.picture.display_list import DisplayList, primitives, unpacked
-from game.picture.moving.bursts import add_bursts
+from game.picture.display_list import primitives, unpacked
+from game.picture.moving.bursts import flying_pieces
+from game.picture.slots.contents import resting_contents
+from game.picture.slots.parts import LAYER_HEIGHT, height
 from game.picture.view import ArenaView
 from game.scene import scene_at
 from tests.support.games.autopilot_games import game_after
@@ -35,6 +35,21 @@ MATTERS = pytest.mark.parametrize("matter", Matter)
 def burst(matter=Matter.BRICK, age=0, seed=77, origin=SECTOR, direction=1j):
     """One burst."""
     return Burst(matter, origin, direction, 2, seed, age)
+
+
+class Pieces(NamedTuple):
+    """The pieces of some bursts, as arrays. position: on the ground. Else as in `FlyingPiece`."""
+
+    position: np.ndarray
+    height: np.ndarray
+    size: np.ndarray
+    burst: np.ndarray
+
+
+def pieces(bursts, ground_radius):
+    """All pieces of some bursts."""
+    flying, whose = debris.pieces(bursts, ground_radius)
+    return Pieces(flying.x + 1j * flying.y, flying.height, flying.size, whose)
 
 
 def scene_of(level, ticks=0):
@@ -107,11 +122,12 @@ def test_the_same_burst_always_scatters_alike():
 
 
 def test_chances_are_spread_evenly():
-    """Over many seeds, turns and shapes have the mean and the spread of even distributions."""
-    many = pieces([burst(seed=seed) for seed in range(400)], RADIUS)
-    assert abs(np.mean(many.turn)) < 0.1
-    assert np.mean(many.shape) == pytest.approx(0.5, abs=0.02)
-    assert np.std(many.shape) == pytest.approx(1.0 / math.sqrt(12.0), abs=0.02)
+    """Over many seeds and pieces all random numbers have the mean and the spread of even distributions from -1 to 1."""
+    many = np.array([chances(seed, number) for seed in range(200) for number in range(16)])
+    assert many.shape == (3200, CHANCES)
+    assert np.abs(many.mean(axis=0)).max() < 0.05
+    assert many.std(axis=0) == pytest.approx(1.0 / math.sqrt(3.0), abs=0.03)
+    assert np.abs(np.corrcoef(many.T) - np.eye(CHANCES)).max() < 0.08
 
 
 @pytest.mark.parametrize("level", [2, 4, 6])
@@ -159,21 +175,25 @@ def blocked(scene, camera, point, above):
 
 @pytest.mark.parametrize("view", [FLAT, SOLID], ids=["flat", "solid"])
 @MATTERS
-def test_the_pages_pieces_are_the_first_of_the_desktops(matter, view):
-    """Corners and colours of plates and streaks agree between the page's list of primitives and the desktop's arrays."""
-    flown, picture = burst(matter, age=20), DisplayList()
+def test_the_page_has_the_same_pieces_as_the_desktop(matter, view):
+    """All corners and colours of plates and streaks are the same in the page's list of primitives and the desktop's arrays."""
+    flown = burst(matter, age=20)
     scene = scene_of(1)._replace(bursts=(flown,))
     camera = camera_of(view, scene, SIZE)
-    add_bursts(picture, scene, ArenaView(camera, DARK, 20.0, SIZE))
-    flying = pieces([flown], scene.ground_radius)
+    flying = debris.pieces([flown], scene.ground_radius)
     if matter in PLATES:
-        outlines, colours = debris_picture._plates(flying, camera), debris_picture._glittering(flying, [flown], DARK)
+        outlines = debris_picture._plates(flying.flying, camera)
+        colours = debris_picture._glittering(flying, [flown], DARK)
     else:
-        earlier = pieces([burst(matter, age=20 - STREAK_TICKS)], scene.ground_radius)
-        outlines, colours = debris_picture._streaks(flying, earlier, camera), debris_picture._burning(flying, [flown], DARK)
-    found = list(primitives(picture.numbers))
-    assert len(found) == min(10, len(flying.position))
-    for (_code, packed, _opacity, own), outline, colour in zip(found, outlines, colours, strict=False):
-        corners = np.array(own[1:]).reshape(-1, 2) @ np.array([1.0, 1.0j])
-        assert np.abs(corners - outline).max() < 0.5  # the page draws a plate without perspective within it
-        assert np.abs(np.array(unpacked(packed)) - colour).max() < 1.0
+        earlier = debris.pieces([burst(matter, age=20 - STREAK_TICKS)], scene.ground_radius)
+        outlines = debris_picture._streaks(flying.flying, earlier.flying, camera)
+        colours = debris_picture._burning(flying, [flown], DARK)
+    found = flying_pieces(scene, ArenaView(camera, DARK, 20.0, SIZE))
+    assert len(found) == len(outlines) == NUMBERS_OF_PIECES[matter]
+    for (position, picture), ground, outline, colour in zip(
+        found, flying.flying.x + 1j * flying.flying.y, outlines, colours, strict=True
+    ):
+        ((_code, packed, _opacity, own),) = primitives(picture.numbers)
+        assert position == pytest.approx(ground)
+        assert np.abs(np.array(own[1:]).reshape(-1, 2) @ np.array([1.0, 1.0j]) - outline).max() < 1e-3
+        assert np.abs(np.array(unpacked(packed)) - colour).max() <= 0.5 + 1e-9

@@ -16,8 +16,6 @@ from game.drawing.camera import layout
 from game.drawing.display_list_painter import DisplayListPainter
 from game.drawing.painter import Painter
 from game.drawing.palette import DARK
-from game.drawing.slots.contents import ContentKind, slot_contents, wall_contents
-from game.drawing.slots.parts import LAYER_HEIGHT, PADDLE_HEIGHT
 from game.drawing.solid.picture import SolidPicture
 from game.effects import ALL, FLASH_TICKS, NOTHING, Flash, Pop, Recoil, Wave, bursts
 from game.effects.waves import WAVE_TICKS, WaveTone
@@ -26,6 +24,8 @@ from game.levels import classic
 from game.picture.display_list import DisplayList, Primitive, primitives
 from game.picture.moving.waves import add_waves
 from game.picture.moving.words import add_words
+from game.picture.slots.contents import ContentKind, slot_contents, wall_contents
+from game.picture.slots.parts import LAYER_HEIGHT, PADDLE_HEIGHT
 from game.rules import PADDLES, EventKind, new_game, tick
 from game.scene import scene_at
 from tests.support.games.autopilot_games import game_after

@@ -5,9 +5,9 @@ from itertools import pairwise
 import pytest
 
 from game.drawing.palette import DARK
-from game.drawing.slots.contents import ContentKind, SlotContent
-from game.drawing.slots.parts import Slab, SlotShape, parts
 from game.effects.falling import FallingStack, after_hit, fallen
+from game.picture.slots.contents import ContentKind, SlotContent
+from game.picture.slots.parts import Slab, SlotShape, parts
 from game.rules import TICK
 
 SLOT = SlotShape(4.0, 0.4, 0.2, 6, 0.01)

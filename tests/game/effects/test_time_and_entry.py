@@ -1,11 +1,11 @@
 """Slow motion before the last brick, and the wall that is built up at a level's start."""
 
 from game.autopilot import Autopilot
-from game.drawing.slots.contents import ContentKind, slot_contents
 from game.effects import ALL, EffectKind, Effects, LightSource, after, at_start
 from game.effects.entry import ENTRY_TICKS
 from game.effects.slow_motion import SLOWEST, pace
 from game.levels import classic
+from game.picture.slots.contents import ContentKind, slot_contents
 from game.rules import (
     ActivePower,
     Controls,

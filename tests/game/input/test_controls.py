@@ -14,7 +14,8 @@ from game.drawing.camera import Camera
 from game.input.devices import Devices
 from game.input.events import keyboard_state, translated
 from game.input.hands import Hands, controls_of_two
-from game.input.keys import BINDINGS, Action, Binding, KeyTable, position_of
+from game.input.keys import BINDINGS, Action, Binding, KeyTable
+from game.input.scancodes import position_of
 from game.input.signals import (
     Clicked,
     Dragged,

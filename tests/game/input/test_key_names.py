@@ -8,7 +8,11 @@ import pygame
 import pytest
 
 from game.input import key_names
-from game.input.keys import US_CODES, Action
+from game.input.events import system_layout
+from game.input.keys import Action
+from game.input.scancodes import SCANCODES, US_CODES
+
+MODIFIERS = {"Control": "CTRL", "Shift": "SHIFT", "Alt": "ALT", "Meta": "GUI"}
 
 
 @pytest.fixture
@@ -16,7 +20,7 @@ def russian(monkeypatch):
     """A layout on which the letters are Cyrillic."""
     written = {pygame.KSCAN_A: "ф", pygame.KSCAN_D: "в", pygame.KSCAN_H: "р", pygame.KSCAN_P: "з"}  # noqa: RUF001
     codes = {position: code for position, code in US_CODES.items() if not chr(code).isalpha()}
-    monkeypatch.setattr(key_names, "_codes_by_position", lambda: codes | {at: ord(letter) for at, letter in written.items()})
+    monkeypatch.setattr(key_names, "_layout", codes | {at: ord(letter) for at, letter in written.items()})
 
 
 def test_keys_are_named_as_the_us_layout_names_them_without_a_display():
@@ -43,7 +47,7 @@ def test_a_key_that_the_layout_does_not_have_has_no_name(monkeypatch):
     faster = (pygame.K_PLUS, pygame.K_EQUALS, pygame.K_KP_PLUS)
     assert key_names.code_names(faster) == ("=",)
     german = US_CODES | {pygame.KSCAN_RIGHTBRACKET: pygame.K_PLUS, pygame.KSCAN_EQUALS: ord("\u00b4")}
-    monkeypatch.setattr(key_names, "_codes_by_position", lambda: german)
+    monkeypatch.setattr(key_names, "_layout", german)
     assert key_names.code_names(faster) == ("+", "\u00b4")
 
 
@@ -51,10 +55,22 @@ def test_the_present_layout_is_asked_of_the_system():
     """SDL's dummy driver has the US layout; what it says is what the table of US codes says."""
     pygame.display.init()
     try:
-        key_names.layout_changed()
-        assert US_CODES.items() <= key_names._codes_by_position().items()
+        assert US_CODES.items() <= system_layout().items()
     finally:
         pygame.quit()
+
+
+def test_positions_are_those_of_sdl():
+    """The browsers' names stand for SDL's scancodes."""
+    renamed = {"PrintScreen": "PRINTSCREEN", "ScrollLock": "SCROLLLOCK", "NumLock": "NUMLOCK"}
+    renamed |= {"Minus": "MINUS", "Equal": "EQUALS", "Quote": "APOSTROPHE", "Backquote": "GRAVE", "Enter": "RETURN"}
+    renamed |= {"BracketLeft": "LEFTBRACKET", "BracketRight": "RIGHTBRACKET", "IntlBackslash": "NONUSBACKSLASH"}
+    renamed |= {"IntlRo": "INTERNATIONAL1", "KanaMode": "INTERNATIONAL2", "IntlYen": "INTERNATIONAL3"}
+    renamed |= {f"{key}{side}": f"{side[0]}{word}" for key, word in MODIFIERS.items() for side in ("Left", "Right")}
+    renamed |= {"NumpadEnter": "KP_ENTER", "NumpadDecimal": "KP_PERIOD", "NumpadAdd": "KP_PLUS", "NumpadSubtract": "KP_MINUS"}
+    for name, position in SCANCODES.items():
+        plain = name.removeprefix("Key").removeprefix("Digit").removeprefix("Arrow").replace("Numpad", "KP_").upper()
+        assert position == getattr(pygame, f"KSCAN_{renamed.get(name, plain)}"), name
 
 
 @pytest.mark.parametrize("rows", [key_names.play_help, key_names.watch_help])

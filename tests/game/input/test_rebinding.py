@@ -11,8 +11,9 @@ from hypothesis import strategies as st
 
 from game.input import key_names
 from game.input.actions import Action, OwnKeys
-from game.input.keys import BINDINGS, KEYS, US_CODES
+from game.input.keys import BINDINGS, KEYS
 from game.input.rebinding import FIXED_KEYS, NEEDED, Refused, bindings, checked, cleared, rebound, with_keys
+from game.input.scancodes import US_CODES
 
 P, M, UP, W = pygame.KSCAN_P, pygame.KSCAN_M, pygame.KSCAN_UP, pygame.KSCAN_W
 
@@ -55,7 +56,7 @@ def test_a_key_that_is_given_away_is_taken_from_the_other_action():
 def test_a_chosen_key_is_physical(monkeypatch):
     """Where the layout writes something else on it, it means the same, and has the name that is written there."""
     hold(OwnKeys(((Action.PAUSE, (pygame.KSCAN_Q,)),)))
-    monkeypatch.setattr(key_names, "_codes_by_position", lambda: dict(US_CODES) | {pygame.KSCAN_Q: ord("й")})
+    monkeypatch.setattr(key_names, "_layout", dict(US_CODES) | {pygame.KSCAN_Q: ord("й")})
     assert KEYS.action(pygame.KSCAN_Q, ord("й")) is Action.PAUSE
     assert key_names.key_names(Action.PAUSE) == ("Й",)
 

@@ -6,12 +6,12 @@ import pytest
 from game.drawing.camera import Camera, layout, unit_of
 from game.drawing.canvas import Canvas
 from game.drawing.palette import DARK
-from game.drawing.slots.contents import ContentKind, slot_contents
 from game.drawing.text import Type
 from game.effects import NOTHING
 from game.overlay import hud
 from game.overlay.notice_words import notice, who_steers
 from game.overlay.readings import readings
+from game.picture.slots.contents import ContentKind, slot_contents
 from game.rules import ActivePower, Controls, EventKind, PowerUp, Ruleset, Side, paddle_rings, tick
 from game.scene import scene_at, still
 from physics import direction

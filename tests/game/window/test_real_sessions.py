@@ -89,7 +89,7 @@ def clear_a_level(game, player):
     player.choose("One touch")
     game.expect("Menu")
     player.choose("Play")
-    serve_until(game, player, "Results")
+    serve_until(game, player, "ResultsPanel")
     player.choose("All levels")
     game.expect("LevelSelect")
 
@@ -118,7 +118,7 @@ def lose_a_game(game, player):
     game.expect("PlayScreen")
     game.wait(lambda seen: seen["is_kept"])
     player.steer(on=True)
-    serve_until(game, player, "Results")
+    serve_until(game, player, "ResultsPanel")
     player.choose("Enter your name")
     game.expect("TextEntry")
 

@@ -8,7 +8,7 @@ os.environ["SDL_AUDIODRIVER"] = "dummy"
 import pygame
 
 from game.editor.window.screen import Editor
-from game.input.keys import position_of
+from game.input.scancodes import position_of
 from game.input.signals import KeyboardState
 from game.levels import classic
 from game.loop.app import frame

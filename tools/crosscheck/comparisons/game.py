@@ -11,12 +11,12 @@ from physics import Ball, Hit
 from tools.crosscheck.comparisons.bounce import compare_bounce
 from tools.crosscheck.comparisons.contact_check import ContactCheck
 from tools.crosscheck.comparisons.double_bounce import compare_double_bounce, compare_sole_bounce
+from tools.crosscheck.comparisons.freed_balls import compare_freed_balls, compare_numbers
 from tools.crosscheck.comparisons.hit_frame import CheckedTick, geometry_of, moment_of
+from tools.crosscheck.comparisons.hit_offset_turn import compare_hit_offset_turns
 from tools.crosscheck.comparisons.normals import across, compare_normals
 from tools.crosscheck.comparisons.phases import PhaseBook
-from tools.crosscheck.comparisons.place_turn import compare_place_turns
 from tools.crosscheck.comparisons.rules import MOST_BOUNCES
-from tools.crosscheck.comparisons.set_free import compare_numbers, compare_set_free
 from tools.crosscheck.comparisons.target import LayerBook, compare_target
 from tools.crosscheck.comparisons.touch_time import compare_time, missed_touch
 from tools.crosscheck.games.level_numbers import LevelNumbers
@@ -232,7 +232,7 @@ class _Checker:
         for index, path in enumerate(flight_paths(tick, MOST_BOUNCES)):
             if path.fits:
                 current[index] = list(path.legs)
-                compare_set_free(checked, index, path, self.rows)
+                compare_freed_balls(checked, index, path, self.rows)
                 freed += (path.freed is not None) + path.freed_after
                 dropped += path.dropped
             else:
@@ -240,7 +240,7 @@ class _Checker:
         compare_numbers(checked, freed, dropped, self.rows)
         if tick.answers:
             ends = {id(leg.hit): leg for legs in current.values() for leg in legs if leg.hit is not None}
-            compare_place_turns(checked, ends, self.rows)
+            compare_hit_offset_turns(checked, ends, self.rows)
         for hits in _bounces(tick.step.hits):
             if hits[0].ball not in current:  # its flight is no proof of where it hit; it has been reported
                 for hit in hits:

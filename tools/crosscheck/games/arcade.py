@@ -4,7 +4,7 @@ Between two ticks of the physics these rules change what it flies in: the balls'
 bricks that grow again or that balls fly through, the direction of a ring. Every such change is taken as a new beginning:
 the numbers of the arena are read anew, and hold until the next. A level's first numbers are those of its file.
 
-What the rules do to a ball that a paddle returned is compared, too: `comparisons/place_turn.py`.
+What the rules do to a ball that a paddle returned is compared, too: `comparisons/hit_offset_turn.py`.
 """
 
 import math

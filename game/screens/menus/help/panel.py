@@ -1,9 +1,10 @@
-"""How to play, over another screen: what the game is about, how one aims, what drops out of bricks, and all keys."""
+"""The help: what the game is about, how to aim, what drops out of bricks, and all keys."""
 
-from game.input.key_names import key_name, play_help
+from game.input.key_names import play_help
 from game.input.keys import Action
 from game.input.signals import Pressed, Signal
 from game.language import tr
+from game.overlay.help_words import aiming_words, game_words, keyboard_words, other_controls
 from game.screens.app_state import AppState
 from game.screens.base import Screen
 from game.screens.menus.help import pictures
@@ -16,7 +17,7 @@ from game.screens.toolkit.panel import Panel
 
 
 class Help(Panel):
-    """A panel with a part for each question; the key that opened it closes it."""
+    """The panel of the help, with a tab for each topic. The key that opened it closes it."""
 
     def __init__(
         self, state: AppState, under: Screen, title: str = "", keys: tuple[tuple[str, str], ...] | None = None
@@ -45,7 +46,7 @@ class Help(Panel):
         return super().answer(signal, size)
 
     def _key_rows(self, keys: tuple[tuple[str, str], ...]) -> tuple[Row, ...]:
-        """A line for each, two where texts are large."""
+        """A line for each key; two lines if the text is large."""
         if not self.has_large_text:
             return tuple([(TableRow(((names, 1.0, "left"), (meaning, 2.0, "left"))),) for names, meaning in keys])
         words = [(TextItem(names, 1.0, faint=True), TextItem(meaning, 1.1), Item()) for names, meaning in keys]
@@ -53,14 +54,8 @@ class Help(Panel):
 
 
 def _game() -> tuple[Row, ...]:
-    """What it is about."""
-    words = (
-        tr("Keep the ball inside the circle and break every brick."),
-        tr("All paddles move around the rim together. A ball that leaves the circle is lost."),
-        tr("Each layer of a brick takes one hit; the dots count the layers. Steel never breaks."),
-        tr("Bricks hit in a row, without a paddle in between, count more and more: up to eight times."),
-    )
-    beside = TextItem("\n".join(words), 1.15, share=1.25)
+    """The tab about the game's aim."""
+    beside = TextItem("\n".join(game_words()), 1.15, share=1.25)
     return (
         (Drawing(12.5, pictures.draw_arena, most=1.0), beside),
         (TextItem(""),),
@@ -69,42 +64,31 @@ def _game() -> tuple[Row, ...]:
 
 
 def _aiming() -> tuple[Row, ...]:
-    """How one steers a ball."""
+    """The tab about steering the ball."""
+    *ways, hint = aiming_words()
     return (
         (
             Drawing(10.5, pictures.draw_hit_position, most=pictures.GROUND_HEIGHT),
             Drawing(10.5, pictures.draw_moving_paddle, most=pictures.GROUND_HEIGHT),
             Drawing(10.5, pictures.draw_serve, most=pictures.GROUND_HEIGHT),
         ),
-        (
-            TextItem(tr("Off centre: the ball leaves towards the side that it hits, the more so the nearer to the end."), 1.0),
-            TextItem(tr("On the move: a moving paddle takes the ball along."), 1.0),
-            TextItem(tr("The serve: the ball flies along the arrow. Wait for the right moment, or point the way."), 1.0),
-        ),
+        tuple([TextItem(line, 1.0) for line in ways]),
         (TextItem(""),),
-        (TextItem(tr("A ball that flies past the core comes out on the far side: be there first."), 1.0, faint=True),),
+        (TextItem(hint, 1.0, faint=True),),
     )
 
 
 def _controls() -> tuple[Row, ...]:
-    """Keyboard, mouse, gamepad, touch."""
+    """The tab about keyboard, mouse, gamepad and touch."""
     ways = (
-        (tr("Keyboard"), tr("Two keys turn the paddles; {key} serves.").format(key=key_name(Action.SERVE))),
+        keyboard_words(),
         (
             tr("Mouse"),
             tr(
                 "The nearest paddle follows the pointer; a click serves. The buttons at the right are pause, help and settings."
             ),
         ),
-        (
-            tr("Gamepad"),
-            tr(
-                "The paddle goes where the stick points; the triggers turn it; the lower button serves. "
-                "The other stick aims the serve, and moves the camera in 3D."
-            ),
-        ),
-        (tr("Touch"), tr("Drag to where a paddle should go; tap to serve. In 3D two fingers turn and zoom.")),
-        (tr("One button"), tr("Can be turned on in the settings: the paddles never stop, and every press reverses them.")),
+        *other_controls(),
     )
     rows: list[Row] = []
     for name, how in ways:

@@ -137,5 +137,5 @@ def _path(canvas: Canvas, points: tuple[complex, ...], colour: Colour, *, arrow:
 
 
 def _flipped(length: float, angle: float) -> complex:
-    """A vector on the screen, where y points down, for an angle that counts upwards."""
+    """A vector on the screen, where y points down, of an angle that is counter-clockwise."""
     return length * complex(math.cos(angle), -math.sin(angle))

@@ -4,11 +4,10 @@ import pygame
 
 from game.drawing.canvas import Canvas
 from game.drawing.display_list_painter import DisplayListPainter
-from game.effects.pops import POWER_NAMES
-from game.language import tr
+from game.overlay.help_words import gauges_words, power_words, powers_words
 from game.picture.display_list import DisplayList
 from game.picture.moving.drops import add_chip
-from game.rules import LASTING, TICK, PowerUp
+from game.rules import PowerUp
 from game.screens.toolkit.items.basic import Drawing, Item, TextItem
 from game.screens.toolkit.layout import Row
 
@@ -26,19 +25,12 @@ def power_rows() -> tuple[Row, ...]:
         (*left, *right)
         for left, right in zip(cells[::2], [*cells[1::2], (TextItem("", share=_SIGN), TextItem(""))], strict=False)
     ]
-    caught = tr("A broken brick may release a power-up. It drifts outward: catch it with a paddle before it leaves the circle.")
-    harmful = tr("Let the spiky ones go.")
-    arcs = tr("Arcs beside the circle show how long each lasts; the red one with the target, what is left of a core.")
-    return ((TextItem(f"{caught} {harmful}", 1.1),), (TextItem("", 0.4),), *rows, (TextItem(arcs, 1.0, faint=True),))
+    head, foot = TextItem(powers_words(), 1.1), TextItem(gauges_words(), 1.0, faint=True)
+    return ((head,), (TextItem("", 0.4),), *rows, (foot,))
 
 
 def _cell(kind: PowerUp) -> tuple[Item, Item]:
-    """A sign, and what it does."""
-    words, seconds = _first_upper(tr(POWER_NAMES[kind])), LASTING.get(kind, 0) * TICK
-    if seconds:
-        words = tr("{power} for {seconds:.0f} s").format(power=words, seconds=seconds)
-    if kind in _meanings():
-        words = f"{words}: {_meanings()[kind]}"
+    """A power-up's sign and its explanation."""
 
     def paint(canvas: Canvas, box: pygame.Rect) -> None:
         pixel = complex(*box.center)
@@ -47,19 +39,4 @@ def _cell(kind: PowerUp) -> tuple[Item, Item]:
         add_chip(sign, kind, pixel, radius, canvas.theme)
         _painter.paint(canvas.surface, canvas.type, sign)
 
-    return Drawing(_ROW, paint, share=_SIGN), TextItem(words, 1.0, midway=True)
-
-
-def _first_upper(words: str) -> str:
-    """Words that begin a sentence."""
-    return words[:1].upper() + words[1:]
-
-
-def _meanings() -> dict[PowerUp, str]:
-    """What those do whose names do not say it."""
-    return {
-        PowerUp.MULTI_BALL: tr("two more balls; only losing the last one costs a life."),
-        PowerUp.STICKY: tr("a paddle holds the ball until you serve."),
-        PowerUp.SHIELD: tr("a ring at the rim sends one ball back."),
-        PowerUp.PIERCE: tr("it breaks bricks and flies on."),
-    }
+    return Drawing(_ROW, paint, share=_SIGN), TextItem(power_words(kind), 1.0, midway=True)

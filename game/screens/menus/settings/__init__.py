@@ -1,1 +1,1 @@
-"""The settings on the screen."""
+"""The panel of the settings, and the rows of its tabs."""

@@ -1,4 +1,4 @@
-"""The part of the settings that lets the game fit the player: language, size of text, colours, captions, speed, one button."""
+"""The accessibility settings: language, size of text, colours, captions, speed, play with one button."""
 
 from collections.abc import Callable
 
@@ -16,7 +16,7 @@ _STEP = 5
 
 
 def access_rows(state: AppState, _panel: Screen) -> tuple[Row, ...]:
-    """All of it."""
+    """All rows of the tab."""
     settings = state.settings
     captions = tr("Important sounds in words at the upper right, with where they come from.")
     one_button = tr("In play the paddles turn by themselves; any key, click or tap reverses them and serves.")
@@ -64,7 +64,7 @@ def _speed(state: AppState) -> Slider:
 
 
 def _language(state: AppState) -> ChoiceItem:
-    """The language, each in its own words."""
+    """The choice of the language, each by the name that its speakers use."""
     codes = [SYSTEM, *[language.code for language in LANGUAGES]]
     names = (tr("system language"), *[language.name for language in LANGUAGES])
 
@@ -75,7 +75,7 @@ def _language(state: AppState) -> ChoiceItem:
 
 
 def _label(own: str, english: str) -> str:
-    """A label that is found in a language one does not read."""
+    """A label with its English translation, so that it can be found in a language that the player cannot read."""
     return own if own == english else f"{own} ({english})"
 
 

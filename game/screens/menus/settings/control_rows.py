@@ -1,20 +1,17 @@
-"""The part of the settings that gives keys and buttons to actions: a row for every action, two keys and a button each."""
+"""The settings of the controls: a row for every action, with two keys and a gamepad's button."""
 
 from collections.abc import Callable
 
 from game.input.action_names import action_groups
 from game.input.actions import DEFAULT_KEYS, Action
-from game.input.key_names import NO_KEY, button_name, position_name, positions_in_use
-from game.input.keys import KEYS
+from game.input.key_choice import CaptureTarget, wanted
 from game.language import tr
 from game.screens.app_state import AppState
 from game.screens.base import Screen
-from game.screens.menus.settings.key_capture import CaptureTarget, KeyCapture
+from game.screens.menus.settings.key_capture import KeyCapture
 from game.screens.toolkit.items.basic import ButtonItem, Heading, Item, TableRow
 from game.screens.toolkit.layout import Row
 
-_SLOTS = 2
-"""Keys of an action that are shown."""
 WIDE_TEXT = 1.3
 """Above so many times its usual size text has no room for columns."""
 _KEY_SHARE = 0.62
@@ -22,7 +19,7 @@ _KEY_SHARE = 0.62
 
 
 def control_rows(state: AppState, panel: Screen) -> tuple[Row, ...]:
-    """Everything that can be pressed, by what it is for."""
+    """All rows of the tab, grouped by purpose."""
     rows: list[Row] = [(ButtonItem(tr("Reset all keys and buttons"), _reset(state, panel), centred=True),)]
     for title, actions in action_groups():
         rows.append((Heading(title, "" if len(rows) > 1 else tr("keys, gamepad")),))
@@ -34,27 +31,23 @@ def control_rows(state: AppState, panel: Screen) -> tuple[Row, ...]:
 
 
 def _keys(state: AppState, panel: Screen, action: Action, name: str) -> Row:
-    """An action's keys and its button; each leads to the question for another one. name: what the action is called."""
-    positions, buttons = positions_in_use(action), KEYS.binding(action).buttons
-    keys = [position_name(positions[slot]) if slot < len(positions) else NO_KEY for slot in range(_SLOTS)]
-    pad = button_name(buttons[0]) if buttons else NO_KEY
-    wanted = [
-        *[CaptureTarget(action, name, slot, of_pad=False) for slot in range(_SLOTS)],
-        CaptureTarget(action, name, 0, of_pad=True),
-    ]
+    """The row of an action: two keys and a button; each opens the question for another one. name: of the action."""
     tip = tr("Enter: choose another key. Pressing the same one again removes it.")
-    shown = zip([*keys, pad], wanted, strict=True)
-    cells = [ButtonItem(words, _capture(state, panel, one), tip=tip, centred=True, share=_KEY_SHARE) for words, one in shown]
-    return tuple(cells)
+    return tuple(
+        [
+            ButtonItem(one.shown, _capture(state, panel, one), tip=tip, centred=True, share=_KEY_SHARE)
+            for one in wanted(action, name)
+        ]
+    )
 
 
-def _capture(state: AppState, panel: Screen, wanted: CaptureTarget) -> Callable[[], Screen | None]:
-    """Opens the question for a key."""
-    return lambda: KeyCapture(state, panel, wanted)
+def _capture(state: AppState, panel: Screen, asked: CaptureTarget) -> Callable[[], Screen | None]:
+    """A function that opens the question for a key."""
+    return lambda: KeyCapture(state, panel, asked)
 
 
 def _reset(state: AppState, panel: Screen) -> Callable[[], Screen | None]:
-    """Forgets what the player has chosen."""
+    """A function that restores the default keys."""
 
     def done() -> Screen | None:
         state.change(state.settings._replace(own_keys=DEFAULT_KEYS))

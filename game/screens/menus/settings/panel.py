@@ -12,7 +12,7 @@ from game.screens.toolkit.panel import Panel
 
 
 class SettingsPanel(Panel):
-    """Parts of rows; closing it writes them down."""
+    """The panel of the settings. Closing it stores them."""
 
     def __init__(self, state: AppState, under: Screen) -> None:
         """Open over a screen with the part that was open last."""
@@ -32,7 +32,7 @@ class SettingsPanel(Panel):
         self.state.settings_tab = index
 
     def back(self) -> Screen | None:
-        """Write them down."""
+        """Store the settings, and lead back."""
         self.state.save_settings()
         return super().back()
 

@@ -1,4 +1,4 @@
-"""A line that is only read: it says what the items below it are, or stands between buttons."""
+"""A line of text: a label of the items below it, or words between buttons."""
 
 from dataclasses import dataclass
 

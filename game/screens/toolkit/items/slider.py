@@ -1,4 +1,4 @@
-"""Items that set an amount by a bar with a knob. Lengths are in units of text unless they are said to be pixels."""
+"""Sliders: a bar with a knob sets an amount. Lengths are in units of text unless pixels are named."""
 
 from collections.abc import Callable
 from dataclasses import dataclass
@@ -34,7 +34,7 @@ class Slider(LineItem):
     tip: str = ""
 
     def draw(self, canvas: Canvas, box: pygame.Rect, *, focused: bool) -> None:
-        """The label, how full it is, and the amount in words."""
+        """Draw the label, the bar, and the amount in words."""
         theme, unit = canvas.theme, canvas.unit
         draw_focus(canvas, box, focused=focused)
         bar = self.bar(box, unit)
@@ -67,7 +67,7 @@ class Slider(LineItem):
         return self._offset(pixel, bar) if self._is_on_knob(pixel, bar, unit) else 0j
 
     def pointed(self, panel: Screen, pixel: complex, box: pygame.Rect, unit: float, *, clicked: bool) -> Screen | None:
-        """To where the mouse points; a press on the knob moves nothing."""
+        """Set the amount at the mouse; a press on the knob changes nothing yet."""
         bar = self.bar(box, unit)
         if not clicked or (bar.left - unit <= pixel.real and not self._is_on_knob(pixel, bar, unit)):
             self.put(min(max((pixel.real - bar.left) / max(bar.width, 1), 0.0), 1.0))
@@ -95,7 +95,7 @@ class FieldSlider(Slider):
     is_typed = True
 
     def draw(self, canvas: Canvas, box: pygame.Rect, *, focused: bool) -> None:
-        """How full it is, and the amount in a field."""
+        """Draw the bar and the amount in a field."""
         draw_focus(canvas, box, focused=focused and self.field is None)
         _draw_bar(canvas, self.bar(box, canvas.unit), self.origin, self.level)
         draw_field(canvas, self.field_box(box, canvas.unit), self.words, FIELD_LETTERS, self.field)
@@ -124,7 +124,7 @@ class FieldSlider(Slider):
         return None if self._is_in_field(pixel, box, unit) else super().grip(pixel, box, unit)
 
     def pointed(self, panel: Screen, pixel: complex, box: pygame.Rect, unit: float, *, clicked: bool) -> Screen | None:
-        """To where the mouse points; in the field, type the amount."""
+        """Set the amount at the mouse; in the field, begin to type it."""
         if not clicked or not self._is_in_field(pixel, box, unit):
             return super().pointed(panel, pixel, box, unit, clicked=clicked)
         self.edit(pixel.real - self.field_box(box, unit).left)

@@ -1,4 +1,4 @@
-"""A line of text that is being typed: caret, selection, clipboard; and how it looks."""
+"""A text field: its text, caret and selection as a value, the clipboard, and how it is drawn."""
 
 from typing import NamedTuple
 
@@ -121,5 +121,5 @@ def draw_field(canvas: Canvas, box: pygame.Rect, text: str, size: float, field: 
 
 
 def _width(type_: Type, text: str, pixels: float) -> int:
-    """Of some letters."""
+    """The width of a text, pixels."""
     return type_.rendered(text, pixels, _NO_LETTERS).get_width() if text else 0

@@ -11,10 +11,10 @@ from game.screens.endless_seeds import seed_of
 from game.screens.gallery.sample import sample_state
 from game.screens.menus.level_select import next_level
 from game.screens.menus.results import ResultsPanel
-from game.screens.play.record import record_name
-from game.screens.play.screen import PlayScreen, ghost
+from game.screens.play.screen import PlayScreen
 from game.screens.title import Title
-from game.storage.progress import Best
+from game.storage import ghost
+from game.storage.progress import Best, record_name
 from game.storage.scores import ENDLESS, objection
 from game.storage.storage import Storage
 from physics import direction

@@ -11,9 +11,11 @@ from functools import lru_cache
 from typing import NamedTuple
 
 from game.drawing.palette import Colour, Theme, layer_colour, mixed
-from game.drawing.slots.contents import GLOW_STEPS, ContentKind, SlotContent
+from game.picture.slots.contents import GLOW_STEPS, ContentKind, SlotContent
 from physics import Ring
 
+WHOLE = math.pi * 0.999
+"""Half angle from which a sector is a whole ring, which has no ends."""
 LAYER_HEIGHT = 0.045
 """Height of one layer, in shares of the ground's radius: about a ball's."""
 PADDLE_HEIGHT, STEEL_HEIGHT, SHIELD_HEIGHT = 0.7, 1.0, 0.5

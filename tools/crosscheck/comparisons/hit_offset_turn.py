@@ -14,7 +14,7 @@ from tools.crosscheck.results.measurements import Compared, Comparison, ContactV
 from tools.crosscheck.results.rows import ContactRows
 
 
-def compare_place_turns(checked: CheckedTick, ends: dict[int, Leg], rows: ContactRows) -> None:
+def compare_hit_offset_turns(checked: CheckedTick, ends: dict[int, Leg], rows: ContactRows) -> None:
     """Compare every answer of a tick. ends: by the hit's id, the leg that led to it."""
     for answer in checked.tick.answers:
         leg = ends.get(id(answer.hit))

@@ -11,7 +11,7 @@ from tools.crosscheck.results.measurements import Compared, Comparison, ContactV
 from tools.crosscheck.results.rows import ContactRows
 
 
-def compare_set_free(checked: CheckedTick, index: int, path: FlightPath, rows: ContactRows) -> None:
+def compare_freed_balls(checked: CheckedTick, index: int, path: FlightPath, rows: ContactRows) -> None:
     """Whether pymunk confirms what the physics did with a ball, before the models lose the layers of this tick's hits."""
     tick = checked.tick
     if path.freed is not None:

@@ -4,12 +4,14 @@ The light of this view is above the arena's centre. So inner faces are bright, a
 """
 
 import math
+from functools import lru_cache
 from typing import NamedTuple
 
 from game.drawing.palette import Theme
-from game.drawing.slots.contents import SlotContent, casts_shadow
-from game.drawing.slots.parts import Bar, FootShade, Part, Slab, SlotShape, height, parts, slot_shape
-from game.picture.display_list import WHOLE, DisplayList, Sector
+from game.picture.display_list import DisplayList, Sector
+from game.picture.slots.contents import SlotContent, casts_shadow
+from game.picture.slots.parts import WHOLE, Bar, FootShade, Part, Slab, SlotShape, height, parts
+from game.rules import PADDLES
 from game.scene import Scene
 
 _EDGE, _EDGE_PIXELS = 0.22, 1.5
@@ -28,13 +30,18 @@ _LEAST = 1e-3
 """Pixels; the least length of a shadow."""
 
 
+_Sizes = tuple[tuple[float, float, float, int], ...]
+"""Radius, half width, half angle and count of every ring."""
+
+
 class FlatRing(NamedTuple):
     """What the slots of a ring look like from above, whatever stands in them.
 
     shape: of the slots.
     slots: how many there are.
     scale: pixels per world unit.
-    shadow: length of the longest shadow, world units.
+    shadow: length of the longest shadow, world units: none goes as far as the next ring outwards.
+    lane: where the next ring inwards ends, and where the next one outwards begins, world units; else the centre and the rim.
     theme: the colours.
     """
 
@@ -42,6 +49,7 @@ class FlatRing(NamedTuple):
     slots: int
     scale: float
     shadow: float
+    lane: tuple[float, float]
     theme: Theme
 
     def sector(self, centre: complex, angle: float, out: float = 0.0) -> Sector:
@@ -52,19 +60,40 @@ class FlatRing(NamedTuple):
         return Sector(centre, radii, angle, math.pi if whole else shape.half_angle)
 
 
-def flat_ring(scene: Scene, k: int, scale: float, theme: Theme) -> FlatRing:
-    """The look of a ring. scale: pixels per world unit. No shadow goes as far as the next ring outwards."""
-    ring = scene.rings[k]
-    between = lane(scene, k)[1] - ring.outer_radius - _GAP_PIXELS / scale
-    shadow = min(_SHADOW * scene.ground_radius, max(between, 0.0))
-    return FlatRing(slot_shape(ring, scene.tallest[k], 1.0 / scale), ring.count, scale, shadow, theme)
+def wall_rings(scene: Scene) -> list[int]:
+    """The indices of the rings that are no paddles."""
+    return [k for k in range(len(scene.rings)) if k not in (PADDLES, scene.second_paddle)]
 
 
-def lane(scene: Scene, k: int) -> tuple[float, float]:
+def flat_rings(scene: Scene, scale: float, theme: Theme) -> tuple[FlatRing, ...]:
+    """The look of every ring. scale: pixels per world unit."""
+    rings = tuple([(ring.radius, ring.half_width, ring.half_angle, ring.count) for ring in scene.rings])
+    return _looks(rings, scene.tallest, scene.ground_radius, scale, theme)
+
+
+@lru_cache(maxsize=16)
+def _looks(
+    rings: _Sizes,
+    tallest: tuple[int, ...],
+    ground_radius: float,
+    scale: float,
+    theme: Theme,
+) -> tuple[FlatRing, ...]:
+    """The same, from what does not move."""
+    looks = []
+    for (radius, half_width, half_angle, count), layers in zip(rings, tallest, strict=True):
+        lane = _lane(rings, radius, ground_radius)
+        room = lane[1] - radius - half_width - _GAP_PIXELS / scale
+        shape = SlotShape(radius, half_width, half_angle, layers, 1.0 / scale)
+        looks.append(FlatRing(shape, count, scale, min(_SHADOW * ground_radius, max(room, 0.0)), lane, theme))
+    return tuple(looks)
+
+
+def _lane(rings: _Sizes, radius: float, ground_radius: float) -> tuple[float, float]:
     """Where the next ring inwards ends, and where the next one outwards begins, world units; else the centre and the rim."""
-    radius, rim = scene.rings[k].radius, max(scene.ground_radius, *[ring.outer_radius for ring in scene.rings])
-    inwards = max([ring.outer_radius for ring in scene.rings if ring.outer_radius < radius], default=0.0)
-    return inwards, min([ring.inner_radius for ring in scene.rings if ring.inner_radius > radius], default=rim)
+    outer, inner = ([at + side * half_width for at, half_width, *_ in rings] for side in (1.0, -1.0))
+    rim = max(ground_radius, *outer)
+    return max([at for at in outer if at < radius], default=0.0), min([at for at in inner if at > radius], default=rim)
 
 
 def add_shadow(out: DisplayList, ring: FlatRing, content: SlotContent, sector: Sector) -> None:
