@@ -4,12 +4,12 @@ import sys
 from collections.abc import Callable, Iterable
 
 from game.autopilot import Autopilot
-from game.levels import Level, number_of
+from game.levels import Level, built_in
 from game.replays.file import Recorder
 from game.replays.state_hash import state_hash
 from game.rules import SOURCE_RULES, Advance, Game, Phase, Ruleset, Ticked, layers_left, new_game, tick
 from game.rules.state import PLAYING
-from game.system.ending import pending
+from game.system.ending import deferred_signals
 from physics import advance as swept_advance
 
 _PROGRESS_STEP = 1000
@@ -32,7 +32,7 @@ def autopilot_game(
     game, pilot = new_game(levels, seed, ruleset), Autopilot()
     for start in _with_progress(range(0, ticks, _PROGRESS_STEP)):
         for _ in range(min(_PROGRESS_STEP, ticks - start)):
-            if (game.phase is not PLAYING and game.phase in _ENDED) or pending():
+            if deferred_signals or (game.phase is not PLAYING and game.phase in _ENDED):
                 return game
             controls = pilot.controls(game)
             done = tick(game, controls, advance)
@@ -47,13 +47,14 @@ def autopilot_game(
 def result_line(game: Game, physics: str = "swept") -> str:
     """The one line that says how a game stands.
 
-    level: its number among the levels that come with the game, as the window shows it. layers: still to be broken in it.
+    level: its number as `--level` takes it; of a level that does not come with the game, its number among those being played.
+    layers: still to be broken in it.
     physics: as `--physics` takes it. If two players play against each other, the line has a score and lives of each.
     """
-    number, _ = number_of(game.level, game.levels)
+    listed = built_in() if game.level in built_in() else game.levels
     sides = [f"player_{k}_score={side.score} player_{k}_lives={side.lives} " for k, side in enumerate(game.sides, 1)]
     return (
-        f"ticks={game.tick} seed={game.seed} physics={physics} level={number} phase={game.phase.name.lower()} "
+        f"ticks={game.tick} seed={game.seed} physics={physics} level={listed.index(game.level) + 1} phase={game.phase.name.lower()} "
         f"score={game.score} lives={game.lives} {''.join(sides)}layers={layers_left(game)} hash={state_hash(game)}"
     )
 

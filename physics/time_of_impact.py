@@ -73,6 +73,8 @@ def _first_touch(ball: Ball, ring: Ring, stretch: Stretch, alive: Sequence[int])
         found = contact_above(ball, ring, theta, angle)
         if _meets(ball, ring, found, stretch.heading):
             return Impact(start, slot, found)
+        if _leaves(ball, ring, found, stretch.heading):
+            return None
     reach = angular_reach(ball, ring, span)
     offset = signed_difference(theta, angle)
     clockwise = gap_end(ring, alive, slot, offset, -1, int(over), reach)
@@ -120,6 +122,16 @@ def _meets(ball: Ball, ring: Ring, found: Contact, heading: int) -> bool:
     if found.feature == Feature.INNER_FACE:
         return heading > 0
     return approaches(ball, ring, found)
+
+
+def _leaves(ball: Ball, ring: Ring, found: Contact, heading: int) -> bool:
+    """Whether a ball above a sector flies away from its face. Then it touches no end: all of the ring lies behind the face.
+
+    A ball that overlaps the face by more than TOUCH may still touch an end.
+    """
+    if found.gap < -TOUCH * (ring.radius + ring.half_width + ball.radius):
+        return False
+    return (heading > 0 and found.feature == Feature.OUTER_FACE) or (heading < 0 and found.feature == Feature.INNER_FACE)
 
 
 def approaches(ball: Ball, ring: Ring, found: Contact) -> bool:

@@ -47,7 +47,7 @@ WRONG = {
         "tools/bench.py": "import pygame.draw",
     },
     "What runs in a browser needs the standard library and msgspec alone": {
-        "game/picture/ground/lists.py": "import numpy",
+        "game/picture/view.py": "import numpy",
         "game/web/client/keys.py": "def f():\n    import game.overlay.hud",
     },
     "The drawing knows nothing of what draws with it": {"game/drawing/camera.py": "def f():\n    import game.screens.title"},

@@ -83,15 +83,15 @@ class DisplayListPainter:
 
     def _paint_light(self, surface: pygame.Surface, colour: Colour, strength: float, own: "array[float]") -> None:
         """An ellipse of light."""
-        x, y, across, down, takes = own
+        x, y, across, down, multiplies = own
         whole = pygame.Rect(0, 0, 2 * max(round(across), 1), 2 * max(round(down), 1))
         whole.center = round(x), round(y)
         side, step = max(min(*whole.size, _LARGEST) // _STEP * _STEP, 2), round(strength * _STRENGTHS + 0.499)
-        small = _small_light(side, step, colour, takes=bool(takes))
+        small = _small_light(side, step, colour, multiplies=bool(multiplies))
         part, seen = _seen(whole, surface.get_clip(), small)
         if part.size != (0, 0):
-            picture = self._scaled((side, step, colour, takes), small.picture, part, seen.size)
-            surface.blit(picture, seen, special_flags=pygame.BLEND_RGB_MULT if takes else pygame.BLEND_RGB_ADD)
+            picture = self._scaled((side, step, colour, multiplies), small.picture, part, seen.size)
+            surface.blit(picture, seen, special_flags=pygame.BLEND_RGB_MULT if multiplies else pygame.BLEND_RGB_ADD)
 
     def _scaled(
         self, look: tuple[object, ...], small: pygame.Surface, part: pygame.Rect, size: tuple[int, int]
@@ -275,14 +275,14 @@ class _SmallLight(NamedTuple):
 
 
 @lru_cache(maxsize=256)
-def _small_light(side: int, step: int, colour: Colour, *, takes: bool) -> _SmallLight:
-    """A round light. step: of its strength, up to _STRENGTHS; takes: whether it is multiplied with what is below."""
+def _small_light(side: int, step: int, colour: Colour, *, multiplies: bool) -> _SmallLight:
+    """A round light. step: of its strength, up to _STRENGTHS; multiplies: whether it is multiplied with what is below."""
     light = _fall_off(side) * np.float32(step / _STRENGTHS)
     own = np.array(colour, dtype=np.float32)[:, None, None]
-    rgb = np.rint(255.0 - (255.0 - own) * light if takes else own * light)
+    rgb = np.rint(255.0 - (255.0 - own) * light if multiplies else own * light)
     picture = pygame.Surface((side, side), 0, 32)
     pygame.surfarray.pixels3d(picture)[:] = np.moveaxis(rgb, 0, 2)
-    rows = np.flatnonzero((rgb[:, side // 2] != (255.0 if takes else 0.0)).any(axis=0))
+    rows = np.flatnonzero((rgb[:, side // 2] != (255.0 if multiplies else 0.0)).any(axis=0))
     first, behind = (int(rows[0]), int(rows[-1]) + 1) if len(rows) else (0, 0)
     return _SmallLight(picture, pygame.Rect(first, first, behind - first, behind - first))
 

@@ -13,8 +13,8 @@ Every primitive is its code, its colour (0xRRGGBB, exact in a 32-bit float), its
                                                           lower than their size; room: greatest width, for which the size is
                                                           reduced, 0 for any; on a canvas the text may be runs of letters
                                                           (game/lab/typeset/runs.py)
-    GLOW      x y across down takes                       half axes of an ellipse of light that fades to its edge; takes: 0 if
-                                                          it is added to what is below, 1 if it is multiplied with it
+    GLOW      x y across down multiplies                  half axes of an ellipse of light that fades to its edge; multiplies: 0
+                                                          if it is added to what is below, 1 if it is multiplied with it
     FILL                                                  all of the picture in the colour
     CELLS     x y width height columns rows, then colours a grid of cells, row by row from the top, smoothed
     CLIP      x y width height                            what follows is drawn inside this box only; a width of 0 ends that
@@ -248,10 +248,10 @@ class DisplayList:
         self.texts.append(words)
 
     def glow(
-        self, centre: complex, half_axes: tuple[float, float], colour: Colour, strength: float, *, takes: bool = False
+        self, centre: complex, half_axes: tuple[float, float], colour: Colour, strength: float, *, multiplies: bool = False
     ) -> None:
-        """An ellipse of light. half_axes: across and down. takes: whether it is multiplied with what is below, not added."""
-        self.numbers.extend((Primitive.GLOW, packed(colour), strength, centre.real, centre.imag, *half_axes, takes))
+        """An ellipse of light. half_axes: across and down. multiplies: what is below, instead of being added to it."""
+        self.numbers.extend((Primitive.GLOW, packed(colour), strength, centre.real, centre.imag, *half_axes, multiplies))
 
     def fill(self, colour: Colour) -> None:
         """All of the picture in one colour."""

@@ -56,7 +56,7 @@ def played(game: Game, moving: Arena, controls: Controls, advance: Advance) -> T
         game = with_extra_lives(game, score, events)
     if game.idle >= IDLE_CONTACTS:
         game = nudged(game, events)
-    if game.arena.layers is not moving.layers and not any([layers > 0 for ring in wall_layers(game) for layers in ring]):
+    if (hits or arcade) and game.arena.layers is not moving.layers and _all_broken(game):
         game = _level_cleared(game, events)
     else:
         game = _without_lost_balls(game, events, controls)
@@ -80,6 +80,11 @@ def _by_arcade_rules(game: Game, controls: Controls, step: Step, flown: Arena, e
     game = reversed_rings(regrown(shaped(game), events))
     game = crumbled(game, events)
     return with_speed_now(game, events)
+
+
+def _all_broken(game: Game) -> bool:
+    """Whether no brick of the level is left."""
+    return not any([layers > 0 for ring in wall_layers(game) for layers in ring])
 
 
 def _level_cleared(game: Game, events: list[Event]) -> Game:

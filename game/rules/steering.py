@@ -17,7 +17,10 @@ _HALFWAY = 1e-9
 
 
 def steered(game: Game, controls: Controls) -> Arena:
-    """The arena with the paddles' spin set for this tick. Keys go before pointers, the first player before the second."""
+    """The arena with the paddles' spin set for this tick; the arena itself where they have it already.
+
+    Keys go before pointers, the first player before the second.
+    """
     if game.ruleset.versus:
         return _both_steered(game, controls)
     turn, pointer, _, _, _, second_turn, second_pointer = controls
@@ -25,7 +28,9 @@ def steered(game: Game, controls: Controls) -> Arena:
         turn = second_turn
         pointer = second_pointer if pointer is None else pointer
     arena = game.arena
-    return _with_spin(arena, PADDLES, _spin(game, arena.rings[PADDLES], turn, pointer))
+    paddles = arena.rings[PADDLES]
+    spin = _spin(game, paddles, turn, pointer)
+    return arena if spin == paddles.spin else _with_spin(arena, PADDLES, spin)
 
 
 def _both_steered(game: Game, controls: Controls) -> Arena:
@@ -33,15 +38,14 @@ def _both_steered(game: Game, controls: Controls) -> Arena:
     arena = game.arena
     asked = (controls.turn, controls.pointer), (controls.second_turn, controls.second_pointer)
     for player, (k, (turn, pointer)) in enumerate(zip(paddle_rings(game), asked, strict=True)):
-        spin = _spin(game, arena.rings[k], turn, pointer)
-        arena = _with_spin(arena, k, spin_within(arena.rings[k], player, spin))
+        spin = spin_within(arena.rings[k], player, _spin(game, arena.rings[k], turn, pointer))
+        if spin != arena.rings[k].spin:
+            arena = _with_spin(arena, k, spin)
     return arena
 
 
 def _with_spin(arena: Arena, k: int, spin: float) -> Arena:
-    """The arena with another spin of a ring; the arena itself where it has it already."""
-    if spin == arena.rings[k].spin:
-        return arena
+    """The arena with another spin of a ring."""
     rings = [*arena.rings]
     rings[k] = rings[k].steered(spin)
     return Arena(arena.balls, tuple(rings), arena.layers)

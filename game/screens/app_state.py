@@ -68,7 +68,7 @@ class AppState:
     audio: the sound; None without.
     toast: words that are shown for a moment.
     devices: keyboard, mouse, touch screen and gamepads.
-    told: problems with stored files that were shown already. away: whether another window has the focus.
+    reported: problems with stored files that were shown already. away: whether another window has the focus.
     shown: the appearance of the picture that is on the window; None if it has to be drawn again.
     painter, type: draw all pictures and all text, and cache them; pictures: those of the levels.
     """
@@ -95,7 +95,7 @@ class AppState:
     audio: Audio | None = None
     settings_file: SettingsFile | None = None
     toast: Toast | None = None
-    told: set[str] = field(default_factory=set)
+    reported: set[str] = field(default_factory=set)
     away: bool = False
     shown: object = None
     physics: ChosenPhysics = SWEPT
@@ -152,13 +152,13 @@ class AppState:
         """The same canvas with its unit scaled by the player's text size."""
         return canvas._replace(unit=canvas.unit * self.text_scale)
 
-    def change(self, settings: Settings, told: Toast | None = None) -> None:
-        """Apply other settings at once, to colours, sound, keys and language. told: a message about the change."""
+    def change(self, settings: Settings, message: Toast | None = None) -> None:
+        """Apply other settings at once, to colours, sound, keys and language. message: about the change."""
         self.settings = settings
         KEYS.change(bindings(checked(settings.own_keys)))
         choose(settings.language)
-        if told is not None:
-            self.toast = told
+        if message is not None:
+            self.toast = message
         if self.audio is not None:
             self.audio.muted = not settings.sound
             self.audio.volume = settings.volume / LOUDEST
@@ -172,8 +172,8 @@ class AppState:
     def tell_problem(self) -> None:
         """Say on the screen what could not be saved, once."""
         problems = self.storage.problems
-        if problems and problems[-1] not in self.told:
-            self.told.add(problems[-1])
+        if problems and problems[-1] not in self.reported:
+            self.reported.add(problems[-1])
             self.toast = Toast(problems[-1], left=_TOLD_SECONDS)
 
     def play_sounds(self, ticked: Ticked, camera: Camera) -> None:

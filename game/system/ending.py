@@ -66,12 +66,17 @@ class _Signals:
         self.program = ""
         self.doing = _Doing.WORKING
         self.received: int | None = None
-        self.pending = False
         self.since = 0.0
         self.deferrals = 0
 
 
 _signals = _Signals()
+
+deferred_signals: list[int] = []
+"""The signal that came inside the `deferred` block that is running, as `pending` asks.
+
+A loop whose rounds take microseconds reads this list instead: a call would be 1 % of a headless game.
+"""
 
 
 def watch_signals(program: str) -> None:
@@ -100,7 +105,7 @@ def working() -> Iterator[None]:
 
 def pending() -> bool:
     """Whether a signal came inside the `deferred` block that is running: time to come to its end."""
-    return _signals.pending
+    return bool(deferred_signals)
 
 
 def signal_words() -> str:
@@ -124,8 +129,8 @@ def deferred() -> Iterator[None]:
         yield
     finally:
         _signals.deferrals -= 1
-        if _signals.pending and _signals.deferrals == 0:
-            _signals.pending = False
+        if deferred_signals and _signals.deferrals == 0:
+            deferred_signals.clear()
             raise Ended
 
 
@@ -154,15 +159,16 @@ def _handle(number: int, _frame: FrameType | None) -> None:
     _remind(_REMINDER)
     if not _signals.deferrals:
         raise Ended
-    if not _signals.pending:
-        _signals.pending, _signals.since = True, time.monotonic()
+    if not deferred_signals:
+        deferred_signals.append(number)
+        _signals.since = time.monotonic()
     elif time.monotonic() - _signals.since > _PATIENCE:
         _end_now()
 
 
 def _handle_again(_number: int, frame: FrameType | None) -> None:
     """The work goes on some time after a signal: the exception was lost, as in C code that clears errors while it imports."""
-    if _signals.doing is _Doing.WORKING and not _signals.pending:
+    if _signals.doing is _Doing.WORKING and not deferred_signals:
         _handle(_received(), frame)
 
 

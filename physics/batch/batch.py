@@ -135,9 +135,8 @@ class Batch:
         if autopilot is not None:
             autopilot.check(len(self), len(self._model.rings), self._dt)
         steered = None if spins is None else _checked_spins(spins, self._games.spins.shape)
-        games, parts = self._games, min(threads, len(self))
-        games.dropped[:] = 0
-        games.freed[:] = 0
+        parts = min(threads, len(self))
+        games = self._games = self._games._replace(dropped=np.zeros(len(self), np.int64), freed=np.zeros(len(self), np.int64))
         if autopilot is not None:
             games.steered[autopilot.ring] = games.steered[autopilot.ring] or -1
             if steered is not None:
@@ -153,7 +152,7 @@ class Batch:
         bounds = [len(self) * piece // pieces for piece in range(pieces + 1)]
         lost = np.empty(games.positions.shape, np.bool_)
         hits = shared(lambda n: self._piece(n, steered, bounds[n], bounds[n + 1], ticks, lost, autopilot), pieces, parts)
-        return Steps(joined(hits), lost, games.dropped.copy(), games.freed.copy())
+        return Steps(joined(hits), lost, games.dropped, games.freed)
 
     def arena(self, game: int) -> Arena:
         """One game as the arena that `physics.advance` takes."""

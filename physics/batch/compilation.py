@@ -65,7 +65,7 @@ def check_subnormals() -> None:
 Result = TypeVar("Result")
 
 _LOCK = threading.Lock()
-_REPLACED = {"set_layers", "add_hit", "play_one_tick", "joined"}
+_REPLACED = {"set_layers", "add_hit", "play_one_tick", "joined", "uncounted"}
 """Functions in whose place others are compiled."""
 _INLINED = {"answer_impacts", "clear_time", "first_impact", "gap_end", "touched_now"} | {
     *("_answer", "_clear_of_ring", "_clear_of_sectors", "_earliest", "_first_touch", "_next_impact", "_time_to_touch")
@@ -164,6 +164,7 @@ def _register() -> None:
                 if isfunction(function) and function.__module__ == name and function.__name__ not in _REPLACED:
                     register_jitable(forceinline=name == loop.__name__ or function.__name__ in _INLINED)(function)
     _register_members()
+    _register_uncounted()
 
     @overload(unchecked)
     def _unchecked(cls, fields):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
@@ -180,6 +181,25 @@ def _register() -> None:
     @overload(add_hit)
     def _add_hit(hits, hit):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
         return lambda hits, hit: write_hit(hits, hit)  # noqa: PLW0108  # the names and annotations must be the function's
+
+
+def _register_uncounted() -> None:
+    """An array without an owner: numba finds nothing whose references it could count."""
+    from numba.core import cgutils  # noqa: PLC0415  # an extra
+    from numba.extending import intrinsic, overload  # noqa: PLC0415
+
+    @intrinsic  # type: ignore[untyped-decorator, unused-ignore]
+    def without_owner(typing, array):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
+        def generate(context, builder, signature, arguments):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+            view = context.make_array(signature.return_type)(context, builder, arguments[0])
+            view.meminfo, view.parent = (cgutils.get_null_value(owner.type) for owner in (view.meminfo, view.parent))
+            return view._getvalue()  # noqa: SLF001  # numba's own way to read the struct
+
+        return array(array), generate
+
+    @overload(loop.uncounted)
+    def _uncounted(array):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
+        return lambda array: without_owner(array)  # noqa: PLW0108
 
 
 def _register_tick(compiled_tick: Any) -> None:

@@ -192,7 +192,8 @@ def play(  # noqa: C901, PLR0912  # given to functions, the arrays of the games 
     Hits are added to the rows. Returns the game to go on with, once there are more rows; `last` when all is done.
     """
     known, free, positions, velocities, radii = games.known, games.free, games.positions, games.velocities, games.ball_radii
-    phases, spins, all_layers, steered = games.phases, games.spins, games.layers, games.steered
+    phases, spins, all_layers, steered = games.phases, games.spins, uncounted(games.layers), uncounted(games.steered)
+    rows = Rows(uncounted(rows.hits), uncounted(rows.now))
     balls, rings, courses, now, played = room.balls, room.rings, room.courses, rows.now, games.played
     outward, order = room.outward, room.order
     most = len(rows.hits) - 2 * MAX_IMPACTS * len(balls)
@@ -244,6 +245,15 @@ def play(  # noqa: C901, PLR0912  # given to functions, the arrays of the games 
             tick += 1
         played[g] = ticks
     return last
+
+
+def uncounted(array: Any) -> Any:
+    """The array itself. Compiled, it is one to which numba counts no references.
+
+    numba counts them atomically, for every row of an array and for every array given to a function. Who calls `play` holds the
+    arrays until it returns.
+    """
+    return array
 
 
 def play_one_tick(games: Games, g: int, dt: float, speed: float, rows: Rows, room: Workspace) -> None:

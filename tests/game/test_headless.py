@@ -3,7 +3,7 @@
 import pytest
 
 from game.headless import autopilot_game, result_line
-from game.levels import classic, parse
+from game.levels import campaign, chosen, classic, parse
 from game.overlay.readings import readings
 from game.rules import Ruleset, new_game
 from tests.support.level_text import GOOD
@@ -14,17 +14,18 @@ def values(line):
     return dict(word.split("=") for word in line.split())
 
 
-@pytest.mark.parametrize("levels", [classic(), classic()[1:], classic()[6:], (parse(GOOD, "good"),)])
+@pytest.mark.parametrize("levels", [campaign(), campaign()[6:], classic(), classic()[6:]])
+def test_the_number_of_a_level_is_the_one_that_starts_it(levels):
+    """`--level` takes the number that the result line has, also for classic levels, which are listed after the campaign's."""
+    assert chosen(values(result_line(new_game(levels, 3)))["level"]) == levels
+
+
+@pytest.mark.parametrize("levels", [campaign(), campaign()[6:], (parse(GOOD, "good"),)])
 def test_the_line_and_the_window_name_the_same_level_and_layers(levels):
-    """Whatever level a game starts at, the result line and the window have one number for it, and one for its layers."""
+    """Of the campaign's levels and one's own, the result line and the window have the same number and the same layers."""
     game = new_game(levels, 3)
     said, shown = values(result_line(game)), readings(game)
     assert (said["level"], said["layers"]) == (str(shown.level_number), str(shown.layers))
-
-
-def test_a_game_begun_at_level_2_says_level_2():
-    """The number counts all levels that come with the game, not those that are played."""
-    assert values(result_line(autopilot_game(classic()[1:], 7, 10)))["level"] == "2"
 
 
 def test_the_line_says_what_repeats_the_game():

@@ -2,6 +2,7 @@
 
 import cmath
 import math
+from random import Random
 
 import mpmath
 import pytest
@@ -102,6 +103,25 @@ def osculating():
                                 p = corner + normal * (R + miss)
                                 by = cmath.rect(1.0, -spin * before / spin)
                                 yield Ball(p - v * (before / spin), v, R), ring._replace(phase=(cmath.phase(by)) % math.tau)
+
+
+def balls_at_a_face(overlap):
+    """500 rings, each with a ball above its outer or inner face that flies away from it and overlaps it by so much."""
+    chance = Random(1)
+    for _ in range(500):
+        count, ball_radius, side = chance.choice((3, 40, 400)), chance.choice((R, 0.6)), chance.choice((1, -1))
+        ring = Ring(5.0, 0.4, chance.choice((0.6, 1.0)) * math.pi / count, count, 0.0, chance.choice((0.0, 0.7, -3.0)))
+        theta, turn = chance.random() * math.tau, chance.uniform(-1.57, 1.57)
+        distance = 5.0 + side * (0.4 + ball_radius - overlap)
+        yield Ball(at(distance, theta), at(8.0 * side, theta + turn), ball_radius), ring
+
+
+@pytest.mark.parametrize("overlap", [0.0, 0.1])
+def test_asking_a_ball_for_ends_that_it_flies_away_from_finds_nothing_more(monkeypatch, overlap):
+    """The search spares the ends behind a face only where it finds the same with them, to the bit."""
+    spared = [time_of_impact(ball, ring, 0.5) for ball, ring in balls_at_a_face(overlap)]
+    monkeypatch.setitem(time_of_impact.__globals__, "_leaves", lambda *_: False)
+    assert [time_of_impact(ball, ring, 0.5) for ball, ring in balls_at_a_face(overlap)] == spared
 
 
 def test_no_search_comes_near_the_bound_on_its_steps(monkeypatch):

@@ -221,3 +221,70 @@ def test_help_and_credits_are_the_desktops_words(played):
 def test_positions_of_keys_are_scancodes():
     """The chosen key of the test above is where SDL has K, beside the A that stays."""
     assert (SCANCODES["KeyK"], SCANCODES["KeyA"]) == (14, 4)
+
+
+def test_a_game_is_thrown_away_only_after_a_question(played):
+    """R asks; Escape goes on, and the level that is played can be begun anew, or the first one."""
+    played.go("classic/2")
+    first = played.game
+    menu = played.key("KeyR", "r")["menu"]
+    assert menu["title"] == "Restart?"
+    assert [item["id"] for item in menu["items"]] == ["go-on", "level", "first"]
+    played.key("Escape")
+    assert played.game is first
+    played.key("KeyR", "r")
+    played.choose("level")
+    assert (played.game.level, played.game.tick) == (first.level, 0)
+    assert played.game is not first
+
+
+def test_a_game_that_is_left_is_stored_at_once(tmp_path):
+    """So the ghost of a level finished in it is there even if the page is closed then."""
+    played = PlayedPage(tmp_path)
+    played.go("level/1")
+    for _ in range(60):
+        played.frame(seconds=0.1)
+    played.key("Escape")
+    assert played.choose("title")["keep"]
+    assert len(list((tmp_path / "replays").glob("*.polar"))) == 1
+
+
+def test_a_stored_game_is_named_kept_and_deleted_after_a_question(tmp_path):
+    """What has a title is kept; a best run refers to this one, and the question says so."""
+    stored_run(tmp_path, campaign())
+    (file,) = (tmp_path / "replays").glob("*.polar")
+    played = PlayedPage(tmp_path)
+    played.choose("replays")
+    played.choose(f"replay-{file.name}")
+    assert played.choose("name", "My rally")["keep"]
+    (game,) = played.page._state.storage.games.listed()
+    assert (game.title, game.kept) == ("My rally", True)
+    played.choose("keep", "False")
+    assert not played.page._state.storage.games.listed()[0].kept
+    assert "could no longer be verified" in " ".join(played.choose("delete")["menu"]["lines"])
+    played.key("Escape")
+    assert file.exists()
+    played.choose("delete")
+    played.choose("delete")
+    assert not file.exists()
+    assert played.page._screen.menu.title == "Replays"
+
+
+def test_a_replay_has_its_own_keys_for_speed_beginning_and_end(tmp_path):
+    """They are the desktop's, and leave the volume as it is."""
+    stored_run(tmp_path, campaign())
+    (file,) = (tmp_path / "replays").glob("*.polar")
+    played = PlayedPage(tmp_path)
+    before = played.page._state.settings.volume
+    for item in ("replays", f"replay-{file.name}", "watch"):
+        played.choose(item)
+
+    played.key("Equal", "=")
+    played.key("End")
+    menu = {item.id: item.value for item in played.page._screen.menu.items}
+    assert (menu["speed"], int(menu["second"])) == ("4", 1300 // 240)
+    played.key("Home")
+    played.key("Minus", "-")
+    menu = {item.id: item.value for item in played.page._screen.menu.items}
+    assert (menu["speed"], menu["second"]) == ("1", "0")
+    assert played.page._state.settings.volume == before

@@ -72,8 +72,8 @@ def test_a_key_moves_the_paddles(page):
     page.tab.keyboard.up("ArrowLeft")
 
 
-def test_keys_are_sent_at_once_but_no_more_than_three_wait_for_replies(page):
-    """They wait neither for the browser's next frame nor for a reply. The rest is sent later: the last turns the paddles."""
+def test_keys_are_sent_at_once_but_no_more_than_three_wait_for_pictures(page):
+    """They wait neither for the browser's next frame nor for a picture. The rest is sent later: the last turns the paddles."""
     page.go("classic/1")
     before = page.standing()["paddle"]
     sent = page.tab.evaluate(SENT, 9)

@@ -1,5 +1,7 @@
 """The page on phones, without storage, without WebAssembly, without a network."""
 
+import pytest
+
 from game.web.server import served
 from tests.support.web_page import WebPage
 
@@ -32,12 +34,13 @@ def test_without_storage_it_plays_on_and_says_so(open_page):
         page.wait(lambda: page.standing().get("phase") == "SERVING")
 
 
-def test_without_webassembly_it_says_what_is_needed(browser, site):
+@pytest.mark.parametrize("missing", ["globalThis.WebAssembly", "HTMLCanvasElement.prototype.transferControlToOffscreen"])
+def test_without_what_it_needs_it_says_so(browser, site, missing):
     """One line, no error."""
     with served(site, 0) as address:
         context = browser.new_context(service_workers="block")
         page = WebPage(context.new_page(), address)
-        page.tab.add_init_script("delete globalThis.WebAssembly")
+        page.tab.add_init_script(f"delete {missing}")
         page.open("document.getElementById('loading').textContent.includes('needs a browser')")
         assert page.problems == []
         context.close()

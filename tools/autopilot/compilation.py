@@ -16,6 +16,7 @@ from game.rules.steering import keyed_spin, spin_to_pointer
 from physics.batch.arrays import no_games
 from physics.batch.compilation import sources_hash, with_progress
 from physics.batch.hits import new_rows
+from physics.shapes import Ball
 from tools import autopilot
 from tools.autopilot import plans, steering
 from tools.autopilot.plans import PLAN
@@ -55,11 +56,10 @@ def compiled_autopilot(progress: Callable[[float], None] | None = None) -> Compi
 @functools.cache
 def _compiled() -> CompiledAutopilot:
     """Compile or load; once in a process."""
-    physics.batch.compiled()
+    start = time.perf_counter()
+    replan_cached = register_autopilot()
     import numba  # noqa: PLC0415  # an extra
 
-    start = time.perf_counter()
-    register_autopilot()
     key = autopilot_key()
     to_step = steering.step
 
@@ -73,7 +73,7 @@ def _compiled() -> CompiledAutopilot:
     games, rows = numba.typeof(no_games()), numba.typeof(new_rows(0))
     whole, real = numba.int64, numba.float64
     step.compile((pilots, real, real, games, whole, whole, whole, whole, real, real, rows, numba.boolean[:, ::1]))
-    cached = sum(step.stats.cache_hits.values()) > 0
+    cached = replan_cached and sum(step.stats.cache_hits.values()) > 0
     return CompiledAutopilot(step, time.perf_counter() - start, cached)
 
 
@@ -83,8 +83,9 @@ def autopilot_key() -> str:
 
 
 @functools.cache
-def register_autopilot() -> None:
-    """Tell numba of every function of the autopilot; once in a process. The physics' must be known already."""
+def register_autopilot() -> bool:
+    """Tell numba of the autopilot's functions, and of the physics; once in a process. Whether `replan` was loaded from disk."""
+    physics.batch.compiled()
     from numba.extending import overload, register_jitable  # noqa: PLC0415  # an extra
 
     for function in (keyed_spin, spin_to_pointer):
@@ -94,8 +95,35 @@ def register_autopilot() -> None:
     for module in (prediction, source_plan, plans, steering):
         for function in list(vars(module).values()):
             own = inspect.isfunction(function) and function.__module__ == module.__name__
-            if own and not (module is prediction and function.__name__ in _ON_ARRAYS):
+            if own and function is not plans.replan and not (module is prediction and function.__name__ in _ON_ARRAYS):
                 register_jitable(forceinline=module is steering or function.__name__ in _INLINED)(function)
+    return _register_replan()
+
+
+def _register_replan() -> bool:
+    """Compile `replan`, and have loops call what is compiled, instead of compiling it once more into each of them."""
+    import numba  # noqa: PLC0415  # an extra
+    from numba.extending import overload  # noqa: PLC0415
+
+    key, to_write = autopilot_key(), plans.write_plan
+
+    @numba.njit(cache=True, nogil=True, error_model="numpy", no_cpython_wrapper=True)  # type: ignore[untyped-decorator, unused-ignore]
+    def replan(plan, games, g, ball, tick, speed, top):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+        _ = key
+        to_write(plan, games, g, ball, tick, speed, top)
+
+    whole, real = numba.int64, numba.float64
+    ball = numba.typeof(Ball(0j, 0j, 1.0))
+    replan.compile((numba.from_dtype(PLAN), numba.typeof(no_games()), whole, ball, whole, real, real))
+
+    @overload(plans.replan)
+    def _replan(plan, games, g, ball, tick, speed, top):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001
+        def planned_anew(plan, games, g, ball, tick, speed, top):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202
+            replan(plan, games, g, ball, tick, speed, top)
+
+        return planned_anew
+
+    return bool(sum(replan.stats.cache_hits.values()))
 
 
 def _instead(function: Any) -> Any:

@@ -55,6 +55,11 @@ class ArrayAhead(NamedTuple):
 
 
 def replan(plan: Any, games: Games, g: int, ball: Ball, tick: int, speed: float, top: float) -> None:
+    """Plan anew how a ball of game g is met: `write_plan`. By it loops call what is compiled."""
+    write_plan(plan, games, g, ball, tick, speed, top)
+
+
+def write_plan(plan: Any, games: Games, g: int, ball: Ball, tick: int, speed: float, top: float) -> None:
     """Plan anew how a ball of game g is met. plan: a row of PLAN, written. The others as `source_plan.planned` takes them."""
     outlook = new_outlook(games)
     _copy_bricks(games, g, PADDLES + 1, outlook.games, 0)

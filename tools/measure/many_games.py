@@ -30,17 +30,18 @@ def missing() -> str | None:
 
 
 class ManyGames:
-    """So many games of one arena, and what its balls did while they were timed."""
+    """So many games of one arena, and what its balls did while they were timed. rows: what its name says of the rows."""
 
-    def __init__(self, console: Console, state: Arena, games: int) -> None:
+    def __init__(self, console: Console, state: Arena, games: int, rows: str = "") -> None:
         with console.status("compiling the physics") as status:
             done = compiled(lambda seconds: status.update(f"compiling the physics: {seconds:.0f} s"))
         self.compiled = f"the batch was {'loaded' if done.cached else 'compiled'} in {done.seconds:.1f} s"
         self._arena, self._chance = state, Random(1)
         start = [state._replace(balls=(served(self._chance),)) for _ in range(games)]
         self._batch = Batch(start, dt=TICK, speed=SPEED, ground_radius=GROUND)
-        self._layers = self._batch.layers[0].copy()
-        self.name, self.games = f"physics.batch, {sum([ring.count for ring in state.rings[1:]]):,} bricks", games
+        laid = self._batch.layers[0].copy()
+        self._layers = laid if (laid > 0).any() else None  # what never breaks need not be laid anew
+        self.name, self.games = f"physics.batch, {sum([ring.count for ring in state.rings[1:]]):,} bricks{rows}", games
         if games != _USUAL:
             self.name += f", {games:,} games"
         self._threads, self._is_large = os.cpu_count() or 1, games >= _LARGE
@@ -67,7 +68,7 @@ class ManyGames:
         return aside
 
     def _serve(self, games: Integers) -> None:
-        """Bring lost balls back, and lay the bricks of their games anew."""
+        """Bring lost balls back, and lay anew the bricks of their games that can break."""
         balls = [served(self._chance) for _ in games]
         if len(balls) > 0:
             positions, velocities = np.array([[ball.position] for ball in balls]), np.array([[ball.velocity] for ball in balls])

@@ -19,8 +19,21 @@ CHECK_EVERY = 20
 
 def arena(per_row: int) -> Arena:
     """The standard arena, with so many bricks in each of the three rows."""
-    rows = [Ring(radius, 0.4, 0.9 * math.pi / per_row, per_row) for radius in BRICK_ROWS]
-    layers = (PERMANENT,) * 3, *[(1,) * per_row for _ in rows]
+    return _arena(per_row, 0.9, 1)
+
+
+def closed_arena(per_row: int) -> Arena:
+    """The standard arena, with rows that have no gaps and bricks that never break.
+
+    All balls fly the same, to the bit, into however many bricks a row is divided: what differs is the cost of the bricks alone.
+    """
+    return _arena(per_row, 1.0, PERMANENT)
+
+
+def _arena(per_row: int, share: float, stacked: int) -> Arena:
+    """share: of a row that is brick, the rest is gaps. stacked: layers of each brick."""
+    rows = [Ring(radius, 0.4, share * math.pi / per_row, per_row) for radius in BRICK_ROWS]
+    layers = (PERMANENT,) * 3, *[(stacked,) * per_row for _ in rows]
     return Arena((served(Random(1)),), (PADDLES, *rows), layers)
 
 

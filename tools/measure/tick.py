@@ -28,7 +28,7 @@ from game.system.files import check_target, read_input, write_atomically, write_
 from game.system.wording import quoted_path
 from physics import PERMANENT, Arena, Ball, FreeFlight, Ring, advance
 from tools.measure.contenders import BALLS_IN_A_SPACE, FACETS, Play, box2d_play, facets, floor, plain, polygons, pymunk_play
-from tools.measure.standard_arena import BALL_RADIUS, TICK, arena
+from tools.measure.standard_arena import BALL_RADIUS, TICK, arena, closed_arena
 from tools.measure.whole_games import speeds
 
 if TYPE_CHECKING:
@@ -41,6 +41,8 @@ _QUICK_ROUNDS, _QUICK_TICKS = 3, 400
 _FLOOR_GAMES = 4096
 _BATCHES = (16, 4096), (4, 4096), (4, 1024), (4000, 1024), (16, 65_536)
 """Bricks a row, games: few and many bricks with as many games; the last are shared by threads, too."""
+_CLOSED_BATCHES = (4, 1024), (4000, 1024)
+"""Of these all balls fly the same."""
 _MOST_BYTES = 2**20
 
 
@@ -128,6 +130,7 @@ def _batches(console: Console, wanted: bool | None) -> "list[ManyGames]":  # noq
         console.print(f"without the batch: {lacking}")
         return []
     many = [ManyGames(console, arena(per_row), games) for per_row, games in _BATCHES]
+    many += [ManyGames(console, closed_arena(per_row), games, " in closed rows") for per_row, games in _CLOSED_BATCHES]
     console.print(many[0].compiled)
     return many
 

@@ -46,10 +46,10 @@ _WATCH = """(() => {
     if (!workers.has(this)) {
       workers.add(this);
       this.addEventListener("message", ({ data }) => {
-        if (data.kind !== "frame") return;
-        if (seen.on) seen.painted.push(data.painted);
+        if (data.kind !== "painted") return;
+        if (seen.on) seen.painted.push(data.time);
         const pressed = requests.shift();
-        if (pressed) seen.pictures.push([pressed, data.painted]);
+        if (pressed) seen.pictures.push([pressed, data.time]);
       });
     }
     if (message.kind === "frame") {
@@ -62,7 +62,7 @@ _WATCH = """(() => {
 })()"""
 """Notes when the browser's frames begin, when pictures are painted, and which picture was the first that heeds a key.
 
-Replies come in the order of their requests. Times are in milliseconds.
+Pictures are painted in the order of their requests. Times are in milliseconds.
 """
 _START = "Object.assign(measured, { on: true, frames: [], painted: [], pictures: [] })"
 _STOP = "Object.assign(measured, { on: false })"

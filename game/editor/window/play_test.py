@@ -21,7 +21,7 @@ class PlayTest:
         """Start at the first serve."""
         self._editor, self._state, storage = editor, state, Storage(None)
         own = replace(state, open_title=lambda _: editor, open_levels=None, home=tr_noop("Back to the editor"))
-        self._own = replace(own, recorder=None, storage=storage, told=set(storage.problems))
+        self._own = replace(own, recorder=None, storage=storage, reported=set(storage.problems))
         self._settings = state.settings
         self._inner: Screen = PlayScreen(self._own, (level,))
 

@@ -39,4 +39,4 @@ def _add_light(out: DisplayList, view: ArenaView, position: complex, reach: floa
     camera, dark = view.camera, luminance(view.theme.ground) < 0.5
     wide = reach * camera.scale_at(position)
     full = _BRIGHTNESS if dark else _TINT
-    out.glow(camera.project(position), (wide, wide * math.cos(camera.tilt)), colour, full * strength, takes=not dark)
+    out.glow(camera.project(position), (wide, wide * math.cos(camera.tilt)), colour, full * strength, multiplies=not dark)

@@ -1,4 +1,4 @@
-"""The menus of the page: title, levels, scores, replays."""
+"""The menus of the page: title, levels, scores."""
 
 import datetime as dt
 from collections.abc import Callable, Iterable
@@ -19,6 +19,7 @@ from game.web.client.help import credits_menu, help_menu
 from game.web.client.menu_screen import MenuScreen, Opened
 from game.web.client.messages import PageItem
 from game.web.client.state import PageScreen, PageState
+from game.web.client.stored_games import replays_menu
 
 NAME = "Polar Breakout"
 
@@ -46,7 +47,7 @@ def title(state: PageState, screens: Screens) -> MenuScreen:
             Opened(PageItem("levels", tr("Levels")), lambda _: levels_menu(state, screens)),
             Opened(PageItem("endless", tr("Endless")), lambda _: endless_menu(state, screens)),
             Opened(PageItem("lab", tr("The lab")), lambda _: screens.lab("")),
-            Opened(PageItem("replays", tr("Replays")), lambda _: replays_menu(state, screens)),
+            Opened(PageItem("replays", tr("Replays")), lambda _: replays_menu(state, screens.replay, screens.title)),
             Opened(PageItem("scores", tr("High scores")), lambda _: scores_menu(state, screens)),
             Opened(PageItem("settings", tr("Settings")), lambda _: screens.settings()),
             Opened(PageItem("help", tr("How to play")), lambda _: help_menu(state, screens.title)),
@@ -158,40 +159,3 @@ def scores_menu(state: PageState, screens: Screens) -> MenuScreen:
         return lines or [tr("No scores yet.")], ()
 
     return MenuScreen(state, tr("High scores"), contents, screens.title)
-
-
-def replays_menu(state: PageState, screens: Screens) -> MenuScreen:
-    """The games that were kept."""
-
-    def contents(_menu: MenuScreen) -> tuple[Iterable[str], Iterable[Opened]]:
-        games = state.storage.games.listed()
-        items = [
-            Opened(
-                PageItem(f"replay-{game.file}", f"{game.title or game.date}  {level_name(game.first)}  {grouped(game.score)}"),
-                _watches(state, screens, game.file),
-            )
-            for game in games
-        ]
-        lines = (
-            []
-            if items
-            else [tr("None yet: games of five seconds or more are kept when they end. A file can be dropped on this page.")]
-        )
-        return lines, items
-
-    return MenuScreen(state, tr("Replays"), contents, screens.title)
-
-
-def _watches(state: PageState, screens: Screens, file: str) -> Callable[[str], PageScreen]:
-    """Opens a kept game."""
-
-    def opened(_value: str) -> PageScreen:
-        folder = state.storage.games.folder
-        try:
-            data = b"" if folder is None else (folder / file).read_bytes()
-        except OSError as error:
-            state.notifications.append(f"{file}: {error.strerror}")
-            return screens.title()
-        return screens.replay(file, data)
-
-    return opened

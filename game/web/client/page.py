@@ -63,6 +63,7 @@ from game.web.client.watching import ReplayOnPage, verdict
 
 _REPLAY, _LEVEL, _FUNCTIONS = ".polar", ".toml", ".py"
 _MOST_DIGITS = 5
+_SPEEDS = (Action.LESS, Action.MORE)
 _LIMIT = 8.0
 """Seconds for a frame in which the player's own functions may be asked: a loop in Python ends long before by itself."""
 LAB_KEYS = KeyTable(BINDINGS)
@@ -207,7 +208,9 @@ class Page:
                         self._screen = self._screen.answer(signal, size)
 
     def _changed_setting(self, signal: Signal) -> bool:
-        """Whether a signal was of a key that changes a setting on every screen; it is changed."""
+        """Whether a signal was of a key that changes a setting, which it does on every screen; some change a replay's speed."""
+        if isinstance(self._screen, ReplayOnPage) and isinstance(signal, Pressed) and signal.action in _SPEEDS:
+            return False
         now = changed(self._state.settings, signal.action) if isinstance(signal, Pressed) else None
         if isinstance(signal, Pressed) and signal.action is Action.FULL_SCREEN:
             self._state.full_screen = True

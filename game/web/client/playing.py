@@ -33,7 +33,7 @@ from game.web.client.help import help_menu
 from game.web.client.menu_screen import MenuScreen, Opened
 from game.web.client.menus import Screens
 from game.web.client.messages import PageItem, PageMenu
-from game.web.client.results import Counted, game_results, leaving, level_results
+from game.web.client.results import Counted, game_results, leaving, level_results, restart_menu
 from game.web.client.settings_menu import settings_menu
 from game.web.client.state import PageScreen, PageState, Pictures
 
@@ -41,8 +41,9 @@ _READY_SECONDS = 0.6
 """After a pause with a ball in play, until it flies on."""
 _OFFER_TICKS = round(20.0 / TICK)
 """Without a paddle's touch, until the player may give up the ball."""
-_END_TICKS, _CLEARED_TICKS = 200, 150
-"""From the end of the game, and of a level, to the results: nobody who is still playing chooses an entry by accident."""
+_END_TICKS, _WON_TICKS, _CLEARED_TICKS = 200, 500, 150
+"""From the end of a game that is lost, of one that is won, whose fireworks are seen first, and of a level, to the results:
+nobody who is still playing chooses an entry by accident."""
 _NOTE, _NOTE_LETTER, _NOTE_UP, _NOTE_UP_NARROW = 0.9, 0.57, 0.8, 3.9
 """The line about the physics, in units: size of its letters, width of one in shares of that, height over the lower edge."""
 
@@ -80,7 +81,7 @@ class GameOnPage:
         self._told = -1  # number of the level whose results were shown last
         self._ended = False
         self._captions: tuple[Caption, ...] = ()
-        state.storage.game_done()
+        state.end_game()
         self._record.begin_level(0, 0)
 
     @property
@@ -152,8 +153,10 @@ class GameOnPage:
     def _opened(self, signal: Signal) -> PageScreen | None:
         """What a signal opens; None for nothing."""
         match signal:
-            case Pressed(Action.PAUSE | Action.BACK | Action.RESTART) | FocusLost():
+            case Pressed(Action.PAUSE | Action.BACK) | FocusLost():
                 return self._paused()
+            case Pressed(Action.RESTART):
+                return restart_menu(self._state, self, lambda: self)
             case Pressed(Action.HELP):
                 return help_menu(self._state, lambda: self, self)
             case Pressed(Action.SETTINGS):
@@ -219,6 +222,11 @@ class GameOnPage:
         add_captions(out.frame, self._captions, seen, state.theme, unit, foot)
         if self._physics is not None:
             _add_note(out.frame, self._physics.note, size, state.theme.accent, unit)
+
+    def again(self) -> "GameOnPage":
+        """A new game at the level being played; of endless ones at the first, as everybody begins there."""
+        levels = self._levels if self.endless is not None else self._levels[self.game.number :]
+        return GameOnPage(self._state, self._screens, levels, self._physics, self.endless)
 
     def restarted(self) -> "GameOnPage":
         """The same levels from their first serve."""
@@ -288,13 +296,14 @@ class GameOnPage:
     def _results(self) -> PageScreen | None:
         """The menu after a level or the game, once its end has been seen for a moment."""
         game = self.game
-        if game.phase in (Phase.OVER, Phase.WON) and game.phase_tick >= _END_TICKS and not self._ended:
+        until = _WON_TICKS if game.phase == Phase.WON else _END_TICKS
+        if game.phase in (Phase.OVER, Phase.WON) and game.phase_tick >= until and not self._ended:
             self._ended = True
             return game_results(self._state, self._screens, self, self._record)
         cleared = game.phase == Phase.CLEARED and game.phase_tick >= _CLEARED_TICKS
         if cleared and self._told < game.number and self._pilot is None:
             self._told = game.number
-            return level_results(self._state, self._screens, self)
+            return level_results(self._state, self._screens, self, self._record)
         return None
 
     def went_on(self) -> PageScreen:
@@ -315,7 +324,7 @@ class GameOnPage:
             pilot = PageItem("autopilot", tr("Let the program play"), "switch", str(self._pilot is not None))
             return (self.described,), (
                 Opened(PageItem("go-on", tr("Continue")), lambda _: self),
-                Opened(PageItem("restart", tr("From the first level")), lambda _: self.restarted()),
+                Opened(PageItem("restart", tr("Restart")), lambda _: restart_menu(self._state, self, lambda: menu)),
                 Opened(PageItem("help", tr("How to play")), lambda _: help_menu(self._state, lambda: menu, self)),
                 Opened(PageItem("settings", tr("Settings")), lambda _: settings_menu(self._state, lambda: menu, self)),
                 Opened(pilot, let_play),

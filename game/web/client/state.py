@@ -186,6 +186,12 @@ class PageState:
                 ticked.events, lambda position: camera.side(position, reach), ticked.game.combo, now
             )
 
+    def end_game(self) -> None:
+        """Store the game that was played, if it is worth it, with the bests made in it."""
+        self.storage.game_done()
+        self.changed = True
+        self.tell_problems()
+
     def tell_problems(self) -> None:
         """Say once what could not be read or written."""
         for line in self.storage.problems:

@@ -68,14 +68,12 @@ class ReplayOnPage:
                 return self._screens.title()
             case Pressed(Action.SERVE | Action.PAUSE):
                 self._playing = not self._playing
-            case Pressed(Action.STEP):
-                self._step(1)
-            case Pressed(Action.STEP_BACK):
-                self._step(-1)
-            case Pressed(Action.LEFT):
-                self._seek(int(self._at) - _SECOND)
-            case Pressed(Action.RIGHT):
-                self._seek(int(self._at) + _SECOND)
+            case Pressed(Action.LESS | Action.MORE as action):
+                speeds = list(dict(_SPEEDS))
+                faster = speeds.index(self._speed) + (1 if action is Action.MORE else -1)
+                self._speed = speeds[min(max(faster, 0), len(speeds) - 1)]
+            case Pressed(action):
+                self._move(action)
             case FocusLost():
                 self._playing = False
         self._state.view = self._state.view.after(signal, unit_of(size))
@@ -121,6 +119,22 @@ class ReplayOnPage:
         self._state.draw_scene(out, scene_at(self._ticked, self._at % 1.0, self._effects), seen.camera, size)
         shown = readings(self._ticked.game, self._effects.streak, badge=tr("replay"))
         add_figures(out.frame, shown, Corners(seen, self._state.theme, unit))
+
+    def _move(self, action: Action) -> None:
+        """Go where a key leads."""
+        match action:
+            case Action.STEP:
+                self._step(1)
+            case Action.STEP_BACK:
+                self._step(-1)
+            case Action.LEFT:
+                self._seek(int(self._at) - _SECOND)
+            case Action.RIGHT:
+                self._seek(int(self._at) + _SECOND)
+            case Action.START:
+                self._seek(0)
+            case Action.END:
+                self._seek(self._frames.ticks)
 
     def _step(self, ticks: int) -> None:
         """Stopped, some ticks later."""

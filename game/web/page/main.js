@@ -1,4 +1,4 @@
-// The page: requests pictures from the worker, and passes on what the player did.
+// The page: requests pictures with what the player did, and shows the menus and words that come with them.
 
 import { Controls } from "./controls.js";
 import { Editor } from "./editor.js";
@@ -9,7 +9,7 @@ import { Words } from "./words.js";
 
 const NOTIFICATION_SECONDS = 7;
 const LARGEST_FILE = 16 * 1024 * 1024;
-const MOST_WAITING = 3; // requests without a reply: each key has one of its own, unless the worker is too slow
+const MOST_WAITING = 3; // requests without a picture: each key has one of its own, unless the workers are too slow
 const element = (id) => document.getElementById(id);
 const canvas = element("picture");
 const speaker = new Speaker(), input = new Input(canvas, hurry, (button) => controls.steer(button));
@@ -19,9 +19,9 @@ const words = new Words(element("step"), element("words"));
 const questions = new Map();
 const HUNG = "Your own functions gave no answer, so the page was opened again without them.";
 let limit = 0, worker = null, grader = null, notifiedUntil = 0, asked = 0;
-let ready = false, late = false, sentAt = 0; // late: the next request is sent as soon as no reply is missing
+let ready = false, late = false, sentAt = 0; // late: the next request is sent as soon as no picture is missing
 let size = null, resized = true; // the picture's size in pixels; whether it has to be determined again
-const waiting = []; // when the requests were sent whose replies are missing
+const waiting = []; // when the requests were sent whose pictures are not painted yet
 
 function say(words) {
   element("loading").textContent = words;
@@ -93,8 +93,8 @@ function request(now) {
 }
 
 /**
- * After a key or a button: request a picture at once. It waits neither for the browser's next frame nor for another picture's reply,
- * which some browsers deliver only after the next frame when a key was pressed.
+ * After a key or a button: request a picture at once. It waits neither for the browser's next frame nor for another picture,
+ * of which some browsers tell only after the next frame when a key was pressed.
  */
 function hurry() {
   if (!ready) return;
@@ -203,13 +203,14 @@ function heard({ data }) {
   } else if (data.kind === "progress") {
     element("progress").value = data.share;
   } else if (data.kind === "frame") {
-    waiting.shift();
     heed(data.reply);
+    window.polarBreakout.frames += 1;
+  } else if (data.kind === "painted") {
+    waiting.shift();
     if (!window.polarBreakout.firstFrame) {
       window.polarBreakout.firstFrame = performance.now();
       navigator.serviceWorker?.register("offline.js").catch(() => undefined); // only now: it loads everything once more
     }
-    window.polarBreakout.frames += 1;
     if (late && !waiting.length) request(performance.now());
   } else if (data.kind === "answer") {
     questions.get(data.number)(data.answer);
@@ -229,7 +230,7 @@ function start() {
   const painter = new Worker("picture.js", { type: "module" }), shown = canvas.transferControlToOffscreen();
   worker = new Worker("worker.js", { type: "module" });
   for (const one of [painter, worker]) {
-    one.onerror = (event) => fail(`The game cannot be started: ${event.message ?? "its worker is missing"}`);
+    one.onerror = (event) => fail(`The game cannot ${ready ? "go on" : "be started"}: ${event.message ?? "its worker is missing"}`);
     one.onmessage = heard;
   }
   const base = new URL("./", location.href).href, { port1, port2 } = new MessageChannel();

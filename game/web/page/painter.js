@@ -327,10 +327,10 @@ function box(context, numbers, at, style) {
 }
 
 function glow(context, numbers, at, style) {
-  const x = numbers[at], y = numbers[at + 1], across = numbers[at + 2], down = numbers[at + 3], takes = numbers[at + 4];
+  const x = numbers[at], y = numbers[at + 1], across = numbers[at + 2], down = numbers[at + 3], multiplies = numbers[at + 4];
   if (across < 0.5 || down < 0.5) return;
   const before = context.getTransform();
-  context.globalCompositeOperation = takes ? "multiply" : "lighter";
+  context.globalCompositeOperation = multiplies ? "multiply" : "lighter";
   context.translate(x, y);
   context.scale(1, down / across);
   const gradient = context.createRadialGradient(0, 0, 0, 0, 0, across), own = colour(style);

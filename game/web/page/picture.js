@@ -14,14 +14,14 @@ function showBackdrop({ width, height, background }, { numbers, texts }) {
   paint(backdropContext, numbers, texts);
 }
 
-/** Paint a picture; the browser's next frame shows it. Then the page gets what Python has told it beside the picture. */
-function show({ width, height, background, backdrop, numbers, texts, reply }) {
+/** Paint a picture, and tell the page when that was. The browser's next frame shows it. */
+function show({ width, height, background, backdrop, numbers, texts }) {
   if (canvas.width !== width || canvas.height !== height) [canvas.width, canvas.height] = [width, height];
   if (backdrop) showBackdrop({ width, height, background }, backdrop);
   context.globalAlpha = 1;
   context.drawImage(backdropCanvas, 0, 0);
   paint(context, numbers, texts);
-  self.postMessage({ kind: "frame", reply, painted: performance.timeOrigin + performance.now() });
+  self.postMessage({ kind: "painted", time: performance.timeOrigin + performance.now() });
 }
 
 /** The page gives its canvas, and the port at which Python's worker sends pictures. */

@@ -60,11 +60,12 @@ function copied(list) {
   return copy;
 }
 
-/** Let Python play and draw. Its picture is painted by another worker, which passes the rest of the reply on to the page. */
+/** Let Python play and draw. Another worker paints the picture; the page gets the rest of the reply. */
 function frame(request) {
   const { texts = [], backdrop, backdrop_texts: backdropTexts = [], ...reply } = JSON.parse(page.frame(JSON.stringify(request)));
   background = reply.colours?.background ?? background;
-  const picture = { width: request.width, height: request.height, background, numbers: copied(page.numbers), texts, reply };
+  self.postMessage({ kind: "frame", reply });
+  const picture = { width: request.width, height: request.height, background, numbers: copied(page.numbers), texts };
   if (backdrop) picture.backdrop = { numbers: copied(page.backdrop), texts: backdropTexts };
   pictures.postMessage(picture, [picture.numbers, picture.backdrop?.numbers].filter(Boolean).map((numbers) => numbers.buffer));
   if (reply.keep) save();

@@ -81,14 +81,14 @@ def test_shapes_cover_what_they_say(picture, inside, least):
     assert (got[exact == 0.0] > 0.6).sum() < 20
 
 
-@pytest.mark.parametrize("takes", [False, True])
+@pytest.mark.parametrize("multiplies", [False, True])
 @pytest.mark.parametrize("wide", [60, 39])
-def test_light_is_brightest_in_its_middle_and_ends_at_its_edge(wide, takes):
+def test_light_is_brightest_in_its_middle_and_ends_at_its_edge(wide, multiplies):
     """It adds its colour, or takes the others away, symmetrically and only within its ellipse."""
-    out, ground = DisplayList(), WHITE if takes else GREY
-    out.glow(100 + 100j, (wide, wide / 2), (200, 100, 0), 0.5, takes=takes)
+    out, ground = DisplayList(), WHITE if multiplies else GREY
+    out.glow(100 + 100j, (wide, wide / 2), (200, 100, 0), 0.5, multiplies=multiplies)
     change = painted(out, ground) - ground[0]
-    assert change[100, 100] == pytest.approx([-28, -78, -128] if takes else [100, 50, 0], abs=5)
+    assert change[100, 100] == pytest.approx([-28, -78, -128] if multiplies else [100, 50, 0], abs=5)
     assert np.abs(change - change[::-1]).max() <= 8.0
     off = np.arange(SIDE) + 0.5 - 100
     away = np.hypot(off[:, None] / wide, off[None, :] * 2 / wide)
@@ -173,7 +173,7 @@ def test_a_list_is_read_as_it_was_written():
     out.camera(Camera(0j, 1.0), 1j, (0.4, 0.8), 0.5j)
     out.slot(1.0)
     out.prism((0j, 1j, 1 + 0j), 0.0, 1.0, GREY)
-    out.shadows((0j, 1j, 1 + 0j), [(0.0, 0.0, 1.0), (1.0, 0.0, 2.0)], 0.5)
+    out.shadows((0j, 1j, 1 + 0j), [(0.25, 0.0, 1.0), (0.5, 1.0, 2.0)], 0.5)
     out.box(0j, 4 + 2j, 1.0, GREY, (1.0, WHITE))
     out.texture(1, 2, [GREY, WHITE, GREY, WHITE])
     out.textured(0j, 1.0, 1)
@@ -189,7 +189,7 @@ def test_a_list_is_read_as_it_was_written():
     assert [code for code, *_ in found] == list(Primitive)
     assert unpacked(found[0][1]) == (255, 254, 253)
     assert found[Primitive.SPRITE - 1][3][4:] == chip.numbers
-    assert list(found[Primitive.SHADOWS - 1][3][-4:]) == [1.0, 1.0, 0.0, 2.0]
+    assert list(found[Primitive.SHADOWS - 1][3][-6:]) == [0.25, 0.0, 1.0, 0.5, 1.0, 2.0]
     assert packed(GREY) == found[1][1]
 
 

@@ -32,7 +32,9 @@ GAMES = {name for name, _ in [*screens._games(), *screens._results_of_games()]}
 NO_PANELS = {"title", "replay"}
 LEAST_CONTRAST = 4.5
 PLAYERS = {"ADA", "Ada", "Grace", "Emmy", "Sofia", "Hypatia", "The one with the long rally"}
-EDITED = {"Orbit", "Gravity", "Three orbits", "My level", "my-level.toml", "must fit below"}
+EDITED = {"Orbit", "Gravity", "Three orbits", "My level", "my-level.toml"}
+KEY = "rings[0].radius"
+"""Of a level file: the message about a broken rule names it in every language."""
 NAMES = {
     *PLAYERS,
     *EDITED,
@@ -127,7 +129,7 @@ def test_no_text_is_left_untranslated(state, written, monkeypatch):
         screen = opened(state)
         written.clear()
         screen.draw(surface)
-        latin = {text for text, *_ in written if re.search("[A-Za-z]{2}", text)}
+        latin = {text for text, *_ in written if re.search("[A-Za-z]{2}", text.replace(KEY, ""))}
         assert all(any(name in text for name in NAMES) for text in latin), (name, latin)
         assert len(latin) < len(written)
 
