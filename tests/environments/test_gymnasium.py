@@ -133,7 +133,7 @@ def test_a_recorded_game_is_played_and_verified_by_the_game(tmp_path, actions):
     [
         ({"level": "99"}, "level: .*99"),
         ({"observation": "smell"}, "observation must be 'state', 'rings' or 'pixels', not 'smell'"),
-        ({"actions": "both"}, "actions must be 'discrete' or 'continuous', not 'both'"),
+        ({"actions": "both"}, "actions must be 'discrete', 'continuous' or 'autopilot', not 'both'"),
         ({"frame_skip": 0}, "frame_skip must be a whole number from 1 up, not 0"),
         ({"max_ticks": 1.5}, "max_ticks must be a whole number from 1 up, not 1.5"),
         ({"repeat_action_probability": 1.5}, r"repeat_action_probability must lie in \[0, 1\], not be 1.5"),

@@ -35,6 +35,8 @@ _RATE = 60
 _SCALE = 0.12
 _SAME = 1e-9
 """Seconds between touches that count as simultaneous."""
+_ROUNDING = 1e-9
+"""World units, and world units per second: more than rounding errors of a few bounces add up to."""
 
 
 class _Notch(NamedTuple):
@@ -183,6 +185,8 @@ def _check(given: Given) -> tuple[Claim, ...]:
     alone = _alone(notch)
     tie = len(alone) > 1 and alone[1][0] - alone[0][0] < _SAME
     firsts = (*hits[:1], *turned[:1])
+    left = any([hit.contact.point.real < 0.0 for hit in hits])  # its bricks lie about pi, which a float is not exactly
+    error = _ROUNDING if left else 0.0
     sharp = all([dot(hit.before, hit.contact.normal) < -0.05 * speed and hit.time < notch.dt - _SAME for hit in firsts])
     return (
         Claim("the bounces are in the order of time", times == sorted(times)),
@@ -195,7 +199,7 @@ def _check(given: Given) -> tuple[Claim, ...]:
         ),
         Claim("it leaves each at the speed v_0", all([_leaves(hit, speed) for hit in hits])),
         Claim("each bounce starts from the velocity after the one before", all([_follows(a, b) for a, b in pairwise(hits)])),
-        Claim("a flight that is its own mirror image stays so", not _is_mirrored(notch.ball) or _is_mirrored(end)),
+        Claim("a flight that is its own mirror image stays so", not _is_mirrored(notch.ball) or _is_mirrored(end, error)),
         Claim("in the end the ball overlaps nothing", not notch.apart or min(_gaps(notch.ring, end)) > -1e-8),
         Claim("there are no more than 32 bounces", len({(hit.time, hit.before) for hit in hits}) <= 32),
         Claim(
@@ -210,9 +214,12 @@ def _follows(one: Hit, other: Hit) -> bool:
     return other.before == one.after or (one.time, one.before, one.after) == (other.time, other.before, other.after)
 
 
-def _is_mirrored(ball: Ball) -> bool:
-    """Whether a ball is on the x axis and flies along it, so that it is its own mirror image."""
-    return ball.position.imag == 0.0 and ball.velocity.imag == 0.0
+def _is_mirrored(ball: Ball, error: float = 0.0) -> bool:
+    """Whether a ball is on the x axis and flies along it, so that it is its own mirror image.
+
+    error: of its position, world units, and of its velocity, world units per second, that is allowed.
+    """
+    return abs(ball.position.imag) <= error and abs(ball.velocity.imag) <= error
 
 
 def _gaps(ring: Ring, ball: Ball) -> list[float]:
