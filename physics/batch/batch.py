@@ -2,6 +2,7 @@
 
 import math
 import sys
+import threading
 from collections.abc import Sequence
 from numbers import Integral, Real
 from typing import Any, NamedTuple, Protocol, runtime_checkable
@@ -151,7 +152,12 @@ class Batch:
             self._rows.append(new_rows(_ROWS + 2 * MAX_IMPACTS * games.positions.shape[1]))
         bounds = [len(self) * piece // pieces for piece in range(pieces + 1)]
         lost = np.empty(games.positions.shape, np.bool_)
-        hits = shared(lambda n: self._piece(n, steered, bounds[n], bounds[n + 1], ticks, lost, autopilot), pieces, parts)
+        interrupted = threading.Event()
+
+        def advance(n: int) -> npt.NDArray[Any]:
+            return self._piece(n, steered, bounds[n], bounds[n + 1], ticks, lost, autopilot, interrupted)
+
+        hits = shared(advance, pieces, parts, interrupted)
         return Steps(joined(hits), lost, games.dropped, games.freed)
 
     def arena(self, game: int) -> Arena:
@@ -215,8 +221,12 @@ class Batch:
         ticks: int,
         lost: npt.NDArray[np.bool_],
         autopilot: BatchSteering | None,
+        interrupted: threading.Event,
     ) -> npt.NDArray[Any]:
-        """Advance some of the games. Returns their hits, valid until the next step. number: of the piece. lost: written."""
+        """Advance some of the games. Returns their hits, valid until the next step.
+
+        number: of the piece. lost: written. interrupted: set where nobody wants the rest any more.
+        """
         check_subnormals()
         games, rows = self._games, self._rows[number]
         if spins is not None:
@@ -226,7 +236,7 @@ class Batch:
         game = -1
         while True:
             game = step(games, first, last, game, ticks, self._dt, self._speed, self._ground_radius, rows, lost)
-            if game == last:
+            if game == last or interrupted.is_set():
                 return rows.hits[: rows.now[0]]
             rows = self._rows[number] = Rows(joined([rows.hits, np.empty_like(rows.hits)]), rows.now)
 

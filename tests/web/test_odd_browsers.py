@@ -55,13 +55,16 @@ def test_a_second_tab_stores_nothing_over_the_first(open_page):
         assert page.ask("save") is True
 
 
-@pytest.mark.parametrize("missing", ["globalThis.WebAssembly", "HTMLCanvasElement.prototype.transferControlToOffscreen"])
+@pytest.mark.parametrize(
+    "missing",
+    ["WebAssembly", "DecompressionStream", "OffscreenCanvas", "HTMLCanvasElement.prototype.transferControlToOffscreen"],
+)
 def test_without_what_it_needs_it_says_so(browser, site, missing):
     """One line, no error."""
     with served(site, 0) as address:
         context = browser.new_context(service_workers="block")
         page = WebPage(context.new_page(), address)
-        page.tab.add_init_script(f"delete {missing}")
+        page.tab.add_init_script(f"delete globalThis.{missing}")
         page.open("document.getElementById('loading').textContent.includes('needs a browser')")
         assert page.problems == []
         context.close()
