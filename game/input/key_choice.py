@@ -58,7 +58,7 @@ def given(own: OwnKeys, asked: CaptureTarget, control: int) -> tuple[OwnKeys, st
             changed, taken = rebound(in_use, fixed, asked.action, asked.slot, control)
             told = tr("{action}: {key}") if taken is None else tr("{action}: {key}, no longer {other}")
     except Refused as refused:
-        taken = refused.action
+        control, taken = refused.control, refused.action
         always, last = tr("{key} is reserved: {other}"), tr("{key} stays: {other} has no other key")
         changed, told = {}, always if refused.fixed else last
     name = button_name(control) if asked.of_pad else position_name(control)

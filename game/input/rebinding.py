@@ -37,12 +37,12 @@ class Rebound(NamedTuple):
 
 
 class Refused(Exception):  # noqa: N818  # the answer to a wish, not an error
-    """A key cannot be given away. action: whose it stays."""
+    """A key cannot be given away. control: the key, or the button. action: whose it stays."""
 
-    def __init__(self, action: Action, *, fixed: bool) -> None:
+    def __init__(self, control: int, action: Action, *, fixed: bool) -> None:
         """fixed: it always means that; else it is the last key of an action that needs one."""
         super().__init__(action.name)
-        self.action, self.fixed = action, fixed
+        self.control, self.action, self.fixed = control, action, fixed
 
 
 def rebound(in_use: Controls, fixed: Mapping[int, Action], action: Action, slot: int, control: int) -> Rebound:
@@ -52,11 +52,11 @@ def rebound(in_use: Controls, fixed: Mapping[int, Action], action: Action, slot:
     is one more. control: the new key. Raises Refused.
     """
     if fixed.get(control, action) is not action:
-        raise Refused(fixed[control], fixed=True)
+        raise Refused(control, fixed[control], fixed=True)
     own = list(in_use.get(action, ()))
     replaced = own[slot] if slot < len(own) else None
-    if replaced in fixed and replaced != control:
-        raise Refused(action, fixed=True)
+    if replaced is not None and replaced in fixed and replaced != control:
+        raise Refused(replaced, action, fixed=True)
     if control in own:  # it changes its position among them
         other = own.index(control)
         if replaced is not None:
@@ -68,7 +68,7 @@ def rebound(in_use: Controls, fixed: Mapping[int, Action], action: Action, slot:
         return Rebound({action: tuple(own)}, None)
     left = tuple([one for one in in_use[loser] if one != control])
     if not left and loser in NEEDED:
-        raise Refused(loser, fixed=False)
+        raise Refused(control, loser, fixed=False)
     return Rebound({action: tuple(own), loser: left}, loser)
 
 
@@ -78,9 +78,9 @@ def cleared(in_use: Controls, fixed: Mapping[int, Action], action: Action, slot:
     if slot >= len(own):
         return {}
     if own[slot] in fixed:
-        raise Refused(action, fixed=True)
+        raise Refused(own[slot], action, fixed=True)
     if len(own) == 1 and action in NEEDED:
-        raise Refused(action, fixed=False)
+        raise Refused(own[slot], action, fixed=False)
     del own[slot]
     return {action: tuple(own)}
 

@@ -91,7 +91,7 @@ def _add_score(out: DisplayList, shown: Readings, corners: Corners) -> None:
     below = unit * (_CAPTION * LINE + _BELOW_CAPTION)
     out.text(tr("SCORE"), unit * _CAPTION, corner + 0.5j * unit * _CAPTION * LINE, theme.faint, 0.0)
     out.text(score, unit * _FIGURE, corner + 1j * (below + unit * _FIGURE * LINE / 2.0), theme.text, 0.0)
-    right_of_score = unit * (_FIGURE * width(score) + 1.0)
+    right_of_score = unit * (max(_FIGURE * width(score), _CAPTION * width(tr("SCORE"))) + 1.0)
     combo = corner + complex(right_of_score, below)
     if layout.beside:
         under, aside = corner + 1j * (below + unit * (_FIGURE * LINE + _COMBO_BELOW)), corner + right_of_score - 0.4j * unit

@@ -1,5 +1,6 @@
 """`python -m game web`: the page on this machine, until it is interrupted."""
 
+import sys
 import time
 import webbrowser
 
@@ -14,6 +15,7 @@ def serve(port: int, *, opens: bool) -> None:
     site = built_site(cache_folder())
     with served(site, port) as address:
         print_line(f"{address}  (Ctrl+C ends it)")
+        sys.stdout.flush()  # also where it is a file or a pipe: nothing else is printed until the end
         if opens:
             webbrowser.open(address)
         while True:

@@ -1,8 +1,11 @@
 """Many games of one shape, advanced together."""
 
 import math
+import sys
+import threading
 from collections.abc import Sequence
-from typing import Any, NamedTuple, Protocol
+from numbers import Integral, Real
+from typing import Any, NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 import numpy.typing as npt
@@ -39,6 +42,7 @@ class Steps(NamedTuple):
     freed: Integers
 
 
+@runtime_checkable
 class BatchSteering(Protocol):
     """What gives a ring its spin before every tick: `tools.autopilot.BatchAutopilot`, or another compiled loop."""
 
@@ -79,11 +83,8 @@ class Batch:
     def __init__(self, arenas: Sequence[Arena], *, dt: float, speed: float, ground_radius: float = math.inf) -> None:
         self._dt = _positive("dt", dt)
         self._speed = _positive("speed", speed)
-        if not ground_radius > 0.0:
-            raise ValueError(f"ground_radius must be > 0, not {ground_radius}")
-        self._ground_radius = float(ground_radius)
-        if len(arenas) == 0:
-            raise ValueError("arenas must be at least one, not none")
+        self._ground_radius = _positive("ground_radius", ground_radius, math.inf)
+        _check_list("arenas", arenas)
         for g, arena in enumerate(arenas):
             _check_shape(f"arenas[{g}]", arena, arenas[0])
         self._model = arenas[0]
@@ -130,9 +131,9 @@ class Batch:
         threads: at least 1; the result does not depend on it. autopilot: steers one of the rings before every tick, whatever
         `spins` says of it; None for nothing. Raises ValueError, naming the argument; then nothing is changed.
         """
-        _whole("ticks", ticks, 0)
-        _whole("threads", threads, 1)
+        ticks, threads = _whole("ticks", ticks, 0), _whole("threads", threads, 1)
         if autopilot is not None:
+            _check_steering("autopilot", autopilot)
             autopilot.check(len(self), len(self._model.rings), self._dt)
         steered = None if spins is None else _checked_spins(spins, self._games.spins.shape)
         parts = min(threads, len(self))
@@ -151,15 +152,22 @@ class Batch:
             self._rows.append(new_rows(_ROWS + 2 * MAX_IMPACTS * games.positions.shape[1]))
         bounds = [len(self) * piece // pieces for piece in range(pieces + 1)]
         lost = np.empty(games.positions.shape, np.bool_)
-        hits = shared(lambda n: self._piece(n, steered, bounds[n], bounds[n + 1], ticks, lost, autopilot), pieces, parts)
+        interrupted = threading.Event()
+
+        def advance(n: int) -> npt.NDArray[Any]:
+            return self._piece(n, steered, bounds[n], bounds[n + 1], ticks, lost, autopilot, interrupted)
+
+        hits = shared(advance, pieces, parts, interrupted)
         return Steps(joined(hits), lost, games.dropped, games.freed)
 
     def arena(self, game: int) -> Arena:
-        """One game as the arena that `physics.advance` takes."""
+        """One game as the arena that `physics.advance` takes. ValueError where there is no game of this number."""
+        self._check_game(game)
         return arena_of(self._games, self._model.rings, game)
 
     def put(self, game: int, arena: Arena) -> None:
-        """Replace one game: a lost ball comes back, bricks are laid anew. ValueError where the arena has another shape."""
+        """Replace one game: a lost ball comes back, bricks are laid anew. Raises ValueError, naming the argument."""
+        self._check_game(game)
         _check_shape("arena", arena, self._model)
         mine, new = self._games, arrays_of([arena])
         mine.positions[game], mine.velocities[game], mine.ball_radii[game] = new.positions, new.velocities, new.ball_radii
@@ -180,8 +188,8 @@ class Batch:
         `layers`; None to leave their bricks. Raises ValueError, naming the argument; then nothing is changed.
         """
         mine = self._games
-        shape = (len(games), mine.positions.shape[1])
-        _check_array("games", games, np.dtype(np.int64), (len(games),))
+        shape = (np.size(games), mine.positions.shape[1])
+        _check_array("games", games, np.dtype(np.int64), shape[:1])
         if not ((games >= 0) & (games < len(self))).all():
             raise ValueError(f"games must be from 0 to {len(self) - 1}, not {games.min()} to {games.max()}")
         for name, array in (("positions", positions), ("velocities", velocities)):
@@ -199,6 +207,11 @@ class Batch:
         mine.positions[games], mine.velocities[games] = positions, velocities
         mine.known[games], mine.free[games] = UNKNOWN, 0
 
+    def _check_game(self, game: Any) -> None:
+        """Refuse what is no game's number."""
+        if not isinstance(game, Integral) or isinstance(game, bool) or not 0 <= int(game) < len(self):
+            raise ValueError(f"game must be a whole number from 0 to {len(self) - 1}, not {game!r}")
+
     def _piece(
         self,
         number: int,
@@ -208,8 +221,12 @@ class Batch:
         ticks: int,
         lost: npt.NDArray[np.bool_],
         autopilot: BatchSteering | None,
+        interrupted: threading.Event,
     ) -> npt.NDArray[Any]:
-        """Advance some of the games. Returns their hits, valid until the next step. number: of the piece. lost: written."""
+        """Advance some of the games. Returns their hits, valid until the next step.
+
+        number: of the piece. lost: written. interrupted: set where nobody wants the rest any more.
+        """
         check_subnormals()
         games, rows = self._games, self._rows[number]
         if spins is not None:
@@ -219,7 +236,7 @@ class Batch:
         game = -1
         while True:
             game = step(games, first, last, game, ticks, self._dt, self._speed, self._ground_radius, rows, lost)
-            if game == last:
+            if game == last or interrupted.is_set():
                 return rows.hits[: rows.now[0]]
             rows = self._rows[number] = Rows(joined([rows.hits, np.empty_like(rows.hits)]), rows.now)
 
@@ -231,19 +248,39 @@ def _seen(array: npt.NDArray[Any]) -> npt.NDArray[Any]:
     return view
 
 
-def _positive(name: str, value: float) -> float:
-    """A finite number above 0."""
-    if not 0.0 < value < math.inf:
-        raise ValueError(f"{name} must be finite and > 0, not {value}")
+def _positive(name: str, value: Any, most: float = sys.float_info.max) -> float:
+    """A number above 0, and finite unless `most` is not; ValueError for anything else."""
+    if not (isinstance(value, Real) and 0.0 < float(value) <= most):
+        raise ValueError(f"{name} must be {'' if most == math.inf else 'finite and '}> 0, not {value!r}")
     return float(value)
 
 
-def _whole(name: str, value: int, least: int) -> None:
-    """Refuse what is not a whole number from `least` up, or does not fit into 64 bits."""
-    if not isinstance(value, int) or isinstance(value, bool) or value < least:
+def _check_list(name: str, arenas: Any) -> None:
+    """Refuse what is no sequence with something in it. One arena is a tuple, too, but no list of arenas."""
+    if isinstance(arenas, Arena) or not isinstance(arenas, Sequence):
+        raise ValueError(f"{name} must be a list of arenas, not {_type_name(arenas)}")  # noqa: TRY004  # as every wrong argument
+    if len(arenas) == 0:
+        raise ValueError(f"{name} must be at least one, not none")
+
+
+def _whole(name: str, value: Any, least: int) -> int:
+    """A whole number of Python or numpy from `least` up; ValueError for anything else, or what does not fit into 64 bits."""
+    if not isinstance(value, Integral) or isinstance(value, bool) or int(value) < least:
         raise ValueError(f"{name} must be a whole number from {least} up, not {value!r}")
-    if value > _LARGEST_WHOLE:
+    if int(value) > _LARGEST_WHOLE:
         raise ValueError(f"{name} must be at most {_LARGEST_WHOLE}, not {value}")
+    return int(value)
+
+
+def _check_steering(name: str, value: Any) -> None:
+    """Refuse what cannot steer."""
+    if isinstance(value, type) or not isinstance(value, BatchSteering):
+        raise ValueError(f"{name} must be as BatchAutopilot(level, games) makes it, not {_type_name(value)}")  # noqa: TRY004
+
+
+def _type_name(value: object) -> str:
+    """What a value is, in a message."""
+    return f"the class {value.__name__}" if isinstance(value, type) else type(value).__name__
 
 
 def _checked_spins(spins: Floats, shape: tuple[int, ...]) -> Floats:
@@ -263,8 +300,10 @@ def _check_array(name: str, array: npt.NDArray[Any], dtype: np.dtype[Any], shape
         raise ValueError(f"{name} must be a {dtype} array of shape {shape}, not {said}")
 
 
-def _check_shape(name: str, arena: Arena, model: Arena) -> None:
-    """Refuse an arena with other rings than the model's, other numbers of balls or layers."""
+def _check_shape(name: str, arena: Any, model: Arena) -> None:
+    """Refuse what is no arena, or one with other rings than the model's, other numbers of balls or layers."""
+    if not isinstance(arena, Arena):
+        raise ValueError(f"{name} must be an arena, not {_type_name(arena)}")  # noqa: TRY004  # as for every wrong argument
     if len(arena.balls) != len(model.balls):
         raise ValueError(f"{name} must have {len(model.balls)} balls, as the first, not {len(arena.balls)}")
     if len(arena.rings) != len(model.rings) or len(arena.layers) != len(model.rings):

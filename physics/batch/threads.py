@@ -17,13 +17,16 @@ if hasattr(os, "register_at_fork"):
     os.register_at_fork(after_in_child=_WAITING.clear)  # a child has none of its parent's threads
 
 
-def shared(work: Callable[[int], Result], pieces: int, threads: int) -> list[Result]:
+def shared(
+    work: Callable[[int], Result], pieces: int, threads: int, interrupted: threading.Event | None = None
+) -> list[Result]:
     """The results of `work` for the pieces 0 to below `pieces`, in this order, by this thread and `threads` - 1 others.
 
     Each thread begins with pieces of its own, the same ones in every call, so that its processor's cache still holds them.
     A thread without pieces takes the last one of the thread with the most. An exception is raised here once all are done.
     When the caller is interrupted (Ctrl-C), no further piece is begun, and the interrupt is raised once the pieces under way
-    have ended: they would write into the arrays that the next call uses.
+    have ended: they would write into the arrays that the next call uses. interrupted: set before that, so that `work` can
+    return early.
     """
     if threads == 1:
         return [work(piece) for piece in range(pieces)]
@@ -49,6 +52,8 @@ def shared(work: Callable[[int], Result], pieces: int, threads: int) -> list[Res
         for _ in range(pieces):
             done.get()
     except BaseException:
+        if interrupted is not None:
+            interrupted.set()
         _stop(left, at_work)
         raise
     if errors:

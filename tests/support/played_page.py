@@ -9,9 +9,11 @@ from game.web.client.playing import GameOnPage
 class PlayedPage:
     """A page in the hands of a test."""
 
-    def __init__(self, folder="", **options):
+    def __init__(self, folder="", *, changes=True, **options):
+        """folder: of stored files. changes: whether the sound is turned off, which is stored."""
         self.page = Page(b'{"rate": 1, "sounds": []}', str(folder), calm=True, **options)
-        self.change(sound=False, music=0)
+        if changes:
+            self.change(sound=False, music=0)
 
     def frame(self, *signals, seconds=0.0):
         """The reply to some signals."""

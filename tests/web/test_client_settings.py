@@ -288,3 +288,25 @@ def test_a_replay_has_its_own_keys_for_speed_beginning_and_end(tmp_path):
     menu = {item.id: item.value for item in played.page._screen.menu.items}
     assert (menu["speed"], menu["second"]) == ("1", "0")
     assert played.page._state.settings.volume == before
+
+
+@pytest.mark.parametrize(
+    ("file", "text", "said"),
+    [
+        ("settings.json", "{broken", "settings not readable: moved to "),
+        ("settings.json", '{"version": 99}', "settings of a newer version in "),
+        ("progress.json", "[]", "progress not readable: moved to "),
+    ],
+)
+def test_a_stored_file_that_cannot_be_read_is_told_at_the_start(tmp_path, file, text, said):
+    """Once, with the page's first picture: what the player had chosen or reached is not there."""
+    (tmp_path / file).write_text(text, encoding="utf-8")
+    played = PlayedPage(tmp_path, changes=False)
+    assert said in played.frame()["notification"]
+    assert "notification" not in played.frame()
+
+
+def test_a_key_that_stays_is_the_one_that_is_named(played):
+    """Esc always leads back: another key in its position is refused with the name of Esc."""
+    asked(played, "back-0")
+    assert played.key("KeyJ", "j")["notification"] == "Esc is reserved: Back"

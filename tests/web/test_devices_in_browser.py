@@ -104,3 +104,19 @@ def test_a_layer_is_mixed_as_on_the_desktop(page, layer):
     expected = loop[:, : 2 * int(rate)]
     apart = np.array(ears) - expected
     assert np.sqrt(np.mean(apart**2)) < 0.05 * np.sqrt(np.mean(expected**2))
+
+
+def test_a_key_released_while_ctrl_is_down_is_released(page):
+    """The paddles come to rest: shortcuts of the browser are left to it, but no key stays down for them."""
+    page.use("play")
+    page.wait(lambda: page.standing().get("phase") == "SERVING")
+    keyboard = page.tab.keyboard
+    keyboard.down("ArrowLeft")
+    page.frames(3)
+    keyboard.down("Control")
+    keyboard.up("ArrowLeft")
+    keyboard.up("Control")
+    page.frames(30)
+    before = page.standing()["paddle"]
+    page.frames(5)
+    assert page.standing()["paddle"] == before

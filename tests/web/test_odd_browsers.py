@@ -34,13 +34,37 @@ def test_without_storage_it_plays_on_and_says_so(open_page):
         page.wait(lambda: page.standing().get("phase") == "SERVING")
 
 
-@pytest.mark.parametrize("missing", ["globalThis.WebAssembly", "HTMLCanvasElement.prototype.transferControlToOffscreen"])
+def test_a_second_tab_stores_nothing_over_the_first(open_page):
+    """It has what was stored until it was opened, and says that it adds nothing; what the first stores is there afterwards."""
+    with open_page() as page:
+        second = WebPage(page.tab.context.new_page(), page.address)
+        second.open()
+        second.wait(lambda: "another tab" in second.notification(), second.notification)
+        page.use("settings")
+        page.tab.select_option("#item-colours", "light")
+        page.frames(2)
+        assert page.ask("save") is True
+        second.use("settings")
+        second.tab.uncheck("#item-sound")
+        second.frames(2)
+        assert second.ask("save") is False
+        page.open()
+        page.use("settings")
+        assert page.tab.input_value("#item-colours") == "light"
+        assert page.tab.is_checked("#item-sound")
+        assert page.ask("save") is True
+
+
+@pytest.mark.parametrize(
+    "missing",
+    ["WebAssembly", "DecompressionStream", "OffscreenCanvas", "HTMLCanvasElement.prototype.transferControlToOffscreen"],
+)
 def test_without_what_it_needs_it_says_so(browser, site, missing):
     """One line, no error."""
     with served(site, 0) as address:
         context = browser.new_context(service_workers="block")
         page = WebPage(context.new_page(), address)
-        page.tab.add_init_script(f"delete {missing}")
+        page.tab.add_init_script(f"delete globalThis.{missing}")
         page.open("document.getElementById('loading').textContent.includes('needs a browser')")
         assert page.problems == []
         context.close()

@@ -1,6 +1,7 @@
 """The autopilot that `Batch.step` takes."""
 
 import math
+from numbers import Integral
 from typing import Any
 
 import numpy as np
@@ -14,6 +15,9 @@ from tools.autopilot.compilation import compiled_autopilot
 from tools.autopilot.plans import PLAN
 from tools.autopilot.steering import Pilots
 
+_MOST_GAMES = 2**31 - 1
+"""As many as environments can be."""
+
 
 class BatchAutopilot:
     """Steers the paddles of every game of a batch as `game.autopilot.SourcePilot` steers those of one game, to the bit.
@@ -21,10 +25,12 @@ class BatchAutopilot:
     The paddles are ring 0. Of several balls it meets the outermost that is not lost. It does not serve.
 
     level: how fast its paddles turn at most, and how fast they come to rest. games: how many the batch has.
-    Raises ImportError, naming the extra, without numba. The first one of a machine takes the time to compile.
+    Raises ValueError, naming the argument; ImportError, naming the extra, without numba. The first one of a machine takes the
+    time to compile.
     """
 
     def __init__(self, level: Level, games: int) -> None:
+        _check(level, games)
         self._step = compiled_autopilot().step
         self._top = math.radians(level.paddles.top_speed)
         self._change = math.radians(level.paddles.acceleration) * TICK
@@ -44,8 +50,14 @@ class BatchAutopilot:
         return view
 
     def forget(self, games: Any = slice(None)) -> None:
-        """Plan anew in some games: after a ball was put elsewhere without having been lost. games: an index of an array."""
-        self._pilots.plans["state"][games] = 0
+        """Plan anew in some games: after a ball was put elsewhere without having been lost.
+
+        games: an index of an array: a number, numbers, a mask, or a slice. ValueError where it is none of these games.
+        """
+        try:
+            self._pilots.plans["state"][games] = 0
+        except IndexError as error:
+            raise ValueError(f"games must be an index of {len(self._pilots.plans)} games: {error}") from None
 
     def check(self, games: int, rings: int, dt: float) -> None:
         """Raise ValueError unless it can steer a batch of so many games and rings in ticks of `dt` seconds."""
@@ -73,3 +85,11 @@ class BatchAutopilot:
         return self._step(
             self._pilots, self._top, self._change, games, first, last, begun, ticks, speed, ground_radius, rows, lost
         )
+
+
+def _check(level: Any, games: Any) -> None:
+    """Refuse what is no level, or no number of games."""
+    if not isinstance(level, Level):
+        raise ValueError(f"level must be one of game.levels.chosen(...), not {type(level).__name__}")  # noqa: TRY004  # as below
+    if not isinstance(games, Integral) or isinstance(games, bool) or not 1 <= int(games) <= _MOST_GAMES:
+        raise ValueError(f"games must be a whole number from 1 to {_MOST_GAMES}, not {games!r}")

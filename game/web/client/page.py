@@ -102,6 +102,8 @@ class Page:
         self._music = SILENT
         if stored is None:
             self._state.notifications.append("nothing can be stored here: scores and replays last until the page is closed")
+        else:
+            self._state.tell_problems()
         gc.collect()
         gc.freeze()
 

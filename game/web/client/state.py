@@ -194,7 +194,8 @@ class PageState:
 
     def tell_problems(self) -> None:
         """Say once what could not be read or written."""
-        for line in self.storage.problems:
+        settings = None if self.settings_file is None else self.settings_file.problem
+        for line in [*([] if settings is None else [settings]), *self.storage.problems]:
             if line not in self.problems:
                 self.problems.add(line)
                 self.notifications.append(line)

@@ -4,7 +4,7 @@
 const SEAM = 1; // pixels by which a disc is larger, so that what is painted around it has no seam
 const SHADES = 4096; // squares of radii, up to that of a disc, whose colours are computed
 const shades = new Uint32Array(SHADES + 1);
-let image, layer = new OffscreenCanvas(1, 1);
+let image, layer = null; // made when it is used: the page imports this file, too, also in a browser that has no OffscreenCanvas
 
 /** The primitive GROUND_DISC: the colour of every pixel, by its distance from the centre. */
 export function disc(context, view, numbers, at) {
@@ -12,7 +12,7 @@ export function disc(context, view, numbers, at) {
   const box = boxOf(context.canvas, ellipse(new Path2D(), view, radius, 0));
   if (box.width < 1 || box.height < 1) return;
   shade(numbers, at, radius);
-  if (layer.width < box.width || layer.height < box.height) [layer, image] = [new OffscreenCanvas(box.width, box.height)];
+  if (!layer || layer.width < box.width || layer.height < box.height) [layer, image] = [new OffscreenCanvas(box.width, box.height)];
   const own = layer.getContext("2d");
   image ??= own.createImageData(layer.width, layer.height);
   const pixels = new Uint32Array(image.data.buffer);

@@ -51,7 +51,7 @@ export class Input {
 
   #key(event, down) {
     const inControl = CONTROLS.has(event.target.tagName);
-    if (event.ctrlKey || event.metaKey || event.altKey || event.repeat) return;
+    if (down && (event.ctrlKey || event.metaKey || event.altKey || event.repeat)) return; // a key released meanwhile is released
     if (this.uncaptured && down && !this.uncaptured.includes(event.code)) {
       event.preventDefault();
       event.stopPropagation();

@@ -223,7 +223,8 @@ function heard({ data }) {
 }
 
 function start() {
-  if (typeof WebAssembly === "undefined" || typeof DecompressionStream === "undefined" || !canvas.transferControlToOffscreen) {
+  const needed = ["WebAssembly", "DecompressionStream", "OffscreenCanvas"];
+  if (needed.some((name) => !(name in globalThis)) || !canvas.transferControlToOffscreen) {
     say("This page needs a browser with WebAssembly, DecompressionStream and OffscreenCanvas: Chrome or Edge 119, Firefox 121, Safari 17, or newer.");
     return;
   }

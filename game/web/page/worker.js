@@ -5,11 +5,14 @@ import { discardSnapshots, storeSnapshot } from "./snapshot.js";
 
 const KEPT = "/kept";
 const SNAPSHOT_DELAY = 3000; // milliseconds from the start until its memory is stored
+const LOCK_PATIENCE = 2000; // milliseconds: the page that is loaded again may wait for the end of the worker before
+const ANOTHER_TAB = "the game is open in another tab: what is played in this one is not stored";
 let page = null, pictures = null, python = null, stored = false, storing = Promise.resolve(null), background = "#000";
 
 async function start({ base, calm, languages, touch, grades, port = null }) {
   performance.mark("worker began");
   pictures = port;
+  const first = grades ? null : alone();
   const [started, sounds] = await Promise.all([startedPython(), fetch(`${base}sounds.json`).then((answer) => answer.arrayBuffer())]);
   python = started.python;
   if (grades) {
@@ -17,17 +20,31 @@ async function start({ base, calm, languages, touch, grades, port = null }) {
     page = python.runPython("from tools.grade.page import PageGrader; PageGrader()");
     return;
   }
-  stored = await opened();
+  const read = await opened();
+  stored = read && (await first);
   python.globals.set("index", python.toPy(new Uint8Array(sounds)));
   python.globals.set("languages", languages);
   page = python.runPython(`
 from game.web.client.page import Page
-Page(bytes(index), ${stored ? `"${KEPT}"` : '""'}, calm=${calm ? "True" : "False"}, touch=${touch ? "True" : "False"}, languages=languages)
+Page(bytes(index), ${read ? `"${KEPT}"` : '""'}, calm=${calm ? "True" : "False"}, touch=${touch ? "True" : "False"}, languages=languages)
 `);
+  if (read && !stored) self.postMessage({ kind: "notification", words: ANOTHER_TAB });
   performance.mark("page made");
   if (started.snapshot) {
     storing = new Promise((done) => setTimeout(done, SNAPSHOT_DELAY)).then(() => storeSnapshot(started.snapshot));
   }
+}
+
+/** Whether no other tab stores. What one tab has stored since the other was opened would be deleted by the other's next file. */
+function alone() {
+  if (!navigator.locks) return true; // the page is not from a secure address, as on a local network
+  return new Promise((done) => {
+    const held = () => {
+      done(true);
+      return new Promise(() => undefined); // until this worker ends
+    };
+    navigator.locks.request("stored files", { signal: AbortSignal.timeout(LOCK_PATIENCE) }, held).catch(() => done(false));
+  });
 }
 
 /** Mount what the browser stores for this page; false where it stores nothing. */

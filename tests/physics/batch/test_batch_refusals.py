@@ -21,6 +21,11 @@ ARENA = Arena((Ball(1j, 8 + 0j, 0.25),), (RING,), ((PERMANENT,) * 2,))
     ("arguments", "named"),
     [
         ({"arenas": []}, "arenas must be at least one"),
+        ({"arenas": ARENA}, "arenas must be a list of arenas, not Arena"),
+        ({"arenas": None}, "arenas must be a list of arenas, not NoneType"),
+        ({"arenas": [None]}, r"arenas\[0\] must be an arena, not NoneType"),
+        ({"dt": "1"}, "dt must be finite and > 0, not '1'"),
+        ({"ground_radius": None}, "ground_radius must be > 0, not None"),
         ({"arenas": [ARENA, ARENA._replace(balls=())]}, r"arenas\[1\] must have 1 balls, as the first, not 0"),
         ({"arenas": [ARENA, ARENA._replace(rings=())]}, r"arenas\[1\] must have 1 rings"),
         ({"arenas": [ARENA, ARENA._replace(rings=(RING._replace(radius=6.0),))]}, r"arenas\[1\]\.rings\[0\] must be the first"),

@@ -88,3 +88,23 @@ def test_nothing_is_at_work_any_more_when_the_caller_is_interrupted(monkeypatch)
         shared(work, 9, 3)
     assert len(begun) == 1
     assert ended == begun
+
+
+def test_work_under_way_is_told_that_the_caller_is_interrupted(monkeypatch):
+    """Else Ctrl-C would wait for the longest piece, which may be minutes of a large step."""
+    interrupted, begun, queue_of = threading.Event(), threading.Event(), threads._waiting
+
+    def work(_piece):
+        begun.set()
+        assert interrupted.wait(PATIENCE)
+
+    def one_thread(number):
+        if number == 0:
+            return queue_of(number)
+        begun.wait(PATIENCE)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(threads, "_waiting", one_thread)
+    with pytest.raises(KeyboardInterrupt):
+        shared(work, 9, 3, interrupted)
+    assert interrupted.is_set()
