@@ -35,7 +35,7 @@ from physics import Ball
 from tests.support.pictures import DARK, LIGHT, camera_of, canvas_of
 
 SIZE = (900, 700)
-TOLERANCE = (0.4, 95.0)
+TOLERANCE = (0.3, 80.0)
 """Of the pictures' mean difference and of the worst block's, of 255: pygame draws small dots with whole pixels."""
 PAINT = """async ([numbers, ground, width, height]) => {
   const { paint } = await import("./painter.js");
@@ -58,8 +58,11 @@ COUNT = """async ([numbers, width, height]) => {
   return [alphas, colours];
 }"""
 """Counts on a transparent canvas: pixels by opacity, and opaque pixels by colour."""
-RESTING = (0.55, 28.0)
-"""The same of the ground and of what stands on it, which differ in their smooth edges alone."""
+RESTING = (0.5, 23.0)
+"""The same of the ground and of what stands on it, which differ in their smooth edges alone.
+
+Levels with wells or bumpers are not compared so: their discs and circles are the display list's, and the desktop puts the
+centres of these on the nearest pixel's. That makes up to 60 in the worst block."""
 IN_3D = (0.7, 70.0)
 """The same in 3D: the desktop fills whole pixels of a finer drawing. The worst blocks are pieces some pixels wide: there the
 desktop draws an outline inside each, which makes it up to a pixel wider and its tips blunt."""
