@@ -12,7 +12,6 @@ from game.drawing.raster.arrays import Points, Reals
 from game.drawing.raster.quads import FinePixels, fine_pixels
 from game.drawing.solid.blocks import Blocks, Flags, Integers
 from game.picture.moving.balls import ball_outline
-from game.picture.solid.rings import CLOSE
 from physics import Ball
 
 _MARGIN = 1.3
@@ -118,7 +117,8 @@ def _hidden(seen: ProjectedBlocks, row: Integers, side: Integers, offset: Points
     casting, along = blocks.casting[row], seen.foot[row, following] - seen.foot[row, side]
     aside = np.abs((blocks.normals[row, side] * seen.turn[row]).real)
     inside = ~(seen.facing[row, side] | casting[:, 1] | casting[:, 3])
-    inside &= aside * lean * (blocks.top[row] - blocks.bottom[row]) > _MARGIN * CLOSE
+    gap = np.abs(blocks.shadow_foot[row] - blocks.foot[row]).max(axis=1)
+    inside &= aside * lean * (blocks.top[row] - blocks.bottom[row]) >= _MARGIN * gap
     inside &= np.abs((offset * along.conjugate()).real) <= np.abs(along) ** 2
     begin = seen.top[row, side]
     edge = (seen.top[row, following] - begin).conjugate()

@@ -15,7 +15,7 @@ from game.scene import Scene
 
 _SCALE_STEPS = 8
 """Scales between one and its double for which prisms are divided anew; between two of them they stay as they are."""
-CLOSE = 0.15
+_CLOSE = 0.15
 """World units between two slots below which no light falls through: the shadow of the one goes as far as the other."""
 
 
@@ -106,7 +106,7 @@ def ring_prisms(look: RingLook) -> RingPrisms:
             found[key] = slot_prisms(content, shape, key[1], look.unit, look.theme, look.division)
         slots.append(found[key])
     ends = shape.half_angle < WHOLE
-    close = ends and shape.radius * (math.tau / len(slots) - 2.0 * shape.half_angle) < CLOSE
+    close = ends and shape.radius * (math.tau / len(slots) - 2.0 * shape.half_angle) < _CLOSE
     shadows = tuple([_shadow(slots, slot, close=close) for slot in range(len(slots))])
     return RingPrisms(tuple(slots), shadows, look.division, ends, evenly_lit(shape.half_angle))
 
