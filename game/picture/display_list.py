@@ -67,9 +67,10 @@ equations of `game.drawing.camera.Camera`, so that a list stays the same while t
                                                           outer one. ends: which of the two sides between the arcs there are, 1
                                                           the first, 2 the second, 3 both; even: 1 if the sides of an arc have
                                                           one shade, the one of a side at angle 0
-    SHADOWS   n m, then n times x y, then m times         the shadows of m prisms with one outline: each is the area that the
-              angle low high                              outline, rotated by the angle, sweeps while its height goes from
-                                                          low to high
+    SHADOWS   n m ends, then n times x y, twice, then     the shadows of m prisms with one outline, each rotated by the angle:
+              m times angle low high                      the outline at the height low, and what the sides that face the
+                                                          movement pass over as the height goes to high; these sides are those
+                                                          of the second outline, without the ends that are not in `ends`
 
 So is the ground; a CAMERA comes before it.
 
@@ -88,6 +89,9 @@ from typing import NamedTuple
 
 from game.drawing.camera import Camera
 from game.drawing.palette import Colour
+
+Standing = Sequence[tuple[float, float, float]]
+"""Angle, lower and upper height of prisms."""
 
 
 class Primitive(IntEnum):
@@ -357,10 +361,12 @@ class DisplayList:
         self.numbers.extend((Primitive.PRISM, packed(colour), 1.0, bottom, top, ends, even, len(outline)))
         self._add(outline)
 
-    def shadows(self, outline: Sequence[complex], standing: Sequence[tuple[float, float, float]], opacity: float) -> None:
-        """The shadows of prisms. outline: of their bases; standing: angle, lower and upper height of each."""
-        self.numbers.extend((Primitive.SHADOWS, 0.0, opacity, len(outline), len(standing)))
-        self._add(outline)
+    def shadows(
+        self, outline: Sequence[complex], standing: Standing, opacity: float, casting: Sequence[complex] = (), ends: int = 3
+    ) -> None:
+        """The shadows of prisms. casting: the second outline, if it is not the first one; ends: as in SHADOWS."""
+        self.numbers.extend((Primitive.SHADOWS, 0.0, opacity, len(outline), len(standing), ends))
+        self._add([*outline, *(casting or outline)])
         self.numbers.extend([number for each in standing for number in each])
 
     def extend(self, other: "DisplayList") -> None:
@@ -382,7 +388,7 @@ def primitives(numbers: "array[float]") -> Iterator[tuple[int, int, float, "arra
         elif code == Primitive.CELLS:
             behind = own + 6 + int(numbers[own + 4] * numbers[own + 5])
         elif code == Primitive.SHADOWS:
-            behind = own + 2 + 2 * int(numbers[own]) + 3 * int(numbers[own + 1])
+            behind = own + 3 + 4 * int(numbers[own]) + 3 * int(numbers[own + 1])
         else:
             index, each = _COUNTED[code]
             behind = own + index + 1 + each * int(numbers[own + index])

@@ -35,7 +35,7 @@ from physics import Ball
 from tests.support.pictures import DARK, LIGHT, camera_of, canvas_of
 
 SIZE = (900, 700)
-TOLERANCE = (0.4, 95.0)
+TOLERANCE = (0.3, 80.0)
 """Of the pictures' mean difference and of the worst block's, of 255: pygame draws small dots with whole pixels."""
 PAINT = """async ([numbers, ground, width, height]) => {
   const { paint } = await import("./painter.js");
@@ -58,10 +58,14 @@ COUNT = """async ([numbers, width, height]) => {
   return [alphas, colours];
 }"""
 """Counts on a transparent canvas: pixels by opacity, and opaque pixels by colour."""
-RESTING = (0.55, 28.0)
-"""The same of the ground and of what stands on it, which differ in their smooth edges alone."""
-IN_3D = (0.85, 95.0)
-"""The same in 3D: the desktop fills whole pixels of a finer drawing, and leaves out narrow shadows between blocks."""
+RESTING = (0.5, 23.0)
+"""The same of the ground and of what stands on it, which differ in their smooth edges alone.
+
+Levels with wells or bumpers are not compared so: their discs and circles are the display list's, and the desktop puts the
+centres of these on the nearest pixel's. That makes up to 60 in the worst block."""
+IN_3D = (0.7, 70.0)
+"""The same in 3D: the desktop fills whole pixels of a finer drawing. The worst blocks are pieces some pixels wide: there the
+desktop draws an outline inside each, which makes it up to a pixel wider and its tips blunt."""
 DESCRIPTIONS = (flat._looks, lists.ground_list)
 """What caches parts of the description."""
 SQUARE = (-0.5 - 0.5j, -0.5 + 0.5j, 0.5 + 0.5j, 0.5 - 0.5j)
@@ -211,7 +215,7 @@ def counted(page, picture):
 
 
 def test_a_shadow_is_what_a_foot_passes_over_and_none_is_darker_for_lying_in_two(page):
-    """A square of side 1 moved by (2, 1) sweeps its own area and those swept by its two leading sides."""
+    """A square of side 1 moved by (2, 1) sweeps its area and those of its two leading sides; without the end, one less."""
     camera, picture = Camera(200 + 200j, 40.0), DisplayList()
     picture.camera(camera, 1 + 0j, (0.4, 0.8), 1.0 + 0.5j)
     picture.slot(0.0)
@@ -220,6 +224,12 @@ def test_a_shadow_is_what_a_foot_passes_over_and_none_is_darker_for_lying_in_two
     alphas, _colours = counted(page, picture)
     assert alphas.keys() <= {str(alpha) for alpha in range(129)}
     assert alphas["128"] == pytest.approx(2.0 * (1.0 + 2.0 + 1.0) * camera.scale**2, rel=0.05)
+    picture = DisplayList()
+    picture.camera(camera, 1 + 0j, (0.4, 0.8), 1.0 + 0.5j)
+    picture.slot(0.0)
+    picture.shadows(SQUARE, [(0.0, 0.0, 2.0)], 0.5, ends=1)
+    alphas, _colours = counted(page, picture)
+    assert alphas["128"] == pytest.approx((1.0 + 2.0) * camera.scale**2, rel=0.05)
 
 
 @pytest.mark.parametrize(("light", "share"), [(1j, 0.4), (-1j, 0.8)], ids=["away from the light", "towards it"])

@@ -1,5 +1,7 @@
 """Small anti-aliased shapes on a surface."""
 
+import math
+
 import pygame
 
 from game.drawing.palette import Colour
@@ -10,12 +12,17 @@ HALF_PIXEL = 0.5 + 0.5j
 
 def draw_dot(surface: pygame.Surface, pixel: complex, radius: float, colour: Colour) -> None:
     """A small anti-aliased disc around a pixel. radius: pixels."""
-    pygame.draw.aacircle(surface, colour, (pixel.real - 0.5, pixel.imag - 0.5), radius)
+    pygame.draw.aacircle(surface, colour, _nearest(pixel), radius)
 
 
 def draw_circle(surface: pygame.Surface, pixel: complex, radius: float, width: float, colour: Colour) -> None:
     """A small anti-aliased circle around a pixel. radius: of its outer edge; width: of its line, at least 1. In pixels."""
-    pygame.draw.aacircle(surface, colour, (pixel.real - 0.5, pixel.imag - 0.5), radius, max(round(width), 1))
+    pygame.draw.aacircle(surface, colour, _nearest(pixel), radius, max(round(width), 1))
+
+
+def _nearest(pixel: complex) -> tuple[int, int]:
+    """Column and row of the pixel whose centre is nearest: circles are around the centre of one."""
+    return math.floor(pixel.real), math.floor(pixel.imag)
 
 
 def draw_box(

@@ -80,13 +80,15 @@ def _joined(parts: list[Blocks], counts: list[int]) -> _JoinedBlocks:
 
 def _pushed(joined: _JoinedBlocks, scene: Scene) -> Blocks:
     """The blocks of a scene, those of some slots farther out."""
-    blocks, foot = joined.blocks, None
+    blocks, moved = joined.blocks, joined.blocks
     for k in range(len(scene.rings)):
         for slot, out in pushed_out(scene, k).items():
             rows = np.flatnonzero((joined.ring == k) & (blocks.slot == slot))
-            foot = blocks.foot.copy() if foot is None else foot
-            foot[rows] *= 1.0 + out / np.abs(foot[rows])
-    return blocks if foot is None else blocks._replace(foot=foot)
+            if moved is blocks:
+                moved = blocks._replace(foot=blocks.foot.copy(), shadow_foot=blocks.shadow_foot.copy())
+            for foot in (moved.foot, moved.shadow_foot):
+                foot[rows] *= 1.0 + out / np.abs(foot[rows])
+    return moved
 
 
 def _order(joined: _JoinedBlocks, spans: Sequence[Span], wedges: Sequence[int]) -> Integers:

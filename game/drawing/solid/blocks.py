@@ -4,6 +4,7 @@ Everything here is relative to the ring's phase: a turning ring has the same blo
 """
 
 import math
+from collections.abc import Sequence
 from typing import NamedTuple
 
 import numpy as np
@@ -16,15 +17,13 @@ from game.picture.solid.rings import RingPrisms
 Flags = NDArray[np.bool_]
 Integers = NDArray[np.int64]
 
-_CLOSE = 0.15
-"""World units between two slots; the shadow that falls only there is left out for the sake of speed."""
-
 
 class Blocks(NamedTuple):
     """Many blocks, one a row. Their sides are numbered: outer, left (at the largest angle), inner, right.
 
     foot: four corners, world units: side k from corner k to the next, seen from above counter-clockwise.
     bottom, top: heights, world units.
+    shadow_foot: four corners, as of the foot, where the shadow begins; without meaning where no side casts one.
     shadow_top: height up to which its slot keeps light from the ground, world units.
     slot: number of its slot.
     wedges: the first and the last wedge that the block lies on, counted through all slots of its ring.
@@ -39,6 +38,7 @@ class Blocks(NamedTuple):
     foot: Points
     bottom: Reals
     top: Reals
+    shadow_foot: Points
     shadow_top: Reals
     slot: Integers
     wedges: Integers
@@ -59,7 +59,7 @@ def ring_blocks(ring: RingPrisms) -> Blocks:
     piece = np.arange(len(number)) - np.repeat(np.cumsum(each) - each, each)
     slot = np.repeat(np.arange(len(ring.slots)), [len(stands.prisms) for stands in ring.slots])[number]
     middle = np.exp(1j * slot * (math.tau / len(ring.slots)))
-    foot = _feet(prisms, number, piece) * middle[:, None]
+    foot = _feet([prism.outline for prism in prisms], number, piece) * middle[:, None]
     normals = -1j * (np.roll(foot, -1, axis=1) - foot)
     normals /= np.maximum(np.abs(normals), 1e-12)
     out, into = (middle, -middle) if ring.evenly_lit else (normals[:, 0], normals[:, 2])
@@ -68,11 +68,12 @@ def ring_blocks(ring: RingPrisms) -> Blocks:
     first, last = (ring.ends & (piece == end) for end in (0, pieces - 1))
     sides = np.stack([high, high & last, high, high & first], axis=1)
     lowest = np.array([level == 0 for stands in ring.slots for level in range(len(stands.prisms))], dtype=np.bool_)
-    shadow_tops = np.array([stands.shadow[1] if stands.shadow else 0.0 for stands in ring.slots])
+    shadow_tops = np.array([shadow.high if shadow else 0.0 for shadow in ring.shadows])
     return Blocks(
         foot,
         bottom,
         top,
+        _feet(_shadow_outlines(ring), number, piece) * middle[:, None],
         shadow_tops[slot],
         slot,
         slot[:, None] * ring.division.wedges + _wedges(prisms, ring.division, number, piece),
@@ -91,13 +92,21 @@ def recoloured(blocks: Blocks, ring: RingPrisms) -> Blocks:
 
 
 def _casting(ring: RingPrisms) -> Flags:
-    """Which sides of each slot's lowest prism throw a shadow: its ends do not where a close neighbour is as high."""
-    shadows = [stands.shadow or (0.0, 0.0) for stands in ring.slots]
-    tops = np.array([high for _, high in shadows])
-    near = np.array([high if low == 0.0 else 0.0 for low, high in shadows]) if ring.gap < _CLOSE else np.zeros(len(tops))
-    left, right = ((tops > np.roll(near, step)) for step in (-1, 1))
-    arcs = np.ones(len(tops), dtype=np.bool_)
-    return np.asarray(np.stack([arcs, left, arcs, right], axis=1))
+    """Which sides of each slot's lowest prism throw a shadow: all but the ends that are joined to a neighbour."""
+    found = np.zeros((len(ring.shadows), 4), dtype=np.bool_)
+    for slot, shadow in enumerate(ring.shadows):
+        if shadow is not None:
+            found[slot] = True, shadow.ends & 2, True, shadow.ends & 1
+    return found
+
+
+def _shadow_outlines(ring: RingPrisms) -> list[tuple[complex, ...]]:
+    """For all prisms of a ring: of the lowest ones the outline that casts the slot's shadow, of the others their own."""
+    return [
+        shadow.casting if shadow and level == 0 else prism.outline
+        for stands, shadow in zip(ring.slots, ring.shadows, strict=True)
+        for level, prism in enumerate(stands.prisms)
+    ]
 
 
 def _prisms(ring: RingPrisms) -> list[Prism]:
@@ -120,15 +129,15 @@ def _wedges(prisms: list[Prism], division: SlotDivision, number: Integers, piece
     return wedges
 
 
-def _feet(prisms: list[Prism], number: Integers, piece: Integers) -> Points:
-    """The feet, as in `Blocks`, but of slots at angle 0. number, piece: of each block's prism, and within it."""
+def _feet(outlines: Sequence[tuple[complex, ...]], number: Integers, piece: Integers) -> Points:
+    """The feet, as in `Blocks`, but of slots at angle 0. outlines: of prisms; number, piece: a block's prism, and within it."""
     feet: list[tuple[complex, ...]] = []
     first: dict[int, int] = {}  # by the identity of an outline, since most prisms share theirs
-    for prism in prisms:
-        if id(prism.outline) not in first:
-            first[id(prism.outline)] = len(feet)
-            feet += _cut(prism.outline)
-    rows = np.array([first[id(prism.outline)] for prism in prisms], dtype=np.int64)
+    for outline in outlines:
+        if id(outline) not in first:
+            first[id(outline)] = len(feet)
+            feet += _cut(outline)
+    rows = np.array([first[id(outline)] for outline in outlines], dtype=np.int64)
     return np.asarray(np.array(feet, dtype=np.complex128).reshape(-1, 4)[rows[number] + piece])
 
 

@@ -1,5 +1,6 @@
 """Blocks as the camera sees them: points on the screen, and the faces that can be seen, from back to front."""
 
+import math
 from typing import NamedTuple
 
 import numpy as np
@@ -13,6 +14,8 @@ from game.drawing.solid.blocks import Blocks, Flags, Integers
 from game.picture.moving.balls import ball_outline
 from physics import Ball
 
+_MARGIN = 1.3
+"""Factor for what the equations of hidden shadows leave out: perspective, and that walls are bent."""
 _TOP = 4
 """Number of the top among a block's faces; its sides come first."""
 _FACES = np.array([[k, (k + 1) % 4, 4 + (k + 1) % 4, 4 + k] for k in range(4)] + [[0, 1, 2, 3]])
@@ -85,20 +88,43 @@ def shadows(seen: ProjectedBlocks, balls: tuple[Ball, ...], camera: Camera, fine
     """The ground in the shadow of blocks and balls, as quadrilaterals.
 
     A block's shadow is what its sides that are turned from the light pass over as they are moved down the light, and while it
-    falls, what its foot does. The shadow of a side that is turned from the eye is hidden by the block that stands there, unless
-    the block ends a row.
+    falls, what its foot does.
     """
     blocks, down_light = seen.blocks, shadow_offset(camera) * camera.turning
     ahead = (blocks.normals * (seen.turn * down_light.conjugate())[:, None]).real > 0.0
     falling = blocks.casting[:, 0] & (blocks.bottom > 0.0)
-    seen_around = (blocks.casting[:, 1] | blocks.casting[:, 3] | falling)[:, None]
-    row, side = np.nonzero(blocks.casting & ahead & (seen.facing | seen_around))
-    ends = seen.foot[row, side], seen.foot[row, (side + 1) % 4]
+    row, side = np.nonzero(blocks.casting & ahead)
+    ends = [blocks.shadow_foot[row, end] * seen.turn[row] for end in (side, (side + 1) % 4)]
     low, high = down_light * blocks.bottom[row], down_light * blocks.shadow_top[row]
     corners = [np.stack([ends[0] + low, ends[1] + low, ends[1] + high, ends[0] + high], axis=1)]
-    corners.append(seen.foot[falling] + down_light * blocks.bottom[falling, None])
+    corners.append(blocks.shadow_foot[falling] * seen.turn[falling, None] + down_light * blocks.bottom[falling, None])
     corners += [_strips(ball_outline(ball)) * camera.turning + down_light * ball.radius for ball in balls]
-    return fine_pixels(camera.projected(np.concatenate(corners), 0.0), finer)
+    shown = camera.projected(np.concatenate(corners), 0.0)
+    kept = np.ones(len(shown), dtype=np.bool_)
+    kept[: len(row)] = falling[row] | ~_hidden(seen, row, side, np.asarray(high), shown[: len(row), 2:], math.tan(camera.tilt))
+    return fine_pixels(shown[kept], finer)
+
+
+def _hidden(seen: ProjectedBlocks, row: Integers, side: Integers, offset: Points, far: Points, lean: float) -> Flags:
+    """Which shadows of sides are wholly behind what stands there, a wall of blocks.
+
+    The side is turned from the eye, and so far aside that one does not see through the gaps in the wall; the wall goes on at
+    both ends of the block, at least as far as the shadow does; and on the screen the shadow ends below the wall's top edge.
+    row, side: of each shadow's block, and the side that casts it. offset: of the far edge from the side, world units, turned by
+    `Camera.turning`; far: its ends, pixels. lean: how far along the ground a line of sight goes for each unit of height.
+    """
+    blocks, following = seen.blocks, (side + 1) % 4
+    casting, along = blocks.casting[row], seen.foot[row, following] - seen.foot[row, side]
+    aside = np.abs((blocks.normals[row, side] * seen.turn[row]).real)
+    inside = ~(seen.facing[row, side] | casting[:, 1] | casting[:, 3])
+    gap = np.abs(blocks.shadow_foot[row] - blocks.foot[row]).max(axis=1)
+    inside &= aside * lean * (blocks.top[row] - blocks.bottom[row]) >= _MARGIN * gap
+    inside &= np.abs((offset * along.conjugate()).real) <= np.abs(along) ** 2
+    begin = seen.top[row, side]
+    edge = (seen.top[row, following] - begin).conjugate()
+    below = np.sign(((seen.bottom[row, side] - begin) * edge).imag)[:, None]
+    inside &= (((far - begin[:, None]) * edge[:, None]).imag * below >= np.abs(edge)[:, None]).all(axis=1)  # by a pixel
+    return np.asarray(inside)
 
 
 def _strips(outline: list[complex]) -> Points:

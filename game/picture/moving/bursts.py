@@ -1,5 +1,7 @@
 """Pieces that fly off a struck brick or paddle: plates that tumble and glitter, and streaks."""
 
+from collections.abc import Sequence
+
 from game.drawing.camera import Camera
 from game.drawing.palette import Colour
 from game.drawing.piece_look import (
@@ -20,6 +22,9 @@ from game.picture.display_list import DisplayList
 from game.picture.view import ArenaView
 from game.rules import TICK
 from game.scene import Scene
+
+_LEAST_WIDTH = 1.0
+"""Pixels; a plate seen edge-on, or a thin streak, is a line so wide."""
 
 Flying = tuple[complex, DisplayList]
 """A piece in the air: the point of the ground below it, and its primitives."""
@@ -47,7 +52,7 @@ def _add_plate(out: DisplayList, piece: FlyingPiece[float], own: Colour, camera:
     share, white = glitter(NUMBERS, plate_light(NUMBERS, piece.turn, piece.tumble))
     red, green, blue = own
     colour = round(red * share + white), round(green * share + white), round(blue * share + white)
-    out.polygon(camera.pixels_above(plate(NUMBERS, piece)), colour)
+    _add_shape(out, camera.pixels_above(plate(NUMBERS, piece)), colour)
 
 
 def _add_streak(
@@ -58,4 +63,14 @@ def _add_streak(
     front, back = camera.pixels_above([piece[:3], before])
     parts = zip(own, theme.flash, theme.ground, strict=True)
     red, green, blue = [round(burning(NUMBERS, float(one), float(hot), float(cold), share)) for one, hot, cold in parts]
-    out.polygon(streak(front, back, STREAK_WIDTH * piece.size * camera.scale), (red, green, blue))
+    _add_shape(out, streak(front, back, STREAK_WIDTH * piece.size * camera.scale), (red, green, blue))
+
+
+def _add_shape(out: DisplayList, corners: Sequence[complex], colour: Colour) -> None:
+    """Add a quadrilateral, or a line where it is narrower than one on average. corners: pixels."""
+    one, other = corners[2] - corners[0], corners[3] - corners[1]
+    begin = 0 if abs(one) >= abs(other) else 1
+    if abs((one.conjugate() * other).imag) < 2.0 * _LEAST_WIDTH * max(abs(one), abs(other)):
+        out.line([corners[begin], corners[begin + 2]], _LEAST_WIDTH, colour)
+    else:
+        out.polygon(corners, colour)

@@ -13,7 +13,7 @@ from game.picture.moving.bursts import Flying
 from game.picture.slots.contents import Contents
 from game.picture.solid.order import Span, among_rings, back_to_front
 from game.picture.solid.prisms import SlotPrisms, part_of
-from game.picture.solid.rings import RingLook, RingPrisms, pushed_out, ring_looks, ring_prisms
+from game.picture.solid.rings import RingLook, RingPrisms, SlotShadow, pushed_out, ring_looks, ring_prisms
 from game.scene import Scene
 
 
@@ -95,10 +95,11 @@ class _RingLists:
                 out.extend(self._shadows)
             return
         count = len(self._prisms.slots)
-        for slot, stands in enumerate(self._prisms.slots):
-            if stands.shadow is not None:
+        for slot, shadow in enumerate(self._prisms.shadows):
+            if shadow is not None:
                 out.slot(phase + math.tau * slot / count, pushed.get(slot, 0.0))
-                out.shadows(stands.prisms[0].outline, [(0.0, *stands.shadow)], self.look.theme.shadow)
+                standing = [(0.0, shadow.low, shadow.high)]
+                out.shadows(shadow.outline, standing, self.look.theme.shadow, shadow.casting, shadow.ends)
 
     def span(self, span: Span) -> DisplayList:
         """What wedges of a slot have.
@@ -134,12 +135,13 @@ class _RingLists:
 
 
 def _shadows(ring: RingPrisms, theme: Theme) -> DisplayList:
-    """The shadows of a ring at phase 0. Those of slots with the same outline are one primitive."""
+    """The shadows of a ring at phase 0. Those of slots with the same outlines are one primitive."""
     out, count = DisplayList(), len(ring.slots)
-    standing: dict[tuple[complex, ...], list[tuple[float, float, float]]] = {}
-    for slot, stands in enumerate(ring.slots):
-        if stands.shadow is not None:
-            standing.setdefault(stands.prisms[0].outline, []).append((math.tau * slot / count, *stands.shadow))
-    for outline, slots in standing.items():
-        out.shadows(outline, slots, theme.shadow)
+    alike: dict[SlotShadow, list[tuple[float, float, float]]] = {}
+    for slot, shadow in enumerate(ring.shadows):
+        if shadow is not None:
+            key = shadow._replace(low=0.0, high=0.0)
+            alike.setdefault(key, []).append((math.tau * slot / count, shadow.low, shadow.high))
+    for shadow, standing in alike.items():
+        out.shadows(shadow.outline, standing, theme.shadow, shadow.casting, shadow.ends)
     return out

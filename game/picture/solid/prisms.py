@@ -59,8 +59,7 @@ class SlotPrisms(NamedTuple):
     """What stands in a slot.
 
     prisms: from the lowest to the highest.
-    shadow: None if it throws none; else the heights, world units, between which it keeps the light from the ground. The shadow
-    is what the outline of the lowest prism passes over as it is moved from the one height to the other along the light.
+    shadow: None if it throws none; else the heights, world units, between which it keeps the light from the ground.
     """
 
     prisms: tuple[Prism, ...]

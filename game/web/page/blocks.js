@@ -3,6 +3,7 @@
 import { colour } from "./colours.js";
 
 const CORNERS = 512; // of one prism at most
+const UNDER_TOP = 0.7; // pixels that a side goes on below the top: between two antialiased edges the background shows
 const pixels = { top: new Float64Array(2 * CORNERS), bottom: new Float64Array(2 * CORNERS) };
 const ahead = new Uint8Array(CORNERS);
 
@@ -73,8 +74,8 @@ export class Blocks {
 
   /** Paint the sides that face the eye. Neighbours of the same shade become one polygon. Side k ends at corner k. */
   #sides(context, numbers, at, count, ends, even, packed) {
-    const { top, bottom } = pixels, half = count / 2;
-    let first = 0, shade = -1;
+    const half = count / 2;
+    let first = 0, shade = -1, begun = -1;
     for (let k = 0; k < count; k++) {
       const before = k ? k - 1 : count - 1, onArc = k % half;
       let own = -1;
@@ -83,19 +84,13 @@ export class Blocks {
       }
       if (own === shade) continue;
       if (shade >= 0) run(context, first, before, count, shade);
-      if (own >= 0 && shade >= 0) { // a line over the seam: between two antialiased edges the background shows
-        context.strokeStyle = colour(own);
-        context.lineWidth = 1;
-        context.lineCap = "round";
-        context.setLineDash([]);
-        context.beginPath();
-        context.moveTo(top[2 * before], top[2 * before + 1]);
-        context.lineTo(bottom[2 * before], bottom[2 * before + 1]);
-        context.stroke();
-      }
+      if (own >= 0 && shade >= 0) seam(context, before, own);
       [first, shade] = [before, own];
+      if (!k) begun = own;
     }
-    if (shade >= 0) run(context, first, count - 1, count, shade);
+    if (shade < 0) return;
+    if (begun >= 0 && begun !== shade) seam(context, count - 1, shade);
+    run(context, first, count - 1, count, shade);
   }
 
   /** The cosine of the angle between a side's normal and the light. */
@@ -113,28 +108,28 @@ export class Blocks {
 
   /** Add shadows to the context's path, each as a subpath. Returns the index after the last number. */
   shadows(context, numbers, at) {
-    const count = numbers[at], outline = at + 2, angles = outline + 2 * count, end = angles + 3 * numbers[at + 1];
+    const count = numbers[at], ends = numbers[at + 2], angles = at + 3 + 4 * count, end = angles + 3 * numbers[at + 1];
     const { angle, out } = this;
     for (let slot = angles; slot < end; slot += 3) {
       this.stand(angle + numbers[slot], out);
-      this.#swept(context, numbers, outline, count, numbers[slot + 1], numbers[slot + 2]);
+      this.#swept(context, numbers, at + 3, count, ends, numbers[slot + 1], numbers[slot + 2]);
     }
     this.stand(angle, out);
     return end;
   }
 
-  /** Add the area that the shadow of an outline sweeps: the sides that face its movement are at its end, the others at its start. */
-  #swept(context, numbers, at, count, low, high) {
-    const { movedX, movedY } = this;
+  /** Add a shadow: a closed line. The sides that face its movement are at its end, and are the second outline's. */
+  #swept(context, numbers, at, count, ends, low, high) {
+    const { movedX, movedY } = this, casting = at + 2 * count, half = count / 2;
     for (let k = 0; k < count; k++) {
       const before = k ? k - 1 : count - 1;
       const alongX = numbers[at + 2 * k] - numbers[at + 2 * before], alongY = numbers[at + 2 * k + 1] - numbers[at + 2 * before + 1];
-      ahead[k] = alongX * movedY - alongY * movedX > 0;
+      ahead[k] = (k % half || ends & (k ? 2 : 1)) && alongX * movedY - alongY * movedX > 0;
     }
     let begun = false;
-    const corner = (k, height) => {
-      const grown = this.#grown(numbers, at + 2 * k);
-      const x = numbers[at + 2 * k] * grown + height * movedX, y = numbers[at + 2 * k + 1] * grown + height * movedY;
+    const corner = (own, height) => {
+      const grown = this.#grown(numbers, own);
+      const x = numbers[own] * grown + height * movedX, y = numbers[own + 1] * grown + height * movedY;
       const right = x * this.turnX - y * this.turnY, away = x * this.turnY + y * this.turnX;
       const size = this.scale / (1 + this.closeness * away * this.sine);
       if (begun) context.lineTo(this.x + right * size, this.y - away * this.cosine * size);
@@ -143,8 +138,12 @@ export class Blocks {
     };
     for (let k = 0; k < count; k++) {
       const next = ahead[k + 1 < count ? k + 1 : 0];
-      corner(k, ahead[k] ? high : low);
-      if (next !== ahead[k]) corner(k, next ? high : low);
+      if (ahead[k]) corner(casting + 2 * k, high);
+      else corner(at + 2 * k, low);
+      if (next === ahead[k]) continue;
+      corner(casting + 2 * k, low); // along the side's own line: where an end is joined, both outlines differ
+      if (next) corner(casting + 2 * k, high);
+      else corner(at + 2 * k, low);
     }
     context.closePath();
   }
@@ -157,13 +156,25 @@ function faces(before, k) {
   return alongX * downY < alongY * downX;
 }
 
+/** Paint a line over the edge at a corner: between two antialiased sides the background shows. */
+function seam(context, k, own) {
+  const { top, bottom } = pixels;
+  context.strokeStyle = colour(own);
+  context.lineWidth = 1;
+  context.lineCap = "round";
+  context.setLineDash([]);
+  context.beginPath();
+  context.moveTo(top[2 * k], top[2 * k + 1]);
+  context.lineTo(bottom[2 * k], bottom[2 * k + 1]);
+  context.stroke();
+}
+
 /** Paint neighbouring sides of one shade, from corner `first` to corner `last`. */
 function run(context, first, last, count, own) {
   const { top, bottom } = pixels, end = last < first ? last + count : last;
   context.fillStyle = colour(own);
   context.beginPath();
-  context.moveTo(top[2 * first], top[2 * first + 1]);
-  for (let k = first + 1; k <= end; k++) context.lineTo(top[2 * (k % count)], top[2 * (k % count) + 1]);
+  for (let k = first; k <= end; k++) context.lineTo(top[2 * (k % count)], top[2 * (k % count) + 1] - UNDER_TOP);
   for (let k = end; k >= first; k--) context.lineTo(bottom[2 * (k % count)], bottom[2 * (k % count) + 1]);
   context.fill();
 }

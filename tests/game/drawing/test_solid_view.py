@@ -20,10 +20,10 @@ from game.drawing.solid import arena_blocks, faces
 from game.drawing.solid.ball_occlusion import occluding_quads
 from game.drawing.solid.blocks import ring_blocks
 from game.drawing.solid.picture import SolidPicture
-from game.effects import Effects, after
+from game.effects import NOTHING, Effects, after
 from game.effects.falling import FallingStack
 from game.input.view import FLAT, SOLID, Viewpoint
-from game.levels import classic
+from game.levels import campaign, classic
 from game.picture.slots.contents import ContentKind, SlotContent, resting_contents, slot_contents
 from game.picture.slots.parts import LAYER_HEIGHT, Slab, SlotShape, height
 from game.picture.solid import prisms
@@ -32,12 +32,12 @@ from game.picture.solid.prisms import slot_division
 from game.picture.solid.rings import RingLook, ring_prisms
 from game.replays.state_hash import state_hash
 from game.rules import new_game, tick
-from game.scene import scene_at
+from game.scene import scene_at, still
 from game.screenshot import save_screenshot
 from physics import Ball, Ring, contact
 from tests.support.games.autopilot_games import game_after
 from tests.support.paths import REFERENCE
-from tests.support.pictures import camera_of, canvas_of
+from tests.support.pictures import PLAIN_DARK, camera_of, canvas_of
 
 SIZE = (480, 360)
 HIGHEST = 0.45 * 8
@@ -257,6 +257,47 @@ def test_shadows_lie_where_the_light_is_kept_out(level):
     assert checked[False] > 200
     assert checked[True] > 10
     assert wrong <= 0.01 * checked.total()
+
+
+@pytest.mark.parametrize("azimuth", [0.0, 2.0])
+def test_a_wide_paddle_has_its_whole_shadow(azimuth):
+    """The ground beside a paddle is dark exactly where it keeps out the light, also beside sides that are seen edge-on."""
+    base = scene_at(still(new_game((campaign()[6],), 1)), 1.0, NOTHING)._replace(aim=None, balls=())
+    scene = base._replace(layers=(base.layers[0], *[(0,) * ring.count for ring in base.rings[1:]]))
+    camera = seen_from(SOLID._replace(azimuth=azimuth), scene, (900, 700))
+    pictures = []
+    for theme in (PLAIN_DARK, PLAIN_DARK._replace(shadow=0.0)):
+        canvas = canvas_of(scene, (900, 700), theme=theme, camera=camera)
+        Painter().paint(canvas, scene)
+        pictures.append(pygame.surfarray.array3d(canvas.surface).astype(float).sum(axis=2))
+    share, checked, wrong = pictures[0] / np.maximum(pictures[1], 1.0), Counter(), 0
+    for beyond, angle in itertools.product((0.03, 0.07, 0.11, 0.15, 0.19), np.linspace(0.0, math.tau, 360)):
+        pixel = camera.project((scene.rings[0].outer_radius + beyond) * complex(math.cos(angle), math.sin(angle)))
+        x, y = math.floor(pixel.real), math.floor(pixel.imag)
+        spot = complex(x + 0.5, y + 0.5)
+        around = share[x - 1 : x + 2, y - 1 : y + 2]
+        if around.max() - around.min() < 0.05:  # no edge
+            dark = bool(share[x, y] < 0.8)
+            checked[dark] += 1
+            differs = dark != in_shadow(scene, camera.unproject(spot), camera.tilt)
+            wrong += differs and first_met(scene, *sight(camera, spot)) is None
+    assert min(checked[True], checked[False]) > 40
+    assert wrong <= 2
+
+
+@pytest.mark.parametrize("gap", [0.1, 0.2])
+def test_no_light_falls_between_close_slots(gap):
+    """Ends that are closer than 0.15 cast no shadow: the neighbour that is as high does, over the gap; higher ends cast one."""
+    half_angle = math.pi / 20.0 - gap / 6.0
+    look = look_of(half_angle, 20, SlotContent(ContentKind.BRICKS, 1))
+    high = SlotContent(ContentKind.BRICKS, 2)
+    ring = ring_prisms(look._replace(contents=(look.contents[0], high, *look.contents[2:])))
+    first, second = ring.shadows[:2]
+    assert (first.ends, second.ends) == ((0, 3) if gap < 0.15 else (3, 3))
+    beside = [corner * np.exp(1j * math.tau / 20.0) for corner in (first.outline[0], first.outline[-1])]
+    middle = len(first.outline) // 2
+    reach = first.casting[middle - 1 : middle + 1]
+    assert np.allclose(reach, beside if gap < 0.15 else first.outline[middle - 1 : middle + 1])
 
 
 @pytest.mark.parametrize("phase", [0.0, 0.1, 0.23, 0.37])
