@@ -14,7 +14,7 @@ import statistics
 import sys
 import time
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Annotated
 
 import typer
 
@@ -34,11 +34,10 @@ _SETTLING, _SECONDS = 2.0, 10.0
 """Seconds before frames are counted, and in which they are."""
 _WATCH = """(() => {
   const seen = window.measured = { on: false, frames: [], painted: [], pictures: [] }, requests = [], workers = new Set();
-  const now = () => performance.timeOrigin + performance.now();
   const next = window.requestAnimationFrame, post = Worker.prototype.postMessage;
   let key = null;
   window.requestAnimationFrame = callback => next(moment => {
-    if (seen.on) seen.frames.push(now());
+    if (seen.on) seen.frames.push(performance.timeOrigin + moment);
     callback(moment);
   });
   addEventListener("keydown", event => { if (seen.on) key ??= performance.timeOrigin + event.timeStamp; }, true);
@@ -83,6 +82,10 @@ def web(
     level: int = typer.Option(8, min=1, help="Number of the campaign's level that is played by the program."),
     visits: int = typer.Option(3, min=1, help="How often the page is opened with nothing stored, and then again."),
     minutes: float = typer.Option(1.0, min=0.0, help="How long the program plays before memory is measured."),
+    recording: Annotated[
+        Path | None,
+        typer.Option(exists=True, dir_okay=False, help="Replay to watch, too; there the program plans nothing."),
+    ] = None,
 ) -> int:
     """Open the page in Chromium and measure it. Exit code 3 where the extra `web`, Chromium or npm is missing."""
     chromium = next(filter(None, map(shutil.which, ("chromium", "chromium-browser", "google-chrome"))), None)
@@ -113,6 +116,11 @@ def web(
             for more in (min(1.0, minutes), max(minutes - 1.0, 0.0)):
                 _play_on(page, more)
                 print_line(f"memory after {more:g} more minutes: {_memory(browser, page)}")
+            if recording is not None:
+                page.evaluate(f"polarBreakout.give(new File([new Uint8Array({[*recording.read_bytes()]})], 'watched.polar'))")
+                for key, view in (("1", "from above"), ("2", "in 3D")):
+                    page.keyboard.press(key)
+                    print_line(f"{recording.name} is watched, {view}: {_rate(page)}")
         browser.close()
     return 0
 
