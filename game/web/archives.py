@@ -26,7 +26,7 @@ _ITERATIONS = 5
 
 
 def compressed(data: bytes, cache: Path) -> bytes:
-    """The data in gzip's format. Where zopfli is installed (extra `web`), about 4 % smaller than by zlib.
+    """The data in gzip's format. Where zopfli is installed (extra `site`), about 4 % smaller than by zlib.
 
     cache: the folder of results, since zopfli takes some 40 s for all files.
     """
