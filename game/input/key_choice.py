@@ -1,4 +1,4 @@
-"""A key or a button that the player gives to an action: what is asked for, and what is said about the answer."""
+"""A key or a button that the player gives to an action: the question, and what the answer changes."""
 
 from typing import NamedTuple
 
@@ -52,16 +52,16 @@ def given(own: OwnKeys, asked: CaptureTarget, control: int) -> tuple[OwnKeys, st
     mine = in_use[asked.action]
     try:
         if asked.slot < len(mine) and mine[asked.slot] == control:
-            changed, told = cleared(in_use, fixed, asked.action, asked.slot), tr("{action}: key removed")
+            changed, words = cleared(in_use, fixed, asked.action, asked.slot), tr("{action}: key removed")
             taken = None
         else:
             changed, taken = rebound(in_use, fixed, asked.action, asked.slot, control)
-            told = tr("{action}: {key}") if taken is None else tr("{action}: {key}, no longer {other}")
+            words = tr("{action}: {key}") if taken is None else tr("{action}: {key}, no longer {other}")
     except Refused as refused:
         control, taken = refused.control, refused.action
-        always, last = tr("{key} is reserved: {other}"), tr("{key} stays: {other} has no other key")
-        changed, told = {}, always if refused.fixed else last
+        changed = {}
+        words = tr("{key} is reserved: {other}") if refused.fixed else tr("{key} stays: {other} has no other key")
     name = button_name(control) if asked.of_pad else position_name(control)
     other = "" if taken is None else action_names()[taken]
     with_them = with_buttons if asked.of_pad else with_keys
-    return with_them(own, changed), told.format(action=asked.name, key=name, other=other)
+    return with_them(own, changed), words.format(action=asked.name, key=name, other=other)

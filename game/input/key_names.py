@@ -6,7 +6,7 @@ The window asks the system for the layout, the page the browser; until then it i
 from collections.abc import Iterable, Mapping
 
 from game.input.keys import KEYS, Action, PadButton
-from game.input.scancodes import CONTROL_CODES, NAMED_KEY, SCANCODES, US_CODES, position_of
+from game.input.scancodes import CONTROL_CODES, NAMED_KEY, SCANCODES, US_CODES, code_at, position_of
 from game.language import tr, tr_noop
 
 CHARACTERS = range(ord("!"), 0x600)
@@ -40,8 +40,8 @@ _WORDS = {
 """What keys without a character are called, where it is not what browsers call them."""
 _KEYPAD = {"Decimal": ".", "Divide": "/", "Multiply": "*", "Subtract": "-", "Add": "+"}
 """What is written on keys of the keypad that have no digit."""
-_KEYS = {position: name for name, position in SCANCODES.items()}
-_BUTTONS = {
+_NAMES = {position: name for name, position in SCANCODES.items()}
+_BUTTONS: Mapping[int, str] = {
     PadButton.A: tr_noop("A"),
     PadButton.B: tr_noop("B"),
     PadButton.X: tr_noop("X"),
@@ -69,7 +69,7 @@ def positions_in_use(action: Action) -> tuple[int, ...]:
     binding = KEYS.binding(action)
     written = [position for code in binding.codes for position in (*_positions_with(code), position_of(code))]
     candidates = dict.fromkeys([*binding.positions, *written])
-    return tuple([one for one in candidates if one and KEYS.action(one, _code_at(one)) is action])
+    return tuple([one for one in candidates if one and KEYS.action(one, code_at(one, _layout)) is action])
 
 
 def second_player_positions() -> tuple[int, ...]:
@@ -92,13 +92,12 @@ def key_names(action: Action) -> tuple[str, ...]:
 
 def position_name(position: int) -> str:
     """What the layout calls the key at a position."""
-    return _said(_code_at(position)) or tr("Key {number}").format(number=position)
+    return _label(code_at(position, _layout)) or tr("Key {number}").format(number=position)
 
 
 def button_name(button: int) -> str:
     """What a gamepad's button is called."""
-    words = next((words for known, words in _BUTTONS.items() if known == button), "")
-    return tr(words) if words else tr("Button {number}").format(number=button)
+    return tr(_BUTTONS[button]) if button in _BUTTONS else tr("Button {number}").format(number=button)
 
 
 def button_names(*actions: Action) -> str:
@@ -188,11 +187,6 @@ def _all(*actions: Action) -> str:
     return "   ".join([key_name(action) for action in actions])
 
 
-def _code_at(position: int) -> int:
-    """The code of the key at a position."""
-    return CONTROL_CODES.get(position) or _layout.get(position, position | NAMED_KEY)
-
-
 def _positions_with(code: int) -> list[int]:
     """Where the present layout has a code."""
     return [position for keys in (CONTROL_CODES, _layout) for position, known in keys.items() if known == code]
@@ -200,7 +194,7 @@ def _positions_with(code: int) -> list[int]:
 
 def _name_of(code: int) -> str:
     """What the layout calls the key that means a code: the code itself, or what is written where the US layout has it."""
-    return _said(code) if _is_written(code) else position_name(position_of(code))
+    return _label(code) if _is_written(code) else position_name(position_of(code))
 
 
 def _is_written(code: int) -> bool:
@@ -208,11 +202,11 @@ def _is_written(code: int) -> bool:
     return bool(code & NAMED_KEY) or code < CHARACTERS.start or code in _layout.values()
 
 
-def _said(code: int) -> str:
+def _label(code: int) -> str:
     """The name of a code, as keys are labelled; empty for a key without a name."""
     if not code & NAMED_KEY and code >= CHARACTERS.start and chr(code).isprintable():
         return chr(code).upper()
-    name = _KEYS.get(position_of(code), "")
+    name = _NAMES.get(position_of(code), "")
     if name in _WORDS:
         return tr(_WORDS[name])
     written = name.removeprefix("Numpad")

@@ -11,7 +11,7 @@ from enum import IntEnum
 from typing import NamedTuple
 
 from game.input.actions import Action
-from game.input.scancodes import SCANCODES, US_CODES, named_code
+from game.input.scancodes import SCANCODES, US_CODES, code_at
 
 __all__ = ["BINDINGS", "KEYS", "Action", "Binding", "KeyTable", "PadButton"]
 
@@ -52,7 +52,7 @@ class Binding(NamedTuple):
 
 def _written(*names: str) -> tuple[int, ...]:
     """Codes: of characters, and of keys without one by the browsers' names."""
-    return tuple([ord(name) if len(name) == 1 else named_code(name) for name in names])
+    return tuple([ord(name) if len(name) == 1 else code_at(SCANCODES[name]) for name in names])
 
 
 def _at(*names: str) -> tuple[int, ...]:

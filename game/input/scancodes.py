@@ -45,9 +45,9 @@ NAMED_KEY = 1 << 30
 """Set in the code of a key without a character; the rest of such a code is the key's position."""
 
 
-def named_code(name: str) -> int:
-    """The code of a key without a character. name: the browsers'."""
-    return CONTROL_CODES.get(SCANCODES[name], SCANCODES[name] | NAMED_KEY)
+def code_at(position: int, layout: Mapping[int, int] = {}) -> int:
+    """The code of the key at a position. layout: codes of the keys with a character; without it no key has one."""
+    return CONTROL_CODES.get(position) or layout.get(position, position | NAMED_KEY)
 
 
 def position_of(code: int) -> int:

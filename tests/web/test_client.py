@@ -15,7 +15,7 @@ from game.input.scancodes import CONTROL_CODES, NAMED_KEY, SCANCODES
 from game.picture.display_list import DisplayList, Primitive, primitives
 from game.system.errors import EnvironmentMissingError
 from game.web import packages
-from game.web.client.keys import LEFT_ALONE, NOT_ON_PAGES, code_of, page_bindings, position_at
+from game.web.client.keys import BROWSERS_KEYS, NOT_ON_PAGES, code_of, page_bindings, position_at
 from game.web.client.page import Page
 from tools.grade.page import PageGrader
 
@@ -35,12 +35,18 @@ def test_keys_mean_what_they_mean_on_the_desktop():
     for name, position in SCANCODES.items():
         code = CONTROL_CODES.get(position) or layout.get(position) or position | NAMED_KEY
         key = names.get(position) or NAMED.get(pygame.key.name(code), name)
-        expected = None if name in LEFT_ALONE else desktop.action(position, code)
+        expected = None if name in BROWSERS_KEYS else desktop.action(position, code)
         action = on_page.action(position_at(name, key), code_of(name, key))
         assert action is (None if expected in NOT_ON_PAGES else expected), name
         meant.add(action)
     assert {one.action for one in BINDINGS} - meant == {Action.TIP, Action.FULL_SCREEN, Action.NORMALS}
     assert on_page.action(position_at("Digit0", "+"), code_of("Digit0", "+")) is Action.MORE
+
+
+def test_a_letter_without_a_position_is_known_by_its_lower_case():
+    """Keyboards on a screen give none; the lower case of İ is two characters."""
+    assert position_at("", "P") == SCANCODES["KeyP"]
+    assert position_at("", "İ") == SCANCODES["KeyI"]
 
 
 def page_playing():

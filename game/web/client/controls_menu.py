@@ -8,12 +8,10 @@ from game.input.key_choice import CaptureTarget, given, question, wanted
 from game.input.keys import PadButton
 from game.input.scancodes import SCANCODES
 from game.language import tr
-from game.web.client.keys import LEFT_ALONE, NOT_ON_PAGES
+from game.web.client.keys import BROWSERS_KEYS, BROWSERS_POSITIONS, NOT_ON_PAGES
 from game.web.client.menu_screen import MenuScreen, Opened
 from game.web.client.messages import PageItem
 from game.web.client.state import PageScreen, PageState
-
-_LEFT_ALONE = frozenset([SCANCODES[name] for name in LEFT_ALONE])
 
 
 def controls_menu(
@@ -32,7 +30,7 @@ def controls_menu(
         items = [Opened(PageItem("reset", tr("Reset all keys and buttons")), reset)]
         for title, actions in action_groups():
             hint = tr("keys, gamepad") if len(items) == 1 else ""
-            items.append(Opened(PageItem(f"heading-{len(items)}", title, "heading", hint=hint), lambda _value: menu))
+            items.append(Opened(PageItem(f"heading-{len(items)}", title, "heading", hint=hint)))
             items += [
                 _row(state, again, under, wanted(action, name))
                 for action, name in actions.items()
@@ -71,7 +69,7 @@ class KeyQuestion(MenuScreen):
     ) -> None:
         """asked: the key that is wanted. back: makes the screen that follows."""
         lines = question(asked)
-        super().__init__(state, asked.name, lambda _menu: (lines, ()), back, under, uncaptured=LEFT_ALONE)
+        super().__init__(state, asked.name, lambda _menu: (lines, ()), back, under, uncaptured=BROWSERS_KEYS)
         self._asked, self._leave = asked, back
         state.announcements += lines
 
@@ -79,7 +77,7 @@ class KeyQuestion(MenuScreen):
         """The screen after a key was pressed."""
         if position == SCANCODES["Escape"]:
             return self._leave()
-        return self if self._asked.of_pad or not position or position in _LEFT_ALONE else self._give(position)
+        return self if self._asked.of_pad or not position or position in BROWSERS_POSITIONS else self._give(position)
 
     def button(self, button: PadButton) -> PageScreen:
         """The screen after a gamepad's button was pressed."""
@@ -90,7 +88,7 @@ class KeyQuestion(MenuScreen):
     def _give(self, control: int) -> PageScreen:
         """Give the action its key, and say what that did."""
         settings = self.state.settings
-        own_keys, told = given(settings.own_keys, self._asked, control)
+        own_keys, words = given(settings.own_keys, self._asked, control)
         self.state.change(settings._replace(own_keys=own_keys))
-        self.state.notifications.append(told)
+        self.state.notifications.append(words)
         return self._leave()

@@ -5,9 +5,9 @@ from collections.abc import Mapping
 from game.input.actions import Action, OwnKeys
 from game.input.keys import Binding, PadButton
 from game.input.rebinding import bindings, checked
-from game.input.scancodes import CONTROL_CODES, NAMED_KEY, SCANCODES, US_CODES, named_code, position_of
+from game.input.scancodes import SCANCODES, US_CODES, code_at, position_of
 
-LEFT_ALONE = (
+BROWSERS_KEYS = (
     "Tab",
     *[f"F{number}" for number in range(2, 13)],
     *[f"{name}{side}" for name in ("Control", "Alt", "Meta") for side in ("Left", "Right")],
@@ -36,8 +36,8 @@ PAD_BUTTONS = (
 )
 """Of a gamepad in the browser's standard layout; two of them are triggers."""
 _KEYPAD = "Numpad"
-_NEVER_POSITIONS = frozenset([SCANCODES[name] for name in LEFT_ALONE])
-_NEVER_CODES = frozenset([named_code(name) for name in LEFT_ALONE])
+BROWSERS_POSITIONS = frozenset([SCANCODES[name] for name in BROWSERS_KEYS])
+_BROWSERS_CODES = frozenset([code_at(position) for position in BROWSERS_POSITIONS])
 
 
 def page_bindings(own: OwnKeys) -> tuple[Binding, ...]:
@@ -47,21 +47,25 @@ def page_bindings(own: OwnKeys) -> tuple[Binding, ...]:
 
 def position_at(code: str, key: str) -> int:
     """The position of a key; 0 where it is not known. code, key: where it is and what is written on it, as browsers say it."""
-    return SCANCODES.get(code) or SCANCODES.get(key) or (position_of(ord(key.lower())) if len(key) == 1 else 0)
+    return SCANCODES.get(code) or SCANCODES.get(key) or (position_of(_character(key)) if len(key) == 1 else 0)
 
 
 def code_of(code: str, key: str) -> int:
     """The code of a key: what is written on it. Arguments as of `position_at`."""
     if len(key) == 1 and not code.startswith(_KEYPAD):
-        return ord(key.lower()[0])
-    position = position_at(code, key)
-    return CONTROL_CODES.get(position) or position | NAMED_KEY
+        return _character(key)
+    return code_at(position_at(code, key))
 
 
 def layout_of(written: Mapping[str, str]) -> dict[int, int]:
     """What is written on the keys: as on the US layout where nothing else is known. written: characters by code."""
     known = {code: key for code, key in written.items() if code in SCANCODES and len(key) == 1}
-    return {**US_CODES, **{SCANCODES[code]: ord(key.lower()[0]) for code, key in known.items()}}
+    return {**US_CODES, **{SCANCODES[code]: _character(key) for code, key in known.items()}}
+
+
+def _character(key: str) -> int:
+    """The number of the character on a key, in lower case: the first where that is two characters, as of İ."""
+    return ord(key.lower()[0])
 
 
 def _without_browsers_keys(binding: Binding) -> Binding:
@@ -69,6 +73,6 @@ def _without_browsers_keys(binding: Binding) -> Binding:
     if binding.action in NOT_ON_PAGES:
         return Binding(binding.action)
     return binding._replace(
-        codes=tuple([code for code in binding.codes if code not in _NEVER_CODES]),
-        positions=tuple([position for position in binding.positions if position not in _NEVER_POSITIONS]),
+        codes=tuple([code for code in binding.codes if code not in _BROWSERS_CODES]),
+        positions=tuple([position for position in binding.positions if position not in BROWSERS_POSITIONS]),
     )

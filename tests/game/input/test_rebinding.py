@@ -13,7 +13,7 @@ from game.input import key_names
 from game.input.actions import Action, OwnKeys
 from game.input.keys import BINDINGS, KEYS
 from game.input.rebinding import FIXED_KEYS, NEEDED, Refused, bindings, checked, cleared, rebound, with_keys
-from game.input.scancodes import US_CODES
+from game.input.scancodes import US_CODES, code_at
 
 P, M, UP, W = pygame.KSCAN_P, pygame.KSCAN_M, pygame.KSCAN_UP, pygame.KSCAN_W
 
@@ -92,7 +92,7 @@ def test_no_file_locks_the_player_out(keys, buttons):
     pygame.quit()
     hold(OwnKeys(tuple(keys.items()), tuple(buttons.items())))
     for position, action in FIXED_KEYS.items():
-        assert KEYS.action(position, key_names._code_at(position)) is action
+        assert KEYS.action(position, code_at(position)) is action
     for action in NEEDED:
         assert key_names.positions_in_use(action)
     directions = {KEYS.button_action(button) for button in range(32)}
