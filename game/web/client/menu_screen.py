@@ -15,8 +15,6 @@ _ASIDE = 0.17
 """How far to the right the demonstration is, in shares of a wide canvas: the menu stands at the left."""
 _STILL_SECONDS, _STEP = 6.0, 0.25
 """With reduced motion: the moment of the demonstration that is shown, and how it is reached."""
-
-
 _GOES_ON = frozenset({"go-on", "next"})
 """Items with the same effect as going back: a menu with one of them has no further item for it."""
 

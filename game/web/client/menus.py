@@ -88,16 +88,16 @@ def levels_menu(state: PageState, screens: Screens) -> MenuScreen:
             items.append(
                 Opened(
                     PageItem(f"level-{index + 1}", label, hint=hint, disabled=not is_open),
-                    _begins(state.levels, screens, index),
+                    _begins(screens, state.levels[index:]),
                 )
             )
         for index, level in enumerate(classic()):
             item = PageItem(
                 f"classic-{index + 1}", tr("Classic {level}").format(level=level_name(level.name)), hint=tr(level.description)
             )
-            items.append(Opened(item, _begins(classic(), screens, index)))
+            items.append(Opened(item, _begins(screens, classic()[index:])))
         for name, own in state.own.items():
-            items.append(Opened(PageItem(f"own-{name}", own.name, hint=name), _begins_own(screens, own)))
+            items.append(Opened(PageItem(f"own-{name}", own.name, hint=name), _begins(screens, (own,))))
         return (), items
 
     return MenuScreen(state, tr("Levels"), contents, screens.title)
@@ -134,14 +134,9 @@ def endless_menu(state: PageState, screens: Screens) -> MenuScreen:
     return MenuScreen(state, tr("Endless"), contents, screens.title)
 
 
-def _begins(levels: tuple[Level, ...], screens: Screens, index: int) -> Callable[[str], PageScreen]:
-    """Starts some levels at one of them."""
-    return lambda _value: screens.game(levels[index:])
-
-
-def _begins_own(screens: Screens, level: Level) -> Callable[[str], PageScreen]:
-    """Starts a level of the player's."""
-    return lambda _value: screens.game((level,))
+def _begins(screens: Screens, levels: tuple[Level, ...]) -> Callable[[str], PageScreen]:
+    """Starts a game of some levels."""
+    return lambda _value: screens.game(levels)
 
 
 def scores_menu(state: PageState, screens: Screens) -> MenuScreen:
@@ -153,8 +148,8 @@ def scores_menu(state: PageState, screens: Screens) -> MenuScreen:
             table = state.storage.scores.value.table(name)
             lines += [tr("Endless") if name == ENDLESS else difficulty_name(name)] if table else []
             lines += [
-                f"{place}.  {grouped(score.score)}  {score.name}  {level_name(score.last)}"
-                for place, score in enumerate(table, 1)
+                f"{number}.  {grouped(score.score)}  {score.name}  {level_name(score.last)}"
+                for number, score in enumerate(table, 1)
             ]
         return lines or [tr("No scores yet.")], ()
 

@@ -78,8 +78,7 @@ class GameOnPage:
         alone = physics is None and state.players == Players.ONE
         self._record = Counted(state, levels, counts=alone, endless=endless is not None)
         self._untouched = 0  # ticks with a ball in play since a paddle touched it
-        self._told = -1  # number of the level whose results were shown last
-        self._ended = False
+        self._last_results = -1  # number of the level whose results were shown last
         self._captions: tuple[Caption, ...] = ()
         state.end_game()
         self._record.begin_level(0, 0)
@@ -215,9 +214,9 @@ class GameOnPage:
             add_ghost(out.frame, racing, seen.camera, state.theme, state.scene_unit(size))
             add_lead(out.frame, self.game, racing, seen, state.theme, unit, state.buttons_below(size))
         add_figures(out.frame, shown, corners)
-        told = self._notice()
-        if told is not None:
-            add_notice(out.frame, told, seen, state.theme, unit, around(scene, seen.camera))
+        instruction = self._notice()
+        if instruction is not None:
+            add_notice(out.frame, instruction, seen, state.theme, unit, around(scene, seen.camera))
         foot = None if state.buttons_below(size) else foot_height(shown, corners)  # else the buttons are in the upper right
         add_captions(out.frame, self._captions, seen, state.theme, unit, foot)
         if self._physics is not None:
@@ -239,19 +238,19 @@ class GameOnPage:
         if self.game.phase in (Phase.OVER, Phase.WON):
             return None
         serve = key_name(Action.SERVE)
-        told = notice(self.game, serve)
+        shown = notice(self.game, serve)
         if self._players != Players.ONE:
-            told = who_steers(self.game, *players_keys(), serve) or told
-        elif told is not None:
+            shown = who_steers(self.game, *players_keys(), serve) or shown
+        elif shown is not None:
             new = not self._state.storage.progress.value.bests
             if self._state.touched:
-                told = by_touch(told, self.game, new=new)
+                shown = by_touch(shown, self.game, new=new)
             elif new:
-                told = to_newcomer(told, key_name(Action.LEFT), key_name(Action.RIGHT))
-        if told is None and self._pilot is None and self._untouched >= _OFFER_TICKS:
+                shown = to_newcomer(shown, key_name(Action.LEFT), key_name(Action.RIGHT))
+        if shown is None and self._pilot is None and self._untouched >= _OFFER_TICKS:
             words = tr("{key}: give up this ball; it costs a life").format(key=key_name(Action.GIVE_UP))
             return Notice(tr("Out of reach?"), words)
-        return told
+        return shown
 
     def _tick(self, seen: Layout) -> None:
         """Run one tick, and record it."""
@@ -297,12 +296,11 @@ class GameOnPage:
         """The menu after a level or the game, once its end has been seen for a moment."""
         game = self.game
         until = _WON_TICKS if game.phase == Phase.WON else _END_TICKS
-        if game.phase in (Phase.OVER, Phase.WON) and game.phase_tick >= until and not self._ended:
-            self._ended = True
+        if game.phase in (Phase.OVER, Phase.WON) and game.phase_tick >= until:
             return game_results(self._state, self._screens, self, self._record)
         cleared = game.phase == Phase.CLEARED and game.phase_tick >= _CLEARED_TICKS
-        if cleared and self._told < game.number and self._pilot is None:
-            self._told = game.number
+        if cleared and self._last_results < game.number and self._pilot is None:
+            self._last_results = game.number
             return level_results(self._state, self._screens, self, self._record)
         return None
 
