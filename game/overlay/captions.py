@@ -53,8 +53,6 @@ _DIRECTIONS = (
     tr_noop("below"),
     tr_noop("lower right"),
 )
-
-
 _RARE = frozenset(
     {
         EventKind.GAME_OVER,

@@ -1,4 +1,4 @@
-"""The games played in the window, each kept at its end; those that nobody asked to keep, the last twenty of them."""
+"""The games that were played, each stored at its end; of those that the player has not kept, the last twenty."""
 
 import hashlib
 import time
@@ -21,7 +21,7 @@ from game.system.wording import quoted_path
 
 VERSION = 1
 MOST = 20
-"""GameFiles that are kept of themselves."""
+"""Games that stay although the player has not kept them."""
 _SHORTEST = 5.0
 """Seconds of a game that is worth keeping."""
 SUFFIX = ".polar"
