@@ -11,6 +11,8 @@ from game.input.signals import Signal
 
 _OTHERS = (pygame.KEYDOWN, pygame.MOUSEMOTION, pygame.MOUSEBUTTONDOWN, pygame.FINGERDOWN)
 """Events that say that the player holds no gamepad."""
+_NOT_FINGERS = (-1, 2**32 - 1, 2**64 - 1)
+"""SDL's number, however it is read, of the device that stands for mice and trackpads."""
 
 
 class Devices:
@@ -31,8 +33,20 @@ class Devices:
         if event.type in _OTHERS:
             self.pads.left_alone()
         yield from self.pads.signals(event)
-        yield from self._fingers.signals(event, size, orbits=orbits)
+        yield from self._finger(event, size, orbits=orbits)
         if not getattr(event, "touch", False):  # what SDL makes of a finger for those who know mice only
             signal = translated(event, pixels_per_point)
             if signal is not None:
                 yield signal
+
+    def _finger(self, event: pygame.Event, size: tuple[int, int], *, orbits: bool) -> Iterator[Signal]:
+        """What an event means for the touch screen; nothing if it is not of a finger."""
+        if event.type not in (pygame.FINGERDOWN, pygame.FINGERMOTION, pygame.FINGERUP) or event.touch_id in _NOT_FINGERS:
+            return
+        finger, pixel = (event.touch_id, event.finger_id), complex(event.x * size[0], event.y * size[1])
+        if event.type == pygame.FINGERDOWN:
+            yield from self._fingers.down(finger, pixel, orbits=orbits)
+        elif event.type == pygame.FINGERMOTION:
+            yield from self._fingers.move(finger, pixel, size, orbits=orbits)
+        else:
+            yield from self._fingers.up(finger, pixel)

@@ -1,61 +1,74 @@
 """Fingers on a touch screen as signals: the newest one points as the mouse does, and one lifted where it came down clicks.
 
 It clicks only at the end: a finger that comes down to move the paddles must not serve the ball. Where there is a camera to be
-moved, two fingers move it: by dragging both, and by pinching.
+moved, two fingers move it: by dragging both, and by pinching. Needs no pygame.
 """
 
-from collections.abc import Iterator
-
-import pygame
+import math
+from collections.abc import Hashable, Iterator
 
 from game.drawing.camera import unit_of
-from game.input.signals import Clicked, Moved, Signal
-from game.input.two_fingers import two_fingers
+from game.input.signals import Clicked, Dragged, Moved, Signal, Zoomed
+from game.input.view import ZOOM_STEP
 
 _STILL = 1.0
 """Units of text that a finger may move and still click."""
-_NOT_FINGERS = (-1, 2**32 - 1, 2**64 - 1)
-"""SDL's number, however it is read, of the device that stands for mice and trackpads."""
 _PAIR = 2
+"""Number of fingers that move the camera."""
 
 
 class Fingers:
-    """The fingers that are down."""
+    """The fingers that are down.
+
+    Each has an id of any kind. orbits: whether two fingers move the camera, here and below.
+    """
 
     def __init__(self) -> None:
         """None."""
-        self._down: dict[tuple[int, int], complex] = {}  # where each came down, pixels; the newest last
-        self._now: dict[tuple[int, int], complex] = {}  # where each is
-        self._moved: set[tuple[int, int]] = set()
+        self._down: dict[Hashable, complex] = {}  # where each came down, pixels; the newest last
+        self._now: dict[Hashable, complex] = {}  # the pixel of each
+        self._moved: set[Hashable] = set()
 
-    def signals(self, event: pygame.Event, size: tuple[int, int], *, orbits: bool = False) -> Iterator[Signal]:
-        """What an event means; nothing if it is not of a finger. size: of the surface, pixels. orbits: two move the camera."""
-        if event.type not in (pygame.FINGERDOWN, pygame.FINGERMOTION, pygame.FINGERUP) or event.touch_id in _NOT_FINGERS:
-            return
-        finger, pixel = (event.touch_id, event.finger_id), complex(event.x * size[0], event.y * size[1])
-        if event.type == pygame.FINGERDOWN:
-            self._down[finger] = self._now[finger] = pixel
-            if orbits and len(self._down) == _PAIR:
-                self._moved |= set(self._down)  # neither of them clicks
-            else:
-                yield Moved(pixel, held=False)
-        elif finger not in self._down:
-            return
-        elif event.type == pygame.FINGERMOTION:
-            yield from self._motion(finger, pixel, size, orbits=orbits)
-            self._now[finger] = pixel
+    def down(self, finger: Hashable, pixel: complex, *, orbits: bool) -> Iterator[Signal]:
+        """The signals of a finger that comes down."""
+        self._down[finger] = self._now[finger] = pixel
+        if orbits and len(self._down) == _PAIR:
+            self._moved |= set(self._down)  # neither of them clicks
         else:
-            del self._down[finger], self._now[finger]
-            if finger not in self._moved:
-                yield Clicked(pixel)
-            self._moved.discard(finger)
+            yield Moved(pixel, held=False)
 
-    def _motion(self, finger: tuple[int, int], pixel: complex, size: tuple[int, int], *, orbits: bool) -> Iterator[Signal]:
-        """What a finger's motion means."""
+    def move(self, finger: Hashable, pixel: complex, size: tuple[int, int], *, orbits: bool) -> Iterator[Signal]:
+        """The signals of a finger that moves; none if it never came down. size: of the surface, pixels."""
+        if finger not in self._down:
+            return
         if abs(pixel - self._down[finger]) > _STILL * unit_of(size):
             self._moved.add(finger)
         if orbits and len(self._down) == _PAIR:
-            (other,) = [at for number, at in self._now.items() if number != finger]
-            yield from two_fingers(self._now[finger], pixel, other)
+            (other,) = [at for known, at in self._now.items() if known != finger]
+            yield from _camera_moves(self._now[finger], pixel, other)
         elif finger == next(reversed(self._down)):
             yield Moved(pixel, held=finger in self._moved)
+        self._now[finger] = pixel
+
+    def up(self, finger: Hashable, pixel: complex, *, cancelled: bool = False) -> Iterator[Signal]:
+        """The signals of a finger that is lifted; none if it never came down. cancelled: whether the system took it away."""
+        if finger not in self._down:
+            return
+        del self._down[finger], self._now[finger]
+        if finger not in self._moved and not cancelled:
+            yield Clicked(pixel)
+        self._moved.discard(finger)
+
+    def clear(self) -> None:
+        """Forget all fingers: nobody will tell when they are lifted."""
+        self._down.clear()
+        self._now.clear()
+        self._moved.clear()
+
+
+def _camera_moves(before: complex, now: complex, other: complex) -> Iterator[Signal]:
+    """The signals of a movement by one of two fingers. before, now: its pixels; other: the pixel of the finger at rest."""
+    yield Dragged((now - before) / 2.0)
+    apart, later = abs(before - other), abs(now - other)
+    if apart > 0.0 and later > 0.0:
+        yield Zoomed(math.log(later / apart) / math.log(ZOOM_STEP))

@@ -14,11 +14,8 @@ from pygame._sdl2 import controller
 
 from game.input.keys import KEYS, Action
 from game.input.signals import STICK, FocusLost, PadChanged, Pointed, Pressed, Released, Signal, Squeezed, pad_position
+from game.input.sticks import beyond_slack, is_pushed
 
-_PUSHED, _LET_GO = 0.6, 0.4
-"""Shares of the stick's reach: it means something from the first on, until it is below the second."""
-_TRIGGER_SLACK = 0.08
-"""Share of a trigger's travel that does nothing: few of them come back to 0."""
 _FULL = 32767
 """Value of an axis at its end."""
 _DIRECTIONS = {1: Action.RIGHT, 1j: Action.UP, -1: Action.LEFT, -1j: Action.DOWN}
@@ -128,17 +125,15 @@ class Pads:
         elif event.axis in (pygame.CONTROLLER_AXIS_RIGHTX, pygame.CONTROLLER_AXIS_RIGHTY):
             yield from self._right_stick(pad)
         elif event.axis in (pygame.CONTROLLER_AXIS_TRIGGERLEFT, pygame.CONTROLLER_AXIS_TRIGGERRIGHT):
-            left, right = (
-                max(pad.share(axis) - _TRIGGER_SLACK, 0.0) / (1.0 - _TRIGGER_SLACK)
-                for axis in (pygame.CONTROLLER_AXIS_TRIGGERLEFT, pygame.CONTROLLER_AXIS_TRIGGERRIGHT)
-            )
+            left = beyond_slack(pad.share(pygame.CONTROLLER_AXIS_TRIGGERLEFT))
+            right = beyond_slack(pad.share(pygame.CONTROLLER_AXIS_TRIGGERRIGHT))
             self._last = pad.number if left or right else self._last
             yield Squeezed(right - left, pad.index)
 
     def _right_stick(self, pad: _Pad) -> Iterator[Signal]:
         """The right stick moved."""
         at = complex(pad.share(pygame.CONTROLLER_AXIS_RIGHTX), -pad.share(pygame.CONTROLLER_AXIS_RIGHTY))
-        aims = abs(at) >= (_LET_GO if pad.aims else _PUSHED)
+        aims = is_pushed(at, before=pad.aims)
         if aims or pad.aims:
             self._last = pad.number
             yield Pointed(at / abs(at) if aims else 0j, aims=True, pad=pad.index)
@@ -147,11 +142,10 @@ class Pads:
     def _stick(self, pad: _Pad) -> Iterator[Signal]:
         """The left stick moved."""
         at = complex(pad.share(pygame.CONTROLLER_AXIS_LEFTX), -pad.share(pygame.CONTROLLER_AXIS_LEFTY))
-        reach = abs(at)
-        points = reach >= (_LET_GO if pad.points else _PUSHED)
+        points = is_pushed(at, before=pad.points)
         if points:
             self._last = pad.number
-            yield Pointed(at / reach, pad=pad.index)
+            yield Pointed(at / abs(at), pad=pad.index)
         elif pad.points:
             yield Pointed(0j, pad=pad.index)
         pad.points = points

@@ -3,7 +3,7 @@
 import math
 from collections.abc import Iterator
 
-from game.drawing.camera import unit_of
+from game.input.fingers import Fingers
 from game.input.key_names import use_layout
 from game.input.keys import KEYS, KeyTable, PadButton
 from game.input.signals import (
@@ -19,20 +19,16 @@ from game.input.signals import (
     Zoomed,
     pad_position,
 )
-from game.input.two_fingers import two_fingers
+from game.input.sticks import beyond_slack, is_pushed
 from game.web.client.keys import PAD_BUTTONS, code_of, layout_of, position_at
 from game.web.client.messages import KeyChange, LayoutKnown, PadState, PageSignal, PointerChange, WentAway, WheelTurn
 
 _MAIN, _SECOND = 1, 2
 """Bits of the mouse's buttons."""
-_PUSHED, _LET_GO = 0.6, 0.4
-"""Shares of a stick's reach: it means something from the first on, until it is below the second."""
-_SLACK = 0.08
-"""Share of a trigger's travel that does nothing."""
 _DOWN = 0.5
 """From here on a button is pressed."""
-_PAIR = 2
-"""Number of fingers that move the camera."""
+_TRIGGERS = slice(6, 8)
+"""The left and the right one among the buttons."""
 
 
 class PageDevices:
@@ -40,9 +36,7 @@ class PageDevices:
 
     def __init__(self) -> None:
         """Nothing is held."""
-        self._fingers: dict[int, complex] = {}  # where each came down, pixels; the newest last
-        self._now: dict[int, complex] = {}  # the pixel of each finger
-        self._moved: set[int] = set()
+        self._fingers = Fingers()
         self._mouse = 0j
         self._dragging = False
         self._pads: dict[int, _Pad] = {}
@@ -70,7 +64,6 @@ class PageDevices:
                 yield from self._pad(message).signals(message)
             case WentAway():
                 self._fingers.clear()
-                self._now.clear()
                 yield FocusLost()
 
     def learn(self, message: PageSignal) -> None:
@@ -107,30 +100,14 @@ class PageDevices:
         self._mouse = pixel
 
     def _finger(self, message: PointerChange, size: tuple[int, int], *, orbits: bool) -> Iterator[Signal]:
-        """The signals of a finger, as in `game.input.fingers`: the newest one points, a tap clicks, two fingers orbit."""
+        """The signals of a finger."""
         pixel, finger = complex(message.x, message.y), message.id
         if message.phase == "down":
-            self._fingers[finger] = self._now[finger] = pixel
-            if orbits and len(self._fingers) == _PAIR:
-                self._moved |= set(self._fingers)  # so neither of them clicks
-            else:
-                yield Moved(pixel, held=False)
-        elif finger not in self._fingers:
-            return
+            yield from self._fingers.down(finger, pixel, orbits=orbits)
         elif message.phase == "move":
-            if abs(pixel - self._fingers[finger]) > unit_of(size):
-                self._moved.add(finger)
-            if orbits and len(self._fingers) == _PAIR:
-                (other,) = [at for number, at in self._now.items() if number != finger]
-                yield from two_fingers(self._now[finger], pixel, other)
-            elif finger == next(reversed(self._fingers)):
-                yield Moved(pixel, held=finger in self._moved)
-            self._now[finger] = pixel
+            yield from self._fingers.move(finger, pixel, size, orbits=orbits)
         else:
-            del self._fingers[finger], self._now[finger]
-            if finger not in self._moved and message.phase == "up":
-                yield Clicked(pixel)
-            self._moved.discard(finger)
+            yield from self._fingers.up(finger, pixel, cancelled=message.phase != "up")
 
 
 class _Pad:
@@ -140,7 +117,8 @@ class _Pad:
         """Start with nothing held. number: of the gamepad, 0 for the first."""
         self._number = number
         self._buttons: tuple[bool, ...] = (False,) * len(PAD_BUTTONS)
-        self._pointing, self._aiming, self._spin = False, False, 0.0
+        self._pushed = {False: False, True: False}  # the left stick, which points, and the right one, which aims
+        self._spin = 0.0
 
     def changes(self, pad: PadState) -> list[tuple[PadButton, bool]]:
         """The buttons that went down or up, and whether they are down now."""
@@ -156,17 +134,14 @@ class _Pad:
             if action is not None:
                 yield (Pressed if down else Released)(action, pad_position(self._number, button))
         axes = [*pad.axes, 0.0, 0.0, 0.0, 0.0]
-        for aims, at in ((False, complex(axes[0], -axes[1])), (True, complex(axes[2], -axes[3]))):
-            before = self._aiming if aims else self._pointing
-            points = abs(at) >= (_LET_GO if before else _PUSHED)
-            if points or before:
-                yield Pointed(at / abs(at) if points else 0j, aims, self._number)
-            if aims:
-                self._aiming = points
-            else:
-                self._pointing = points
-        triggers = [*pad.buttons, *[0.0] * 8][6:8]
-        left, right = (max(value - _SLACK, 0.0) / (1.0 - _SLACK) for value in triggers)
+        for aims, offset in ((False, complex(axes[0], -axes[1])), (True, complex(axes[2], -axes[3]))):
+            before = self._pushed[aims]
+            self._pushed[aims] = is_pushed(offset, before=before)
+            if self._pushed[aims]:
+                yield Pointed(offset / abs(offset), aims, self._number)
+            elif before:
+                yield Pointed(0j, aims, self._number)
+        left, right = map(beyond_slack, [*pad.buttons, *[0.0] * _TRIGGERS.stop][_TRIGGERS])
         if not math.isclose(right - left, self._spin):
             self._spin = right - left
             yield Squeezed(self._spin, self._number)
