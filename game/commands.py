@@ -25,7 +25,7 @@ from game.second_opinion import Compare, NormalPair
 from game.settings.file import SettingsFile
 from game.settings.folder import settings_path
 from game.storage.folder import data_folder
-from game.storage.score_listing import tell_scores
+from game.storage.score_listing import print_scores
 from game.storage.storage import Storage
 from game.system.command_line import refuse_ignored
 from game.system.ending import deferred
@@ -244,7 +244,7 @@ def list_scores(
     verify: Annotated[bool, typer.Option("--verify", help="Play every score's replay again and compare the points.")] = False,
 ) -> None:
     """List the high scores, best first; with --verify, prove them."""
-    tell_scores(Storage(data_folder()), verify=verify)
+    print_scores(Storage(data_folder()), verify=verify)
 
 
 @app.command("replay")

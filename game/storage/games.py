@@ -70,7 +70,7 @@ class GameFiles:
         self._index = StoredFile(None if folder is None else folder / "games.json", StoredGames, VERSION)
         self._recorder: Recorder | None = None
         self._game: Game | None = None
-        self._written: str | None = None
+        self._write_problem: str | None = None
         self.last: StoredGame | None = None
         if folder is not None:
             remove_temporaries(folder)
@@ -78,7 +78,7 @@ class GameFiles:
     @property
     def problem(self) -> str | None:
         """What went wrong last."""
-        return self._written or self._index.problem
+        return self._write_problem or self._index.problem
 
     def __call__(self, controls: Controls, after: Game) -> None:
         """Record one tick; the first tick of a game begins a new recording, its end writes it."""
@@ -106,13 +106,13 @@ class GameFiles:
                     self.folder.mkdir(parents=True, exist_ok=True)
                     data = encoded(recording)
                     path = write_new(self.folder, f"{time.strftime('%Y-%m-%d %H-%M-%S')}{SUFFIX}", data)
-                    self.last = _described(path.name, game, hashlib.sha256(data).hexdigest())
-                    self._index.update(lambda held: _with(held, self.last))
+                    stored = self.last = _described(path.name, game, hashlib.sha256(data).hexdigest())
+                    self._index.update(lambda held: _with(held, stored))
                     self._forget_oldest()
             except BadInputError as error:
-                self._written = str(error)
+                self._write_problem = str(error)
             except OSError as error:
-                self._written = f"{quoted_path(self.folder)}: {error.strerror or error}"
+                self._write_problem = f"{quoted_path(self.folder)}: {error.strerror or error}"
 
     def listed(self) -> list[StoredGame]:
         """The games that there are, newest first; of files that the list does not know, the name alone."""
@@ -180,10 +180,8 @@ def _described(name: str, game: Game, sha256: str) -> StoredGame:
     )
 
 
-def _with(held: StoredGames, game: StoredGame | None) -> StoredGames:
-    """The list with a game, in place of what it said about the same file."""
-    if game is None:
-        return held
+def _with(held: StoredGames, game: StoredGame) -> StoredGames:
+    """The list with a game, which replaces the entry of the same file."""
     others = [other for other in held.games if other.file != game.file]
     return msgspec.structs.replace(held, games=[*others, game])
 

@@ -7,7 +7,7 @@ from game.system.output import print_error, print_line
 from game.system.wording import quoted
 
 
-def tell_scores(storage: Storage, *, verify: bool) -> None:
+def print_scores(storage: Storage, *, verify: bool) -> None:
     """Print the scores, best first. verify: play every one's replay again; CheckFailedError where one is not proved."""
     for line in storage.problems:
         print_error(f"polar-breakout: {line}")

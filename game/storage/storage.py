@@ -1,4 +1,4 @@
-"""All that is kept, in one hand: what a session is given, and what it says when it could not be saved."""
+"""All stored files of a session, and what could not be read or written."""
 
 from pathlib import Path
 
@@ -19,7 +19,6 @@ class Storage:
 
     def __init__(self, folder: Path | None, record: Path | None = None) -> None:
         """Read what there is. record: a file that gets the last game of the session as well."""
-        self._homeless = folder is None
         self._finished: list[Best] = []
         self.scores = StoredFile(None if folder is None else folder / "scores.json", Scores, scores.VERSION)
         self.progress = StoredFile(None if folder is None else folder / "progress.json", Progress, progress.VERSION)
@@ -29,9 +28,9 @@ class Storage:
     @property
     def problems(self) -> list[str]:
         """What went wrong, one line each."""
-        said = [NO_FOLDER] if self._homeless else []
+        no_folder = [NO_FOLDER] if self.games.folder is None else []
         named = (("scores", self.scores), ("progress", self.progress), ("window", self.window), ("game", self.games))
-        return [*said, *[f"{name} {held.problem}" for name, held in named if held.problem is not None]]
+        return [*no_folder, *[f"{name} {held.problem}" for name, held in named if held.problem is not None]]
 
     def level_done(self, best: Best) -> Best | None:
         """Note that a level was finished, before anything else can happen; the best before it. Its replay is known later."""

@@ -43,10 +43,9 @@ def credits_menu(state: PageState, back: Callable[[], PageScreen]) -> MenuScreen
 def _credit_items() -> Iterable[PageItem]:
     """What the game owes to whom."""
     computed = tr("is computed: pictures while you play, sounds and music when this page was built.")
-    for number, (title, words) in enumerate(credit_parts(PAGE, computed)):
-        yield PageItem(f"part-{number}", title, "heading")
-        yield PageItem(f"words-{number}", words, "words")
-    yield PageItem("version", version(), "words")
+    for title, words in credit_parts(PAGE, computed):
+        yield from _part(title, [PageItem("", words, "words")])
+    yield PageItem("", version(), "words")
 
 
 def _help_items(theme: Theme) -> Iterable[PageItem]:
@@ -67,7 +66,7 @@ def _help_items(theme: Theme) -> Iterable[PageItem]:
 
 def _part(title: str, items: Iterable[PageItem]) -> Iterable[PageItem]:
     """A heading, and what is below it."""
-    yield PageItem(title, title, "heading")
+    yield PageItem("", title, "heading")
     yield from items
 
 

@@ -103,7 +103,7 @@ class Page:
         if stored is None:
             self._state.notifications.append("nothing can be stored here: scores and replays last until the page is closed")
         else:
-            self._state.tell_problems()
+            self._state.notify_problems()
         gc.collect()
         gc.freeze()
 
@@ -211,18 +211,19 @@ class Page:
 
     def _changed_setting(self, signal: Signal) -> bool:
         """Whether a signal was of a key that changes a setting, which it does on every screen; some change a replay's speed."""
-        if isinstance(self._screen, ReplayOnPage) and isinstance(signal, Pressed) and signal.action in _SPEEDS:
+        if not isinstance(signal, Pressed) or (isinstance(self._screen, ReplayOnPage) and signal.action in _SPEEDS):
             return False
-        now = changed(self._state.settings, signal.action) if isinstance(signal, Pressed) else None
-        if isinstance(signal, Pressed) and signal.action is Action.FULL_SCREEN:
+        if signal.action is Action.FULL_SCREEN:
             self._state.full_screen = True
-        elif now is not None:
-            self._state.change(now.settings)
-            self._state.toast = Toast(now.words, now.level)
-            self._state.announcements.append(now.words)
-            if isinstance(self._screen, MenuScreen):
-                self._screen.refresh()
-        return now is not None
+        now = changed(self._state.settings, signal.action)
+        if now is None:
+            return False
+        self._state.change(now.settings)
+        self._state.toast = Toast(now.words, now.level)
+        self._state.announcements.append(now.words)
+        if isinstance(self._screen, MenuScreen):
+            self._screen.refresh()
+        return True
 
     def _answer_question(self, message: KeyChange | PadState, screen: KeyQuestion) -> None:
         """Give an action a key or a button."""

@@ -84,7 +84,7 @@ class Counted:
             state.storage.level_done(done)
             self.unlocked = tuple([name for name in earned(state.storage.progress.value) if name not in before])
             state.changed = True
-            state.tell_problems()
+            state.notify_problems()
 
 
 def restart_menu(state: PageState, play: Played, back: Callable[[], PageScreen]) -> PageScreen:
@@ -120,7 +120,7 @@ def game_results(state: PageState, screens: Screens, play: Played, record: Count
     game, won = play.game, play.game.phase == Phase.WON
     last = state.storage.game_done() if record.counts else None
     state.changed = True
-    state.tell_problems()
+    state.notify_problems()
     lines = [tr("Score {score}").format(score=grouped(game.score))]
     if game.sides:
         lines = [f"{player_name(index)}: {grouped(side.score)}" for index, side in enumerate(game.sides)]
@@ -162,7 +162,7 @@ def _name_item(state: PageState, screens: Screens, score: Score) -> Opened:
     def entered(value: str) -> PageScreen:
         state.storage.enter(msgspec.structs.replace(score, name=value.strip()[:LONGEST_NAME]))
         state.changed = True
-        state.tell_problems()
+        state.notify_problems()
         return screens.title()
 
     held = state.storage.scores.value.last_name

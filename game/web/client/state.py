@@ -190,9 +190,9 @@ class PageState:
         """Store the game that was played, if it is worth it, with the bests made in it."""
         self.storage.game_done()
         self.changed = True
-        self.tell_problems()
+        self.notify_problems()
 
-    def tell_problems(self) -> None:
+    def notify_problems(self) -> None:
         """Say once what could not be read or written."""
         settings = None if self.settings_file is None else self.settings_file.problem
         for line in [*([] if settings is None else [settings]), *self.storage.problems]:
