@@ -67,6 +67,8 @@ _START = "Object.assign(measured, { on: true, frames: [], painted: [], pictures:
 _STOP = "Object.assign(measured, { on: false })"
 _PRESSES, _PRESS_SECONDS = 400, (0.08, 0.14)
 """How many keys are pressed, and the shortest and the longest time between two of them: they come at any time of a frame."""
+_VIEWS = (("1", "from above"), ("2", "in 3D"))
+"""The views, each after its key."""
 _LOOK_SECONDS, _MINUTE = 5.0, 60.0
 """How often a game that has ended is looked for, to begin another one."""
 
@@ -109,7 +111,7 @@ def web(
         with served(site, 0) as address:
             page = _two_visits(browser, address)
             _play(page, level)
-            for key, view in (("1", "from above"), ("2", "in 3D")):
+            for key, view in _VIEWS:
                 page.keyboard.press(key)
                 print_line(f"{view}: {_rate(page)}")
                 print_line(f"{view}, from a key to its picture: {_input_delay(page)}")
@@ -118,7 +120,7 @@ def web(
                 print_line(f"memory after {more:g} more minutes: {_memory(browser, page)}")
             if recording is not None:
                 page.evaluate(f"polarBreakout.give(new File([new Uint8Array({[*recording.read_bytes()]})], 'watched.polar'))")
-                for key, view in (("1", "from above"), ("2", "in 3D")):
+                for key, view in _VIEWS:
                     page.keyboard.press(key)
                     print_line(f"{recording.name} is watched, {view}: {_rate(page)}")
         browser.close()
