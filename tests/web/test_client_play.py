@@ -88,6 +88,16 @@ def test_two_fingers_orbit_and_zoom_in_3d_alone(played):
     assert played.game.phase.name == "SERVING"
 
 
+def test_a_tap_serves_and_a_finger_that_the_browser_takes_away_does_not(played):
+    """As when the system's own gesture begins with it."""
+    played.choose("play")
+    for end, phase in (("cancel", "SERVING"), ("up", "PLAYING")):
+        played.fingers(("down", 1, 500, 400), (end, 1, 500, 400))
+        for _ in range(5):
+            played.frame(seconds=0.1)
+        assert played.game.phase.name == phase
+
+
 def test_who_plays_by_touch_is_told_to_tap():
     """From the start on a touch device, else after the first touch; a mouse brings the words for keys back."""
     played = PlayedPage(touch=True)
