@@ -10,14 +10,14 @@ const ahead = new Uint8Array(CORNERS);
 /** Paints the primitives PRISM and SHADOWS, projected by a CAMERA. Coordinates are those of game/picture/display_list.py. */
 export class Blocks {
   /** Take the projection and the light of the primitive CAMERA. at: index of its first number, here and below. */
-  look(numbers, at) {
+  setCamera(numbers, at) {
     const [x, y, scale, azimuth, tilt, closeness, lightX, lightY, dimmest, brightest, shadowX, shadowY] = numbers.subarray(at, at + 12);
     const sine = Math.sin(tilt), cosine = Math.cos(tilt);
     Object.assign(this, { x, y, scale, azimuth, closeness, lightX, lightY, dimmest, brightest, shadowX, shadowY, sine, cosine });
   }
 
   /** Take the rotation of what follows and how far out it is, as the primitive SLOT gives them. */
-  stand(angle, out) {
+  setSlot(angle, out) {
     const right = Math.cos(angle), up = Math.sin(angle);
     this.angle = angle;
     this.out = out;
@@ -61,7 +61,7 @@ export class Blocks {
   /** Begin the path of a polygon of the ground. at: index of its first corner. */
   polygon(context, numbers, at, count) {
     const { top } = pixels;
-    this.stand(0, 0);
+    this.setSlot(0, 0);
     this.#project(numbers, at, count, 0, top);
     context.beginPath();
     for (let k = 0; k < count; k++) context.lineTo(top[2 * k], top[2 * k + 1]);
@@ -111,10 +111,10 @@ export class Blocks {
     const count = numbers[at], ends = numbers[at + 2], angles = at + 3 + 4 * count, end = angles + 3 * numbers[at + 1];
     const { angle, out } = this;
     for (let slot = angles; slot < end; slot += 3) {
-      this.stand(angle + numbers[slot], out);
+      this.setSlot(angle + numbers[slot], out);
       this.#swept(context, numbers, at + 3, count, ends, numbers[slot + 1], numbers[slot + 2]);
     }
-    this.stand(angle, out);
+    this.setSlot(angle, out);
     return end;
   }
 

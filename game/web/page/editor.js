@@ -9,7 +9,7 @@ export class Editor {
   #loading = null;
   #mirror = null;
   #timer = 0;
-  #told = null;
+  #sent = null;
 
   /** typed: is given the text when it has changed; grade: is called for Ctrl+Enter; left: for Escape. */
   constructor(section, { typed, grade, left }) {
@@ -26,7 +26,7 @@ export class Editor {
       if (this.#mirror) this.#mirror.setValue(text);
       else this.field.value = text;
     }
-    this.#told = this.#text();
+    this.#sent = this.#text();
     this.#mirror?.refresh();
   }
 
@@ -34,12 +34,12 @@ export class Editor {
     this.section.hidden = true;
   }
 
-  /** Say at once what was typed. */
+  /** Send at once what was typed. */
   flush() {
     clearTimeout(this.#timer);
-    if (this.section.hidden || this.#told === null || this.#text() === this.#told) return;
-    this.#told = this.#text();
-    this.typed(this.#told);
+    if (this.section.hidden || this.#sent === null || this.#text() === this.#sent) return;
+    this.#sent = this.#text();
+    this.typed(this.#sent);
   }
 
   #text() {

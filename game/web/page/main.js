@@ -103,14 +103,14 @@ function hurry() {
 }
 
 /** What a reply says beside its picture. */
-function heed(reply) {
+function apply(reply) {
   for (const [name, value] of Object.entries(reply.colours ?? {})) document.documentElement.style.setProperty(`--${name}`, value);
   if (reply.language) document.documentElement.lang = reply.language;
   if (reply.toolbar) controls.showToolbar(reply.toolbar);
   if (reply.menu) controls.show(reply.menu);
-  if (reply.menu || reply.menu_closed) input.uncaptured = reply.menu?.uncaptured ?? null;
   if (reply.menu_closed) controls.close();
   if (reply.menu || reply.menu_closed) {
+    input.uncaptured = reply.menu?.uncaptured ?? null;
     if (reply.menu?.editor) edit(reply.code ?? null);
     else editor.hide();
   } else if (typeof reply.code === "string") edit(reply.code);
@@ -123,7 +123,7 @@ function heed(reply) {
   if (reply.music) speaker.follow(reply.music);
   if (reply.announcement) element("announcement").textContent = reply.announcement;
   if (reply.described && canvas.getAttribute("aria-label") !== reply.described) canvas.setAttribute("aria-label", reply.described);
-  if (reply.fragment !== undefined && reply.fragment !== null) replaceFragment(reply.fragment);
+  if (typeof reply.fragment === "string") replaceFragment(reply.fragment);
   if (reply.notification) notify(reply.notification);
   if (reply.download) download(reply.download);
   if (reply.full_screen) fillScreen();
@@ -191,7 +191,7 @@ function openAgain(words) {
   location.reload();
 }
 
-function heard({ data }) {
+function receive({ data }) {
   if (data.kind === "ready") {
     element("loading").hidden = true;
     element("progress").hidden = true;
@@ -203,7 +203,7 @@ function heard({ data }) {
   } else if (data.kind === "progress") {
     element("progress").value = data.share;
   } else if (data.kind === "frame") {
-    heed(data.reply);
+    apply(data.reply);
     window.polarBreakout.frames += 1;
   } else if (data.kind === "painted") {
     waiting.shift();
@@ -232,7 +232,7 @@ function start() {
   worker = new Worker("worker.js", { type: "module" });
   for (const one of [painter, worker]) {
     one.onerror = (event) => fail(`The game cannot ${ready ? "go on" : "be started"}: ${event.message ?? "its worker is missing"}`);
-    one.onmessage = heard;
+    one.onmessage = receive;
   }
   const base = new URL("./", location.href).href, { port1, port2 } = new MessageChannel();
   grader = new Grader({ base }, (signal) => input.add(signal));

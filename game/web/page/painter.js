@@ -151,11 +151,11 @@ function shapes(context, numbers, texts) {
         break;
       }
       case CAMERA:
-        blocks.look(numbers, at);
+        blocks.setCamera(numbers, at);
         at += 12;
         break;
       case SLOT:
-        blocks.stand(numbers[at], numbers[at + 1]);
+        blocks.setSlot(numbers[at], numbers[at + 1]);
         at += 2;
         code = before;
         break;

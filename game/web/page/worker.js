@@ -3,7 +3,7 @@
 import { addFiles, startedPython } from "./python.js";
 import { discardSnapshots, storeSnapshot } from "./snapshot.js";
 
-const KEPT = "/kept";
+const FOLDER = "/kept"; // also the name of the database in which browsers have stored it
 const SNAPSHOT_DELAY = 3000; // milliseconds from the start until its memory is stored
 const LOCK_PATIENCE = 2000; // milliseconds: the page that is loaded again may wait for the end of the worker before
 const ANOTHER_TAB = "the game is open in another tab: what is played in this one is not stored";
@@ -26,7 +26,7 @@ async function start({ base, calm, languages, touch, grades, port = null }) {
   python.globals.set("languages", languages);
   page = python.runPython(`
 from game.web.client.page import Page
-Page(bytes(index), ${read ? `"${KEPT}"` : '""'}, calm=${calm ? "True" : "False"}, touch=${touch ? "True" : "False"}, languages=languages)
+Page(bytes(index), ${read ? `"${FOLDER}"` : '""'}, calm=${calm ? "True" : "False"}, touch=${touch ? "True" : "False"}, languages=languages)
 `);
   if (read && !stored) self.postMessage({ kind: "notification", words: ANOTHER_TAB });
   performance.mark("page made");
@@ -50,8 +50,8 @@ function alone() {
 /** Mount what the browser stores for this page; false where it stores nothing. */
 async function opened() {
   try {
-    python.FS.mkdirTree(KEPT);
-    python.FS.mount(python.FS.filesystems.IDBFS, {}, KEPT);
+    python.FS.mkdirTree(FOLDER);
+    python.FS.mount(python.FS.filesystems.IDBFS, {}, FOLDER);
     await synced(true);
     return true;
   } catch {
