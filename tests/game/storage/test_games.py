@@ -8,12 +8,13 @@ from game.levels import classic
 from game.replays.file import load
 from game.rules import Controls, Phase, new_game, tick
 from game.storage import games as kept
+from game.storage import stored_file
 from game.storage.games import GameFiles, StoredGame
 
 
 @pytest.fixture(autouse=True)
 def short(monkeypatch):
-    """GameFiles of a few ticks are worth keeping."""
+    """Games of a few ticks are worth keeping."""
     monkeypatch.setattr(kept, "_SHORTEST", 0.02)
 
 
@@ -25,6 +26,11 @@ def play(games, ticks, *, closed=True):
         games(Controls(), game)
     if closed:
         games.close()
+
+
+def refused(_path, _data):
+    """A disk that is full."""
+    raise OSError(28, "No space left on device")
 
 
 def test_of_games_that_nobody_keeps_the_last_twenty_stay(tmp_path):
@@ -66,6 +72,18 @@ def test_two_windows_whose_games_end_in_the_same_second_keep_both(tmp_path, monk
     play(second, 6)
     assert sorted(game.ticks for game in GameFiles(tmp_path).listed()) == [5, 6]
     assert {load(path).ticks for path in first.paths()} == {5, 6}
+
+
+def test_a_game_that_could_not_be_listed_is_listed_with_the_next(tmp_path, monkeypatch):
+    """All are there with their own lengths once the list can be written again."""
+    games = GameFiles(tmp_path)
+    play(games, 7)
+    with monkeypatch.context() as full:
+        full.setattr(stored_file, "write_atomically", refused)
+        play(games, 5)
+    assert "not saved" in games.problem
+    play(games, 6)
+    assert sorted(game.ticks for game in GameFiles(tmp_path).listed()) == [5, 6, 7]
 
 
 def test_what_is_no_game_does_not_break_the_list(tmp_path):
