@@ -4,6 +4,7 @@ import functools
 import inspect
 import time
 from collections.abc import Callable
+from types import FunctionType, ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -90,14 +91,21 @@ def register_autopilot() -> bool:
 
     for function in (keyed_spin, spin_to_pointer):
         register_jitable(function)
+    replaced = [plans.replan]
     for name in _ON_ARRAYS:
-        overload(getattr(prediction, name), jit_options={"forceinline": True})(_instead(getattr(plans, name)))
+        function = getattr(prediction, name)
+        overload(function, jit_options={"forceinline": True})(_instead(getattr(plans, name)))
+        replaced.append(function)
     for module in (prediction, source_plan, plans, steering):
-        for function in list(vars(module).values()):
-            own = inspect.isfunction(function) and function.__module__ == module.__name__
-            if own and function is not plans.replan and not (module is prediction and function.__name__ in _ON_ARRAYS):
+        for function in own_functions(module):
+            if function not in replaced:
                 register_jitable(forceinline=module is steering or function.__name__ in _INLINED)(function)
     return _register_replan()
+
+
+def own_functions(module: ModuleType) -> list[FunctionType]:
+    """The functions that a module defines, without those that it imports."""
+    return [one for one in vars(module).values() if inspect.isfunction(one) and one.__module__ == module.__name__]
 
 
 def _register_replan() -> bool:

@@ -17,7 +17,7 @@ from physics.shapes import Ball, Ring
 from physics.vectors import length
 from tools.autopilot.plans import NOTHING, ONE_TICK, planned_pointer, replan
 
-_NOBODY = Ball(0j, 0j, 1.0)
+_NO_BALL = Ball(0j, 0j, 1.0)
 """In place of a ball where all are lost."""
 
 
@@ -69,7 +69,7 @@ def step(  # noqa: C901, PLR0912  # given to functions, the arrays of the games 
         while played[g] < ticks:
             if rows.now[0] > most:
                 return g
-            met, is_met, slowest = _NOBODY, False, math.inf
+            met, is_met, slowest = _NO_BALL, False, math.inf
             for i in range(balls):
                 ball = Ball(positions[g, i], velocities[g, i], radii[g, i])
                 slowest = min(slowest, length(ball.velocity))

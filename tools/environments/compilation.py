@@ -3,7 +3,6 @@
 import functools
 import time
 from collections.abc import Callable
-from inspect import isfunction
 from typing import NamedTuple
 
 import numpy as np
@@ -16,7 +15,7 @@ from physics.batch.arrays import no_games
 from physics.batch.compilation import sources_hash, with_progress
 from physics.batch.hits import new_rows
 from tools import environments
-from tools.autopilot.compilation import autopilot_key, register_autopilot
+from tools.autopilot.compilation import autopilot_key, own_functions, register_autopilot
 from tools.autopilot.plans import PLAN
 from tools.environments import observation, ticks
 from tools.environments.numbers import EPISODE, LevelConstants, new_results
@@ -116,7 +115,5 @@ def _register() -> None:
     for function in (served_ball, swung_aim, nudged_ball, layer_points):
         register_jitable(function)
     for module in (ticks, observation):
-        for function in list(vars(module).values()):
-            own = isfunction(function) and function.__module__ == module.__name__
-            if own:
-                register_jitable(forceinline=True)(function)
+        for function in own_functions(module):
+            register_jitable(forceinline=True)(function)
