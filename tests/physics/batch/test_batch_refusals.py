@@ -6,6 +6,7 @@ import platform
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 
 from physics import PERMANENT, Arena, Ball, Ring
@@ -45,6 +46,20 @@ def test_a_wrong_argument_is_named(arguments, named):
     """ValueError says which, and what was expected."""
     with pytest.raises(ValueError, match=named):
         Batch(**({"arenas": [ARENA], "dt": 0.01, "speed": 8.0} | arguments))
+
+
+def test_numbers_of_games_are_those_of_the_batch(monkeypatch):
+    """Also where an array would count from its end; a single number is no array of games."""
+    monkeypatch.setattr("physics.batch.batch.compiled", lambda: None)
+    games = Batch([ARENA] * 3, dt=0.01, speed=8.0)
+    for wrong in (3, -1, 1.0, "0"):
+        with pytest.raises(ValueError, match="game must be a whole number from 0 to 2, not"):
+            games.arena(wrong)
+        with pytest.raises(ValueError, match="game must be a whole number from 0 to 2, not"):
+            games.put(wrong, ARENA)
+    with pytest.raises(ValueError, match="games must be a int64 array"):
+        games.serve(1, np.zeros((1, 0), np.complex128), np.zeros((1, 0), np.complex128))
+    assert games.arena(np.int64(0)) == ARENA
 
 
 def test_without_numba_the_extra_is_named(monkeypatch):
