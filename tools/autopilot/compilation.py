@@ -27,7 +27,7 @@ _ON_ARRAYS = ("with_ball", "ball_of", "flown", "free_seconds", "flown_freely")
 """Functions of `game.autopilot.prediction` in whose place those of `plans` are compiled."""
 
 
-_INLINED = ("_copy_bricks", "planned_pointer", *_ON_ARRAYS)
+_INLINED = ("_copy_bricks", "is_outdated", "planned_pointer", *_ON_ARRAYS)
 """Functions of `plans` that are compiled into their callers: numba counts arrays in and out of every other call."""
 
 

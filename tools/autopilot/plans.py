@@ -69,6 +69,11 @@ def write_plan(plan: Any, games: Games, g: int, ball: Ball, tick: int, speed: fl
         plan.state, plan.tick, plan.bearing, plan.spin = MEETING, found.tick, found.bearing, found.spin
 
 
+def is_outdated(plan: Any, velocity: complex) -> bool:
+    """Whether a ball of this velocity needs another plan."""
+    return bool(plan.state == NOTHING or plan.velocity != velocity)
+
+
 def planned_pointer(plan: Any, tick: int) -> int:
     """Where the plan wants a paddle in a tick, as in `Controls.pointer`; -1 for nowhere."""
     return pointer_to(wanted_angle(Plan(plan.tick, plan.bearing, plan.spin), tick)) if plan.state == MEETING else -1
