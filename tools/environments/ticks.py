@@ -23,7 +23,7 @@ from physics.broad_phase import has_left
 from physics.shapes import PERMANENT, Ball, Ring
 from physics.vectors import dot
 from tools.autopilot.plans import NOTHING, is_outdated, planned_pointer, replan
-from tools.environments.numbers import BRICKS, CUT_OFF, FINISHED, PLAY, LevelConstants, TickResults
+from tools.environments.numbers import BRICKS, CUT_OFF, FINISHED, PLAY, LevelConstants, StepResults
 from tools.environments.observation import bricks_turn, write_states
 
 _SERVING, _PLAYING, _WON, _OVER = int(Phase.SERVING), int(Phase.PLAYING), int(Phase.WON), int(Phase.OVER)
@@ -41,7 +41,7 @@ def step(
     plans: Any,
     actions: Integers,
     pointers: Integers,
-    results: TickResults,
+    results: StepResults,
     states: npt.NDArray[np.float32],
     rows: Rows,
     busy: Integers,
@@ -78,7 +78,7 @@ def _fly(  # noqa: C901  # functions with arrays as arguments may not be called 
     plans: Any,
     actions: Integers,
     pointers: Integers,
-    results: TickResults,
+    results: StepResults,
     busy: Integers,
 ) -> None:
     """Take the actions, and advance each environment until its ball may touch anything, or has to be served.
@@ -130,7 +130,7 @@ def _play(
     games: Games,
     episodes: Any,
     plans: Any,
-    results: TickResults,
+    results: StepResults,
     rows: Rows,
     busy: Integers,
     begun: int,
