@@ -15,7 +15,7 @@ import physics.batch
 from game.autopilot import prediction, source_plan
 from game.rules.steering import keyed_spin, spin_to_pointer
 from physics.batch.arrays import no_games
-from physics.batch.compilation import sources_hash, with_progress
+from physics.batch.compilation import compile_cached, sources_hash, with_progress
 from physics.batch.hits import new_rows
 from physics.shapes import Ball
 from tools import autopilot
@@ -73,7 +73,7 @@ def _compiled() -> CompiledAutopilot:
     pilots = numba.typeof(Pilots(np.empty(0, PLAN), integers, integers, integers))
     games, rows = numba.typeof(no_games()), numba.typeof(new_rows(0))
     whole, real = numba.int64, numba.float64
-    step.compile((pilots, real, real, games, whole, whole, whole, whole, real, real, rows, numba.boolean[:, ::1]))
+    compile_cached(step, (pilots, real, real, games, whole, whole, whole, whole, real, real, rows, numba.boolean[:, ::1]))
     cached = replan_cached and sum(step.stats.cache_hits.values()) > 0
     return CompiledAutopilot(step, time.perf_counter() - start, cached)
 
@@ -122,7 +122,7 @@ def _register_replan() -> bool:
 
     whole, real = numba.int64, numba.float64
     ball = numba.typeof(Ball(0j, 0j, 1.0))
-    replan.compile((numba.from_dtype(PLAN), numba.typeof(no_games()), whole, ball, whole, real, real))
+    compile_cached(replan, (numba.from_dtype(PLAN), numba.typeof(no_games()), whole, ball, whole, real, real))
 
     @overload(plans.replan)
     def _replan(plan, games, g, ball, tick, speed, top):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001

@@ -2,6 +2,7 @@
 
 import ctypes
 import math
+import pickle
 import platform
 import subprocess
 import sys
@@ -11,7 +12,7 @@ import pytest
 
 from physics import PERMANENT, Arena, Ball, Ring
 from physics.batch import Batch
-from physics.batch.compilation import check_numba, sources_hash
+from physics.batch.compilation import check_numba, compile_cached, sources_hash
 from tests.support.paths import ROOT
 
 RING = Ring(5.0, 0.5, 0.3, 2, 0.0, 0.7)
@@ -108,3 +109,25 @@ def test_the_key_of_the_compiled_code_changes_with_any_source(monkeypatch, tmp_p
         keys.append(sources_hash())
     assert len(set(keys)) == 3
     assert sources_hash() == keys[-1]
+
+
+def one_function(path):
+    """A function whose compiled code is kept on disk beside a file."""
+    path.write_text("import numba\n\n@numba.njit(cache=True)\ndef doubled(x):\n    return 2.0 * x\n", encoding="utf-8")
+    names = {}
+    exec(compile(path.read_text(encoding="utf-8"), path, "exec"), names)  # noqa: S102  # the lines above
+    return names["doubled"]
+
+
+@pytest.mark.parametrize("gone", [b"cphysics.shapes\nGone\n.", b"cphysics.gone\nBall\n."])
+def test_what_another_version_has_left_on_disk_is_compiled_anew(gone, tmp_path):
+    """Its index may name a class that there is no more, which numba finds out before it compares the sources' times."""
+    numba = pytest.importorskip("numba")
+    doubled = one_function(tmp_path / "one.py")
+    doubled.compile((numba.float64,))
+    (index,) = tmp_path.rglob("*.nbi")
+    index.write_bytes(pickle.dumps(numba.__version__) + gone)
+    again = one_function(tmp_path / "one.py")
+    compile_cached(again, (numba.float64,))
+    assert again(1.5) == 3.0
+    assert gone not in index.read_bytes()
