@@ -1,7 +1,7 @@
 """Where a ball will come to the paddles' track.
 
 `crossing` is compiled as it stands for many games at once; the five functions of an `Ahead` that it calls are then replaced by
-those of `tools/autopilot/outlook.py`, which do the same on arrays.
+those of `tools/autopilot/plans.py`, which do the same on arrays.
 """
 
 import math

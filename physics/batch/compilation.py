@@ -118,6 +118,15 @@ def sources_hash(package: ModuleType = physics) -> str:
     return digest.hexdigest()
 
 
+def compile_cached(function: Any, signature: tuple[Any, ...]) -> None:
+    """Compile numba's function for a signature, or load what is on disk."""
+    try:
+        function.compile(signature)
+    except (AttributeError, ImportError):  # the index on disk names a class that another version of the project had
+        function._cache.flush()  # noqa: SLF001  # numba reads the index before it compares the sources' times
+        function.compile(signature)
+
+
 @functools.cache
 def _compiled() -> Compiled:
     """Compile or load; once in a process."""
@@ -146,9 +155,9 @@ def _compiled() -> Compiled:
 
     games = numba.typeof(no_games())
     integer, real, rows = numba.int64, numba.float64, numba.typeof(new_rows(0))
-    steer.compile((games, real[:, ::1], integer, integer))
-    step.compile((games, integer, integer, integer, integer, real, real, real, rows, numba.boolean[:, ::1]))
-    play_one_tick.compile((games, integer, real, real, rows, _workspace_type()))
+    compile_cached(steer, (games, real[:, ::1], integer, integer))
+    compile_cached(step, (games, integer, integer, integer, integer, real, real, real, rows, numba.boolean[:, ::1]))
+    compile_cached(play_one_tick, (games, integer, real, real, rows, _workspace_type()))
     _register_tick(play_one_tick)
     cached = all([sum(function.stats.cache_hits.values()) > 0 for function in (steer, step, play_one_tick)])
     return Compiled(steer, step, time.perf_counter() - start, cached)

@@ -1,4 +1,4 @@
-"""What a batch and its autopilot refuse in one line that names the argument; nothing is compiled."""
+"""What the autopilot of a batch refuses in one line that names the argument; nothing is compiled."""
 
 import numpy as np
 import pytest
@@ -54,15 +54,3 @@ def test_a_step_refuses_what_cannot_steer(games):
             games.step(autopilot=wrong)
     with pytest.raises(ValueError, match=f"autopilot must be one of {COUNT} games, not of 1"):
         games.step(autopilot=BatchAutopilot(LEVEL, 1))
-
-
-def test_numbers_of_games_are_those_of_the_batch(games):
-    """Also where an array would count from its end; a single number is no array of games."""
-    for wrong in (COUNT, -1, 1.0, "0"):
-        with pytest.raises(ValueError, match="game must be a whole number from 0 to 2, not"):
-            games.arena(wrong)
-        with pytest.raises(ValueError, match="game must be a whole number from 0 to 2, not"):
-            games.put(wrong, ARENA)
-    with pytest.raises(ValueError, match="games must be a int64 array"):
-        games.serve(1, np.zeros((1, 0), np.complex128), np.zeros((1, 0), np.complex128))
-    assert games.arena(np.int64(0)) == ARENA

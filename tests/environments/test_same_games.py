@@ -6,6 +6,7 @@ import pytest
 from game.levels import built_in
 from game.replays.state_hash import state_hash
 from game.rules import SOURCE_RULES, Controls, Phase, new_game, tick
+from tools.autopilot.comparison import DECIDING
 from tools.environments.many import EnvironmentOptions, ManyEnvironments, base_seed
 
 pytestmark = pytest.mark.deep
@@ -60,7 +61,7 @@ def play(many, steps, chance, played):
                 continue
             theirs = tick(before, held_controls(many.episodes[index])).game
             games[index] = theirs
-            assert mine[2:12] == theirs[2:12]
+            assert mine[DECIDING] == theirs[DECIDING]
             assert done.rewards[index] == theirs.score - before.score
             assert done.over[index] == (theirs.phase in {Phase.WON, Phase.OVER})
             played.scored += theirs.score > before.score

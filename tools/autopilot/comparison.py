@@ -9,8 +9,8 @@ from game.autopilot.source_pilot import SourcePilot
 from game.rules import Controls, Game, Ticked, tick
 from tools.environments.many import EnvironmentOptions, ManyEnvironments, base_seed
 
-_DECIDES = slice(2, 12)
-"""The fields of `Game` that decide how it goes on, from the seed to the contacts without a brick."""
+DECIDING = slice(Game._fields.index("seed"), Game._fields.index("flight"))
+"""The fields of `Game` that decide how it goes on under the source's rules."""
 
 
 class ComparedTick(NamedTuple):
@@ -56,8 +56,8 @@ def compared_ticks(many: ManyEnvironments, games: Sequence[Game], steps: int) ->
             pointer = int(many.episodes["pointer"][index])
             if controls.pointer != (None if pointer < 0 else pointer):
                 raise AssertionError(f"{_where(before)}: pointer {pointer}, not {controls.pointer}")
-            if mine[_DECIDES] != done.game[_DECIDES]:
-                raise AssertionError(f"{_where(before)}: {mine[_DECIDES]}, not {done.game[_DECIDES]}")
+            if mine[DECIDING] != done.game[DECIDING]:
+                raise AssertionError(f"{_where(before)}: {mine[DECIDING]}, not {done.game[DECIDING]}")
             yield ComparedTick(before, controls, done)
 
 

@@ -4,6 +4,7 @@ import functools
 import inspect
 import time
 from collections.abc import Callable
+from types import FunctionType, ModuleType
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -14,7 +15,7 @@ import physics.batch
 from game.autopilot import prediction, source_plan
 from game.rules.steering import keyed_spin, spin_to_pointer
 from physics.batch.arrays import no_games
-from physics.batch.compilation import sources_hash, with_progress
+from physics.batch.compilation import compile_cached, sources_hash, with_progress
 from physics.batch.hits import new_rows
 from physics.shapes import Ball
 from tools import autopilot
@@ -26,7 +27,7 @@ _ON_ARRAYS = ("with_ball", "ball_of", "flown", "free_seconds", "flown_freely")
 """Functions of `game.autopilot.prediction` in whose place those of `plans` are compiled."""
 
 
-_INLINED = ("_copy_bricks", "planned_pointer", *_ON_ARRAYS)
+_INLINED = ("_copy_bricks", "is_outdated", "planned_pointer", *_ON_ARRAYS)
 """Functions of `plans` that are compiled into their callers: numba counts arrays in and out of every other call."""
 
 
@@ -72,7 +73,7 @@ def _compiled() -> CompiledAutopilot:
     pilots = numba.typeof(Pilots(np.empty(0, PLAN), integers, integers, integers))
     games, rows = numba.typeof(no_games()), numba.typeof(new_rows(0))
     whole, real = numba.int64, numba.float64
-    step.compile((pilots, real, real, games, whole, whole, whole, whole, real, real, rows, numba.boolean[:, ::1]))
+    compile_cached(step, (pilots, real, real, games, whole, whole, whole, whole, real, real, rows, numba.boolean[:, ::1]))
     cached = replan_cached and sum(step.stats.cache_hits.values()) > 0
     return CompiledAutopilot(step, time.perf_counter() - start, cached)
 
@@ -90,14 +91,21 @@ def register_autopilot() -> bool:
 
     for function in (keyed_spin, spin_to_pointer):
         register_jitable(function)
+    replaced = [plans.replan]
     for name in _ON_ARRAYS:
-        overload(getattr(prediction, name), jit_options={"forceinline": True})(_instead(getattr(plans, name)))
+        function = getattr(prediction, name)
+        overload(function, jit_options={"forceinline": True})(_instead(getattr(plans, name)))
+        replaced.append(function)
     for module in (prediction, source_plan, plans, steering):
-        for function in list(vars(module).values()):
-            own = inspect.isfunction(function) and function.__module__ == module.__name__
-            if own and function is not plans.replan and not (module is prediction and function.__name__ in _ON_ARRAYS):
+        for function in own_functions(module):
+            if function not in replaced:
                 register_jitable(forceinline=module is steering or function.__name__ in _INLINED)(function)
     return _register_replan()
+
+
+def own_functions(module: ModuleType) -> list[FunctionType]:
+    """The functions that a module defines, without those that it imports."""
+    return [one for one in vars(module).values() if inspect.isfunction(one) and one.__module__ == module.__name__]
 
 
 def _register_replan() -> bool:
@@ -114,7 +122,7 @@ def _register_replan() -> bool:
 
     whole, real = numba.int64, numba.float64
     ball = numba.typeof(Ball(0j, 0j, 1.0))
-    replan.compile((numba.from_dtype(PLAN), numba.typeof(no_games()), whole, ball, whole, real, real))
+    compile_cached(replan, (numba.from_dtype(PLAN), numba.typeof(no_games()), whole, ball, whole, real, real))
 
     @overload(plans.replan)
     def _replan(plan, games, g, ball, tick, speed, top):  # type: ignore[no-untyped-def]  # noqa: ANN001, ANN202, ARG001

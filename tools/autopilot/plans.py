@@ -61,12 +61,17 @@ def replan(plan: Any, games: Games, g: int, ball: Ball, tick: int, speed: float,
 
 def write_plan(plan: Any, games: Games, g: int, ball: Ball, tick: int, speed: float, top: float) -> None:
     """Plan anew how a ball of game g is met. plan: a row of PLAN, written. The others as `source_plan.planned` takes them."""
-    outlook = new_outlook(games)
-    _copy_bricks(games, g, PADDLES + 1, outlook.games, 0)
-    found = planned(outlook, ring_of(games, g, PADDLES), ball, tick, speed, top)  # type: ignore[arg-type]  # in place of an Ahead
+    bricks = new_array_ahead(games)
+    _copy_bricks(games, g, PADDLES + 1, bricks.games, 0)
+    found = planned(bricks, ring_of(games, g, PADDLES), ball, tick, speed, top)  # type: ignore[arg-type]  # in place of an Ahead
     plan.velocity, plan.state = ball.velocity, AWAY
     if found is not None:
         plan.state, plan.tick, plan.bearing, plan.spin = MEETING, found.tick, found.bearing, found.spin
+
+
+def is_outdated(plan: Any, velocity: complex) -> bool:
+    """Whether a ball of this velocity needs another plan."""
+    return bool(plan.state == NOTHING or plan.velocity != velocity)
 
 
 def planned_pointer(plan: Any, tick: int) -> int:
@@ -74,7 +79,7 @@ def planned_pointer(plan: Any, tick: int) -> int:
     return pointer_to(wanted_angle(Plan(plan.tick, plan.bearing, plan.spin), tick)) if plan.state == MEETING else -1
 
 
-def new_outlook(games: Games) -> ArrayAhead:
+def new_array_ahead(games: Games) -> ArrayAhead:
     """Room to look ahead in any of these games."""
     rings, slots = games.layers.shape[1] - 1, games.layers.shape[2]
     states = Games(

@@ -15,9 +15,9 @@ from physics.batch.hits import HIT, Rows
 from physics.broad_phase import has_left
 from physics.shapes import Ball, Ring
 from physics.vectors import length
-from tools.autopilot.plans import NOTHING, ONE_TICK, planned_pointer, replan
+from tools.autopilot.plans import NOTHING, ONE_TICK, is_outdated, planned_pointer, replan
 
-_NOBODY = Ball(0j, 0j, 1.0)
+_NO_BALL = Ball(0j, 0j, 1.0)
 """In place of a ball where all are lost."""
 
 
@@ -69,7 +69,7 @@ def step(  # noqa: C901, PLR0912  # given to functions, the arrays of the games 
         while played[g] < ticks:
             if rows.now[0] > most:
                 return g
-            met, is_met, slowest = _NOBODY, False, math.inf
+            met, is_met, slowest = _NO_BALL, False, math.inf
             for i in range(balls):
                 ball = Ball(positions[g, i], velocities[g, i], radii[g, i])
                 slowest = min(slowest, length(ball.velocity))
@@ -77,7 +77,7 @@ def step(  # noqa: C901, PLR0912  # given to functions, the arrays of the games 
                     met, is_met = outer(met, ball) if is_met else ball, True
             if not is_met:
                 plans[g].state = NOTHING
-            elif plans[g].state == NOTHING or plans[g].velocity != met.velocity:
+            elif is_outdated(plans[g], met.velocity):
                 replan(plans[g], games, g, met, clocks[g], speed, top)
             pointers[g] = planned_pointer(plans[g], clocks[g])
             before = spins[g, PADDLES]

@@ -3,7 +3,6 @@
 import functools
 import time
 from collections.abc import Callable
-from inspect import isfunction
 from typing import NamedTuple
 
 import numpy as np
@@ -13,10 +12,10 @@ from game.rules.nudging import nudged_ball
 from game.rules.scoring import layer_points
 from game.rules.serving import served_ball, swung_aim
 from physics.batch.arrays import no_games
-from physics.batch.compilation import sources_hash, with_progress
+from physics.batch.compilation import compile_cached, sources_hash, with_progress
 from physics.batch.hits import new_rows
 from tools import environments
-from tools.autopilot.compilation import autopilot_key, register_autopilot
+from tools.autopilot.compilation import autopilot_key, own_functions, register_autopilot
 from tools.autopilot.plans import PLAN
 from tools.environments import observation, ticks
 from tools.environments.numbers import EPISODE, LevelConstants, new_results
@@ -95,11 +94,11 @@ def _compiled_loops() -> CompiledLoops:
     )
     numbers, games, episodes, plans, rows, results = (numba.typeof(example) for example in examples)
     integers, small, states = numba.int64[::1], numba.uint8, numba.float32[:, ::1]
-    step.compile((numbers, games, episodes, plans, integers, integers, results, states, rows, integers, numba.int64))
-    begin.compile((numbers, games, episodes, states, numba.boolean[::1]))
-    write_states.compile((numbers, games, episodes, states))
+    compile_cached(step, (numbers, games, episodes, plans, integers, integers, results, states, rows, integers, numba.int64))
+    compile_cached(begin, (numbers, games, episodes, states, numba.boolean[::1]))
+    compile_cached(write_states, (numbers, games, episodes, states))
     cells = observation.Cells(np.empty(0, np.complex128), np.empty(0), np.empty(0, np.int64), np.empty(0))
-    paint.compile((games, numba.typeof(cells), integers, small[:, ::1]))
+    compile_cached(paint, (games, numba.typeof(cells), integers, small[:, ::1]))
     loops = (step, begin, write_states, paint)
     cached = all([sum(loop.stats.cache_hits.values()) > 0 for loop in loops])
     # These are the compiled functions themselves, which check their arguments' types. numba's dispatcher would look up the only
@@ -116,7 +115,5 @@ def _register() -> None:
     for function in (served_ball, swung_aim, nudged_ball, layer_points):
         register_jitable(function)
     for module in (ticks, observation):
-        for function in list(vars(module).values()):
-            own = isfunction(function) and function.__module__ == module.__name__
-            if own:
-                register_jitable(forceinline=True)(function)
+        for function in own_functions(module):
+            register_jitable(forceinline=True)(function)

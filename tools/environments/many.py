@@ -22,7 +22,7 @@ from physics.tolerances import MAX_IMPACTS
 from tools.autopilot.plans import PLAN
 from tools.environments.compilation import compiled_loops
 from tools.environments.history import History
-from tools.environments.numbers import BRICKS, EPISODE, LevelConstants, TickResults, new_results
+from tools.environments.numbers import BRICKS, EPISODE, LevelConstants, StepResults, new_results
 from tools.environments.observation import Cells, numbers_of_state, square_cells, unrolled_cells
 
 Observation = Literal["state", "rings", "pixels"]
@@ -134,7 +134,7 @@ class ManyEnvironments:
             if mask[index]:
                 history.begin()
 
-    def step(self, actions: npt.NDArray[Any]) -> TickResults:
+    def step(self, actions: npt.NDArray[Any]) -> StepResults:
         """Take one action in every environment."""
         discrete, pointers = self._controls(actions)
         results = new_results(len(self))

@@ -51,7 +51,7 @@ seed, where some are not taken by chance.
 """
 
 
-class TickResults(NamedTuple):
+class StepResults(NamedTuple):
     """The results of a step, each an array with a number for every environment.
 
     Attributes:
@@ -71,10 +71,10 @@ class TickResults(NamedTuple):
     ticks: npt.NDArray[np.int64]
 
 
-def new_results(count: int) -> TickResults:
+def new_results(count: int) -> StepResults:
     """Arrays for the results of `count` environments."""
     flags, numbers = np.empty((2, count), np.bool_), np.empty((3, count), np.int64)
-    return TickResults(np.empty(count), *flags, *numbers)
+    return StepResults(np.empty(count), *flags, *numbers)
 
 
 class LevelConstants(NamedTuple):

@@ -22,8 +22,8 @@ from physics.batch.hits import Rows
 from physics.broad_phase import has_left
 from physics.shapes import PERMANENT, Ball, Ring
 from physics.vectors import dot
-from tools.autopilot.plans import NOTHING, planned_pointer, replan
-from tools.environments.numbers import BRICKS, CUT_OFF, FINISHED, PLAY, LevelConstants, TickResults
+from tools.autopilot.plans import NOTHING, is_outdated, planned_pointer, replan
+from tools.environments.numbers import BRICKS, CUT_OFF, FINISHED, PLAY, LevelConstants, StepResults
 from tools.environments.observation import bricks_turn, write_states
 
 _SERVING, _PLAYING, _WON, _OVER = int(Phase.SERVING), int(Phase.PLAYING), int(Phase.WON), int(Phase.OVER)
@@ -41,7 +41,7 @@ def step(
     plans: Any,
     actions: Integers,
     pointers: Integers,
-    results: TickResults,
+    results: StepResults,
     states: npt.NDArray[np.float32],
     rows: Rows,
     busy: Integers,
@@ -78,7 +78,7 @@ def _fly(  # noqa: C901  # functions with arrays as arguments may not be called 
     plans: Any,
     actions: Integers,
     pointers: Integers,
-    results: TickResults,
+    results: StepResults,
     busy: Integers,
 ) -> None:
     """Take the actions, and advance each environment until its ball may touch anything, or has to be served.
@@ -101,7 +101,7 @@ def _fly(  # noqa: C901  # functions with arrays as arguments may not be called 
             paddles = with_turn(model, phases[g, PADDLES], spins[g, PADDLES])
             ball = Ball(positions[g, 0], velocities[g, 0], numbers.ball_radius)
             if numbers.autopilot != 0:
-                if plans[g].state == NOTHING or plans[g].velocity != ball.velocity:
+                if is_outdated(plans[g], ball.velocity):
                     break
                 e.pointer = planned_pointer(plans[g], e.tick)
             spin = _steered_spin(numbers, e, paddles)
@@ -130,7 +130,7 @@ def _play(
     games: Games,
     episodes: Any,
     plans: Any,
-    results: TickResults,
+    results: StepResults,
     rows: Rows,
     busy: Integers,
     begun: int,
@@ -233,7 +233,7 @@ def _decide(numbers: LevelConstants, games: Games, e: Any, plan: Any, g: int) ->
     if e.phase != _PLAYING:
         plan.state = NOTHING
         return
-    if plan.state == NOTHING or plan.velocity != games.velocities[g, 0]:
+    if is_outdated(plan, games.velocities[g, 0]):
         ball = Ball(games.positions[g, 0], games.velocities[g, 0], numbers.ball_radius)
         replan(plan, games, g, ball, e.tick, numbers.speed, numbers.top)
     e.pointer = planned_pointer(plan, e.tick)

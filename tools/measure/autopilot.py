@@ -9,7 +9,7 @@ if __name__ == "__main__":
 
 import sys
 import time
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 from rich.console import Console
@@ -94,7 +94,7 @@ def _compare(console: Console, ticks: int) -> None:
 
     levels = built_in()
     steps = -(-ticks // (len(levels) * _COUNT))
-    seen: dict[str, Any] = dict.fromkeys(("ticks", "serves", "hits", "lost", "nudges", "won", "over"), 0)
+    seen = dict.fromkeys(("ticks", "serves", "hits", "lost", "nudges", "won", "over"), 0)
     for seed, level in enumerate(track(levels, "comparing", console=console, transient=True)):
         many = played_environments(level.name, seed, _COUNT)
         try:

@@ -2,15 +2,17 @@
 
 import ctypes
 import math
+import pickle
 import platform
 import subprocess
 import sys
 
+import numpy as np
 import pytest
 
 from physics import PERMANENT, Arena, Ball, Ring
 from physics.batch import Batch
-from physics.batch.compilation import check_numba, sources_hash
+from physics.batch.compilation import check_numba, compile_cached, sources_hash
 from tests.support.paths import ROOT
 
 RING = Ring(5.0, 0.5, 0.3, 2, 0.0, 0.7)
@@ -45,6 +47,20 @@ def test_a_wrong_argument_is_named(arguments, named):
     """ValueError says which, and what was expected."""
     with pytest.raises(ValueError, match=named):
         Batch(**({"arenas": [ARENA], "dt": 0.01, "speed": 8.0} | arguments))
+
+
+def test_numbers_of_games_are_those_of_the_batch(monkeypatch):
+    """Also where an array would count from its end; a single number is no array of games."""
+    monkeypatch.setattr("physics.batch.batch.compiled", lambda: None)
+    games = Batch([ARENA] * 3, dt=0.01, speed=8.0)
+    for wrong in (3, -1, 1.0, "0"):
+        with pytest.raises(ValueError, match="game must be a whole number from 0 to 2, not"):
+            games.arena(wrong)
+        with pytest.raises(ValueError, match="game must be a whole number from 0 to 2, not"):
+            games.put(wrong, ARENA)
+    with pytest.raises(ValueError, match="games must be a int64 array"):
+        games.serve(1, np.zeros((1, 0), np.complex128), np.zeros((1, 0), np.complex128))
+    assert games.arena(np.int64(0)) == ARENA
 
 
 def test_without_numba_the_extra_is_named(monkeypatch):
@@ -93,3 +109,25 @@ def test_the_key_of_the_compiled_code_changes_with_any_source(monkeypatch, tmp_p
         keys.append(sources_hash())
     assert len(set(keys)) == 3
     assert sources_hash() == keys[-1]
+
+
+def one_function(path):
+    """A function whose compiled code is kept on disk beside a file."""
+    path.write_text("import numba\n\n@numba.njit(cache=True)\ndef doubled(x):\n    return 2.0 * x\n", encoding="utf-8")
+    names = {}
+    exec(compile(path.read_text(encoding="utf-8"), path, "exec"), names)  # noqa: S102  # the lines above
+    return names["doubled"]
+
+
+@pytest.mark.parametrize("gone", [b"cphysics.shapes\nGone\n.", b"cphysics.gone\nBall\n."])
+def test_what_another_version_has_left_on_disk_is_compiled_anew(gone, tmp_path):
+    """Its index may name a class that there is no more, which numba finds out before it compares the sources' times."""
+    numba = pytest.importorskip("numba")
+    doubled = one_function(tmp_path / "one.py")
+    doubled.compile((numba.float64,))
+    (index,) = tmp_path.rglob("*.nbi")
+    index.write_bytes(pickle.dumps(numba.__version__) + gone)
+    again = one_function(tmp_path / "one.py")
+    compile_cached(again, (numba.float64,))
+    assert again(1.5) == 3.0
+    assert gone not in index.read_bytes()

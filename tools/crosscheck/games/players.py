@@ -25,7 +25,12 @@ class Player(Protocol):
 
 
 class MousePlayer:
-    """Moves the pointer after the ball, late, shakily and in jumps."""
+    """Moves the pointer after the ball, late, shakily and in jumps.
+
+    longest_pause: ticks before a serve, at most.
+    """
+
+    longest_pause = _LONGEST_PAUSE
 
     def __init__(self, seed: int) -> None:
         """The same seed makes the same moves."""
@@ -36,12 +41,15 @@ class MousePlayer:
     def controls(self, game: Game) -> Controls:
         """What to do in this tick."""
         if game.tick % _POINTER_TICKS == 0 and game.arena.balls:
-            reach = _SHAKE * paddle_ring(game).half_angle
-            shake = (2.0 * self._chance.random() - 1.0) * reach
+            shake = (2.0 * self._chance.random() - 1.0) * self.most_shake(game)
             self._pointer = int(((_bearing_ahead(game) + shake) / math.tau % 1.0) * POINTER_STEPS) % POINTER_STEPS
         if game.phase_tick == 0:
-            self._serve_at = int(self._chance.random() * _LONGEST_PAUSE)
+            self._serve_at = int(self._chance.random() * self.longest_pause)
         return Controls(pointer=self._pointer, serve=game.phase != Phase.PLAYING and game.phase_tick >= self._serve_at)
+
+    def most_shake(self, game: Game) -> float:
+        """Radians that the pointer is beside the ball, at most, to either side."""
+        return _SHAKE * paddle_ring(game).half_angle
 
 
 class KeyPlayer:
