@@ -11,10 +11,10 @@ import numpy as np
 from game.drawing.camera import Camera
 from game.drawing.solid.blocks import Blocks, Integers, recoloured, ring_blocks
 from game.drawing.solid.faces import ProjectedBlocks, projected
-from game.picture.slots.contents import ContentKind, SlotContent
+from game.picture.slots.contents import ContentKind, SlotContent, pushed_out
 from game.picture.solid.order import Span, back_to_front
 from game.picture.solid.prisms import wedges_between
-from game.picture.solid.rings import RingLook, pushed_out, ring_prisms
+from game.picture.solid.rings import RingLook, ring_prisms
 from game.scene import Scene
 
 _MOST_RINGS = 64

@@ -10,10 +10,10 @@ from game.drawing.palette import Theme
 from game.picture.display_list import DisplayList
 from game.picture.moving.balls import add_ball, ball_outline
 from game.picture.moving.bursts import Flying
-from game.picture.slots.contents import Contents
+from game.picture.slots.contents import Contents, pushed_out
 from game.picture.solid.order import Span, among_rings, back_to_front
 from game.picture.solid.prisms import SlotPrisms, part_of
-from game.picture.solid.rings import RingLook, RingPrisms, SlotShadow, pushed_out, ring_looks, ring_prisms
+from game.picture.solid.rings import RingLook, RingPrisms, SlotShadow, ring_looks, ring_prisms
 from game.scene import Scene
 
 
@@ -82,7 +82,8 @@ class _RingLists:
         self.whole: dict[int, tuple[SlotPrisms, DisplayList]] = {}  # by the identity of what stands there
         cached = {} if before is None else before.whole
         for stands in self._prisms.slots:
-            self.whole[id(stands)] = cached.get(id(stands)) or (stands, self._listed(stands, 0, self.wedges - 1))
+            if id(stands) not in self.whole:
+                self.whole[id(stands)] = cached.get(id(stands)) or (stands, self._listed(stands, 0, self.wedges - 1))
         self._slots = [self.whole[id(stands)][1] for stands in self._prisms.slots]
         self._parts: dict[tuple[int, int, int], DisplayList] = {}
         self._shadows = _shadows(self._prisms, look.theme)

@@ -10,7 +10,6 @@ from game.picture.slots.contents import Contents, SlotContent
 from game.picture.slots.parts import LAYER_HEIGHT, WHOLE, SlotShape, slot_shape
 from game.picture.solid.order import ranked
 from game.picture.solid.prisms import SlotDivision, SlotPrisms, evenly_lit, slot_division, slot_prisms
-from game.rules import PADDLES
 from game.scene import Scene
 
 _SCALE_STEPS = 8
@@ -125,8 +124,3 @@ def _shadow(slots: Sequence[SlotPrisms], slot: int, *, close: bool) -> SlotShado
     if left:
         corners[middle - 1], corners[middle] = outline[0] * pitch, outline[-1] * pitch
     return SlotShadow(outline, tuple(corners), int(not right) + 2 * int(not left), *own)
-
-
-def pushed_out(scene: Scene, k: int) -> dict[int, float]:
-    """How far all points of what stands in some slots of a ring are pushed away from the arena's centre, world units."""
-    return {recoil.slot: recoil.out for recoil in scene.recoils} if k == PADDLES else {}
