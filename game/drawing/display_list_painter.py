@@ -1,6 +1,6 @@
 """Paints flat lists of primitives on a surface, anti-aliased: the desktop's half of what a browser's canvas does.
 
-Of the primitives (`game.picture.display_list` documents them) those are painted here that the desktop's pictures are made of.
+Of the primitives (`game.picture.primitives` documents them) those are painted here that the desktop's pictures are made of.
 """
 
 import math
@@ -18,7 +18,8 @@ from game.drawing.raster.annulus import Floats
 from game.drawing.raster.pixels import pairs
 from game.drawing.raster.primitives import HALF_PIXEL, draw_box, draw_circle, draw_dot
 from game.drawing.text import Type, blit_faded
-from game.picture.display_list import DisplayList, Primitive, primitives, unpacked
+from game.picture.display_list import DisplayList
+from game.picture.primitives import Primitive, primitives, unpacked
 
 _BEND = 0.02
 """Sine of the angle between two pieces of a band from which a disc rounds the joint."""

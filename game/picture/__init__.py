@@ -1,4 +1,4 @@
 """Pictures as values: flat lists of primitives in pixels, for any painter that can fill discs, sectors and polygons.
 
-A browser's canvas paints them. Nothing here needs pygame or numpy. `display_list` documents every primitive.
+A browser's canvas paints them. Nothing here needs pygame or numpy. `primitives` documents every primitive.
 """

@@ -12,7 +12,8 @@ from game.input.actions import Action, OwnKeys
 from game.input.events import system_layout
 from game.input.keys import BINDINGS, KeyTable
 from game.input.scancodes import CONTROL_CODES, NAMED_KEY, SCANCODES
-from game.picture.display_list import DisplayList, Primitive, primitives
+from game.picture.display_list import DisplayList
+from game.picture.primitives import Primitive, primitives
 from game.system.errors import EnvironmentMissingError
 from game.web import packages
 from game.web.client.keys import LEFT_ALONE, NOT_ON_PAGES, code_of, page_bindings, position_at

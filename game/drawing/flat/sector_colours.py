@@ -12,7 +12,8 @@ import numpy as np
 
 from game.drawing.palette import Colour
 from game.drawing.raster.annulus import Floats
-from game.picture.display_list import DisplayList, Primitive, primitives, unpacked
+from game.picture.display_list import DisplayList
+from game.picture.primitives import Primitive, primitives, unpacked
 
 _SECTOR_NUMBERS = 6
 """Numbers of a sector, without its inset, at the beginning of a primitive's own."""

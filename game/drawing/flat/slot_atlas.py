@@ -14,9 +14,10 @@ from game.drawing.flat.sector_colours import PolarPixels, paint_slot
 from game.drawing.ground.shades import discs
 from game.drawing.raster.annulus import Floats
 from game.drawing.raster.pixels import packed
-from game.picture.display_list import DisplayList, Primitive, primitives
+from game.picture.display_list import DisplayList
 from game.picture.ground.lists import ground_list
 from game.picture.ground.measures import Ground, ground_of
+from game.picture.primitives import Primitive, primitives
 from game.picture.slots.contents import SlotContent
 from game.picture.slots.flat import FlatRing, add_content, add_shadow, flat_rings
 from game.scene import Scene

@@ -18,10 +18,11 @@ from game.drawing.palette import Colour
 from game.drawing.raster.annulus import Floats, columns_between
 from game.drawing.raster.pixels import packed, pairs, pixels_of, unpacked
 from game.drawing.raster.quads import QuadRaster, fine_pixels
-from game.picture.display_list import DisplayList, Primitive, primitives
-from game.picture.display_list import unpacked as unpacked_colour
+from game.picture.display_list import DisplayList
 from game.picture.ground.lists import ground_list
 from game.picture.ground.measures import Ground
+from game.picture.primitives import Primitive, primitives
+from game.picture.primitives import unpacked as unpacked_colour
 
 _FRINGE = 3.0
 """Pixels on both sides of a line that are looked at."""

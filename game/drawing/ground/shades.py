@@ -8,9 +8,10 @@ import numpy as np
 from game.drawing.palette import Theme
 from game.drawing.raster.annulus import Floats
 from game.drawing.raster.arrays import Points, Reals
-from game.picture.display_list import DisplayList, Primitive, primitives, unpacked
+from game.picture.display_list import DisplayList
 from game.picture.ground.lists import pattern_list
 from game.picture.ground.measures import Ground
+from game.picture.primitives import Primitive, primitives, unpacked
 
 
 class GroundDisc(NamedTuple):

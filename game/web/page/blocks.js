@@ -7,7 +7,7 @@ const UNDER_TOP = 0.7; // pixels that a side goes on below the top: between two 
 const pixels = { top: new Float64Array(2 * CORNERS), bottom: new Float64Array(2 * CORNERS) };
 const ahead = new Uint8Array(CORNERS);
 
-/** Paints the primitives PRISM and SHADOWS, projected by a CAMERA. Coordinates are those of game/picture/display_list.py. */
+/** Paints the primitives PRISM and SHADOWS, projected by a CAMERA. Coordinates are those of game/picture/primitives.py. */
 export class Blocks {
   /** Take the projection and the light of the primitive CAMERA. at: index of its first number, here and below. */
   look(numbers, at) {

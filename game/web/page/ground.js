@@ -1,4 +1,4 @@
-// Paints the ground. game/picture/display_list.py documents the primitives, game/drawing/camera.py the projection.
+// Paints the ground. game/picture/primitives.py documents the primitives, game/drawing/camera.py the projection.
 // view: the projection; at: index of a primitive's first number.
 
 const SEAM = 1; // pixels by which a disc is larger, so that what is painted around it has no seam

@@ -1,4 +1,4 @@
-// Paints flat lists of primitives on a canvas. game/picture/display_list.py documents every primitive.
+// Paints flat lists of primitives on a canvas. game/picture/primitives.py documents every primitive.
 
 import { Blocks } from "./blocks.js";
 import { colour } from "./colours.js";

@@ -1,4 +1,4 @@
-// Paints what stands in a slot of the flat view. game/picture/display_list.py documents the primitives.
+// Paints what stands in a slot of the flat view. game/picture/primitives.py documents the primitives.
 // at: index of a primitive's first number.
 
 const MOST_STEPS = 6; // sectors that a shade is made of, where no gradient of the canvas has its shape

@@ -13,7 +13,8 @@ import pytest
 from game.drawing.camera import Camera
 from game.drawing.display_list_painter import DisplayListPainter
 from game.drawing.text import Type
-from game.picture.display_list import DisplayList, Primitive, Sector, packed, primitives, unpacked
+from game.picture.display_list import DisplayList, Sector
+from game.picture.primitives import Primitive, packed, primitives, unpacked
 
 SIDE, FINER = 200, 8
 MIDDLE = 100.3 + 100.7j

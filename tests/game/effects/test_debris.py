@@ -17,8 +17,8 @@ from game.effects import NOTHING, debris
 from game.effects.bursts import Burst, BurstOrigin, Matter, lifetime
 from game.effects.piece_paths import CHANCES, NUMBERS_OF_PIECES, chances
 from game.input.view import FLAT, SOLID, Viewpoint
-from game.picture.display_list import Primitive, primitives, unpacked
 from game.picture.moving.bursts import flying_pieces
+from game.picture.primitives import Primitive, primitives, unpacked
 from game.picture.slots.contents import resting_contents
 from game.picture.slots.parts import LAYER_HEIGHT, height
 from game.picture.view import ArenaView

@@ -21,9 +21,10 @@ from game.effects import ALL, FLASH_TICKS, NOTHING, Flash, Pop, Recoil, Wave, bu
 from game.effects.waves import WAVE_TICKS, WaveTone
 from game.input.view import FLAT, SOLID, Viewpoint
 from game.levels import classic
-from game.picture.display_list import DisplayList, Primitive, primitives
+from game.picture.display_list import DisplayList
 from game.picture.moving.waves import add_waves
 from game.picture.moving.words import add_words
+from game.picture.primitives import Primitive, primitives
 from game.picture.slots.contents import ContentKind, slot_contents, wall_contents
 from game.picture.slots.parts import LAYER_HEIGHT, PADDLE_HEIGHT
 from game.rules import PADDLES, EventKind, new_game, tick

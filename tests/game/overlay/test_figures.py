@@ -9,8 +9,9 @@ from game.input.view import FLAT, SOLID
 from game.language import CODES, choose
 from game.levels import chosen
 from game.overlay.readings import Readings
-from game.picture.display_list import DisplayList, Primitive, primitives
+from game.picture.display_list import DisplayList
 from game.picture.figures import Corners, add_figures
+from game.picture.primitives import Primitive, primitives
 
 RADIUS = chosen("5")[0].ground_radius
 

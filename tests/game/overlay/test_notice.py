@@ -18,8 +18,9 @@ from game.language import CODES, choose, tr
 from game.levels import campaign
 from game.overlay import notice as plate
 from game.overlay.notice_words import Notice, notice, to_newcomer
-from game.picture.display_list import DisplayList, primitives
+from game.picture.display_list import DisplayList
 from game.picture.notice import Around, add_notice
+from game.picture.primitives import primitives
 from game.rules import Controls, Phase, Ruleset, new_game, tick
 from game.scene import scene_at, still
 
