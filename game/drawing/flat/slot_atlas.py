@@ -40,7 +40,7 @@ class AtlasKey(NamedTuple):
     size: of the surface, pixels.
     stride: pixels from row to row in the surface's memory.
     centre: of the ring, pixels.
-    ring: the look of the ring's slots.
+    ring: from above.
     ground: what the slots are on.
     lane: least and greatest radius at which the ring colours pixels, world units.
     room: how far the content of a slot may be moved, inwards and outwards, world units.

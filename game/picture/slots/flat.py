@@ -66,7 +66,7 @@ def wall_rings(scene: Scene) -> list[int]:
 
 
 def flat_rings(scene: Scene, scale: float, theme: Theme) -> tuple[FlatRing, ...]:
-    """The look of every ring. scale: pixels per world unit."""
+    """All rings from above. scale: pixels per world unit."""
     rings = tuple([(ring.radius, ring.half_width, ring.half_angle, ring.count) for ring in scene.rings])
     return _flat_rings(rings, scene.tallest, scene.ground_radius, scale, theme)
 
@@ -79,7 +79,7 @@ def _flat_rings(
     scale: float,
     theme: Theme,
 ) -> tuple[FlatRing, ...]:
-    """The look of every ring, from what stays the same while rings turn."""
+    """All rings from above, made of what stays the same while rings turn."""
     found = []
     for (radius, half_width, half_angle, count), layers in zip(rings, tallest, strict=True):
         lane = _lane(rings, radius, ground_radius)
