@@ -1,7 +1,5 @@
 """Shards and sparks on the screen: small tumbling plates that glitter, and streaks, in both views by the same projection."""
 
-from collections.abc import Sequence
-
 import numpy as np
 import pygame
 from numpy.typing import NDArray
@@ -12,10 +10,9 @@ from game.drawing.canvas import Canvas
 from game.drawing.palette import Theme
 from game.drawing.piece_look import (
     PLATES,
-    STREAK_TICKS,
-    STREAK_WIDTH,
     burning,
     burst_colour,
+    earlier,
     glitter,
     least_size,
     plate,
@@ -26,7 +23,6 @@ from game.drawing.raster.arrays import Points, Reals
 from game.drawing.raster.pixels import pairs
 from game.drawing.raster.primitives import HALF_PIXEL
 from game.drawing.solid.debris_occlusion import occluded
-from game.effects.bursts import Burst
 from game.effects.debris import Pieces, pieces
 from game.effects.piece_paths import FlyingPiece
 from game.scene import Scene
@@ -39,18 +35,18 @@ def draw(canvas: Canvas, scene: Scene) -> None:
     camera, theme = canvas.camera, canvas.theme
     plates = [burst for burst in scene.bursts if burst.matter in PLATES]
     sparks = [burst for burst in scene.bursts if burst.matter not in PLATES]
-    earlier = [burst._replace(age=max(burst.age - STREAK_TICKS, 0)) for burst in sparks]
-    bursts = [*plates, *sparks, *earlier]
-    flying = pieces(bursts, scene.ground_radius)
+    bursts = [*plates, *sparks]
+    flying = pieces([*bursts, *map(earlier, sparks)], scene.ground_radius)
+    own = np.array([burst_colour(burst, theme) for burst in bursts], dtype=np.float64)
     first_spark, first_earlier = np.searchsorted(flying.burst, (len(plates), len(scene.bursts)))
     shown = _shown(flying, int(first_earlier), scene, camera)
     whole, heads = shown[shown < first_spark], shown[shown >= first_spark]
     if len(whole):
         some = _some(flying, whole)
-        _fill(canvas.surface, _plates(some.flying, camera), _glittering(some, bursts, theme))
+        _fill(canvas.surface, _plates(some.flying, camera), _glittering(some.flying, own[some.burst]))
     if len(heads):
         some, tails = _some(flying, heads), _some(flying, heads + (first_earlier - first_spark))
-        _fill(canvas.surface, _streaks(some.flying, tails.flying, camera), _burning(some, bursts, theme))
+        _fill(canvas.surface, _streaks(some.flying, tails.flying, camera), _burning(some.flying, own[some.burst], theme))
 
 
 def _shown(flying: Pieces, count: int, scene: Scene, camera: Camera) -> NDArray[np.intp]:
@@ -78,26 +74,22 @@ def _plates(flying: FlyingPiece[Arrays], camera: Camera) -> Points:
     return camera.projected((x + 1j * y) * camera.turning, height)
 
 
-def _glittering(flying: Pieces, bursts: Sequence[Burst], theme: Theme) -> Reals:
-    """The colour of each plate, red, green and blue: brighter, the more it is turned to the light."""
-    own = np.array([burst_colour(burst, theme) for burst in bursts], dtype=np.float64)[flying.burst]
-    share, white = glitter(ARRAYS, plate_light(ARRAYS, flying.flying.turn, flying.flying.tumble))
+def _glittering(flying: FlyingPiece[Arrays], own: Reals) -> Reals:
+    """The colour of each plate, red, green and blue: brighter, the more it is turned to the light. own: of its material."""
+    share, white = glitter(ARRAYS, plate_light(ARRAYS, flying.turn, flying.tumble))
     return np.asarray(own * share[:, None] + white[:, None], dtype=np.float64)
 
 
 def _streaks(heads: FlyingPiece[Arrays], tails: FlyingPiece[Arrays], camera: Camera) -> Points:
     """The corners of streaks, pixels, four a row. heads, tails: sparks now, and the same ones before."""
     front, back = (camera.projected(_ground(end) * camera.turning, np.asarray(end.height)) for end in (heads, tails))
-    half_width = (STREAK_WIDTH * camera.scale * heads.size).astype(np.complex128)
-    return np.stack(streak(front, back, half_width), axis=1)
+    return np.stack(streak(front, back, (camera.scale * heads.size).astype(np.complex128)), axis=1)
 
 
-def _burning(heads: Pieces, bursts: Sequence[Burst], theme: Theme) -> Reals:
-    """The colour of each streak, red, green and blue: bright at first, the ground's at last."""
-    own = np.array([burst_colour(burst, theme) for burst in bursts], dtype=np.float64)[heads.burst]
+def _burning(heads: FlyingPiece[Arrays], own: Reals, theme: Theme) -> Reals:
+    """The colour of each streak, red, green and blue: bright at first, the ground's at last. own: of its material."""
     hot, cold = np.array(theme.flash, dtype=np.float64), np.array(theme.ground, dtype=np.float64)
-    share = np.clip(heads.flying.share, 0.0, 1.0)[:, None]
-    return np.asarray(burning(ARRAYS, own, hot, cold, share), dtype=np.float64)
+    return np.asarray(burning(ARRAYS, own, hot, cold, heads.share[:, None]), dtype=np.float64)
 
 
 def _fill(surface: pygame.Surface, outlines: Points, colours: Reals) -> None:

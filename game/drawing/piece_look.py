@@ -18,9 +18,9 @@ Pixels = TypeVar("Pixels", complex, "Points")
 
 PLATES = frozenset({Matter.BRICK, Matter.BALL})
 """Materials that break into plates; the others give off sparks."""
-STREAK_TICKS = 9
+_STREAK_TICKS = 9
 """A streak extends from its spark's position to the position this many ticks ago."""
-STREAK_WIDTH, _STREAK_FRONT = 0.35, 0.15
+_STREAK_WIDTH, _STREAK_FRONT = 0.35, 0.15
 """Half the width of a streak in sizes of its spark, and how far its blunt end extends ahead, in lengths of the streak."""
 _LEAST_SIZE = 0.35
 """Pixels; smaller pieces are not drawn."""
@@ -56,10 +56,18 @@ def plate(maths: Maths[Values], piece: FlyingPiece[Values]) -> Sequence[tuple[Va
     )
 
 
-def streak(front: Pixels, back: Pixels, half_width: Pixels) -> tuple[Pixels, Pixels, Pixels, Pixels]:
-    """The corners of a streak on the screen, pointed behind, blunt in front. front, back: pixels of a spark now and before."""
+def earlier(burst: Burst) -> Burst:
+    """A burst at the moment from which the streaks of its sparks extend to the present."""
+    return burst._replace(age=max(burst.age - _STREAK_TICKS, 0))
+
+
+def streak(front: Pixels, back: Pixels, size: Pixels) -> tuple[Pixels, Pixels, Pixels, Pixels]:
+    """The corners of a streak on the screen, pointed behind, blunt in front.
+
+    front, back: pixels of a spark now and `earlier`; size: of the spark, pixels.
+    """
     along = front - back
-    aside = 1j * along / (abs(along) + 1e-9) * half_width
+    aside = 1j * along / (abs(along) + 1e-9) * (_STREAK_WIDTH * size)
     return back, front + aside, front + _STREAK_FRONT * along, front - aside
 
 
@@ -81,6 +89,7 @@ def glitter(maths: Maths[Values], light: Values) -> tuple[Values, Values]:
 
 def burning(maths: Maths[Values], own: Values, hot: Values, cold: Values, share: Values) -> Values:
     """A spark's red, green or blue after a share of its life. hot: at first; own: then; cold: at last, the ground's."""
+    share = maths.clip(share, 0.0, 1.0)
     bright = own + (hot - own) * maths.clip(1.0 - 3.0 * share, 0.0, 1.0)
     left: Values = bright + (cold - bright) * share * share
     return left

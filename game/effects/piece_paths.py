@@ -35,7 +35,7 @@ class Throw(NamedTuple):
     size: float
 
 
-THROWS = {
+_THROWS = {
     Matter.BRICK: Throw(24.0, 52.0, 62.0, 2.2, 2.8),
     Matter.BALL: Throw(34.0, 95.0, 60.0, 2.6, 2.0),
     Matter.STEEL: Throw(26.0, 105.0, 55.0, 4.0, 1.6),
@@ -121,7 +121,7 @@ def _thrown(burst: Burst) -> tuple[ThrownPiece[float], ...]:
 
 def _piece(burst: Burst, chance: Sequence[float]) -> ThrownPiece[float]:
     """A piece of a burst at its beginning. chance: CHANCES numbers from -1 to 1."""
-    throw, (radius, half_width, angle, half_angle) = THROWS[burst.matter], burst.origin
+    throw, (radius, half_width, angle, half_angle) = _THROWS[burst.matter], burst.origin
     origin = cmath.rect(radius + half_width * chance[0], angle + half_angle * chance[1])
     along = burst.direction * (throw.along * (0.6 + 0.4 * chance[2]))
     velocity = along + cmath.rect(throw.apart * abs(chance[4]), math.pi * chance[3])

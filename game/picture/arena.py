@@ -13,7 +13,7 @@ from game.picture.moving.bursts import flying_pieces
 from game.picture.moving.glints import add_glints
 from game.picture.moving.layers import add_in_air, add_on_ground
 from game.picture.moving.words import add_words
-from game.picture.slots.contents import Contents, SlotContent, slot_contents
+from game.picture.slots.contents import Contents, SlotContent, pushed_out, slot_contents
 from game.picture.slots.flat import FlatRing, add_content, add_shadow, flat_rings, wall_rings
 from game.picture.solid.blocks import SolidBlocks
 from game.picture.view import ArenaView
@@ -41,13 +41,13 @@ class ArenaPicture:
         resting = _resting(scene, view.camera)
         ground = ground_of(scene)
         contents = slot_contents(scene._replace(flashes=())) if resting else ()
-        looks = flat_rings(scene, view.camera.scale, theme)
-        key = (view.camera, theme, ground, tuple([(looks[k], contents[k], scene.rings[k].phase) for k in resting]))
+        rings = flat_rings(scene, view.camera.scale, theme)
+        key = (view.camera, theme, ground, tuple([(rings[k], contents[k], scene.rings[k].phase) for k in resting]))
         if key != self._key:
             self._key, self._backdrop = key, DisplayList()
             add_ground(self._backdrop, view.camera, theme, ground)
             for k in resting:
-                self._add_ring(self._backdrop, view.camera.centre, looks[k], contents[k], scene.rings[k].phase)
+                self._add_ring(self._backdrop, view.camera.centre, rings[k], contents[k], scene.rings[k].phase)
         return self._backdrop
 
     def frame(self, scene: Scene, view: ArenaView) -> DisplayList:
@@ -74,20 +74,20 @@ class ArenaPicture:
 
     def _add_flat(self, out: DisplayList, scene: Scene, camera: Camera, theme: Theme, contents: Contents) -> None:
         """Add the rings that turn, the slots that glow, and the paddles."""
-        resting, looks = _resting(scene, camera), flat_rings(scene, camera.scale, theme)
-        for k, look in enumerate(looks):
+        resting = _resting(scene, camera)
+        for k, ring in enumerate(flat_rings(scene, camera.scale, theme)):
             if k == PADDLES:
-                _add_paddles(out, scene, camera.centre, look, contents[k])
+                _add_paddles(out, scene, camera.centre, ring, contents[k])
             elif k in resting:
-                _add_glowing(out, camera.centre, look, contents[k], scene.rings[k].phase)
+                _add_glowing(out, camera.centre, ring, contents[k], scene.rings[k].phase)
             else:
-                self._add_ring(out, camera.centre, look, contents[k], scene.rings[k].phase)
+                self._add_ring(out, camera.centre, ring, contents[k], scene.rings[k].phase)
 
     def _add_ring(
-        self, out: DisplayList, centre: complex, look: FlatRing, contents: tuple[SlotContent, ...], phase: float
+        self, out: DisplayList, centre: complex, ring: FlatRing, contents: tuple[SlotContent, ...], phase: float
     ) -> None:
         """Add a whole ring, as it was cached for phase 0, turned to where it is."""
-        key = (look, contents, centre)
+        key = (ring, contents, centre)
         cached = self._rings.get(key)
         if cached is None:
             if len(self._rings) >= _MOST_RINGS:
@@ -95,7 +95,7 @@ class ArenaPicture:
             cached = self._rings[key] = DisplayList()
             for add in (add_shadow, add_content):
                 for slot, content in enumerate(contents):
-                    add(cached, look, content, look.sector(centre, math.tau * slot / look.slots))
+                    add(cached, ring, content, ring.sector(centre, math.tau * slot / ring.slots))
         out.turn(centre, phase)
         out.extend(cached)
         out.turn(centre, 0.0)
@@ -108,16 +108,16 @@ def _resting(scene: Scene, camera: Camera) -> tuple[int, ...]:
     return tuple([k for k in wall_rings(scene) if not scene.rings[k].spin])
 
 
-def _add_glowing(out: DisplayList, centre: complex, look: FlatRing, contents: tuple[SlotContent, ...], phase: float) -> None:
+def _add_glowing(out: DisplayList, centre: complex, ring: FlatRing, contents: tuple[SlotContent, ...], phase: float) -> None:
     """Add the slots of a resting ring that glow: they cover what the backdrop has there."""
     for slot, content in enumerate(contents):
         if content.glow:
-            add_content(out, look, content, look.sector(centre, phase + math.tau * slot / look.slots))
+            add_content(out, ring, content, ring.sector(centre, phase + math.tau * slot / ring.slots))
 
 
-def _add_paddles(out: DisplayList, scene: Scene, centre: complex, look: FlatRing, contents: tuple[SlotContent, ...]) -> None:
+def _add_paddles(out: DisplayList, scene: Scene, centre: complex, ring: FlatRing, contents: tuple[SlotContent, ...]) -> None:
     """Add the paddles, each as far out of its slot as a hit has pushed it."""
-    ring, out_of_slot = scene.rings[PADDLES], {recoil.slot: recoil.out for recoil in scene.recoils}
+    out_of_slot = pushed_out(scene, PADDLES)
     for add in (add_shadow, add_content):
         for slot, content in enumerate(contents):
-            add(out, look, content, look.sector(centre, ring.angle(slot), out_of_slot.get(slot, 0.0)))
+            add(out, ring, content, ring.sector(centre, scene.rings[PADDLES].angle(slot), out_of_slot.get(slot, 0.0)))

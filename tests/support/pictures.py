@@ -16,7 +16,7 @@ from game.drawing.text import Type
 from game.input.view import FLAT, Viewpoint
 from game.picture.slots.parts import SlotShape
 from game.picture.solid.prisms import slot_division
-from game.picture.solid.rings import RingLook
+from game.picture.solid.rings import SolidRing
 
 PLAIN_DARK, PLAIN_LIGHT = without_depth(DARK), without_depth(LIGHT)
 """Where every surface has one colour, a pixel's colour tells what is there."""
@@ -44,8 +44,8 @@ def painted(scene, camera, size):
     return canvas.surface
 
 
-def look_of(half_angle, slots, content, widest=0.2):
-    """The look of a ring at radius 3. widest: half angle of its widest wedge."""
+def solid_ring(half_angle, slots, content, widest=0.2):
+    """A ring of the solid view at radius 3. widest: half angle of its widest wedge."""
     shape = SlotShape(3.0, 0.4, half_angle, 4, 0.0)
     division = slot_division(shape, widest, 40.0, 0.0)
-    return RingLook((content,) * slots, shape, division, (), 0.45, DARK)
+    return SolidRing((content,) * slots, shape, division, (), 0.45, DARK)

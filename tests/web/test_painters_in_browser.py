@@ -66,7 +66,7 @@ centres of these on the nearest pixel's. That makes up to 60 in the worst block.
 IN_3D = (0.7, 70.0)
 """The same in 3D: the desktop fills whole pixels of a finer drawing. The worst blocks are pieces some pixels wide: there the
 desktop draws an outline inside each, which makes it up to a pixel wider and its tips blunt."""
-DESCRIPTIONS = (flat._looks, lists.ground_list)
+DESCRIPTIONS = (flat._flat_rings, lists.ground_list)
 """What caches parts of the description."""
 SQUARE = (-0.5 - 0.5j, -0.5 + 0.5j, 0.5 + 0.5j, 0.5 - 0.5j)
 
@@ -95,6 +95,20 @@ def blocks(picture):
     return pixels.reshape(SIZE[0] // 4, 4, SIZE[1] // 4, 4, 3).mean(axis=(1, 3))
 
 
+def painted_by_page(page, numbers, ground=(0, 0, 0)):
+    """What the page paints for a list on a ground, as `blocks`."""
+    shown = page.tab.evaluate(PAINT, [numbers.tolist(), "#{:02x}{:02x}{:02x}".format(*ground), *SIZE])
+    return blocks(pygame.image.load(io.BytesIO(base64.b64decode(shown.split(",")[1])), "shown.png"))
+
+
+def both_pictures(page, canvas, scene):
+    """The desktop's picture of a scene, and the page's of its two lists, as `blocks`."""
+    Painter().paint(canvas, scene)
+    arena = ArenaPicture()
+    numbers = arena.backdrop(scene, canvas.view).numbers + arena.frame(scene, canvas.view).numbers
+    return blocks(canvas.surface), painted_by_page(page, numbers)
+
+
 @pytest.mark.parametrize(
     ("view", "theme", "trail"),
     [*[(FLAT, DARK, trail) for trail in TRAILS], (SOLID, DARK, PLAIN_TRAIL), (FLAT, LIGHT, PLAIN_TRAIL)],
@@ -109,10 +123,7 @@ def test_both_painters_show_the_same(page, view, theme, trail):
     add_in_air(picture, scene, canvas.view)
     canvas.surface.fill(theme.ground)
     DisplayListPainter().paint(canvas.surface, Type(), picture)
-    ground = "#{:02x}{:02x}{:02x}".format(*theme.ground)
-    shown = page.tab.evaluate(PAINT, [picture.numbers.tolist(), ground, *SIZE])
-    on_page = pygame.image.load(io.BytesIO(base64.b64decode(shown.split(",")[1])), "shown.png")
-    apart = np.abs(blocks(canvas.surface) - blocks(on_page))
+    apart = np.abs(blocks(canvas.surface) - painted_by_page(page, picture.numbers, theme.ground))
     assert apart.mean() < TOLERANCE[0]
     assert apart.max() < TOLERANCE[1]
 
@@ -138,12 +149,7 @@ def from_above(page, theme, level):
     game = new_game((level,), 1, Ruleset())
     scene = scene_at(still(game), 1.0, NOTHING)._replace(aim=None, balls=())
     canvas = canvas_of(scene, SIZE, theme=theme, camera=camera_of(FLAT, scene, SIZE))
-    Painter().paint(canvas, scene)
-    arena = ArenaPicture()
-    numbers = arena.backdrop(scene, canvas.view).numbers + arena.frame(scene, canvas.view).numbers
-    shown = page.tab.evaluate(PAINT, [numbers.tolist(), "#000", *SIZE])
-    on_page = pygame.image.load(io.BytesIO(base64.b64decode(shown.split(",")[1])), "shown.png")
-    return blocks(canvas.surface), blocks(on_page)
+    return both_pictures(page, canvas, scene)
 
 
 @pytest.mark.parametrize("number", [0, 4, 15], ids=["plain", "stacks", "crowded"])
@@ -179,12 +185,7 @@ def in_3d(page, theme, level, seed=5):
         bursts=(Burst(Matter.BRICK, BurstOrigin(7.0, 0.2, -0.8, 0.1), 1j, 2, seed, 20),),
     )
     canvas = canvas_of(scene, SIZE, view, theme=theme)
-    Painter().paint(canvas, scene)
-    picture = ArenaPicture()
-    numbers = [*picture.backdrop(scene, canvas.view).numbers, *picture.frame(scene, canvas.view).numbers]
-    shown = page.tab.evaluate(PAINT, [numbers, "#000000", *SIZE])
-    on_page = pygame.image.load(io.BytesIO(base64.b64decode(shown.split(",")[1])), "shown.png")
-    return blocks(canvas.surface), blocks(on_page)
+    return both_pictures(page, canvas, scene)
 
 
 @pytest.mark.parametrize("number", [0, 4, 15], ids=["plain", "stacks", "crowded"])
@@ -262,9 +263,6 @@ def test_balls_have_the_desktops_skins(page, view, skin):
     texture = BallTextures().texture(picture, canvas.camera, DARK, skin)
     for ball in scene.balls:
         add_ball(picture, ball, canvas.camera, texture)
-    ground = "#{:02x}{:02x}{:02x}".format(*DARK.ground)
-    shown = page.tab.evaluate(PAINT, [picture.numbers.tolist(), ground, *SIZE])
-    on_page = pygame.image.load(io.BytesIO(base64.b64decode(shown.split(",")[1])), "shown.png")
-    apart = np.abs(blocks(canvas.surface) - blocks(on_page))
+    apart = np.abs(blocks(canvas.surface) - painted_by_page(page, picture.numbers, DARK.ground))
     assert apart.max() < 30.0
     assert apart.sum() < 0.1 * np.abs(blocks(canvas.surface) - DARK.ground).sum()

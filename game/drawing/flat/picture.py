@@ -15,7 +15,7 @@ from game.drawing.flat.ring import BackdropRing, draw_over
 from game.drawing.flat.slot_atlas import SlotAtlas, atlas_key
 from game.drawing.ground.picture import draw_pattern, ground_picture
 from game.picture.ground.measures import ground_of
-from game.picture.slots.contents import Contents
+from game.picture.slots.contents import Contents, pushed_out
 from game.picture.slots.flat import wall_rings
 from game.rules import PADDLES
 from game.scene import Scene
@@ -53,8 +53,8 @@ class FlatPicture:
             ring.draw(backdrop.picture, scene.rings[k].phase, contents[k])
         canvas.cover(backdrop.picture)
         if scene.second_paddle is not None:
-            self._draw_paddles(canvas, scene, scene.second_paddle, contents, {})
-        self._draw_paddles(canvas, scene, PADDLES, contents, {recoil.slot: recoil.out for recoil in scene.recoils})
+            self._draw_paddles(canvas, scene, scene.second_paddle, contents)
+        self._draw_paddles(canvas, scene, PADDLES, contents)
 
     def _backdrop_of(self, canvas: Canvas, scene: Scene) -> _Backdrop:
         """The backdrop; the cached one if only the rings' angles and contents have changed."""
@@ -70,9 +70,9 @@ class FlatPicture:
             self._backdrop = _Backdrop(key, picture, rings)
         return self._backdrop
 
-    def _draw_paddles(self, canvas: Canvas, scene: Scene, k: int, contents: Contents, out: dict[int, float]) -> None:
-        """Draw a ring of paddles over the backdrop. out: how far each struck paddle is pushed outwards, by slot."""
-        atlas = self._atlas_of_paddles(canvas, scene, k)
+    def _draw_paddles(self, canvas: Canvas, scene: Scene, k: int, contents: Contents) -> None:
+        """Draw a ring of paddles over the backdrop, each as far out of its slot as a hit has pushed it."""
+        atlas, out = self._atlas_of_paddles(canvas, scene, k), pushed_out(scene, k)
         band = self._band(atlas.wide_band if out else atlas.band)
         draw_over(canvas, band, atlas, atlas.columns(canvas.surface, scene.rings[k].phase, contents[k], out))
 

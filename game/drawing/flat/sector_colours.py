@@ -30,7 +30,7 @@ class PolarPixels(NamedTuple):
     angle: Floats
 
 
-class _Sector(NamedTuple):
+class _SectorPixels(NamedTuple):
     """A sector about the slot's middle, and the pixels in it.
 
     inner, outer: radii, pixels; half_angle: pi for a whole ring.
@@ -66,15 +66,15 @@ def paint_slot(picture: Floats, slot: DisplayList, pixels: PolarPixels) -> None:
                 raise ValueError(f"no slot has {Primitive(code).name}")
 
 
-def _sector(own: "array[float]", pixels: PolarPixels) -> _Sector:
+def _sector(own: "array[float]", pixels: PolarPixels) -> _SectorPixels:
     """The sector that a primitive begins with."""
     _x, _y, inner, outer, _angle, half_angle = own[:_SECTOR_NUMBERS]
     radius, angle = pixels
     depth = np.minimum(radius - inner, outer - radius).astype(np.float32)
     if half_angle >= math.pi:
-        return _Sector(inner, outer, half_angle, np.broadcast_to(depth, np.broadcast_shapes(radius.shape, angle.shape)))
+        return _SectorPixels(inner, outer, half_angle, np.broadcast_to(depth, np.broadcast_shapes(radius.shape, angle.shape)))
     ends = radius * np.sin(np.clip(half_angle - np.abs(angle), -np.pi / 2.0, np.pi / 2.0))
-    return _Sector(inner, outer, half_angle, np.asarray(np.minimum(depth, ends), dtype=np.float32))
+    return _SectorPixels(inner, outer, half_angle, np.asarray(np.minimum(depth, ends), dtype=np.float32))
 
 
 def _paint(picture: Floats, depth: Floats, colour: Colour) -> None:
@@ -84,7 +84,7 @@ def _paint(picture: Floats, depth: Floats, colour: Colour) -> None:
         np.add(plane, (np.float32(channel) - plane) * cover, out=plane)
 
 
-def _paint_foot(picture: Floats, sector: _Sector, own: list[float], opacity: float) -> None:
+def _paint_foot(picture: Floats, sector: _SectorPixels, own: list[float], opacity: float) -> None:
     """Darken a sector towards the foot of a smaller one."""
     inset, reach = own
     past_foot = sector.depth - np.float32(inset)
@@ -92,7 +92,7 @@ def _paint_foot(picture: Floats, sector: _Sector, own: list[float], opacity: flo
     picture *= 1.0 - np.float32(opacity) * share
 
 
-def _paint_cast(picture: Floats, sector: _Sector, own: list[float], pixels: PolarPixels, opacity: float) -> None:
+def _paint_cast(picture: Floats, sector: _SectorPixels, own: list[float], pixels: PolarPixels, opacity: float) -> None:
     """Darken the ground around a sector."""
     inwards, outwards, aside = map(np.float32, own)
     radius, angle = pixels
@@ -104,7 +104,7 @@ def _paint_cast(picture: Floats, sector: _Sector, own: list[float], pixels: Pola
     picture *= 1.0 - np.float32(opacity) * share
 
 
-def _paint_relief(picture: Floats, sector: _Sector, own: list[float], pixels: PolarPixels, opacity: float) -> None:
+def _paint_relief(picture: Floats, sector: _SectorPixels, own: list[float], pixels: PolarPixels, opacity: float) -> None:
     """Lighten and darken a sector: pixels at its border as far as they are covered."""
     edge, at_faces, at_ends, slope = own
     depth, half_width = sector.depth, np.float32((sector.outer - sector.inner) / 2.0)

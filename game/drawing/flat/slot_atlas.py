@@ -8,7 +8,6 @@ import numpy as np
 import pygame
 from numpy.typing import NDArray
 
-from game.drawing.camera import Camera
 from game.drawing.canvas import Canvas
 from game.drawing.flat.band_pixels import BandKey
 from game.drawing.flat.sector_colours import PolarPixels, paint_slot
@@ -40,8 +39,8 @@ class AtlasKey(NamedTuple):
 
     size: of the surface, pixels.
     stride: pixels from row to row in the surface's memory.
-    camera: of the flat view.
-    ring: the look of the ring's slots.
+    centre: of the ring, pixels.
+    ring: from above.
     ground: what the slots are on.
     lane: least and greatest radius at which the ring colours pixels, world units.
     room: how far the content of a slot may be moved, inwards and outwards, world units.
@@ -49,7 +48,7 @@ class AtlasKey(NamedTuple):
 
     size: tuple[int, int]
     stride: int
-    camera: Camera
+    centre: complex
     ring: FlatRing
     ground: Ground
     lane: tuple[float, float]
@@ -64,7 +63,7 @@ def atlas_key(canvas: Canvas, scene: Scene, k: int) -> AtlasKey:
     low = max((inwards + own.inner_radius) / 2.0, own.inner_radius - border)
     high = max((own.outer_radius + outwards) / 2.0, outwards - border)
     stride = canvas.surface.get_pitch() // 4
-    return AtlasKey(canvas.size, stride, camera, ring, ground_of(scene), (low, high), (0.0, 0.0))
+    return AtlasKey(canvas.size, stride, camera.centre, ring, ground_of(scene), (low, high), (0.0, 0.0))
 
 
 class SlotAtlas:
@@ -92,7 +91,7 @@ class SlotAtlas:
         inwards, outwards = (math.ceil(room * scale) for room in key.room)
         self._spare = fine * (inwards + outwards) + 1 if outwards else 0
         within = (max(low, key.lane[0] * scale), min(high, key.lane[1] * scale))
-        self.band = BandKey(key.size, key.stride, key.camera.centre, within, low, fine, (0, rows - 1), self._columns_around)
+        self.band = BandKey(key.size, key.stride, key.centre, within, low, fine, (0, rows - 1), self._columns_around)
         """Of the pixels that show the ring."""
         wide = (max(low - inwards, 0.0), high + outwards)
         self.wide_band = self.band._replace(radii=wide, rows=(-fine * inwards, rows - 1 + fine * outwards))

@@ -1,4 +1,4 @@
-"""The colours of the ground's discs and marks as arrays, from `game.picture.ground`' lists."""
+"""The colours of the ground's discs and marks as arrays, from `game.picture.ground`'s lists."""
 
 from functools import lru_cache
 from typing import NamedTuple

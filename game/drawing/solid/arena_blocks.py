@@ -11,10 +11,10 @@ import numpy as np
 from game.drawing.camera import Camera
 from game.drawing.solid.blocks import Blocks, Integers, recoloured, ring_blocks
 from game.drawing.solid.faces import ProjectedBlocks, projected
-from game.picture.slots.contents import ContentKind, SlotContent
+from game.picture.slots.contents import ContentKind, SlotContent, pushed_out
 from game.picture.solid.order import Span, back_to_front
 from game.picture.solid.prisms import wedges_between
-from game.picture.solid.rings import RingLook, pushed_out, ring_prisms
+from game.picture.solid.rings import SolidRing, ring_prisms
 from game.scene import Scene
 
 _MOST_RINGS = 64
@@ -41,31 +41,31 @@ class ArenaBlocks:
 
     def __init__(self) -> None:
         """Start with nothing cached."""
-        self._rings: OrderedDict[RingLook, Blocks] = OrderedDict()
+        self._rings: OrderedDict[SolidRing, Blocks] = OrderedDict()
         self._joined: _JoinedBlocks | None = None
 
-    def seen(self, scene: Scene, looks: Sequence[RingLook], camera: Camera) -> ProjectedBlocks:
-        """The blocks of a scene as a camera sees them. looks: of its rings."""
-        parts = [self._ring_blocks(look) for look in looks]
-        wedges = [look.division.wedges for look in looks]
+    def seen(self, scene: Scene, rings: Sequence[SolidRing], camera: Camera) -> ProjectedBlocks:
+        """The blocks of a scene as a camera sees them. rings: of the scene."""
+        parts = [self._ring_blocks(ring) for ring in rings]
+        wedges = [ring.division.wedges for ring in rings]
         joined = self._joined
         if joined is None or len(joined.parts) != len(parts) or any(map(operator.is_not, joined.parts, parts)):
-            joined = self._joined = _joined(parts, [len(look.contents) * look.division.wedges for look in looks])
+            joined = self._joined = _joined(parts, [len(ring.contents) * ring.division.wedges for ring in rings])
         order = _order(joined, back_to_front(scene.rings, wedges, camera), wedges)
         phase = np.array([ring.phase for ring in scene.rings])[joined.ring]
         return projected(_pushed(joined, scene), phase, order, camera)
 
-    def _ring_blocks(self, look: RingLook) -> Blocks:
+    def _ring_blocks(self, ring: SolidRing) -> Blocks:
         """The blocks of one ring, cached; if only the light of hits differs, cached shapes get new colours."""
-        found = self._rings.get(look)
+        found = self._rings.get(ring)
         if found is None:
-            unlit, ring = look._replace(contents=_unlit(look.contents)), ring_prisms(look)
-            found = ring_blocks(ring) if unlit == look else recoloured(self._ring_blocks(unlit), ring)
-            self._rings[look] = found
+            unlit, prisms = ring._replace(contents=_unlit(ring.contents)), ring_prisms(ring)
+            found = ring_blocks(prisms) if unlit == ring else recoloured(self._ring_blocks(unlit), prisms)
+            self._rings[ring] = found
             if len(self._rings) > _MOST_RINGS:
                 self._rings.popitem(last=False)
         else:
-            self._rings.move_to_end(look)
+            self._rings.move_to_end(ring)
         return found
 
 

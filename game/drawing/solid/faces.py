@@ -99,24 +99,26 @@ def shadows(seen: ProjectedBlocks, balls: tuple[Ball, ...], camera: Camera, fine
     corners = [np.stack([ends[0] + low, ends[1] + low, ends[1] + high, ends[0] + high], axis=1)]
     corners.append(blocks.shadow_foot[falling] * seen.turn[falling, None] + down_light * blocks.bottom[falling, None])
     corners += [_strips(ball_outline(ball)) * camera.turning + down_light * ball.radius for ball in balls]
-    shown = camera.projected(np.concatenate(corners), 0.0)
-    kept = np.ones(len(shown), dtype=np.bool_)
-    kept[: len(row)] = falling[row] | ~_hidden(seen, row, side, np.asarray(high), shown[: len(row), 2:], math.tan(camera.tilt))
-    return fine_pixels(shown[kept], finer)
+    pixels = camera.projected(np.concatenate(corners), 0.0)
+    shown = np.ones(len(pixels), dtype=np.bool_)
+    away = np.flatnonzero(~(falling[row] | seen.facing[row, side]))
+    lean = math.tan(camera.tilt)
+    shown[away] = ~_hidden(seen, row[away], side[away], np.asarray(high[away]), pixels[away, 2:], lean)
+    return fine_pixels(pixels[shown], finer)
 
 
 def _hidden(seen: ProjectedBlocks, row: Integers, side: Integers, offset: Points, far: Points, lean: float) -> Flags:
-    """Which shadows of sides are wholly behind what stands there, a wall of blocks.
+    """Which shadows of sides that are turned from the eye are wholly behind what stands there, a wall of blocks.
 
-    The side is turned from the eye, and so far aside that one does not see through the gaps in the wall; the wall goes on at
-    both ends of the block, at least as far as the shadow does; and on the screen the shadow ends below the wall's top edge.
+    The side is so far aside that one does not see through the gaps in the wall; the wall goes on at both ends of the block, at
+    least as far as the shadow does; and on the screen the shadow ends below the wall's top edge.
     row, side: of each shadow's block, and the side that casts it. offset: of the far edge from the side, world units, turned by
     `Camera.turning`; far: its ends, pixels. lean: how far along the ground a line of sight goes for each unit of height.
     """
     blocks, following = seen.blocks, (side + 1) % 4
     casting, along = blocks.casting[row], seen.foot[row, following] - seen.foot[row, side]
     aside = np.abs((blocks.normals[row, side] * seen.turn[row]).real)
-    inside = ~(seen.facing[row, side] | casting[:, 1] | casting[:, 3])
+    inside = ~(casting[:, 1] | casting[:, 3])
     gap = np.abs(blocks.shadow_foot[row] - blocks.foot[row]).max(axis=1)
     inside &= aside * lean * (blocks.top[row] - blocks.bottom[row]) >= _MARGIN * gap
     inside &= np.abs((offset * along.conjugate()).real) <= np.abs(along) ** 2

@@ -19,7 +19,7 @@ from game.drawing.solid.arena_blocks import ArenaBlocks
 from game.drawing.solid.faces import Faces, ProjectedBlocks, shadows, visible_faces
 from game.picture.ground.measures import ground_of
 from game.picture.slots.contents import Contents
-from game.picture.solid.rings import ring_looks
+from game.picture.solid.rings import solid_rings
 from game.scene import Scene
 
 _MOST_FINE_PIXELS = 6_000_000
@@ -70,8 +70,8 @@ class SolidPicture:
         """
         finer = _finer(canvas.size)
         scale = canvas.camera.scale  # where blocks are not scaled down, bends are less fine, too
-        looks = ring_looks(scene, contents, canvas.theme, scale, finer / _FINER, _FRINGE / finer)
-        seen = self._blocks.seen(scene, looks, canvas.camera)
+        rings = solid_rings(scene, contents, canvas.theme, scale, finer / _FINER, _FRINGE / finer)
+        seen = self._blocks.seen(scene, rings, canvas.camera)
         dark = shadows(seen, scene.balls, canvas.camera, finer)
         faces = visible_faces(seen, canvas.camera, finer, side_shares(canvas.theme))
         if finer == 1:

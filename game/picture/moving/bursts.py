@@ -6,10 +6,9 @@ from game.drawing.camera import Camera
 from game.drawing.palette import Colour
 from game.drawing.piece_look import (
     PLATES,
-    STREAK_TICKS,
-    STREAK_WIDTH,
     burning,
     burst_colour,
+    earlier,
     glitter,
     least_size,
     plate,
@@ -34,8 +33,7 @@ def flying_pieces(scene: Scene, view: ArenaView) -> list[Flying]:
     """The pieces of all bursts that are large enough to see."""
     least, found = least_size(view.camera), []
     for burst in scene.bursts:
-        own, time = burst_colour(burst, view.theme), burst.age * TICK
-        before = max(time - STREAK_TICKS * TICK, 0.0)
+        own, time, before = burst_colour(burst, view.theme), burst.age * TICK, earlier(burst).age * TICK
         for start in thrown(burst):
             piece = flown(NUMBERS, start, time, scene.ground_radius)
             if piece.size > least:
@@ -59,11 +57,11 @@ def _add_streak(
     out: DisplayList, piece: FlyingPiece[float], before: tuple[float, float, float], own: Colour, view: ArenaView
 ) -> None:
     """Add a streak. before: position and height of the spark some time ago; own: colour of its material."""
-    camera, theme, share = view.camera, view.theme, min(piece.share, 1.0)
+    camera, theme = view.camera, view.theme
     front, back = camera.pixels_above([piece[:3], before])
     parts = zip(own, theme.flash, theme.ground, strict=True)
-    red, green, blue = [round(burning(NUMBERS, float(one), float(hot), float(cold), share)) for one, hot, cold in parts]
-    _add_shape(out, streak(front, back, STREAK_WIDTH * piece.size * camera.scale), (red, green, blue))
+    red, green, blue = [round(burning(NUMBERS, float(one), float(hot), float(cold), piece.share)) for one, hot, cold in parts]
+    _add_shape(out, streak(front, back, piece.size * camera.scale), (red, green, blue))
 
 
 def _add_shape(out: DisplayList, corners: Sequence[complex], colour: Colour) -> None:

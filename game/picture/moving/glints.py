@@ -5,6 +5,7 @@ import cmath
 from game.drawing.palette import mixed
 from game.effects import Flash
 from game.picture.display_list import DisplayList
+from game.picture.slots.contents import pushed_out
 from game.picture.slots.parts import LAYER_HEIGHT, PADDLE_HEIGHT
 from game.picture.view import ArenaView
 from game.rules import PADDLES
@@ -36,7 +37,7 @@ def _add_glint(out: DisplayList, flash: Flash, scene: Scene, view: ArenaView) ->
         paddle, light = theme.paddle_top, _WHITE
     else:  # the second player's paddle itself has the brightness of a flash
         paddle, light = theme.text, theme.accent
-    pushed = sum([recoil.out for recoil in scene.recoils if flash.ring == PADDLES and recoil.slot == flash.slot])
+    pushed = pushed_out(scene, flash.ring).get(flash.slot, 0.0)
     radius, left = ring.radius + pushed, (1.0 - flash.age) ** 2
     height = 0.0 if camera.flat else PADDLE_HEIGHT * LAYER_HEIGHT * scene.ground_radius
     reach = _REACH * scene.ground_radius * (1.0 - _SHRINKING * flash.age) / radius

@@ -84,6 +84,11 @@ def resting_contents(layers: tuple[tuple[int, ...], ...], tints: tuple[tuple[int
     return (_paddles(len(layers[PADDLES]), _PADDLE_KINDS[0][0]), *wall)
 
 
+def pushed_out(scene: Scene, k: int) -> dict[int, float]:
+    """How far the contents of some slots of a ring are pushed away from the arena's centre, by slot, world units."""
+    return {recoil.slot: recoil.out for recoil in scene.recoils} if k == PADDLES else {}
+
+
 def _ring_contents(scene: Scene, k: int, flashes: list[Flash]) -> tuple[SlotContent, ...]:
     """What stands in the slots of one ring. flashes: of this ring."""
     layers = scene.layers[k]

@@ -66,27 +66,27 @@ def wall_rings(scene: Scene) -> list[int]:
 
 
 def flat_rings(scene: Scene, scale: float, theme: Theme) -> tuple[FlatRing, ...]:
-    """The look of every ring. scale: pixels per world unit."""
+    """All rings from above. scale: pixels per world unit."""
     rings = tuple([(ring.radius, ring.half_width, ring.half_angle, ring.count) for ring in scene.rings])
-    return _looks(rings, scene.tallest, scene.ground_radius, scale, theme)
+    return _flat_rings(rings, scene.tallest, scene.ground_radius, scale, theme)
 
 
 @lru_cache(maxsize=16)
-def _looks(
+def _flat_rings(
     rings: _Sizes,
     tallest: tuple[int, ...],
     ground_radius: float,
     scale: float,
     theme: Theme,
 ) -> tuple[FlatRing, ...]:
-    """The same, from what does not move."""
-    looks = []
+    """All rings from above, made of what stays the same while rings turn."""
+    found = []
     for (radius, half_width, half_angle, count), layers in zip(rings, tallest, strict=True):
         lane = _lane(rings, radius, ground_radius)
         room = lane[1] - radius - half_width - _GAP_PIXELS / scale
         shape = SlotShape(radius, half_width, half_angle, layers, 1.0 / scale)
-        looks.append(FlatRing(shape, count, scale, min(_SHADOW * ground_radius, max(room, 0.0)), lane, theme))
-    return tuple(looks)
+        found.append(FlatRing(shape, count, scale, min(_SHADOW * ground_radius, max(room, 0.0)), lane, theme))
+    return tuple(found)
 
 
 def _lane(rings: _Sizes, radius: float, ground_radius: float) -> tuple[float, float]:

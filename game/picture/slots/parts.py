@@ -22,7 +22,7 @@ PADDLE_HEIGHT, STEEL_HEIGHT, SHIELD_HEIGHT = 0.7, 1.0, 0.5
 """Heights of a paddle, of what never breaks, and of the shield, in layers."""
 DOT_SHADE = 0.6
 """Colour of the dots on a stack: this share of the way from the top's colour to the ground's."""
-MOST_DOT = 0.09
+_MOST_DOT = 0.09
 """World units; half a dot's side where there is room."""
 
 _GLOW = 0.8
@@ -188,7 +188,7 @@ def dots(layers: int, top: SlotShape) -> list[tuple[float, float, float]]:
         return []
     along = 2.0 * top.half_angle * top.radius / max([len(row) for row in rows])
     across = 2.0 * top.half_width / len(rows)
-    half = min(0.3 * min(along, across), MOST_DOT)
+    half = min(0.3 * min(along, across), _MOST_DOT)
     pitch, row_pitch = min(4.0 * half, along) / top.radius, min(4.0 * half, across)
     middle = (len(rows) - 1) / 2.0
     return [(top.radius + (k - middle) * row_pitch, position * pitch, half) for k, row in enumerate(rows) for position in row]

@@ -10,10 +10,10 @@ from game.drawing.palette import Theme
 from game.picture.display_list import DisplayList
 from game.picture.moving.balls import add_ball, ball_outline
 from game.picture.moving.bursts import Flying
-from game.picture.slots.contents import Contents
+from game.picture.slots.contents import Contents, pushed_out
 from game.picture.solid.order import Span, among_rings, back_to_front
 from game.picture.solid.prisms import SlotPrisms, part_of
-from game.picture.solid.rings import RingLook, RingPrisms, SlotShadow, pushed_out, ring_looks, ring_prisms
+from game.picture.solid.rings import RingPrisms, SlotShadow, SolidRing, ring_prisms, solid_rings
 from game.scene import Scene
 
 
@@ -43,7 +43,7 @@ class SolidBlocks:
         flying: Sequence[Flying],
     ) -> None:
         """Add the shadows, then all that stands, lies or flies from back to front. texture: of balls."""
-        rings = [self._ring(k, look) for k, look in enumerate(ring_looks(scene, contents, theme, camera.scale))]
+        rings = [self._ring_lists(k, ring) for k, ring in enumerate(solid_rings(scene, contents, theme, camera.scale))]
         out.camera(camera, LIGHT, side_shares(theme), shadow_offset(camera))
         pushed = [pushed_out(scene, k) for k in range(len(rings))]
         for k, lists in enumerate(rings):
@@ -65,27 +65,28 @@ class SolidBlocks:
                 out.slot(ring.phase + math.tau * item.slot / ring.count, pushed[item.ring].get(item.slot, 0.0))
                 out.extend(picture)
 
-    def _ring(self, k: int, look: RingLook) -> "_RingLists":
+    def _ring_lists(self, k: int, ring: SolidRing) -> "_RingLists":
         """The primitives of a ring."""
         cached = self._rings.get(k)
-        if cached is None or cached.look != look:
-            cached = self._rings[k] = _RingLists(look, cached)
+        if cached is None or cached.ring != ring:
+            cached = self._rings[k] = _RingLists(ring, cached)
         return cached
 
 
 class _RingLists:
     """The primitives of a ring's slots at angle 0."""
 
-    def __init__(self, look: RingLook, before: "_RingLists | None") -> None:
-        """Make those of whole slots. before: of the ring's last look, most of whose slots still look the same."""
-        self.look, self.wedges, self._prisms = look, look.division.wedges, ring_prisms(look)
+    def __init__(self, ring: SolidRing, before: "_RingLists | None") -> None:
+        """Make those of whole slots. before: of the ring before it changed; most of its slots have not."""
+        self.ring, self.wedges, self._prisms = ring, ring.division.wedges, ring_prisms(ring)
         self.whole: dict[int, tuple[SlotPrisms, DisplayList]] = {}  # by the identity of what stands there
         cached = {} if before is None else before.whole
         for stands in self._prisms.slots:
-            self.whole[id(stands)] = cached.get(id(stands)) or (stands, self._listed(stands, 0, self.wedges - 1))
+            if id(stands) not in self.whole:
+                self.whole[id(stands)] = cached.get(id(stands)) or (stands, self._listed(stands, 0, self.wedges - 1))
         self._slots = [self.whole[id(stands)][1] for stands in self._prisms.slots]
         self._parts: dict[tuple[int, int, int], DisplayList] = {}
-        self._shadows = _shadows(self._prisms, look.theme)
+        self._shadows = _shadows(self._prisms, ring.theme)
 
     def add_shadows(self, out: DisplayList, phase: float, pushed: dict[int, float]) -> None:
         """Add the shadows of the ring's slots. pushed: as of `pushed_out`."""
@@ -99,7 +100,7 @@ class _RingLists:
             if shadow is not None:
                 out.slot(phase + math.tau * slot / count, pushed.get(slot, 0.0))
                 standing = [(0.0, shadow.low, shadow.high)]
-                out.shadows(shadow.outline, standing, self.look.theme.shadow, shadow.casting, shadow.ends)
+                out.shadows(shadow.outline, standing, self.ring.theme.shadow, shadow.casting, shadow.ends)
 
     def span(self, span: Span) -> DisplayList:
         """What wedges of a slot have.
@@ -128,7 +129,7 @@ class _RingLists:
         out, ends, even = DisplayList(), self._prisms.ends, self._prisms.evenly_lit
         sides = int(ends and first == 0) + 2 * int(ends and last == self.wedges - 1)
         for prism in stands.prisms:
-            part = part_of(prism, self.look.division, first, last)
+            part = part_of(prism, self.ring.division, first, last)
             if part is not None:
                 out.prism(part.outline, part.bottom, part.top, part.colour, sides, even=even)
         return out

@@ -10,7 +10,6 @@ from game.picture.slots.contents import Contents, SlotContent
 from game.picture.slots.parts import LAYER_HEIGHT, WHOLE, SlotShape, slot_shape
 from game.picture.solid.order import ranked
 from game.picture.solid.prisms import SlotDivision, SlotPrisms, evenly_lit, slot_division, slot_prisms
-from game.rules import PADDLES
 from game.scene import Scene
 
 _SCALE_STEPS = 8
@@ -19,8 +18,8 @@ _CLOSE = 0.15
 """World units between two slots below which no light falls through: the shadow of the one goes as far as the other."""
 
 
-class RingLook(NamedTuple):
-    """What the prisms of a ring depend on: neither its angle nor, but for the scale in steps, the camera.
+class SolidRing(NamedTuple):
+    """A ring of the solid view: what its prisms depend on, neither its angle nor, but for the scale in steps, the camera.
 
     contents, shape, division: of its slots.
     falling: slots whose content has still to fall, and by how many layers.
@@ -69,21 +68,21 @@ class RingPrisms(NamedTuple):
     evenly_lit: bool
 
 
-def ring_looks(
+def solid_rings(
     scene: Scene, contents: Contents, theme: Theme, scale: float, fineness: float = 1.0, fringe: float = 0.0
-) -> list[RingLook]:
-    """The present looks of all rings.
+) -> list[SolidRing]:
+    """All rings as they are at present.
 
     scale: pixels per world unit. fineness: share of it for which arcs look round. fringe: pixels, as in `SlotDivision`.
     """
     scale = 2.0 ** (round(math.log2(scale) * _SCALE_STEPS) / _SCALE_STEPS)
     unit = LAYER_HEIGHT * scene.ground_radius
     widest = {ring: wide for ring, _, _, wide in ranked(scene.rings)}
-    looks = []
+    found = []
     for k, ring in enumerate(scene.rings):
         shape = slot_shape(ring, scene.tallest[k], 0.0)  # lines may be thinner than a pixel
-        looks.append(
-            RingLook(
+        found.append(
+            SolidRing(
                 contents[k],
                 shape,
                 slot_division(shape, widest[k], scale * fineness, fringe / scale),
@@ -92,23 +91,23 @@ def ring_looks(
                 theme,
             )
         )
-    return looks
+    return found
 
 
-def ring_prisms(look: RingLook) -> RingPrisms:
+def ring_prisms(ring: SolidRing) -> RingPrisms:
     """The prisms of a ring."""
-    falling, shape = dict(look.falling), look.shape
+    falling, shape = dict(ring.falling), ring.shape
     found: dict[tuple[SlotContent, float], SlotPrisms] = {}  # most slots look like others
     slots = []
-    for slot, content in enumerate(look.contents):
+    for slot, content in enumerate(ring.contents):
         key = content, falling.get(slot, 0.0)
         if key not in found:
-            found[key] = slot_prisms(content, shape, key[1], look.unit, look.theme, look.division)
+            found[key] = slot_prisms(content, shape, key[1], ring.unit, ring.theme, ring.division)
         slots.append(found[key])
     ends = shape.half_angle < WHOLE
     close = ends and shape.radius * (math.tau / len(slots) - 2.0 * shape.half_angle) < _CLOSE
     shadows = tuple([_shadow(slots, slot, close=close) for slot in range(len(slots))])
-    return RingPrisms(tuple(slots), shadows, look.division, ends, evenly_lit(shape.half_angle))
+    return RingPrisms(tuple(slots), shadows, ring.division, ends, evenly_lit(shape.half_angle))
 
 
 def _shadow(slots: Sequence[SlotPrisms], slot: int, *, close: bool) -> SlotShadow | None:
@@ -125,8 +124,3 @@ def _shadow(slots: Sequence[SlotPrisms], slot: int, *, close: bool) -> SlotShado
     if left:
         corners[middle - 1], corners[middle] = outline[0] * pitch, outline[-1] * pitch
     return SlotShadow(outline, tuple(corners), int(not right) + 2 * int(not left), *own)
-
-
-def pushed_out(scene: Scene, k: int) -> dict[int, float]:
-    """How far all points of what stands in some slots of a ring are pushed away from the arena's centre, world units."""
-    return {recoil.slot: recoil.out for recoil in scene.recoils} if k == PADDLES else {}

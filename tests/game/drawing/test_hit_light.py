@@ -9,7 +9,7 @@ from game.drawing.solid.blocks import recoloured, ring_blocks
 from game.picture.slots.contents import GLOW_STEPS, ContentKind, SlotContent
 from game.picture.slots.parts import SlotShape
 from game.picture.solid.prisms import slot_division
-from game.picture.solid.rings import RingLook, ring_prisms
+from game.picture.solid.rings import SolidRing, ring_prisms
 
 SHAPE = SlotShape(4.0, 0.4, math.radians(14.0), 4, 0.0)
 KINDS = (ContentKind.STEEL, ContentKind.EMPTY, ContentKind.BUMPER, ContentKind.SHIELD, ContentKind.PADDLE)
@@ -20,7 +20,7 @@ def lit(glows):
     """The prisms of a ring, with the light of hits. glows: of each slot."""
     contents = tuple([content._replace(glow=glow) for content, glow in zip(RING, glows, strict=True)])
     division = slot_division(SHAPE, math.radians(6.0), 60.0, 0.002)
-    return ring_prisms(RingLook(contents, SHAPE, division, (), 0.45, DARK))
+    return ring_prisms(SolidRing(contents, SHAPE, division, (), 0.45, DARK))
 
 
 def test_blocks_in_other_colours_are_those_cut_anew():

@@ -26,7 +26,7 @@ from game.scene import scene_at
 from physics import Ball, Ring, contact
 from tests.support.games.autopilot_games import game_after
 from tests.support.oracles.lines_of_sight import first_met, sight
-from tests.support.pictures import TIPPED, camera_of, canvas_of, look_of, painted
+from tests.support.pictures import TIPPED, camera_of, canvas_of, painted, solid_ring
 
 SIZE = (480, 360)
 
@@ -136,10 +136,10 @@ def test_what_is_far_on_the_screen_hides_no_ball(level):
 @pytest.mark.parametrize("tilt", [0.2, 0.9, 1.3])
 def test_what_is_painted_on_a_top_comes_after_it(content, tilt):
     """From every side bars and dots are drawn later than all pieces of the top that they lie on, however wide the slot."""
-    look, ring = look_of(0.6, 4, content), Ring(3.0, 0.4, 0.6, 4, 0.0, 0.0)
-    prisms = ring_prisms(look)
-    joined = arena_blocks._joined([ring_blocks(prisms)], [4 * look.division.wedges])
-    every, wedges = joined.blocks, look.division.wedges
+    solid, ring = solid_ring(0.6, 4, content), Ring(3.0, 0.4, 0.6, 4, 0.0, 0.0)
+    prisms = ring_prisms(solid)
+    joined = arena_blocks._joined([ring_blocks(prisms)], [4 * solid.division.wedges])
+    every, wedges = joined.blocks, solid.division.wedges
     flat = [prism for stands in prisms.slots for prism in stands.prisms]
     marks = np.array([prism.wedges is not None for prism in flat])[every.prism]
     assert wedges > 2

@@ -23,7 +23,7 @@ from game.rules import new_game
 from game.scene import scene_at, still
 from tests.support.games.autopilot_games import game_after
 from tests.support.oracles.lines_of_sight import first_met, in_shadow, sight
-from tests.support.pictures import PLAIN_DARK, TIPPED, camera_of, canvas_of, look_of, painted
+from tests.support.pictures import PLAIN_DARK, TIPPED, camera_of, canvas_of, painted, solid_ring
 
 SIZE = (480, 360)
 
@@ -87,9 +87,9 @@ def test_a_wide_paddle_has_its_whole_shadow(azimuth):
 def test_no_light_falls_between_close_slots(gap):
     """Ends that are closer than 0.15 cast no shadow: the neighbour that is as high does, over the gap; higher ends cast one."""
     half_angle = math.pi / 20.0 - gap / 6.0
-    look = look_of(half_angle, 20, SlotContent(ContentKind.BRICKS, 1))
+    alike = solid_ring(half_angle, 20, SlotContent(ContentKind.BRICKS, 1))
     high = SlotContent(ContentKind.BRICKS, 2)
-    ring = ring_prisms(look._replace(contents=(look.contents[0], high, *look.contents[2:])))
+    ring = ring_prisms(alike._replace(contents=(alike.contents[0], high, *alike.contents[2:])))
     first, second = ring.shadows[:2]
     assert (first.ends, second.ends) == ((0, 3) if gap < 0.15 else (3, 3))
     beside = [corner * np.exp(1j * math.tau / 20.0) for corner in (first.outline[0], first.outline[-1])]

@@ -24,7 +24,7 @@ from game.scene import scene_at
 from game.screenshot import save_screenshot
 from tests.support.games.autopilot_games import game_after
 from tests.support.paths import REFERENCE
-from tests.support.pictures import TIPPED, camera_of, canvas_of, look_of, painted
+from tests.support.pictures import TIPPED, camera_of, canvas_of, painted, solid_ring
 
 SIZE = (480, 360)
 
@@ -110,7 +110,7 @@ def test_reference_pictures(level, view):
 @pytest.mark.parametrize(("half_angle", "slots"), [(math.pi, 1), (1.2, 2), (0.1, 20)])
 def test_feet_cover_the_sectors_and_only_their_ends_are_ends(half_angle, slots):
     """The feet of a ring's blocks have its sectors' area together; a whole ring has no ends, a sector has two."""
-    every = ring_blocks(ring_prisms(look_of(half_angle, slots, SlotContent(ContentKind.BRICKS, 1))))
+    every = ring_blocks(ring_prisms(solid_ring(half_angle, slots, SlotContent(ContentKind.BRICKS, 1))))
     following = np.roll(every.foot, -1, axis=1)
     area = 0.5 * (every.foot.conjugate() * following).imag.sum()
     assert area == pytest.approx(slots * 2.0 * half_angle * 3.0 * 0.8, rel=0.003)

@@ -11,7 +11,7 @@ import pytest
 
 from game.drawing import debris as debris_picture
 from game.drawing.palette import DARK
-from game.drawing.piece_look import PLATES, STREAK_TICKS
+from game.drawing.piece_look import PLATES, burst_colour, earlier
 from game.drawing.solid.debris_occlusion import occluded
 from game.effects import NOTHING, debris
 from game.effects.bursts import Burst, BurstOrigin, Matter, lifetime
@@ -183,14 +183,14 @@ def test_the_page_has_the_same_pieces_as_the_desktop(matter, view):
     flown = burst(matter, age=20)
     scene = scene_of(1)._replace(bursts=(flown,))
     camera = camera_of(view, scene, SIZE)
-    flying = debris.pieces([flown], scene.ground_radius)
+    flying, own = debris.pieces([flown], scene.ground_radius), np.array(burst_colour(flown, DARK), dtype=float)
     if matter in PLATES:
         outlines = debris_picture._plates(flying.flying, camera)
-        colours = debris_picture._glittering(flying, [flown], DARK)
+        colours = debris_picture._glittering(flying.flying, own)
     else:
-        earlier = debris.pieces([burst(matter, age=20 - STREAK_TICKS)], scene.ground_radius)
-        outlines = debris_picture._streaks(flying.flying, earlier.flying, camera)
-        colours = debris_picture._burning(flying, [flown], DARK)
+        before = debris.pieces([earlier(flown)], scene.ground_radius)
+        outlines = debris_picture._streaks(flying.flying, before.flying, camera)
+        colours = debris_picture._burning(flying.flying, own, DARK)
     found = flying_pieces(scene, ArenaView(camera, DARK, 20.0, SIZE))
     assert len(found) == len(outlines) == NUMBERS_OF_PIECES[matter]
     for (position, picture), ground, outline, colour in zip(
